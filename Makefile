@@ -1,0 +1,81 @@
+# The front door. `make help` lists what there is.
+.DEFAULT_GOAL := help
+.PHONY: help deps build demo test check asan tsan clang scalar sweep bench format format-check golden install clean
+
+PRESET ?= release
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+BUILD = build/$(PRESET)
+DEPS = ./scripts/install-deps
+
+help: ## list the targets
+	@awk 'BEGIN {FS = ":.*## "; print "burnish: make TARGET\n"} /^[a-z-]+:.*## / {printf "  %-14s %s\n", $$1, $$2}' Makefile
+
+deps: ## install the Debian packages that building and testing need
+	@$(DEPS) build test demo
+
+build: ## build the program: build/release/burnish
+	@$(DEPS) build
+	@cmake --preset $(PRESET) -DBURNISH_TESTS=OFF >/dev/null
+	@cmake --build --preset $(PRESET) -j $(JOBS) --target burnish_cli
+
+demo: ## render the teapot with four lobes and a scanned object, and say where they are
+	@$(DEPS) build demo
+	@$(MAKE) --no-print-directory build
+	@./scripts/demo $(BUILD)/burnish out/demo
+
+test: ## build and run every test
+	@$(DEPS) build test demo
+	@$(MAKE) --no-print-directory ctest-$(PRESET)
+
+ctest-%:
+	@cmake --preset $* -DBURNISH_TESTS=ON >/dev/null
+	@cmake --build --preset $* -j $(JOBS)
+	@ctest --preset $*
+
+check: format-check asan tsan ## format, tests under sanitizers
+
+asan: ## tests with the address and undefined behaviour sanitizers
+	@$(DEPS) build test demo
+	@$(MAKE) --no-print-directory ctest-asan
+
+tsan: ## tests with the thread sanitizer
+	@$(DEPS) build test demo
+	@$(MAKE) --no-print-directory ctest-tsan
+
+clang: ## tests of the optimised clang build
+	@$(DEPS) build test demo
+	@$(MAKE) --no-print-directory ctest-clang
+
+scalar: ## tests of a build without vector instructions
+	@$(DEPS) build test demo
+	@$(MAKE) --no-print-directory ctest-scalar
+
+sweep: ## every lobe over all 2^32 floats (minutes)
+	@$(DEPS) build test
+	@cmake --preset release -DBURNISH_TESTS=ON >/dev/null
+	@cmake --build --preset release -j $(JOBS) --target sweep_lobe
+	@build/release/test/sweep_lobe
+
+bench: ## time frames and whole processes (medians)
+	@$(DEPS) build demo
+	@cmake --preset release -DBURNISH_BENCH=ON >/dev/null
+	@cmake --build --preset release -j $(JOBS)
+	@./bench/run build/release
+
+format: ## format the sources with clang-format
+	@$(DEPS) test
+	@./scripts/format
+
+format-check: ## fail when a source is not formatted
+	@$(DEPS) test
+	@./scripts/format --check
+
+golden: build ## rewrite test/golden/pixels.txt after a deliberate change of pixels
+	@./test/cli/golden.sh $(BUILD)/burnish build/golden --update
+
+install: build ## install program, library, headers and man page (DESTDIR, PREFIX)
+	@cmake --build --preset $(PRESET) -j $(JOBS)
+	@cmake --install $(BUILD) $(if $(PREFIX),--prefix $(PREFIX))
+
+clean: ## remove everything that was built
+	@rm -rf build out

@@ -1,0 +1,339 @@
+/* burnish/lobe.h: a family of specular lobes that needs no pow, no division and no libm.
+ *
+ * What it is. A specular highlight of the Phong and Blinn models is cos(angle)^n. This header offers
+ * in its place
+ *
+ *     S(c) = u^m,   u = min(1, max(0, 1 - zeta (1 - c))),   m = 2, 4, 8, 16 or 32,
+ *
+ * where c is the cosine of the lobe angle (R.V for Phong, N.H for Blinn), m, the order, costs log2(m)
+ * squarings and is the quality dial, and zeta follows from the exponent n by a fit, the shape dial. The
+ * lobe is 1 at c = 1 and exactly 0 from the cutoff cosine 1 - 1/zeta downward.
+ *
+ * How to use it.
+ *   1. Copy this file; it includes nothing. Compile with -ffp-contract=off where bits matter.
+ *   2. Once per material:  burnish_lobe lobe;
+ *                          if (burnish_lobe_create(&lobe, BURNISH_FIT_ENERGY, 2, shininess)) { ... }
+ *   3. Once per light and pixel, where N.L > 0:
+ *                          specular = burnish_lobe_at_cosine(lobe, n_dot_h);
+ *      or, for large exponents or coarse vectors, from the vectors themselves:
+ *                          specular = burnish_lobe_at_lambda(lobe, burnish_lobe_chord(n, h));
+ *
+ * What it does not do. It does not normalise vectors (Lyon's lobe below does), reflect, test N.L, or
+ * light anything; the fits level and projected need roots and live in burnish/theory.h, as do the
+ * reference lobes that need libm; the minimax fit is a table, see burnish_lobe_from_zeta.
+ *
+ * What it promises.
+ * - Every evaluation returns a finite value in [0, 1] for every float given: NaN gives 0, infinities and
+ *   denormals are fine. (Not under -ffast-math, which forbids NaN and infinity.)
+ * - Results are defined operation by operation in IEEE single precision, in the order written; the
+ *   set-up of a lobe uses double. With -ffp-contract=off every compiler and machine gives the same bits.
+ * - The family's lobes never decrease as c grows, not even by a rounding error.
+ *
+ * Accuracy, against the formula in exact arithmetic with the lobe's own float zeta, over all floats c.
+ * "absolute": largest error in units of 2^-24. "relative": largest error in units in the last place of
+ * the exact value where that is at least 2^-10. test/sweep.h holds this table and fails above it.
+ *
+@TABLE@
+ *
+ * Against a zeta that is not a float (a fit evaluated exactly) the rounding of zeta adds at most
+ * half a unit of 2^-24: test_lobe measures it over 4,000 reference values.
+ *
+ * Sources. Phong, Illumination for Computer Generated Pictures, CACM 1975; Blinn, Models of Light
+ * Reflection, SIGGRAPH 1977. The form of the lobe is not new: Lyon, Phong Shading Reformulated for
+ * Hardware Renderer Simplification, Apple TR 43, 1993 (general m, chord form, zeta = n/m); Beaudoin and
+ * Guardado, A Non-Integer Power Function on the Pixel Shader, 2002 (fitted constants); Doom 3 shipped
+ * its member zeta = 4, m = 2, Unreal's mobile shader zeta = 6.645, m = 2. Schlick, A Fast Alternative
+ * to Phong's Specular Model, Graphics Gems IV, 1994.
+ *
+ * SPDX-License-Identifier: MIT
+ * Copyright (c) the burnish authors
+ */
+#ifndef BURNISH_LOBE_H
+#define BURNISH_LOBE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The exponents (shininess) for which lobes exist, and the largest zeta. */
+#define BURNISH_LOBE_EXPONENT_MIN 1.0f
+#define BURNISH_LOBE_EXPONENT_MAX 65536.0f
+#define BURNISH_LOBE_ZETA_MAX 65536.0f
+
+/* Why a lobe could not be made: X(name, text). OK is 0. */
+#define BURNISH_LOBE_STATUS_LIST(X)                                                                \
+    X(OK, "success")                                                                               \
+    X(ERROR_EXPONENT, "the exponent must be a number from 1 to 65536")                             \
+    X(ERROR_ORDER, "the order must be 2, 4, 8, 16 or 32; shift7 and shift3 have order 2 only")     \
+    X(ERROR_ORDER_FOR_EXPONENT, "the order is above the exponent: try a lower order")              \
+    X(ERROR_FIT, "the fit is not one of enum burnish_fit")                                         \
+    X(ERROR_FIT_NEEDS_THEORY, "the fits level and projected need burnish_theory_lobe")             \
+    X(ERROR_ZETA, "zeta must be a number above 0 and at most 65536")                               \
+    X(ERROR_LEVEL, "the level must be a number between 0 and 1, both excluded")
+
+typedef enum burnish_lobe_status {
+#define BURNISH_LOBE_STATUS_ENUM(name, text) BURNISH_LOBE_##name,
+    BURNISH_LOBE_STATUS_LIST(BURNISH_LOBE_STATUS_ENUM)
+#undef BURNISH_LOBE_STATUS_ENUM
+        BURNISH_LOBE_STATUS_COUNT
+} burnish_lobe_status;
+
+/* What a status means, in one line; "unknown status" for a value outside the list. */
+static inline const char *burnish_lobe_status_text(burnish_lobe_status status) {
+    switch (status) {
+#define BURNISH_LOBE_STATUS_CASE(name, text)                                                       \
+    case BURNISH_LOBE_##name:                                                                      \
+        return text;
+        BURNISH_LOBE_STATUS_LIST(BURNISH_LOBE_STATUS_CASE)
+#undef BURNISH_LOBE_STATUS_CASE
+    case BURNISH_LOBE_STATUS_COUNT:
+        break;
+    }
+    return "unknown status";
+}
+
+/* How zeta follows from the exponent n and the order m. "Paper" is the work that burnish implements,
+ * where these are the lobes W, W1, W_Q and W_0.5 at m = 2. */
+typedef enum burnish_fit {
+    BURNISH_FIT_TAYLOR,    /* n/m: the same curvature at the peak; never above cos^n (paper's W) */
+    BURNISH_FIT_ENERGY,    /* (n+1)/(m+1): the same integral over solid angle (paper's W1) */
+    BURNISH_FIT_LEVEL,     /* meets cos^n where that is Q (paper's W_Q); burnish/theory.h */
+    BURNISH_FIT_SHIFT7,    /* 7n/16, m = 2: shift and subtract in integers (paper's W_0.5) */
+    BURNISH_FIT_SHIFT3,    /* 3n/8, m = 2: as cheap, lower largest absolute error for n >= 6 */
+    BURNISH_FIT_PROJECTED, /* the same cosine-weighted integral; burnish/theory.h */
+    BURNISH_FIT_COUNT
+} burnish_fit;
+
+/* One lobe. A small value to copy and pass; make it with burnish_lobe_create or a sibling and then
+ * leave it as it is. One that is all zero is the dark lobe, which is 0 everywhere, c = 1 included. */
+typedef struct burnish_lobe {
+    float zeta; /* slope of the base: (0, 65536], 0 in the dark lobe */
+    int order;  /* 2, 4, 8, 16 or 32; 0 in the dark lobe */
+} burnish_lobe;
+
+/* 1 for the orders that exist. */
+static inline int burnish_lobe_order_is_valid(int order) {
+    return order == 2 || order == 4 || order == 8 || order == 16 || order == 32;
+}
+
+/* Whether lobes of this order and exponent exist, whatever the fit: OK, ERROR_ORDER, ERROR_EXPONENT, or
+ * ERROR_ORDER_FOR_EXPONENT. Order 2 is there for every exponent, a higher one from exponent = order on:
+ * below that zeta would sink under 1 and the lobe would still shine at c = 0. */
+static inline burnish_lobe_status burnish_lobe_check(int order, double exponent) {
+    if (!burnish_lobe_order_is_valid(order)) {
+        return BURNISH_LOBE_ERROR_ORDER;
+    }
+    if (!(exponent >= (double)BURNISH_LOBE_EXPONENT_MIN &&
+          exponent <= (double)BURNISH_LOBE_EXPONENT_MAX)) {
+        return BURNISH_LOBE_ERROR_EXPONENT;
+    }
+    return order > 2 && exponent < order ? BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT : BURNISH_LOBE_OK;
+}
+
+/* The highest order, at most the given one, that the exponent allows: where to fall back after
+ * ERROR_ORDER_FOR_EXPONENT.
+ *   order     the wanted order: 2, 4, 8, 16 or 32
+ *   exponent  [1, 65536]
+ * Returns an order, or 0 when an argument is out of range. */
+static inline int burnish_lobe_highest_order(int order, float exponent) {
+    burnish_lobe_status status = burnish_lobe_check(order, (double)exponent);
+    while (status == BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT) {
+        order /= 2;
+        status = burnish_lobe_check(order, (double)exponent);
+    }
+    return status == BURNISH_LOBE_OK ? order : 0;
+}
+
+/* Makes the lobe with a given slope, for fits of your own. Minimax slopes for m = 2 by Beaudoin and
+ * Guardado (2002): n = 4 1.683, 6 2.385, 10 3.802, 18 6.645; for large n about .7118 n/m.
+ *   lobe   becomes the lobe, on error the dark one; not NULL
+ *   zeta   (0, 65536]
+ *   order  2, 4, 8, 16 or 32
+ * Errors: ERROR_ZETA (NaN and infinity included), ERROR_ORDER. */
+static inline burnish_lobe_status burnish_lobe_from_zeta(burnish_lobe *lobe, float zeta,
+                                                         int order) {
+    lobe->zeta = 0.0f;
+    lobe->order = 0;
+    if (!burnish_lobe_order_is_valid(order)) {
+        return BURNISH_LOBE_ERROR_ORDER;
+    }
+    if (!(zeta > 0.0f && zeta <= BURNISH_LOBE_ZETA_MAX)) {
+        return BURNISH_LOBE_ERROR_ZETA;
+    }
+    lobe->zeta = zeta;
+    lobe->order = order;
+    return BURNISH_LOBE_OK;
+}
+
+/* Makes the lobe that stands for cos^exponent. zeta is the fit's formula evaluated in double precision
+ * and rounded to float.
+ *   lobe      becomes the lobe, on error the dark one; not NULL
+ *   fit       TAYLOR, ENERGY, SHIFT7 or SHIFT3; for LEVEL and PROJECTED see burnish/theory.h
+ *   order     2, 4, 8, 16 or 32, from 4 on at most the exponent; SHIFT7 and SHIFT3: 2
+ *   exponent  [1, 65536], need not be whole
+ * Errors: ERROR_FIT, ERROR_FIT_NEEDS_THEORY, ERROR_ORDER, ERROR_EXPONENT (NaN included),
+ * ERROR_ORDER_FOR_EXPONENT (burnish_lobe_highest_order finds the order to fall back to). */
+static inline burnish_lobe_status burnish_lobe_create(burnish_lobe *lobe, burnish_fit fit,
+                                                      int order, float exponent) {
+    const double n = (double)exponent;
+    burnish_lobe_status status = burnish_lobe_check(order, n);
+    double zeta = 0.0;
+    switch (fit) {
+    case BURNISH_FIT_TAYLOR:
+        zeta = n / order;
+        break;
+    case BURNISH_FIT_ENERGY:
+        zeta = (n + 1.0) / (order + 1);
+        break;
+    case BURNISH_FIT_SHIFT7:
+        zeta = n * 0.4375;
+        break;
+    case BURNISH_FIT_SHIFT3:
+        zeta = n * 0.375;
+        break;
+    case BURNISH_FIT_LEVEL:
+    case BURNISH_FIT_PROJECTED:
+        status = BURNISH_LOBE_ERROR_FIT_NEEDS_THEORY;
+        break;
+    case BURNISH_FIT_COUNT:
+    default:
+        status = BURNISH_LOBE_ERROR_FIT;
+        break;
+    }
+    if ((fit == BURNISH_FIT_SHIFT7 || fit == BURNISH_FIT_SHIFT3) && order != 2) {
+        status = BURNISH_LOBE_ERROR_ORDER;
+    }
+    if (status != BURNISH_LOBE_OK) {
+        lobe->zeta = 0.0f;
+        lobe->order = 0;
+        return status;
+    }
+    return burnish_lobe_from_zeta(lobe, (float)zeta, order);
+}
+
+/* x clamped to [0, 1]; NaN gives 0. */
+static inline float burnish_lobe_saturate(float x) {
+    x = x > 0.0f ? x : 0.0f;
+    return x < 1.0f ? x : 1.0f;
+}
+
+/* The lobe at lambda = 1 - cosine: (1 - zeta lambda)^order by squarings. The form to prefer for large
+ * exponents, where a cosine near 1 has too few bits left to tell how near.
+ *   lambda  any float; (-infinity, 0] gives 1, NaN gives 0
+ * Returns a value in [0, 1]; 0 for the dark lobe. */
+static inline float burnish_lobe_at_lambda(burnish_lobe lobe, float lambda) {
+    float u = burnish_lobe_saturate(1.0f - lobe.zeta * lambda);
+    u = u * u;
+    u = lobe.order >= 4 ? u * u : u;
+    u = lobe.order >= 8 ? u * u : u;
+    u = lobe.order >= 16 ? u * u : u;
+    u = lobe.order >= 32 ? u * u : u;
+    return lobe.order >= 2 ? u : 0.0f;
+}
+
+/* The lobe at a cosine: burnish_lobe_at_lambda of 1 - cosine.
+ *   cosine  any float; [1, infinity] gives 1, NaN gives 0
+ * Returns a value in [0, 1]; 0 for the dark lobe. */
+static inline float burnish_lobe_at_cosine(burnish_lobe lobe, float cosine) {
+    return burnish_lobe_at_lambda(lobe, 1.0f - cosine);
+}
+
+/* lambda from two unit vectors: |a - b|^2 / 2, which is 1 - a.b without the cancellation near 1.
+ *   a, b  three components each, of unit length; may be the same array
+ * Returns a value >= 0, NaN when a component is NaN; any result suits burnish_lobe_at_lambda.
+ * Source: Lyon 1993. */
+static inline float burnish_lobe_chord(const float a[3], const float b[3]) {
+    const float x = a[0] - b[0];
+    const float y = a[1] - b[1];
+    const float z = a[2] - b[2];
+    return 0.5f * ((x * x + y * y) + z * z);
+}
+
+/* The cosine from which downward the lobe is 0: 1 - 1/zeta. Below -1 (zeta < 1/2) the lobe reaches 0
+ * nowhere. Rounded to float, so at this very cosine the lobe may still be a rounding error above 0.
+ * 1 for the dark lobe. */
+static inline float burnish_lobe_cutoff_cosine(burnish_lobe lobe) {
+    return lobe.order >= 2 ? 1.0f - 1.0f / lobe.zeta : 1.0f;
+}
+
+/* ---- Lobes to compare with -----------------------------------------------------------------------
+ *
+ * Known alternatives that need no libm; those that do (cos^n itself, the Gaussian) are in
+ * burnish/theory.h. They take the exponent at each call; one outside [1, 65536] is clamped into it,
+ * and a NaN exponent gives 0. */
+
+/* The exponent clamped to [1, 65536]; NaN stays NaN. */
+static inline float burnish_lobe_clamp_exponent(float exponent) {
+    exponent = exponent < BURNISH_LOBE_EXPONENT_MIN ? BURNISH_LOBE_EXPONENT_MIN : exponent;
+    return exponent > BURNISH_LOBE_EXPONENT_MAX ? BURNISH_LOBE_EXPONENT_MAX : exponent;
+}
+
+/* Schlick's lobe c / (n - n c + c), evaluated as c / (c + n (1 - c)): one division, never below cos^n.
+ *   cosine    any float; <= 0 and NaN give 0, >= 1 gives 1
+ *   exponent  n, clamped to [1, 65536]; NaN gives 0
+ * Returns a value in [0, 1]. Source: Schlick, Graphics Gems IV, 1994. */
+static inline float burnish_schlick_at_cosine(float cosine, float exponent) {
+    const float c = burnish_lobe_saturate(cosine);
+    const float n = burnish_lobe_clamp_exponent(exponent);
+    return burnish_lobe_saturate(c / (c + n * (1.0f - c)));
+}
+
+/* The GameCube's lobe c^2 / (n/2 + (1 - n/2) c^2), evaluated as c^2 / (c^2 + n/2 (1 - c) (1 + c)).
+ *   cosine    any float; <= 0 and NaN give 0, >= 1 gives 1
+ *   exponent  n, clamped to [1, 65536]; NaN gives 0
+ * Returns a value in [0, 1]. */
+static inline float burnish_gx_at_cosine(float cosine, float exponent) {
+    const float c = burnish_lobe_saturate(cosine);
+    const float n = burnish_lobe_clamp_exponent(exponent);
+    const float squared = c * c;
+    return burnish_lobe_saturate(squared / (squared + (0.5f * n) * ((1.0f - c) * (1.0f + c))));
+}
+
+/* Lyon's stand-in for 1/sqrt(s) near s = 1: 1 + e/2 + 3 e^2/8 with e = 1 - s, the first three terms of
+ * the series. Relative error below .0004 for s in [.9, 1.1], .04 in [.5, 1.5].
+ *   s  the squared length of a vector that is nearly a unit vector
+ * Returns at least 5/6. Source: Lyon 1993. */
+static inline float burnish_lyon_normalize_factor(float s) {
+    const float e = 1.0f - s;
+    return 1.0f + e * (0.5f + 0.375f * e);
+}
+
+/* Lyon's lobe from the chord of two vectors as they are: (1 - beta r^2/2)^order with r = |a - b| and
+ * beta = exponent/order; the family's taylor fit in chord form.
+ *   a, b      three components each; unit vectors, or nearly so
+ *   exponent  clamped to [1, 65536]; NaN gives 0
+ *   order     2, 4, 8, 16 or 32, from 4 on at most the exponent; otherwise the result is 0
+ * Returns a value in [0, 1]. Source: Lyon 1993. */
+static inline float burnish_lyon_at_chord(const float a[3], const float b[3], float exponent,
+                                          int order) {
+    burnish_lobe lobe; /* on error the dark lobe, which gives the promised 0 */
+    (void)burnish_lobe_create(&lobe, BURNISH_FIT_TAYLOR, order,
+                              burnish_lobe_clamp_exponent(exponent));
+    return burnish_lobe_at_lambda(lobe, burnish_lobe_chord(a, b));
+}
+
+/* Lyon's lobe from vectors that are only nearly of unit length, as interpolation leaves them: both are
+ * scaled by burnish_lyon_normalize_factor, then burnish_lyon_at_chord. No root, no division.
+ *   n, h             three components each, squared lengths near 1
+ *   exponent, order  as for burnish_lyon_at_chord
+ * Returns a value in [0, 1]. Source: Lyon 1993. */
+static inline float burnish_lyon_at_vectors(const float n[3], const float h[3], float exponent,
+                                            int order) {
+    const float n_scale =
+        burnish_lyon_normalize_factor((n[0] * n[0] + n[1] * n[1]) + n[2] * n[2]);
+    const float h_scale =
+        burnish_lyon_normalize_factor((h[0] * h[0] + h[1] * h[1]) + h[2] * h[2]);
+    float a[3], b[3];
+    int i;
+    for (i = 0; i < 3; ++i) {
+        a[i] = n[i] * n_scale;
+        b[i] = h[i] * h_scale;
+    }
+    return burnish_lyon_at_chord(a, b, exponent, order);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,120 @@
+/* burnish/render.h: draw a scene into an image.
+ *
+ * The Phong illumination equation, per pixel, in linear light (model.md's notation):
+ *   I = Ia ka + sum over lights Il (kd max(0, N.L) + ks S(c)),  S = 0 where N.L <= 0,
+ * with c = N.H (Blinn) or R.V (Phong) and S any lobe that burnish knows. The same scene and options
+ * give the same bytes on every machine, compiler and thread count.
+ *
+ * What it does not do: shadows, reflections, transparency, textures.
+ *
+ * SPDX-License-Identifier: MIT
+ * Copyright (c) the burnish authors
+ */
+#ifndef BURNISH_RENDER_H
+#define BURNISH_RENDER_H
+
+#include "burnish/image.h"
+#include "burnish/lobe.h"
+#include "burnish/scene.h"
+#include "burnish/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The specular lobes that a picture can use. */
+typedef enum burnish_lobe_kind {
+    BURNISH_LOBE_FAMILY,   /* max(0, 1 + zeta (c - 1))^order, zeta by fit */
+    BURNISH_LOBE_POWER,    /* c^n: the reference */
+    BURNISH_LOBE_SCHLICK,  /* c / (n - n c + c) */
+    BURNISH_LOBE_LYON,     /* the family's taylor fit from the chord of nearly unit vectors */
+    BURNISH_LOBE_GAUSSIAN, /* exp(-(n + .775) (1 - c)) */
+    BURNISH_LOBE_GX,       /* c^2 / (n/2 + (1 - n/2) c^2) */
+    BURNISH_LOBE_KIND_COUNT
+} burnish_lobe_kind;
+
+/* Which lobe; its exponent comes from each material. */
+typedef struct burnish_lobe_choice {
+    burnish_lobe_kind kind;
+    burnish_fit fit; /* FAMILY only */
+    double level;    /* FAMILY with fit level only: Q in (0, 1) */
+    int order;       /* FAMILY and LYON only: 2, 4, 8, 16 or 32 */
+} burnish_lobe_choice;
+
+/* Reads "FIT:ORDER" (taylor:2, energy:4, level0.5:2, shift7, shift3, projected:8; order 2 when left
+ * out) or power, schlick, lyon:ORDER, gaussian, gx. Errors: ARGUMENT with the list of words. */
+BURNISH_API burnish_status burnish_lobe_choice_parse(const char *text, burnish_lobe_choice *choice,
+                                                     burnish_error *error);
+
+/* Writes the words that burnish_lobe_choice_parse reads; size 32 is enough. */
+BURNISH_API void burnish_lobe_choice_name(const burnish_lobe_choice *choice, char *text,
+                                          size_t size);
+
+typedef enum burnish_light_kind { BURNISH_LIGHT_DIRECTIONAL, BURNISH_LIGHT_POINT } burnish_light_kind;
+
+/* One light; point lights do not fall off with distance. */
+typedef struct burnish_light {
+    burnish_light_kind kind;
+    int follows_camera; /* 1: vector is in camera space (x right, y up, z toward the viewer; a point
+                           light's unit is the distance from camera to focal point) */
+    double vector[3];   /* DIRECTIONAL: toward the light, any length > 0; POINT: its place */
+    float color[3];     /* linear, >= 0 */
+} burnish_light;
+
+/* At most this many lights. */
+#define BURNISH_LIGHT_MAX 64
+
+typedef enum burnish_equation { BURNISH_EQUATION_BLINN, BURNISH_EQUATION_PHONG } burnish_equation;
+
+/* LOCAL: V points from each pixel to the camera. DISTANT: V is the camera's axis everywhere. */
+typedef enum burnish_viewer { BURNISH_VIEWER_LOCAL, BURNISH_VIEWER_DISTANT } burnish_viewer;
+
+/* How to draw. Start from burnish_render_options_default(). */
+typedef struct burnish_render_options {
+    uint32_t cookie;   /* set by burnish_render_options_default() */
+    int width, height; /* pixels, [1, BURNISH_IMAGE_MAX_SIZE] */
+    int samples;       /* coverage samples a pixel: 1, 4, 8 or 16 */
+    int threads;       /* [1, 1024]; 0: as many as the machine offers. Never changes the pixels */
+    burnish_camera camera;
+    burnish_lobe_choice lobe;
+    burnish_equation equation;
+    burnish_viewer viewer;
+    float ambient_light[3]; /* Ia, linear */
+    burnish_light lights[BURNISH_LIGHT_MAX];
+    int light_count;         /* [0, BURNISH_LIGHT_MAX] */
+    uint8_t background[3];   /* sRGB */
+    int transparent;         /* 1: the image has alpha and no background */
+    int ignore_colors;       /* 1: the mesh's vertex colours are not used */
+} burnish_render_options;
+
+/* 1024x768, 4 samples, energy:2, Blinn, local viewer, the default rig (key, fill and rim light that
+ * follow the camera, a little ambient light), a camera that must be set (its position equals its
+ * focal point, which burnish_render refuses). */
+BURNISH_API burnish_render_options burnish_render_options_default(void);
+
+/* What was drawn. */
+typedef struct burnish_render_report {
+    size_t triangles;         /* of the mesh */
+    size_t triangles_drawn;   /* that own at least one sample after clipping and depth test */
+    size_t covered_pixels;    /* pixels with at least one covered sample */
+    int bounds[4];            /* x0, y0, x1, y1 (exclusive) of the covered pixels; all 0 when blank */
+    int threads;              /* used */
+    size_t lobe_fallbacks;    /* materials whose exponent is too low for the chosen order: drawn with
+                                 the highest order that fits */
+    double seconds_transform; /* vertices, clipping, set-up, binning */
+    double seconds_draw;      /* visibility and shading */
+} burnish_render_report;
+
+/* Draws the scene into a new image (RGB, or RGBA when transparent). report may be NULL.
+ * Memory: about 40 bytes a vertex, 24 a triangle, and what a few tiles need for each thread.
+ * Errors: ARGUMENT, MEMORY, LIMIT; the image is then empty. */
+BURNISH_API burnish_status burnish_render(const burnish_scene *scene,
+                                          const burnish_render_options *options,
+                                          burnish_image *image, burnish_render_report *report,
+                                          burnish_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

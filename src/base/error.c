@@ -1,0 +1,54 @@
+#include "base/error.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+const char *burnish_status_text(burnish_status status) {
+    switch (status) {
+#define BURNISH_STATUS_TEXT(name, code, text)                                                      \
+    case BURNISH_STATUS_##name:                                                                    \
+        return text;
+        BURNISH_STATUS_LIST(BURNISH_STATUS_TEXT)
+#undef BURNISH_STATUS_TEXT
+    case BURNISH_STATUS_COUNT:
+        break;
+    }
+    return "unknown status";
+}
+
+int burnish_status_exit_code(burnish_status status) {
+    switch (status) {
+#define BURNISH_STATUS_CODE(name, code, text)                                                      \
+    case BURNISH_STATUS_##name:                                                                    \
+        return code;
+        BURNISH_STATUS_LIST(BURNISH_STATUS_CODE)
+#undef BURNISH_STATUS_CODE
+    case BURNISH_STATUS_COUNT:
+        break;
+    }
+    return 1;
+}
+
+const char *burnish_version(void) { return BURNISH_VERSION; }
+
+burnish_status burnish_fail(burnish_error *error, burnish_status status, const char *format, ...) {
+    if (error) {
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(error->text, sizeof error->text, format, arguments);
+        va_end(arguments);
+        for (char *c = error->text; *c; ++c) {
+            if ((unsigned char)*c < 32 || *c == 127) {
+                *c = '?';
+            }
+        }
+        error->status = status;
+    }
+    return status;
+}
+
+burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes) {
+    return burnish_fail(error, BURNISH_STATUS_MEMORY,
+                        "out of memory: %s needs %zu bytes; free memory or use a smaller input",
+                        what, bytes);
+}

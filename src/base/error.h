@@ -1,0 +1,17 @@
+/* Writes the one line of a burnish_error. */
+#ifndef BURNISH_BASE_ERROR_H
+#define BURNISH_BASE_ERROR_H
+
+#include <stddef.h>
+
+#include "burnish/status.h"
+
+/* Fills *error (may be NULL) and returns status, so that callers can `return burnish_fail(...)`.
+ * Control characters that came from an input are replaced by '?'. */
+__attribute__((format(printf, 3, 4))) burnish_status
+burnish_fail(burnish_error *error, burnish_status status, const char *format, ...);
+
+/* The same for a failed allocation of `bytes` for `what`. */
+burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes);
+
+#endif

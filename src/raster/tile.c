@@ -1,0 +1,220 @@
+/* Visibility of one tile, and the visible points that come of it. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "raster/raster.h"
+
+/* Steps of 1/256 pixel in 1/16 pixel, the unit of sample positions. */
+enum { SAMPLE_STEP = BURNISH_SUBPIXELS / 16 };
+
+/* Edge functions and depth of one triangle. Edge i lies opposite vertex i; its function is
+ * (b - a) x (p - a) in units of 1/65536 pixel^2, positive inside, and divided by the sum of all
+ * three it is the screen-space barycentric weight of vertex i. */
+typedef struct triangle_edges {
+    int64_t dx[3], dy[3]; /* of each edge */
+    int64_t x[3], y[3];   /* where each edge starts */
+    int64_t bias[3];      /* -1 where the top-left rule leaves the edge out */
+    float inverse_area;
+    float depth0, depth1, depth2; /* of vertex 0; of 1 and 2 minus that */
+} triangle_edges;
+
+static void load_edges(const burnish_geometry *geometry, uint32_t triangle,
+                       triangle_edges *edges) {
+    const burnish_screen_vertices *vertices = &geometry->vertices;
+    const uint32_t *v = geometry->triangles[triangle].vertices;
+    for (int i = 0; i < 3; ++i) {
+        uint32_t a = v[i == 2 ? 0 : i + 1], b = v[i == 0 ? 2 : i - 1];
+        edges->x[i] = vertices->x[a];
+        edges->y[i] = vertices->y[a];
+        edges->dx[i] = (int64_t)vertices->x[b] - vertices->x[a];
+        edges->dy[i] = (int64_t)vertices->y[b] - vertices->y[a];
+        int top_or_left = edges->dy[i] < 0 || (edges->dy[i] == 0 && edges->dx[i] > 0);
+        edges->bias[i] = top_or_left ? 0 : -1;
+    }
+    int64_t area = edges->dx[2] * edges->dy[0] - edges->dy[2] * edges->dx[0];
+    edges->inverse_area = 1.0f / (float)area;
+    edges->depth0 = vertices->depth[v[0]];
+    edges->depth1 = vertices->depth[v[1]] - edges->depth0;
+    edges->depth2 = vertices->depth[v[2]] - edges->depth0;
+}
+
+static int64_t edge_at(const triangle_edges *edges, int i, int64_t x, int64_t y) {
+    return edges->dx[i] * (y - edges->y[i]) - edges->dy[i] * (x - edges->x[i]);
+}
+
+static float depth_at(const triangle_edges *edges, float weight1, float weight2) {
+    return (edges->depth0 + weight1 * edges->depth1) + weight2 * edges->depth2;
+}
+
+/* Pixels of the tile that the triangle's bounds touch; end is exclusive. */
+static void pixel_bounds(const triangle_edges *edges, const burnish_tile *tile, int *x0, int *y0,
+                         int *x1, int *y1) {
+    int64_t low_x = edges->x[0], high_x = low_x, low_y = edges->y[0], high_y = low_y;
+    for (int i = 1; i < 3; ++i) {
+        low_x = edges->x[i] < low_x ? edges->x[i] : low_x;
+        high_x = edges->x[i] > high_x ? edges->x[i] : high_x;
+        low_y = edges->y[i] < low_y ? edges->y[i] : low_y;
+        high_y = edges->y[i] > high_y ? edges->y[i] : high_y;
+    }
+    low_x = (low_x >> 8) - tile->x;
+    low_y = (low_y >> 8) - tile->y;
+    high_x = (high_x >> 8) - tile->x + 1;
+    high_y = (high_y >> 8) - tile->y + 1;
+    *x0 = low_x < 0 ? 0 : (int)low_x;
+    *y0 = low_y < 0 ? 0 : (int)low_y;
+    *x1 = high_x > tile->width ? tile->width : (int)high_x;
+    *y1 = high_y > tile->height ? tile->height : (int)high_y;
+}
+
+static void draw_triangle(burnish_tile *tile, const burnish_geometry *geometry,
+                          uint32_t triangle) {
+    triangle_edges edges;
+    load_edges(geometry, triangle, &edges);
+    int x0, y0, x1, y1;
+    pixel_bounds(&edges, tile, &x0, &y0, &x1, &y1);
+    const int8_t(*offsets)[2] = burnish_sample_offsets(tile->samples);
+    int64_t sample_step[3][BURNISH_MAX_SAMPLES];
+    for (int i = 0; i < 3; ++i) {
+        for (int s = 0; s < tile->samples; ++s) {
+            sample_step[i][s] = SAMPLE_STEP * (edges.dx[i] * offsets[s][1] -
+                                               edges.dy[i] * offsets[s][0]);
+        }
+    }
+    const int64_t half = BURNISH_SUBPIXELS / 2;
+    for (int y = y0; y < y1; ++y) {
+        int64_t at[3];
+        for (int i = 0; i < 3; ++i) {
+            at[i] = edge_at(&edges, i, (int64_t)(tile->x + x0) * BURNISH_SUBPIXELS + half,
+                            (int64_t)(tile->y + y) * BURNISH_SUBPIXELS + half);
+        }
+        size_t entry = (size_t)(y * BURNISH_TILE_SIZE + x0) * (size_t)tile->samples;
+        for (int x = x0; x < x1; ++x) {
+            for (int s = 0; s < tile->samples; ++s, ++entry) {
+                int64_t e0 = at[0] + sample_step[0][s];
+                int64_t e1 = at[1] + sample_step[1][s];
+                int64_t e2 = at[2] + sample_step[2][s];
+                if (((e0 + edges.bias[0]) | (e1 + edges.bias[1]) | (e2 + edges.bias[2])) < 0) {
+                    continue;
+                }
+                float depth = depth_at(&edges, (float)e1 * edges.inverse_area,
+                                       (float)e2 * edges.inverse_area);
+                if (depth > tile->depths[entry]) {
+                    tile->depths[entry] = depth;
+                    tile->triangles[entry] = triangle;
+                }
+            }
+            for (int i = 0; i < 3; ++i) {
+                at[i] -= edges.dy[i] * BURNISH_SUBPIXELS;
+            }
+        }
+    }
+}
+
+burnish_status burnish_tile_create(burnish_tile *tile, int samples, burnish_error *error) {
+    memset(tile, 0, sizeof *tile);
+    tile->samples = samples;
+    size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)samples;
+    burnish_status status = burnish_allocate((void **)&tile->triangles, count,
+                                             sizeof *tile->triangles, "a tile", error);
+    if (status == BURNISH_STATUS_OK) {
+        status =
+            burnish_allocate((void **)&tile->depths, count, sizeof *tile->depths, "a tile", error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        burnish_tile_destroy(tile);
+    }
+    return status;
+}
+
+void burnish_tile_destroy(burnish_tile *tile) {
+    free(tile->triangles);
+    free(tile->depths);
+    memset(tile, 0, sizeof *tile);
+}
+
+int burnish_draw_tile(burnish_tile *tile, const burnish_raster_view *view,
+                      const burnish_geometry *geometry, const burnish_bins *bins, int column,
+                      int row) {
+    size_t index = (size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column;
+    size_t first = bins->offsets[index], end = bins->offsets[index + 1];
+    tile->x = column * BURNISH_TILE_SIZE;
+    tile->y = row * BURNISH_TILE_SIZE;
+    int right = view->width - tile->x, below = view->height - tile->y;
+    tile->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
+    tile->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
+    tile->next_pixel = 0;
+    if (first == end) {
+        return 0;
+    }
+    size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)tile->samples;
+    for (size_t i = 0; i < count; ++i) {
+        tile->triangles[i] = BURNISH_NO_TRIANGLE;
+        tile->depths[i] = -1e30f;
+    }
+    for (size_t i = first; i < end; ++i) {
+        draw_triangle(tile, geometry, bins->entries[i]);
+    }
+    return 1;
+}
+
+/* Appends the point of `weight` samples whose offsets add up to (sum_x, sum_y) in 1/16 pixel. */
+static void append_fragment(const burnish_tile *tile, const burnish_raster_view *view,
+                            const burnish_geometry *geometry, int pixel, uint32_t triangle,
+                            int weight, int sum_x, int sum_y, burnish_fragments *fragments) {
+    int dx = 0, dy = 0;
+    if (weight < tile->samples) {
+        dx = sum_x * SAMPLE_STEP / weight;
+        dy = sum_y * SAMPLE_STEP / weight;
+    }
+    int pixel_x = tile->x + pixel % BURNISH_TILE_SIZE, pixel_y = tile->y + pixel / BURNISH_TILE_SIZE;
+    int x = pixel_x * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2 + dx;
+    int y = pixel_y * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2 + dy;
+    triangle_edges edges;
+    load_edges(geometry, triangle, &edges);
+    float weight1 = (float)edge_at(&edges, 1, x, y) * edges.inverse_area;
+    float weight2 = (float)edge_at(&edges, 2, x, y) * edges.inverse_area;
+    int i = fragments->count++;
+    fragments->pixel[i] = (uint16_t)pixel;
+    fragments->weight[i] = (uint8_t)weight;
+    fragments->triangle[i] = triangle;
+    fragments->x[i] = (float)(x - view->width * (BURNISH_SUBPIXELS / 2)) / BURNISH_SUBPIXELS;
+    fragments->y[i] = (float)(view->height * (BURNISH_SUBPIXELS / 2) - y) / BURNISH_SUBPIXELS;
+    fragments->depth[i] = depth_at(&edges, weight1, weight2);
+    fragments->weight1[i] = weight1;
+    fragments->weight2[i] = weight2;
+}
+
+/* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
+static void append_pixel(const burnish_tile *tile, const burnish_raster_view *view,
+                         const burnish_geometry *geometry, int pixel,
+                         burnish_fragments *fragments) {
+    const uint32_t *triangles = tile->triangles + (size_t)pixel * (size_t)tile->samples;
+    const int8_t(*offsets)[2] = burnish_sample_offsets(tile->samples);
+    unsigned taken = 0;
+    for (int s = 0; s < tile->samples; ++s) {
+        if ((taken >> s & 1) || triangles[s] == BURNISH_NO_TRIANGLE) {
+            continue;
+        }
+        int weight = 0, sum_x = 0, sum_y = 0;
+        for (int other = s; other < tile->samples; ++other) {
+            if (triangles[other] == triangles[s]) {
+                taken |= 1u << other;
+                weight += 1;
+                sum_x += offsets[other][0];
+                sum_y += offsets[other][1];
+            }
+        }
+        append_fragment(tile, view, geometry, pixel, triangles[s], weight, sum_x, sum_y,
+                        fragments);
+    }
+}
+
+int burnish_next_fragments(burnish_tile *tile, const burnish_raster_view *view,
+                           const burnish_geometry *geometry, burnish_fragments *fragments) {
+    fragments->count = 0;
+    while (tile->next_pixel < BURNISH_TILE_PIXELS &&
+           fragments->count + tile->samples <= BURNISH_FRAGMENT_BLOCK) {
+        append_pixel(tile, view, geometry, tile->next_pixel++, fragments);
+    }
+    return fragments->count > 0;
+}

@@ -1,0 +1,244 @@
+/* burnish_render: checks the options and leads the data through raster, shade and image. */
+#include "burnish/render.h"
+
+#include <string.h>
+#include <time.h>
+
+#include "base/memory.h"
+#include "render/frame.h"
+#include "render/materials.h"
+#include "render/view.h"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+enum { MAX_THREADS = 1024 };
+
+/* Marks options that burnish_render_options_default() made. */
+#define RENDER_COOKIE 0x62726e64u
+
+/* A key light from the upper left, a cooler and weaker fill from the right, a rim light from behind:
+ * the photographer's three points. Directions in camera space. */
+static const burnish_light DEFAULT_RIG[] = {
+    {BURNISH_LIGHT_DIRECTIONAL, 1, {-0.55, 0.75, 0.85}, {0.98f, 0.95f, 0.90f}},
+    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.90, 0.15, 0.55}, {0.20f, 0.23f, 0.28f}},
+    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.35, 0.60, -0.80}, {0.45f, 0.45f, 0.48f}},
+};
+
+burnish_render_options burnish_render_options_default(void) {
+    burnish_render_options options;
+    memset(&options, 0, sizeof options);
+    options.cookie = RENDER_COOKIE;
+    options.width = 1024;
+    options.height = 768;
+    options.samples = 4;
+    options.camera.view_up[1] = 1;
+    options.camera.view_angle = 30;
+    options.lobe.kind = BURNISH_LOBE_FAMILY;
+    options.lobe.fit = BURNISH_FIT_ENERGY;
+    options.lobe.order = 2;
+    for (int i = 0; i < 3; ++i) {
+        options.ambient_light[i] = 0.09f;
+        options.background[i] = 255;
+    }
+    memcpy(options.lights, DEFAULT_RIG, sizeof DEFAULT_RIG);
+    options.light_count = sizeof DEFAULT_RIG / sizeof DEFAULT_RIG[0];
+    return options;
+}
+
+static int finite(const double *values, int count) {
+    for (int i = 0; i < count; ++i) {
+        if (!(values[i] - values[i] == 0)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int is_light_color(const float color[3]) {
+    for (int i = 0; i < 3; ++i) {
+        if (!(color[i] >= 0 && color[i] <= 1e6f)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static burnish_status check_camera(const burnish_camera *camera, burnish_error *error) {
+    if (!finite(camera->position, 3) || !finite(camera->focal_point, 3) ||
+        !finite(camera->view_up, 3)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: position, focal point and view up must be finite numbers");
+    }
+    if (!(camera->orthographic_height >= 0 && camera->orthographic_height <= 1e300)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: orthographic height must be a finite number >= 0");
+    }
+    if (camera->orthographic_height == 0 &&
+        !(camera->view_angle >= 0.001 && camera->view_angle <= 179)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: view angle %g is not in [0.001, 179] degrees",
+                            camera->view_angle);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_lights(const burnish_render_options *options, burnish_error *error) {
+    if (options->light_count < 0 || options->light_count > BURNISH_LIGHT_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lights: %d is not in [0, %d]",
+                            options->light_count, BURNISH_LIGHT_MAX);
+    }
+    for (int i = 0; i < options->light_count; ++i) {
+        const burnish_light *light = &options->lights[i];
+        const double *v = light->vector;
+        int directionless = light->kind == BURNISH_LIGHT_DIRECTIONAL && v[0] == 0 && v[1] == 0 &&
+                            v[2] == 0;
+        if (!finite(v, 3) || directionless || !is_light_color(light->color)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "light %d: needs a finite vector (not 0 for a directional light) "
+                                "and a colour in [0, 1e6]",
+                                i + 1);
+        }
+    }
+    if (!is_light_color(options->ambient_light)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "ambient light: not in [0, 1e6]");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_options(const burnish_render_options *options, burnish_error *error) {
+    if (!options || options->cookie != RENDER_COOKIE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: start from burnish_render_options_default()");
+    }
+    if (options->width < 1 || options->width > BURNISH_IMAGE_MAX_SIZE || options->height < 1 ||
+        options->height > BURNISH_IMAGE_MAX_SIZE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "resolution %dx%d: each side must be in [1, %d]", options->width,
+                            options->height, BURNISH_IMAGE_MAX_SIZE);
+    }
+    if (options->samples != 1 && options->samples != 4 && options->samples != 8 &&
+        options->samples != BURNISH_MAX_SAMPLES) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "samples: %d is not 1, 4, 8 or 16",
+                            options->samples);
+    }
+    if (options->threads < 0 || options->threads > MAX_THREADS) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "threads: %d is not in [0, %d]",
+                            options->threads, MAX_THREADS);
+    }
+    burnish_status status = burnish_lobe_choice_check(&options->lobe, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_camera(&options->camera, error);
+    }
+    return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
+}
+
+static int thread_count(const burnish_render_options *options) {
+#ifdef _OPENMP
+    int available = omp_get_num_procs();
+    int wanted = options->threads > 0 ? options->threads : available;
+    return wanted < MAX_THREADS ? wanted : MAX_THREADS;
+#else
+    (void)options;
+    return 1;
+#endif
+}
+
+static double seconds_now(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static size_t count_drawn(const uint8_t *drawn, size_t count) {
+    size_t sum = 0;
+    for (size_t i = 0; i < count; ++i) {
+        sum += drawn[i];
+    }
+    return sum;
+}
+
+/* Everything after the checks; *image is allocated. */
+static burnish_status draw(const burnish_scene *scene, const burnish_render_options *options,
+                           burnish_image *image, burnish_render_report *report, uint8_t *drawn,
+                           burnish_error *error) {
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    burnish_raster_view raster_view;
+    burnish_shader shader;
+    burnish_shade_light lights[BURNISH_LIGHT_MAX];
+    burnish_geometry geometry;
+    burnish_shade_material *materials;
+    double start = seconds_now();
+    memset(&shader, 0, sizeof shader);
+    burnish_status status =
+        burnish_view_create(mesh, options, &raster_view, &shader.view, lights, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    status = burnish_materials_create(scene, options, &materials, &report->lobe_fallbacks, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    status = burnish_geometry_create(&geometry, &raster_view, mesh->positions, mesh->vertex_count,
+                                     mesh->indices, mesh->triangle_count, report->threads, error);
+    if (status == BURNISH_STATUS_OK) {
+        report->seconds_transform = seconds_now() - start;
+        shader.materials = materials;
+        shader.lights = lights;
+        shader.light_count = options->light_count;
+        shader.normals = mesh->normals;
+        shader.colors = options->ignore_colors ? NULL : mesh->colors;
+        shader.triangle_materials = mesh->triangle_materials;
+        shader.indices = mesh->indices;
+        shader.geometry = &geometry;
+        burnish_frame frame = {&raster_view, &geometry, &shader, options,
+                               image,        report->threads, drawn};
+        status = burnish_frame_draw(&frame, report, error);
+        report->seconds_draw = seconds_now() - start - report->seconds_transform;
+        burnish_geometry_destroy(&geometry);
+    }
+    free(materials);
+    return status;
+}
+
+burnish_status burnish_render(const burnish_scene *scene, const burnish_render_options *options,
+                              burnish_image *image, burnish_render_report *report,
+                              burnish_error *error) {
+    burnish_render_report own;
+    if (!image) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "image: NULL; pass a burnish_image");
+    }
+    memset(image, 0, sizeof *image);
+    if (!scene) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "scene: NULL; load one first");
+    }
+    burnish_status status = check_options(options, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    uint8_t *drawn = NULL;
+    memset(&own, 0, sizeof own);
+    own.triangles = burnish_scene_mesh(scene)->triangle_count;
+    own.threads = thread_count(options);
+    if (report) {
+        status = burnish_allocate((void **)&drawn, own.triangles, 1, "drawn triangles", error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        memset(drawn, 0, own.triangles);
+    }
+    status = burnish_image_create(image, options->width, options->height,
+                                  options->transparent ? 4 : 3, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = draw(scene, options, image, &own, drawn, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        burnish_image_destroy(image);
+    } else if (report) {
+        own.triangles_drawn = count_drawn(drawn, own.triangles);
+        *report = own;
+    }
+    free(drawn);
+    return status;
+}

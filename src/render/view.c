@@ -1,0 +1,171 @@
+/* The camera as matrices. All in double precision, rounded to float once at the end. */
+#include "render/view.h"
+
+#include <string.h>
+
+#include "base/error.h"
+#include "base/vector.h"
+
+/* Distance of the near plane in units of the scene's size; a power of two, so that 1/w comes back from
+ * the depth exactly. */
+#define NEAR_PLANE 0x1p-14
+
+/* Camera distances beyond this many scene sizes leave too few bits for the scene. */
+#define MAX_DISTANCE 1e6
+
+/* The camera's place and axes in the raster's space (moved and scaled). */
+typedef struct camera_frame {
+    burnish_vec3 eye, right, up, forward;
+    double scale; /* raster units a scene unit */
+} camera_frame;
+
+static burnish_vec3 bounds_center(const burnish_mesh *mesh) {
+    float center[3];
+    for (int i = 0; i < 3; ++i) {
+        center[i] = (float)(((double)mesh->bounds_min[i] + mesh->bounds_max[i]) * 0.5);
+    }
+    return burnish_vec3_loadf(center);
+}
+
+static double scene_scale(const burnish_mesh *mesh) {
+    burnish_vec3 low = burnish_vec3_loadf(mesh->bounds_min);
+    burnish_vec3 high = burnish_vec3_loadf(mesh->bounds_max);
+    double half_diagonal = burnish_vec3_length(burnish_vec3_sub(high, low)) * 0.5;
+    return half_diagonal > 0 ? 1 / half_diagonal : 1;
+}
+
+static burnish_status make_frame(const burnish_mesh *mesh, const burnish_camera *camera,
+                                 camera_frame *frame, burnish_error *error) {
+    burnish_vec3 position = burnish_vec3_load(camera->position);
+    burnish_vec3 direction = burnish_vec3_sub(burnish_vec3_load(camera->focal_point), position);
+    frame->scale = scene_scale(mesh);
+    frame->forward = burnish_vec3_normalize(direction);
+    frame->right = burnish_vec3_normalize(
+        burnish_vec3_cross(frame->forward, burnish_vec3_load(camera->view_up)));
+    frame->up = burnish_vec3_cross(frame->right, frame->forward);
+    frame->eye = burnish_vec3_scale(burnish_vec3_sub(position, bounds_center(mesh)), frame->scale);
+    if (!(burnish_vec3_length(frame->forward) > 0.5)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: position and focal point are the same place; move one");
+    }
+    if (!(burnish_vec3_length(frame->right) > 0.5)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: view up is parallel to the direction of view; turn it");
+    }
+    if (!(burnish_vec3_length(frame->eye) <= MAX_DISTANCE)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: the position is more than %g scene sizes away; move it closer",
+                            MAX_DISTANCE);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static void store(burnish_vec3 v, float out[3]) {
+    out[0] = (float)v.x;
+    out[1] = (float)v.y;
+    out[2] = (float)v.z;
+}
+
+/* row . (p - origin, 1) = factor * axis . (p * scale - eye) + constant */
+static void store_row(const camera_frame *frame, burnish_vec3 axis, double factor, double constant,
+                      float row[4]) {
+    store(burnish_vec3_scale(axis, factor * frame->scale), row);
+    row[3] = (float)(constant - factor * burnish_vec3_dot(axis, frame->eye));
+}
+
+static void make_perspective(const camera_frame *frame, double view_angle, int height,
+                             burnish_raster_view *raster, burnish_shade_view *shade) {
+    double sine, cosine;
+    burnish_sincos(view_angle * (3.14159265358979323846 / 360), &sine, &cosine);
+    double pixels = height * 0.5 * cosine / sine; /* a unit at distance 1 */
+    store_row(frame, frame->right, pixels, 0, raster->rows[0]);
+    store_row(frame, frame->up, pixels, 0, raster->rows[1]);
+    memset(raster->rows[2], 0, sizeof raster->rows[2]);
+    raster->rows[2][3] = (float)NEAR_PLANE;
+    store_row(frame, frame->forward, 1, 0, raster->rows[3]);
+    store(frame->forward, shade->ray);
+    store(burnish_vec3_scale(frame->right, 1 / pixels), shade->ray_x);
+    store(burnish_vec3_scale(frame->up, 1 / pixels), shade->ray_y);
+    memset(shade->ray_depth, 0, sizeof shade->ray_depth);
+    shade->q_per_depth = (float)(1 / NEAR_PLANE);
+    shade->q_constant = 0;
+}
+
+/* Depth falls from 1 at the camera to 0 behind the scene. */
+static void make_orthographic(const camera_frame *frame, double view_height, int height,
+                              burnish_raster_view *raster, burnish_shade_view *shade) {
+    double pixels = height / (view_height * frame->scale);
+    double range = burnish_vec3_length(frame->eye) + 2;
+    store_row(frame, frame->right, pixels, 0, raster->rows[0]);
+    store_row(frame, frame->up, pixels, 0, raster->rows[1]);
+    store_row(frame, frame->forward, -1 / range, 1, raster->rows[2]);
+    memset(raster->rows[3], 0, sizeof raster->rows[3]);
+    raster->rows[3][3] = 1;
+    memset(shade->ray, 0, sizeof shade->ray);
+    store(burnish_vec3_scale(frame->right, 1 / pixels), shade->ray_x);
+    store(burnish_vec3_scale(frame->up, 1 / pixels), shade->ray_y);
+    store(burnish_vec3_scale(frame->forward, range), shade->ray_depth);
+    shade->q_per_depth = 0;
+    shade->q_constant = 1;
+}
+
+/* A vector in camera space (x right, y up, z toward the viewer) in the raster's axes. */
+static burnish_vec3 from_camera_space(const camera_frame *frame, burnish_vec3 v) {
+    burnish_vec3 sum = burnish_vec3_add(burnish_vec3_scale(frame->right, v.x),
+                                        burnish_vec3_scale(frame->up, v.y));
+    return burnish_vec3_sub(sum, burnish_vec3_scale(frame->forward, v.z));
+}
+
+static burnish_shade_light make_light(const camera_frame *frame, const burnish_mesh *mesh,
+                                      const burnish_camera *camera, const burnish_light *light) {
+    burnish_shade_light made;
+    burnish_vec3 v = burnish_vec3_load(light->vector);
+    memset(&made, 0, sizeof made);
+    made.point = light->kind == BURNISH_LIGHT_POINT;
+    memcpy(made.color, light->color, sizeof made.color);
+    if (light->follows_camera) {
+        burnish_vec3 reach = burnish_vec3_sub(burnish_vec3_load(camera->focal_point),
+                                              burnish_vec3_load(camera->position));
+        double unit = made.point ? burnish_vec3_length(reach) * frame->scale : 1;
+        v = burnish_vec3_scale(from_camera_space(frame, v), unit);
+    } else if (made.point) {
+        v = burnish_vec3_scale(burnish_vec3_sub(v, bounds_center(mesh)), frame->scale);
+        v = burnish_vec3_sub(v, frame->eye);
+    }
+    if (!made.point) {
+        v = burnish_vec3_normalize(v);
+        burnish_vec3 to_viewer = burnish_vec3_scale(frame->forward, -1);
+        store(burnish_vec3_normalize(burnish_vec3_add(v, to_viewer)), made.half);
+    }
+    store(v, made.vector);
+    return made;
+}
+
+burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
+                                   burnish_raster_view *raster, burnish_shade_view *shade,
+                                   burnish_shade_light lights[BURNISH_LIGHT_MAX],
+                                   burnish_error *error) {
+    camera_frame frame;
+    const burnish_camera *camera = &options->camera;
+    burnish_status status = make_frame(mesh, camera, &frame, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    raster->width = options->width;
+    raster->height = options->height;
+    raster->samples = options->samples;
+    store(bounds_center(mesh), raster->origin);
+    if (camera->orthographic_height > 0) {
+        make_orthographic(&frame, camera->orthographic_height, options->height, raster, shade);
+    } else {
+        make_perspective(&frame, camera->view_angle, options->height, raster, shade);
+    }
+    store(burnish_vec3_scale(frame.forward, -1), shade->to_viewer);
+    shade->local_viewer =
+        options->viewer == BURNISH_VIEWER_LOCAL && !(camera->orthographic_height > 0);
+    shade->phong = options->equation == BURNISH_EQUATION_PHONG;
+    for (int i = 0; i < options->light_count; ++i) {
+        lights[i] = make_light(&frame, mesh, camera, &options->lights[i]);
+    }
+    return BURNISH_STATUS_OK;
+}

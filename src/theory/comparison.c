@@ -1,0 +1,42 @@
+/* Exact values of the lobes in double precision. Uses libm, so nothing of a picture may come here. */
+#include "burnish/theory.h"
+
+#include <math.h>
+
+/* Clamps to [0, 1]; NaN gives 0. */
+static double saturate(double x) {
+    x = x > 0 ? x : 0;
+    return x < 1 ? x : 1;
+}
+
+double burnish_theory_family(double zeta, int order, double cosine) {
+    if (!burnish_lobe_order_is_valid(order)) {
+        return 0;
+    }
+    double value = saturate(1 - zeta * (1 - cosine));
+    for (int power = 1; power < order; power *= 2) {
+        value *= value;
+    }
+    return value;
+}
+
+double burnish_theory_power(double cosine, double exponent) {
+    double c = saturate(cosine);
+    return c > 0 ? saturate(pow(c, exponent)) : 0;
+}
+
+double burnish_theory_schlick(double cosine, double exponent) {
+    double c = saturate(cosine);
+    return saturate(c / (c + exponent * (1 - c)));
+}
+
+double burnish_theory_gaussian(double cosine, double exponent) {
+    double lambda = cosine > 1 ? 0 : 1 - cosine;
+    return saturate(exp(-(exponent + 0.775) * lambda));
+}
+
+double burnish_theory_gx(double cosine, double exponent) {
+    double c = saturate(cosine);
+    double squared = c * c;
+    return saturate(squared / (squared + 0.5 * exponent * ((1 - c) * (1 + c))));
+}

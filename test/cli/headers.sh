@@ -1,0 +1,51 @@
+#!/bin/sh
+# Each public header compiles alone as strict C99, C17 and C++; lobe.h also without any other header.
+# Usage: headers.sh SOURCE_DIR SCRATCH
+set -u
+source=$1
+scratch=$2
+failures=0
+checks=0
+mkdir -p "$scratch"
+
+try() {
+    checks=$((checks + 1))
+    if ! "$@" -Wall -Wextra -Wpedantic -Werror -fsyntax-only; then
+        echo "FAIL: $*"
+        failures=$((failures + 1))
+    fi
+}
+
+for header in "$source"/include/burnish/*.h; do
+    name=$(basename "$header")
+    printf '#include "burnish/%s"\n#include "burnish/%s"\nint burnish_header_test;\n' "$name" "$name" >"$scratch/alone.c"
+    cp "$scratch/alone.c" "$scratch/alone.cpp"
+    for standard in c99 c17; do
+        for compiler in gcc clang; do
+            try $compiler -std=$standard -pedantic-errors -I"$source/include" "$scratch/alone.c"
+        done
+    done
+    for compiler in g++ clang++; do
+        try $compiler -std=c++11 -pedantic-errors -I"$source/include" "$scratch/alone.cpp"
+        try $compiler -std=c++20 -pedantic-errors -I"$source/include" "$scratch/alone.cpp"
+    done
+done
+
+# copied alone, with no standard header in reach
+cp "$source/include/burnish/lobe.h" "$scratch/lobe.h"
+cat >"$scratch/copied.c" <<'CODE'
+#include "lobe.h"
+float highlight(float cosine);
+float highlight(float cosine) {
+    burnish_lobe lobe;
+    return burnish_lobe_create(&lobe, BURNISH_FIT_ENERGY, 2, 32.0f) == BURNISH_LOBE_OK
+               ? burnish_lobe_at_cosine(lobe, cosine)
+               : 0.0f;
+}
+CODE
+for compiler in gcc clang; do
+    try $compiler -std=c99 -pedantic-errors -ffreestanding -nostdinc "$scratch/copied.c"
+done
+
+echo "headers: $checks checks, $failures failed"
+[ "$checks" -gt 30 ] && [ "$failures" -eq 0 ]

@@ -1,0 +1,421 @@
+/* `burnish render`: load a mesh, draw one picture or a sheet of them, write a PNG, report. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "burnish/render.h"
+#include "help.h"
+#include "render_camera.h"
+#include "render_report.h"
+#include "render_settings.h"
+
+static double seconds_now(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static int is_standard(const char *path) { return strcmp(path, "-") == 0; }
+
+/* The name of the picture when none is given: the input's, in the current folder. */
+static burnish_status derive_output(burnish_cli_render *settings, burnish_error *error) {
+    const char *input = settings->input;
+    if (is_standard(input)) {
+        settings->output = "-";
+        return BURNISH_STATUS_OK;
+    }
+    const char *slash = strrchr(input, '/');
+    const char *base = input[0] == ':' ? input + 1 : slash ? slash + 1 : input;
+    const char *dot = strrchr(base, '.');
+    size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
+    char *name = settings->default_output;
+    if (length == 0 || length + sizeof ".png" > sizeof settings->default_output) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "\"%.60s\" gives the picture no name; name it with --output=FILE",
+                                input);
+    }
+    memcpy(name, base, length);
+    memcpy(name + length, ".png", sizeof ".png");
+    settings->output = name;
+    return BURNISH_STATUS_OK;
+}
+
+/* 1 when both paths lead to the same file. */
+static int same_file(const char *a, const char *b) {
+    struct stat a_status, b_status;
+    return stat(a, &a_status) == 0 && stat(b, &b_status) == 0 && S_ISREG(a_status.st_mode) &&
+           a_status.st_dev == b_status.st_dev && a_status.st_ino == b_status.st_ino;
+}
+
+static burnish_status check_output(const burnish_cli_render *settings, burnish_error *error) {
+    if (is_standard(settings->output)) {
+        if (settings->json) {
+            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                    "--json: standard output already carries the picture; name a "
+                                    "file with --output=FILE");
+        }
+        if (isatty(STDOUT_FILENO)) {
+            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                    "--output: standard output is a terminal, which can't show a "
+                                    "PNG; redirect it, or name a file with --output=FILE");
+        }
+        return BURNISH_STATUS_OK;
+    }
+    if (same_file(settings->input, settings->output)) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--output: \"%.200s\" is the input; name another file",
+                                settings->output);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_camera_flags(const burnish_cli_render *settings, burnish_error *error) {
+    const char *turn = settings->azimuth.value != 0     ? "camera-azimuth-angle"
+                       : settings->elevation.value != 0 ? "camera-elevation-angle"
+                                                        : NULL;
+    const char *aim = settings->direction.given ? "camera-direction" : turn;
+    const char *extra = NULL, *fixed = NULL;
+    if (settings->position.given && aim) {
+        extra = aim;
+        fixed = "camera-position";
+    } else if (settings->views.count > 0) {
+        extra = settings->position.given  ? "camera-position"
+                : settings->view_up.given ? "camera-view-up"
+                                          : aim;
+        fixed = "views";
+    }
+    if (!extra) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: --%s already says where the camera looks from; leave one out",
+                            extra, fixed);
+}
+
+burnish_status burnish_cli_render_finish(burnish_cli_render *settings, burnish_error *error) {
+    burnish_status status = check_camera_flags(settings, error);
+    if (status == BURNISH_STATUS_OK && !settings->output) {
+        status = derive_output(settings, error);
+    }
+    return status == BURNISH_STATUS_OK ? check_output(settings, error) : status;
+}
+
+static burnish_status load(const burnish_cli_render *settings, burnish_scene **scene,
+                           burnish_error *error) {
+    burnish_load_options options = burnish_load_options_default();
+    options.format = (burnish_format)settings->format;
+    options.crease_angle = settings->crease.value;
+    options.tessellation = settings->tessellation;
+    options.max_input_bytes = settings->max_input_bytes;
+    options.max_triangles = settings->max_triangles;
+    return burnish_scene_load(settings->input, &options, scene, error);
+}
+
+/* One material as --color, --material, --specular and --exponent want it. */
+static burnish_material adjusted_material(const burnish_cli_render *settings,
+                                          burnish_material material) {
+    if (settings->color.given) {
+        for (int k = 0; k < 3; ++k) {
+            material.diffuse[k] = burnish_srgb_decode(settings->color.srgb[k]);
+            material.ambient[k] = material.diffuse[k];
+        }
+        material.has_diffuse = 1;
+    }
+    if (settings->material >= 0) {
+        const burnish_cli_preset *preset = &burnish_cli_presets[settings->material];
+        for (int k = 0; k < 3; ++k) {
+            float tint = 1 + preset->tint * (material.diffuse[k] - 1);
+            material.specular[k] = preset->specular * tint;
+            material.diffuse[k] *= preset->diffuse;
+            material.ambient[k] *= preset->diffuse;
+        }
+        material.exponent = preset->exponent;
+        material.has_exponent = 1;
+    }
+    if (settings->specular.given) {
+        for (int k = 0; k < 3; ++k) {
+            material.specular[k] = (float)settings->specular.value;
+        }
+    }
+    if (settings->exponent.given) {
+        material.exponent = (float)settings->exponent.value;
+        material.has_exponent = 1;
+    }
+    return material;
+}
+
+static burnish_status adjust_materials(const burnish_cli_render *settings, burnish_scene *scene,
+                                       burnish_error *error) {
+    size_t count = burnish_scene_material_count(scene);
+    for (size_t i = 0; i < count; ++i) {
+        burnish_material material =
+            adjusted_material(settings, *burnish_scene_material(scene, i));
+        burnish_status status = burnish_scene_set_material(scene, i, &material, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_render_options render_options(const burnish_cli_render *settings) {
+    burnish_render_options options = burnish_render_options_default();
+    options.width = settings->size[0];
+    options.height = settings->size[1];
+    options.samples = settings->samples;
+    options.threads = settings->threads;
+    options.equation = (burnish_equation)settings->equation;
+    options.viewer = (burnish_viewer)settings->viewer;
+    options.ignore_colors = settings->color.given;
+    options.transparent = settings->background.transparent;
+    if (settings->ambient.given) {
+        memcpy(options.ambient_light, settings->ambient.linear, sizeof options.ambient_light);
+    }
+    if (settings->lights.given) {
+        memcpy(options.lights, settings->lights.items, sizeof options.lights);
+        options.light_count = settings->lights.count;
+    }
+    if (settings->background.given) {
+        for (int k = 0; k < 3; ++k) {
+            options.background[k] = burnish_cli_color_code(settings->background.srgb[k]);
+        }
+    }
+    return options;
+}
+
+/* Columns of a sheet: as asked, one row a view when there are several lobes too, else near a square. */
+static int choose_columns(const burnish_cli_render *settings, size_t count) {
+    int columns = 1;
+    if (settings->columns > 0) {
+        return settings->columns < (int)count ? settings->columns : (int)count;
+    }
+    if (settings->views.count > 1 && settings->lobes.count > 1) {
+        return (int)settings->lobes.count;
+    }
+    while ((size_t)columns * (size_t)columns < count) {
+        ++columns;
+    }
+    return count <= 3 ? (int)count : columns;
+}
+
+/* A sheet too large is refused before anything is drawn; also bounds the memory of its cells. */
+static burnish_status check_sheet(const burnish_cli_result *result, burnish_error *error) {
+    size_t columns = (size_t)result->columns;
+    size_t rows = (result->cell_count + columns - 1) / columns;
+    size_t width = columns * (size_t)result->options->width;
+    size_t height = rows * (size_t)result->options->height;
+    if (width > BURNISH_IMAGE_MAX_SIZE || height > BURNISH_IMAGE_MAX_SIZE) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--resolution: a sheet of %zu cells would be %zux%zu pixels, more than "
+                                "%d; make the cells smaller or change --columns",
+                                result->cell_count, width, height, BURNISH_IMAGE_MAX_SIZE);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static void label_cell(const burnish_cli_render *settings, burnish_cli_cell *cell) {
+    char lobe[32];
+    burnish_lobe_choice_name(&cell->lobe, lobe, sizeof lobe);
+    const char *view = burnish_cli_view_name(cell->view);
+    if (settings->views.count > 0 && settings->lobes.count > 1) {
+        snprintf(cell->label, sizeof cell->label, "%s, %s", view, lobe);
+    } else {
+        snprintf(cell->label, sizeof cell->label, "%s", settings->lobes.count > 1 ? lobe : view);
+    }
+}
+
+static void warn_about_cell(burnish_cli_result *result, const burnish_cli_cell *cell) {
+    const char *input = result->settings->input;
+    const char *in = result->cell_count > 1 ? cell->label : "the picture";
+    if (cell->report.lobe_fallbacks > 0) {
+        char lobe[32];
+        burnish_lobe_choice_name(&cell->lobe, lobe, sizeof lobe);
+        burnish_cli_result_warn(result,
+                                "%s: %zu of %zu materials have an exponent too low for %s; drawn with "
+                                "a lower order",
+                                input, cell->report.lobe_fallbacks,
+                                burnish_scene_material_count(result->scene), lobe);
+    }
+    if (cell->report.covered_pixels == 0) {
+        result->blank = 1;
+        burnish_cli_result_warn(result, "%s: %s is blank: nothing of the object is in it; check the camera",
+                                input, in);
+    }
+}
+
+static burnish_status draw_cell(burnish_cli_result *result, burnish_render_options *options,
+                                burnish_cli_cell *cell, burnish_error *error) {
+    options->lobe = cell->lobe;
+    burnish_status status =
+        burnish_cli_camera(result->scene, result->settings, cell->view, &options->camera, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    cell->camera = options->camera;
+    status = burnish_render(result->scene, options, &cell->image, &cell->report, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    result->seconds.transform += cell->report.seconds_transform;
+    result->seconds.draw += cell->report.seconds_draw;
+    cell->hash = burnish_image_hash(&cell->image);
+    warn_about_cell(result, cell);
+    return BURNISH_STATUS_OK;
+}
+
+/* Fills the cells' views and lobes, the lobes of a view side by side, and draws them. */
+static burnish_status draw_cells(burnish_cli_result *result, burnish_render_options *options,
+                                 burnish_error *error) {
+    const burnish_cli_render *settings = result->settings;
+    int progress = result->cell_count > 1 && !settings->quiet && isatty(STDERR_FILENO);
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
+        burnish_cli_cell *cell = &result->cells[i];
+        size_t view = i / settings->lobes.count;
+        cell->view = settings->views.count > 0 ? settings->views.items[view] : BURNISH_CLI_VIEW_FREE;
+        cell->lobe = settings->lobes.items[i % settings->lobes.count];
+        label_cell(settings, cell);
+        if (progress) {
+            fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count, cell->label);
+        }
+        status = draw_cell(result, options, cell, error);
+    }
+    if (progress) {
+        fprintf(stderr, "\r\033[K");
+    }
+    return status;
+}
+
+/* Black or white, whichever stands out more from the background. */
+static void choose_ink(const burnish_render_options *options, uint8_t ink[3]) {
+    const uint8_t *b = options->background;
+    int luma = (54 * b[0] + 183 * b[1] + 19 * b[2]) >> 8; /* BT.709 weights in 256ths */
+    memset(ink, luma < 128 && !options->transparent ? 230 : 40, 3);
+}
+
+static burnish_status compose(const burnish_cli_result *result, burnish_image *sheet,
+                              burnish_error *error) {
+    burnish_sheet_cell cells[BURNISH_CLI_LIST_MAX * BURNISH_CLI_LIST_MAX];
+    uint8_t ink[3];
+    choose_ink(result->options, ink);
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        cells[i].image = &result->cells[i].image;
+        cells[i].label = result->settings->no_labels ? NULL : result->cells[i].label;
+    }
+    return burnish_image_sheet(sheet, cells, result->cell_count, result->columns,
+                               result->options->background, ink, error);
+}
+
+/* Draws, composes and writes; leaves in result what there is to report. */
+static burnish_status make_picture(burnish_cli_result *result, burnish_render_options *options,
+                                   burnish_image *sheet, burnish_error *error) {
+    burnish_status status = check_sheet(result, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_cells(result, options, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    result->picture = &result->cells[0].image;
+    result->hash = result->cells[0].hash;
+    if (result->cell_count > 1) {
+        status = compose(result, sheet, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        result->picture = sheet;
+        result->hash = burnish_image_hash(sheet);
+    }
+    if (result->blank && result->settings->fail_on_blank) {
+        return BURNISH_STATUS_OK;
+    }
+    double start = seconds_now();
+    status = burnish_image_write_png(result->picture, result->settings->output, error);
+    result->seconds.encode = seconds_now() - start;
+    result->written = status == BURNISH_STATUS_OK;
+    return status;
+}
+
+static burnish_status render_scene(burnish_cli_result *result, double start, burnish_error *error) {
+    const burnish_cli_render *settings = result->settings;
+    burnish_render_options options = render_options(settings);
+    burnish_image sheet = {0};
+    result->options = &options;
+    result->cell_count =
+        (settings->views.count > 0 ? settings->views.count : 1) * settings->lobes.count;
+    result->columns = choose_columns(settings, result->cell_count);
+    result->cells = calloc(result->cell_count, sizeof *result->cells);
+    if (!result->cells) {
+        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu pictures",
+                                result->cell_count);
+    }
+    burnish_status status = make_picture(result, &options, &sheet, error);
+    result->seconds.total = seconds_now() - start;
+    if (status == BURNISH_STATUS_OK && settings->json) {
+        status = burnish_cli_print_json(result, error);
+    }
+    if (status == BURNISH_STATUS_OK && settings->timing) {
+        burnish_cli_print_timing(&result->seconds);
+    }
+    burnish_image_destroy(&sheet);
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        burnish_image_destroy(&result->cells[i].image);
+    }
+    free(result->cells);
+    return status;
+}
+
+static int render(const burnish_cli_render *settings) {
+    burnish_error error;
+    burnish_scene *scene = NULL;
+    burnish_cli_result result = {.settings = settings};
+    double start = seconds_now();
+    burnish_status status = load(settings, &scene, &error);
+    result.scene = scene;
+    result.seconds.load = seconds_now() - start;
+    if (status == BURNISH_STATUS_OK) {
+        for (size_t i = 0; i < burnish_scene_warning_count(scene); ++i) {
+            burnish_cli_result_warn(&result, "%s", burnish_scene_warning(scene, i));
+        }
+        status = adjust_materials(settings, scene, &error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_scene(&result, start, &error);
+    }
+    for (size_t i = 0; i < result.warning_count; ++i) {
+        free(result.warnings[i]);
+    }
+    free(result.warnings);
+    burnish_scene_destroy(scene);
+    if (status != BURNISH_STATUS_OK) {
+        return burnish_cli_report_error(&error);
+    }
+    return result.blank && settings->fail_on_blank ? BURNISH_CLI_EXIT_BLANK : EXIT_SUCCESS;
+}
+
+int burnish_cli_render_main(int argc, char **argv) {
+    burnish_cli_render settings = {.material = -1};
+    burnish_cli_operands operands;
+    burnish_error error;
+    const burnish_cli_command *command = &burnish_cli_render_command;
+    if (burnish_cli_defaults(command, &settings, &error) != BURNISH_STATUS_OK ||
+        burnish_cli_parse(command, argc, argv, &settings, &operands, &error) != BURNISH_STATUS_OK) {
+        return burnish_cli_report_error(&error);
+    }
+    if (operands.help) {
+        return burnish_cli_print_command_help(command);
+    }
+    if (operands.count == 0) {
+        burnish_cli_fail(&error, BURNISH_STATUS_ARGUMENT,
+                         "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
+        return burnish_cli_report_error(&error);
+    }
+    settings.input = operands.items[0];
+    if (burnish_cli_render_finish(&settings, &error) != BURNISH_STATUS_OK) {
+        return burnish_cli_report_error(&error);
+    }
+    return render(&settings);
+}
