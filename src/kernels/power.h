@@ -1,8 +1,8 @@
 /* c^n and exp for pictures: polynomials in plain multiplies and adds, so that the comparison lobes
  * have the same bits on every machine too. The family needs none of this.
  *
- * Largest absolute error of burnish_kernel_power against c^n, n in [1, 65536]: 2.5e-7 (measured by the
- * kernels test over 2^24 cosines for 11 exponents); results below 2^-126 are 0. */
+ * Largest absolute error of both lobes against the exact ones, n in [1, 65536]: 1e-7 (the kernels test
+ * measures 8.6e-8 over 2^20 cosines for each of 11 exponents); results below 2^-126 are 0. */
 #ifndef BURNISH_KERNELS_POWER_H
 #define BURNISH_KERNELS_POWER_H
 

@@ -22,7 +22,7 @@ static int choose_end_row(const burnish_bins *bins, const burnish_geometry *geom
     count_rows(geometry, bins->first_row, row_entries);
     size_t total = row_entries[bins->first_row];
     int row = bins->first_row + 1;
-    while (row < bins->rows && total + row_entries[row] <= ENTRY_BUDGET) {
+    while (row < bins->rows && total + row_entries[row] <= bins->entry_budget) {
         total += row_entries[row++];
     }
     return row;
@@ -63,6 +63,11 @@ static size_t place_entries(burnish_bins *bins, size_t tiles, int slices) {
     }
     bins->offsets[tiles] = total;
     return total;
+}
+
+void burnish_bins_begin(burnish_bins *bins) {
+    memset(bins, 0, sizeof *bins);
+    bins->entry_budget = ENTRY_BUDGET;
 }
 
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,

@@ -104,11 +104,15 @@ typedef struct burnish_bins {
     size_t *offsets;   /* columns * (end_row - first_row) + 1 */
     uint32_t *entries; /* ascending triangle indices, tile after tile */
     size_t offset_capacity, entry_capacity, count_capacity;
-    size_t *counts; /* scratch */
+    size_t *counts;      /* scratch */
+    size_t entry_budget; /* entries that a band of several rows may hold */
 } burnish_bins;
 
-/* Fills bins with the next band, from bins->end_row on (0 in a zeroed struct): as many tile rows as
- * keep the entries under a fixed budget, at least one. The lists do not depend on threads. */
+/* Bins before the first band. */
+void burnish_bins_begin(burnish_bins *bins);
+
+/* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries under the
+ * budget, at least one. The lists do not depend on threads. */
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,
                                  const burnish_raster_view *view, int threads,
                                  burnish_error *error);

@@ -117,7 +117,7 @@ static int thread_index(void) {
 static burnish_status draw_bands(const burnish_frame *frame, tile_worker *workers,
                                  burnish_error *error) {
     burnish_bins bins;
-    memset(&bins, 0, sizeof bins);
+    burnish_bins_begin(&bins);
     burnish_status status = BURNISH_STATUS_OK;
     do {
         status = burnish_bin_tiles(&bins, frame->geometry, frame->view, frame->threads, error);

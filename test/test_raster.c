@@ -1,0 +1,310 @@
+/* Coverage is exact: samples on shared edges belong to one triangle, clipped or not; tile lists miss
+ * nothing and depend neither on threads nor on the memory budget. */
+#include <math.h>
+#include <stdint.h>
+
+#include "harness.h"
+#include "raster/raster.h"
+
+enum { GRID = 12, SIZE = BURNISH_TILE_SIZE, MAX_TRIANGLES = 4096 };
+
+typedef struct test_mesh {
+    float positions[3 * 2048];
+    uint32_t indices[3 * MAX_TRIANGLES];
+    size_t vertex_count, triangle_count;
+} test_mesh;
+
+static uint32_t next_random(uint32_t *state) {
+    *state = *state * 1664525u + 1013904223u;
+    return *state >> 8;
+}
+
+static double random_unit(uint32_t *state) { return next_random(state) / 16777216.0; }
+
+/* Parallel view: a unit is a pixel, the image's centre at the origin, depth 1 + z/1000. */
+static burnish_raster_view parallel_view(int width, int height, int samples) {
+    burnish_raster_view view = {width,
+                                height,
+                                samples,
+                                {0, 0, 0},
+                                {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0.001f, 0.5f}, {0, 0, 0, 1}}};
+    return view;
+}
+
+static void add_triangle(test_mesh *mesh, size_t a, size_t b, size_t c) {
+    uint32_t *index = mesh->indices + 3 * mesh->triangle_count++;
+    index[0] = (uint32_t)a;
+    index[1] = (uint32_t)b;
+    index[2] = (uint32_t)c;
+}
+
+/* A plane of GRID x GRID jittered cells reaching beyond the image on all sides; with snap the vertices
+ * lie on pixel centres and corners, where the top-left rule decides. */
+static void make_plane(test_mesh *mesh, int snap, uint32_t seed) {
+    double cell = SIZE * 1.3 / GRID;
+    mesh->vertex_count = mesh->triangle_count = 0;
+    for (int y = 0; y <= GRID; ++y) {
+        for (int x = 0; x <= GRID; ++x) {
+            float *p = mesh->positions + 3 * mesh->vertex_count++;
+            double jitter_x = (random_unit(&seed) - 0.5) * 0.3;
+            double jitter_y = (random_unit(&seed) - 0.5) * 0.3;
+            p[0] = (float)((x - GRID / 2 + jitter_x) * cell);
+            p[1] = (float)((y - GRID / 2 + jitter_y) * cell);
+            p[2] = 0;
+            if (snap) {
+                p[0] = (float)(floor(p[0] * 2.0) / 2);
+                p[1] = (float)(floor(p[1] * 2.0) / 2);
+            }
+        }
+    }
+    for (size_t y = 0; y < GRID; ++y) {
+        for (size_t x = 0; x < GRID; ++x) {
+            size_t a = y * (GRID + 1) + x, b = a + 1, c = a + GRID + 1, d = c + 1;
+            if (next_random(&seed) & 1) {
+                add_triangle(mesh, a, b, d);
+                add_triangle(mesh, a, d, c);
+            } else {
+                add_triangle(mesh, a, b, c);
+                add_triangle(mesh, c, b, d);
+            }
+        }
+    }
+}
+
+/* How many triangles cover each sample of a one-tile image: drawn one at a time. */
+static void count_coverage(const burnish_raster_view *view, const burnish_geometry *geometry,
+                           int *coverage) {
+    burnish_tile tile;
+    size_t offsets[2] = {0, 1};
+    uint32_t entry;
+    burnish_bins bins;
+    burnish_bins_begin(&bins);
+    bins.columns = bins.rows = bins.end_row = 1;
+    bins.offsets = offsets;
+    bins.entries = &entry;
+    CHECK(burnish_tile_create(&tile, view->samples, NULL) == BURNISH_STATUS_OK, "tile");
+    for (entry = 0; entry < geometry->triangle_count; ++entry) {
+        burnish_draw_tile(&tile, view, geometry, &bins, 0, 0);
+        for (int i = 0; i < BURNISH_TILE_PIXELS * view->samples; ++i) {
+            coverage[i] += tile.triangles[i] == entry;
+        }
+    }
+    burnish_tile_destroy(&tile);
+}
+
+/* Every sample of the SIZE x SIZE image is covered by exactly one triangle of the mesh. */
+static void check_each_sample_once(const char *name, const burnish_raster_view *view,
+                                   const test_mesh *mesh) {
+    static int coverage[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
+    burnish_geometry geometry;
+    memset(coverage, 0, sizeof coverage);
+    burnish_error error;
+    if (!CHECK(burnish_geometry_create(&geometry, view, mesh->positions, mesh->vertex_count,
+                                       mesh->indices, mesh->triangle_count, 1,
+                                       &error) == BURNISH_STATUS_OK,
+               "%s", error.text)) {
+        return;
+    }
+    count_coverage(view, &geometry, coverage);
+    int holes = 0, twice = 0;
+    for (int i = 0; i < BURNISH_TILE_PIXELS * view->samples; ++i) {
+        holes += coverage[i] == 0;
+        twice += coverage[i] > 1;
+    }
+    CHECK(holes == 0 && twice == 0, "%s, %d samples: %d holes, %d drawn twice", name,
+          view->samples, holes, twice);
+    burnish_geometry_destroy(&geometry);
+}
+
+static void check_plane(void) {
+    static const int SAMPLES[] = {1, 4, 8, 16};
+    static test_mesh mesh;
+    for (int i = 0; i < 4; ++i) {
+        burnish_raster_view view = parallel_view(SIZE, SIZE, SAMPLES[i]);
+        for (uint32_t seed = 1; seed <= 8; ++seed) {
+            make_plane(&mesh, 0, seed);
+            check_each_sample_once("jittered plane", &view, &mesh);
+            make_plane(&mesh, 1, seed);
+            check_each_sample_once("snapped plane", &view, &mesh);
+        }
+    }
+}
+
+/* The inside of a box, seen from within at a wide angle: every ray meets it once, and its triangles
+ * need the near plane and the guard band. */
+static void check_box_from_inside(void) {
+    static test_mesh mesh;
+    static const uint8_t FACES[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                        {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+    for (uint32_t seed = 1; seed <= 20; ++seed) {
+        uint32_t state = seed;
+        mesh.vertex_count = mesh.triangle_count = 0;
+        for (int i = 0; i < 8; ++i) {
+            float *p = mesh.positions + 3 * mesh.vertex_count++;
+            p[0] = i & 1 ? 1.0f : -1.0f;
+            p[1] = i & 2 ? 1.0f : -1.0f;
+            p[2] = i & 4 ? 1.0f : -1.0f;
+        }
+        for (int f = 0; f < 6; ++f) {
+            add_triangle(&mesh, FACES[f][0], FACES[f][1], FACES[f][2]);
+            add_triangle(&mesh, FACES[f][0], FACES[f][2], FACES[f][3]);
+        }
+        double eye[3], turn = random_unit(&state) * 6.28, tilt = random_unit(&state) - 0.5;
+        for (int i = 0; i < 3; ++i) {
+            eye[i] = (random_unit(&state) - 0.5) * 1.99;
+        }
+        double forward[3] = {sin(turn) * cos(tilt), sin(tilt), -cos(turn) * cos(tilt)};
+        double right[3] = {cos(turn), 0, sin(turn)};
+        double up[3] = {-sin(turn) * sin(tilt), cos(tilt), cos(turn) * sin(tilt)};
+        burnish_raster_view view = {SIZE, SIZE, seed % 2 ? 1 : 4, {0, 0, 0}, {{0}}};
+        for (int i = 0; i < 3; ++i) {
+            view.rows[0][i] = (float)(right[i] * 8); /* 8 pixels at distance 1: 152 degrees */
+            view.rows[1][i] = (float)(up[i] * 8);
+            view.rows[3][i] = (float)forward[i];
+            view.rows[0][3] -= (float)(right[i] * eye[i] * 8);
+            view.rows[1][3] -= (float)(up[i] * eye[i] * 8);
+            view.rows[3][3] -= (float)(forward[i] * eye[i]);
+        }
+        view.rows[2][3] = 0x1p-14f;
+        check_each_sample_once("box from inside", &view, &mesh);
+    }
+}
+
+/* Random triangles over several tiles: lists made with any threads and budget show what drawing every
+ * triangle into every tile shows. */
+static void check_bins(void) {
+    static test_mesh mesh;
+    static const int THREADS[] = {1, 2, 7};
+    static const size_t BUDGETS[] = {1, 200, 1u << 25};
+    uint32_t state = 7;
+    mesh.vertex_count = mesh.triangle_count = 0;
+    for (int i = 0; i < 300; ++i) {
+        double x = (random_unit(&state) - 0.5) * 400, y = (random_unit(&state) - 0.5) * 300;
+        double reach = i % 10 ? 30 : 400;
+        for (int k = 0; k < 3; ++k) {
+            float *p = mesh.positions + 3 * mesh.vertex_count++;
+            p[0] = (float)(x + (random_unit(&state) - 0.5) * reach);
+            p[1] = (float)(y + (random_unit(&state) - 0.5) * reach);
+            p[2] = (float)((random_unit(&state) - 0.5) * 100);
+        }
+        add_triangle(&mesh, 3 * (size_t)i, 3 * (size_t)i + 1, 3 * (size_t)i + 2);
+    }
+    burnish_raster_view view = parallel_view(300, 200, 4);
+    burnish_geometry geometry;
+    CHECK(burnish_geometry_create(&geometry, &view, mesh.positions, mesh.vertex_count, mesh.indices,
+                                  mesh.triangle_count, 2, NULL) == BURNISH_STATUS_OK,
+          "geometry");
+    uint32_t all[MAX_TRIANGLES];
+    size_t everything[64];
+    for (uint32_t i = 0; i < MAX_TRIANGLES; ++i) {
+        all[i] = i;
+    }
+    burnish_tile tile, expected;
+    burnish_tile_create(&tile, 4, NULL);
+    burnish_tile_create(&expected, 4, NULL);
+    for (int run = 0; run < 9; ++run) {
+        burnish_bins bins;
+        burnish_bins_begin(&bins);
+        bins.entry_budget = BUDGETS[run / 3];
+        int tiles = 0, bands = 0, wrong = 0;
+        do {
+            CHECK(burnish_bin_tiles(&bins, &geometry, &view, THREADS[run % 3], NULL) ==
+                      BURNISH_STATUS_OK,
+                  "bins");
+            ++bands;
+            for (int row = bins.first_row; row < bins.end_row; ++row) {
+                for (int column = 0; column < bins.columns; ++column, ++tiles) {
+                    burnish_bins full = bins;
+                    size_t place = (size_t)(row - bins.first_row) * (size_t)bins.columns +
+                                   (size_t)column;
+                    full.offsets = everything;
+                    full.entries = all;
+                    everything[place] = 0;
+                    everything[place + 1] = geometry.triangle_count;
+                    burnish_draw_tile(&expected, &view, &geometry, &full, column, row);
+                    if (!burnish_draw_tile(&tile, &view, &geometry, &bins, column, row)) {
+                        memset(tile.triangles, 0xff, sizeof(uint32_t) * BURNISH_TILE_PIXELS * 4);
+                    }
+                    wrong += memcmp(tile.triangles, expected.triangles,
+                                    sizeof(uint32_t) * BURNISH_TILE_PIXELS * 4) != 0;
+                }
+            }
+        } while (bins.end_row < bins.rows);
+        CHECK(tiles == 5 * 4, "tiles %d", tiles);
+        CHECK(bands == (run < 3 ? 4 : run < 6 ? bands : 1) && bands >= 1, "bands %d", bands);
+        CHECK(wrong == 0, "%d tiles differ with %d threads, budget %zu", wrong, THREADS[run % 3],
+              BUDGETS[run / 3]);
+        burnish_bins_destroy(&bins);
+    }
+    burnish_tile_destroy(&tile);
+    burnish_tile_destroy(&expected);
+    burnish_geometry_destroy(&geometry);
+}
+
+static void check_rounding(void) {
+    CHECK(burnish_to_fixed(0.001953125f) == 0, "half a step goes to even: 0");
+    CHECK(burnish_to_fixed(0.005859375f) == 2, "one and a half steps go to 2");
+    for (int i = -4000; i <= 4000; ++i) {
+        float pixels = (float)i * 4.0931f;
+        int32_t fixed = burnish_to_fixed(pixels);
+        CHECK(fixed == -burnish_to_fixed(-pixels), "rounding is symmetric at %g", (double)pixels);
+        CHECK(fabs((double)pixels * 256 - fixed) <= 0.5, "rounding to nearest at %g",
+              (double)pixels);
+    }
+}
+
+/* The nearer triangle shows, and the fragments say where: weights, depth and place agree. */
+static void check_fragments(void) {
+    static test_mesh mesh;
+    mesh.vertex_count = mesh.triangle_count = 0;
+    static const float POSITIONS[18] = {-40, -40, 0, 40, -40, 0, 0, 40, 0,
+                                        -20, -20, 5, 20, -20, 9, 0, 20, 13};
+    memcpy(mesh.positions, POSITIONS, sizeof POSITIONS);
+    mesh.vertex_count = 6;
+    add_triangle(&mesh, 0, 1, 2);
+    add_triangle(&mesh, 3, 4, 5);
+    burnish_raster_view view = parallel_view(SIZE, SIZE, 4);
+    burnish_geometry geometry;
+    burnish_geometry_create(&geometry, &view, mesh.positions, 6, mesh.indices, 2, 1, NULL);
+    CHECK(geometry.triangle_count == 2 && geometry.triangles[0].source == 0, "two front faces");
+    burnish_bins bins;
+    burnish_bins_begin(&bins);
+    burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
+    burnish_tile tile;
+    burnish_tile_create(&tile, 4, NULL);
+    burnish_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
+    burnish_fragments fragments;
+    int front = 0, samples = 0, wrong = 0;
+    while (burnish_next_fragments(&tile, &view, &geometry, &fragments)) {
+        for (int i = 0; i < fragments.count; ++i) {
+            const uint32_t *v = geometry.triangles[fragments.triangle[i]].vertices;
+            double w[3] = {1.0 - fragments.weight1[i] - fragments.weight2[i],
+                           fragments.weight1[i], fragments.weight2[i]};
+            double p[3] = {0, 0, 0};
+            for (int k = 0; k < 3; ++k) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    p[axis] += w[k] * mesh.positions[3 * v[k] + (uint32_t)axis];
+                }
+            }
+            wrong += !(fabs(p[0] - fragments.x[i]) < 0.01 && fabs(p[1] - fragments.y[i]) < 0.01 &&
+                       fabs(0.5 + 0.001 * p[2] - fragments.depth[i]) < 1e-6);
+            samples += fragments.weight[i];
+            front += fragments.triangle[i] == 1 ? fragments.weight[i] : 0;
+        }
+    }
+    CHECK(wrong == 0, "%d fragments whose weights do not give their place", wrong);
+    CHECK(abs(front - 4 * 800) <= 4, "the nearer triangle has area 800, got %d/4", front);
+    CHECK(samples > front, "the farther one shows around it");
+    burnish_tile_destroy(&tile);
+    burnish_bins_destroy(&bins);
+    burnish_geometry_destroy(&geometry);
+}
+
+int main(void) {
+    check_rounding();
+    check_plane();
+    check_box_from_inside();
+    check_bins();
+    check_fragments();
+    return test_end("raster");
+}
