@@ -21,9 +21,9 @@ enum { MAX_THREADS = 1024 };
 /* A key light from the upper left, a cooler and weaker fill from the right, a rim light from behind:
  * the photographer's three points. Directions in camera space. */
 static const burnish_light DEFAULT_RIG[] = {
-    {BURNISH_LIGHT_DIRECTIONAL, 1, {-0.55, 0.75, 0.85}, {0.98f, 0.95f, 0.90f}},
-    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.90, 0.15, 0.55}, {0.20f, 0.23f, 0.28f}},
-    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.35, 0.60, -0.80}, {0.45f, 0.45f, 0.48f}},
+    {BURNISH_LIGHT_DIRECTIONAL, 1, {-0.55, 0.75, 0.85}, {1.22f, 1.19f, 1.13f}},
+    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.90, 0.15, 0.55}, {0.24f, 0.28f, 0.34f}},
+    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.35, 0.60, -0.80}, {0.68f, 0.68f, 0.72f}},
 };
 
 burnish_render_options burnish_render_options_default(void) {
@@ -39,7 +39,7 @@ burnish_render_options burnish_render_options_default(void) {
     options.lobe.fit = BURNISH_FIT_ENERGY;
     options.lobe.order = 2;
     for (int i = 0; i < 3; ++i) {
-        options.ambient_light[i] = 0.09f;
+        options.ambient_light[i] = 0.08f;
         options.background[i] = 255;
     }
     memcpy(options.lights, DEFAULT_RIG, sizeof DEFAULT_RIG);

@@ -74,55 +74,60 @@ static void close_grid(burnish_source *source, uint32_t ni, uint32_t nj) {
     }
 }
 
-/* Radius 1. A cube of 2n cells a side, n the tessellation, whose lattice lines are spread evenly in
- * angle (by the tangent) and blown up: 2n segments a quarter, 48 n^2 triangles. A point depends on its
- * lattice coordinates only, so that the six faces meet exactly. */
+/* A lattice point of the cube [-n, n]^3's surface, blown up to the unit sphere. The tangent spreads the
+ * lattice lines evenly in angle. It is odd and the same for equal coordinates, bit for bit. */
+static burnish_vec3 sphere_point(const int lattice[3], int n) {
+    double warped[3];
+    for (int k = 0; k < 3; ++k) {
+        double sine, cosine;
+        int size = lattice[k] < 0 ? -lattice[k] : lattice[k];
+        burnish_sincos(PI / 4 * size / n, &sine, &cosine);
+        double tangent = size == n ? 1 : sine / cosine;
+        warped[k] = lattice[k] < 0 ? -tangent : tangent;
+    }
+    return burnish_vec3_normalize(burnish_vec3_load(warped));
+}
+
+/* One face of the sphere: outside is the given axis, in the direction of sign. */
+static void make_sphere_face(burnish_source *source, int axis, int sign, int n) {
+    uint32_t base = (uint32_t)source->position_count, side = 2 * (uint32_t)n + 1;
+    for (int j = -n; j <= n; ++j) {
+        for (int i = -n; i <= n; ++i) {
+            /* (i, j, outside) stays right-handed: i turns round with the sign. */
+            int lattice[3];
+            lattice[axis] = sign * n;
+            lattice[(axis + 1) % 3] = sign * i;
+            lattice[(axis + 2) % 3] = j;
+            burnish_vec3 unit = sphere_point(lattice, n);
+            burnish_surface_vertex(source, unit, unit);
+        }
+    }
+    for (int j = -n; j < n; ++j) {
+        for (int i = -n; i < n; ++i) {
+            uint32_t a = base + (uint32_t)(j + n) * side + (uint32_t)(i + n);
+            uint32_t b = a + 1, c = a + side + 1, d = c - 1;
+            if ((i < 0) == (j < 0)) { /* diagonals run toward the middle: mirror symmetric */
+                burnish_surface_triangle(source, a, b, c);
+                burnish_surface_triangle(source, a, c, d);
+            } else {
+                burnish_surface_triangle(source, a, b, d);
+                burnish_surface_triangle(source, b, c, d);
+            }
+        }
+    }
+}
+
+/* Radius 1: a blown-up cube, 2n segments a quarter (n the tessellation), 48 n^2 triangles. A point
+ * depends on its lattice coordinates only, so that the six faces meet exactly. */
 static burnish_status make_sphere(const burnish_load_options *options, burnish_source *source,
                                   burnish_error *error) {
-    int n = options->tessellation;
-    size_t side = 2 * (size_t)n + 1, cells = 4 * (size_t)n * (size_t)n;
-    burnish_status status = burnish_surface_reserve(source, ":sphere", 6 * side * side, 12 * cells,
-                                                    options, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    size_t side = 2 * (size_t)options->tessellation + 1;
+    burnish_status status = burnish_surface_reserve(source, ":sphere", 6 * side * side,
+                                                    12 * (side - 1) * (side - 1), options, error);
+    for (int face = 0; status == BURNISH_STATUS_OK && face < 6; ++face) {
+        make_sphere_face(source, face % 3, face < 3 ? 1 : -1, options->tessellation);
     }
-    for (int face = 0; face < 6; ++face) {
-        uint32_t base = (uint32_t)source->position_count;
-        int sign = face < 3 ? 1 : -1, axis = face % 3;
-        for (int j = -n; j <= n; ++j) {
-            for (int i = -n; i <= n; ++i) {
-                /* u, v, outside is a right-handed basis: u turns round with the sign. */
-                int lattice[3];
-                lattice[axis] = sign * n;
-                lattice[(axis + 1) % 3] = sign * i;
-                lattice[(axis + 2) % 3] = j;
-                double warped[3];
-                for (int k = 0; k < 3; ++k) {
-                    double sine, cosine;
-                    int size = lattice[k] < 0 ? -lattice[k] : lattice[k];
-                    burnish_sincos(PI / 4 * size / n, &sine, &cosine);
-                    double tangent = size == n ? 1 : sine / cosine;
-                    warped[k] = lattice[k] < 0 ? -tangent : tangent;
-                }
-                burnish_vec3 unit = burnish_vec3_normalize(burnish_vec3_load(warped));
-                burnish_surface_vertex(source, unit, unit);
-            }
-        }
-        for (int j = -n; j < n; ++j) {
-            for (int i = -n; i < n; ++i) {
-                uint32_t a = base + (uint32_t)(j + n) * (uint32_t)side + (uint32_t)(i + n);
-                uint32_t b = a + 1, c = a + (uint32_t)side + 1, d = c - 1;
-                if ((i < 0) == (j < 0)) { /* diagonals run toward the middle: mirror symmetric */
-                    burnish_surface_triangle(source, a, b, c);
-                    burnish_surface_triangle(source, a, c, d);
-                } else {
-                    burnish_surface_triangle(source, a, b, d);
-                    burnish_surface_triangle(source, b, c, d);
-                }
-            }
-        }
-    }
-    return BURNISH_STATUS_OK;
+    return status;
 }
 
 /* Radii 1 and 0.4, lying in the plane y = 0; 8n segments around the axis, 4n around the tube. */

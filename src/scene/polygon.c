@@ -125,9 +125,8 @@ static void clip_ears(ring *r, uint16_t *triangles) {
             judge_all(r, corner);
             continue;
         }
-        if (tip == CORNERS) {
-            tip = r->next[corner]; /* not a simple polygon: a fan around corner */
-        }
+        int fan = tip == CORNERS; /* not a simple polygon: a fan around corner */
+        tip = fan ? r->next[corner] : tip;
         size_t before = r->previous[tip], after = r->next[tip];
         write_triangle(triangles, before, tip, after);
         triangles += 3;
@@ -138,7 +137,7 @@ static void clip_ears(ring *r, uint16_t *triangles) {
         judge(r, after);
         r->ear[before] = (uint8_t)is_ear(r, before);
         r->ear[after] = (uint8_t)is_ear(r, after);
-        corner = after;
+        corner = fan ? before : after;
     }
     write_triangle(triangles, r->previous[corner], corner, r->next[corner]);
 }

@@ -30,20 +30,18 @@ static burnish_vec3 combine(const burnish_vec3 p[4], const double weight[4]) {
 /* Data set to scene: y up instead of z, a turn about x. */
 static burnish_vec3 turn_up(burnish_vec3 p) { return (burnish_vec3){p.x, p.z, -p.y}; }
 
-static void evaluate(burnish_source *source, const burnish_vec3 points[4][4], const bernstein *u,
-                     const bernstein *v) {
+/* pole: v = 0 of a patch whose first row is one point (the lid's top, the bottom's middle). There du
+ * vanishes; near it du grows as v times its own v derivative, which has the limit's direction. */
+static void evaluate(burnish_source *source, burnish_vec3 points[4][4], const bernstein *u,
+                     const bernstein *v, int pole) {
     burnish_vec3 row[4], row_slope[4];
     for (int i = 0; i < 4; ++i) {
         row[i] = combine(points[i], u->value);
         row_slope[i] = combine(points[i], u->slope);
     }
     burnish_vec3 along_v = combine(row, v->slope);
-    burnish_vec3 normal = burnish_vec3_cross(combine(row_slope, v->value), along_v);
-    if (burnish_vec3_dot(normal, normal) == 0) {
-        /* A row that is one point (the lid's top, the bottom's middle, both at v = 0): near it du
-         * grows as v times its own v derivative, which therefore has the limit's direction. */
-        normal = burnish_vec3_cross(combine(row_slope, v->slope), along_v);
-    }
+    burnish_vec3 along_u = combine(row_slope, pole ? v->slope : v->value);
+    burnish_vec3 normal = burnish_vec3_cross(along_u, along_v);
     burnish_surface_vertex(source, turn_up(combine(row, v->value)), turn_up(normal));
 }
 
@@ -54,6 +52,7 @@ static int first_row_is_point(const uint16_t patch[16]) {
 static void add_patch(burnish_source *source, const uint16_t patch[16], int n) {
     burnish_vec3 points[4][4];
     uint32_t base = (uint32_t)source->position_count, stride = (uint32_t)n + 1;
+    int point = first_row_is_point(patch);
     for (int i = 0; i < 16; ++i) {
         points[i / 4][i % 4] = burnish_vec3_load(teapot_points[patch[i]]);
     }
@@ -61,13 +60,13 @@ static void add_patch(burnish_source *source, const uint16_t patch[16], int n) {
         bernstein v = bernstein_at(j, n);
         for (int i = 0; i <= n; ++i) {
             bernstein u = bernstein_at(i, n);
-            evaluate(source, points, &u, &v);
+            evaluate(source, points, &u, &v, point && j == 0);
         }
     }
     for (uint32_t j = 0; j < (uint32_t)n; ++j) {
         for (uint32_t i = 0; i < (uint32_t)n; ++i) {
             uint32_t a = base + j * stride + i, b = a + 1, c = a + stride, d = c + 1;
-            if (j > 0 || !first_row_is_point(patch)) {
+            if (j > 0 || !point) {
                 burnish_surface_triangle(source, a, b, d);
             }
             burnish_surface_triangle(source, a, d, c);

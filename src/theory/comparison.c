@@ -22,7 +22,7 @@ double burnish_theory_family(double zeta, int order, double cosine) {
 
 double burnish_theory_power(double cosine, double exponent) {
     double c = saturate(cosine);
-    return c > 0 ? saturate(pow(c, exponent)) : 0;
+    return c > 0 && exponent >= 0 ? saturate(pow(c, exponent)) : 0; /* pow(1, NaN) is 1 */
 }
 
 double burnish_theory_schlick(double cosine, double exponent) {

@@ -16,7 +16,7 @@ static double projected_zeta(double m, double n) {
     return (a + burnish_sqrt(a * (a - 4 * (m + 1)))) / (2 * (m + 1) * (m + 2));
 }
 
-/* What burnish_lobe_check leaves to the fits. */
+/* What a fit demands beyond burnish_lobe_check. */
 static burnish_lobe_status check_fit(burnish_fit fit, int order, double exponent, double level) {
     switch (fit) {
     case BURNISH_FIT_TAYLOR:
@@ -28,7 +28,9 @@ static burnish_lobe_status check_fit(burnish_fit fit, int order, double exponent
     case BURNISH_FIT_SHIFT3:
         return order == 2 ? BURNISH_LOBE_OK : BURNISH_LOBE_ERROR_ORDER;
     case BURNISH_FIT_PROJECTED:
-        return exponent >= order ? BURNISH_LOBE_OK : BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT;
+        return exponent < order && burnish_lobe_check(order, exponent) == BURNISH_LOBE_OK
+                   ? BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT
+                   : BURNISH_LOBE_OK;
     case BURNISH_FIT_COUNT:
         break;
     }
@@ -38,12 +40,9 @@ static burnish_lobe_status check_fit(burnish_fit fit, int order, double exponent
 burnish_lobe_status burnish_theory_zeta(burnish_fit fit, int order, double exponent, double level,
                                         double *zeta) {
     *zeta = 0;
-    if ((int)fit < 0 || fit >= BURNISH_FIT_COUNT) {
-        return BURNISH_LOBE_ERROR_FIT;
-    }
-    burnish_lobe_status status = burnish_lobe_check(order, exponent);
+    burnish_lobe_status status = check_fit(fit, order, exponent, level);
     if (status == BURNISH_LOBE_OK) {
-        status = check_fit(fit, order, exponent, level);
+        status = burnish_lobe_check(order, exponent);
     }
     if (status != BURNISH_LOBE_OK) {
         return status;

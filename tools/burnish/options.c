@@ -25,7 +25,9 @@ int burnish_cli_report_error(const burnish_error *error) {
     return burnish_status_exit_code(error->status);
 }
 
-void burnish_cli_warn(const char *text) { fprintf(stderr, "burnish: warning: %s\n", text); }
+void burnish_cli_warn(const char *text) {
+    fprintf(stderr, "burnish: warning: %s\n", text);
+}
 
 /* Edit distance with swaps of neighbours (optimal string alignment). */
 static size_t edit_distance(const char *a, const char *b) {
@@ -117,7 +119,8 @@ static burnish_status fail_unknown(const burnish_cli_command *command, const cha
     int length = (int)(given - argument) + (int)strlen(name);
     if (closest && burnish_cli_close_enough(name, best)) {
         return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "%.*s: unknown flag; did you mean --%s?", length, argument, closest);
+                                "%.*s: unknown flag; did you mean --%s?", length, argument,
+                                closest);
     }
     return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "%.*s: unknown flag; \"burnish %s --help\" lists the flags", length,
@@ -219,9 +222,10 @@ static burnish_status parse_short(const burnish_cli_command *command, const char
 static burnish_status take_operand(const burnish_cli_command *command, const char *argument,
                                    burnish_cli_operands *operands, burnish_error *error) {
     if (operands->count == command->operands_max) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "%s: \"%s\" is one operand too many; usage: burnish %s %s [options]",
-                                command->name, argument, command->name, command->operand);
+        return burnish_cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "%s: \"%s\" is one operand too many; usage: burnish %s %s [options]", command->name,
+            argument, command->name, command->operand);
     }
     operands->items[operands->count++] = argument;
     return BURNISH_STATUS_OK;

@@ -78,14 +78,14 @@ void burnish_cli_warn(const char *text);
 burnish_status burnish_cli_defaults(const burnish_cli_command *command, void *settings,
                                     burnish_error *error);
 
-/* Reads the arguments: --x=v, --x v, -o v, -ov, switches, `--` before operands. No abbreviations; of
- * a repeated flag the last counts. An unknown flag is answered with the closest known one. */
+/* Reads the arguments: --x=v, --x v, -o v, -ov, switches, `--` before operands. No abbreviations;
+ * of a repeated flag the last counts. An unknown flag is answered with the closest known one. */
 burnish_status burnish_cli_parse(const burnish_cli_command *command, int argc, char **argv,
                                  void *settings, burnish_cli_operands *operands,
                                  burnish_error *error);
 
-/* 1 when candidate is a better guess at what `name` should have been than *best edits; updates it. A
- * name that stands whole inside a candidate counts as close. Start with BURNISH_CLI_NAME_MAX. */
+/* 1 when candidate is a better guess at what `name` should have been than *best edits; updates it.
+ * A name that stands whole inside a candidate counts as close. Start with BURNISH_CLI_NAME_MAX. */
 int burnish_cli_closer(const char *name, const char *candidate, size_t *best);
 
 /* 1 when so many edits still make a sensible hint for name. */

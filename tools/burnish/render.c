@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -18,175 +17,8 @@ static double seconds_now(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static int is_standard(const char *path) { return strcmp(path, "-") == 0; }
-
-/* The name of the picture when none is given: the input's, in the current folder. */
-static burnish_status derive_output(burnish_cli_render *settings, burnish_error *error) {
-    const char *input = settings->input;
-    if (is_standard(input)) {
-        settings->output = "-";
-        return BURNISH_STATUS_OK;
-    }
-    const char *slash = strrchr(input, '/');
-    const char *base = input[0] == ':' ? input + 1 : slash ? slash + 1 : input;
-    const char *dot = strrchr(base, '.');
-    size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
-    char *name = settings->default_output;
-    if (length == 0 || length + sizeof ".png" > sizeof settings->default_output) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "\"%.60s\" gives the picture no name; name it with --output=FILE",
-                                input);
-    }
-    memcpy(name, base, length);
-    memcpy(name + length, ".png", sizeof ".png");
-    settings->output = name;
-    return BURNISH_STATUS_OK;
-}
-
-/* 1 when both paths lead to the same file. */
-static int same_file(const char *a, const char *b) {
-    struct stat a_status, b_status;
-    return stat(a, &a_status) == 0 && stat(b, &b_status) == 0 && S_ISREG(a_status.st_mode) &&
-           a_status.st_dev == b_status.st_dev && a_status.st_ino == b_status.st_ino;
-}
-
-static burnish_status check_output(const burnish_cli_render *settings, burnish_error *error) {
-    if (is_standard(settings->output)) {
-        if (settings->json) {
-            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                    "--json: standard output already carries the picture; name a "
-                                    "file with --output=FILE");
-        }
-        if (isatty(STDOUT_FILENO)) {
-            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                    "--output: standard output is a terminal, which can't show a "
-                                    "PNG; redirect it, or name a file with --output=FILE");
-        }
-        return BURNISH_STATUS_OK;
-    }
-    if (same_file(settings->input, settings->output)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--output: \"%.200s\" is the input; name another file",
-                                settings->output);
-    }
-    return BURNISH_STATUS_OK;
-}
-
-static burnish_status check_camera_flags(const burnish_cli_render *settings, burnish_error *error) {
-    const char *turn = settings->azimuth.value != 0     ? "camera-azimuth-angle"
-                       : settings->elevation.value != 0 ? "camera-elevation-angle"
-                                                        : NULL;
-    const char *aim = settings->direction.given ? "camera-direction" : turn;
-    const char *extra = NULL, *fixed = NULL;
-    if (settings->position.given && aim) {
-        extra = aim;
-        fixed = "camera-position";
-    } else if (settings->views.count > 0) {
-        extra = settings->position.given  ? "camera-position"
-                : settings->view_up.given ? "camera-view-up"
-                                          : aim;
-        fixed = "views";
-    }
-    if (!extra) {
-        return BURNISH_STATUS_OK;
-    }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: --%s already says where the camera looks from; leave one out",
-                            extra, fixed);
-}
-
-burnish_status burnish_cli_render_finish(burnish_cli_render *settings, burnish_error *error) {
-    burnish_status status = check_camera_flags(settings, error);
-    if (status == BURNISH_STATUS_OK && !settings->output) {
-        status = derive_output(settings, error);
-    }
-    return status == BURNISH_STATUS_OK ? check_output(settings, error) : status;
-}
-
-static burnish_status load(const burnish_cli_render *settings, burnish_scene **scene,
-                           burnish_error *error) {
-    burnish_load_options options = burnish_load_options_default();
-    options.format = (burnish_format)settings->format;
-    options.crease_angle = settings->crease.value;
-    options.tessellation = settings->tessellation;
-    options.max_input_bytes = settings->max_input_bytes;
-    options.max_triangles = settings->max_triangles;
-    return burnish_scene_load(settings->input, &options, scene, error);
-}
-
-/* One material as --color, --material, --specular and --exponent want it. */
-static burnish_material adjusted_material(const burnish_cli_render *settings,
-                                          burnish_material material) {
-    if (settings->color.given) {
-        for (int k = 0; k < 3; ++k) {
-            material.diffuse[k] = burnish_srgb_decode(settings->color.srgb[k]);
-            material.ambient[k] = material.diffuse[k];
-        }
-        material.has_diffuse = 1;
-    }
-    if (settings->material >= 0) {
-        const burnish_cli_preset *preset = &burnish_cli_presets[settings->material];
-        for (int k = 0; k < 3; ++k) {
-            float tint = 1 + preset->tint * (material.diffuse[k] - 1);
-            material.specular[k] = preset->specular * tint;
-            material.diffuse[k] *= preset->diffuse;
-            material.ambient[k] *= preset->diffuse;
-        }
-        material.exponent = preset->exponent;
-        material.has_exponent = 1;
-    }
-    if (settings->specular.given) {
-        for (int k = 0; k < 3; ++k) {
-            material.specular[k] = (float)settings->specular.value;
-        }
-    }
-    if (settings->exponent.given) {
-        material.exponent = (float)settings->exponent.value;
-        material.has_exponent = 1;
-    }
-    return material;
-}
-
-static burnish_status adjust_materials(const burnish_cli_render *settings, burnish_scene *scene,
-                                       burnish_error *error) {
-    size_t count = burnish_scene_material_count(scene);
-    for (size_t i = 0; i < count; ++i) {
-        burnish_material material =
-            adjusted_material(settings, *burnish_scene_material(scene, i));
-        burnish_status status = burnish_scene_set_material(scene, i, &material, error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-    }
-    return BURNISH_STATUS_OK;
-}
-
-static burnish_render_options render_options(const burnish_cli_render *settings) {
-    burnish_render_options options = burnish_render_options_default();
-    options.width = settings->size[0];
-    options.height = settings->size[1];
-    options.samples = settings->samples;
-    options.threads = settings->threads;
-    options.equation = (burnish_equation)settings->equation;
-    options.viewer = (burnish_viewer)settings->viewer;
-    options.ignore_colors = settings->color.given;
-    options.transparent = settings->background.transparent;
-    if (settings->ambient.given) {
-        memcpy(options.ambient_light, settings->ambient.linear, sizeof options.ambient_light);
-    }
-    if (settings->lights.given) {
-        memcpy(options.lights, settings->lights.items, sizeof options.lights);
-        options.light_count = settings->lights.count;
-    }
-    if (settings->background.given) {
-        for (int k = 0; k < 3; ++k) {
-            options.background[k] = burnish_cli_color_code(settings->background.srgb[k]);
-        }
-    }
-    return options;
-}
-
-/* Columns of a sheet: as asked, one row a view when there are several lobes too, else near a square. */
+/* Columns of a sheet: as asked, one row a view when there are several lobes too, else near a
+ * square. */
 static int choose_columns(const burnish_cli_render *settings, size_t count) {
     int columns = 1;
     if (settings->columns > 0) {
@@ -208,10 +40,11 @@ static burnish_status check_sheet(const burnish_cli_result *result, burnish_erro
     size_t width = columns * (size_t)result->options->width;
     size_t height = rows * (size_t)result->options->height;
     if (width > BURNISH_IMAGE_MAX_SIZE || height > BURNISH_IMAGE_MAX_SIZE) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--resolution: a sheet of %zu cells would be %zux%zu pixels, more than "
-                                "%d; make the cells smaller or change --columns",
-                                result->cell_count, width, height, BURNISH_IMAGE_MAX_SIZE);
+        return burnish_cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--resolution: a sheet of %zu cells would be %zux%zu pixels, more than "
+            "%d; make the cells smaller or change --columns",
+            result->cell_count, width, height, BURNISH_IMAGE_MAX_SIZE);
     }
     return BURNISH_STATUS_OK;
 }
@@ -233,16 +66,16 @@ static void warn_about_cell(burnish_cli_result *result, const burnish_cli_cell *
     if (cell->report.lobe_fallbacks > 0) {
         char lobe[32];
         burnish_lobe_choice_name(&cell->lobe, lobe, sizeof lobe);
-        burnish_cli_result_warn(result,
-                                "%s: %zu of %zu materials have an exponent too low for %s; drawn with "
-                                "a lower order",
-                                input, cell->report.lobe_fallbacks,
-                                burnish_scene_material_count(result->scene), lobe);
+        burnish_cli_result_warn(
+            result,
+            "%s: %zu of %zu materials have an exponent too low for %s; drawn with "
+            "a lower order",
+            input, cell->report.lobe_fallbacks, burnish_scene_material_count(result->scene), lobe);
     }
     if (cell->report.covered_pixels == 0) {
         result->blank = 1;
-        burnish_cli_result_warn(result, "%s: %s is blank: nothing of the object is in it; check the camera",
-                                input, in);
+        burnish_cli_result_warn(
+            result, "%s: %s is blank: nothing of the object is in it; check the camera", input, in);
     }
 }
 
@@ -275,11 +108,13 @@ static burnish_status draw_cells(burnish_cli_result *result, burnish_render_opti
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
         burnish_cli_cell *cell = &result->cells[i];
         size_t view = i / settings->lobes.count;
-        cell->view = settings->views.count > 0 ? settings->views.items[view] : BURNISH_CLI_VIEW_FREE;
+        cell->view =
+            settings->views.count > 0 ? settings->views.items[view] : BURNISH_CLI_VIEW_FREE;
         cell->lobe = settings->lobes.items[i % settings->lobes.count];
         label_cell(settings, cell);
         if (progress) {
-            fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count, cell->label);
+            fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
+                    cell->label);
         }
         status = draw_cell(result, options, cell, error);
     }
@@ -341,7 +176,7 @@ static burnish_status make_picture(burnish_cli_result *result, burnish_render_op
 
 static burnish_status render_scene(burnish_cli_result *result, double start, burnish_error *error) {
     const burnish_cli_render *settings = result->settings;
-    burnish_render_options options = render_options(settings);
+    burnish_render_options options = burnish_cli_render_options(settings);
     burnish_image sheet = {0};
     result->options = &options;
     result->cell_count =
@@ -373,14 +208,14 @@ static int render(const burnish_cli_render *settings) {
     burnish_scene *scene = NULL;
     burnish_cli_result result = {.settings = settings};
     double start = seconds_now();
-    burnish_status status = load(settings, &scene, &error);
+    burnish_status status = burnish_cli_load(settings, &scene, &error);
     result.scene = scene;
     result.seconds.load = seconds_now() - start;
     if (status == BURNISH_STATUS_OK) {
         for (size_t i = 0; i < burnish_scene_warning_count(scene); ++i) {
             burnish_cli_result_warn(&result, "%s", burnish_scene_warning(scene, i));
         }
-        status = adjust_materials(settings, scene, &error);
+        status = burnish_cli_adjust_materials(settings, scene, &error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = render_scene(&result, start, &error);
@@ -409,8 +244,9 @@ int burnish_cli_render_main(int argc, char **argv) {
         return burnish_cli_print_command_help(command);
     }
     if (operands.count == 0) {
-        burnish_cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                         "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
+        burnish_cli_fail(
+            &error, BURNISH_STATUS_ARGUMENT,
+            "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
         return burnish_cli_report_error(&error);
     }
     settings.input = operands.items[0];

@@ -36,7 +36,9 @@ static const standard_view views[] = {
     [BURNISH_CLI_VIEW_ISO] = {"iso", {1, 1, 1}, {0, 1, 0}},
 };
 
-const char *burnish_cli_view_name(burnish_cli_view view) { return views[view].name; }
+const char *burnish_cli_view_name(burnish_cli_view view) {
+    return views[view].name;
+}
 
 static const frame *frame_in_use(const burnish_scene *scene, const burnish_cli_render *settings) {
     if (settings->up != BURNISH_CLI_UP_AUTO) {
@@ -120,9 +122,9 @@ static burnish_status fit_along(const burnish_scene *scene, const burnish_cli_re
     return burnish_camera_fit(scene, &options, camera, error);
 }
 
-static burnish_status explicit_camera(const burnish_scene *scene, const burnish_cli_render *settings,
-                                      const frame *axes, burnish_camera *camera,
-                                      burnish_error *error) {
+static burnish_status explicit_camera(const burnish_scene *scene,
+                                      const burnish_cli_render *settings, const frame *axes,
+                                      burnish_camera *camera, burnish_error *error) {
     const burnish_mesh *mesh = burnish_scene_mesh(scene);
     double focal[3], direction[3], upward[3];
     for (int k = 0; k < 3; ++k) {
@@ -149,7 +151,8 @@ static burnish_status explicit_camera(const burnish_scene *scene, const burnish_
     return BURNISH_STATUS_OK;
 }
 
-/* The camera that shows the whole object: standard views, --camera-direction, three-quarter view. */
+/* The camera that shows the whole object: standard views, --camera-direction, three-quarter view.
+ */
 static burnish_status framed_camera(const burnish_scene *scene, const burnish_cli_render *settings,
                                     burnish_cli_view view, const frame *axes,
                                     burnish_camera *camera, burnish_error *error) {
@@ -204,8 +207,8 @@ burnish_status burnish_cli_camera(const burnish_scene *scene, const burnish_cli_
         camera->orthographic_height /= zoom;
     } else if (zoom != 1) {
         for (int k = 0; k < 3; ++k) {
-            camera->position[k] = camera->focal_point[k] +
-                                  (camera->position[k] - camera->focal_point[k]) / zoom;
+            camera->position[k] =
+                camera->focal_point[k] + (camera->position[k] - camera->focal_point[k]) / zoom;
         }
     }
     return BURNISH_STATUS_OK;

@@ -39,7 +39,8 @@ static void add(cJSON *object, const char *key, cJSON *item, int *failed) {
     }
 }
 
-/* The shortest decimal that reads back as the same double. The program never leaves the C locale. */
+/* The shortest decimal that reads back as the same double. The program never leaves the C locale.
+ */
 static cJSON *real(double value) {
     char text[40];
     for (int digits = 6; digits <= 17; ++digits) {
@@ -90,8 +91,12 @@ static cJSON *array_of(size_t size, cJSON *(*make)(const void *values, size_t in
     return array;
 }
 
-static cJSON *real_at(const void *values, size_t i) { return real(((const double *)values)[i]); }
-static cJSON *single_at(const void *values, size_t i) { return single(((const float *)values)[i]); }
+static cJSON *real_at(const void *values, size_t i) {
+    return real(((const double *)values)[i]);
+}
+static cJSON *single_at(const void *values, size_t i) {
+    return single(((const float *)values)[i]);
+}
 static cJSON *integer_at(const void *values, size_t i) {
     return cJSON_CreateNumber(((const int *)values)[i]);
 }
@@ -176,7 +181,8 @@ static void add_scene(cJSON *root, const burnish_cli_result *result, int *failed
     add(root, "input", cJSON_CreateString(result->settings->input), failed);
     add(root, "format", cJSON_CreateString(formats[burnish_scene_format(result->scene)]), failed);
     add(root, "output",
-        result->written ? cJSON_CreateString(result->settings->output) : cJSON_CreateNull(), failed);
+        result->written ? cJSON_CreateString(result->settings->output) : cJSON_CreateNull(),
+        failed);
     add(root, "width", cJSON_CreateNumber(result->picture->width), failed);
     add(root, "height", cJSON_CreateNumber(result->picture->height), failed);
     add(root, "triangles", count(mesh->triangle_count), failed);
@@ -186,7 +192,8 @@ static void add_scene(cJSON *root, const burnish_cli_result *result, int *failed
     add(box, "min", array_of(3, single_at, mesh->bounds_min), failed);
     add(box, "max", array_of(3, single_at, mesh->bounds_max), failed);
     add(root, "bounding_box", box, failed);
-    add(root, "up", cJSON_CreateString(burnish_cli_up_name(result->scene, result->settings)), failed);
+    add(root, "up", cJSON_CreateString(burnish_cli_up_name(result->scene, result->settings)),
+        failed);
 }
 
 static void add_run(cJSON *root, const burnish_cli_result *result, int *failed) {
@@ -194,7 +201,8 @@ static void add_run(cJSON *root, const burnish_cli_result *result, int *failed) 
     const burnish_render_options *options = result->options;
     cJSON *times = cJSON_CreateObject();
     add(root, "equation",
-        cJSON_CreateString(options->equation == BURNISH_EQUATION_BLINN ? "blinn" : "phong"), failed);
+        cJSON_CreateString(options->equation == BURNISH_EQUATION_BLINN ? "blinn" : "phong"),
+        failed);
     add(root, "viewer",
         cJSON_CreateString(options->viewer == BURNISH_VIEWER_LOCAL ? "local" : "distant"), failed);
     add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
@@ -235,7 +243,8 @@ burnish_status burnish_cli_print_json(const burnish_cli_result *result, burnish_
     int printed = puts(text);
     cJSON_free(text);
     if (printed < 0 || fflush(stdout) != 0) {
-        return burnish_cli_fail(error, BURNISH_STATUS_WRITE, "standard output: %s", strerror(errno));
+        return burnish_cli_fail(error, BURNISH_STATUS_WRITE, "standard output: %s",
+                                strerror(errno));
     }
     return BURNISH_STATUS_OK;
 }

@@ -97,6 +97,17 @@ extern const burnish_cli_command burnish_cli_render_command;
 /* Checks what no single flag can: flags that exclude each other, the output's name. */
 burnish_status burnish_cli_render_finish(burnish_cli_render *settings, burnish_error *error);
 
+/* Loads the input as the flags say. */
+burnish_status burnish_cli_load(const burnish_cli_render *settings, burnish_scene **scene,
+                                burnish_error *error);
+
+/* Changes every material as --color, --material, --specular and --exponent say. */
+burnish_status burnish_cli_adjust_materials(const burnish_cli_render *settings,
+                                            burnish_scene *scene, burnish_error *error);
+
+/* The library's options but for camera and lobe, which each cell sets. */
+burnish_render_options burnish_cli_render_options(const burnish_cli_render *settings);
+
 /* Runs the subcommand and returns the exit code. */
 int burnish_cli_render_main(int argc, char **argv);
 

@@ -34,9 +34,10 @@ burnish_status burnish_cli_flag_resolution(const burnish_cli_flag *flag, const c
             return BURNISH_STATUS_OK;
         }
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: \"%.60s\" is not a width and a height from 1 to %d, such as 1920,1080",
-                            flag->name, text, BURNISH_IMAGE_MAX_SIZE);
+    return burnish_cli_fail(
+        error, BURNISH_STATUS_ARGUMENT,
+        "--%s: \"%.60s\" is not a width and a height from 1 to %d, such as 1920,1080", flag->name,
+        text, BURNISH_IMAGE_MAX_SIZE);
 }
 
 burnish_status burnish_cli_flag_size(const burnish_cli_flag *flag, const char *text, void *target,
@@ -73,7 +74,8 @@ burnish_status burnish_cli_flag_no_background(const burnish_cli_flag *flag, cons
     return BURNISH_STATUS_OK;
 }
 
-/* The next item of a list as a text of its own; an item too long is cut, which no parser accepts. */
+/* The next item of a list as a text of its own; an item too long is cut, which no parser accepts.
+ */
 static void copy_item(const char **text, char *copy, size_t size) {
     const char *item;
     size_t length = burnish_cli_next_item(text, ',', &item);
@@ -81,8 +83,9 @@ static void copy_item(const char **text, char *copy, size_t size) {
 }
 
 static burnish_status fail_list(const burnish_cli_flag *flag, burnish_error *error) {
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d items; leave some out",
-                            flag->name, BURNISH_CLI_LIST_MAX);
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: more than %d items; leave some out", flag->name,
+                            BURNISH_CLI_LIST_MAX);
 }
 
 burnish_status burnish_cli_flag_views(const burnish_cli_flag *flag, const char *text, void *target,
@@ -168,8 +171,8 @@ static const char *read_light(const char *text, burnish_light *light) {
     if (length == 0 || !burnish_cli_read_reals(item, length, light->vector, 3)) {
         return "after the kind come three numbers, such as directional:-1,1,2";
     }
-    if (light->kind == BURNISH_LIGHT_DIRECTIONAL && light->vector[0] == 0 && light->vector[1] == 0 &&
-        light->vector[2] == 0) {
+    if (light->kind == BURNISH_LIGHT_DIRECTIONAL && light->vector[0] == 0 &&
+        light->vector[1] == 0 && light->vector[2] == 0) {
         return "0,0,0 has no direction";
     }
     if (text) {
@@ -209,8 +212,8 @@ burnish_status burnish_cli_flag_light(const burnish_cli_flag *flag, const char *
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_ambient(const burnish_cli_flag *flag, const char *text, void *target,
-                                        burnish_error *error) {
+burnish_status burnish_cli_flag_ambient(const burnish_cli_flag *flag, const char *text,
+                                        void *target, burnish_error *error) {
     burnish_cli_ambient *ambient = target;
     double value;
     float srgb[3];
@@ -225,6 +228,6 @@ burnish_status burnish_cli_flag_ambient(const burnish_cli_flag *flag, const char
         return BURNISH_STATUS_OK;
     }
     return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: \"%.60s\" is not a number from %g to %g, nor %s", flag->name, text,
-                            flag->low, flag->high, burnish_cli_color_forms);
+                            "--%s: \"%.60s\" is not a number from %g to %g, nor %s", flag->name,
+                            text, flag->low, flag->high, burnish_cli_color_forms);
 }

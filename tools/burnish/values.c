@@ -100,8 +100,9 @@ int burnish_cli_read_reals(const char *text, size_t length, double *values, size
 
 static burnish_status fail_number(const burnish_cli_flag *flag, const char *text, const char *what,
                                   burnish_error *error) {
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not %s from %.17g to %.17g",
-                            flag->name, text, what, flag->low, flag->high);
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: \"%.60s\" is not %s from %.17g to %.17g", flag->name, text, what,
+                            flag->low, flag->high);
 }
 
 /* A whole number of at most 18 digits, so that it fits. */
@@ -137,8 +138,8 @@ burnish_status burnish_cli_flag_text(const burnish_cli_flag *flag, const char *t
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_integer(const burnish_cli_flag *flag, const char *text, void *target,
-                                        burnish_error *error) {
+burnish_status burnish_cli_flag_integer(const burnish_cli_flag *flag, const char *text,
+                                        void *target, burnish_error *error) {
     uint64_t value;
     if (!read_count(text, strlen(text), &value) || !in_range(flag, value)) {
         return fail_number(flag, text, "a whole number", error);
@@ -166,10 +167,11 @@ burnish_status burnish_cli_flag_bytes(const burnish_cli_flag *flag, const char *
     uint64_t value;
     if (!read_count(text, length - (unit != NULL), &value) || value > UINT64_MAX >> shift ||
         !in_range(flag, value << shift)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: \"%.60s\" is not a number of bytes, such as 500M or 2G (K, M, G: "
-                                "powers of 1024)",
-                                flag->name, text);
+        return burnish_cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--%s: \"%.60s\" is not a number of bytes, such as 500M or 2G (K, M, G: "
+            "powers of 1024)",
+            flag->name, text);
     }
     *(uint64_t *)target = value << shift;
     return BURNISH_STATUS_OK;
@@ -194,8 +196,8 @@ burnish_status burnish_cli_flag_angle(const burnish_cli_flag *flag, const char *
     if (!burnish_cli_read_real(text, strlen(text), &value) ||
         !(value > flag->low && value < flag->high)) {
         return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: \"%.60s\" is not a number between %g and %g", flag->name, text,
-                                flag->low, flag->high);
+                                "--%s: \"%.60s\" is not a number between %g and %g", flag->name,
+                                text, flag->low, flag->high);
     }
     *real = (burnish_cli_real){1, value};
     return BURNISH_STATUS_OK;
@@ -207,16 +209,16 @@ burnish_status burnish_cli_flag_vector(const burnish_cli_flag *flag, const char 
     double values[3];
     if (!burnish_cli_read_reals(text, strlen(text), values, 3)) {
         return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: \"%.60s\" is not three numbers, such as 1,0.5,-2", flag->name,
-                                text);
+                                "--%s: \"%.60s\" is not three numbers, such as 1,0.5,-2",
+                                flag->name, text);
     }
     vector->given = 1;
     memcpy(vector->values, values, sizeof values);
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_nonzero(const burnish_cli_flag *flag, const char *text, void *target,
-                                        burnish_error *error) {
+burnish_status burnish_cli_flag_nonzero(const burnish_cli_flag *flag, const char *text,
+                                        void *target, burnish_error *error) {
     const burnish_cli_vector *vector = target;
     burnish_status status = burnish_cli_flag_vector(flag, text, target, error);
     if (status == BURNISH_STATUS_OK && vector->values[0] == 0 && vector->values[1] == 0 &&
@@ -232,7 +234,8 @@ void burnish_cli_word_list(const burnish_cli_word *words, char *text, size_t siz
     size_t used = 0;
     text[0] = 0;
     for (size_t i = 0; words[i].name && used < size; ++i) {
-        used += (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? ", " : "", words[i].name);
+        used +=
+            (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? ", " : "", words[i].name);
     }
 }
 
@@ -306,12 +309,14 @@ burnish_status burnish_cli_flag_color(const burnish_cli_flag *flag, const char *
     burnish_cli_color *color = target;
     float srgb[3];
     if (!burnish_cli_read_color(text, strlen(text), srgb)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not %s", flag->name,
-                                text, burnish_cli_color_forms);
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not %s",
+                                flag->name, text, burnish_cli_color_forms);
     }
     color->given = 1;
     memcpy(color->srgb, srgb, sizeof srgb);
     return BURNISH_STATUS_OK;
 }
 
-uint8_t burnish_cli_color_code(float srgb) { return (uint8_t)(srgb * 255.0F + 0.5F); }
+uint8_t burnish_cli_color_code(float srgb) {
+    return (uint8_t)(srgb * 255.0F + 0.5F);
+}

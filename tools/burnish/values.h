@@ -21,17 +21,17 @@ typedef struct burnish_cli_color {
 } burnish_cli_color;
 
 /* Handlers for tables of flags; the comment names the type of the target. */
-burnish_cli_handler burnish_cli_flag_switch;   /* int: becomes 1 */
-burnish_cli_handler burnish_cli_flag_text;     /* const char *; empty is refused */
-burnish_cli_handler burnish_cli_flag_integer;  /* int in [low, high] */
-burnish_cli_handler burnish_cli_flag_count;    /* uint64_t in [low, high] */
-burnish_cli_handler burnish_cli_flag_bytes;    /* uint64_t in [low, high], with K, M or G */
-burnish_cli_handler burnish_cli_flag_real;     /* burnish_cli_real in [low, high] */
-burnish_cli_handler burnish_cli_flag_angle;    /* the same, low and high excluded */
-burnish_cli_handler burnish_cli_flag_vector;   /* burnish_cli_vector */
-burnish_cli_handler burnish_cli_flag_nonzero;  /* the same, not 0,0,0 */
-burnish_cli_handler burnish_cli_flag_word;     /* int: value of one of flag->words */
-burnish_cli_handler burnish_cli_flag_color;    /* burnish_cli_color */
+burnish_cli_handler burnish_cli_flag_switch;  /* int: becomes 1 */
+burnish_cli_handler burnish_cli_flag_text;    /* const char *; empty is refused */
+burnish_cli_handler burnish_cli_flag_integer; /* int in [low, high] */
+burnish_cli_handler burnish_cli_flag_count;   /* uint64_t in [low, high] */
+burnish_cli_handler burnish_cli_flag_bytes;   /* uint64_t in [low, high], with K, M or G */
+burnish_cli_handler burnish_cli_flag_real;    /* burnish_cli_real in [low, high] */
+burnish_cli_handler burnish_cli_flag_angle;   /* the same, low and high excluded */
+burnish_cli_handler burnish_cli_flag_vector;  /* burnish_cli_vector */
+burnish_cli_handler burnish_cli_flag_nonzero; /* the same, not 0,0,0 */
+burnish_cli_handler burnish_cli_flag_word;    /* int: value of one of flag->words */
+burnish_cli_handler burnish_cli_flag_color;   /* burnish_cli_color */
 
 /* The whole text as a finite decimal number. Returns 0 when it is none. */
 int burnish_cli_read_real(const char *text, size_t length, double *value);

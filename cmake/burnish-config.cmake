@@ -1,0 +1,8 @@
+# find_package(burnish) gives the target burnish::burnish.
+include(CMakeFindDependencyMacro)
+find_dependency(PkgConfig)
+find_dependency(meshoptimizer)
+find_dependency(OpenMP COMPONENTS C)
+pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
+pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+include(${CMAKE_CURRENT_LIST_DIR}/burnish-targets.cmake)

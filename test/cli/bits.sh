@@ -1,0 +1,24 @@
+#!/bin/sh
+# The same pixels from every compiler and optimisation level: builds the program six ways and compares
+# each with the golden hashes. -march=native offers FMA, which must not be used.
+# Usage: bits.sh SOURCE_DIR SCRATCH
+set -u
+source=$1
+scratch=$2
+failures=0
+for variant in "gcc -O0" "gcc -O3" "clang -O0" "clang -O3" "gcc -O3 -march=native" "clang -O2 -march=native"; do
+    compiler=${variant%% *}
+    flags=${variant#* }
+    build=$scratch/$(echo "$variant" | tr -d '= ')
+    if cmake -S "$source" -B "$build" -G Ninja -DBURNISH_TESTS=OFF -DCMAKE_C_COMPILER="$compiler" \
+        -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS="$flags" >"$scratch/log" 2>&1 &&
+        cmake --build "$build" --target burnish_cli >"$scratch/log" 2>&1 &&
+        "$source/test/cli/golden.sh" "$build/burnish" "$build" >"$build/result"; then
+        echo "$variant: $(tail -n 1 "$build/result")"
+    else
+        echo "FAIL: $variant"
+        cat "$scratch/log" "$build/result" 2>/dev/null | tail -n 20
+        failures=$((failures + 1))
+    fi
+done
+[ "$failures" -eq 0 ]

@@ -1,0 +1,226 @@
+/* Sweeps over the bit patterns of a float: every lobe of burnish/lobe.h must give a finite value in
+ * [0, 1] for each of them, the family must not decrease, and each must keep the accuracy that lobe.h
+ * states. test_lobe takes strides through them, sweep_lobe all 2^32. */
+#ifndef BURNISH_TEST_SWEEP_H
+#define BURNISH_TEST_SWEEP_H
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "burnish/lobe.h"
+
+/* What the swept float is. */
+typedef enum {
+    SWEEP_FAMILY,           /* cosine of the family; also through at_lambda */
+    SWEEP_SCHLICK,          /* cosine */
+    SWEEP_GX,               /* cosine */
+    SWEEP_LYON,             /* x of n = (x, .6, .8), nearly of unit length around 0 */
+    SWEEP_SCHLICK_EXPONENT, /* exponent at cosine .99 */
+    SWEEP_GX_EXPONENT,      /* the same */
+    SWEEP_LYON_EXPONENT,    /* the same, between two fixed vectors */
+    SWEEP_ZETA,             /* zeta handed to burnish_lobe_from_zeta */
+    SWEEP_CREATE            /* exponent handed to burnish_lobe_create */
+} sweep_kind;
+
+/* One sweep, and the bounds on its error: `absolute` in units of 2^-24, `relative` in units in the last
+ * place where the exact value is at least 2^-10. 0: no exact value to compare with. */
+typedef struct {
+    const char *name;
+    sweep_kind kind;
+    burnish_fit fit;
+    int order;
+    float exponent;
+    double absolute, relative;
+} sweep_case;
+
+/* The accuracy table that lobe.h prints, then the sweeps that look at the range only. */
+static const sweep_case sweep_cases[] = {
+    {"family", SWEEP_FAMILY, BURNISH_FIT_TAYLOR, 2, 10, 9, 99},
+    {"family", SWEEP_FAMILY, BURNISH_FIT_ENERGY, 2, 1, 9, 99},
+    {"family", SWEEP_FAMILY, BURNISH_FIT_ENERGY, 2, 10, 9, 99},
+    {"family", SWEEP_FAMILY, BURNISH_FIT_ENERGY, 2, 65536, 9, 99},
+    {"family", SWEEP_FAMILY, BURNISH_FIT_SHIFT7, 2, 100, 9, 99},
+    {"family", SWEEP_FAMILY, BURNISH_FIT_SHIFT3, 2, 100, 9, 99},
+    {"family", SWEEP_FAMILY, BURNISH_FIT_ENERGY, 4, 50, 9, 99},
+    {"family", SWEEP_FAMILY, BURNISH_FIT_ENERGY, 8, 50, 9, 99},
+    {"family", SWEEP_FAMILY, BURNISH_FIT_ENERGY, 16, 100, 9, 99},
+    {"family", SWEEP_FAMILY, BURNISH_FIT_ENERGY, 32, 100, 9, 99},
+    {"schlick", SWEEP_SCHLICK, BURNISH_FIT_COUNT, 0, 1, 9, 99},
+    {"schlick", SWEEP_SCHLICK, BURNISH_FIT_COUNT, 0, 100, 9, 99},
+    {"schlick", SWEEP_SCHLICK, BURNISH_FIT_COUNT, 0, 65536, 9, 99},
+    {"gx", SWEEP_GX, BURNISH_FIT_COUNT, 0, 1, 9, 99},
+    {"gx", SWEEP_GX, BURNISH_FIT_COUNT, 0, 100, 9, 99},
+    {"gx", SWEEP_GX, BURNISH_FIT_COUNT, 0, 65536, 9, 99},
+    {"lyon", SWEEP_LYON, BURNISH_FIT_TAYLOR, 2, 10, 0, 0},
+    {"lyon", SWEEP_LYON, BURNISH_FIT_TAYLOR, 8, 65536, 0, 0},
+    {"schlick of exponent", SWEEP_SCHLICK_EXPONENT, BURNISH_FIT_COUNT, 0, 0, 0, 0},
+    {"gx of exponent", SWEEP_GX_EXPONENT, BURNISH_FIT_COUNT, 0, 0, 0, 0},
+    {"lyon of exponent", SWEEP_LYON_EXPONENT, BURNISH_FIT_TAYLOR, 4, 0, 0, 0},
+    {"from_zeta", SWEEP_ZETA, BURNISH_FIT_COUNT, 8, 0, 0, 0},
+    {"create taylor", SWEEP_CREATE, BURNISH_FIT_TAYLOR, 32, 0, 0, 0},
+    {"create energy", SWEEP_CREATE, BURNISH_FIT_ENERGY, 2, 0, 0, 0},
+};
+enum { SWEEP_CASE_COUNT = sizeof sweep_cases / sizeof sweep_cases[0] };
+
+/* What a sweep found. */
+typedef struct {
+    uint64_t values;        /* evaluated */
+    uint64_t outside;       /* not finite, or not in [0, 1], or not 0 for NaN */
+    uint64_t decreasing;    /* smaller than at the next lower float */
+    uint64_t inconsistent;  /* at_lambda differs from at_cosine; a lobe made from bad arguments */
+    double absolute, relative;
+} sweep_result;
+
+static inline float sweep_float(uint32_t bits) {
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* x clamped to [0, 1] in double; the values here are never NaN. */
+static inline double sweep_saturate(double x) { return x < 0 ? 0 : (x > 1 ? 1 : x); }
+
+/* The exact value of a lobe at a cosine, with a relative error of a few 2^-53. */
+static inline double sweep_exact(const sweep_case *c, burnish_lobe lobe, double cosine) {
+    double n = (double)c->exponent;
+    if (c->kind == SWEEP_FAMILY) {
+        double u = sweep_saturate(1 - (double)lobe.zeta * (1 - cosine));
+        for (int power = 1; power < lobe.order; power *= 2) {
+            u *= u;
+        }
+        return u;
+    }
+    cosine = sweep_saturate(cosine);
+    if (c->kind == SWEEP_SCHLICK) {
+        return cosine / (cosine + n * (1 - cosine));
+    }
+    return cosine * cosine / (cosine * cosine + n / 2 * ((1 - cosine) * (1 + cosine)));
+}
+
+/* Units in the last place of a float at an exact value in [2^-10, 1]. */
+static inline double sweep_unit(double exact) {
+    double unit = 0x1p-24; /* of [1/2, 1) */
+    for (double limit = 0.5; exact < limit; limit *= 0.5) {
+        unit *= 0.5;
+    }
+    return exact >= 1 ? 0x1p-23 : unit;
+}
+
+/* Notes the error of a float value. */
+static inline void sweep_compare(sweep_result *result, float value, double exact) {
+    double error = (double)value - exact;
+    error = error < 0 ? -error : error;
+    if (error > result->absolute) {
+        result->absolute = error;
+    }
+    if (exact >= 0x1p-10 && error > result->relative * sweep_unit(exact)) {
+        result->relative = error / sweep_unit(exact);
+    }
+}
+
+/* The value of the swept function at x. `lobe` is the case's own, for SWEEP_FAMILY. */
+static inline float sweep_value(const sweep_case *c, burnish_lobe lobe, float x) {
+    static const float unit[3] = {0.0f, 0.6f, 0.8f}, other[3] = {0.1f, 0.55f, 0.83f};
+    float vector[3] = {x, 0.6f, 0.8f};
+    switch (c->kind) {
+    case SWEEP_FAMILY:
+        return burnish_lobe_at_cosine(lobe, x);
+    case SWEEP_SCHLICK:
+        return burnish_schlick_at_cosine(x, c->exponent);
+    case SWEEP_GX:
+        return burnish_gx_at_cosine(x, c->exponent);
+    case SWEEP_LYON:
+        return burnish_lyon_at_vectors(vector, unit, c->exponent, c->order);
+    case SWEEP_SCHLICK_EXPONENT:
+        return burnish_schlick_at_cosine(0.99f, x);
+    case SWEEP_GX_EXPONENT:
+        return burnish_gx_at_cosine(0.99f, x);
+    case SWEEP_LYON_EXPONENT:
+        return burnish_lyon_at_vectors(unit, other, x, c->order);
+    case SWEEP_ZETA:
+        (void)burnish_lobe_from_zeta(&lobe, x, c->order);
+        return burnish_lobe_at_cosine(lobe, 0.75f);
+    case SWEEP_CREATE:
+        (void)burnish_lobe_create(&lobe, c->fit, c->order, x);
+        return burnish_lobe_at_cosine(lobe, 0.75f);
+    }
+    return -1;
+}
+
+/* 1 when burnish_lobe_from_zeta or _create accept exactly the range they document, and leave a dark
+ * lobe otherwise. */
+static inline int sweep_accepts(const sweep_case *c, float x) {
+    burnish_lobe lobe;
+    int wanted = c->kind == SWEEP_ZETA ? x > 0 && x <= 65536 : x >= 1 && x <= 65536;
+    burnish_lobe_status status;
+    if (c->kind == SWEEP_CREATE) {
+        wanted = wanted && (c->order == 2 || x >= (float)c->order);
+        status = burnish_lobe_create(&lobe, c->fit, c->order, x);
+    } else {
+        status = burnish_lobe_from_zeta(&lobe, x, c->order);
+    }
+    int made = status == BURNISH_LOBE_OK;
+    return made == wanted && (made ? lobe.zeta > 0 && lobe.order == c->order
+                                   : lobe.zeta == 0 && lobe.order == 0);
+}
+
+/* Sweeps the bit patterns first, first + stride, ... below end (at most 2^32) into *result, which
+ * starts as zero or as the result of another part. */
+static inline void sweep_run(const sweep_case *c, uint64_t first, uint64_t end, uint64_t stride,
+                             sweep_result *result) {
+    burnish_lobe lobe = {0, 0};
+    if (c->kind == SWEEP_FAMILY) {
+        (void)burnish_lobe_create(&lobe, c->fit, c->order, c->exponent);
+    }
+    for (uint64_t bits = first; bits < end; bits += stride) {
+        float x = sweep_float((uint32_t)bits);
+        float value = sweep_value(c, lobe, x);
+        ++result->values;
+        result->outside += !(value >= 0.0f && value <= 1.0f) || (x != x && value != 0.0f);
+        if (c->kind == SWEEP_FAMILY) {
+            /* the next pattern is the next float away from 0; at the infinities it is a NaN */
+            float next = burnish_lobe_at_cosine(lobe, sweep_float((uint32_t)bits + 1));
+            int is_number = (bits & 0x7fffffffu) < 0x7f800000u;
+            result->decreasing += is_number && (bits >> 31 ? next > value : next < value);
+            result->inconsistent += value != burnish_lobe_at_lambda(lobe, 1.0f - x);
+        }
+        if (c->kind == SWEEP_ZETA || c->kind == SWEEP_CREATE) {
+            result->inconsistent += !sweep_accepts(c, x);
+        }
+        if (c->absolute > 0 && x >= -1.0f && x <= 1.0f) {
+            sweep_compare(result, value, sweep_exact(c, lobe, (double)x));
+        }
+    }
+}
+
+/* Adds the result of another part. */
+static inline void sweep_merge(sweep_result *result, const sweep_result *part) {
+    result->values += part->values;
+    result->outside += part->outside;
+    result->decreasing += part->decreasing;
+    result->inconsistent += part->inconsistent;
+    result->absolute = part->absolute > result->absolute ? part->absolute : result->absolute;
+    result->relative = part->relative > result->relative ? part->relative : result->relative;
+}
+
+/* 1 when a sweep found nothing wrong; prints its line of the table. */
+static inline int sweep_report(const sweep_case *c, const sweep_result *result) {
+    static const char *const fits[] = {"taylor", "energy", "level", "shift7",
+                                       "shift3", "projected", "-"};
+    double absolute = result->absolute * 0x1p+24;
+    int good = result->values > 0 && result->outside == 0 && result->decreasing == 0 &&
+               result->inconsistent == 0 && absolute <= c->absolute &&
+               result->relative <= c->relative;
+    printf("%-19s %-6s %2d %7g  absolute %5.2f of %4.2f  relative %6.2f of %6.2f  (%llu values)%s\n",
+           c->name, fits[c->fit], c->order, (double)c->exponent, absolute, c->absolute,
+           result->relative, c->relative, (unsigned long long)result->values, good ? "" : "  BAD");
+    if (!good) {
+        printf("  outside [0, 1]: %llu, decreasing: %llu, inconsistent: %llu\n",
+               (unsigned long long)result->outside, (unsigned long long)result->decreasing,
+               (unsigned long long)result->inconsistent);
+    }
+    return good;
+}
+
+#endif

@@ -1,0 +1,331 @@
+/* The built-in objects: closed surfaces, the right size, unit normals that point outward. */
+#include <math.h>
+
+#include "burnish/scene.h"
+#include "harness.h"
+#include "scene/reader.h"
+
+#define PI 3.14159265358979323846
+
+#define CHECK_THAT(condition) CHECK(condition, "does not hold")
+
+static burnish_scene *make(const char *name, int tessellation, double crease) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_source source = {0};
+    burnish_scene *scene = NULL;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    options.tessellation = tessellation;
+    options.crease_angle = crease;
+    burnish_status status = burnish_make_builtin(name, &options, &source, &error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_scene_build(&source, name, &options, BURNISH_FORMAT_AUTO, &scene, &error);
+    }
+    CHECK(status == BURNISH_STATUS_OK, "%s", error.text);
+    burnish_source_destroy(&source);
+    return scene;
+}
+
+typedef struct edge {
+    float from[3], to[3];
+} edge;
+
+static int compare_edges(const void *a, const void *b) { return memcmp(a, b, sizeof(edge)); }
+
+/* What the edges of a mesh say, by position. */
+typedef struct topology {
+    size_t edges;    /* undirected */
+    size_t vertices; /* different positions */
+    size_t open;     /* edges with one triangle */
+    size_t wrong;    /* edges with the same direction twice */
+    size_t loops;    /* closed chains of open edges */
+} topology;
+
+static int compare_points(const void *a, const void *b) { return memcmp(a, b, 3 * sizeof(float)); }
+
+/* Follows open edges from end to start until all are used; counts the loops. */
+static size_t count_loops(edge *open, size_t count) {
+    size_t loops = 0;
+    char *used = calloc(count ? count : 1, 1);
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t at = i; !used[at];) {
+            used[at] = 1;
+            size_t next = 0; /* sorted by start: binary search by bsearch on the first 12 bytes */
+            edge *found = bsearch(open[at].to, open, count, sizeof *open, compare_points);
+            if (!CHECK(found != NULL, "an open chain ends")) {
+                free(used);
+                return 0;
+            }
+            next = (size_t)(found - open);
+            if (next == i) {
+                ++loops;
+            }
+            at = next;
+        }
+    }
+    free(used);
+    return loops;
+}
+
+static topology examine(const burnish_mesh *mesh) {
+    topology result = {0};
+    size_t count = 3 * mesh->triangle_count, open_count = 0;
+    edge *edges = malloc(count * sizeof *edges), *open = malloc(count * sizeof *open);
+    float *points = malloc(count * 3 * sizeof *points);
+    for (size_t i = 0; i < count; ++i) {
+        size_t next = i - i % 3 + (i + 1) % 3;
+        memcpy(edges[i].from, mesh->positions + 3 * mesh->indices[i], 12);
+        memcpy(edges[i].to, mesh->positions + 3 * mesh->indices[next], 12);
+        memcpy(points + 3 * i, edges[i].from, 12);
+    }
+    qsort(edges, count, sizeof *edges, compare_edges);
+    qsort(points, count, 12, compare_points);
+    for (size_t i = 0; i < count; ++i) {
+        result.vertices += i == 0 || memcmp(points + 3 * i, points + 3 * i - 3, 12) != 0;
+        result.wrong += i > 0 && compare_edges(&edges[i], &edges[i - 1]) == 0;
+        edge back;
+        memcpy(back.from, edges[i].to, 12);
+        memcpy(back.to, edges[i].from, 12);
+        if (bsearch(&back, edges, count, sizeof *edges, compare_edges)) {
+            result.edges += compare_edges(&edges[i], &back) < 0;
+        } else {
+            open[open_count++] = edges[i];
+            ++result.edges;
+        }
+    }
+    result.open = open_count;
+    result.loops = count_loops(open, open_count);
+    free(edges);
+    free(open);
+    free(points);
+    return result;
+}
+
+static long euler(const topology *t, const burnish_mesh *mesh) {
+    return (long)t->vertices - (long)t->edges + (long)mesh->triangle_count;
+}
+
+/* Signed volume by the divergence theorem, and area. */
+static void measure(const burnish_mesh *mesh, double *volume, double *area) {
+    *volume = *area = 0;
+    for (size_t i = 0; i < mesh->triangle_count; ++i) {
+        double p[3][3], u[3], v[3], c[3];
+        for (int k = 0; k < 9; ++k) {
+            p[k / 3][k % 3] =
+                (double)mesh->positions[3 * mesh->indices[3 * i + k / 3] + k % 3];
+        }
+        for (int k = 0; k < 3; ++k) {
+            u[k] = p[1][k] - p[0][k];
+            v[k] = p[2][k] - p[0][k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            c[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+        }
+        *volume += (p[0][0] * c[0] + p[0][1] * c[1] + p[0][2] * c[2]) / 6;
+        *area += sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) / 2;
+    }
+}
+
+/* Every normal has unit length and agrees with its triangles within the given cosine. */
+static void check_normals(const burnish_mesh *mesh, const char *name, double least_cosine) {
+    double worst_length = 0, worst_cosine = 1;
+    for (size_t i = 0; i < mesh->vertex_count; ++i) {
+        const float *n = mesh->normals + 3 * i;
+        double length = sqrt((double)n[0] * (double)n[0] + (double)n[1] * (double)n[1] +
+                             (double)n[2] * (double)n[2]);
+        worst_length = fmax(worst_length, fabs(length - 1));
+    }
+    for (size_t i = 0; i < mesh->triangle_count; ++i) {
+        const float *p[3];
+        double u[3], v[3], c[3], size = 0;
+        for (int k = 0; k < 3; ++k) {
+            p[k] = mesh->positions + 3 * mesh->indices[3 * i + k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            u[k] = (double)p[1][k] - (double)p[0][k];
+            v[k] = (double)p[2][k] - (double)p[0][k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            c[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+            size += c[k] * c[k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            const float *n = mesh->normals + 3 * mesh->indices[3 * i + k];
+            double cosine = (c[0] * (double)n[0] + c[1] * (double)n[1] + c[2] * (double)n[2]) /
+                            sqrt(size);
+            worst_cosine = fmin(worst_cosine, cosine);
+        }
+    }
+    CHECK(worst_length < 1.2e-7, "%s: length off by %g", name, worst_length);
+    CHECK(worst_cosine > least_cosine, "%s: cosine %g", name, worst_cosine);
+}
+
+static void test_sphere(void) {
+    double error[2];
+    for (int k = 0; k < 2; ++k) {
+        int n = 8 << k;
+        burnish_scene *scene = make("sphere", n, 40);
+        const burnish_mesh *mesh = burnish_scene_mesh(scene);
+        topology t = examine(mesh);
+        CHECK(t.open == 0 && t.wrong == 0, "%zu open, %zu wrong", t.open, t.wrong);
+        CHECK(euler(&t, mesh) == 2, "%ld", euler(&t, mesh));
+        CHECK(mesh->triangle_count == 48u * n * n, "%zu", mesh->triangle_count);
+        CHECK(mesh->vertex_count == t.vertices, "%zu, %zu", mesh->vertex_count, t.vertices);
+        CHECK_THAT(burnish_scene_warning_count(scene) == 0);
+        size_t equator = 0;
+        for (size_t i = 0; i < mesh->vertex_count; ++i) {
+            const float *p = mesh->positions + 3 * i;
+            double r2 = (double)p[0] * (double)p[0] + (double)p[1] * (double)p[1] +
+                        (double)p[2] * (double)p[2];
+            CHECK(fabs(sqrt(r2) - 1) < 1.2e-7, "radius %.9g", sqrt(r2));
+            for (int axis = 0; axis < 3; ++axis) {
+                double off = (double)p[axis] - (double)mesh->normals[3 * i + axis];
+                CHECK(fabs(off) <= 6e-8, "normal is not the position: %g", off);
+            }
+            equator += p[1] == 0;
+        }
+        CHECK(equator == 8u * n, "%zu vertices around", equator);
+        double volume, area;
+        measure(mesh, &volume, &area);
+        error[k] = 4 * PI / 3 - volume;
+        CHECK(error[k] > 0 && error[k] < 1.6 / (n * n), "volume %g", volume);
+        CHECK(fabs(area - 4 * PI) < 1.7 / (n * n), "area %g", area);
+        check_normals(mesh, "sphere", 0.99);
+        for (int axis = 0; axis < 3; ++axis) {
+            CHECK_THAT(mesh->bounds_min[axis] == -1 && mesh->bounds_max[axis] == 1);
+        }
+        burnish_scene_destroy(scene);
+    }
+    CHECK(fabs(error[0] / error[1] - 4) < 0.1, "second order: %g", error[0] / error[1]);
+}
+
+static void test_torus(void) {
+    double error[2];
+    for (int k = 0; k < 2; ++k) {
+        int n = 8 << k;
+        burnish_scene *scene = make("torus", n, 40);
+        const burnish_mesh *mesh = burnish_scene_mesh(scene);
+        topology t = examine(mesh);
+        double volume, area, exact = 2 * PI * PI * 0.4 * 0.4;
+        CHECK(t.open == 0 && t.wrong == 0 && euler(&t, mesh) == 0, "%zu open, Euler %ld", t.open,
+              euler(&t, mesh));
+        CHECK_THAT(mesh->vertex_count == t.vertices && mesh->vertex_count == 32u * n * n);
+        measure(mesh, &volume, &area);
+        error[k] = exact - volume;
+        CHECK(error[k] > 0 && error[k] < 3.2 / (n * n), "volume %g of %g", volume, exact);
+        CHECK(fabs(area - 4 * PI * PI * 0.4) < 8.0 / (n * n), "area %g", area);
+        for (size_t i = 0; i < mesh->vertex_count; ++i) {
+            const float *p = mesh->positions + 3 * i, *normal = mesh->normals + 3 * i;
+            double ring = hypot((double)p[0], (double)p[2]), y = (double)p[1];
+            CHECK(fabs(hypot(ring - 1, y) - 0.4) < 2e-7, "off the torus");
+            CHECK(fabs((double)normal[1] - y / 0.4) < 1e-6, "normal");
+            CHECK_THAT(fabs((double)normal[0] - (double)p[0] / ring * (ring - 1) / 0.4) < 1e-6);
+        }
+        check_normals(mesh, "torus", 0.98);
+        burnish_scene_destroy(scene);
+    }
+    CHECK(fabs(error[0] / error[1] - 4) < 0.1, "second order: %g", error[0] / error[1]);
+}
+
+static void test_knot(void) {
+    burnish_scene *scene = make("knot", 16, 40);
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    topology t = examine(mesh);
+    CHECK(t.open == 0 && t.wrong == 0 && euler(&t, mesh) == 0, "%zu open, Euler %ld", t.open,
+          euler(&t, mesh));
+    CHECK_THAT(mesh->vertex_count == t.vertices && burnish_scene_warning_count(scene) == 0);
+    check_normals(mesh, "knot", 0.95);
+    /* A tube's volume is its section times the length of the knot (Pappus). */
+    double volume, area, length = 0;
+    measure(mesh, &volume, &area);
+    for (int i = 0; i < 100000; ++i) {
+        double a = 2 * PI * (i + 0.5) / 100000, r = 2 + cos(3 * a);
+        length += 2 * PI / 100000 * sqrt(9 + 4 * r * r);
+    }
+    CHECK(fabs(volume / (PI * 0.36 * length) - 1) < 0.01, "%g", volume / (PI * 0.36 * length));
+    CHECK(fabs(area / (2 * PI * 0.6 * length) - 1) < 0.01, "%g", area / (2 * PI * 0.6 * length));
+    burnish_scene_destroy(scene);
+}
+
+/* The data set has six open borders: the rim's inner edge, the lid's lower edge (both circles of
+ * four patches), both ends of the handle, and both of the spout (two patches each). The handle's
+ * lower end has one point in common with the body (number 68). With fewer than three segments a few
+ * triangles of the spout's lip contradict the surface's normals, and are turned. */
+static void test_teapot(void) {
+    for (int n = 3; n <= 16; n += n < 5 ? 1 : 5) {
+        burnish_scene *scene = make("teapot", n, 40);
+        const burnish_mesh *mesh = burnish_scene_mesh(scene);
+        topology t = examine(mesh);
+        size_t triangles = 32u * 2 * n * n - 8u * n;
+        CHECK(mesh->triangle_count == triangles, "%d: %zu", n, mesh->triangle_count);
+        CHECK(t.wrong == 0, "%d: %zu edges used twice in one direction", n, t.wrong);
+        CHECK(t.open == 16u * n, "%d: %zu open edges", n, t.open);
+        CHECK(t.loops == 6, "%d: %zu loops", n, t.loops);
+        /* Body, rim and bottom: a disc (1); lid: a disc (1); handle and spout: tubes (0). The common
+         * point counts once. */
+        CHECK(euler(&t, mesh) == 1 + 1 + 0 + 0 - 1, "%d: Euler %ld", n, euler(&t, mesh));
+        CHECK(burnish_scene_warning_count(scene) == 0, "%s", burnish_scene_warning(scene, 0));
+        burnish_scene_destroy(scene);
+    }
+    burnish_scene *scene = make("teapot", 16, 40);
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    check_normals(mesh, "teapot", 0.5);
+    CHECK(mesh->bounds_min[1] == 0 && mesh->bounds_max[1] == 3.15f, "%g .. %g",
+          (double)mesh->bounds_min[1], (double)mesh->bounds_max[1]);
+    CHECK(mesh->bounds_min[2] == -mesh->bounds_max[2], "mirrored");
+    CHECK(mesh->bounds_min[0] == -3 && mesh->bounds_max[0] > 3.4f, "spout along +x");
+    /* The poles: the lid's top looks up, the middle of the bottom down. */
+    size_t poles = 0;
+    for (size_t i = 0; i < mesh->vertex_count; ++i) {
+        const float *p = mesh->positions + 3 * i, *normal = mesh->normals + 3 * i;
+        if (p[0] == 0 && p[2] == 0) {
+            float up = p[1] > 1 ? 1.0f : -1.0f;
+            CHECK(normal[0] == 0 && normal[1] == up && normal[2] == 0, "%g %g %g",
+                  (double)normal[0], (double)normal[1], (double)normal[2]);
+            ++poles;
+        }
+    }
+    CHECK(poles == 2, "%zu vertices at the poles", poles);
+    burnish_scene_destroy(scene);
+}
+
+static void test_arguments(void) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_source source = {0};
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    CHECK_THAT(burnish_make_builtin("kettle", &options, &source, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text,
+               ":kettle: unknown built-in object; there are :teapot, :sphere, :torus, :knot");
+    const char *names[] = {"teapot", "sphere", "torus", "knot"};
+    for (int i = 0; i < 4; ++i) {
+        options = burnish_load_options_default();
+        options.max_triangles = 100;
+        CHECK_THAT(burnish_make_builtin(names[i], &options, &source, &error) == BURNISH_STATUS_LIMIT);
+        CHECK(strstr(error.text, names[i]) && strstr(error.text, "100"), "%s", error.text);
+        CHECK_THAT(source.position_count == 0 && source.positions == NULL);
+        burnish_scene *scene = make(names[i], 1, 40);
+        check_normals(burnish_scene_mesh(scene), names[i], -1);
+        burnish_scene_destroy(scene);
+    }
+    int wrong[] = {0, -1, 257};
+    for (int i = 0; i < 3; ++i) {
+        options = burnish_load_options_default();
+        options.tessellation = wrong[i];
+        CHECK_THAT(burnish_make_builtin("sphere", &options, &source, &error) ==
+              BURNISH_STATUS_ARGUMENT);
+        CHECK(strstr(error.text, "tessellation"), "%s", error.text);
+    }
+    options = burnish_load_options_default();
+    options.cookie = 1;
+    CHECK_THAT(burnish_make_builtin("sphere", &options, &source, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK(strstr(error.text, "burnish_load_options_default()"), "%s", error.text);
+    burnish_source_destroy(&source);
+}
+
+int main(void) {
+    test_sphere();
+    test_torus();
+    test_knot();
+    test_teapot();
+    test_arguments();
+    return test_end("builtin");
+}
