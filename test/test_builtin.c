@@ -29,7 +29,9 @@ typedef struct edge {
     float from[3], to[3];
 } edge;
 
-static int compare_edges(const void *a, const void *b) { return memcmp(a, b, sizeof(edge)); }
+static int compare_edges(const void *a, const void *b) {
+    return memcmp(a, b, sizeof(edge));
+}
 
 /* What the edges of a mesh say, by position. */
 typedef struct topology {
@@ -40,7 +42,9 @@ typedef struct topology {
     size_t loops;    /* closed chains of open edges */
 } topology;
 
-static int compare_points(const void *a, const void *b) { return memcmp(a, b, 3 * sizeof(float)); }
+static int compare_points(const void *a, const void *b) {
+    return memcmp(a, b, 3 * sizeof(float));
+}
 
 /* Follows open edges from end to start until all are used; counts the loops. */
 static size_t count_loops(edge *open, size_t count) {
@@ -110,8 +114,7 @@ static void measure(const burnish_mesh *mesh, double *volume, double *area) {
     for (size_t i = 0; i < mesh->triangle_count; ++i) {
         double p[3][3], u[3], v[3], c[3];
         for (int k = 0; k < 9; ++k) {
-            p[k / 3][k % 3] =
-                (double)mesh->positions[3 * mesh->indices[3 * i + k / 3] + k % 3];
+            p[k / 3][k % 3] = (double)mesh->positions[3 * mesh->indices[3 * i + k / 3] + k % 3];
         }
         for (int k = 0; k < 3; ++k) {
             u[k] = p[1][k] - p[0][k];
@@ -150,8 +153,8 @@ static void check_normals(const burnish_mesh *mesh, const char *name, double lea
         }
         for (int k = 0; k < 3; ++k) {
             const float *n = mesh->normals + 3 * mesh->indices[3 * i + k];
-            double cosine = (c[0] * (double)n[0] + c[1] * (double)n[1] + c[2] * (double)n[2]) /
-                            sqrt(size);
+            double cosine =
+                (c[0] * (double)n[0] + c[1] * (double)n[1] + c[2] * (double)n[2]) / sqrt(size);
             worst_cosine = fmin(worst_cosine, cosine);
         }
     }
@@ -260,8 +263,8 @@ static void test_teapot(void) {
         CHECK(t.wrong == 0, "%d: %zu edges used twice in one direction", n, t.wrong);
         CHECK(t.open == 16u * n, "%d: %zu open edges", n, t.open);
         CHECK(t.loops == 6, "%d: %zu loops", n, t.loops);
-        /* Body, rim and bottom: a disc (1); lid: a disc (1); handle and spout: tubes (0). The common
-         * point counts once. */
+        /* Body, rim and bottom: a disc (1); lid: a disc (1); handle and spout: tubes (0). The
+         * common point counts once. */
         CHECK(euler(&t, mesh) == 1 + 1 + 0 + 0 - 1, "%d: Euler %ld", n, euler(&t, mesh));
         CHECK(burnish_scene_warning_count(scene) == 0, "%s", burnish_scene_warning(scene, 0));
         burnish_scene_destroy(scene);
@@ -292,14 +295,16 @@ static void test_arguments(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_source source = {0};
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK_THAT(burnish_make_builtin("kettle", &options, &source, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_make_builtin("kettle", &options, &source, &error) ==
+               BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text,
                ":kettle: unknown built-in object; there are :teapot, :sphere, :torus, :knot");
     const char *names[] = {"teapot", "sphere", "torus", "knot"};
     for (int i = 0; i < 4; ++i) {
         options = burnish_load_options_default();
         options.max_triangles = 100;
-        CHECK_THAT(burnish_make_builtin(names[i], &options, &source, &error) == BURNISH_STATUS_LIMIT);
+        CHECK_THAT(burnish_make_builtin(names[i], &options, &source, &error) ==
+                   BURNISH_STATUS_LIMIT);
         CHECK(strstr(error.text, names[i]) && strstr(error.text, "100"), "%s", error.text);
         CHECK_THAT(source.position_count == 0 && source.positions == NULL);
         burnish_scene *scene = make(names[i], 1, 40);
@@ -311,12 +316,13 @@ static void test_arguments(void) {
         options = burnish_load_options_default();
         options.tessellation = wrong[i];
         CHECK_THAT(burnish_make_builtin("sphere", &options, &source, &error) ==
-              BURNISH_STATUS_ARGUMENT);
+                   BURNISH_STATUS_ARGUMENT);
         CHECK(strstr(error.text, "tessellation"), "%s", error.text);
     }
     options = burnish_load_options_default();
     options.cookie = 1;
-    CHECK_THAT(burnish_make_builtin("sphere", &options, &source, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_make_builtin("sphere", &options, &source, &error) ==
+               BURNISH_STATUS_ARGUMENT);
     CHECK(strstr(error.text, "burnish_load_options_default()"), "%s", error.text);
     burnish_source_destroy(&source);
 }

@@ -49,17 +49,18 @@ static burnish_status check_counts(const builder *b, const burnish_load_options 
     return BURNISH_STATUS_OK;
 }
 
-/* Moves the different positions to the head of the array; remap gives each old one its new number. */
+/* Moves the different positions to the head of the array; remap gives each old one its new number.
+ */
 static burnish_status weld_positions(builder *b, uint32_t **remap) {
     burnish_source *source = b->source;
     for (size_t i = 0; i < 3 * source->position_count; ++i) {
         source->positions[i] += 0.0f; /* -0 becomes 0 */
     }
-    burnish_status status = burnish_allocate((void **)remap, source->position_count,
-                                             sizeof **remap, "welding", b->error);
+    burnish_status status = burnish_allocate((void **)remap, source->position_count, sizeof **remap,
+                                             "welding", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_weld(source->positions, source->position_count, *remap,
-                              &b->position_count, b->error);
+        status = burnish_weld(source->positions, source->position_count, *remap, &b->position_count,
+                              b->error);
     }
     if (status == BURNISH_STATUS_OK) {
         size_t next = 0;
@@ -417,7 +418,8 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
 burnish_status burnish_scene_build(burnish_source *source, const char *name,
                                    const burnish_load_options *options, burnish_format format,
                                    burnish_scene **scene, burnish_error *error) {
-    builder b = {.source = source, .name = name, .error = error, .has_colors = source->colors != NULL};
+    builder b = {
+        .source = source, .name = name, .error = error, .has_colors = source->colors != NULL};
     *scene = NULL;
     burnish_status status = burnish_check_load_options(options, error);
     if (status == BURNISH_STATUS_OK) {

@@ -18,9 +18,8 @@ burnish_status burnish_surface_reserve(burnish_source *source, const char *name,
                             name, triangle_count, (unsigned long long)options->max_triangles,
                             options->tessellation);
     }
-    burnish_status status =
-        burnish_grow((void **)&source->positions, &source->position_capacity, vertex_count,
-                     3 * sizeof *source->positions, name, error);
+    burnish_status status = burnish_grow((void **)&source->positions, &source->position_capacity,
+                                         vertex_count, 3 * sizeof *source->positions, name, error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_grow((void **)&source->normals, &source->normal_capacity, vertex_count,
                               3 * sizeof *source->normals, name, error);
@@ -74,8 +73,8 @@ static void close_grid(burnish_source *source, uint32_t ni, uint32_t nj) {
     }
 }
 
-/* A lattice point of the cube [-n, n]^3's surface, blown up to the unit sphere. The tangent spreads the
- * lattice lines evenly in angle. It is odd and the same for equal coordinates, bit for bit. */
+/* A lattice point of the cube [-n, n]^3's surface, blown up to the unit sphere. The tangent spreads
+ * the lattice lines evenly in angle. It is odd and the same for equal coordinates, bit for bit. */
 static burnish_vec3 sphere_point(const int lattice[3], int n) {
     double warped[3];
     for (int k = 0; k < 3; ++k) {

@@ -53,8 +53,7 @@ static burnish_status check_vector(const double v[3], const char *name, burnish_
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_check_fit_options(const burnish_fit_options *options,
-                                         burnish_error *error) {
+burnish_status burnish_check_fit_options(const burnish_fit_options *options, burnish_error *error) {
     if (!options) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: NULL; pass burnish_fit_options_default()");
@@ -103,9 +102,9 @@ static burnish_vec3 direction_of(const double v[3]) {
     return burnish_vec3_normalize(scaled);
 }
 
-/* The side from which an object with this up axis is seen from the front: where the smallest rotation
- * that takes +Y to up takes +Z. Up +Y: +Z; up +Z: -Y, as in CAD; up -Y, where no rotation is the
- * smallest: -Z, so that +X stays on the right. */
+/* The side from which an object with this up axis is seen from the front: where the smallest
+ * rotation that takes +Y to up takes +Z. Up +Y: +Z; up +Z: -Y, as in CAD; up -Y, where no rotation
+ * is the smallest: -Z, so that +X stays on the right. */
 static burnish_vec3 front_of(burnish_vec3 up) {
     burnish_vec3 z = {0, 0, 1};
     burnish_vec3 axis = {up.z, 0, -up.x}; /* Y x up, as long as the sine of the angle */
@@ -128,9 +127,9 @@ static burnish_vec3 rotate(burnish_vec3 v, burnish_vec3 axis, double degrees) {
     return burnish_vec3_add(burnish_vec3_add(burnish_vec3_scale(v, cosine), across), along);
 }
 
-/* The frame that looks against `back` with the picture's up as near to `up` as can be. Straight down
- * the picture's top is the side away from the front (up +Y: -Z, up +Z: +Y), straight up it is the
- * front: what tilting the front view by 90 degrees gives. */
+/* The frame that looks against `back` with the picture's up as near to `up` as can be. Straight
+ * down the picture's top is the side away from the front (up +Y: -Z, up +Z: +Y), straight up it is
+ * the front: what tilting the front view by 90 degrees gives. */
 static view_frame look_against(burnish_vec3 back, burnish_vec3 up, burnish_vec3 front) {
     burnish_vec3 right = burnish_vec3_cross(up, back);
     if (burnish_vec3_length(right) < PARALLEL) {
@@ -213,9 +212,9 @@ static void measure_depth(const view_mesh *view, double *near_depth, double *far
 /* The place across the view, at distance cz, with equal room on both sides in both axes.
  *
  * In x: with slope s the sides touch the mesh at cz = (a(s) + b(s)) / 2s, a and b the maxima of
- * push_sides. g(s) = a(s) + b(s) - 2 s cz is convex, falls strictly because cz is larger than every z,
- * and is not negative at 0; its zero is the slope that fits this cz, and (a - b) / 2 the place. Newton's
- * steps from 0 never overshoot and end on the zero, since g is piecewise linear. */
+ * push_sides. g(s) = a(s) + b(s) - 2 s cz is convex, falls strictly because cz is larger than every
+ * z, and is not negative at 0; its zero is the slope that fits this cz, and (a - b) / 2 the place.
+ * Newton's steps from 0 never overshoot and end on the zero, since g is piecewise linear. */
 static void center_axes(const view_mesh *view, double cz, double center[2]) {
     double slope[2] = {0, 0};
     for (int step = 0, moved = 1; moved && step < CENTER_STEPS; ++step) {
@@ -233,7 +232,7 @@ static void center_axes(const view_mesh *view, double cz, double center[2]) {
     }
 }
 
-/* tan(view_angle / 2) and the slopes of the margins' inner edges across and up. */
+/* Where the margins leave off, across and up, in halves of the picture's height. */
 static void picture_slopes(const burnish_fit_options *options, double slope[2]) {
     double smaller = options->aspect < 1 ? options->aspect : 1; /* side, in heights */
     slope[0] = options->aspect - 2 * options->margin * smaller;
@@ -279,8 +278,8 @@ static double fit_orthographic(const view_mesh *view, const burnish_fit_options 
 static burnish_vec3 to_scene(const view_mesh *view, burnish_vec3 p) {
     burnish_vec3 across = burnish_vec3_add(burnish_vec3_scale(view->frame.right, p.x),
                                            burnish_vec3_scale(view->frame.up, p.y));
-    return burnish_vec3_add(
-        view->middle, burnish_vec3_add(across, burnish_vec3_scale(view->frame.back, p.z)));
+    return burnish_vec3_add(view->middle,
+                            burnish_vec3_add(across, burnish_vec3_scale(view->frame.back, p.z)));
 }
 
 static void store(burnish_vec3 v, double target[3]) {
@@ -309,6 +308,12 @@ burnish_status burnish_camera_fit(const burnish_scene *scene, const burnish_fit_
         height = fit_orthographic(&view, options, &place, &focus);
     } else {
         fit_perspective(&view, options, &place, &focus);
+    }
+    if (!(place.z <= DBL_MAX)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: view_angle %g puts the camera out of all reach; use for "
+                            "example 30",
+                            options->view_angle);
     }
     *camera = (burnish_camera){.view_angle = options->view_angle, .orthographic_height = height};
     store(to_scene(&view, place), camera->position);

@@ -7,8 +7,9 @@
 
 #define DEGREE (3.14159265358979323846 / 180)
 
-/* Edges with at most this many faces at a vertex are compared face by face, so that the order of the
- * faces does not matter; beyond it only neighbours in that order are, so that the cost stays linear. */
+/* Edges with at most this many faces at a vertex are compared face by face, so that the order of
+ * the faces does not matter; beyond it only neighbours in that order are, so that the cost stays
+ * linear. */
 enum { PAIRWISE_MAX = 8 };
 
 /* A sum shorter than this share of its weights is rounding noise around zero. */
@@ -54,8 +55,8 @@ burnish_status burnish_fan_create(burnish_fan *fan, size_t max_faces, double cre
     }
     if (status == BURNISH_STATUS_OK) {
         /* Each face has two edges at the vertex. */
-        status = burnish_allocate((void **)&fan->edges, max_faces, 2 * sizeof *fan->edges, what,
-                                  error);
+        status =
+            burnish_allocate((void **)&fan->edges, max_faces, 2 * sizeof *fan->edges, what, error);
     }
     if (status != BURNISH_STATUS_OK) {
         burnish_fan_destroy(fan);
@@ -110,15 +111,14 @@ static void join_edges(burnish_fan *fan, size_t count) {
 }
 
 /* Face normal and angle of each corner, and the two edges that leave the vertex there. */
-static void measure_faces(burnish_fan *fan, const float *positions,
-                          const uint32_t *corner_vertices, const uint32_t *corners, size_t count) {
+static void measure_faces(burnish_fan *fan, const float *positions, const uint32_t *corner_vertices,
+                          const uint32_t *corners, size_t count) {
     for (size_t i = 0; i < count; ++i) {
         const uint32_t *face = corner_vertices + corners[i] / 3 * (size_t)3;
         uint32_t at = corners[i] % 3;
         uint32_t next = face[(at + 1) % 3], previous = face[(at + 2) % 3];
         burnish_vec3 origin = burnish_vec3_loadf(positions + 3 * (size_t)face[at]);
-        burnish_vec3 a =
-            burnish_vec3_sub(burnish_vec3_loadf(positions + 3 * (size_t)next), origin);
+        burnish_vec3 a = burnish_vec3_sub(burnish_vec3_loadf(positions + 3 * (size_t)next), origin);
         burnish_vec3 b =
             burnish_vec3_sub(burnish_vec3_loadf(positions + 3 * (size_t)previous), origin);
         burnish_vec3 cross = burnish_face_cross(positions, face);

@@ -31,8 +31,8 @@ void burnish_fan_destroy(burnish_fan *fan);
  *
  * Two faces are joined when they share an edge at this vertex and their normals differ by less than
  * the crease angle; each set of joined faces has one normal, the sum of its unit face normals times
- * their angles at the vertex (Thuermer and Wuethrich 1998), which does not depend on how a flat face
- * is cut into triangles. Where the sum cancels to nothing, each face keeps its own.
+ * their angles at the vertex (Thuermer and Wuethrich 1998), which does not depend on how a flat
+ * face is cut into triangles. Where the sum cancels to nothing, each face keeps its own.
  *
  * positions: 3 a vertex; corner_vertices: 3 a triangle, every triangle with area
  * corners:   count corners (3 * triangle + 0..2) whose vertex is the same

@@ -120,11 +120,11 @@ burnish_status burnish_scene_create(const float *positions, const float *normals
     source.position_count = vertex_count;
     source.normal_count = normals ? vertex_count : 0;
     source.triangle_count = triangle_count;
-    status = copy_array((void **)&source.positions, positions, vertex_count, 3 * sizeof(float),
-                        error);
+    status =
+        copy_array((void **)&source.positions, positions, vertex_count, 3 * sizeof(float), error);
     if (status == BURNISH_STATUS_OK) {
-        status = copy_array((void **)&source.normals, normals, vertex_count, 3 * sizeof(float),
-                            error);
+        status =
+            copy_array((void **)&source.normals, normals, vertex_count, 3 * sizeof(float), error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = copy_array((void **)&source.colors, colors, vertex_count, 4, error);
@@ -213,9 +213,9 @@ burnish_status burnish_scene_set_material(burnish_scene *scene, size_t index,
         status = check_coefficients(material->specular, "specular", error);
     }
     if (status == BURNISH_STATUS_OK && !(material->exponent >= 1 && material->exponent <= 65536)) {
-        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                              "material: exponent is %g, not in [1, 65536]",
-                              (double)material->exponent);
+        status =
+            burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                         "material: exponent is %g, not in [1, 65536]", (double)material->exponent);
     }
     if (status == BURNISH_STATUS_OK) {
         scene->materials[index] = *material;
@@ -223,7 +223,9 @@ burnish_status burnish_scene_set_material(burnish_scene *scene, size_t index,
     return status;
 }
 
-burnish_material burnish_material_default(void) { return DEFAULT_MATERIAL; }
+burnish_material burnish_material_default(void) {
+    return DEFAULT_MATERIAL;
+}
 
 burnish_format burnish_scene_format(const burnish_scene *scene) {
     return scene ? scene->format : BURNISH_FORMAT_AUTO;

@@ -2,8 +2,8 @@
 #include "scene/builtin.h"
 #include "scene/teapot_data.h"
 
-/* Cubic Bernstein polynomials at i / n, and their derivatives. The numerators are exact integers, so
- * that the values at i and at n - i mirror each other bit for bit. */
+/* Cubic Bernstein polynomials at i / n, and their derivatives. The numerators are exact integers,
+ * so that the values at i and at n - i mirror each other bit for bit. */
 typedef struct bernstein {
     double value[4], slope[4];
 } bernstein;
@@ -20,18 +20,21 @@ static bernstein bernstein_at(int i, int n) {
 /* The sum of four weighted points, in an order that is the same read backwards: patches that share
  * a border curve get the same positions, whichever way each runs along it. */
 static burnish_vec3 combine(const burnish_vec3 p[4], const double weight[4]) {
-    burnish_vec3 outer = burnish_vec3_add(burnish_vec3_scale(p[0], weight[0]),
-                                          burnish_vec3_scale(p[3], weight[3]));
-    burnish_vec3 inner = burnish_vec3_add(burnish_vec3_scale(p[1], weight[1]),
-                                          burnish_vec3_scale(p[2], weight[2]));
+    burnish_vec3 outer =
+        burnish_vec3_add(burnish_vec3_scale(p[0], weight[0]), burnish_vec3_scale(p[3], weight[3]));
+    burnish_vec3 inner =
+        burnish_vec3_add(burnish_vec3_scale(p[1], weight[1]), burnish_vec3_scale(p[2], weight[2]));
     return burnish_vec3_add(outer, inner);
 }
 
 /* Data set to scene: y up instead of z, a turn about x. */
-static burnish_vec3 turn_up(burnish_vec3 p) { return (burnish_vec3){p.x, p.z, -p.y}; }
+static burnish_vec3 turn_up(burnish_vec3 p) {
+    return (burnish_vec3){p.x, p.z, -p.y};
+}
 
-/* pole: v = 0 of a patch whose first row is one point (the lid's top, the bottom's middle). There du
- * vanishes; near it du grows as v times its own v derivative, which has the limit's direction. */
+/* pole: v = 0 of a patch whose first row is one point (the lid's top, the bottom's middle). There
+ * du vanishes; near it du grows as v times its own v derivative, which has the limit's direction.
+ */
 static void evaluate(burnish_source *source, burnish_vec3 points[4][4], const bernstein *u,
                      const bernstein *v, int pole) {
     burnish_vec3 row[4], row_slope[4];
@@ -80,9 +83,8 @@ burnish_status burnish_make_teapot(const burnish_load_options *options, burnish_
     for (int i = 0; i < TEAPOT_PATCHES; ++i) {
         triangles += 2 * n * n - (first_row_is_point(teapot_patches[i]) ? n : 0);
     }
-    burnish_status status =
-        burnish_surface_reserve(source, ":teapot", TEAPOT_PATCHES * (n + 1) * (n + 1), triangles,
-                                options, error);
+    burnish_status status = burnish_surface_reserve(
+        source, ":teapot", TEAPOT_PATCHES * (n + 1) * (n + 1), triangles, options, error);
     for (int i = 0; status == BURNISH_STATUS_OK && i < TEAPOT_PATCHES; ++i) {
         add_patch(source, teapot_patches[i], options->tessellation);
     }

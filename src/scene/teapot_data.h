@@ -1,6 +1,6 @@
-/* The teapot's control points: Martin Newell's data of 1975 as published by Frank Crow, "The Origins of
- * the Teapot", IEEE Computer Graphics and Applications 7(1), 1987, with the bottom that was added
- * to it later. z is up, the spout points along +x. */
+/* The teapot's control points: Martin Newell's data of 1975 as published by Frank Crow, "The
+ * Origins of the Teapot", IEEE Computer Graphics and Applications 7(1), 1987, with the bottom that
+ * was added to it later. z is up, the spout points along +x. */
 #ifndef BURNISH_SCENE_TEAPOT_DATA_H
 #define BURNISH_SCENE_TEAPOT_DATA_H
 
@@ -9,7 +9,8 @@
 enum { TEAPOT_PATCHES = 32, TEAPOT_POINTS = 290 };
 
 /* Each patch: four rows of four control points, index into the points. In this order: 4 rim, 8
- * body, 4 handle, 4 spout, 8 lid, 4 bottom. The surface turns its outside to du x dv, u along a row. */
+ * body, 4 handle, 4 spout, 8 lid, 4 bottom. The surface turns its outside to du x dv, u along a
+ * row. */
 static const uint16_t teapot_patches[TEAPOT_PATCHES][16] = {
     {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},
     {3, 16, 17, 18, 7, 19, 20, 21, 11, 22, 23, 24, 15, 25, 26, 27},

@@ -114,20 +114,10 @@ static size_t widest_row(const burnish_cli_command *command) {
     return widest;
 }
 
-/* "0 done, 2 ..., 8 blank" in one line. */
-static void print_exit_line(void) {
-    printf("Exit codes: 0 done, 2 usage, 3 read, 4 format, 5 limit, 6 memory, 7 write, %d blank. "
-           "More: burnish help --man\n",
-           BURNISH_CLI_EXIT_BLANK);
-}
-
 int burnish_cli_print_command_help(const burnish_cli_command *command) {
     int width = (int)widest_row(command);
-    printf("Usage: burnish %s %s [options]   %s\n", command->name, command->operand,
-           command->summary);
-    if (*command->operand_help) {
-        printf("  %-*s  %s\n", width, command->operand, command->operand_help);
-    }
+    printf("Usage: burnish %s %s [options]   %s\n  %s  %s\n", command->name, command->operand,
+           command->summary, command->operand, command->operand_help);
     for (size_t i = 0; i < command->flag_count; i += row_length(command, i)) {
         const burnish_cli_flag *flags = &command->flags[i];
         size_t length = row_length(command, i);
@@ -139,8 +129,9 @@ int burnish_cli_print_command_help(const burnish_cli_command *command) {
         }
         printf("  %-*s  %s\n", width, left, right);
     }
-    printf("\n");
-    print_exit_line();
+    printf(
+        "\nExit codes: 0 done, 2 usage, 3 read, 4 format, 5 limit, 6 memory, 7 write, %d blank\n",
+        BURNISH_CLI_EXIT_BLANK);
     return burnish_cli_finish_output();
 }
 
@@ -166,5 +157,7 @@ int burnish_cli_print_help(void) {
     BURNISH_CLI_EXIT_LIST(PRINT_CODE)
 #undef PRINT_STATUS
 #undef PRINT_CODE
+    printf(
+        "\nburnish render --help lists every flag; burnish help --man | man -l - explains them.\n");
     return burnish_cli_finish_output();
 }

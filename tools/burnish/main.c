@@ -107,8 +107,8 @@ int main(int argc, char **argv) {
     }
     if (name[0] == '-' && name[1]) {
         burnish_cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                         "%.60s: the command comes first, as in \"burnish render INPUT %.60s\"; "
-                         "alone stand --help and --version",
+                         "%.60s: a command comes first, as in \"burnish render INPUT %.60s\"; "
+                         "burnish --help lists the commands",
                          name, name);
         return burnish_cli_report_error(&error);
     }

@@ -74,24 +74,27 @@ static void print_flag(const burnish_cli_flag *flag) {
     printf(".TP\n");
     print_text(tag);
     print_text(flag->manual);
-    if (flag->words) {
-        char words[200];
-        burnish_cli_word_list(flag->words, words, sizeof words);
-        printf("One of ");
-        print_text(words);
-        printf(".br\n");
-    }
+    char values[240] = "";
     const char *shown = burnish_cli_flag_default(flag);
-    if (*shown) {
-        printf("Default: ");
-        print_text(shown);
+    if (flag->words) {
+        strcpy(values, "Values: ");
+        burnish_cli_word_list(flag->words, values + strlen(values), sizeof values - strlen(values));
+    }
+    if (flag->words || *shown) {
+        char line[320];
+        snprintf(line, sizeof line, "%s%s%s%s.", values, flag->words && *shown ? ". " : "",
+                 *shown ? "Default: " : "", shown);
+        printf(".br\n");
+        print_text(line);
     }
 }
 
 static void print_command(const burnish_cli_command *command) {
-    char heading[64];
-    snprintf(heading, sizeof heading, "burnish %s %s", command->name, command->operand);
-    printf(".SH \"%s\"\n", heading);
+    printf(".SH \"");
+    for (const char *c = command->name; *c; ++c) {
+        putchar(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
+    }
+    printf("\"\n");
     print_paragraphs(command->manual);
     for (size_t i = 0; i < command->flag_count; ++i) {
         if (command->flags[i].group) {
@@ -163,6 +166,7 @@ static void print_lights(void) {
                  "to the focal point.");
     print_tagged("*world-directional*, *world-point*", "the same in the scene's coordinates.");
     print_tagged("*none*", "takes away the default rig and every light given before.");
+    printf(".PP\n");
     print_text("For example *--light=directional:-1,1,2:0.8:#fff2e0*.");
 }
 

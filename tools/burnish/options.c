@@ -5,17 +5,21 @@
 #include <stdio.h>
 #include <string.h>
 
+void burnish_cli_clean(char *text) {
+    for (char *c = text; *c; ++c) {
+        if ((unsigned char)*c < 32 || *c == 127) {
+            *c = '?';
+        }
+    }
+}
+
 burnish_status burnish_cli_fail(burnish_error *error, burnish_status status, const char *format,
                                 ...) {
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(error->text, sizeof error->text, format, arguments);
     va_end(arguments);
-    for (char *c = error->text; *c; ++c) {
-        if ((unsigned char)*c < 32 || *c == 127) {
-            *c = '?';
-        }
-    }
+    burnish_cli_clean(error->text);
     error->status = status;
     return status;
 }

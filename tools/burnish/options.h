@@ -71,6 +71,9 @@ burnish_cli_fail(burnish_error *error, burnish_status status, const char *format
 /* "burnish: TEXT" on standard error; returns the exit code of error's status. */
 int burnish_cli_report_error(const burnish_error *error);
 
+/* Replaces control characters by '?', so that a message stays one line. */
+void burnish_cli_clean(char *text);
+
 /* "burnish: warning: TEXT" on standard error. */
 void burnish_cli_warn(const char *text);
 

@@ -17,20 +17,27 @@ static double seconds_now(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Columns of a sheet: as asked, one row a view when there are several lobes too, else near a
- * square. */
+static size_t empty_places(size_t count, size_t columns) {
+    return (columns - count % columns) % columns;
+}
+
+/* Columns of a sheet: as asked; a row a view when there are several lobes too; one row for up to
+ * three cells; else near a square, one column more where that leaves fewer places empty. */
 static int choose_columns(const burnish_cli_render *settings, size_t count) {
-    int columns = 1;
+    size_t columns = 1;
     if (settings->columns > 0) {
         return settings->columns < (int)count ? settings->columns : (int)count;
     }
     if (settings->views.count > 1 && settings->lobes.count > 1) {
         return (int)settings->lobes.count;
     }
-    while ((size_t)columns * (size_t)columns < count) {
+    if (count <= 3) {
+        return (int)count;
+    }
+    while (columns * columns < count) {
         ++columns;
     }
-    return count <= 3 ? (int)count : columns;
+    return (int)(columns + (empty_places(count, columns + 1) < empty_places(count, columns)));
 }
 
 /* A sheet too large is refused before anything is drawn; also bounds the memory of its cells. */
@@ -62,21 +69,41 @@ static void label_cell(const burnish_cli_render *settings, burnish_cli_cell *cel
 
 static void warn_about_cell(burnish_cli_result *result, const burnish_cli_cell *cell) {
     const char *input = result->settings->input;
-    const char *in = result->cell_count > 1 ? cell->label : "the picture";
+    const char *picture = result->cell_count > 1 ? cell->label : "the picture";
     if (cell->report.lobe_fallbacks > 0) {
         char lobe[32];
         burnish_lobe_choice_name(&cell->lobe, lobe, sizeof lobe);
         burnish_cli_result_warn(
-            result,
-            "%s: %zu of %zu materials have an exponent too low for %s; drawn with "
-            "a lower order",
+            result, 1,
+            "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
+            "with a lower order",
             input, cell->report.lobe_fallbacks, burnish_scene_material_count(result->scene), lobe);
     }
     if (cell->report.covered_pixels == 0) {
-        result->blank = 1;
+        ++result->blank_cells;
         burnish_cli_result_warn(
-            result, "%s: %s is blank: nothing of the object is in it; check the camera", input, in);
+            result, !result->settings->fail_on_blank,
+            "%.300s: %s is blank: nothing of the object is in it; check the camera", input,
+            picture);
     }
+}
+
+/* The one line of a run that --fail-on-blank ends. */
+static int fail_blank(const burnish_cli_result *result) {
+    const char *input = result->settings->input;
+    burnish_error error;
+    if (result->cell_count > 1) {
+        burnish_cli_fail(
+            &error, BURNISH_STATUS_OK,
+            "%.300s: %zu of %zu cells are blank; check the camera; nothing was written", input,
+            result->blank_cells, result->cell_count);
+    } else {
+        burnish_cli_fail(&error, BURNISH_STATUS_OK,
+                         "%.300s: the picture is blank; check the camera; nothing was written",
+                         input);
+    }
+    burnish_cli_report_error(&error);
+    return BURNISH_CLI_EXIT_BLANK;
 }
 
 static burnish_status draw_cell(burnish_cli_result *result, burnish_render_options *options,
@@ -164,7 +191,7 @@ static burnish_status make_picture(burnish_cli_result *result, burnish_render_op
         result->picture = sheet;
         result->hash = burnish_image_hash(sheet);
     }
-    if (result->blank && result->settings->fail_on_blank) {
+    if (result->blank_cells > 0 && result->settings->fail_on_blank) {
         return BURNISH_STATUS_OK;
     }
     double start = seconds_now();
@@ -213,7 +240,7 @@ static int render(const burnish_cli_render *settings) {
     result.seconds.load = seconds_now() - start;
     if (status == BURNISH_STATUS_OK) {
         for (size_t i = 0; i < burnish_scene_warning_count(scene); ++i) {
-            burnish_cli_result_warn(&result, "%s", burnish_scene_warning(scene, i));
+            burnish_cli_result_warn(&result, 1, "%s", burnish_scene_warning(scene, i));
         }
         status = burnish_cli_adjust_materials(settings, scene, &error);
     }
@@ -228,7 +255,7 @@ static int render(const burnish_cli_render *settings) {
     if (status != BURNISH_STATUS_OK) {
         return burnish_cli_report_error(&error);
     }
-    return result.blank && settings->fail_on_blank ? BURNISH_CLI_EXIT_BLANK : EXIT_SUCCESS;
+    return result.blank_cells > 0 && settings->fail_on_blank ? fail_blank(&result) : EXIT_SUCCESS;
 }
 
 int burnish_cli_render_main(int argc, char **argv) {

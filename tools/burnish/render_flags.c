@@ -38,7 +38,7 @@ static const burnish_cli_flag flags[] = {
      .name = "output",
      .letter = 'o',
      .value = "FILE",
-     .help = "the PNG to write, - for standard output",
+     .help = "the PNG; - is standard output",
      .shown = "INPUT's name with .png",
      .manual =
          "Writes the picture to _FILE_, or to standard output for *-*. The file appears whole or "
@@ -49,7 +49,7 @@ static const burnish_cli_flag flags[] = {
      TARGET(output)},
     {.name = "resolution",
      .value = "W,H",
-     .help = "width and height in pixels; --size is a square",
+     .help = "in pixels; --size is a square",
      .initial = "1024,768",
      .low = 1,
      .high = BURNISH_IMAGE_MAX_SIZE,
@@ -74,9 +74,9 @@ static const burnish_cli_flag flags[] = {
      TARGET(samples)},
     {.name = "background-color",
      .value = "COLOR",
-     .help = "#rgb, #rrggbb, r,g,b or a name; or none",
+     .help = "#rgb, #rrggbb, r,g,b or a name; transparent",
      .shown = "white",
-     .manual = "Colour behind the object; see *Colours*. The later of this flag and "
+     .manual = "Colour behind the object, see *COLOURS*, or *none*. The later of this flag and "
                "*--no-background* counts.",
      .handler = burnish_cli_flag_background,
      TARGET(background)},
@@ -86,7 +86,7 @@ static const burnish_cli_flag flags[] = {
      TARGET(background)},
     {.name = "views",
      .value = "LIST",
-     .help = "",
+     .help = "seen from:",
      .manual =
          "Standard views, seen along the axes; several, between commas, make one labelled "
          "sheet. *front* looks at the side that faces the viewer when the up axis points up "
@@ -97,7 +97,7 @@ static const burnish_cli_flag flags[] = {
      TARGET(views)},
     {.name = "columns",
      .value = "N",
-     .help = "cells in a row of a sheet; no text below them",
+     .help = "for sheets of several views or lobes",
      .shown = "near a square",
      .low = 1,
      .high = 256,
@@ -114,16 +114,16 @@ static const burnish_cli_flag flags[] = {
     {.group = "Camera",
      .name = "up",
      .value = "AXIS",
-     .help = "the axis that points up:",
-     .shown = "+Z for STL, else +Y",
+     .help = "points up:",
+     .shown = "+Y, +Z for STL",
      .manual = "The axis of the object that points up.",
      .handler = burnish_cli_flag_word,
      .words = up_words,
      TARGET(up)},
     {.name = "camera-direction",
      .value = "X,Y,Z",
-     .help = "look along this, the whole object in the picture",
-     .shown = "three-quarter view",
+     .help = "look along this and frame the object",
+     .shown = "three-quarter",
      .manual =
          "Direction from the camera into the scene, of any length. The camera stands where the "
          "whole object fits into the picture, as large as *--margin* allows.",
@@ -131,7 +131,7 @@ static const burnish_cli_flag flags[] = {
      TARGET(direction)},
     {.name = "camera-azimuth-angle",
      .value = "DEG",
-     .help = "turn the camera around the up axis, to the right",
+     .help = "turn to the right around the up axis",
      .initial = "0",
      .low = -ANGLE_MAX,
      .high = ANGLE_MAX,
@@ -140,7 +140,7 @@ static const burnish_cli_flag flags[] = {
      TARGET(azimuth)},
     {.name = "camera-elevation-angle",
      .value = "DEG",
-     .help = "lift the camera",
+     .help = "lift toward the up axis",
      .initial = "0",
      .low = -ANGLE_MAX,
      .high = ANGLE_MAX,
@@ -156,7 +156,7 @@ static const burnish_cli_flag flags[] = {
      TARGET(position)},
     {.name = "camera-focal-point",
      .value = "X,Y,Z",
-     .help = "what the middle of the picture shows",
+     .help = "the middle of the picture",
      .shown = "middle of the object",
      .manual =
          "The point in the middle of the picture. Without *--camera-position* the framed camera "
@@ -166,7 +166,7 @@ static const burnish_cli_flag flags[] = {
     {.name = "camera-view-up",
      .value = "X,Y,Z",
      .help = "what is upward in the picture",
-     .shown = "--up",
+     .shown = "the up axis",
      .manual =
          "Direction that is upward in the picture: rolls the camera. It may not be parallel to "
          "the direction of view.",
@@ -210,19 +210,19 @@ static const burnish_cli_flag flags[] = {
     {.group = "Surface and light",
      .name = "color",
      .value = "COLOR",
-     .help = "",
-     .manual = "Colour of the whole object instead of the input's colours; see *Colours*.",
+     .help = "paint; finish:",
+     .manual = "Colour of the whole object instead of the input's colours; see *COLOURS*.",
      .handler = burnish_cli_flag_color,
      TARGET(color)},
     {.name = "material",
      .value = "NAME",
-     .manual = "A surface by name, for the whole object; see *Materials*. Colours stay.",
+     .manual = "A surface by name, for the whole object; see *MATERIALS*. Colours stay.",
      .handler = burnish_cli_flag_word,
      .words = burnish_cli_preset_words,
      TARGET(material)},
     {.name = "specular",
      .value = "F",
-     .help = "strength of the highlight (ks) and its exponent (n)",
+     .help = "highlight's strength ks and exponent n",
      .shown = "the input's",
      .low = 0,
      .high = 1,
@@ -239,10 +239,10 @@ static const burnish_cli_flag flags[] = {
      TARGET(exponent)},
     {.name = "lobe",
      .value = "FIT:ORDER",
-     .help = "shape of the highlight; several, with commas: a sheet",
+     .help = "highlight's shape; a list makes a sheet",
      .initial = "energy:2",
      .manual =
-         "The specular lobe; see *Lobes*. Several, between commas, make one labelled sheet. Of a "
+         "The specular lobe; see *LOBES*. Several, between commas, make one labelled sheet. Of a "
          "repeated flag the last list counts.",
      .handler = burnish_cli_flag_lobes,
      TARGET(lobes)},
@@ -266,15 +266,16 @@ static const burnish_cli_flag flags[] = {
      TARGET(viewer)},
     {.name = "light",
      .value = "SPEC",
-     .help = "KIND:X,Y,Z[:INTENSITY[:COLOR]], repeatable; ambient light",
-     .shown = "a rig of three",
+     .help = "KIND:X,Y,Z[:INTENSITY[:COLOR]]",
+     .shown = "key, fill, rim",
      .manual =
-         "A light, in place of the default rig of key, fill and rim light; see *Lights*. May be "
+         "A light, in place of the default rig of key, fill and rim light; see *LIGHTS*. May be "
          "repeated up to 64 times. *none* takes away the rig and all lights so far.",
      .handler = burnish_cli_flag_light,
      TARGET(lights)},
     {.name = "ambient",
-     .value = "F",
+     .help = "light from everywhere, linear",
+     .value = "F|COLOR",
      .low = 0,
      .high = 16,
      .manual = "Ambient light: a number from 0 to 16, linear, or a colour.",
@@ -295,7 +296,7 @@ static const burnish_cli_flag flags[] = {
      TARGET(format)},
     {.name = "crease-angle",
      .value = "DEG",
-     .help = "smooth edges up to this angle; steps of a built-in's patch",
+     .help = "smooth edges below; a built-in's segments",
      .initial = "40",
      .low = 0,
      .high = 180,
@@ -313,10 +314,11 @@ static const burnish_cli_flag flags[] = {
      TARGET(tessellation)},
     {.name = "max-triangles",
      .value = "N",
-     .help = "refuse larger inputs; bytes may end in K, M or G",
+     .help = "refuse larger inputs; K, M, G for bytes",
      .initial = "2147483647",
      .low = 1,
      .high = 2147483647,
+     .shown = "2^31-1",
      .manual = "Refuses meshes with more triangles (exit code 5).",
      .handler = burnish_cli_flag_count,
      TARGET(max_triangles)},
@@ -330,8 +332,8 @@ static const burnish_cli_flag flags[] = {
      .handler = burnish_cli_flag_bytes,
      TARGET(max_input_bytes)},
     {.name = "json",
-     .help = "what was drawn, to standard output; times; no warnings",
-     .manual = "Prints one JSON object on standard output; see *JSON output*.",
+     .help = "report on standard output; phases in ms; no warnings",
+     .manual = "Prints one JSON object on standard output; see *JSON OUTPUT*.",
      .handler = burnish_cli_flag_switch,
      TARGET(json)},
     {.name = "timing",
@@ -344,17 +346,18 @@ static const burnish_cli_flag flags[] = {
      TARGET(quiet)},
     {.name = "threads",
      .value = "N",
-     .help = "never changes the picture; 0 uses every core",
+     .help = "never changes the picture",
      .initial = "0",
      .low = 0,
      .high = 1024,
+     .shown = "all cores",
      .manual =
          "Threads to draw with, 0 for as many as the machine offers. The picture's bytes are the "
          "same for every number.",
      .handler = burnish_cli_flag_integer,
      TARGET(threads)},
     {.name = "fail-on-blank",
-     .help = "a picture that shows nothing: exit code 8, no file; this screen",
+     .help = "nothing to see: exit code 8, no file; this screen",
      .manual =
          "When the picture, or a cell of a sheet, shows nothing, ends with exit code 8 and writes "
          "no file. Otherwise a blank picture only gives a warning.",
@@ -372,7 +375,7 @@ const burnish_cli_command burnish_cli_render_command = {
     .operand = "INPUT",
     .summary = "draw a mesh into a PNG",
     .operand_help =
-        "an .obj, .ply or .stl file, - for standard input, or :teapot :sphere :torus :knot",
+        "an .obj, .ply or .stl file, - for standard input, or :teapot, :sphere, :torus, :knot",
     .manual =
         "Loads _INPUT_ and draws it with the Phong illumination equation. _INPUT_ is an OBJ (with "
         "its material library), PLY or STL file, *-* for standard input, or a built-in object: "

@@ -10,13 +10,14 @@
 
 #include "render_camera.h"
 
-void burnish_cli_result_warn(burnish_cli_result *result, const char *format, ...) {
+void burnish_cli_result_warn(burnish_cli_result *result, int printed, const char *format, ...) {
     burnish_error line;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(line.text, sizeof line.text, format, arguments);
     va_end(arguments);
-    if (!result->settings->quiet) {
+    burnish_cli_clean(line.text);
+    if (printed && !result->settings->quiet) {
         burnish_cli_warn(line.text);
     }
     char **grown = realloc(result->warnings, (result->warning_count + 1) * sizeof *grown);
@@ -64,9 +65,52 @@ static cJSON *single(float value) {
     return value - value == 0 ? cJSON_CreateRaw(text) : cJSON_CreateNull();
 }
 
+/* Length of the UTF-8 sequence at text (RFC 3629: no overlong forms, no surrogates), 0 for none. */
+static size_t sequence_length(const unsigned char *text) {
+    unsigned char first = text[0];
+    if (first < 0x80) {
+        return 1;
+    }
+    size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    unsigned char low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+    unsigned char high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+    if (first < 0xC2 || first > 0xF4 || text[1] < low || text[1] > high) {
+        return 0;
+    }
+    for (size_t i = 2; i < length; ++i) {
+        if ((text[i] & 0xC0) != 0x80) {
+            return 0;
+        }
+    }
+    return length;
+}
+
+/* A string; bytes that are no UTF-8, as file names may hold, become '?': JSON has no other text. */
+static cJSON *string(const char *text) {
+    char *copy = strdup(text);
+    size_t at = 0;
+    while (copy && copy[at]) {
+        size_t length = sequence_length((const unsigned char *)copy + at);
+        if (length == 0) {
+            copy[at] = '?';
+        }
+        at += length > 0 ? length : 1;
+    }
+    cJSON *item = copy ? cJSON_CreateString(copy) : NULL;
+    free(copy);
+    return item;
+}
+
 static cJSON *count(size_t value) {
     char text[24];
     snprintf(text, sizeof text, "%zu", value);
+    return cJSON_CreateRaw(text);
+}
+
+/* Seconds to the microsecond: more digits are noise. */
+static cJSON *duration(double seconds) {
+    char text[40];
+    snprintf(text, sizeof text, "%.6f", seconds);
     return cJSON_CreateRaw(text);
 }
 
@@ -101,7 +145,7 @@ static cJSON *integer_at(const void *values, size_t i) {
     return cJSON_CreateNumber(((const int *)values)[i]);
 }
 static cJSON *text_at(const void *values, size_t i) {
-    return cJSON_CreateString(((char *const *)values)[i]);
+    return string(((char *const *)values)[i]);
 }
 
 static cJSON *camera_object(const burnish_camera *camera, int *failed) {
@@ -178,10 +222,9 @@ static void add_scene(cJSON *root, const burnish_cli_result *result, int *failed
     static const char *const formats[BURNISH_FORMAT_COUNT] = {"builtin", "obj", "ply", "stl"};
     const burnish_mesh *mesh = burnish_scene_mesh(result->scene);
     cJSON *box = cJSON_CreateObject();
-    add(root, "input", cJSON_CreateString(result->settings->input), failed);
+    add(root, "input", string(result->settings->input), failed);
     add(root, "format", cJSON_CreateString(formats[burnish_scene_format(result->scene)]), failed);
-    add(root, "output",
-        result->written ? cJSON_CreateString(result->settings->output) : cJSON_CreateNull(),
+    add(root, "output", result->written ? string(result->settings->output) : cJSON_CreateNull(),
         failed);
     add(root, "width", cJSON_CreateNumber(result->picture->width), failed);
     add(root, "height", cJSON_CreateNumber(result->picture->height), failed);
@@ -208,15 +251,15 @@ static void add_run(cJSON *root, const burnish_cli_result *result, int *failed) 
     add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
     add(root, "samples", cJSON_CreateNumber(options->samples), failed);
     add(root, "threads", cJSON_CreateNumber(result->cells[0].report.threads), failed);
-    add(times, "load", real(seconds->load), failed);
-    add(times, "transform", real(seconds->transform), failed);
-    add(times, "draw", real(seconds->draw), failed);
-    add(times, "encode", real(seconds->encode), failed);
-    add(times, "total", real(seconds->total), failed);
+    add(times, "load", duration(seconds->load), failed);
+    add(times, "transform", duration(seconds->transform), failed);
+    add(times, "draw", duration(seconds->draw), failed);
+    add(times, "encode", duration(seconds->encode), failed);
+    add(times, "total", duration(seconds->total), failed);
     add(root, "seconds", times, failed);
     add(root, "hash", hash_text(result->hash), failed);
     add(root, "hash_algorithm", cJSON_CreateString("xxh64"), failed);
-    add(root, "blank", cJSON_CreateBool(result->blank), failed);
+    add(root, "blank", cJSON_CreateBool(result->blank_cells > 0), failed);
     add(root, "warnings", array_of(result->warning_count, text_at, result->warnings), failed);
 }
 

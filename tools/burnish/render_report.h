@@ -29,16 +29,17 @@ typedef struct burnish_cli_result {
     const burnish_image *picture; /* the only cell's image or the sheet */
     uint64_t hash;
     int columns;
-    int blank;   /* 1: at least one cell shows nothing */
-    int written; /* 1: the output exists */
+    size_t blank_cells; /* that show nothing */
+    int written;        /* 1: the output exists */
     burnish_cli_seconds seconds;
     char **warnings; /* warning_count lines, owned */
     size_t warning_count;
 } burnish_cli_result;
 
-/* Adds a line to the result and, unless --quiet, prints it on standard error. */
-__attribute__((format(printf, 2, 3))) void burnish_cli_result_warn(burnish_cli_result *result,
-                                                                   const char *format, ...);
+/* Adds a line to the result and, where printed is 1 and without --quiet, prints it on standard
+ * error. */
+__attribute__((format(printf, 3, 4))) void
+burnish_cli_result_warn(burnish_cli_result *result, int printed, const char *format, ...);
 
 /* Prints the JSON object on standard output. Errors: MEMORY, WRITE. */
 burnish_status burnish_cli_print_json(const burnish_cli_result *result, burnish_error *error);

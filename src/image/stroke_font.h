@@ -1,0 +1,45 @@
+/* A stroke font of burnish's own: a plain technical sans, drawn as the path of a round pen.
+ *
+ * Units: the middle of the pen runs from 0 (baseline) to 100 (capitals), to 68 (small letters), and
+ * down to -26 (descenders); the ink is half a pen wider on every side. */
+#ifndef BURNISH_IMAGE_STROKE_FONT_H
+#define BURNISH_IMAGE_STROKE_FONT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    BURNISH_GLYPH_CAP = 100,
+    BURNISH_GLYPH_X_HEIGHT = 68,
+    BURNISH_GLYPH_MAX_STROKES = 1024 /* a test draws every glyph at the largest size */
+};
+
+typedef struct burnish_glyph {
+    uint8_t left, width, right; /* white left of the ink, width of the pen's path, white right */
+    /* M x y: move; L x y, H x, V y: line; C x1 y1 x2 y2 x y: cubic Bezier curve; A x y, B x y: a
+     * quarter of an ellipse that leaves horizontally (A) or vertically (B); D x y: a dot. */
+    const char *path;
+} burnish_glyph;
+
+/* How glyph units become pixels. y grows downward, the origin is the ink's lower left corner. */
+typedef struct burnish_glyph_scale {
+    float x, y;     /* pixels of the ink's left edge and of the baseline */
+    float unit;     /* pixels a unit */
+    float x_height; /* pixels from 0 to BURNISH_GLYPH_X_HEIGHT units: small letters may be fitted to
+                       the pixel rows; equal to unit * BURNISH_GLYPH_X_HEIGHT for other glyphs */
+    float radius;   /* of the pen, in pixels */
+} burnish_glyph_scale;
+
+/* A straight piece of a glyph in pixels: a segment thickened by radius, with round ends. */
+typedef struct burnish_stroke {
+    float x0, y0, x1, y1, radius;
+} burnish_stroke;
+
+/* The glyph of an ASCII character 32..126, of '?' for any other. */
+const burnish_glyph *burnish_glyph_find(unsigned char character);
+
+/* Flattens a glyph; returns the number of strokes, at most BURNISH_GLYPH_MAX_STROKES. */
+size_t burnish_glyph_strokes(const burnish_glyph *glyph, const burnish_glyph_scale *scale,
+                             burnish_stroke strokes[BURNISH_GLYPH_MAX_STROKES]);
+
+#endif

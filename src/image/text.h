@@ -1,0 +1,13 @@
+/* Text within the library: the public function for a part of a string. */
+#ifndef BURNISH_IMAGE_TEXT_H
+#define BURNISH_IMAGE_TEXT_H
+
+#include <stddef.h>
+
+#include "burnish/image.h"
+
+/* burnish_image_draw_text for the first length bytes of text. */
+float burnish_draw_text(burnish_image *image, float x, float y, float height,
+                        const uint8_t color[3], const char *text, size_t length);
+
+#endif

@@ -1,0 +1,525 @@
+/* Broken files of every kind: each ends with its one line, and none crashes, hangs or takes memory
+ * that its size does not warrant. Built with the address sanitizer, reads beyond the end show too. */
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "reader_input.h"
+
+#define PLY_VERTEX                                                                                 \
+    "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+#define PLY_FACE "element face 1\nproperty list uchar int vertex_indices\n"
+#define PLY_HEAD "ply\nformat ascii 1.0\n" PLY_VERTEX PLY_FACE "end_header\n"
+#define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+#define FACET "solid\nfacet normal 0 0 1\nouter loop\n"
+
+static burnish_status open_nothing(const char *input_name, const char *file, uint64_t max_bytes,
+                                   uint8_t **bytes, size_t *size, burnish_error *error) {
+    (void)input_name, (void)max_bytes, (void)bytes, (void)size;
+    return burnish_fail(error, BURNISH_STATUS_READ, "%s: not here", file);
+}
+
+/* Any outcome is right but a silent one: a mesh that keeps what source.h promises, or one line. */
+static int is_sound(burnish_status status, const burnish_source *s, const burnish_error *e) {
+    if (status != BURNISH_STATUS_OK) {
+        return e->status == status && e->text[0] != 0 && !strchr(e->text, '\n');
+    }
+    for (size_t i = 0; i < 3 * s->triangle_count; ++i) {
+        if (s->corner_positions[i] >= s->position_count ||
+            (s->corner_normals && s->corner_normals[i] != BURNISH_SOURCE_NONE &&
+             s->corner_normals[i] >= s->normal_count)) {
+            return 0;
+        }
+    }
+    for (size_t i = 0; i < 3 * s->position_count; ++i) {
+        if (!(s->positions[i] - s->positions[i] == 0)) {
+            return 0;
+        }
+    }
+    for (size_t i = 0; s->triangle_materials && i < s->triangle_count; ++i) {
+        if (s->triangle_materials[i] >= s->material_count) {
+            return 0;
+        }
+    }
+    return s->triangle_count > 0;
+}
+
+static burnish_status try_bytes(burnish_format format, const void *bytes, size_t size,
+                                const char *what, size_t number) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_source source;
+    burnish_error error;
+    burnish_status status =
+        run_reader(format, bytes, size, &options, open_nothing, &source, &error);
+    CHECK(is_sound(status, &source, &error), "%s %zu: status %d, \"%s\"", what, number,
+          (int)status, error.text);
+    burnish_source_destroy(&source);
+    return status;
+}
+
+/* ---- messages, literally ---- */
+
+static const struct {
+    burnish_format format;
+    const char *text, *message;
+} messages[] = {
+    {BURNISH_FORMAT_OBJ, "", "mesh.obj: byte 0: the file is empty; fetch it again"},
+    {BURNISH_FORMAT_PLY, "", "mesh.ply: byte 0: the file is empty; fetch it again"},
+    {BURNISH_FORMAT_STL, "", "mesh.stl: byte 0: the file is empty; fetch it again"},
+    {BURNISH_FORMAT_OBJ, "v 0 0 0\n",
+     "mesh.obj: no faces among 1 vertices; export the mesh with its faces"},
+    {BURNISH_FORMAT_OBJ, "v 0 0\n", "mesh.obj:1: vertex has 2 numbers; write v x y z or v x y z r g b"},
+    {BURNISH_FORMAT_OBJ, "\n\nv 0 0 1,5\n",
+     "mesh.obj:3: coordinate \"1,5\" is not a number; write it like 1.5 or -2e-3"},
+    {BURNISH_FORMAT_OBJ, "v 0 nan 0\n",
+     "mesh.obj:1: coordinate \"nan\" is not finite; repair or remove it"},
+    {BURNISH_FORMAT_OBJ, "v 0 0 -Infinity\n",
+     "mesh.obj:1: coordinate \"-Infinity\" is not finite; repair or remove it"},
+    {BURNISH_FORMAT_OBJ, "v 1e39 0 0\n",
+     "mesh.obj:1: coordinate \"1e39\" is out of range; scale it to below 3.4e38"},
+    {BURNISH_FORMAT_OBJ, "v 0123456789012345678901234567890123456789x 0 0\n",
+     "mesh.obj:1: coordinate \"0123456789012345678901234567890123456...\" is not a number; write it "
+     "like 1.5 or -2e-3"},
+    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 4\n",
+     "mesh.obj:4: face refers to vertex 4, but 3 stand before it; correct the index"},
+    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 -4\n",
+     "mesh.obj:4: face refers to vertex -4, but 3 stand before it; correct the index"},
+    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 \\\n99999999999999999999\n",
+     "mesh.obj:5: face refers to vertex 99999999999999999999, but 3 stand before it; correct the "
+     "index"},
+    {BURNISH_FORMAT_OBJ, TRIANGLE "f 0 1 2\n",
+     "mesh.obj:4: face refers to vertex 0; indices start at 1"},
+    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1//1 2 3\n",
+     "mesh.obj:4: face refers to normal 1, but 0 stand before it; correct the index"},
+    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 3a\n",
+     "mesh.obj:4: face corner \"3a\" is not an index; write v, v/t, v//n or v/t/n"},
+    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1/2/3/4 2 3\n",
+     "mesh.obj:4: face corner \"1/2/3/4\" is not an index; write v, v/t, v//n or v/t/n"},
+    {BURNISH_FORMAT_OBJ, "vn 0 1\n", "mesh.obj:1: normal has 2 numbers; write vn x y z"},
+    {BURNISH_FORMAT_OBJ, "vn 0 0 \x1b[1m\n",
+     "mesh.obj:1: normal \"?[1m\" is not a number; write it like 1.5 or -2e-3"},
+
+    {BURNISH_FORMAT_STL, "hello",
+     "mesh.stl: byte 5: the file ends within the 84 bytes of a binary STL header and is no ASCII "
+     "STL; fetch it again"},
+    {BURNISH_FORMAT_STL, "solid x\nendsolid x\n", "mesh.stl: no triangles; export the mesh again"},
+    {BURNISH_FORMAT_STL, "solid x\n",
+     "mesh.stl:1: the file ends where \"endsolid\" should follow; it is truncated, fetch it again"},
+    {BURNISH_FORMAT_STL, FACET "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nfacet\n",
+     "mesh.stl:8: \"facet\" stands where \"endfacet\" should; repair the file"},
+    {BURNISH_FORMAT_STL, FACET "vertex 0 0 0\nvertex 1 0 0\nendloop\n",
+     "mesh.stl:6: \"endloop\" stands where \"vertex\" should; repair the file"},
+    {BURNISH_FORMAT_STL, FACET "vertex 0 0 inf\n",
+     "mesh.stl:4: coordinate \"inf\" is not finite; repair or remove it"},
+    {BURNISH_FORMAT_STL, "solid\nfacet normal 0 outer loop\n",
+     "mesh.stl:2: normal \"outer\" is not a number; write it like 1.5 or -2e-3"},
+
+    {BURNISH_FORMAT_PLY, "plymouth",
+     "mesh.ply:1: a PLY file starts with the line \"ply\", this one does not; check the format"},
+    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\n",
+     "mesh.ply:2: the file ends within the header; it is truncated, fetch it again"},
+    {BURNISH_FORMAT_PLY, "ply\nformat ascii 2.0\n",
+     "mesh.ply:2: format version is \"2.0\"; only 1.0 exists"},
+    {BURNISH_FORMAT_PLY, "ply\nformat zip 1.0\n",
+     "mesh.ply:2: format \"zip\" is unknown; use ascii, binary_little_endian or binary_big_endian"},
+    {BURNISH_FORMAT_PLY, "ply\nelement vertex -3\n",
+     "mesh.ply:2: element count is \"-3\"; write element NAME COUNT"},
+    {BURNISH_FORMAT_PLY, "ply\nelement vertex 3\nproperty quad x\n",
+     "mesh.ply:3: property type \"quad\" is unknown; use char, uchar, short, ushort, int, uint, "
+     "float or double"},
+    {BURNISH_FORMAT_PLY, "ply\nelement face 3\nproperty list float int vertex_indices\n",
+     "mesh.ply:3: list count type \"float\" is no integer type; use uchar or int"},
+    {BURNISH_FORMAT_PLY, "ply\nproperty float x\n",
+     "mesh.ply:2: property before the first element; declare its element first"},
+    {BURNISH_FORMAT_PLY, "ply\nnonsense\n",
+     "mesh.ply:2: \"nonsense\" stands in the header where element, property or end_header should; "
+     "repair the header"},
+    {BURNISH_FORMAT_PLY, "ply\n" PLY_VERTEX "end_header\n",
+     "mesh.ply:6: the header has no format line; add \"format ascii 1.0\" or what the file is"},
+    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\nend_header\n",
+     "mesh.ply:3: the header declares no element vertex; export the mesh again"},
+    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nend_header\n1\n",
+     "mesh.ply:3: element vertex has no scalar properties x, y and z; add them"},
+    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\n" PLY_VERTEX "element face 1\nproperty int a\nend_header\n",
+     "mesh.ply:7: element face has no list property vertex_indices; add it"},
+    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\n" PLY_VERTEX PLY_VERTEX "end_header\n",
+     "mesh.ply:7: a second vertex element; merge the two"},
+    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\n" PLY_VERTEX "end_header\n0 0 0\n1 0 0\n0 1 0\n",
+     "mesh.ply: a point cloud: no faces; make a surface of it first, for example with MeshLab"},
+    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n2 0 1\n",
+     "mesh.ply: no face has 3 different corners; export the mesh again"},
+    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
+     "mesh.ply:11: vertex 1: coordinate y is not finite or beyond 3.4e38; repair the mesh"},
+    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 -1e300\n3 0 1 2\n",
+     "mesh.ply:12: vertex 2: coordinate z is not finite or beyond 3.4e38; repair the mesh"},
+    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
+     "mesh.ply:13: element face, row 1: vertex index 3 is out of range; there are 3 vertices, "
+     "counted from 0"},
+    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n",
+     "mesh.ply:13: element face, row 1: vertex index -1 is out of range; there are 3 vertices, "
+     "counted from 0"},
+    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n-1 0 1 2\n",
+     "mesh.ply:13: element face, row 1: list length -1 is no count; repair the file"},
+    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n250 0 1 2\n",
+     "mesh.ply:13: element face, row 1: a list of 250 values does not fit the rest of the file; it "
+     "is truncated or damaged, fetch it again"},
+    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n  3   0   1\n",
+     "mesh.ply:13: the file ends in element face, row 1 of 1; it is truncated, fetch it again"},
+    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 zero\n1 0 0\n0 1 0\n3 0 1 2\n",
+     "mesh.ply:10: value \"zero\" is not a number; write it like 1.5 or -2e-3"},
+};
+
+static void test_messages(void) {
+    for (size_t i = 0; i < sizeof messages / sizeof *messages; ++i) {
+        burnish_source source;
+        burnish_error error;
+        burnish_status status = read_text(messages[i].format, messages[i].text, &source, &error);
+        CHECK(status == BURNISH_STATUS_FORMAT, "message %zu: status %d", i, (int)status);
+        CHECK_TEXT(error.text, messages[i].message);
+        burnish_source_destroy(&source);
+    }
+}
+
+static void test_mtl_messages(void) {
+    static const struct {
+        const char *text, *message;
+    } cases[] = {
+        {"Kd 1 1 1\n", "a.mtl:1: Kd stands before the first newmtl; name a material first"},
+        {"newmtl\n", "a.mtl:1: newmtl without a name; write newmtl NAME"},
+        {"newmtl a\nKd 1 1\n", "a.mtl:2: Kd has 2 numbers; write Kd r g b"},
+        {"newmtl a\n\nKs 1 red 1\n",
+         "a.mtl:3: Ks \"red\" is not a number; write it like 1.5 or -2e-3"},
+        {"newmtl a\nNs\n", "a.mtl:2: Ns has no number; write Ns and its value"},
+        {"newmtl a\nNs nan\n", "a.mtl:2: Ns \"nan\" is not finite; repair or remove it"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mtl library = {0};
+        burnish_error error = {0};
+        CHECK_THAT(burnish_read_mtl((const uint8_t *)cases[i].text, strlen(cases[i].text), "a.mtl",
+                                    &library, &error) == BURNISH_STATUS_FORMAT);
+        CHECK_TEXT(error.text, cases[i].message);
+        burnish_mtl_destroy(&library);
+    }
+}
+
+/* Messages whose bytes are binary. */
+static void test_binary_messages(void) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_source source;
+    burnish_error error;
+    byte_list stl = {.size = 0}, ply = {.size = 0};
+    put_stl(&stl, "solid", 2);
+    CHECK_THAT(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size - 1, &options, NULL, &source,
+                          &error) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(error.text, "mesh.stl: byte 80: 2 triangles are announced, but the file ends after "
+                           "1; it is truncated or not STL, fetch it again");
+    burnish_source_destroy(&source);
+    memcpy(stl.bytes + 84 + 50 + 12 + 8, "\0\0\x80\x7f", 4); /* infinity as z of facet 1 */
+    CHECK_THAT(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source,
+                          &error) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(error.text, "mesh.stl: byte 154: coordinate is not finite; repair the mesh");
+    burnish_source_destroy(&source);
+
+    put_ply(&ply, 2);
+    CHECK_THAT(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size - 1, &options, NULL, &source,
+                          &error) == BURNISH_STATUS_FORMAT);
+    char expected[200];
+    snprintf(expected, sizeof expected,
+             "mesh.ply: byte %zu: element face, row 2: a list of 3 values does not fit the rest of "
+             "the file; it is truncated or damaged, fetch it again",
+             ply.size - 13);
+    CHECK_TEXT(error.text, expected);
+    burnish_source_destroy(&source);
+}
+
+static void test_limits(void) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_source source;
+    burnish_error error;
+    static const char quad[] = TRIANGLE "f 1 2 3\nf 1 2 3 1\n";
+    byte_list stl = {.size = 0}, ply = {.size = 0};
+    put_stl(&stl, "", 3);
+    put_ply(&ply, 1);
+    options.max_triangles = 2;
+    CHECK_THAT(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source,
+                          &error) == BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(error.text,
+               "mesh.obj:5: more than 2 triangles; raise the limit or simplify the mesh");
+    burnish_source_destroy(&source);
+    CHECK_THAT(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source,
+                          &error) == BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(error.text,
+               "mesh.stl: byte 80: more than 2 triangles; raise the limit or simplify the mesh");
+    burnish_source_destroy(&source);
+    CHECK_THAT(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size, &options, NULL, &source,
+                          &error) == BURNISH_STATUS_LIMIT);
+    burnish_source_destroy(&source);
+    options.max_triangles = 3;
+    CHECK_THAT(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source,
+                          &error) == BURNISH_STATUS_OK);
+    burnish_source_destroy(&source);
+}
+
+/* ---- truncation and mutation ---- */
+
+static const char obj_sample[] =
+    "# sample\nmtllib a.mtl\nv 0 0 0 1 0 0\nv 1 0 0\nv 1.5 1e0 -0.25\nv 0 1 0\nvn 0 0 1\nvt 0 0\n"
+    "usemtl a\nf 1/1/1 2/1/1 \\\n 3/1/1 4/1/1\ns 1\nusemtl b\nf -1//-1 -2//1 -3//1\nf 1 2 3\nl 1 2\n";
+static const char stl_sample[] =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\nendsolid a\nsolid b\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+    "vertex 0 1e-3 0\nendloop\nendfacet\nendsolid b\n";
+static const char strip_sample[] =
+    "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\n"
+    "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float red\n"
+    "property float green\nproperty float blue\nend_header\n7 0 1 2 3 -1 0 1\n0 0 0 0 0 0\n"
+    "1 0 0 .5 .5 .5\n0 1 0 1 1 1\n1 1 0 0 0 0\n";
+
+typedef struct sample {
+    burnish_format format;
+    byte_list list;
+} sample;
+
+enum { SAMPLES = 7 };
+
+static void make_samples(sample samples[SAMPLES]) {
+    static const burnish_format formats[SAMPLES] = {
+        BURNISH_FORMAT_OBJ, BURNISH_FORMAT_STL, BURNISH_FORMAT_STL, BURNISH_FORMAT_PLY,
+        BURNISH_FORMAT_PLY, BURNISH_FORMAT_PLY, BURNISH_FORMAT_PLY};
+    for (int i = 0; i < SAMPLES; ++i) {
+        samples[i].format = formats[i];
+        samples[i].list.size = 0;
+    }
+    put_text(&samples[0].list, obj_sample);
+    put_text(&samples[1].list, stl_sample);
+    put_stl(&samples[2].list, "solid binary", 3);
+    put_text(&samples[3].list, strip_sample);
+    for (int encoding = 0; encoding < 3; ++encoding) {
+        put_ply(&samples[4 + encoding].list, encoding);
+    }
+}
+
+static void test_truncation(sample samples[SAMPLES]) {
+    for (size_t i = 0; i < SAMPLES; ++i) {
+        const byte_list *list = &samples[i].list;
+        CHECK(try_bytes(samples[i].format, list->bytes, list->size, "whole", i) ==
+                  BURNISH_STATUS_OK,
+              "sample %zu", i);
+        for (size_t size = 0; size < list->size; ++size) {
+            burnish_status status =
+                try_bytes(samples[i].format, list->bytes, size, "truncated", size);
+            /* Binary formats announce their size, so that none of their beginnings is a file. */
+            CHECK(status == BURNISH_STATUS_FORMAT ||
+                      (status == BURNISH_STATUS_OK && (i < 2 || i == 3 || i == 4)),
+                  "sample %zu at %zu: %d", i, size, (int)status);
+        }
+    }
+}
+
+static uint32_t next_random(uint64_t *state) { /* splitmix64, upper half */
+    uint64_t z = *state += UINT64_C(0x9E3779B97F4A7C15);
+    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+    return (uint32_t)((z ^ z >> 31) >> 32);
+}
+
+/* Up to 8 changed bytes, favouring those that mean something, and sometimes a moved piece. */
+static void mutate(byte_list *list, uint64_t *state) {
+    static const char telling[] = "0123456789-+.e/\\#\n\r \tvfnp\x00\xff\x7f\x80";
+    for (uint32_t count = 1 + next_random(state) % 8; count > 0; --count) {
+        size_t at = next_random(state) % list->size;
+        uint32_t random = next_random(state);
+        list->bytes[at] = random & 1 ? (uint8_t)(random >> 8)
+                                     : (uint8_t)telling[(random >> 8) % (sizeof telling - 1)];
+    }
+    if (next_random(state) % 8 == 0) {
+        size_t from = next_random(state) % list->size, to = next_random(state) % list->size;
+        size_t most = list->size - (from > to ? from : to);
+        memmove(list->bytes + to, list->bytes + from, next_random(state) % (most + 1));
+    }
+}
+
+static void test_mutation(sample samples[SAMPLES]) {
+    enum { ROUNDS = 3000 };
+    const uint64_t seed = 77;
+    uint64_t state = seed;
+    printf("mutations: seed %llu\n", (unsigned long long)seed);
+    for (size_t i = 0; i < SAMPLES; ++i) {
+        size_t refused = 0;
+        for (size_t round = 0; round < ROUNDS; ++round) {
+            byte_list list = samples[i].list;
+            mutate(&list, &state);
+            refused += try_bytes(samples[i].format, list.bytes, list.size, "mutation", round) !=
+                       BURNISH_STATUS_OK;
+        }
+        CHECK(refused > 0 && refused < ROUNDS, "sample %zu: %zu of %d refused", i, refused, ROUNDS);
+    }
+}
+
+/* ---- claims ---- */
+
+static size_t memory_limit(void) {
+    struct rlimit limit;
+    return getrlimit(RLIMIT_AS, &limit) == 0 ? (size_t)limit.rlim_cur : 0;
+}
+
+/* Address space in use, in bytes. */
+static size_t memory_used(void) {
+    unsigned long pages = 0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    if (file) {
+        if (fscanf(file, "%lu", &pages) != 1) {
+            pages = 0;
+        }
+        fclose(file);
+    }
+    return (size_t)pages * (size_t)sysconf(_SC_PAGESIZE);
+}
+
+/* In a child that may take 16 MiB more than it has: FORMAT, so memory was never asked for. */
+static int refuses_within_16_mib(burnish_format format, const byte_list *list) {
+    fflush(stdout);
+    pid_t child = fork();
+    if (child == 0) {
+        size_t limit = memory_used() + ((size_t)16 << 20);
+        burnish_load_options options = burnish_load_options_default();
+        burnish_source source;
+        burnish_error error;
+        int limited = setrlimit(RLIMIT_AS, &(struct rlimit){limit, limit}) == 0;
+        burnish_status status =
+            run_reader(format, list->bytes, list->size, &options, NULL, &source, &error);
+        _exit(limited && memory_limit() == limit && status == BURNISH_STATUS_FORMAT ? 0
+              : status == BURNISH_STATUS_MEMORY                                     ? 2
+                                                                                    : 3);
+    }
+    int result = -1;
+    return child > 0 && waitpid(child, &result, 0) == child && result == 0;
+}
+
+static void test_claims(void) {
+    static const char *const texts[] = {
+        "ply\nformat binary_little_endian 1.0\nelement vertex 80000000\nproperty float x\n"
+        "property float y\nproperty float z\nend_header\n",
+        "ply\nformat ascii 1.0\nelement vertex 999999999999999999\nproperty float x\n"
+        "property float y\nproperty float z\nend_header\n1 2 3\n",
+        "ply\nformat binary_big_endian 1.0\nelement a 999999999999999999\nproperty list int int b\n"
+        "element vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n",
+        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n"
+        "1000000000 0 0 0\n",
+        "ply\nformat ascii 1.0\nelement nothing 999999999999999999\nelement vertex 0\n"
+        "property float x\nproperty float y\nproperty float z\nend_header\n",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; ++i) {
+        byte_list list = {.size = 0};
+        put_text(&list, texts[i]);
+        CHECK(refuses_within_16_mib(BURNISH_FORMAT_PLY, &list), "claim %zu", i);
+    }
+    byte_list stl = {.size = 0};
+    put_stl(&stl, "", 0);
+    stl.bytes[83] = 0x01; /* 16,777,216 triangles, 839 MB, in 100 bytes */
+    put(&stl, "sixteen bytes...", 16);
+    CHECK_THAT(refuses_within_16_mib(BURNISH_FORMAT_STL, &stl));
+    burnish_source source;
+    burnish_error error;
+    CHECK_THAT(read_text(BURNISH_FORMAT_PLY, texts[0], &source, &error) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(error.text, "mesh.ply:3: element vertex announces 80000000 rows, but the rest of "
+                           "the file has room for 0 at most; it is truncated or damaged, fetch it "
+                           "again");
+    burnish_source_destroy(&source);
+}
+
+/* ---- files ---- */
+
+static void check_load(const char *path, const burnish_load_options *options,
+                       burnish_status status, const char *message) {
+    burnish_scene *scene = (burnish_scene *)&test_checks; /* must become NULL */
+    burnish_error error = {0};
+    burnish_status actual = burnish_scene_load(path, options, &scene, &error);
+    CHECK(actual == status && scene == NULL, "%s: %d", path, (int)actual);
+    CHECK_TEXT(error.text, message);
+}
+
+static void write_file(const char *path, const char *text) {
+    FILE *file = fopen(path, "w");
+    if (CHECK(file, "can't write %s", path)) {
+        fputs(text, file);
+        fclose(file);
+    }
+}
+
+static void test_files(void) {
+    burnish_load_options options = burnish_load_options_default();
+    char folder[] = "/tmp/burnish-test-XXXXXX";
+    if (!CHECK_THAT(mkdtemp(folder) && chdir(folder) == 0)) {
+        return;
+    }
+    check_load("missing.obj", &options, BURNISH_STATUS_READ,
+               "missing.obj: can't be opened: No such file or directory");
+    check_load(".", &options, BURNISH_STATUS_READ, ".: can't be read: Is a directory");
+    write_file("empty.stl", "");
+    check_load("empty.stl", &options, BURNISH_STATUS_FORMAT,
+               "empty.stl: byte 0: the file is empty; fetch it again");
+    write_file("note.txt", "hello");
+    check_load("note.txt", &options, BURNISH_STATUS_FORMAT,
+               "note.txt: neither its name nor its first bytes tell OBJ, PLY or STL; name the format");
+    write_file("bad.mtl", "newmtl a\nKd x\n");
+    write_file("bad.obj", "mtllib bad.mtl\n" TRIANGLE "f 1 2 3\n");
+    check_load("bad.obj", &options, BURNISH_STATUS_FORMAT,
+               "bad.mtl:2: Kd \"x\" is not a number; write it like 1.5 or -2e-3");
+    CHECK_THAT(mkfifo("pipe.mtl", 0600) == 0);
+    write_file("pipe.obj", "mtllib pipe.mtl\nf 1 2 3\n");
+    check_load("pipe.obj", &options, BURNISH_STATUS_FORMAT,
+               "pipe.obj:2: face refers to vertex 1, but 0 stand before it; correct the index");
+    options.max_input_bytes = 4;
+    check_load("note.txt", &options, BURNISH_STATUS_LIMIT,
+               "note.txt: larger than the limit of 4 bytes; raise the limit or simplify the mesh");
+    check_load("/dev/zero", &options, BURNISH_STATUS_LIMIT,
+               "/dev/zero: larger than the limit of 4 bytes; raise the limit or simplify the mesh");
+    options.cookie = 0;
+    check_load("note.txt", &options, BURNISH_STATUS_ARGUMENT,
+               "options: not initialised; start from burnish_load_options_default()");
+    CHECK_THAT(burnish_scene_load("x", &options, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
+    options = burnish_load_options_default();
+    check_load(NULL, &options, BURNISH_STATUS_ARGUMENT, "path: NULL; pass one");
+    remove("empty.stl"), remove("note.txt"), remove("bad.mtl"), remove("bad.obj");
+    remove("pipe.mtl"), remove("pipe.obj");
+    CHECK_THAT(chdir("/") == 0 && rmdir(folder) == 0);
+}
+
+/* A name of any length leaves room for the message. */
+static void test_long_name(void) {
+    static char name[3000];
+    burnish_load_options options = burnish_load_options_default();
+    burnish_scene *scene;
+    burnish_error error = {0};
+    memset(name, 'x', sizeof name - 5);
+    strcpy(name + sizeof name - 5, ".obj");
+    CHECK_THAT(burnish_scene_load_memory("v x", 3, name, &options, &scene, &error) ==
+               BURNISH_STATUS_FORMAT);
+    CHECK(strncmp(error.text, "...xxx", 6) == 0 &&
+              strstr(error.text, "xxx.obj:1: coordinate \"x\" is not a number; write it like 1.5"),
+          "%s", error.text);
+    CHECK_THAT(burnish_scene_load_memory(NULL, 3, "a", &options, &scene, &error) ==
+               BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_scene_load_memory(NULL, 0, "a.obj", &options, &scene, &error) ==
+               BURNISH_STATUS_FORMAT);
+}
+
+int main(void) {
+    static sample samples[SAMPLES];
+    make_samples(samples);
+    test_messages();
+    test_mtl_messages();
+    test_binary_messages();
+    test_limits();
+    test_truncation(samples);
+    test_mutation(samples);
+#if !defined(__SANITIZE_ADDRESS__) /* its shadow memory leaves no room for RLIMIT_AS */
+    test_claims();
+#endif
+    test_files();
+    test_long_name();
+    return test_end("broken_files");
+}

@@ -1,0 +1,521 @@
+/* burnish/lobe.h: reference values, arguments, special floats, and the sweeps of sweep.h in strides. */
+#include <float.h>
+#include <math.h>
+
+#include "burnish/lobe.h"
+#include "burnish/theory.h"
+#include "harness.h"
+#include "sweep.h"
+
+#define HOLDS(condition) CHECK(condition, " ")
+
+/* ---- Reference values: test/data/lobes.csv ------------------------------------------------------ */
+
+/* One line: lobe,order,fit,exponent,cosine,zeta,value; columns that a lobe lacks are empty. */
+typedef struct {
+    char lobe[16], fit[16];
+    int order;
+    float cosine;
+    double exponent, zeta, value;
+} reference;
+
+/* The largest errors that a kind of lobe may have: absolute in units of 2^-24, relative in units in the
+ * last place where the value is at least 2^-10. For the family they include the rounding of zeta. */
+typedef struct {
+    const char *lobe, *fit;
+    int order;
+    double absolute, relative;
+} accuracy;
+
+static const accuracy accuracy_table[] = {
+    {"family", "taylor", 2, 0.6, 2.2},
+    {"family", "taylor", 4, 2.5, 4.7},
+    {"family", "taylor", 8, 5.1, 8.3},
+    {"family", "taylor", 16, 9.1, 15},
+    {"family", "taylor", 32, 21.3, 21.3},
+    {"family", "energy", 2, 1.5, 11.8},
+    {"family", "energy", 4, 2.9, 8.1},
+    {"family", "energy", 8, 4.4, 9.2},
+    {"family", "energy", 16, 10.8, 12.7},
+    {"family", "energy", 32, 20.7, 20.7},
+    {"family", "level0.5", 2, 1.4, 7.2},
+    {"family", "level0.5", 4, 2.2, 7.9},
+    {"family", "level0.5", 8, 5.4, 7.9},
+    {"family", "level0.5", 16, 9.4, 9.4},
+    {"family", "level0.5", 32, 17.5, 19.8},
+    {"family", "shift7", 2, 1.5, 27.4},
+    {"family", "shift3", 2, 1.5, 6.1},
+    {"family", "projected", 2, 1.4, 46.6},
+    {"family", "projected", 4, 2.2, 7.6},
+    {"family", "projected", 8, 5.1, 9.3},
+    {"family", "projected", 16, 9.4, 12.5},
+    {"family", "projected", 32, 20.6, 20.6},
+    {"schlick", "", 0, 1.4, 1.9},
+};
+enum { ACCURACY_COUNT = sizeof accuracy_table / sizeof accuracy_table[0] };
+
+/* Splits a line at its commas, in place. Returns the number of fields. */
+static int split(char *line, char *fields[], int capacity) {
+    int count = 0;
+    line[strcspn(line, "\r\n")] = '\0';
+    while (count < capacity) {
+        fields[count++] = line;
+        line = strchr(line, ',');
+        if (line == NULL) {
+            break;
+        }
+        *line++ = '\0';
+    }
+    return count;
+}
+
+static int parse(char *line, reference *row) {
+    char *fields[7];
+    if (split(line, fields, 7) != 7 || strlen(fields[0]) > 15 || strlen(fields[2]) > 15) {
+        return 0;
+    }
+    strcpy(row->lobe, fields[0]);
+    strcpy(row->fit, fields[2]);
+    row->order = atoi(fields[1]);
+    row->exponent = strtod(fields[3], NULL);
+    row->cosine = strtof(fields[4], NULL);
+    row->zeta = strtod(fields[5], NULL);
+    row->value = strtod(fields[6], NULL);
+    return 1;
+}
+
+static burnish_fit fit_of(const char *name) {
+    static const char *const names[BURNISH_FIT_COUNT] = {"taylor", "energy", "level0.5",
+                                                         "shift7", "shift3", "projected"};
+    int fit = 0;
+    while (fit < BURNISH_FIT_COUNT && strcmp(name, names[fit]) != 0) {
+        ++fit;
+    }
+    return (burnish_fit)fit;
+}
+
+static int close_to(double got, double expected, double relative) {
+    return fabs(got - expected) <= relative * fabs(expected) + 1e-300;
+}
+
+/* A family row through every way to make its lobe; the value goes to the table. */
+static float family_value(const reference *row) {
+    burnish_fit fit = fit_of(row->fit);
+    burnish_lobe lobe, made;
+    double zeta;
+    CHECK(burnish_lobe_from_zeta(&lobe, (float)row->zeta, row->order) == BURNISH_LOBE_OK, "%g",
+          row->zeta);
+    CHECK(close_to(burnish_theory_family(row->zeta, row->order, (double)row->cosine), row->value,
+                   1e-12 + 1e-14 / fmax(1e-16, row->value)),
+          "%s:%d n=%g", row->fit, row->order, row->exponent);
+
+    burnish_lobe_status status = burnish_theory_zeta(fit, row->order, row->exponent, 0.5, &zeta);
+    if (row->order > 2 && row->exponent < row->order) {
+        CHECK(status == BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT, "%s:%d n=%g", row->fit, row->order,
+              row->exponent);
+        return burnish_lobe_at_cosine(lobe, row->cosine);
+    }
+    CHECK(status == BURNISH_LOBE_OK && close_to(zeta, row->zeta, 2e-15), "%s:%d n=%g zeta %.17g",
+          row->fit, row->order, row->exponent, zeta);
+    status = burnish_theory_lobe(&made, fit, row->order, row->exponent, 0.5);
+    CHECK(status == BURNISH_LOBE_OK && made.zeta == lobe.zeta && made.order == lobe.order,
+          "%s:%d n=%g", row->fit, row->order, row->exponent);
+    status = burnish_lobe_create(&made, fit, row->order, (float)row->exponent);
+    if (fit == BURNISH_FIT_LEVEL || fit == BURNISH_FIT_PROJECTED) {
+        CHECK(status == BURNISH_LOBE_ERROR_FIT_NEEDS_THEORY, "%s", row->fit);
+    } else {
+        CHECK(status == BURNISH_LOBE_OK && made.zeta == lobe.zeta && made.order == lobe.order,
+              "%s:%d n=%g", row->fit, row->order, row->exponent);
+    }
+    return burnish_lobe_at_cosine(lobe, row->cosine);
+}
+
+static void check_row(const reference *row, sweep_result *results) {
+    double c = (double)row->cosine;
+    float value;
+    if (strcmp(row->lobe, "power") == 0) {
+        CHECK(close_to(burnish_theory_power(c, row->exponent), row->value, 1e-12), "power %g at %a",
+              row->exponent, c);
+        return;
+    }
+    if (strcmp(row->lobe, "schlick") == 0) {
+        CHECK(close_to(burnish_theory_schlick(c, row->exponent), row->value, 1e-14),
+              "schlick %g at %a", row->exponent, c);
+        value = burnish_schlick_at_cosine(row->cosine, (float)row->exponent);
+    } else {
+        value = family_value(row);
+    }
+    int i = 0;
+    while (i < ACCURACY_COUNT &&
+           (strcmp(accuracy_table[i].lobe, row->lobe) || strcmp(accuracy_table[i].fit, row->fit) ||
+            accuracy_table[i].order != row->order)) {
+        ++i;
+    }
+    if (CHECK(i < ACCURACY_COUNT, "no line of the accuracy table for %s %s:%d", row->lobe, row->fit, row->order)) {
+        sweep_compare(&results[i], value, row->value);
+    }
+}
+
+static void check_reference(void) {
+    static sweep_result results[ACCURACY_COUNT];
+    char line[256];
+    int rows = 0;
+    FILE *file = fopen(TEST_DATA_DIR "/lobes.csv", "r");
+    if (!CHECK(file != NULL, "can't open %s", TEST_DATA_DIR "/lobes.csv")) {
+        return;
+    }
+    CHECK(fgets(line, sizeof line, file) && !strncmp(line, "lobe,order,fit,", 15), "header");
+    while (fgets(line, sizeof line, file)) {
+        reference row;
+        if (CHECK(parse(line, &row), "line %d", rows + 2)) {
+            check_row(&row, results);
+        }
+        ++rows;
+    }
+    fclose(file);
+    CHECK(rows == 4000, "%d rows", rows);
+
+    printf("%d reference values; largest error: absolute in 2^-24, relative in ulp\n", rows);
+    for (int i = 0; i < ACCURACY_COUNT; ++i) {
+        const accuracy *a = &accuracy_table[i];
+        sweep_bound bound = {SWEEP_FAMILY, a->order, a->absolute, a->relative};
+        printf("  %-7s %-9s %2d (%llu values)", a->lobe, a->fit, a->order,
+               (unsigned long long)results[i].compared);
+        CHECK(sweep_keeps(&bound, &results[i]), "%s %s:%d", a->lobe, a->fit, a->order);
+        printf("\n");
+    }
+}
+
+/* ---- Accuracy for any exponent ------------------------------------------------------------------ */
+
+/* A fixed sequence of numbers in [0, 1) (splitmix64, Steele et al. 2014). */
+static double uniform(uint64_t *state) {
+    uint64_t z = *state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+/* The bounds of lobe.h at random exponents, fits and cosines where the lobe is not 0. */
+static void check_accuracy(void) {
+    static const burnish_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY, BURNISH_FIT_SHIFT7,
+                                       BURNISH_FIT_SHIFT3};
+    uint64_t state = 1;
+    for (int i = 0; i < SWEEP_BOUND_COUNT; ++i) {
+        const sweep_bound *bound = &sweep_bounds[i];
+        sweep_result result = {0};
+        double lowest = bound->order > 2 ? bound->order : 1;
+        for (int k = 0; k < 2000; ++k) {
+            sweep_case c = {"", bound->kind, fits[k % (bound->order == 2 ? 4 : 2)], bound->order,
+                            (float)(lowest * pow(65536 / lowest, uniform(&state)))};
+            burnish_lobe lobe = {0, 0};
+            double width = 1;
+            if (c.kind == SWEEP_FAMILY) {
+                CHECK(burnish_lobe_create(&lobe, c.fit, c.order, c.exponent) == BURNISH_LOBE_OK,
+                      "%g", (double)c.exponent);
+                width = fmin(2, 1 / (double)lobe.zeta);
+            }
+            for (int j = 0; j < 300; ++j) {
+                double lambda = j & 1 ? uniform(&state) : pow(uniform(&state), 6);
+                float x = (float)(1 - width * lambda);
+                sweep_compare(&result, sweep_value(&c, lobe, x), sweep_exact(&c, lobe, (double)x));
+            }
+        }
+        printf("%s, order %d, any exponent:",
+               bound->kind == SWEEP_FAMILY    ? "family"
+               : bound->kind == SWEEP_SCHLICK ? "schlick"
+                                              : "gx",
+               bound->order);
+        CHECK(sweep_keeps(bound, &result), "bound %d", i);
+        printf("\n");
+    }
+}
+
+/* ---- Making lobes ------------------------------------------------------------------------------- */
+
+static int is_dark(burnish_lobe lobe) {
+    return lobe.zeta == 0 && lobe.order == 0 && burnish_lobe_at_cosine(lobe, 1) == 0 &&
+           burnish_lobe_at_cosine(lobe, 2) == 0 && burnish_lobe_at_cosine(lobe, INFINITY) == 0 &&
+           burnish_lobe_at_lambda(lobe, 0) == 0 && burnish_lobe_at_lambda(lobe, -INFINITY) == 0 &&
+           burnish_lobe_at_cosine(lobe, NAN) == 0 && burnish_lobe_cutoff_cosine(lobe) == 1;
+}
+
+/* burnish_lobe_create and burnish_theory_lobe both refuse, with the same status and a dark lobe. */
+static void check_refused(burnish_fit fit, int order, float exponent, burnish_lobe_status expected) {
+    burnish_lobe lobe = {7, 7};
+    burnish_lobe_status status = burnish_lobe_create(&lobe, fit, order, exponent);
+    CHECK(status == expected && is_dark(lobe), "fit %d order %d exponent %g: %s", (int)fit, order,
+          (double)exponent, burnish_lobe_status_text(status));
+    lobe.zeta = 7, lobe.order = 7;
+    status = burnish_theory_lobe(&lobe, fit, order, (double)exponent, 0.5);
+    CHECK(status == expected && is_dark(lobe), "theory: fit %d order %d exponent %g: %s", (int)fit,
+          order, (double)exponent, burnish_lobe_status_text(status));
+}
+
+static void check_errors(void) {
+    static const float bad_exponents[] = {0,         -0.0f,    -1,        0.999999940f, 65536.0078f,
+                                          FLT_MAX,   -FLT_MAX, FLT_MIN,   INFINITY,     -INFINITY,
+                                          NAN,       -NAN};
+    static const int bad_orders[] = {0, 1, 3, 5, 6, 7, 12, 24, 31, 33, 64, -2, -32, 2147483647};
+    static const burnish_fit plain[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY};
+    static const burnish_fit shifts[] = {BURNISH_FIT_SHIFT7, BURNISH_FIT_SHIFT3};
+    for (int f = 0; f < 2; ++f) {
+        for (size_t i = 0; i < sizeof bad_exponents / sizeof bad_exponents[0]; ++i) {
+            for (int order = 2; order <= 32; order *= 2) {
+                check_refused(plain[f], order, bad_exponents[i], BURNISH_LOBE_ERROR_EXPONENT);
+            }
+            check_refused(shifts[f], 2, bad_exponents[i], BURNISH_LOBE_ERROR_EXPONENT);
+        }
+        for (size_t i = 0; i < sizeof bad_orders / sizeof bad_orders[0]; ++i) {
+            check_refused(plain[f], bad_orders[i], 100, BURNISH_LOBE_ERROR_ORDER);
+            check_refused(shifts[f], bad_orders[i], 100, BURNISH_LOBE_ERROR_ORDER);
+        }
+        for (int order = 4; order <= 32; order *= 2) {
+            check_refused(shifts[f], order, 100, BURNISH_LOBE_ERROR_ORDER);
+            check_refused(plain[f], order, nextafterf((float)order, 0),
+                          BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT);
+            burnish_lobe lobe;
+            HOLDS(burnish_lobe_create(&lobe, plain[f], order, (float)order) == BURNISH_LOBE_OK);
+            HOLDS(lobe.zeta == 1 && lobe.order == order);
+        }
+    }
+    check_refused(BURNISH_FIT_COUNT, 2, 10, BURNISH_LOBE_ERROR_FIT);
+    check_refused((burnish_fit)99, 2, 10, BURNISH_LOBE_ERROR_FIT);
+    check_refused((burnish_fit)-1, 2, 10, BURNISH_LOBE_ERROR_FIT);
+
+    burnish_lobe lobe = {7, 7};
+    HOLDS(burnish_lobe_create(&lobe, BURNISH_FIT_LEVEL, 2, 10) ==
+          BURNISH_LOBE_ERROR_FIT_NEEDS_THEORY);
+    HOLDS(is_dark(lobe));
+    lobe.order = 7;
+    HOLDS(burnish_lobe_create(&lobe, BURNISH_FIT_PROJECTED, 2, 10) ==
+          BURNISH_LOBE_ERROR_FIT_NEEDS_THEORY);
+    HOLDS(is_dark(lobe));
+}
+
+static void check_from_zeta(void) {
+    static const float bad[] = {0,   -0.0f, -1,        65536.0078f, FLT_MAX, INFINITY, -INFINITY,
+                                NAN, -NAN,  -FLT_MIN};
+    burnish_lobe lobe;
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        lobe.zeta = 7, lobe.order = 7;
+        CHECK(burnish_lobe_from_zeta(&lobe, bad[i], 2) == BURNISH_LOBE_ERROR_ZETA && is_dark(lobe),
+              "%g", (double)bad[i]);
+    }
+    lobe.zeta = 7, lobe.order = 7;
+    HOLDS(burnish_lobe_from_zeta(&lobe, 4, 3) == BURNISH_LOBE_ERROR_ORDER && is_dark(lobe));
+    HOLDS(burnish_lobe_from_zeta(&lobe, 65536, 32) == BURNISH_LOBE_OK);
+    HOLDS(burnish_lobe_from_zeta(&lobe, 0x1p-149f, 2) == BURNISH_LOBE_OK);
+    HOLDS(burnish_lobe_at_cosine(lobe, -1) == 1);
+}
+
+static void check_orders(void) {
+    HOLDS(burnish_lobe_highest_order(32, 100) == 32);
+    HOLDS(burnish_lobe_highest_order(32, 32) == 32);
+    HOLDS(burnish_lobe_highest_order(32, 31.5f) == 16);
+    HOLDS(burnish_lobe_highest_order(32, 5) == 4);
+    HOLDS(burnish_lobe_highest_order(8, 1) == 2);
+    HOLDS(burnish_lobe_highest_order(2, 100) == 2);
+    HOLDS(burnish_lobe_highest_order(4, 0.5f) == 0);
+    HOLDS(burnish_lobe_highest_order(4, NAN) == 0);
+    HOLDS(burnish_lobe_highest_order(4, 65537) == 0);
+    HOLDS(burnish_lobe_highest_order(6, 100) == 0);
+    HOLDS(burnish_lobe_highest_order(0, 100) == 0);
+}
+
+static void check_status_texts(void) {
+    CHECK_TEXT(burnish_lobe_status_text((burnish_lobe_status)0), "success");
+    for (int i = 0; i < BURNISH_LOBE_STATUS_COUNT; ++i) {
+        const char *text = burnish_lobe_status_text((burnish_lobe_status)i);
+        CHECK(strlen(text) > 0 && strcmp(text, "unknown status") != 0, "status %d", i);
+        for (int k = 0; k < i; ++k) {
+            CHECK(strcmp(text, burnish_lobe_status_text((burnish_lobe_status)k)) != 0, "%s", text);
+        }
+    }
+    CHECK_TEXT(burnish_lobe_status_text(BURNISH_LOBE_STATUS_COUNT), "unknown status");
+    CHECK_TEXT(burnish_lobe_status_text((burnish_lobe_status)1000), "unknown status");
+}
+
+/* ---- Evaluating lobes --------------------------------------------------------------------------- */
+
+static burnish_lobe make(burnish_fit fit, int order, float exponent) {
+    burnish_lobe lobe;
+    CHECK(burnish_lobe_create(&lobe, fit, order, exponent) == BURNISH_LOBE_OK, "%d:%d %g", (int)fit,
+          order, (double)exponent);
+    return lobe;
+}
+
+/* Doom 3's member of the family has values that can be written down. */
+static void check_known_values(void) {
+    burnish_lobe lobe;
+    HOLDS(burnish_lobe_from_zeta(&lobe, 4, 2) == BURNISH_LOBE_OK);
+    HOLDS(burnish_lobe_at_cosine(lobe, 1) == 1);
+    HOLDS(burnish_lobe_at_cosine(lobe, 0.875f) == 0.25f);
+    HOLDS(burnish_lobe_at_cosine(lobe, 0.75f) == 0);
+    HOLDS(burnish_lobe_at_lambda(lobe, 0.125f) == 0.25f);
+    HOLDS(burnish_lobe_cutoff_cosine(lobe) == 0.75f);
+    for (int order = 2; order <= 32; order *= 2) {
+        HOLDS(burnish_lobe_from_zeta(&lobe, 4, order) == BURNISH_LOBE_OK);
+        HOLDS(burnish_lobe_at_cosine(lobe, 0.875f) == ldexpf(1, -order));
+    }
+    HOLDS(make(BURNISH_FIT_TAYLOR, 2, 10).zeta == 5);
+    HOLDS(make(BURNISH_FIT_ENERGY, 2, 11).zeta == 4);
+    HOLDS(make(BURNISH_FIT_ENERGY, 4, 11.5f).zeta == 2.5f);
+    HOLDS(make(BURNISH_FIT_SHIFT7, 2, 16).zeta == 7);
+    HOLDS(make(BURNISH_FIT_SHIFT3, 2, 8).zeta == 3);
+}
+
+static void check_special_floats(void) {
+    static const burnish_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY};
+    for (int order = 2; order <= 32; order *= 2) {
+        for (int i = 0; i < 2; ++i) {
+            burnish_lobe lobe = make(fits[i], order, 40);
+            HOLDS(burnish_lobe_at_cosine(lobe, NAN) == 0 && burnish_lobe_at_lambda(lobe, NAN) == 0);
+            HOLDS(burnish_lobe_at_cosine(lobe, -NAN) == 0);
+            HOLDS(burnish_lobe_at_cosine(lobe, INFINITY) == 1);
+            HOLDS(burnish_lobe_at_cosine(lobe, -INFINITY) == 0);
+            HOLDS(burnish_lobe_at_lambda(lobe, INFINITY) == 0);
+            HOLDS(burnish_lobe_at_lambda(lobe, -INFINITY) == 1);
+            HOLDS(burnish_lobe_at_lambda(lobe, -1) == 1 && burnish_lobe_at_lambda(lobe, -0.0f) == 1);
+            HOLDS(burnish_lobe_at_lambda(lobe, 0x1p-149f) == 1);
+            HOLDS(burnish_lobe_at_cosine(lobe, FLT_MAX) == 1);
+            HOLDS(burnish_lobe_at_cosine(lobe, -FLT_MAX) == 0);
+            HOLDS(burnish_lobe_at_cosine(lobe, 0x1p-149f) == burnish_lobe_at_cosine(lobe, 0));
+            HOLDS(burnish_lobe_at_cosine(lobe, -0.0f) == burnish_lobe_at_cosine(lobe, 0));
+            HOLDS(burnish_lobe_at_cosine(lobe, 1) == 1);
+            HOLDS(burnish_lobe_at_cosine(lobe, nextafterf(1, 2)) == 1);
+        }
+    }
+    for (int i = 0; i < 2; ++i) {
+        float (*lobe)(float, float) = i ? burnish_schlick_at_cosine : burnish_gx_at_cosine;
+        HOLDS(lobe(NAN, 10) == 0 && lobe(0.5f, NAN) == 0 && lobe(NAN, NAN) == 0);
+        HOLDS(lobe(1, 10) == 1 && lobe(INFINITY, 10) == 1 && lobe(1.5f, 10) == 1);
+        HOLDS(lobe(0, 10) == 0 && lobe(-0.0f, 10) == 0 && lobe(-1, 10) == 0);
+        HOLDS(lobe(-INFINITY, 10) == 0);
+        HOLDS(lobe(0.9f, INFINITY) == lobe(0.9f, 65536) && lobe(0.9f, 0) == lobe(0.9f, 1));
+        HOLDS(lobe(0.9f, -INFINITY) == lobe(0.9f, 1) && lobe(1, INFINITY) == 1);
+    }
+}
+
+/* The lobe ends at the cutoff cosine, give or take a rounding. */
+static void check_cutoff(void) {
+    for (int order = 2; order <= 32; order *= 2) {
+        for (float n = (float)order; n <= 65536; n *= 1.37f) {
+            burnish_lobe lobe = make(BURNISH_FIT_ENERGY, order, n);
+            float cutoff = burnish_lobe_cutoff_cosine(lobe);
+            double exact = 1 - 1 / (double)lobe.zeta;
+            CHECK(fabs((double)cutoff - exact) <= 0x1p-24, "%d %g", order, (double)n);
+            CHECK(burnish_lobe_at_lambda(lobe, (float)(1 / (double)lobe.zeta) * 1.0000003f) == 0,
+                  "%d %g", order, (double)n);
+            CHECK(burnish_lobe_at_cosine(lobe, cutoff - 0x1p-23f) == 0, "%d %g", order, (double)n);
+            CHECK(burnish_lobe_at_cosine(lobe, 0.5f + 0.5f * cutoff) > 0, "%d %g", order,
+                  (double)n);
+        }
+    }
+    burnish_lobe wide;
+    HOLDS(burnish_lobe_from_zeta(&wide, 0.25f, 2) == BURNISH_LOBE_OK);
+    HOLDS(burnish_lobe_cutoff_cosine(wide) == -3 && burnish_lobe_at_cosine(wide, -1) == 0.25f);
+}
+
+static void check_chord(void) {
+    static const float x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, opposite[3] = {-1, 0, 0};
+    static const float not_number[3] = {NAN, 0, 0}, endless[3] = {INFINITY, 0, 0};
+    HOLDS(burnish_lobe_chord(x, x) == 0 && burnish_lobe_chord(x, y) == 1);
+    HOLDS(burnish_lobe_chord(x, opposite) == 2);
+    HOLDS(isnan(burnish_lobe_chord(x, not_number)));
+    HOLDS(burnish_lobe_chord(x, endless) == INFINITY);
+
+    /* The chord keeps what the cosine loses: two directions 2^-14 apart, exponent 65536. */
+    const float a[3] = {0, 0x1p-14f, 1}, b[3] = {0, 0, 1};
+    burnish_lobe lobe = make(BURNISH_FIT_TAYLOR, 2, 65536);
+    HOLDS(burnish_lobe_chord(a, b) == 0x1p-29f);
+    HOLDS(burnish_lobe_at_lambda(lobe, burnish_lobe_chord(a, b)) == (1 - 0x1p-14f) * (1 - 0x1p-14f));
+    HOLDS(burnish_lobe_at_cosine(lobe, a[1] * b[1] + a[2] * b[2]) == 1);
+}
+
+static void check_lyon_factor(void) {
+    double near = 0, far = 0;
+    for (int i = 0; i <= 100000; ++i) {
+        double s = 0.5 + i * 1e-5;
+        double error = fabs((double)burnish_lyon_normalize_factor((float)s) * sqrt(s) - 1);
+        far = fmax(far, error);
+        near = s >= 0.9 && s <= 1.1 ? fmax(near, error) : near;
+    }
+    printf("lyon's normalisation: relative error %.5f for s in [.9, 1.1], %.4f in [.5, 1.5]\n", near,
+           far);
+    HOLDS(near > 0 && near < 0.0004 && far < 0.05);
+    HOLDS(burnish_lyon_normalize_factor(1) == 1);
+    HOLDS(burnish_lyon_normalize_factor(0) == 1.875f);
+    for (float s = 0; s < 8; s += 0x1p-10f) {
+        CHECK(burnish_lyon_normalize_factor(s) >= 5 / 6.0f - 0x1p-22f, "%g", (double)s);
+    }
+}
+
+/* A unit vector at an angle from +Z, in a random plane, then made a little too long or short. */
+static void tilt(uint64_t *state, double angle, double scale, float out[3]) {
+    double around = 6.283185307179586 * uniform(state);
+    out[0] = (float)(scale * sin(angle) * cos(around));
+    out[1] = (float)(scale * sin(angle) * sin(around));
+    out[2] = (float)(scale * cos(angle));
+}
+
+/* Lyon's lobe is the taylor fit: the same bits from the chord, nearly the same from vectors whose squared
+ * lengths are off by up to 10 %. */
+static void check_lyon(void) {
+    uint64_t state = 5;
+    double worst = 0;
+    for (int i = 0; i < 20000; ++i) {
+        int order = 2 << i % 5;
+        float n = (float)(order + 200 * uniform(&state));
+        float a[3], b[3], zenith[3] = {0, 0, 1};
+        double angle = 0.3 * uniform(&state);
+        tilt(&state, angle, 1, a);
+        burnish_lobe lobe = make(BURNISH_FIT_TAYLOR, order, n);
+        CHECK(burnish_lyon_at_chord(a, zenith, n, order) ==
+                  burnish_lobe_at_lambda(lobe, burnish_lobe_chord(a, zenith)),
+              "%d %g", order, (double)n);
+        CHECK(burnish_lyon_at_vectors(a, a, n, order) == 1, "%d %g", order, (double)n);
+        tilt(&state, angle, 0.95 + 0.098 * uniform(&state), a);
+        tilt(&state, 0, 0.95 + 0.098 * uniform(&state), b);
+        double exact = burnish_theory_family((double)lobe.zeta, order, cos(angle));
+        worst = fmax(worst, fabs((double)burnish_lyon_at_vectors(a, b, n, order) - exact));
+    }
+    printf("lyon from vectors 5 %% off unit length: largest error %.2g\n", worst);
+    HOLDS(worst > 0 && worst < 5e-4);
+
+    static const float x[3] = {1, 0, 0}, bad[3] = {NAN, INFINITY, -INFINITY};
+    HOLDS(burnish_lyon_at_vectors(x, x, 10, 3) == 0 && burnish_lyon_at_chord(x, x, 10, 0) == 0);
+    HOLDS(burnish_lyon_at_vectors(x, x, NAN, 2) == 0 && burnish_lyon_at_chord(x, x, NAN, 2) == 0);
+    HOLDS(burnish_lyon_at_vectors(x, x, 3, 4) == 0);
+    HOLDS(burnish_lyon_at_vectors(x, x, 0, 2) == 1 && burnish_lyon_at_vectors(x, x, 1e9f, 32) == 1);
+    for (int i = 0; i < 3; ++i) {
+        float v[3] = {0, 0, 1};
+        v[i] = bad[i];
+        HOLDS(burnish_lyon_at_vectors(v, x, 10, 2) == 0 && burnish_lyon_at_chord(x, v, 10, 2) == 0);
+    }
+}
+
+static void check_sweeps(void) {
+    for (int i = 0; i < SWEEP_CASE_COUNT; ++i) {
+        sweep_result result = {0};
+        sweep_run(&sweep_cases[i], 0, (uint64_t)1 << 32, 4099, &result);
+        CHECK(sweep_report(&sweep_cases[i], &result), "%s", sweep_cases[i].name);
+    }
+}
+
+int main(void) {
+    check_reference();
+    check_accuracy();
+    check_errors();
+    check_from_zeta();
+    check_orders();
+    check_status_texts();
+    check_known_values();
+    check_special_floats();
+    check_cutoff();
+    check_chord();
+    check_lyon_factor();
+    check_lyon();
+    check_sweeps();
+    return test_end("lobe");
+}

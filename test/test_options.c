@@ -1,0 +1,240 @@
+/* The command line's parser and values, without running the program: both forms of a flag, hints,
+ * strict numbers, and that the table of flags agrees with the library's own defaults. */
+#include <locale.h>
+
+#include "../tools/burnish/options.c"
+#include "../tools/burnish/render_flags.c"
+#include "../tools/burnish/render_values.c"
+#include "../tools/burnish/values.c"
+#include "harness.h"
+
+/* A check whose condition says it all. */
+#define HOLDS(condition) CHECK(condition, "does not hold")
+
+/* The table names it; nothing here runs it. */
+int burnish_cli_render_main(int argc, char **argv) {
+    (void)argc, (void)argv;
+    return 1;
+}
+
+typedef struct parsed {
+    burnish_status status;
+    burnish_cli_render settings;
+    burnish_cli_operands operands;
+    burnish_error error;
+} parsed;
+
+/* Parses words between '|'. */
+static parsed parse(const char *line) {
+    parsed result = {.settings = {.material = -1}};
+    static char copy[1024]; /* the settings point into it */
+    char *argv[32];
+    int argc = 0;
+    snprintf(copy, sizeof copy, "%s", line);
+    for (char *word = strtok(copy, "|"); word && argc < 32; word = strtok(NULL, "|")) {
+        argv[argc++] = word;
+    }
+    result.status =
+        burnish_cli_defaults(&burnish_cli_render_command, &result.settings, &result.error);
+    CHECK(result.status == BURNISH_STATUS_OK, "%s", result.error.text);
+    result.status = burnish_cli_parse(&burnish_cli_render_command, argc, argv, &result.settings,
+                                      &result.operands, &result.error);
+    return result;
+}
+
+static void test_defaults(void) {
+    parsed p = parse("x.obj");
+    burnish_render_options render = burnish_render_options_default();
+    burnish_load_options load = burnish_load_options_default();
+    burnish_fit_options fit = burnish_fit_options_default();
+    const burnish_cli_render *s = &p.settings;
+    HOLDS(s->size[0] == render.width && s->size[1] == render.height);
+    HOLDS(s->samples == render.samples && s->threads == render.threads);
+    HOLDS(s->lobes.count == 1 && s->lobes.items[0].kind == render.lobe.kind &&
+          s->lobes.items[0].fit == render.lobe.fit && s->lobes.items[0].order == render.lobe.order);
+    HOLDS(s->equation == (int)render.equation && s->viewer == (int)render.viewer);
+    CHECK(render.background[0] == 255 && render.background[1] == 255 && render.background[2] == 255,
+          "the help says that the background is white");
+    HOLDS(s->format == (int)load.format && s->tessellation == load.tessellation);
+    HOLDS(s->crease.value == load.crease_angle);
+    HOLDS(s->max_triangles == load.max_triangles && s->max_input_bytes == load.max_input_bytes);
+    HOLDS(s->view_angle.value == fit.view_angle && s->margin.value == fit.margin);
+    HOLDS(s->azimuth.value == fit.azimuth && s->elevation.value == fit.elevation);
+    HOLDS(!s->json && !s->quiet && !s->fail_on_blank && !s->orthographic && s->material == -1);
+}
+
+static void test_forms(void) {
+    HOLDS(parse("x|--samples=8").settings.samples == 8);
+    HOLDS(parse("--samples|8|x").settings.samples == 8);
+    CHECK(parse("x|--samples=8|--samples|16").settings.samples == 16, "the last counts");
+    parsed p = parse("-o|out.png|x.obj");
+    CHECK_TEXT(p.settings.output, "out.png");
+    CHECK_TEXT(p.operands.items[0], "x.obj");
+    CHECK_TEXT(parse("-oout.png|x.obj").settings.output, "out.png");
+    CHECK_TEXT(parse("--output|-|x.obj").settings.output, "-");
+    CHECK_TEXT(parse("--output=--json|x").settings.output, "--json");
+    CHECK_TEXT(parse("--output=a=b|x").settings.output, "a=b");
+    p = parse("--json|--|--quiet");
+    HOLDS(p.settings.json && !p.settings.quiet);
+    CHECK_TEXT(p.operands.items[0], "--quiet");
+    CHECK_TEXT(parse("-|--json").operands.items[0], "-");
+    p = parse("x|--camera-azimuth-angle|-30|--camera-position|-1,-2,-3");
+    CHECK(p.settings.azimuth.value == -30 && p.settings.position.values[2] == -3,
+          "a negative number is a value, not a flag");
+    p = parse("x|--size=64|--resolution=300,200");
+    HOLDS(p.settings.size[0] == 300 && p.settings.size[1] == 200);
+    p = parse("x|--resolution=300x200|--size=64");
+    HOLDS(p.settings.size[0] == 64 && p.settings.size[1] == 64);
+    HOLDS(parse("x|--help|--nonsense").operands.help == 1);
+    HOLDS(parse("x|-h").operands.help == 1);
+}
+
+static void expect_error(const char *line, const char *text) {
+    parsed p = parse(line);
+    CHECK(p.status == BURNISH_STATUS_ARGUMENT, "%s: accepted", line);
+    if (p.status != BURNISH_STATUS_OK) {
+        CHECK_TEXT(p.error.text, text);
+    }
+}
+
+static void test_errors(void) {
+    expect_error("--sampels=4", "--sampels: unknown flag; did you mean --samples?");
+    expect_error("--sample=4", "--sample: unknown flag; did you mean --samples?");
+    expect_error("--view-angle=4", "--view-angle: unknown flag; did you mean --camera-view-angle?");
+    expect_error("--colour=red", "--colour: unknown flag; did you mean --color?");
+    expect_error("--treads|2", "--treads: unknown flag; did you mean --threads?");
+    expect_error("--qzx", "--qzx: unknown flag; \"burnish render --help\" lists the flags");
+    expect_error("-z", "-z: unknown flag; \"burnish render --help\" lists the flags");
+    expect_error("--samples=3", "--samples: \"3\" is not one of 1, 4, 8, 16");
+    expect_error("--samples=", "--samples: \"\" is not one of 1, 4, 8, 16");
+    expect_error("--samples", "--samples: a value is missing: --samples=N");
+    expect_error("-o", "--output: a value is missing: --output=FILE");
+    expect_error("-o|--json", "--output: a value is missing before --json: --output=FILE");
+    expect_error("-o=x", "-o: write -o FILE or --output=FILE, not -o=FILE");
+    expect_error("--json=yes", "--json: takes no value; write --json alone");
+    expect_error("--size=0", "--size: \"0\" is not a whole number from 1 to 16384");
+    expect_error("--size=1e3", "--size: \"1e3\" is not a whole number from 1 to 16384");
+    expect_error("--margin=0.6", "--margin: \"0.6\" is not a number from 0 to 0.45");
+    expect_error("a|b",
+                 "render: \"b\" is one operand too many; usage: burnish render INPUT [options]");
+    expect_error("--color=beige",
+                 "--color: \"beige\" is not a colour: #rgb, #rrggbb, r,g,b from 0 to "
+                 "1, or a name");
+    expect_error("--lobe=energy:2,", "--lobe: \"\" is not a lobe; use FIT:ORDER with FIT taylor, "
+                                     "energy, levelQ (0 < Q < 1), shift7, shift3 or projected and "
+                                     "ORDER 2, 4, 8, 16 or 32, or power, schlick, lyon:ORDER, "
+                                     "gaussian, gx");
+    expect_error("--views=front,,top",
+                 "--views: \"\" is not one of front, right, top, iso, back, left, bottom");
+    expect_error("--size=\x1b[2J", "--size: \"?[2J\" is not a whole number from 1 to 16384");
+}
+
+static void test_numbers(void) {
+    static const char *const good[] = {"0",   "-0",   "+1.5", ".5",     "5.",
+                                       "1e3", "1E-3", "1e+2", "123456", "-12.25"};
+    static const char *const bad[] = {"",    ".",   "-",     "+",     "e5",  "1e",  "1e+",
+                                      "nan", "inf", "0x1",   " 1",    "1 ",  "1,5", "1..2",
+                                      "--1", "1f",  "1e999", "1_000", "\t1", "1\n"};
+    double value;
+    for (size_t i = 0; i < sizeof good / sizeof *good; ++i) {
+        CHECK(burnish_cli_read_real(good[i], strlen(good[i]), &value) &&
+                  value == strtod(good[i], NULL),
+              "%s", good[i]);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        CHECK(!burnish_cli_read_real(bad[i], strlen(bad[i]), &value), "\"%s\" accepted", bad[i]);
+    }
+    HOLDS(parse("x|--max-input-bytes=3K").settings.max_input_bytes == 3072);
+    HOLDS(parse("x|--max-input-bytes=2G").settings.max_input_bytes == (uint64_t)2 << 30);
+    HOLDS(parse("x|--max-input-bytes=99999999999G").status == BURNISH_STATUS_ARGUMENT);
+    HOLDS(parse("x|--max-input-bytes=G").status == BURNISH_STATUS_ARGUMENT);
+    HOLDS(parse("x|--max-input-bytes=").status == BURNISH_STATUS_ARGUMENT);
+    HOLDS(parse("x|--max-triangles=2147483648").status == BURNISH_STATUS_ARGUMENT);
+    HOLDS(parse("x|--threads=1025").status == BURNISH_STATUS_ARGUMENT);
+    HOLDS(parse("x|--camera-view-angle=180").status == BURNISH_STATUS_ARGUMENT);
+    HOLDS(parse("x|--camera-direction=0,0,0").status == BURNISH_STATUS_ARGUMENT);
+    HOLDS(parse("x|--camera-position=1,2,3,4").status == BURNISH_STATUS_ARGUMENT);
+}
+
+static void test_colors(void) {
+    float c[3];
+    HOLDS(burnish_cli_read_color("#fa0", 4, c) && c[0] == 1 && c[1] == 170 / 255.0F && c[2] == 0);
+    HOLDS(burnish_cli_read_color("#FF8000", 7, c) && c[0] == 1 && c[1] == 128 / 255.0F &&
+          c[2] == 0);
+    HOLDS(burnish_cli_read_color("0.25,.5,1", 9, c) && c[0] == 0.25F && c[1] == 0.5F && c[2] == 1);
+    HOLDS(burnish_cli_read_color("white", 5, c) && c[0] == 1 && c[1] == 1 && c[2] == 1);
+    static const char *const bad[] = {"",        "#",     "#12",    "#12345", "#ggg",   "1,1",
+                                      "1,1,1,1", "2,0,0", "-1,0,0", "whit",   "whites", "#1234567"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        CHECK(!burnish_cli_read_color(bad[i], strlen(bad[i]), c), "\"%s\" accepted", bad[i]);
+    }
+    for (int k = 0; k < 256; ++k) {
+        CHECK(burnish_cli_color_code((float)k / 255.0F) == k, "code %d", k);
+    }
+    parsed p = parse("x|--no-background|--background-color=#123456");
+    CHECK(!p.settings.background.transparent && p.settings.background.given, "the later counts");
+    HOLDS(parse("x|--background-color=#123456|--no-background").settings.background.transparent);
+    HOLDS(parse("x|--background-color=none").settings.background.transparent);
+}
+
+static void test_lights(void) {
+    parsed p = parse("x|--light=directional:-1,2.5,3:0.5:#f00|--light|world-point:1,2,3");
+    const burnish_light *lights = p.settings.lights.items;
+    HOLDS(p.status == BURNISH_STATUS_OK && p.settings.lights.count == 2);
+    HOLDS(lights[0].kind == BURNISH_LIGHT_DIRECTIONAL && lights[0].follows_camera == 1);
+    HOLDS(lights[0].vector[0] == -1 && lights[0].vector[1] == 2.5 && lights[0].vector[2] == 3);
+    HOLDS(lights[0].color[0] == 0.5F && lights[0].color[1] == 0 && lights[0].color[2] == 0);
+    HOLDS(lights[1].kind == BURNISH_LIGHT_POINT && lights[1].follows_camera == 0);
+    HOLDS(lights[1].color[0] == 1 && lights[1].color[2] == 1);
+    p = parse("x|--light=point:1,2,3|--light=none");
+    HOLDS(p.settings.lights.given && p.settings.lights.count == 0);
+    static const char *const bad[] = {"x|--light=sun:1,2,3",        "x|--light=point",
+                                      "x|--light=point:",           "x|--light=point:1,2",
+                                      "x|--light=point:1,2,3:",     "x|--light=point:1,2,3:-1",
+                                      "x|--light=point:1,2,3:1:",   "x|--light=point:1,2,3:1:red:",
+                                      "x|--light=directional:0,0,0"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        CHECK(parse(bad[i]).status == BURNISH_STATUS_ARGUMENT, "%s accepted", bad[i]);
+    }
+    p = parse("x|--ambient=0.5");
+    HOLDS(p.settings.ambient.linear[0] == 0.5F && p.settings.ambient.linear[2] == 0.5F);
+    HOLDS(parse("x|--ambient=white").settings.ambient.linear[1] == 1);
+}
+
+/* What every row of the table must have for the help screen and the man page. */
+static void test_table(void) {
+    const burnish_cli_command *command = &burnish_cli_render_command;
+    HOLDS(command->flags[0].group && command->flags[0].help);
+    for (size_t i = 0; i < command->flag_count; ++i) {
+        const burnish_cli_flag *flag = &command->flags[i];
+        CHECK(flag->handler && flag->manual && strlen(flag->manual) > 10, "--%s", flag->name);
+        CHECK(strlen(flag->name) < BURNISH_CLI_NAME_MAX, "--%s", flag->name);
+        CHECK(!flag->group || flag->help, "--%s starts a group without a row", flag->name);
+        for (size_t k = 0; k < i; ++k) {
+            CHECK(strcmp(flag->name, command->flags[k].name) != 0, "--%s twice", flag->name);
+            CHECK(!flag->letter || flag->letter != command->flags[k].letter, "-%c twice",
+                  flag->letter);
+        }
+    }
+    for (size_t i = 0; burnish_cli_preset_words[i].name; ++i) {
+        HOLDS(burnish_cli_preset_words[i].value == (int)i);
+        CHECK_TEXT(burnish_cli_preset_words[i].name, burnish_cli_presets[i].name);
+    }
+}
+
+int main(void) {
+    test_defaults();
+    test_forms();
+    test_errors();
+    test_numbers();
+    /* A locale with a decimal comma changes nothing, where the system has one. */
+    if (setlocale(LC_ALL, "de_DE.UTF-8")) {
+        double value;
+        HOLDS(burnish_cli_read_real("1.5", 3, &value) && value == 1.5);
+        HOLDS(setlocale(LC_ALL, "C") != NULL);
+    }
+    test_colors();
+    test_lights();
+    test_table();
+    return test_end("options");
+}

@@ -1,0 +1,615 @@
+/* The readers of OBJ, MTL, STL and PLY on well-formed files, and the way from a file to a scene. */
+#include <float.h>
+#include <math.h>
+#include <unistd.h>
+
+#include "base/srgb.h"
+#include "reader_input.h"
+#include "scene/number.h"
+#include "scene/polygon.h"
+
+/* ---- numbers ---- */
+
+static uint64_t next_random(uint64_t *state) { /* splitmix64 */
+    uint64_t z = *state += UINT64_C(0x9E3779B97F4A7C15);
+    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+    return z ^ z >> 31;
+}
+
+/* A decimal of one of the shapes that files hold, and of some that they should not. */
+static void random_decimal(uint64_t *state, char *out, size_t size) {
+    uint64_t shape = next_random(state) % 6;
+    double value;
+    uint64_t bits = next_random(state);
+    switch (shape) {
+    case 0:
+        snprintf(out, size, "%.*f", (int)(bits % 9), (double)(int64_t)bits / 1e16);
+        break;
+    case 1:
+        snprintf(out, size, "%.*e", (int)(bits % 20), (double)(bits >> 11) * 1e-9);
+        break;
+    case 2: /* any double at all */
+        memcpy(&value, &bits, sizeof value);
+        snprintf(out, size, "%.17g", isfinite(value) ? value : 0.1);
+        break;
+    case 3:
+        snprintf(out, size, "%s%llu.%llue%d", bits & 1 ? "-" : "+", (unsigned long long)bits % 1000,
+                 (unsigned long long)next_random(state), (int)(bits % 660) - 330);
+        break;
+    case 4:
+        snprintf(out, size, "%lld.%0*d%llu", (long long)(int64_t)bits >> 40, (int)(bits % 60), 0,
+                 (unsigned long long)next_random(state));
+        break;
+    default: /* halfway between two doubles: 2^53 + 1 + 2k, exactly and with a tail */
+        snprintf(out, size, "%llu%s", (unsigned long long)(UINT64_C(9007199254740993) + (bits & 1022)),
+                 bits & 1024 ? ".0000000000000000000000000000001" : "");
+    }
+}
+
+static void check_number(burnish_number_reader *reader, const char *text) {
+    double value = 0, expected = strtod(text, NULL);
+    burnish_number_status status =
+        burnish_parse_double(reader, (const uint8_t *)text, strlen(text), &value);
+    if (isinf(expected)) {
+        CHECK(status == BURNISH_NUMBER_RANGE, "%s", text);
+    } else {
+        CHECK(status == BURNISH_NUMBER_OK && memcmp(&value, &expected, sizeof value) == 0,
+              "%s: %a, strtod %a", text, value, expected);
+    }
+}
+
+static void test_random_numbers(void) {
+    enum { COUNT = 200000 };
+    uint64_t seed = 20240607, state = seed;
+    burnish_number_reader reader = {0};
+    char text[256];
+    printf("random decimals: seed %llu\n", (unsigned long long)seed);
+    for (int i = 0; i < COUNT; ++i) {
+        random_decimal(&state, text, sizeof text);
+        check_number(&reader, text);
+    }
+    burnish_number_reader_close(&reader);
+}
+
+/* Thousands of digits: the copy that is parsed is bounded, the result is as if it were not. */
+static void test_long_numbers(void) {
+    static char text[5000];
+    burnish_number_reader reader = {0};
+    /* 1 + 2^-53 is halfway between 1 and its neighbour: the tail decides, however far away. */
+    const char *half = "1.00000000000000011102230246251565404236316680908203125";
+    for (size_t tail = 0; tail < 4000; tail += 97) {
+        size_t length = strlen(half);
+        memcpy(text, half, length);
+        memset(text + length, '0', tail);
+        strcpy(text + length + tail, "1");
+        check_number(&reader, text);
+        text[length + tail] = 0;
+        check_number(&reader, text);
+    }
+    memset(text, '0', 4000);
+    strcpy(text + 4000, "12.5e-1");
+    check_number(&reader, text);
+    memset(text, '9', 4000);
+    strcpy(text + 4000, "e-3995");
+    check_number(&reader, text);
+    text[0] = '.';
+    strcpy(text + 4000, "e7");
+    check_number(&reader, text);
+    check_number(&reader, "1e-99999999999999999999");
+    check_number(&reader, "0e99999999999999999999");
+    check_number(&reader, "1e99999999999999999999");
+    burnish_number_reader_close(&reader);
+}
+
+static void test_number_grammar(void) {
+    static const struct {
+        const char *text;
+        burnish_number_status status;
+        double value;
+    } cases[] = {
+        {".5", BURNISH_NUMBER_OK, 0.5},          {"5.", BURNISH_NUMBER_OK, 5},
+        {"+1e2", BURNISH_NUMBER_OK, 100},        {"-1.25E-1", BURNISH_NUMBER_OK, -0.125},
+        {"007", BURNISH_NUMBER_OK, 7},           {"", BURNISH_NUMBER_GARBAGE, 0},
+        {"-", BURNISH_NUMBER_GARBAGE, 0},        {".", BURNISH_NUMBER_GARBAGE, 0},
+        {"1e", BURNISH_NUMBER_GARBAGE, 0},       {"1e+", BURNISH_NUMBER_GARBAGE, 0},
+        {"0x10", BURNISH_NUMBER_GARBAGE, 0},     {"1,5", BURNISH_NUMBER_GARBAGE, 0},
+        {"1.5f", BURNISH_NUMBER_GARBAGE, 0},     {"--1", BURNISH_NUMBER_GARBAGE, 0},
+        {"e5", BURNISH_NUMBER_GARBAGE, 0},       {"1.2.3", BURNISH_NUMBER_GARBAGE, 0},
+        {"nan", BURNISH_NUMBER_NOT_FINITE, 0},   {"-NaN(ind)", BURNISH_NUMBER_NOT_FINITE, 0},
+        {"Infinity", BURNISH_NUMBER_NOT_FINITE, 0}, {"-inf", BURNISH_NUMBER_NOT_FINITE, 0},
+        {"-1.#IND", BURNISH_NUMBER_NOT_FINITE, 0}, {"3.5e38", BURNISH_NUMBER_RANGE, 0},
+        {"-1e999", BURNISH_NUMBER_RANGE, 0},     {"1e-60", BURNISH_NUMBER_OK, 0},
+    };
+    burnish_number_reader reader = {0};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        float value = 0;
+        burnish_number_status status = burnish_parse_float(
+            &reader, (const uint8_t *)cases[i].text, strlen(cases[i].text), &value);
+        CHECK(status == cases[i].status && (double)value == cases[i].value, "\"%s\": %d, %g",
+              cases[i].text, (int)status, (double)value);
+    }
+    float largest = 0;
+    CHECK_THAT(burnish_parse_float(&reader, (const uint8_t *)"3.4028235677973366e38", 21, &largest) ==
+              BURNISH_NUMBER_RANGE);
+    CHECK_THAT(burnish_parse_float(&reader, (const uint8_t *)"3.4028235677973362e38", 21, &largest) ==
+              BURNISH_NUMBER_OK && largest == FLT_MAX);
+    burnish_number_reader_close(&reader);
+}
+
+/* ---- polygons ---- */
+
+static double triangle_area(const float *p, const float *q, const float *r) {
+    return 0.5 * (((double)q[0] - p[0]) * ((double)r[1] - p[1]) -
+                  ((double)q[1] - p[1]) * ((double)r[0] - p[0]));
+}
+
+/* Cuts a simple polygon in the plane: all triangles turn the same way, and areas add up. */
+static void check_cut(const char *name, const float *positions, size_t count) {
+    uint32_t corners[BURNISH_POLYGON_CORNERS];
+    uint16_t cut[3 * (BURNISH_POLYGON_CORNERS - 2)];
+    double area = 0, sum = 0, absolute = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const float *p = positions + 3 * i, *q = positions + 3 * ((i + 1) % count);
+        corners[i] = (uint32_t)i;
+        area += 0.5 * ((double)p[0] * q[1] - (double)p[1] * q[0]);
+    }
+    burnish_polygon_cut(positions, corners, count, cut);
+    for (size_t i = 0; i < count - 2; ++i) {
+        double part = triangle_area(positions + 3 * cut[3 * i], positions + 3 * cut[3 * i + 1],
+                                    positions + 3 * cut[3 * i + 2]);
+        sum += part;
+        absolute += fabs(part);
+    }
+    CHECK(fabs(absolute - fabs(area)) <= 1e-9 * fabs(area) && fabs(sum - area) <= 1e-9 * fabs(area),
+          "%s: area %.12g, triangles %.12g, without sign %.12g", name, area, sum, absolute);
+}
+
+static void test_polygons(void) {
+    static const float arrow[] = {0, 0, 0, 2, -2, 0, 1, 0, 0, 2, 2, 0};
+    static const float ell[] = {0, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0, 1, 2, 0, 0, 2, 0};
+    static const float in_line[] = {0, 0, 0, 1, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0};
+    static const float keyhole[] = {0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 0,
+                                    1, 1, 0, 1, 3, 0, 3, 3, 0, 3, 1, 0, 1, 1, 0};
+    float comb[3 * BURNISH_POLYGON_CORNERS], star[3 * BURNISH_POLYGON_CORNERS];
+    check_cut("arrow", arrow, 4);
+    check_cut("ell", ell, 6);
+    check_cut("three in line", in_line, 5);
+    check_cut("keyhole", keyhole, 10);
+    for (size_t i = 0; i < BURNISH_POLYGON_CORNERS; ++i) {
+        double angle = 2 * 3.14159265358979 * (double)i / BURNISH_POLYGON_CORNERS;
+        double radius = i % 2 ? 1 : 0.25;
+        float *s = star + 3 * i, *c = comb + 3 * i;
+        s[0] = (float)(radius * cos(angle));
+        s[1] = (float)(radius * sin(angle));
+        s[2] = 0;
+        c[0] = (float)i;
+        c[1] = i % 2 ? 10 : 1;
+        c[2] = 0;
+    }
+    comb[1] = comb[3 * BURNISH_POLYGON_CORNERS - 2] = -1;
+    check_cut("star", star, BURNISH_POLYGON_CORNERS);
+    check_cut("comb", comb, BURNISH_POLYGON_CORNERS);
+    for (size_t i = 0; i < sizeof arrow / sizeof *arrow / 3; ++i) { /* every first corner */
+        float turned[12];
+        for (size_t k = 0; k < 12; ++k) {
+            turned[k] = arrow[(k + 3 * i) % 12];
+        }
+        check_cut("turned arrow", turned, 4);
+    }
+}
+
+/* ---- OBJ ---- */
+
+static int position_is(const burnish_source *s, size_t i, float x, float y, float z) {
+    return i < s->position_count && s->positions[3 * i] == x && s->positions[3 * i + 1] == y &&
+           s->positions[3 * i + 2] == z;
+}
+
+static int triangle_is(const burnish_source *s, size_t i, uint32_t a, uint32_t b, uint32_t c) {
+    return i < s->triangle_count && s->corner_positions[3 * i] == a &&
+           s->corner_positions[3 * i + 1] == b && s->corner_positions[3 * i + 2] == c;
+}
+
+static void test_obj(void) {
+    burnish_source s;
+    burnish_error e;
+    CHECK(read_text(BURNISH_FORMAT_OBJ,
+                    "\xEF\xBB\xBF# a square\r\no thing\r\ng a b\r\ns off\r\nv 0 0 0\r\nv 1 0 0 1.0\r\n"
+                    "v 1 1 -2.5e-1 \\\r\n  # the rest\r\nv 0 \\\n 1 0\r\nvt 0 0\rvn 0 0 1\n"
+                    "vn nan 0 0\nfoo bar\n\n  f 1/1/1 2/1/1 -2//-2 4/1 # end\nf -4/ -3// 3",
+                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_THAT(s.position_count == 4 && s.normal_count == 2 && s.triangle_count == 3);
+    CHECK_THAT(position_is(&s, 1, 1, 0, 0) && position_is(&s, 2, 1, 1, -0.25f) &&
+          position_is(&s, 3, 0, 1, 0));
+    CHECK_THAT(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) && triangle_is(&s, 2, 0, 1, 2));
+    static const uint32_t normals[9] = {0, 0, 0, 0, 0, BURNISH_SOURCE_NONE, BURNISH_SOURCE_NONE,
+                                        BURNISH_SOURCE_NONE, BURNISH_SOURCE_NONE};
+    CHECK_THAT(s.corner_normals && memcmp(s.corner_normals, normals, sizeof normals) == 0);
+    CHECK_THAT(s.normals[2] == 1 && s.normals[3] == 0);
+    CHECK_THAT(!s.colors && !s.triangle_materials && s.material_count == 1 && s.warning_count == 0);
+    burnish_source_destroy(&s);
+}
+
+static void test_obj_colors(void) {
+    burnish_source s;
+    burnish_error e;
+    static const uint8_t expected[] = {255, 255, 255, 255, 255, 128, 0, 255,
+                                       0,   255, 51,  255, 255, 255, 255, 255};
+    CHECK(read_text(BURNISH_FORMAT_OBJ,
+                    "v 0 0 0\nv 1 0 0 1 .5 0\nv 0 1 0 -1 2 .2\nv 0 0 1\nf 1 2 3\nl 1 2\np 1\nf 1 2\n",
+                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_THAT(s.colors && memcmp(s.colors, expected, sizeof expected) == 0);
+    if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "mesh.obj:6: lines and points were ignored");
+        CHECK_TEXT(s.warnings[1], "mesh.obj:8: faces with fewer than 3 corners were ignored");
+    }
+    CHECK_THAT(!s.corner_normals && s.triangle_count == 1);
+    burnish_source_destroy(&s);
+}
+
+/* Concave faces keep their area, huge ones become fans. */
+static void test_obj_polygons(void) {
+    burnish_source s;
+    burnish_error e;
+    CHECK(read_text(BURNISH_FORMAT_OBJ, "v 0 0 0\nv 2 -2 0\nv 1 0 0\nv 2 2 0\nf 1 2 3 4\nf 2 3 4 1\n",
+                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    double area = 0;
+    for (size_t t = 0; t < s.triangle_count; ++t) {
+        const uint32_t *c = s.corner_positions + 3 * t;
+        double part = triangle_area(s.positions + 3 * c[0], s.positions + 3 * c[1],
+                                    s.positions + 3 * c[2]);
+        CHECK(part > 0, "triangle %zu: %g", t, part);
+        area += part;
+    }
+    CHECK(s.triangle_count == 4 && area == 4, "%zu triangles, area %g", s.triangle_count, area);
+    burnish_source_destroy(&s);
+
+    enum { CORNERS = 1000 };
+    static char text[CORNERS * 40];
+    size_t length = 0;
+    for (int i = 0; i < CORNERS; ++i) {
+        length += (size_t)snprintf(text + length, sizeof text - length, "v %d %d 0\n", i, i * i);
+    }
+    length += (size_t)snprintf(text + length, sizeof text - length, "f");
+    for (int i = 1; i <= CORNERS; ++i) {
+        length += (size_t)snprintf(text + length, sizeof text - length, " %d", i);
+    }
+    CHECK(read_text(BURNISH_FORMAT_OBJ, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_THAT(s.triangle_count == CORNERS - 2 && triangle_is(&s, CORNERS - 3, 0, CORNERS - 2, CORNERS - 1));
+    burnish_source_destroy(&s);
+}
+
+/* ---- MTL ---- */
+
+static const char *library_text;
+
+static burnish_status open_library(const char *input_name, const char *file, uint64_t max_bytes,
+                                   uint8_t **bytes, size_t *size, burnish_error *error) {
+    if (strcmp(input_name, "mesh.obj") != 0 || strcmp(file, "my parts/a b.mtl") != 0 ||
+        max_bytes == 0) {
+        return burnish_fail(error, BURNISH_STATUS_READ, "%s: No such file", file);
+    }
+    *size = strlen(library_text);
+    *bytes = malloc(*size);
+    memcpy(*bytes, library_text, *size);
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status read_with_library(const char *text, const char *library, burnish_source *s,
+                                        burnish_error *e) {
+    burnish_load_options options = burnish_load_options_default();
+    library_text = library;
+    return run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, open_library, s, e);
+}
+
+static int color_is(const float color[3], float r, float g, float b) {
+    return color[0] == burnish_srgb_value_to_linear(r) &&
+           color[1] == burnish_srgb_value_to_linear(g) &&
+           color[2] == burnish_srgb_value_to_linear(b);
+}
+
+static void test_mtl(void) {
+    static const char library[] =
+        "# parts\nnewmtl red paint\nKd 0.8 0.1 0\nKa 1 1 1\nKs .5\nNs 30\nillum 2\nmap_Kd x.png\n"
+        "Tr 0\nnewmtl dull\nKa 0.2 0.3 0.4\nKd 1 1 1\nKs 0 0 0\nNs 0\nnewmtl matt\nKs 1 1 1\n"
+        "illum 1\nNs 100000\nnewmtl bare\nKs xyz 1 2 3\nnewmtl dull\nKd 0 0 0\n";
+    burnish_mtl mtl = {0};
+    burnish_error e = {0};
+    burnish_material grey = burnish_material_default();
+    CHECK(burnish_read_mtl((const uint8_t *)library, sizeof library - 1, "a.mtl", &mtl, &e) ==
+              BURNISH_STATUS_OK, "%s", e.text);
+    if (CHECK_THAT(mtl.count == 5)) {
+        const burnish_material *red = &mtl.entries[0].material, *dull = &mtl.entries[1].material;
+        const burnish_material *matt = &mtl.entries[2].material, *bare = &mtl.entries[3].material;
+        CHECK_TEXT(mtl.entries[0].name, "red paint");
+        CHECK_THAT(color_is(red->diffuse, 0.8f, 0.1f, 0) && color_is(red->ambient, 0.8f, 0.1f, 0));
+        CHECK_THAT(color_is(red->specular, .5f, .5f, .5f) && red->exponent == 30);
+        CHECK_THAT(red->has_diffuse && red->has_exponent);
+        CHECK_THAT(color_is(dull->ambient, 0.2f, 0.3f, 0.4f) && dull->exponent == 1);
+        CHECK_THAT(dull->has_exponent);
+        CHECK_THAT(color_is(matt->specular, 0, 0, 0) && matt->exponent == 65536);
+        CHECK_THAT(matt->has_exponent && !matt->has_diffuse);
+        CHECK_THAT(memcmp(matt->diffuse, grey.diffuse, sizeof grey.diffuse) == 0);
+        CHECK_THAT(memcmp(bare, &grey, sizeof grey) == 0);
+    }
+    burnish_mtl_destroy(&mtl);
+    CHECK_THAT(mtl.entries == NULL && mtl.count == 0);
+}
+
+static void test_obj_materials(void) {
+    static const char library[] = "newmtl a\nKd 1 0 0\nNs 0.5\nnewmtl b\nKd 0 1 0\nnewmtl a\nKd 1 1 1\n";
+    burnish_source s;
+    burnish_error e;
+    CHECK(read_with_library("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nusemtl b\nusemtl a\n"
+                            "f 1 2 3 4\nusemtl b\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl none\nf 1 2 3\n"
+                            "mtllib my parts\\a b.mtl\nmtllib my parts\\a b.mtl\n",
+                            library, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    static const uint16_t expected[] = {0, 1, 1, 2, 1, 0};
+    CHECK_THAT(s.triangle_count == 6 && s.material_count == 3);
+    CHECK_THAT(s.triangle_materials && memcmp(s.triangle_materials, expected, sizeof expected) == 0);
+    CHECK_THAT(!s.materials[0].has_diffuse && color_is(s.materials[1].diffuse, 1, 0, 0) &&
+          color_is(s.materials[2].diffuse, 0, 1, 0));
+    if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "my parts/a b.mtl:3: Ns 0.5 is not in [1, 65536] and was taken as 1");
+        CHECK_TEXT(s.warnings[1],
+                   "mesh.obj: material \"none\" is in no material library; it is burnish's grey");
+    }
+    burnish_source_destroy(&s);
+
+    CHECK(read_with_library("mtllib my parts/a b.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                            library, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_THAT(s.material_count == 1 && !s.triangle_materials && color_is(s.materials[0].diffuse, 0, 1, 0));
+    burnish_source_destroy(&s);
+}
+
+static void test_missing_libraries(void) {
+    static const char mesh[] = "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    static const struct {
+        const char *line, *warning;
+    } cases[] = {
+        {"mtllib x.mtl", "mesh.obj:1: material library \"x.mtl\" was not read (x.mtl: No such "
+                         "file); its materials are burnish's grey"},
+        {"mtllib ../x.mtl", "mesh.obj:1: material library \"../x.mtl\" was not read (it lies "
+                            "outside the folder of the file); its materials are burnish's grey"},
+        {"mtllib /etc/passwd", "mesh.obj:1: material library \"/etc/passwd\" was not read (it lies "
+                               "outside the folder of the file); its materials are burnish's grey"},
+        {"mtllib a\\..\\x", "mesh.obj:1: material library \"a\\..\\x\" was not read (it lies "
+                            "outside the folder of the file); its materials are burnish's grey"},
+        {"mtllib C:\\x", "mesh.obj:1: material library \"C:\\x\" was not read (it lies "
+                         "outside the folder of the file); its materials are burnish's grey"},
+        {"# none", "mesh.obj: usemtl without mtllib: its materials are burnish's grey"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char text[256];
+        burnish_source s;
+        burnish_error e;
+        snprintf(text, sizeof text, "%s\n%s", cases[i].line, mesh);
+        CHECK(read_with_library(text, "", &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        if (CHECK(s.warning_count == 1, "%s: %zu", cases[i].line, s.warning_count)) {
+            CHECK_TEXT(s.warnings[0], cases[i].warning);
+        }
+        CHECK_THAT(s.material_count == 1 && !s.materials[0].has_diffuse);
+        burnish_source_destroy(&s);
+    }
+}
+
+/* ---- STL ---- */
+
+static void test_stl(void) {
+    burnish_source s;
+    burnish_error e;
+    CHECK(read_text(BURNISH_FORMAT_STL,
+                    "Solid one facet\nFACET NORMAL 0 0 1\r\nouter loop\nvertex 0 0 0 vertex 1 0 0\n"
+                    "vertex 0 1.5 -2e1\nendloop\nendfacet\nendsolid one\n"
+                    "solid\nfacet normal nan nan nan\nouter loop\nvertex 3 0 0\nvertex 4 0 0\n"
+                    "vertex 3 1 0\nendloop\nendfacet\nendsolid",
+                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_THAT(s.triangle_count == 2 && s.position_count == 6 && s.normal_count == 0);
+    CHECK_THAT(position_is(&s, 2, 0, 1.5f, -20) && position_is(&s, 5, 3, 1, 0));
+    CHECK_THAT(triangle_is(&s, 1, 3, 4, 5));
+    burnish_source_destroy(&s);
+}
+
+static void test_binary_stl(void) {
+    static const char *const headers[] = {"", "solid made by a CAD program", "solid x\nfacet normal"};
+    burnish_load_options options = burnish_load_options_default();
+    burnish_source s;
+    burnish_error e;
+    for (size_t h = 0; h < 3; ++h) {
+        for (size_t more = 0; more < 3; ++more) { /* bytes behind the last facet */
+            byte_list list = {.size = 0};
+            put_stl(&list, headers[h], 3);
+            put(&list, "xyz", more);
+            CHECK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e) ==
+                      BURNISH_STATUS_OK, "%s", e.text);
+            CHECK_THAT(s.triangle_count == 3 && position_is(&s, 7, 3, 0, 0) &&
+                  position_is(&s, 8, 2, 1, 0.5f));
+            CHECK_THAT(s.warning_count == (more > 0));
+            if (more == 2 && s.warning_count == 1) {
+                CHECK_TEXT(s.warnings[0],
+                           "mesh.stl: byte 234: 2 bytes behind the last triangle were ignored");
+            }
+            burnish_source_destroy(&s);
+        }
+    }
+}
+
+/* ---- PLY ---- */
+
+static void test_ply(void) {
+    burnish_load_options options = burnish_load_options_default();
+    for (int encoding = 0; encoding < 3; ++encoding) {
+        byte_list list = {.size = 0};
+        burnish_source s;
+        burnish_error e;
+        put_ply(&list, encoding);
+        CHECK(run_reader(BURNISH_FORMAT_PLY, list.bytes, list.size, &options, NULL, &s, &e) ==
+                  BURNISH_STATUS_OK, "%d: %s", encoding, e.text);
+        CHECK_THAT(s.position_count == 5 && s.normal_count == 5 && s.triangle_count == 3);
+        CHECK_THAT(position_is(&s, 2, 1, 1, 0) && position_is(&s, 4, 0.5f, 2, -1.25f));
+        CHECK_THAT(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) &&
+              triangle_is(&s, 2, 3, 2, 4));
+        CHECK_THAT(s.corner_normals && memcmp(s.corner_normals, s.corner_positions, 9 * 4) == 0);
+        CHECK_THAT(s.normals[14] == 1 && s.normals[12] == 0);
+        CHECK_THAT(s.colors && s.colors[16] == 40 && s.colors[17] == 80 && s.colors[18] == 120 &&
+              s.colors[19] == 251);
+        burnish_source_destroy(&s);
+    }
+}
+
+/* Faces before vertices, types of every kind, strips, colours as floats and 16 bits. */
+static void test_ply_variants(void) {
+    burnish_source s;
+    burnish_error e;
+    CHECK(read_text(BURNISH_FORMAT_PLY,
+                    "ply\r\nformat ascii 1.0\r\nelement face 1\r\nproperty list uint8 uint16 vertex_index\r\n"
+                    "element vertex 4\r\nproperty double x\r\nproperty int16 y\r\nproperty char z\r\n"
+                    "property float diffuse_red\r\nproperty float diffuse_green\r\n"
+                    "property float diffuse_blue\r\nproperty list int int extra\r\nend_header\r\n"
+                    "4 0 1 2 3\r\n0 0 0 0 .5 1 0\r\n2 -2 0 1 2 -1 2 7 7\r\n1 0 0 nan 0 0 0\r\n2 2 0 0 0 0 0",
+                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    static const uint8_t colors[] = {0, 128, 255, 255, 255, 255, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255};
+    CHECK_THAT(s.triangle_count == 2 && s.position_count == 4 && !s.corner_normals);
+    CHECK_THAT(s.colors && memcmp(s.colors, colors, sizeof colors) == 0);
+    for (size_t t = 0; t < s.triangle_count; ++t) { /* cut by positions that come later */
+        const uint32_t *c = s.corner_positions + 3 * t;
+        CHECK_THAT(triangle_area(s.positions + 3 * c[0], s.positions + 3 * c[1],
+                            s.positions + 3 * c[2]) == 1);
+    }
+    burnish_source_destroy(&s);
+
+    CHECK(read_text(BURNISH_FORMAT_PLY,
+                    "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                    "property float z\nproperty ushort red\nproperty ushort green\n"
+                    "property ushort blue\nelement tristrips 1\n"
+                    "property list int int vertex_indices\nend_header\n"
+                    "0 0 0 65535 0 257 1 0 0 0 0 0 0 1 0 0 0 0 1 1 0 0 0 0 0 2 0 0 0 0\n"
+                    "13 0 1 2 3 4 -1 4 3 2 2 -1 0 1\n",
+                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK(s.triangle_count == 4, "%zu", s.triangle_count);
+    CHECK_THAT(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 2, 1, 3) && triangle_is(&s, 2, 2, 3, 4) &&
+          triangle_is(&s, 3, 4, 3, 2));
+    CHECK_THAT(s.colors && s.colors[0] == 255 && s.colors[1] == 0 && s.colors[2] == 1);
+    burnish_source_destroy(&s);
+}
+
+/* After "\r" line ends the body may start with a byte that looks like "\n". */
+static void test_ply_line_ends(void) {
+    static const char *const ends[] = {"\n", "\r\n", "\r"};
+    static const char *const lines[] = {"ply", "format binary_little_endian 1.0", "element vertex 3",
+                                        "property uchar x", "property uchar y", "property uchar z",
+                                        "element face 1", "property list uchar uchar vertex_indices",
+                                        "end_header"};
+    static const uint8_t body[] = {10, 13, 10, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2};
+    burnish_load_options options = burnish_load_options_default();
+    for (size_t k = 0; k < 3; ++k) {
+        byte_list list = {.size = 0};
+        burnish_source s;
+        burnish_error e;
+        for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i) {
+            put_text(&list, lines[i]);
+            put_text(&list, ends[k]);
+        }
+        put(&list, body, sizeof body);
+        CHECK(run_reader(BURNISH_FORMAT_PLY, list.bytes, list.size, &options, NULL, &s, &e) ==
+                  BURNISH_STATUS_OK, "%zu: %s", k, e.text);
+        CHECK_THAT(s.triangle_count == 1 && position_is(&s, 0, 10, 13, 10));
+        burnish_source_destroy(&s);
+    }
+}
+
+/* ---- from a file ---- */
+
+static void test_guess(void) {
+    static const struct {
+        const char *bytes, *name;
+        burnish_format format;
+    } cases[] = {
+        {"", "A.OBJ", BURNISH_FORMAT_OBJ},      {"", "dir/a.Stl", BURNISH_FORMAT_STL},
+        {"", "a.ply", BURNISH_FORMAT_PLY},      {"ply\r\n", "a.obj", BURNISH_FORMAT_PLY},
+        {"solid x", "-", BURNISH_FORMAT_STL},   {"# hi\n\nv 0 0 0\n", NULL, BURNISH_FORMAT_OBJ},
+        {"mtllib x", "obj", BURNISH_FORMAT_OBJ}, {"GIF89a", "picture", BURNISH_FORMAT_AUTO},
+        {"", "", BURNISH_FORMAT_AUTO},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_format format = burnish_guess_format((const uint8_t *)cases[i].bytes,
+                                                     strlen(cases[i].bytes), cases[i].name);
+        CHECK(format == cases[i].format, "case %zu: %d", i, (int)format);
+    }
+    byte_list list = {.size = 0};
+    put_stl(&list, "anything", 2);
+    CHECK_THAT(burnish_guess_format(list.bytes, list.size, "x") == BURNISH_FORMAT_STL);
+}
+
+static void test_files(void) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_scene *scene = NULL;
+    burnish_error e = {0};
+    CHECK(burnish_scene_load(TEST_DATA_DIR "/cube.obj", &options, &scene, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    if (scene) {
+        CHECK_THAT(burnish_scene_mesh(scene)->triangle_count == 12);
+        CHECK_THAT(burnish_scene_material_count(scene) == 2 && burnish_scene_warning_count(scene) == 0);
+        CHECK_THAT(color_is(burnish_scene_material(scene, 0)->diffuse, 0.8f, 0.2f, 0.1f));
+        CHECK_THAT(burnish_scene_format(scene) == BURNISH_FORMAT_OBJ);
+    }
+    burnish_scene_destroy(scene);
+    CHECK(burnish_scene_load(":sphere", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_THAT(scene && burnish_scene_format(scene) == BURNISH_FORMAT_AUTO);
+    burnish_scene_destroy(scene);
+
+    byte_list list = {.size = 0};
+    put_ply(&list, 1);
+    CHECK(burnish_scene_load_memory(list.bytes, list.size, NULL, &options, &scene, &e) ==
+              BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_THAT(scene && burnish_scene_format(scene) == BURNISH_FORMAT_PLY);
+    burnish_scene_destroy(scene);
+}
+
+/* Standard input through a pipe, in pieces that grow the buffer. */
+static void test_standard_input(void) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_scene *scene = NULL;
+    burnish_error e = {0};
+    FILE *pipe = popen("head -c 300000 /dev/zero | tr '\\0' '#'; echo; cat " TEST_DATA_DIR "/cube.obj",
+                       "r");
+    int saved = dup(STDIN_FILENO);
+    if (!CHECK_THAT(pipe && saved >= 0 && dup2(fileno(pipe), STDIN_FILENO) == STDIN_FILENO)) {
+        return;
+    }
+    options.format = BURNISH_FORMAT_OBJ;
+    CHECK(burnish_scene_load("-", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    if (scene && CHECK_THAT(burnish_scene_warning_count(scene) == 1)) {
+        CHECK_THAT(burnish_scene_mesh(scene)->triangle_count == 12);
+        CHECK_TEXT(burnish_scene_warning(scene, 0),
+                   "standard input:3: material library \"cube.mtl\" was not read (the input has no "
+                   "folder); its materials are burnish's grey");
+    }
+    burnish_scene_destroy(scene);
+    dup2(saved, STDIN_FILENO);
+    close(saved);
+    pclose(pipe);
+}
+
+int main(void) {
+    test_random_numbers();
+    test_long_numbers();
+    test_number_grammar();
+    test_polygons();
+    test_obj();
+    test_obj_colors();
+    test_obj_polygons();
+    test_mtl();
+    test_obj_materials();
+    test_missing_libraries();
+    test_stl();
+    test_binary_stl();
+    test_ply();
+    test_ply_variants();
+    test_ply_line_ends();
+    test_guess();
+    test_files();
+    test_standard_input();
+    return test_end("readers");
+}

@@ -1,0 +1,614 @@
+/* Scenes from triangles: welding, made normals, orientation, materials, and every refusal. */
+#include <malloc.h>
+#include <math.h>
+
+#include "base/memory.h"
+#include "burnish/scene.h"
+#include "harness.h"
+#include "scene/source.h"
+#include "scene/weld.h"
+
+#define CHECK_THAT(condition) CHECK(condition, "does not hold")
+
+/* Allocations that are left before one fails; negative: none fails. These definitions take the
+ * place of the C library's for the whole program. */
+static long allocations_left = -1;
+
+static int allocation_fails(void) {
+    return allocations_left >= 0 && allocations_left-- == 0;
+}
+
+void *aligned_alloc(size_t alignment, size_t size) {
+    void *pointer = NULL;
+    return allocation_fails() || posix_memalign(&pointer, alignment, size) != 0 ? NULL : pointer;
+}
+
+void *realloc(void *old, size_t size) {
+    void *pointer = allocation_fails() ? NULL : malloc(size);
+    if (pointer && old) {
+        size_t usable = malloc_usable_size(old);
+        memcpy(pointer, old, usable < size ? usable : size);
+        free(old);
+    }
+    return pointer;
+}
+
+static uint32_t random_state = 12345;
+
+static uint32_t random_bits(void) {
+    random_state = random_state * 1664525u + 1013904223u;
+    return random_state >> 8;
+}
+
+/* A unit cube's corners (bit k of the number is coordinate k) and its faces, from outside. */
+static const uint32_t cube_faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                          {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+
+/* The cube's 36 corner numbers; bit f of turned cuts face f along its other diagonal. */
+static void cube_corners(uint32_t corners[36], int turned) {
+    for (int f = 0; f < 6; ++f) {
+        int s = turned >> f & 1;
+        for (int k = 0; k < 6; ++k) {
+            static const int order[6] = {0, 1, 2, 0, 2, 3};
+            corners[6 * f + k] = cube_faces[f][(order[k] + s) % 4];
+        }
+    }
+}
+
+static void cube_point(uint32_t number, float p[3]) {
+    for (int k = 0; k < 3; ++k) {
+        p[k] = (number >> k & 1) ? 1.0f : -1.0f;
+    }
+}
+
+/* The cube as an STL file states it: nothing shared. */
+static burnish_scene *soup(double crease, int turned) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_source source = {0};
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_scene *scene = NULL;
+    uint32_t corners[36];
+    options.crease_angle = crease;
+    cube_corners(corners, turned);
+    source.positions = malloc(36 * 3 * sizeof(float));
+    source.corner_positions = malloc(36 * sizeof(uint32_t));
+    for (uint32_t i = 0; i < 36; ++i) {
+        cube_point(corners[i], source.positions + 3 * i);
+        source.corner_positions[i] = i;
+    }
+    source.position_count = 36;
+    source.triangle_count = 12;
+    CHECK(burnish_scene_build(&source, "cube.stl", &options, BURNISH_FORMAT_STL, &scene, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    burnish_source_destroy(&source);
+    return scene;
+}
+
+static burnish_status create(const float *positions, const float *normals, const uint8_t *colors,
+                             size_t vertex_count, const uint32_t *indices, size_t triangle_count,
+                             double crease, burnish_scene **scene, burnish_error *error) {
+    burnish_load_options options = burnish_load_options_default();
+    options.crease_angle = crease;
+    return burnish_scene_create(positions, normals, colors, vertex_count, indices, triangle_count,
+                                &options, scene, error);
+}
+
+/* The scene of plain positions and indices; must succeed. */
+static burnish_scene *plain(const float *positions, size_t vertex_count, const uint32_t *indices,
+                            size_t triangle_count, double crease) {
+    burnish_scene *scene = NULL;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    CHECK(create(positions, NULL, NULL, vertex_count, indices, triangle_count, crease, &scene,
+                 &error) == BURNISH_STATUS_OK,
+          "%s", error.text);
+    return scene;
+}
+
+static int near(const float *v, double x, double y, double z, double bound) {
+    return fabs((double)v[0] - x) <= bound && fabs((double)v[1] - y) <= bound &&
+           fabs((double)v[2] - z) <= bound;
+}
+
+static void test_cube(void) {
+    for (int turned = 0; turned < 64; ++turned) {
+        burnish_scene *flat = soup(40, turned), *smooth = soup(180, turned);
+        const burnish_mesh *mesh = burnish_scene_mesh(flat);
+        CHECK(mesh->vertex_count == 24 && mesh->triangle_count == 12, "%zu", mesh->vertex_count);
+        for (size_t i = 0; i < 36; ++i) {
+            const float *n = mesh->normals + 3 * mesh->indices[i];
+            const float *p = mesh->positions + 3 * mesh->indices[i];
+            CHECK(fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]) == 1 &&
+                      n[0] * p[0] + n[1] * p[1] + n[2] * p[2] == 1,
+                  "not a face's normal");
+        }
+        /* Smooth: one vertex a corner, along the diagonal however the faces are cut. */
+        mesh = burnish_scene_mesh(smooth);
+        CHECK(mesh->vertex_count == 8, "%zu", mesh->vertex_count);
+        for (size_t i = 0; i < mesh->vertex_count; ++i) {
+            const float *p = mesh->positions + 3 * i;
+            double third = sqrt(1 / 3.0);
+            CHECK(near(mesh->normals + 3 * i, third * (double)p[0], third * (double)p[1],
+                       third * (double)p[2], 1e-7),
+                  "cut %d", turned);
+        }
+        CHECK_THAT(mesh->bounds_min[1] == -1 && mesh->bounds_max[2] == 1);
+        CHECK_THAT(mesh->colors == NULL && mesh->triangle_materials == NULL);
+        CHECK_THAT(burnish_scene_format(smooth) == BURNISH_FORMAT_STL);
+        burnish_scene_destroy(flat);
+        burnish_scene_destroy(smooth);
+    }
+    /* The edge of a cube is exactly 90 degrees: not smooth at a crease angle of 90, at 91 it is. */
+    const double crease[3] = {0, 90, 91};
+    const size_t vertices[3] = {24, 24, 8};
+    for (int i = 0; i < 3; ++i) {
+        burnish_scene *scene = soup(crease[i], 21);
+        CHECK(burnish_scene_mesh(scene)->vertex_count == vertices[i], "%g: %zu", crease[i],
+              burnish_scene_mesh(scene)->vertex_count);
+        burnish_scene_destroy(scene);
+    }
+}
+
+enum { SIDES = 24 };
+
+/* A cylinder of radius 1 around z: 15 degrees between sides, 90 to the caps. */
+static void test_cylinder(void) {
+    float positions[(2 * SIDES + 2) * 3];
+    uint32_t indices[12 * SIDES], *t = indices;
+    for (uint32_t i = 0; i < SIDES; ++i) {
+        double angle = 2 * acos(-1.0) * i / SIDES;
+        for (uint32_t k = 0; k < 2; ++k) {
+            float *p = positions + 3 * (2 * i + k);
+            p[0] = (float)cos(angle);
+            p[1] = (float)sin(angle);
+            p[2] = k ? 1.0f : -1.0f;
+        }
+        uint32_t a = 2 * i, b = 2 * ((i + 1) % SIDES);
+        uint32_t faces[12] = {a, b,         b + 1, a,     b + 1, a + 1,
+                              a, 2 * SIDES, b,     a + 1, b + 1, 2 * SIDES + 1};
+        memcpy(t, faces, sizeof faces);
+        t += 12;
+    }
+    memcpy(positions + 3 * 2 * SIDES, (float[]){0, 0, -1, 0, 0, 1}, 6 * sizeof(float));
+    burnish_scene *scene = plain(positions, 2 * SIDES + 2, indices, 4 * SIDES, 40);
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    CHECK(mesh->vertex_count == 4 * SIDES + 2, "%zu", mesh->vertex_count);
+    for (size_t i = 0; i < 4 * SIDES; ++i) {
+        for (size_t k = 0; k < 3; ++k) {
+            uint32_t v = mesh->indices[3 * i + k];
+            const float *p = mesh->positions + 3 * v, *n = mesh->normals + 3 * v;
+            CHECK((i % 4 < 2 ? near(n, (double)p[0], (double)p[1], 0, 1e-6)
+                             : near(n, 0, 0, (double)p[2], 0)),
+                  "triangle %zu: %g %g %g", i, (double)n[0], (double)n[1], (double)n[2]);
+        }
+    }
+    burnish_scene_destroy(scene);
+}
+
+/* A cone of 200,000 sides: the hub's faces are joined in a ring. Then as many faces on one edge. */
+static void test_large_fan(void) {
+    const uint32_t count = 200000;
+    float *positions = malloc(3 * (count + 2) * sizeof *positions);
+    uint32_t *indices = malloc(3 * count * sizeof *indices);
+    for (uint32_t i = 0; i < count; ++i) {
+        double angle = 2 * acos(-1.0) * i / count;
+        positions[3 * i] = (float)cos(angle);
+        positions[3 * i + 1] = (float)sin(angle);
+        positions[3 * i + 2] = 0;
+        memcpy(indices + 3 * i, (uint32_t[]){count, i, (i + 1) % count}, 12);
+    }
+    memcpy(positions + 3 * count, (float[]){0, 0, 1, 0, 0, -1}, 6 * sizeof(float));
+    burnish_scene *scene = plain(positions, count + 2, indices, count, 40);
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    CHECK(mesh->vertex_count == count + 1, "%zu", mesh->vertex_count);
+    CHECK(mesh->vertex_count > 0 && near(mesh->positions, 0, 0, 1, 0) &&
+              near(mesh->normals, 0, 0, 1, 1e-6),
+          "%g %g %g", (double)mesh->normals[0], (double)mesh->normals[1], (double)mesh->normals[2]);
+    CHECK_THAT(burnish_scene_warning_count(scene) == 0);
+    burnish_scene_destroy(scene);
+
+    for (uint32_t i = 0; i < count; ++i) {
+        memcpy(indices + 3 * i, (uint32_t[]){count, count + 1, i}, 12);
+    }
+    scene = plain(positions, count + 2, indices, count, 40);
+    mesh = burnish_scene_mesh(scene);
+    CHECK_THAT(mesh->triangle_count == count);
+    /* Joined one to the next they go all the way round, cancel, and so keep their own normals. */
+    CHECK(mesh->vertex_count == 3 * count, "all around: %zu", mesh->vertex_count);
+    burnish_scene_destroy(scene);
+    free(positions);
+    free(indices);
+}
+
+/* Sheets that a file states twice, once from each side, are smooth on both. */
+static void test_double_sided(void) {
+    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0.1f, 1, 1, 0};
+    const uint32_t indices[] = {0, 1, 2, 0, 2, 1, 1, 3, 2, 1, 2, 3};
+    burnish_scene *scene = plain(positions, 4, indices, 4, 40);
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    CHECK(mesh->vertex_count == 8, "%zu", mesh->vertex_count);
+    for (int k = 0; k < 12; ++k) {
+        float z = mesh->normals[3 * mesh->indices[k] + 2];
+        CHECK((k / 3 % 2 == 0) == (z > 0), "corner %d: %g", k, (double)z);
+    }
+    burnish_scene_destroy(scene);
+}
+
+static int compare_positions(const void *a, const void *b) {
+    return memcmp(a, b, 12);
+}
+
+/* Enough random positions for different ones with an equal 32-bit hash (about ten pairs). */
+static void test_weld(void) {
+    enum { COUNT = 300000 };
+    float *positions = malloc(COUNT * 12), *sorted = malloc(COUNT * 12);
+    uint32_t *remap = malloc(COUNT * sizeof *remap);
+    size_t unique = 0, expected = 1, next = 0;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    for (size_t i = 0; i < COUNT; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            positions[3 * i + k] = (float)random_bits();
+        }
+        if (i % 3 == 2) {
+            memcpy(positions + 3 * i, positions + 3 * (random_bits() % i), 12);
+        }
+    }
+    memcpy(sorted, positions, COUNT * 12);
+    qsort(sorted, COUNT, 12, compare_positions);
+    for (size_t i = 1; i < COUNT; ++i) {
+        expected += memcmp(sorted + 3 * i, sorted + 3 * i - 3, 12) != 0;
+    }
+    CHECK(burnish_weld(positions, COUNT, remap, &unique, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    CHECK(unique == expected, "%zu of %zu", unique, expected);
+    int ordered = 1, equal = 1;
+    for (size_t i = 0; i < COUNT; ++i) {
+        if (remap[i] == next) {
+            memcpy(sorted + 3 * next++, positions + 3 * i, 12);
+        }
+        ordered &= remap[i] < next;
+        equal &= memcmp(sorted + 3 * remap[i], positions + 3 * i, 12) == 0;
+    }
+    CHECK(ordered && next == unique, "numbers are not in order of appearance");
+    CHECK(equal, "different positions share a number");
+    CHECK_THAT(burnish_weld(NULL, 0, NULL, &unique, &error) == BURNISH_STATUS_OK && unique == 0);
+    free(positions);
+    free(sorted);
+    free(remap);
+}
+
+static void test_weld_sort(void) {
+    enum { MOST = 300 };
+    burnish_weld_record records[MOST];
+    for (size_t count = 0; count < MOST; count += count < 40 ? 1 : 37) {
+        uint64_t sum = 0;
+        for (size_t i = 0; i < count; ++i) {
+            records[i] = (burnish_weld_record){
+                {random_bits() % 3, random_bits() % 3, random_bits() % 3, random_bits() % 3},
+                (uint32_t)i};
+        }
+        burnish_weld_sort(records, count);
+        int ordered = 1;
+        for (size_t i = 0; i < count; ++i) {
+            sum += records[i].value;
+            for (int k = 0; i > 0 && k < 5; ++k) {
+                uint32_t a = k < 4 ? records[i - 1].key[k] : records[i - 1].value;
+                uint32_t b = k < 4 ? records[i].key[k] : records[i].value;
+                if (a != b) {
+                    ordered &= a < b;
+                    break;
+                }
+            }
+        }
+        CHECK(ordered, "%zu records", count);
+        CHECK(sum == count * (count - (count > 0)) / 2, "%zu records: lost some", count);
+    }
+}
+
+static void test_zero_area(void) {
+    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0, 0, 0, -0.0f, 9, 9, 9};
+    /* good; on a line; index twice; position twice; -0 is 0; good */
+    const uint32_t indices[] = {0, 1, 2, 0, 1, 3, 1, 1, 2, 0, 0, 0, 0, 4, 1, 4, 3, 2};
+    burnish_scene *scene = plain(positions, 6, indices, 6, 40);
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    CHECK(mesh->triangle_count == 2 && mesh->vertex_count == 4, "%zu", mesh->vertex_count);
+    CHECK_THAT(near(mesh->positions + 3 * mesh->indices[4], 2, 0, 0, 0));
+    CHECK_THAT(mesh->bounds_max[0] == 2 && mesh->bounds_max[2] == 0);
+    CHECK_THAT(burnish_scene_warning_count(scene) == 1);
+    CHECK_TEXT(burnish_scene_warning(scene, 0),
+               "burnish_scene_create: 4 of 6 triangles have no area and were left out");
+    CHECK_THAT(burnish_scene_warning(scene, 1) == NULL);
+    burnish_scene_destroy(scene);
+
+    burnish_error error;
+    scene = (burnish_scene *)&error;
+    CHECK_THAT(create(positions, NULL, NULL, 6, indices + 3, 4, 40, &scene, &error) ==
+               BURNISH_STATUS_FORMAT);
+    CHECK_THAT(scene == NULL && error.status == BURNISH_STATUS_FORMAT);
+    CHECK(strstr(error.text, "burnish_scene_create: no triangle has any area; 4 triangles"), "%s",
+          error.text);
+    burnish_source empty = {0};
+    burnish_load_options options = burnish_load_options_default();
+    CHECK_THAT(burnish_scene_build(&empty, "empty.obj", &options, BURNISH_FORMAT_OBJ, &scene,
+                                   &error) == BURNISH_STATUS_FORMAT);
+    CHECK(strstr(error.text, "empty.obj: no triangle has any area; 0 triangles"), "%s", error.text);
+}
+
+/* Coordinates at both ends of float: nothing overflows or vanishes. */
+static void test_extreme_sizes(void) {
+    const float sizes[] = {3e38f, 1e-45f, 1e-38f, 1};
+    const uint32_t indices[] = {0, 1, 2};
+    for (int i = 0; i < 4; ++i) {
+        float s = sizes[i];
+        const float positions[] = {-s, 0, 0, s, 0, 0, 0, s, 0};
+        burnish_scene *scene = plain(positions, 3, indices, 1, 40);
+        CHECK(near(burnish_scene_mesh(scene)->normals, 0, 0, 1, 0), "%g", (double)s);
+        burnish_scene_destroy(scene);
+    }
+}
+
+static void test_given_normals(void) {
+    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    /* Any length; pointing away from the first triangle's winding; one 0 and one not a number. */
+    const float normals[] = {0, -1e-30f, -1e-30f, 0, 0, -3e38f, 0, 0, 0, NAN, 0, 1};
+    const uint32_t indices[] = {0, 1, 2, 1, 3, 2};
+    burnish_scene *scene = NULL;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    CHECK(create(positions, normals, NULL, 4, indices, 2, 40, &scene, &error) == BURNISH_STATUS_OK,
+          "%s", error.text);
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    const float *n = mesh->normals;
+    /* Both triangles are turned, and the made normals follow. */
+    CHECK(mesh->vertex_count == 4, "%zu", mesh->vertex_count);
+    CHECK_THAT(near(mesh->positions + 3 * mesh->indices[1], 0, 1, 0, 0));
+    CHECK_THAT(near(mesh->positions + 3 * mesh->indices[4], 0, 1, 0, 0));
+    CHECK_THAT(near(n + 3 * mesh->indices[0], 0, -sqrt(0.5), -sqrt(0.5), 1e-7));
+    CHECK_THAT(near(n + 3 * mesh->indices[1], 0, 0, -1, 0));
+    CHECK_THAT(near(n + 3 * mesh->indices[2], 0, 0, -1, 0));
+    CHECK_THAT(near(n + 3 * mesh->indices[5], 0, 0, -1, 0));
+    burnish_scene_destroy(scene);
+}
+
+static void test_colors(void) {
+    /* Two triangles that meet in two positions, given twice: once in the same colour. */
+    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    const uint8_t colors[] = {1, 2, 3, 255, 5, 6, 7, 255, 9, 9, 9,   255,
+                              5, 6, 7, 255, 8, 8, 8, 255, 9, 9, 200, 255};
+    const uint32_t indices[] = {0, 1, 2, 3, 4, 5};
+    burnish_scene *scene = NULL;
+    CHECK_THAT(create(positions, NULL, colors, 6, indices, 2, 40, &scene, NULL) ==
+               BURNISH_STATUS_OK);
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    CHECK(mesh->vertex_count == 5, "%zu", mesh->vertex_count);
+    for (int i = 0; i < 6; ++i) {
+        CHECK(memcmp(mesh->colors + 4 * mesh->indices[i], colors + 4 * i, 4) == 0, "corner %d", i);
+        CHECK(memcmp(mesh->positions + 3 * mesh->indices[i], positions + 3 * i, 12) == 0,
+              "corner %d", i);
+    }
+    burnish_scene_destroy(scene);
+}
+
+/* Four triangles in a row, the second without area; material numbers as given. */
+static burnish_status build_materials(size_t material_count, const uint16_t numbers[4],
+                                      burnish_scene **scene, burnish_error *error) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_source source = {0};
+    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
+    const uint32_t corners[] = {0, 1, 2, 1, 1, 2, 1, 3, 2, 2, 3, 4};
+    source.positions = malloc(sizeof positions);
+    source.corner_positions = malloc(sizeof corners);
+    source.triangle_materials = malloc(4 * sizeof(uint16_t));
+    source.materials = malloc(sizeof(burnish_material) * (material_count + 1));
+    memcpy(source.positions, positions, sizeof positions);
+    memcpy(source.corner_positions, corners, sizeof corners);
+    memcpy(source.triangle_materials, numbers, 4 * sizeof(uint16_t));
+    for (size_t i = 0; i < material_count; ++i) {
+        source.materials[i] = burnish_material_default();
+        source.materials[i].exponent = (float)(10 + i);
+    }
+    source.position_count = 5;
+    source.triangle_count = 4;
+    source.material_count = material_count;
+    burnish_status status =
+        burnish_scene_build(&source, "row.obj", &options, BURNISH_FORMAT_OBJ, scene, error);
+    burnish_source_destroy(&source);
+    return status;
+}
+
+static void test_material_numbers(void) {
+    burnish_scene *scene;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    const uint16_t numbers[4] = {2, 1, 0, 2};
+    CHECK(build_materials(3, numbers, &scene, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    CHECK_THAT(mesh->triangle_count == 3 && burnish_scene_material_count(scene) == 3);
+    const uint16_t *kept = mesh->triangle_materials;
+    if (CHECK_THAT(kept != NULL)) {
+        CHECK(kept[0] == 2 && kept[1] == 0 && kept[2] == 2, "%d %d %d", kept[0], kept[1], kept[2]);
+    }
+    CHECK_THAT(burnish_scene_material(scene, 2)->exponent == 12);
+    CHECK_THAT(burnish_scene_material(scene, 3) == NULL);
+    burnish_scene_destroy(scene);
+
+    CHECK_THAT(build_materials(1, numbers, &scene, &error) == BURNISH_STATUS_OK);
+    CHECK_THAT(burnish_scene_mesh(scene)->triangle_materials == NULL);
+    CHECK_THAT(burnish_scene_material_count(scene) == 1);
+    CHECK_THAT(burnish_scene_material(scene, 0)->exponent == 10);
+    burnish_scene_destroy(scene);
+
+    CHECK_THAT(build_materials(0, numbers, &scene, &error) == BURNISH_STATUS_OK);
+    burnish_material grey = burnish_material_default();
+    CHECK_THAT(burnish_scene_material_count(scene) == 1);
+    CHECK_THAT(memcmp(burnish_scene_material(scene, 0), &grey, sizeof grey) == 0);
+    burnish_scene_destroy(scene);
+
+    CHECK_THAT(build_materials(2, numbers, &scene, &error) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(error.text, "row.obj: triangle 0 has material 2, but there are only 2");
+    CHECK_THAT(scene == NULL);
+}
+
+static void test_set_material(void) {
+    burnish_scene *scene = soup(40, 0);
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_material m = burnish_material_default();
+    CHECK_THAT(m.has_diffuse == 0 && m.has_exponent == 0 && m.exponent >= 1);
+    m.exponent = 65536;
+    m.diffuse[1] = 1;
+    m.specular[2] = 0;
+    CHECK_THAT(burnish_scene_set_material(scene, 0, &m, &error) == BURNISH_STATUS_OK);
+    CHECK_THAT(memcmp(burnish_scene_material(scene, 0), &m, sizeof m) == 0);
+    CHECK_THAT(burnish_scene_set_material(scene, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "index: 1 is out of range, the scene has 1 material");
+    CHECK_THAT(burnish_scene_set_material(NULL, 0, &m, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_scene_set_material(scene, 0, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    const float bad[] = {-0.1f, 1.5f, NAN, INFINITY};
+    for (int i = 0; i < 4; ++i) {
+        burnish_material wrong[4] = {m, m, m, m};
+        wrong[0].ambient[0] = wrong[1].diffuse[1] = wrong[2].specular[2] = bad[i];
+        wrong[3].exponent = bad[i] == 1.5f ? 0.5f : bad[i];
+        const char *words[] = {"ambient[0]", "diffuse[1]", "specular[2]", "exponent"};
+        for (int k = 0; k < 4; ++k) {
+            CHECK_THAT(burnish_scene_set_material(scene, 0, &wrong[k], &error) ==
+                       BURNISH_STATUS_ARGUMENT);
+            CHECK(strstr(error.text, words[k]), "%s", error.text);
+        }
+    }
+    CHECK(memcmp(burnish_scene_material(scene, 0), &m, sizeof m) == 0, "a refused one was stored");
+    burnish_scene_destroy(scene);
+}
+
+/* One refusal of burnish_scene_create: the status is ARGUMENT, the text names the culprit. */
+static void refused(const float *positions, size_t vertex_count, const uint32_t *indices,
+                    size_t triangle_count, const char *text) {
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_scene *scene = (burnish_scene *)&error;
+    CHECK(create(positions, NULL, NULL, vertex_count, indices, triangle_count, 40, &scene,
+                 &error) == BURNISH_STATUS_ARGUMENT,
+          "%s", text);
+    CHECK(scene == NULL, "%s", text);
+    CHECK(strncmp(error.text, text, strlen(text)) == 0, "\"%s\", not \"%s\"", error.text, text);
+}
+
+static void test_arguments(void) {
+    float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    uint32_t indices[] = {0, 1, 2};
+    refused(NULL, 3, indices, 1, "positions: NULL");
+    refused(positions, 3, NULL, 1, "indices: NULL");
+    refused(positions, 2, indices, 1, "vertex_count: 2 ");
+    refused(positions, (size_t)-1, indices, 1, "vertex_count: ");
+    refused(positions, 3, indices, 0, "triangle_count: 0 ");
+    refused(positions, 3, indices, (size_t)1 << 31, "triangle_count: 2147483648 ");
+    indices[2] = 3;
+    refused(positions, 3, indices, 1, "indices[2]: 3 is out of range, there are 3 vertices");
+    indices[2] = 2;
+    positions[4] = NAN;
+    refused(positions, 3, indices, 1, "positions[4]: not finite");
+    positions[4] = -INFINITY;
+    refused(positions, 3, indices, 1, "positions[4]: not finite");
+    positions[4] = 0;
+    burnish_load_options options = burnish_load_options_default();
+    CHECK_THAT(burnish_scene_create(positions, NULL, NULL, 3, indices, 1, &options, NULL, NULL) ==
+               BURNISH_STATUS_ARGUMENT);
+    burnish_scene_destroy(NULL);
+    CHECK_THAT(burnish_scene_mesh(NULL) == NULL && burnish_scene_material_count(NULL) == 0);
+}
+
+static void test_options(void) {
+    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    const uint32_t indices[] = {0, 1, 2, 1, 3, 2};
+    burnish_load_options wrong[8];
+    const char *words[8] = {"burnish_load_options_default()",
+                            "crease_angle",
+                            "crease_angle",
+                            "tessellation",
+                            "tessellation",
+                            "max_triangles",
+                            "format",
+                            "format"};
+    for (int i = 0; i < 8; ++i) {
+        wrong[i] = burnish_load_options_default();
+    }
+    memset(&wrong[0], 0, sizeof wrong[0]);
+    wrong[1].crease_angle = 180.5;
+    wrong[2].crease_angle = NAN;
+    wrong[3].tessellation = 0;
+    wrong[4].tessellation = 257;
+    wrong[5].max_triangles = (uint64_t)1 << 31;
+    wrong[6].format = BURNISH_FORMAT_COUNT;
+    wrong[7].format = (burnish_format)-1;
+    for (int i = 0; i < 9; ++i) {
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        burnish_scene *scene = (burnish_scene *)&error;
+        burnish_source source = {0};
+        const burnish_load_options *options = i < 8 ? &wrong[i] : NULL;
+        CHECK(burnish_scene_create(positions, NULL, NULL, 4, indices, 2, options, &scene, &error) ==
+                  BURNISH_STATUS_ARGUMENT,
+              "%d", i);
+        CHECK(scene == NULL && strstr(error.text, i < 8 ? words[i] : "NULL"), "%s", error.text);
+        CHECK(burnish_scene_build(&source, "x", options, BURNISH_FORMAT_OBJ, &scene, &error) ==
+                  BURNISH_STATUS_ARGUMENT,
+              "%d", i);
+    }
+    burnish_load_options options = burnish_load_options_default();
+    CHECK_THAT(options.crease_angle == 40 && options.tessellation == 16);
+    CHECK_THAT(options.max_triangles == 2147483647 && options.max_input_bytes >> 30 == 16);
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_scene *scene = NULL;
+    options.max_triangles = 1;
+    CHECK_THAT(burnish_scene_create(positions, NULL, NULL, 4, indices, 2, &options, &scene,
+                                    &error) == BURNISH_STATUS_LIMIT);
+    CHECK(strstr(error.text, "2 triangles are more than the limit of 1"), "%s", error.text);
+}
+
+/* Each allocation fails once: MEMORY, no scene, nothing lost (the leak checker says so). */
+static void test_out_of_memory(void) {
+    float positions[24];
+    float normals[24];
+    uint8_t colors[32] = {0};
+    uint32_t indices[39];
+    cube_corners(indices, 0);
+    memcpy(indices + 36, (uint32_t[]){0, 0, 1}, 12); /* makes a warning */
+    for (uint32_t i = 0; i < 8; ++i) {
+        cube_point(i, positions + 3 * i);
+        cube_point(i, normals + 3 * i);
+    }
+    burnish_status status = BURNISH_STATUS_MEMORY;
+    long failures = 0;
+    for (; status != BURNISH_STATUS_OK && failures < 100; ++failures) {
+        burnish_scene *scene = NULL;
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        allocations_left = failures;
+        status = create(positions, normals, colors, 8, indices, 13, 40, &scene, &error);
+        long left = allocations_left;
+        allocations_left = -1;
+        if (status != BURNISH_STATUS_OK) {
+            CHECK(status == BURNISH_STATUS_MEMORY && scene == NULL, "%ld: %s", failures,
+                  error.text);
+            CHECK(strncmp(error.text, "out of memory", 13) == 0, "%s", error.text);
+        } else if (left < 0) {
+            status = BURNISH_STATUS_MEMORY; /* only the warning was lost: go on */
+            CHECK_THAT(burnish_scene_warning_count(scene) == 0);
+        }
+        burnish_scene_destroy(scene);
+    }
+    CHECK(failures > 15 && failures < 100, "%ld allocations", failures);
+}
+
+int main(void) {
+    test_cube();
+    test_cylinder();
+    test_large_fan();
+    test_double_sided();
+    test_weld();
+    test_weld_sort();
+    test_zero_area();
+    test_extreme_sizes();
+    test_given_normals();
+    test_colors();
+    test_material_numbers();
+    test_set_material();
+    test_arguments();
+    test_options();
+    test_out_of_memory();
+    return test_end("scene");
+}

@@ -1,0 +1,287 @@
+/* burnish/theory.h: the fits against independent evaluations in long double, the properties that define
+ * them, the values to compare lobes with, and the errors. */
+#include <float.h>
+#include <math.h>
+
+#include "burnish/theory.h"
+#include "harness.h"
+
+#define HOLDS(condition) CHECK(condition, " ")
+
+static const double exponents[] = {1,  1.5, 2,  2.999, 3,   4,    5,    8,    10,    16,
+                                   18, 32,  50, 99.5,  100, 1000, 1024, 4096, 65535, 65536};
+enum { EXPONENT_COUNT = sizeof exponents / sizeof exponents[0] };
+
+/* The six formulas of model.md, section 2, as they stand there. */
+static long double zeta_by_the_book(burnish_fit fit, int order, long double n, long double level) {
+    long double m = order;
+    switch (fit) {
+    case BURNISH_FIT_TAYLOR:
+        return n / m;
+    case BURNISH_FIT_ENERGY:
+        return (n + 1) / (m + 1);
+    case BURNISH_FIT_LEVEL:
+        return expm1l(logl(level) / m) / expm1l(logl(level) / n);
+    case BURNISH_FIT_SHIFT7:
+        return 7 * n / 16;
+    case BURNISH_FIT_SHIFT3:
+        return 3 * n / 8;
+    case BURNISH_FIT_PROJECTED:
+        return ((m + 2) * (n + 2) + sqrtl((m + 2) * (m + 2) * (n + 2) * (n + 2) -
+                                          4 * (m + 1) * (m + 2) * (n + 2))) /
+               (2 * (m + 1) * (m + 2));
+    case BURNISH_FIT_COUNT:
+        break;
+    }
+    return NAN;
+}
+
+static int allowed(burnish_fit fit, int order, double n) {
+    if (fit == BURNISH_FIT_SHIFT7 || fit == BURNISH_FIT_SHIFT3) {
+        return order == 2;
+    }
+    return n >= order || (order == 2 && fit != BURNISH_FIT_PROJECTED);
+}
+
+static void check_formulas(void) {
+    static const double levels[] = {1e-300, 1e-6, 0.1, 0.45, 0.5, 0.9, 0.999999, 1 - 1e-9};
+    double worst[BURNISH_FIT_COUNT] = {0};
+    for (int fit = 0; fit < BURNISH_FIT_COUNT; ++fit) {
+        for (int i = 0; i < EXPONENT_COUNT * 5 * 8; ++i) {
+            double n = exponents[i / 40], level = levels[i % 8], zeta = -1;
+            int order = 2 << i / 8 % 5;
+            burnish_lobe_status status =
+                burnish_theory_zeta((burnish_fit)fit, order, n, level, &zeta);
+            if (!allowed((burnish_fit)fit, order, n)) {
+                CHECK(status != BURNISH_LOBE_OK && zeta == 0, "fit %d order %d n=%g", fit, order,
+                      n);
+                continue;
+            }
+            long double expected = zeta_by_the_book((burnish_fit)fit, order, n, level);
+            double error = (double)fabsl(zeta / expected - 1);
+            CHECK(status == BURNISH_LOBE_OK && error < 2e-15, "fit %d order %d n=%g Q=%g: %.17g",
+                  fit, order, n, level, zeta);
+            worst[fit] = fmax(worst[fit], error);
+
+            burnish_lobe lobe = {7, 7};
+            status = burnish_theory_lobe(&lobe, (burnish_fit)fit, order, n, level);
+            CHECK(status == BURNISH_LOBE_OK && lobe.zeta == (float)zeta && lobe.order == order,
+                  "fit %d order %d n=%g", fit, order, n);
+        }
+        printf("fit %d: largest relative error of zeta %.2g\n", fit, worst[fit]);
+    }
+}
+
+/* The header's lobes and the theory's are the same, whatever the float exponent. */
+static void check_same_as_header(void) {
+    static const burnish_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY, BURNISH_FIT_SHIFT7,
+                                       BURNISH_FIT_SHIFT3};
+    float n = 1;
+    for (int i = 0; i < 40000; ++i, n *= 1.000277f) {
+        burnish_fit fit = fits[i % 4];
+        int order = i % 4 < 2 ? 2 << i / 4 % 5 : 2;
+        burnish_lobe header = {7, 7}, theory = {8, 8};
+        burnish_lobe_status a = burnish_lobe_create(&header, fit, order, n);
+        burnish_lobe_status b = burnish_theory_lobe(&theory, fit, order, (double)n, 0.5);
+        CHECK(a == b && header.zeta == theory.zeta && header.order == theory.order,
+              "fit %d order %d n=%.9g", (int)fit, order, (double)n);
+    }
+    HOLDS(n > 60000 && n < 70000);
+}
+
+static double zeta_of(burnish_fit fit, int order, double n, double level) {
+    double zeta;
+    CHECK(burnish_theory_zeta(fit, order, n, level, &zeta) == BURNISH_LOBE_OK, "%d:%d %g", (int)fit,
+          order, n);
+    return zeta;
+}
+
+/* Integral over the hemisphere of value(c), times c when weighted, by Gauss-Legendre panels that end at
+ * the lobe's cutoff; the substitution c = 1 - t crowds the points where the lobe is. */
+static double integrate(double (*value)(double, const double *), const double *parameters,
+                        double cutoff, int weighted) {
+    static const double node[4] = {0.1834346424956498, 0.525532409916329, 0.7966664774136267,
+                                   0.9602898564975363};
+    static const double weight[4] = {0.362683783378362, 0.3137066458778873, 0.2223810344533745,
+                                     0.1012285362903763};
+    double sum = 0, end = 1 - fmax(0, cutoff);
+    for (double high = end; high > end * 1e-7; high /= 1.25) {
+        double half = 0.1 * high, centre = high - half; /* the panel [high / 1.25, high] */
+        for (int i = 0; i < 8; ++i) {
+            double c = 1 - (centre + (i & 1 ? half : -half) * node[i / 2]);
+            sum += half * weight[i / 2] * value(c, parameters) * (weighted ? c : 1);
+        }
+    }
+    return 6.283185307179586 * sum;
+}
+
+static double family_value(double c, const double *parameters) {
+    return burnish_theory_family(parameters[0], (int)parameters[1], c);
+}
+
+static double power_value(double c, const double *parameters) {
+    return burnish_theory_power(c, parameters[0]);
+}
+
+/* energy: equal solid-angle integrals. projected: equal cosine-weighted ones. */
+static void check_integrals(void) {
+    for (int i = 0; i < EXPONENT_COUNT; ++i) {
+        for (int order = 2; order <= 32; order *= 2) {
+            double n = exponents[i];
+            if (n < order) {
+                continue;
+            }
+            for (int weighted = 0; weighted < 2; ++weighted) {
+                burnish_fit fit = weighted ? BURNISH_FIT_PROJECTED : BURNISH_FIT_ENERGY;
+                double family[2] = {zeta_of(fit, order, n, 0.5), order};
+                double lobe = integrate(family_value, family, 1 - 1 / family[0], weighted);
+                double power = integrate(power_value, &n, 0, weighted);
+                CHECK(fabs(lobe / power - 1) < 2e-6, "%s:%d n=%g: %.12g, power %.12g",
+                      weighted ? "projected" : "energy", order, n, lobe, power);
+                double known = 6.283185307179586 / (weighted ? n + 2 : n + 1);
+                CHECK(fabs(power / known - 1) < 2e-6, "power n=%g: %.12g", n, power);
+            }
+        }
+    }
+}
+
+/* level(Q): the lobe meets the power where that is Q. */
+static void check_level(void) {
+    static const double levels[] = {0.01, 0.3, 0.5, 0.6065, 0.99};
+    for (int i = 0; i < EXPONENT_COUNT * 5; ++i) {
+        double n = exponents[i / 5], level = levels[i % 5];
+        for (int order = 2; order <= 32; order *= 2) {
+            if (!allowed(BURNISH_FIT_LEVEL, order, n)) {
+                continue;
+            }
+            double zeta = zeta_of(BURNISH_FIT_LEVEL, order, n, level);
+            double c = pow(level, 1 / n);
+            double lambda_error = n * order * DBL_EPSILON; /* of 1 - c, seen through the lobe */
+            CHECK(fabs(burnish_theory_power(c, n) - level) < 1e-15 + 2 * lambda_error, "n=%g", n);
+            CHECK(fabs(burnish_theory_family(zeta, order, c) - level) < 1e-14 + 2 * lambda_error,
+                  "level%g:%d n=%g", level, order, n);
+        }
+    }
+}
+
+/* What the fits tend to, and how they lie to each other. */
+static void check_limits(void) {
+    for (int order = 2; order <= 32; order *= 2) {
+        double m = order;
+        HOLDS(zeta_of(BURNISH_FIT_PROJECTED, order, m, 0.5) == 1);
+        HOLDS(zeta_of(BURNISH_FIT_ENERGY, order, m, 0.5) == 1);
+        HOLDS(zeta_of(BURNISH_FIT_TAYLOR, order, m, 0.5) == 1);
+        HOLDS(zeta_of(BURNISH_FIT_LEVEL, order, m, 0.5) == 1);
+        /* narrow lobes do not see the cosine's weight, and Q near 1 is the peak itself */
+        double energy = zeta_of(BURNISH_FIT_ENERGY, order, 65536, 0.5);
+        double projected = zeta_of(BURNISH_FIT_PROJECTED, order, 65536, 0.5);
+        CHECK(fabs(projected / energy - 1) < 1e-4, "%d: %.17g, %.17g", order, projected, energy);
+        double taylor = zeta_of(BURNISH_FIT_TAYLOR, order, 1000, 0.5);
+        double peak = zeta_of(BURNISH_FIT_LEVEL, order, 1000, 1 - 1e-9);
+        CHECK(fabs(peak / taylor - 1) < 1e-9, "%d: %.17g", order, peak);
+        double half = zeta_of(BURNISH_FIT_LEVEL, order, 65536, 0.5);
+        double limit = 65536 * (1 - pow(0.5, 1 / m)) / log(2);
+        CHECK(fabs(half / limit - 1) < 1e-5, "%d: %.17g, %.17g", order, half, limit);
+        for (int i = 0; i < EXPONENT_COUNT; ++i) {
+            double n = exponents[i];
+            if (n > m) {
+                double t = zeta_of(BURNISH_FIT_TAYLOR, order, n, 0.5);
+                HOLDS(zeta_of(BURNISH_FIT_ENERGY, order, n, 0.5) < t);
+                HOLDS(zeta_of(BURNISH_FIT_LEVEL, order, n, 0.5) < t);
+                HOLDS(zeta_of(BURNISH_FIT_LEVEL, order, n, 0.5) > 1);
+            }
+        }
+    }
+}
+
+static void check_refused(burnish_fit fit, int order, double n, double level,
+                          burnish_lobe_status expected) {
+    double zeta = 7;
+    burnish_lobe lobe = {7, 7};
+    burnish_lobe_status status = burnish_theory_zeta(fit, order, n, level, &zeta);
+    CHECK(status == expected && zeta == 0, "fit %d order %d n=%g Q=%g: %s", (int)fit, order, n,
+          level, burnish_lobe_status_text(status));
+    status = burnish_theory_lobe(&lobe, fit, order, n, level);
+    CHECK(status == expected && lobe.zeta == 0 && lobe.order == 0, "fit %d order %d n=%g Q=%g: %s",
+          (int)fit, order, n, level, burnish_lobe_status_text(status));
+}
+
+static void check_errors(void) {
+    static const double bad_levels[] = {0, 1, -0.5, 1.5, NAN, HUGE_VAL, -HUGE_VAL};
+    static const double bad_exponents[] = {0, 1 - 1e-15, 65536.00000001, NAN, HUGE_VAL, -10};
+    for (int i = 0; i < 7; ++i) {
+        check_refused(BURNISH_FIT_LEVEL, 2, 10, bad_levels[i], BURNISH_LOBE_ERROR_LEVEL);
+        HOLDS(zeta_of(BURNISH_FIT_ENERGY, 2, 8, bad_levels[i]) == 3); /* not read */
+    }
+    for (int fit = 0; fit < BURNISH_FIT_COUNT; ++fit) {
+        for (int i = 0; i < 6; ++i) {
+            check_refused((burnish_fit)fit, 2, bad_exponents[i], 0.5,
+                          BURNISH_LOBE_ERROR_EXPONENT);
+        }
+        check_refused((burnish_fit)fit, 3, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
+        check_refused((burnish_fit)fit, 64, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
+        int shift = fit == BURNISH_FIT_SHIFT7 || fit == BURNISH_FIT_SHIFT3;
+        check_refused((burnish_fit)fit, 16, 15.999, 0.5,
+                      shift ? BURNISH_LOBE_ERROR_ORDER : BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT);
+    }
+    check_refused(BURNISH_FIT_PROJECTED, 2, 1.999, 0.5, BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT);
+    check_refused(BURNISH_FIT_PROJECTED, 3, 1.999, 0.5, BURNISH_LOBE_ERROR_ORDER);
+    check_refused(BURNISH_FIT_COUNT, 2, 10, 0.5, BURNISH_LOBE_ERROR_FIT);
+    check_refused((burnish_fit)-1, 2, 10, 0.5, BURNISH_LOBE_ERROR_FIT);
+    check_refused((burnish_fit)1000, 3, NAN, 0.5, BURNISH_LOBE_ERROR_FIT);
+}
+
+static void check_values(void) {
+    HOLDS(burnish_theory_family(4, 2, 0.875) == 0.25 && burnish_theory_family(4, 4, 0.875) == 0.0625);
+    HOLDS(burnish_theory_family(4, 2, 0.75) == 0 && burnish_theory_family(4, 3, 1) == 0);
+    HOLDS(burnish_theory_family(0.25, 2, -1) == 0.25);
+    HOLDS(burnish_theory_power(0.5, 3) == 0.125 && burnish_theory_power(0, 3) == 0);
+    HOLDS(burnish_theory_power(0.25, 0) == 1 && burnish_theory_power(0, 0) == 0);
+    HOLDS(burnish_theory_power(-0.5, 2) == 0);
+    HOLDS(fabs(burnish_theory_schlick(0.5, 3) - 0.25) < 1e-16);
+    HOLDS(fabs(burnish_theory_gx(0.5, 6) - 0.1) < 1e-16);
+    HOLDS(fabs(burnish_theory_gaussian(0.5, 1.225) - exp(-1)) < 1e-16);
+    for (double c = 0.001; c < 1; c += 0.001) {
+        double n = 20, book = c / (n - n * c + c);
+        CHECK(fabs(burnish_theory_schlick(c, n) - book) < 1e-14, "schlick at %g", c);
+        book = c * c / (n / 2 + (1 - n / 2) * c * c);
+        CHECK(fabs(burnish_theory_gx(c, n) - book) < 1e-14, "gx at %g", c);
+        /* model.md: taylor <= power <= schlick for n >= 2 */
+        double power = burnish_theory_power(c, n);
+        CHECK(burnish_theory_family(n / 2, 2, c) <= power + 1e-15, "taylor at %g", c);
+        CHECK(power <= burnish_theory_schlick(c, n) + 1e-15, "power at %g", c);
+    }
+}
+
+/* Every value is finite and in [0, 1], NaN gives 0. */
+static void check_special_values(void) {
+    static const double special[] = {NAN,  HUGE_VAL, -HUGE_VAL, 0,   -0.0, 1,    -1,
+                                     2,    DBL_MAX,  -DBL_MAX,  0.5, 1e-320, 1 + DBL_EPSILON};
+    for (size_t i = 0; i < sizeof special / sizeof special[0]; ++i) {
+        double c = special[i];
+        double values[] = {burnish_theory_family(5, 2, c), burnish_theory_power(c, 10),
+                           burnish_theory_schlick(c, 10), burnish_theory_gaussian(c, 10),
+                           burnish_theory_gx(c, 10)};
+        double bad_parameter[] = {burnish_theory_family(NAN, 2, c), burnish_theory_power(c, NAN),
+                                  burnish_theory_schlick(c, NAN), burnish_theory_gaussian(c, NAN),
+                                  burnish_theory_gx(c, NAN)};
+        for (int k = 0; k < 5; ++k) {
+            CHECK(values[k] >= 0 && values[k] <= 1, "lobe %d at %g: %g", k, c, values[k]);
+            CHECK(!isnan(c) || values[k] == 0, "lobe %d at NaN: %g", k, values[k]);
+            CHECK(c < 1 || isnan(c) || values[k] == 1, "lobe %d at %g: %g", k, c, values[k]);
+            CHECK(bad_parameter[k] == 0, "lobe %d at %g: %g", k, c, bad_parameter[k]);
+        }
+    }
+}
+
+int main(void) {
+    check_formulas();
+    check_same_as_header();
+    check_integrals();
+    check_level();
+    check_limits();
+    check_errors();
+    check_values();
+    check_special_values();
+    return test_end("theory");
+}
