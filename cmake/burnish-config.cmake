@@ -1,7 +1,6 @@
 # find_package(burnish) gives the target burnish::burnish.
 include(CMakeFindDependencyMacro)
 find_dependency(PkgConfig)
-find_dependency(meshoptimizer)
 find_dependency(OpenMP COMPONENTS C)
 pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)

@@ -30,9 +30,10 @@ static inline burnish_status run_reader(burnish_format format, const void *bytes
                                   .open_beside = open_beside};
     *source = (burnish_source){0};
     *error = (burnish_error){0};
-    burnish_status status = format == BURNISH_FORMAT_OBJ   ? burnish_read_obj(&input, source, error)
-                            : format == BURNISH_FORMAT_PLY ? burnish_read_ply(&input, source, error)
-                                                           : burnish_read_stl(&input, source, error);
+    burnish_status status = format == BURNISH_FORMAT_OBJ ? burnish_read_obj(&input, source, error)
+                            : format == BURNISH_FORMAT_PLY
+                                ? burnish_read_ply(&input, source, error)
+                                : burnish_read_stl(&input, source, error);
     free(copy);
     return status;
 }
@@ -56,7 +57,9 @@ static inline void put(byte_list *list, const void *bytes, size_t size) {
     memcpy(list->bytes + list->size, bytes, size);
     list->size += size;
 }
-static inline void put_text(byte_list *list, const char *text) { put(list, text, strlen(text)); }
+static inline void put_text(byte_list *list, const char *text) {
+    put(list, text, strlen(text));
+}
 
 /* The low `size` bytes of bits in either order. */
 static inline void put_bits(byte_list *list, uint64_t bits, size_t size, int big_endian) {
@@ -86,8 +89,8 @@ static inline void put_stl(byte_list *list, const char *header, uint32_t count) 
     }
 }
 
-/* A square and a triangle with normals and colours in one of the three encodings: 0 ASCII, 1 little,
- * 2 big endian. Unknown properties and elements stand between. */
+/* A square and a triangle with normals and colours in one of the three encodings: 0 ASCII, 1
+ * little, 2 big endian. Unknown properties and elements stand between. */
 static inline void put_ply(byte_list *list, int encoding) {
     static const char *const names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
     static const float xyz[5][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5f, 2, -1.25f}};

@@ -1,6 +1,6 @@
 /* Sweeps over the bit patterns of a float: every lobe of burnish/lobe.h must give a finite value in
- * [0, 1] for each of them, the family must not decrease, and each must keep the accuracy that lobe.h
- * states. test_lobe takes strides through them, sweep_lobe all 2^32. */
+ * [0, 1] for each of them, the family must not decrease, and each must keep the accuracy that
+ * lobe.h states. test_lobe takes strides through them, sweep_lobe all 2^32. */
 #ifndef BURNISH_TEST_SWEEP_H
 #define BURNISH_TEST_SWEEP_H
 
@@ -58,8 +58,8 @@ static const sweep_case sweep_cases[] = {
 };
 enum { SWEEP_CASE_COUNT = sizeof sweep_cases / sizeof sweep_cases[0] };
 
-/* The accuracy that lobe.h states, for every exponent: largest errors, `absolute` in units of 2^-24,
- * `relative` in units in the last place where the exact value is at least 2^-10. */
+/* The accuracy that lobe.h states, for every exponent: largest errors, `absolute` in units of
+ * 2^-24, `relative` in units in the last place where the exact value is at least 2^-10. */
 typedef struct {
     sweep_kind kind;
     int order;
@@ -67,8 +67,8 @@ typedef struct {
 } sweep_bound;
 
 static const sweep_bound sweep_bounds[] = {
-    {SWEEP_FAMILY, 2, 2.25, 70}, {SWEEP_FAMILY, 4, 4, 30},    {SWEEP_FAMILY, 8, 8, 24},
-    {SWEEP_FAMILY, 16, 16, 32},  {SWEEP_FAMILY, 32, 32, 50},  {SWEEP_SCHLICK, 0, 1.75, 4},
+    {SWEEP_FAMILY, 2, 2.25, 70}, {SWEEP_FAMILY, 4, 4, 30},   {SWEEP_FAMILY, 8, 8, 24},
+    {SWEEP_FAMILY, 16, 16, 32},  {SWEEP_FAMILY, 32, 32, 50}, {SWEEP_SCHLICK, 0, 1.75, 4},
     {SWEEP_GX, 0, 2, 5.5},
 };
 enum { SWEEP_BOUND_COUNT = sizeof sweep_bounds / sizeof sweep_bounds[0] };
@@ -100,7 +100,9 @@ static inline float sweep_float(uint32_t bits) {
 }
 
 /* x clamped to [0, 1] in double; the values here are never NaN. */
-static inline double sweep_saturate(double x) { return x < 0 ? 0 : (x > 1 ? 1 : x); }
+static inline double sweep_saturate(double x) {
+    return x < 0 ? 0 : (x > 1 ? 1 : x);
+}
 
 /* The exact value of a lobe at a cosine, with a relative error of a few 2^-53. */
 static inline double sweep_exact(const sweep_case *c, burnish_lobe lobe, double cosine) {
@@ -183,8 +185,8 @@ static inline int sweep_accepts(const sweep_case *c, float x) {
         status = burnish_lobe_from_zeta(&lobe, x, c->order);
     }
     int made = status == BURNISH_LOBE_OK;
-    return made == wanted && (made ? lobe.zeta > 0 && lobe.order == c->order
-                                   : lobe.zeta == 0 && lobe.order == 0);
+    return made == wanted &&
+           (made ? lobe.zeta > 0 && lobe.order == c->order : lobe.zeta == 0 && lobe.order == 0);
 }
 
 /* Sweeps the bit patterns first, first + stride, ... below end (at most 2^32) into *result, which

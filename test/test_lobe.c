@@ -1,4 +1,5 @@
-/* burnish/lobe.h: reference values, arguments, special floats, and the sweeps of sweep.h in strides. */
+/* burnish/lobe.h: reference values, arguments, special floats, and the sweeps of sweep.h in
+ * strides. */
 #include <float.h>
 #include <math.h>
 
@@ -9,7 +10,8 @@
 
 #define HOLDS(condition) CHECK(condition, " ")
 
-/* ---- Reference values: test/data/lobes.csv ------------------------------------------------------ */
+/* ---- Reference values: test/data/lobes.csv ------------------------------------------------------
+ */
 
 /* One line: lobe,order,fit,exponent,cosine,zeta,value; columns that a lobe lacks are empty. */
 typedef struct {
@@ -19,8 +21,9 @@ typedef struct {
     double exponent, zeta, value;
 } reference;
 
-/* The largest errors that a kind of lobe may have: absolute in units of 2^-24, relative in units in the
- * last place where the value is at least 2^-10. For the family they include the rounding of zeta. */
+/* The largest errors that a kind of lobe may have: absolute in units of 2^-24, relative in units in
+ * the last place where the value is at least 2^-10. For the family they include the rounding of
+ * zeta. */
 typedef struct {
     const char *lobe, *fit;
     int order;
@@ -28,28 +31,17 @@ typedef struct {
 } accuracy;
 
 static const accuracy accuracy_table[] = {
-    {"family", "taylor", 2, 0.6, 2.2},
-    {"family", "taylor", 4, 2.5, 4.7},
-    {"family", "taylor", 8, 5.1, 8.3},
-    {"family", "taylor", 16, 9.1, 15},
-    {"family", "taylor", 32, 21.3, 21.3},
-    {"family", "energy", 2, 1.5, 11.8},
-    {"family", "energy", 4, 2.9, 8.1},
-    {"family", "energy", 8, 4.4, 9.2},
-    {"family", "energy", 16, 10.8, 12.7},
-    {"family", "energy", 32, 20.7, 20.7},
-    {"family", "level0.5", 2, 1.4, 7.2},
-    {"family", "level0.5", 4, 2.2, 7.9},
-    {"family", "level0.5", 8, 5.4, 7.9},
-    {"family", "level0.5", 16, 9.4, 9.4},
-    {"family", "level0.5", 32, 17.5, 19.8},
-    {"family", "shift7", 2, 1.5, 27.4},
-    {"family", "shift3", 2, 1.5, 6.1},
-    {"family", "projected", 2, 1.4, 46.6},
-    {"family", "projected", 4, 2.2, 7.6},
-    {"family", "projected", 8, 5.1, 9.3},
-    {"family", "projected", 16, 9.4, 12.5},
-    {"family", "projected", 32, 20.6, 20.6},
+    {"family", "taylor", 2, 0.6, 2.2},      {"family", "taylor", 4, 2.5, 4.7},
+    {"family", "taylor", 8, 5.1, 8.3},      {"family", "taylor", 16, 9.1, 15},
+    {"family", "taylor", 32, 21.3, 21.3},   {"family", "energy", 2, 1.5, 11.8},
+    {"family", "energy", 4, 2.9, 8.1},      {"family", "energy", 8, 4.4, 9.2},
+    {"family", "energy", 16, 10.8, 12.7},   {"family", "energy", 32, 20.7, 20.7},
+    {"family", "level0.5", 2, 1.4, 7.2},    {"family", "level0.5", 4, 2.2, 7.9},
+    {"family", "level0.5", 8, 5.4, 7.9},    {"family", "level0.5", 16, 9.4, 9.4},
+    {"family", "level0.5", 32, 17.5, 19.8}, {"family", "shift7", 2, 1.5, 27.4},
+    {"family", "shift3", 2, 1.5, 6.1},      {"family", "projected", 2, 1.4, 46.6},
+    {"family", "projected", 4, 2.2, 7.6},   {"family", "projected", 8, 5.1, 9.3},
+    {"family", "projected", 16, 9.4, 12.5}, {"family", "projected", 32, 20.6, 20.6},
     {"schlick", "", 0, 1.4, 1.9},
 };
 enum { ACCURACY_COUNT = sizeof accuracy_table / sizeof accuracy_table[0] };
@@ -151,7 +143,8 @@ static void check_row(const reference *row, sweep_result *results) {
             accuracy_table[i].order != row->order)) {
         ++i;
     }
-    if (CHECK(i < ACCURACY_COUNT, "no line of the accuracy table for %s %s:%d", row->lobe, row->fit, row->order)) {
+    if (CHECK(i < ACCURACY_COUNT, "no line of the accuracy table for %s %s:%d", row->lobe, row->fit,
+              row->order)) {
         sweep_compare(&results[i], value, row->value);
     }
 }
@@ -186,7 +179,8 @@ static void check_reference(void) {
     }
 }
 
-/* ---- Accuracy for any exponent ------------------------------------------------------------------ */
+/* ---- Accuracy for any exponent ------------------------------------------------------------------
+ */
 
 /* A fixed sequence of numbers in [0, 1) (splitmix64, Steele et al. 2014). */
 static double uniform(uint64_t *state) {
@@ -231,7 +225,8 @@ static void check_accuracy(void) {
     }
 }
 
-/* ---- Making lobes ------------------------------------------------------------------------------- */
+/* ---- Making lobes -------------------------------------------------------------------------------
+ */
 
 static int is_dark(burnish_lobe lobe) {
     return lobe.zeta == 0 && lobe.order == 0 && burnish_lobe_at_cosine(lobe, 1) == 0 &&
@@ -241,7 +236,8 @@ static int is_dark(burnish_lobe lobe) {
 }
 
 /* burnish_lobe_create and burnish_theory_lobe both refuse, with the same status and a dark lobe. */
-static void check_refused(burnish_fit fit, int order, float exponent, burnish_lobe_status expected) {
+static void check_refused(burnish_fit fit, int order, float exponent,
+                          burnish_lobe_status expected) {
     burnish_lobe lobe = {7, 7};
     burnish_lobe_status status = burnish_lobe_create(&lobe, fit, order, exponent);
     CHECK(status == expected && is_dark(lobe), "fit %d order %d exponent %g: %s", (int)fit, order,
@@ -253,9 +249,9 @@ static void check_refused(burnish_fit fit, int order, float exponent, burnish_lo
 }
 
 static void check_errors(void) {
-    static const float bad_exponents[] = {0,         -0.0f,    -1,        0.999999940f, 65536.0078f,
-                                          FLT_MAX,   -FLT_MAX, FLT_MIN,   INFINITY,     -INFINITY,
-                                          NAN,       -NAN};
+    static const float bad_exponents[] = {0,           -0.0f,     -1,       0.999999940f,
+                                          65536.0078f, FLT_MAX,   -FLT_MAX, FLT_MIN,
+                                          INFINITY,    -INFINITY, NAN,      -NAN};
     static const int bad_orders[] = {0, 1, 3, 5, 6, 7, 12, 24, 31, 33, 64, -2, -32, 2147483647};
     static const burnish_fit plain[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY};
     static const burnish_fit shifts[] = {BURNISH_FIT_SHIFT7, BURNISH_FIT_SHIFT3};
@@ -294,8 +290,8 @@ static void check_errors(void) {
 }
 
 static void check_from_zeta(void) {
-    static const float bad[] = {0,   -0.0f, -1,        65536.0078f, FLT_MAX, INFINITY, -INFINITY,
-                                NAN, -NAN,  -FLT_MIN};
+    static const float bad[] = {0,        -0.0f,     -1,  65536.0078f, FLT_MAX,
+                                INFINITY, -INFINITY, NAN, -NAN,        -FLT_MIN};
     burnish_lobe lobe;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         lobe.zeta = 7, lobe.order = 7;
@@ -336,7 +332,8 @@ static void check_status_texts(void) {
     CHECK_TEXT(burnish_lobe_status_text((burnish_lobe_status)1000), "unknown status");
 }
 
-/* ---- Evaluating lobes --------------------------------------------------------------------------- */
+/* ---- Evaluating lobes ---------------------------------------------------------------------------
+ */
 
 static burnish_lobe make(burnish_fit fit, int order, float exponent) {
     burnish_lobe lobe;
@@ -376,7 +373,8 @@ static void check_special_floats(void) {
             HOLDS(burnish_lobe_at_cosine(lobe, -INFINITY) == 0);
             HOLDS(burnish_lobe_at_lambda(lobe, INFINITY) == 0);
             HOLDS(burnish_lobe_at_lambda(lobe, -INFINITY) == 1);
-            HOLDS(burnish_lobe_at_lambda(lobe, -1) == 1 && burnish_lobe_at_lambda(lobe, -0.0f) == 1);
+            HOLDS(burnish_lobe_at_lambda(lobe, -1) == 1 &&
+                  burnish_lobe_at_lambda(lobe, -0.0f) == 1);
             HOLDS(burnish_lobe_at_lambda(lobe, 0x1p-149f) == 1);
             HOLDS(burnish_lobe_at_cosine(lobe, FLT_MAX) == 1);
             HOLDS(burnish_lobe_at_cosine(lobe, -FLT_MAX) == 0);
@@ -429,7 +427,8 @@ static void check_chord(void) {
     const float a[3] = {0, 0x1p-14f, 1}, b[3] = {0, 0, 1};
     burnish_lobe lobe = make(BURNISH_FIT_TAYLOR, 2, 65536);
     HOLDS(burnish_lobe_chord(a, b) == 0x1p-29f);
-    HOLDS(burnish_lobe_at_lambda(lobe, burnish_lobe_chord(a, b)) == (1 - 0x1p-14f) * (1 - 0x1p-14f));
+    HOLDS(burnish_lobe_at_lambda(lobe, burnish_lobe_chord(a, b)) ==
+          (1 - 0x1p-14f) * (1 - 0x1p-14f));
     HOLDS(burnish_lobe_at_cosine(lobe, a[1] * b[1] + a[2] * b[2]) == 1);
 }
 
@@ -441,8 +440,8 @@ static void check_lyon_factor(void) {
         far = fmax(far, error);
         near = s >= 0.9 && s <= 1.1 ? fmax(near, error) : near;
     }
-    printf("lyon's normalisation: relative error %.5f for s in [.9, 1.1], %.4f in [.5, 1.5]\n", near,
-           far);
+    printf("lyon's normalisation: relative error %.5f for s in [.9, 1.1], %.4f in [.5, 1.5]\n",
+           near, far);
     HOLDS(near > 0 && near < 0.0004 && far < 0.05);
     HOLDS(burnish_lyon_normalize_factor(1) == 1);
     HOLDS(burnish_lyon_normalize_factor(0) == 1.875f);
@@ -459,8 +458,8 @@ static void tilt(uint64_t *state, double angle, double scale, float out[3]) {
     out[2] = (float)(scale * cos(angle));
 }
 
-/* Lyon's lobe is the taylor fit: the same bits from the chord, nearly the same from vectors whose squared
- * lengths are off by up to 10 %. */
+/* Lyon's lobe is the taylor fit: the same bits from the chord, nearly the same from vectors whose
+ * squared lengths are off by up to 10 %. */
 static void check_lyon(void) {
     uint64_t state = 5;
     double worst = 0;

@@ -42,7 +42,8 @@ static void random_decimal(uint64_t *state, char *out, size_t size) {
                  (unsigned long long)next_random(state));
         break;
     default: /* halfway between two doubles: 2^53 + 1 + 2k, exactly and with a tail */
-        snprintf(out, size, "%llu%s", (unsigned long long)(UINT64_C(9007199254740993) + (bits & 1022)),
+        snprintf(out, size, "%llu%s",
+                 (unsigned long long)(UINT64_C(9007199254740993) + (bits & 1022)),
                  bits & 1024 ? ".0000000000000000000000000000001" : "");
     }
 }
@@ -108,32 +109,45 @@ static void test_number_grammar(void) {
         burnish_number_status status;
         double value;
     } cases[] = {
-        {".5", BURNISH_NUMBER_OK, 0.5},          {"5.", BURNISH_NUMBER_OK, 5},
-        {"+1e2", BURNISH_NUMBER_OK, 100},        {"-1.25E-1", BURNISH_NUMBER_OK, -0.125},
-        {"007", BURNISH_NUMBER_OK, 7},           {"", BURNISH_NUMBER_GARBAGE, 0},
-        {"-", BURNISH_NUMBER_GARBAGE, 0},        {".", BURNISH_NUMBER_GARBAGE, 0},
-        {"1e", BURNISH_NUMBER_GARBAGE, 0},       {"1e+", BURNISH_NUMBER_GARBAGE, 0},
-        {"0x10", BURNISH_NUMBER_GARBAGE, 0},     {"1,5", BURNISH_NUMBER_GARBAGE, 0},
-        {"1.5f", BURNISH_NUMBER_GARBAGE, 0},     {"--1", BURNISH_NUMBER_GARBAGE, 0},
-        {"e5", BURNISH_NUMBER_GARBAGE, 0},       {"1.2.3", BURNISH_NUMBER_GARBAGE, 0},
-        {"nan", BURNISH_NUMBER_NOT_FINITE, 0},   {"-NaN(ind)", BURNISH_NUMBER_NOT_FINITE, 0},
-        {"Infinity", BURNISH_NUMBER_NOT_FINITE, 0}, {"-inf", BURNISH_NUMBER_NOT_FINITE, 0},
-        {"-1.#IND", BURNISH_NUMBER_NOT_FINITE, 0}, {"3.5e38", BURNISH_NUMBER_RANGE, 0},
-        {"-1e999", BURNISH_NUMBER_RANGE, 0},     {"1e-60", BURNISH_NUMBER_OK, 0},
+        {".5", BURNISH_NUMBER_OK, 0.5},
+        {"5.", BURNISH_NUMBER_OK, 5},
+        {"+1e2", BURNISH_NUMBER_OK, 100},
+        {"-1.25E-1", BURNISH_NUMBER_OK, -0.125},
+        {"007", BURNISH_NUMBER_OK, 7},
+        {"", BURNISH_NUMBER_GARBAGE, 0},
+        {"-", BURNISH_NUMBER_GARBAGE, 0},
+        {".", BURNISH_NUMBER_GARBAGE, 0},
+        {"1e", BURNISH_NUMBER_GARBAGE, 0},
+        {"1e+", BURNISH_NUMBER_GARBAGE, 0},
+        {"0x10", BURNISH_NUMBER_GARBAGE, 0},
+        {"1,5", BURNISH_NUMBER_GARBAGE, 0},
+        {"1.5f", BURNISH_NUMBER_GARBAGE, 0},
+        {"--1", BURNISH_NUMBER_GARBAGE, 0},
+        {"e5", BURNISH_NUMBER_GARBAGE, 0},
+        {"1.2.3", BURNISH_NUMBER_GARBAGE, 0},
+        {"nan", BURNISH_NUMBER_NOT_FINITE, 0},
+        {"-NaN(ind)", BURNISH_NUMBER_NOT_FINITE, 0},
+        {"Infinity", BURNISH_NUMBER_NOT_FINITE, 0},
+        {"-inf", BURNISH_NUMBER_NOT_FINITE, 0},
+        {"-1.#IND", BURNISH_NUMBER_NOT_FINITE, 0},
+        {"3.5e38", BURNISH_NUMBER_RANGE, 0},
+        {"-1e999", BURNISH_NUMBER_RANGE, 0},
+        {"1e-60", BURNISH_NUMBER_OK, 0},
     };
     burnish_number_reader reader = {0};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         float value = 0;
-        burnish_number_status status = burnish_parse_float(
-            &reader, (const uint8_t *)cases[i].text, strlen(cases[i].text), &value);
+        burnish_number_status status = burnish_parse_float(&reader, (const uint8_t *)cases[i].text,
+                                                           strlen(cases[i].text), &value);
         CHECK(status == cases[i].status && (double)value == cases[i].value, "\"%s\": %d, %g",
               cases[i].text, (int)status, (double)value);
     }
     float largest = 0;
-    CHECK_THAT(burnish_parse_float(&reader, (const uint8_t *)"3.4028235677973366e38", 21, &largest) ==
-              BURNISH_NUMBER_RANGE);
-    CHECK_THAT(burnish_parse_float(&reader, (const uint8_t *)"3.4028235677973362e38", 21, &largest) ==
-              BURNISH_NUMBER_OK && largest == FLT_MAX);
+    CHECK_THAT(burnish_parse_float(&reader, (const uint8_t *)"3.4028235677973366e38", 21,
+                                   &largest) == BURNISH_NUMBER_RANGE);
+    CHECK_THAT(burnish_parse_float(&reader, (const uint8_t *)"3.4028235677973362e38", 21,
+                                   &largest) == BURNISH_NUMBER_OK &&
+               largest == FLT_MAX);
     burnish_number_reader_close(&reader);
 }
 
@@ -214,17 +228,27 @@ static int triangle_is(const burnish_source *s, size_t i, uint32_t a, uint32_t b
 static void test_obj(void) {
     burnish_source s;
     burnish_error e;
-    CHECK(read_text(BURNISH_FORMAT_OBJ,
-                    "\xEF\xBB\xBF# a square\r\no thing\r\ng a b\r\ns off\r\nv 0 0 0\r\nv 1 0 0 1.0\r\n"
-                    "v 1 1 -2.5e-1 \\\r\n  # the rest\r\nv 0 \\\n 1 0\r\nvt 0 0\rvn 0 0 1\n"
-                    "vn nan 0 0\nfoo bar\n\n  f 1/1/1 2/1/1 -2//-2 4/1 # end\nf -4/ -3// 3",
-                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK(read_text(
+              BURNISH_FORMAT_OBJ,
+              "\xEF\xBB\xBF# a square\r\no thing\r\ng a b\r\ns off\r\nv 0 0 0\r\nv 1 0 0 1.0\r\n"
+              "v 1 1 -2.5e-1 \\\r\n  # the rest\r\nv 0 \\\n 1 0\r\nvt 0 0\rvn 0 0 1\n"
+              "vn nan 0 0\nfoo bar\n\n  f 1/1/1 2/1/1 -2//-2 4/1 # end\nf -4/ -3// 3",
+              &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
     CHECK_THAT(s.position_count == 4 && s.normal_count == 2 && s.triangle_count == 3);
     CHECK_THAT(position_is(&s, 1, 1, 0, 0) && position_is(&s, 2, 1, 1, -0.25f) &&
-          position_is(&s, 3, 0, 1, 0));
-    CHECK_THAT(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) && triangle_is(&s, 2, 0, 1, 2));
-    static const uint32_t normals[9] = {0, 0, 0, 0, 0, BURNISH_SOURCE_NONE, BURNISH_SOURCE_NONE,
-                                        BURNISH_SOURCE_NONE, BURNISH_SOURCE_NONE};
+               position_is(&s, 3, 0, 1, 0));
+    CHECK_THAT(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) &&
+               triangle_is(&s, 2, 0, 1, 2));
+    static const uint32_t normals[9] = {0,
+                                        0,
+                                        0,
+                                        0,
+                                        0,
+                                        BURNISH_SOURCE_NONE,
+                                        BURNISH_SOURCE_NONE,
+                                        BURNISH_SOURCE_NONE,
+                                        BURNISH_SOURCE_NONE};
     CHECK_THAT(s.corner_normals && memcmp(s.corner_normals, normals, sizeof normals) == 0);
     CHECK_THAT(s.normals[2] == 1 && s.normals[3] == 0);
     CHECK_THAT(!s.colors && !s.triangle_materials && s.material_count == 1 && s.warning_count == 0);
@@ -234,11 +258,13 @@ static void test_obj(void) {
 static void test_obj_colors(void) {
     burnish_source s;
     burnish_error e;
-    static const uint8_t expected[] = {255, 255, 255, 255, 255, 128, 0, 255,
+    static const uint8_t expected[] = {255, 255, 255, 255, 255, 128, 0,   255,
                                        0,   255, 51,  255, 255, 255, 255, 255};
-    CHECK(read_text(BURNISH_FORMAT_OBJ,
-                    "v 0 0 0\nv 1 0 0 1 .5 0\nv 0 1 0 -1 2 .2\nv 0 0 1\nf 1 2 3\nl 1 2\np 1\nf 1 2\n",
-                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK(
+        read_text(BURNISH_FORMAT_OBJ,
+                  "v 0 0 0\nv 1 0 0 1 .5 0\nv 0 1 0 -1 2 .2\nv 0 0 1\nf 1 2 3\nl 1 2\np 1\nf 1 2\n",
+                  &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
     CHECK_THAT(s.colors && memcmp(s.colors, expected, sizeof expected) == 0);
     if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
         CHECK_TEXT(s.warnings[0], "mesh.obj:6: lines and points were ignored");
@@ -252,13 +278,15 @@ static void test_obj_colors(void) {
 static void test_obj_polygons(void) {
     burnish_source s;
     burnish_error e;
-    CHECK(read_text(BURNISH_FORMAT_OBJ, "v 0 0 0\nv 2 -2 0\nv 1 0 0\nv 2 2 0\nf 1 2 3 4\nf 2 3 4 1\n",
-                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK(read_text(BURNISH_FORMAT_OBJ,
+                    "v 0 0 0\nv 2 -2 0\nv 1 0 0\nv 2 2 0\nf 1 2 3 4\nf 2 3 4 1\n", &s,
+                    &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
     double area = 0;
     for (size_t t = 0; t < s.triangle_count; ++t) {
         const uint32_t *c = s.corner_positions + 3 * t;
-        double part = triangle_area(s.positions + 3 * c[0], s.positions + 3 * c[1],
-                                    s.positions + 3 * c[2]);
+        double part =
+            triangle_area(s.positions + 3 * c[0], s.positions + 3 * c[1], s.positions + 3 * c[2]);
         CHECK(part > 0, "triangle %zu: %g", t, part);
         area += part;
     }
@@ -276,7 +304,8 @@ static void test_obj_polygons(void) {
         length += (size_t)snprintf(text + length, sizeof text - length, " %d", i);
     }
     CHECK(read_text(BURNISH_FORMAT_OBJ, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
-    CHECK_THAT(s.triangle_count == CORNERS - 2 && triangle_is(&s, CORNERS - 3, 0, CORNERS - 2, CORNERS - 1));
+    CHECK_THAT(s.triangle_count == CORNERS - 2 &&
+               triangle_is(&s, CORNERS - 3, 0, CORNERS - 2, CORNERS - 1));
     burnish_source_destroy(&s);
 }
 
@@ -318,7 +347,8 @@ static void test_mtl(void) {
     burnish_error e = {0};
     burnish_material grey = burnish_material_default();
     CHECK(burnish_read_mtl((const uint8_t *)library, sizeof library - 1, "a.mtl", &mtl, &e) ==
-              BURNISH_STATUS_OK, "%s", e.text);
+              BURNISH_STATUS_OK,
+          "%s", e.text);
     if (CHECK_THAT(mtl.count == 5)) {
         const burnish_material *red = &mtl.entries[0].material, *dull = &mtl.entries[1].material;
         const burnish_material *matt = &mtl.entries[2].material, *bare = &mtl.entries[3].material;
@@ -338,28 +368,36 @@ static void test_mtl(void) {
 }
 
 static void test_obj_materials(void) {
-    static const char library[] = "newmtl a\nKd 1 0 0\nNs 0.5\nnewmtl b\nKd 0 1 0\nnewmtl a\nKd 1 1 1\n";
+    static const char library[] =
+        "newmtl a\nKd 1 0 0\nNs 0.5\nnewmtl b\nKd 0 1 0\nnewmtl a\nKd 1 1 1\n";
     burnish_source s;
     burnish_error e;
-    CHECK(read_with_library("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nusemtl b\nusemtl a\n"
-                            "f 1 2 3 4\nusemtl b\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl none\nf 1 2 3\n"
-                            "mtllib my parts\\a b.mtl\nmtllib my parts\\a b.mtl\n",
-                            library, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK(
+        read_with_library("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nusemtl b\nusemtl a\n"
+                          "f 1 2 3 4\nusemtl b\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl none\nf 1 2 3\n"
+                          "mtllib my parts\\a b.mtl\nmtllib my parts\\a b.mtl\n",
+                          library, &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
     static const uint16_t expected[] = {0, 1, 1, 2, 1, 0};
     CHECK_THAT(s.triangle_count == 6 && s.material_count == 3);
-    CHECK_THAT(s.triangle_materials && memcmp(s.triangle_materials, expected, sizeof expected) == 0);
+    CHECK_THAT(s.triangle_materials &&
+               memcmp(s.triangle_materials, expected, sizeof expected) == 0);
     CHECK_THAT(!s.materials[0].has_diffuse && color_is(s.materials[1].diffuse, 1, 0, 0) &&
-          color_is(s.materials[2].diffuse, 0, 1, 0));
+               color_is(s.materials[2].diffuse, 0, 1, 0));
     if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
-        CHECK_TEXT(s.warnings[0], "my parts/a b.mtl:3: Ns 0.5 is not in [1, 65536] and was taken as 1");
+        CHECK_TEXT(s.warnings[0],
+                   "my parts/a b.mtl:3: Ns 0.5 is not in [1, 65536] and was taken as 1");
         CHECK_TEXT(s.warnings[1],
                    "mesh.obj: material \"none\" is in no material library; it is burnish's grey");
     }
     burnish_source_destroy(&s);
 
-    CHECK(read_with_library("mtllib my parts/a b.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
-                            library, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
-    CHECK_THAT(s.material_count == 1 && !s.triangle_materials && color_is(s.materials[0].diffuse, 0, 1, 0));
+    CHECK(
+        read_with_library("mtllib my parts/a b.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                          library, &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    CHECK_THAT(s.material_count == 1 && !s.triangle_materials &&
+               color_is(s.materials[0].diffuse, 0, 1, 0));
     burnish_source_destroy(&s);
 }
 
@@ -404,7 +442,8 @@ static void test_stl(void) {
                     "vertex 0 1.5 -2e1\nendloop\nendfacet\nendsolid one\n"
                     "solid\nfacet normal nan nan nan\nouter loop\nvertex 3 0 0\nvertex 4 0 0\n"
                     "vertex 3 1 0\nendloop\nendfacet\nendsolid",
-                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+                    &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
     CHECK_THAT(s.triangle_count == 2 && s.position_count == 6 && s.normal_count == 0);
     CHECK_THAT(position_is(&s, 2, 0, 1.5f, -20) && position_is(&s, 5, 3, 1, 0));
     CHECK_THAT(triangle_is(&s, 1, 3, 4, 5));
@@ -412,7 +451,8 @@ static void test_stl(void) {
 }
 
 static void test_binary_stl(void) {
-    static const char *const headers[] = {"", "solid made by a CAD program", "solid x\nfacet normal"};
+    static const char *const headers[] = {"", "solid made by a CAD program",
+                                          "solid x\nfacet normal"};
     burnish_load_options options = burnish_load_options_default();
     burnish_source s;
     burnish_error e;
@@ -422,9 +462,10 @@ static void test_binary_stl(void) {
             put_stl(&list, headers[h], 3);
             put(&list, "xyz", more);
             CHECK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e) ==
-                      BURNISH_STATUS_OK, "%s", e.text);
+                      BURNISH_STATUS_OK,
+                  "%s", e.text);
             CHECK_THAT(s.triangle_count == 3 && position_is(&s, 7, 3, 0, 0) &&
-                  position_is(&s, 8, 2, 1, 0.5f));
+                       position_is(&s, 8, 2, 1, 0.5f));
             CHECK_THAT(s.warning_count == (more > 0));
             if (more == 2 && s.warning_count == 1) {
                 CHECK_TEXT(s.warnings[0],
@@ -445,15 +486,16 @@ static void test_ply(void) {
         burnish_error e;
         put_ply(&list, encoding);
         CHECK(run_reader(BURNISH_FORMAT_PLY, list.bytes, list.size, &options, NULL, &s, &e) ==
-                  BURNISH_STATUS_OK, "%d: %s", encoding, e.text);
+                  BURNISH_STATUS_OK,
+              "%d: %s", encoding, e.text);
         CHECK_THAT(s.position_count == 5 && s.normal_count == 5 && s.triangle_count == 3);
         CHECK_THAT(position_is(&s, 2, 1, 1, 0) && position_is(&s, 4, 0.5f, 2, -1.25f));
         CHECK_THAT(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) &&
-              triangle_is(&s, 2, 3, 2, 4));
+                   triangle_is(&s, 2, 3, 2, 4));
         CHECK_THAT(s.corner_normals && memcmp(s.corner_normals, s.corner_positions, 9 * 4) == 0);
         CHECK_THAT(s.normals[14] == 1 && s.normals[12] == 0);
         CHECK_THAT(s.colors && s.colors[16] == 40 && s.colors[17] == 80 && s.colors[18] == 120 &&
-              s.colors[19] == 251);
+                   s.colors[19] == 251);
         burnish_source_destroy(&s);
     }
 }
@@ -462,20 +504,25 @@ static void test_ply(void) {
 static void test_ply_variants(void) {
     burnish_source s;
     burnish_error e;
-    CHECK(read_text(BURNISH_FORMAT_PLY,
-                    "ply\r\nformat ascii 1.0\r\nelement face 1\r\nproperty list uint8 uint16 vertex_index\r\n"
-                    "element vertex 4\r\nproperty double x\r\nproperty int16 y\r\nproperty char z\r\n"
-                    "property float diffuse_red\r\nproperty float diffuse_green\r\n"
-                    "property float diffuse_blue\r\nproperty list int int extra\r\nend_header\r\n"
-                    "4 0 1 2 3\r\n0 0 0 0 .5 1 0\r\n2 -2 0 1 2 -1 2 7 7\r\n1 0 0 nan 0 0 0\r\n2 2 0 0 0 0 0",
-                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
-    static const uint8_t colors[] = {0, 128, 255, 255, 255, 255, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255};
+    CHECK(
+        read_text(BURNISH_FORMAT_PLY,
+                  "ply\r\nformat ascii 1.0\r\nelement face 1\r\nproperty list uint8 uint16 "
+                  "vertex_index\r\n"
+                  "element vertex 4\r\nproperty double x\r\nproperty int16 y\r\nproperty char z\r\n"
+                  "property float diffuse_red\r\nproperty float diffuse_green\r\n"
+                  "property float diffuse_blue\r\nproperty list int int extra\r\nend_header\r\n"
+                  "4 0 1 2 3\r\n0 0 0 0 .5 1 0\r\n2 -2 0 1 2 -1 2 7 7\r\n1 0 0 nan 0 0 0\r\n2 2 0 "
+                  "0 0 0 0",
+                  &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    static const uint8_t colors[] = {0, 128, 255, 255, 255, 255, 0, 255,
+                                     0, 0,   0,   255, 0,   0,   0, 255};
     CHECK_THAT(s.triangle_count == 2 && s.position_count == 4 && !s.corner_normals);
     CHECK_THAT(s.colors && memcmp(s.colors, colors, sizeof colors) == 0);
     for (size_t t = 0; t < s.triangle_count; ++t) { /* cut by positions that come later */
         const uint32_t *c = s.corner_positions + 3 * t;
         CHECK_THAT(triangle_area(s.positions + 3 * c[0], s.positions + 3 * c[1],
-                            s.positions + 3 * c[2]) == 1);
+                                 s.positions + 3 * c[2]) == 1);
     }
     burnish_source_destroy(&s);
 
@@ -486,10 +533,11 @@ static void test_ply_variants(void) {
                     "property list int int vertex_indices\nend_header\n"
                     "0 0 0 65535 0 257 1 0 0 0 0 0 0 1 0 0 0 0 1 1 0 0 0 0 0 2 0 0 0 0\n"
                     "13 0 1 2 3 4 -1 4 3 2 2 -1 0 1\n",
-                    &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+                    &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
     CHECK(s.triangle_count == 4, "%zu", s.triangle_count);
-    CHECK_THAT(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 2, 1, 3) && triangle_is(&s, 2, 2, 3, 4) &&
-          triangle_is(&s, 3, 4, 3, 2));
+    CHECK_THAT(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 2, 1, 3) &&
+               triangle_is(&s, 2, 2, 3, 4) && triangle_is(&s, 3, 4, 3, 2));
     CHECK_THAT(s.colors && s.colors[0] == 255 && s.colors[1] == 0 && s.colors[2] == 1);
     burnish_source_destroy(&s);
 }
@@ -497,9 +545,14 @@ static void test_ply_variants(void) {
 /* After "\r" line ends the body may start with a byte that looks like "\n". */
 static void test_ply_line_ends(void) {
     static const char *const ends[] = {"\n", "\r\n", "\r"};
-    static const char *const lines[] = {"ply", "format binary_little_endian 1.0", "element vertex 3",
-                                        "property uchar x", "property uchar y", "property uchar z",
-                                        "element face 1", "property list uchar uchar vertex_indices",
+    static const char *const lines[] = {"ply",
+                                        "format binary_little_endian 1.0",
+                                        "element vertex 3",
+                                        "property uchar x",
+                                        "property uchar y",
+                                        "property uchar z",
+                                        "element face 1",
+                                        "property list uchar uchar vertex_indices",
                                         "end_header"};
     static const uint8_t body[] = {10, 13, 10, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2};
     burnish_load_options options = burnish_load_options_default();
@@ -513,7 +566,8 @@ static void test_ply_line_ends(void) {
         }
         put(&list, body, sizeof body);
         CHECK(run_reader(BURNISH_FORMAT_PLY, list.bytes, list.size, &options, NULL, &s, &e) ==
-                  BURNISH_STATUS_OK, "%zu: %s", k, e.text);
+                  BURNISH_STATUS_OK,
+              "%zu: %s", k, e.text);
         CHECK_THAT(s.triangle_count == 1 && position_is(&s, 0, 10, 13, 10));
         burnish_source_destroy(&s);
     }
@@ -526,9 +580,9 @@ static void test_guess(void) {
         const char *bytes, *name;
         burnish_format format;
     } cases[] = {
-        {"", "A.OBJ", BURNISH_FORMAT_OBJ},      {"", "dir/a.Stl", BURNISH_FORMAT_STL},
-        {"", "a.ply", BURNISH_FORMAT_PLY},      {"ply\r\n", "a.obj", BURNISH_FORMAT_PLY},
-        {"solid x", "-", BURNISH_FORMAT_STL},   {"# hi\n\nv 0 0 0\n", NULL, BURNISH_FORMAT_OBJ},
+        {"", "A.OBJ", BURNISH_FORMAT_OBJ},       {"", "dir/a.Stl", BURNISH_FORMAT_STL},
+        {"", "a.ply", BURNISH_FORMAT_PLY},       {"ply\r\n", "a.obj", BURNISH_FORMAT_PLY},
+        {"solid x", "-", BURNISH_FORMAT_STL},    {"# hi\n\nv 0 0 0\n", NULL, BURNISH_FORMAT_OBJ},
         {"mtllib x", "obj", BURNISH_FORMAT_OBJ}, {"GIF89a", "picture", BURNISH_FORMAT_AUTO},
         {"", "", BURNISH_FORMAT_AUTO},
     };
@@ -550,7 +604,8 @@ static void test_files(void) {
           "%s", e.text);
     if (scene) {
         CHECK_THAT(burnish_scene_mesh(scene)->triangle_count == 12);
-        CHECK_THAT(burnish_scene_material_count(scene) == 2 && burnish_scene_warning_count(scene) == 0);
+        CHECK_THAT(burnish_scene_material_count(scene) == 2 &&
+                   burnish_scene_warning_count(scene) == 0);
         CHECK_THAT(color_is(burnish_scene_material(scene, 0)->diffuse, 0.8f, 0.2f, 0.1f));
         CHECK_THAT(burnish_scene_format(scene) == BURNISH_FORMAT_OBJ);
     }
@@ -562,7 +617,8 @@ static void test_files(void) {
     byte_list list = {.size = 0};
     put_ply(&list, 1);
     CHECK(burnish_scene_load_memory(list.bytes, list.size, NULL, &options, &scene, &e) ==
-              BURNISH_STATUS_OK, "%s", e.text);
+              BURNISH_STATUS_OK,
+          "%s", e.text);
     CHECK_THAT(scene && burnish_scene_format(scene) == BURNISH_FORMAT_PLY);
     burnish_scene_destroy(scene);
 }
@@ -572,8 +628,8 @@ static void test_standard_input(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_scene *scene = NULL;
     burnish_error e = {0};
-    FILE *pipe = popen("head -c 300000 /dev/zero | tr '\\0' '#'; echo; cat " TEST_DATA_DIR "/cube.obj",
-                       "r");
+    FILE *pipe =
+        popen("head -c 300000 /dev/zero | tr '\\0' '#'; echo; cat " TEST_DATA_DIR "/cube.obj", "r");
     int saved = dup(STDIN_FILENO);
     if (!CHECK_THAT(pipe && saved >= 0 && dup2(fileno(pipe), STDIN_FILENO) == STDIN_FILENO)) {
         return;

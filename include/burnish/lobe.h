@@ -1,58 +1,60 @@
 /* burnish/lobe.h: a family of specular lobes that needs no pow, no division and no libm.
  *
- * What it is. A specular highlight of the Phong and Blinn models is cos(angle)^n. This header offers
- * in its place
+ * What it is. A specular highlight of the Phong and Blinn models is cos(angle)^n. This header
+ * offers in its place
  *
  *     S(c) = u^m,   u = min(1, max(0, 1 - zeta (1 - c))),   m = 2, 4, 8, 16 or 32,
  *
- * where c is the cosine of the lobe angle (R.V for Phong, N.H for Blinn), m, the order, costs log2(m)
- * squarings and is the quality dial, and zeta follows from the exponent n by a fit, the shape dial. The
- * lobe is 1 at c = 1 and exactly 0 from the cutoff cosine 1 - 1/zeta downward.
+ * where c is the cosine of the lobe angle (R.V for Phong, N.H for Blinn), m, the order, costs
+ * log2(m) squarings and is the quality dial, and zeta follows from the exponent n by a fit, the
+ * shape dial. The lobe is 1 at c = 1 and exactly 0 from the cutoff cosine 1 - 1/zeta downward.
  *
  * How to use it.
  *   1. Copy this file; it includes nothing. Compile with -ffp-contract=off where bits matter.
- *   2. Once per material:  burnish_lobe lobe;
- *                          if (burnish_lobe_create(&lobe, BURNISH_FIT_ENERGY, 2, shininess)) { ... }
+ *   2. Once per material (a status other than BURNISH_LOBE_OK leaves a lobe that is 0 everywhere):
+ *          burnish_lobe lobe;
+ *          status = burnish_lobe_create(&lobe, BURNISH_FIT_ENERGY, 2, shininess);
  *   3. Once per light and pixel, where N.L > 0:
- *                          specular = burnish_lobe_at_cosine(lobe, n_dot_h);
- *      or, for large exponents or coarse vectors, from the vectors themselves:
- *                          specular = burnish_lobe_at_lambda(lobe, burnish_lobe_chord(n, h));
+ *          specular = burnish_lobe_at_cosine(lobe, n_dot_h);
+ *      or, for large exponents, from the vectors themselves, which keep more bits than a cosine:
+ *          specular = burnish_lobe_at_lambda(lobe, burnish_lobe_chord(n, h));
  *
- * What it does not do. It does not normalise vectors (Lyon's lobe below does), reflect, test N.L, or
- * light anything; the fits level and projected need roots and live in burnish/theory.h, as do the
- * reference lobes that need libm; the minimax fit is a table, see burnish_lobe_from_zeta.
+ * What it does not do. It does not normalise vectors (Lyon's lobe below does), reflect, test N.L,
+ * or light anything; the fits level and projected need roots and live in burnish/theory.h, as do
+ * the reference lobes that need libm; the minimax fit is a table, see burnish_lobe_from_zeta.
  *
  * What it promises.
- * - Every evaluation returns a finite value in [0, 1] for every float given: NaN gives 0, infinities and
- *   denormals are fine. (Not under -ffast-math, which forbids NaN and infinity.)
+ * - Every evaluation returns a finite value in [0, 1] for every float given: NaN gives 0,
+ *   infinities and denormals are fine. (Not under -ffast-math, which forbids NaN and infinity.)
  * - Results are defined operation by operation in IEEE single precision, in the order written; the
- *   set-up of a lobe uses double. With -ffp-contract=off every compiler and machine gives the same bits.
+ *   set-up of a lobe uses double. With -ffp-contract=off the bits are the same everywhere.
  * - The family's lobes never decrease as c grows, not even by a rounding error.
  *
- * Accuracy at every float cosine in [-1, 1], against the formula in exact arithmetic with the lobe's own
- * zeta or exponent. absolute: largest error in units of 2^-24. relative: largest error in units in the
- * last place of the exact value, where that is at least 2^-10. The tests hold this table (test/sweep.h)
- * and fail above it; bounds first, then the largest errors found.
+ * Accuracy at every float cosine in [-1, 1], against the formula in exact arithmetic with the
+ * lobe's own zeta or exponent. absolute: largest error in units of 2^-24. relative: largest error
+ * in units in the last place of the exact value, where that is at least 2^-10. Bounds, and behind
+ * them the largest errors found in 240 million random cases a line; the tests hold the bounds
+ * (test/sweep.h) and fail above them.
  *
- *     lobe     fit  order  exponents   absolute        relative
- *     family   all      2  [1, 65536]  2.25   (1.98)    70  (64.2)
- *     family   all      4  [4, 65536]  4      (3.49)    30  (25.9)
- *     family   all      8  [8, 65536]  8      (7.27)    24  (20.9)
- *     family   all     16  [16, 65536] 16     (14.5)    32  (27.0)
- *     family   all     32  [32, 65536] 32     (28.7)    50  (43.7)
- *     schlick               [1, 65536]  1.75   (1.50)   4    (3.31)
- *     gx                    [1, 65536]  2      (1.74)   5.5  (4.32)
+ *     lobe     order  exponents    absolute      relative
+ *     family       2  [1, 65536]   2.25  (1.98)  70   (64.2)
+ *     family       4  [4, 65536]   4     (3.49)  30   (25.9)
+ *     family       8  [8, 65536]   8     (7.27)  24   (20.9)
+ *     family      16  [16, 65536]  16    (14.5)  32   (27.0)
+ *     family      32  [32, 65536]  32    (28.7)  50   (43.7)
+ *     schlick         [1, 65536]   1.75  (1.50)  4    (3.31)
+ *     gx              [1, 65536]   2     (1.74)  5.5  (4.32)
  *
  * Rounding a fit's zeta to float moves the lobe by at most another half unit of 2^-24, since
- * m zeta lambda u^(m-1) never exceeds 1/2. test_lobe prints and asserts what that comes to for every fit
- * and order over 4,000 reference values.
+ * m zeta lambda u^(m-1) never exceeds 1/2. test_lobe prints and asserts what that comes to for
+ * every fit and order over 4,000 reference values.
  *
  * Sources. Phong, Illumination for Computer Generated Pictures, CACM 1975; Blinn, Models of Light
  * Reflection, SIGGRAPH 1977. The form of the lobe is not new: Lyon, Phong Shading Reformulated for
- * Hardware Renderer Simplification, Apple TR 43, 1993 (general m, chord form, zeta = n/m); Beaudoin and
- * Guardado, A Non-Integer Power Function on the Pixel Shader, 2002 (fitted constants); Doom 3 shipped
- * its member zeta = 4, m = 2, Unreal's mobile shader zeta = 6.645, m = 2. Schlick, A Fast Alternative
- * to Phong's Specular Model, Graphics Gems IV, 1994.
+ * Hardware Renderer Simplification, Apple TR 43, 1993 (general m, chord form, zeta = n/m); Beaudoin
+ * and Guardado, A Non-Integer Power Function on the Pixel Shader, 2002 (fitted constants); Doom 3
+ * shipped its member zeta = 4, m = 2, Unreal's mobile shader zeta = 6.645, m = 2. Schlick, A Fast
+ * Alternative to Phong's Specular Model, Graphics Gems IV, 1994.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -101,8 +103,8 @@ static inline const char *burnish_lobe_status_text(burnish_lobe_status status) {
     return "unknown status";
 }
 
-/* How zeta follows from the exponent n and the order m. "Paper" is the work that burnish implements,
- * where these are the lobes W, W1, W_Q and W_0.5 at m = 2. */
+/* How zeta follows from the exponent n and the order m. "Paper" is the work that burnish
+ * implements, where these are the lobes W, W1, W_Q and W_0.5 at m = 2. */
 typedef enum burnish_fit {
     BURNISH_FIT_TAYLOR,    /* n/m: the same curvature at the peak; never above cos^n (paper's W) */
     BURNISH_FIT_ENERGY,    /* (n+1)/(m+1): the same integral over solid angle (paper's W1) */
@@ -114,7 +116,8 @@ typedef enum burnish_fit {
 } burnish_fit;
 
 /* One lobe. A small value to copy and pass; make it with burnish_lobe_create or a sibling and then
- * leave it as it is. One that is all zero is the dark lobe, which is 0 everywhere, c = 1 included. */
+ * leave it as it is. One that is all zero is the dark lobe, which is 0 everywhere, c = 1 included.
+ */
 typedef struct burnish_lobe {
     float zeta; /* slope of the base: (0, 65536], 0 in the dark lobe */
     int order;  /* 2, 4, 8, 16 or 32; 0 in the dark lobe */
@@ -125,9 +128,10 @@ static inline int burnish_lobe_order_is_valid(int order) {
     return order == 2 || order == 4 || order == 8 || order == 16 || order == 32;
 }
 
-/* Whether lobes of this order and exponent exist, whatever the fit: OK, ERROR_ORDER, ERROR_EXPONENT, or
- * ERROR_ORDER_FOR_EXPONENT. Order 2 is there for every exponent, a higher one from exponent = order on:
- * below that zeta would sink under 1 and the lobe would still shine at c = 0. */
+/* Whether lobes of this order and exponent exist, whatever the fit: OK, ERROR_ORDER,
+ * ERROR_EXPONENT, or ERROR_ORDER_FOR_EXPONENT. Order 2 is there for every exponent, a higher one
+ * from exponent = order on: below that zeta would sink under 1 and the lobe would still shine at c
+ * = 0. */
 static inline burnish_lobe_status burnish_lobe_check(int order, double exponent) {
     if (!burnish_lobe_order_is_valid(order)) {
         return BURNISH_LOBE_ERROR_ORDER;
@@ -174,48 +178,36 @@ static inline burnish_lobe_status burnish_lobe_from_zeta(burnish_lobe *lobe, flo
     return BURNISH_LOBE_OK;
 }
 
-/* Makes the lobe that stands for cos^exponent. zeta is the fit's formula evaluated in double precision
- * and rounded to float.
- *   lobe      becomes the lobe, on error the dark one; not NULL
- *   fit       TAYLOR, ENERGY, SHIFT7 or SHIFT3; for LEVEL and PROJECTED see burnish/theory.h
- *   order     2, 4, 8, 16 or 32, from 4 on at most the exponent; SHIFT7 and SHIFT3: 2
- *   exponent  [1, 65536], need not be whole
- * Errors: ERROR_FIT, ERROR_FIT_NEEDS_THEORY, ERROR_ORDER, ERROR_EXPONENT (NaN included),
+/* Makes the lobe that stands for cos^exponent. zeta is the fit's formula evaluated in double
+ * precision and rounded to float. lobe      becomes the lobe, on error the dark one; not NULL fit
+ * TAYLOR, ENERGY, SHIFT7 or SHIFT3; for LEVEL and PROJECTED see burnish/theory.h order     2, 4, 8,
+ * 16 or 32, from 4 on at most the exponent; SHIFT7 and SHIFT3: 2 exponent  [1, 65536], need not be
+ * whole Errors: ERROR_FIT, ERROR_FIT_NEEDS_THEORY, ERROR_ORDER, ERROR_EXPONENT (NaN included),
  * ERROR_ORDER_FOR_EXPONENT (burnish_lobe_highest_order finds the order to fall back to). */
 static inline burnish_lobe_status burnish_lobe_create(burnish_lobe *lobe, burnish_fit fit,
                                                       int order, float exponent) {
     const double n = (double)exponent;
-    burnish_lobe_status status = burnish_lobe_check(order, n);
-    double zeta = 0.0;
-    switch (fit) {
-    case BURNISH_FIT_TAYLOR:
-        zeta = n / order;
-        break;
-    case BURNISH_FIT_ENERGY:
-        zeta = (n + 1.0) / (order + 1);
-        break;
-    case BURNISH_FIT_SHIFT7:
-        zeta = n * 0.4375;
-        break;
-    case BURNISH_FIT_SHIFT3:
-        zeta = n * 0.375;
-        break;
-    case BURNISH_FIT_LEVEL:
-    case BURNISH_FIT_PROJECTED:
-        status = BURNISH_LOBE_ERROR_FIT_NEEDS_THEORY;
-        break;
-    case BURNISH_FIT_COUNT:
-    default:
-        status = BURNISH_LOBE_ERROR_FIT;
-        break;
+    const burnish_lobe_status status = burnish_lobe_check(order, n);
+    const int is_shift = fit == BURNISH_FIT_SHIFT7 || fit == BURNISH_FIT_SHIFT3;
+    double zeta;
+    lobe->zeta = 0.0f;
+    lobe->order = 0;
+    if (fit == BURNISH_FIT_LEVEL || fit == BURNISH_FIT_PROJECTED) {
+        return BURNISH_LOBE_ERROR_FIT_NEEDS_THEORY;
     }
-    if ((fit == BURNISH_FIT_SHIFT7 || fit == BURNISH_FIT_SHIFT3) && order != 2) {
-        status = BURNISH_LOBE_ERROR_ORDER;
+    if (!is_shift && fit != BURNISH_FIT_TAYLOR && fit != BURNISH_FIT_ENERGY) {
+        return BURNISH_LOBE_ERROR_FIT;
+    }
+    if (is_shift && order != 2) {
+        return BURNISH_LOBE_ERROR_ORDER;
     }
     if (status != BURNISH_LOBE_OK) {
-        lobe->zeta = 0.0f;
-        lobe->order = 0;
         return status;
+    }
+    if (is_shift) {
+        zeta = n * (fit == BURNISH_FIT_SHIFT7 ? 0.4375 : 0.375);
+    } else {
+        zeta = fit == BURNISH_FIT_ENERGY ? (n + 1.0) / (order + 1) : n / order;
     }
     return burnish_lobe_from_zeta(lobe, (float)zeta, order);
 }
@@ -226,10 +218,9 @@ static inline float burnish_lobe_saturate(float x) {
     return x < 1.0f ? x : 1.0f;
 }
 
-/* The lobe at lambda = 1 - cosine: (1 - zeta lambda)^order by squarings. The form to prefer for large
- * exponents, where a cosine near 1 has too few bits left to tell how near.
- *   lambda  any float; (-infinity, 0] gives 1, NaN gives 0
- * Returns a value in [0, 1]; 0 for the dark lobe. */
+/* The lobe at lambda = 1 - cosine: (1 - zeta lambda)^order by squarings. The form to prefer for
+ * large exponents, where a cosine near 1 has too few bits left to tell how near. lambda  any float;
+ * (-infinity, 0] gives 1, NaN gives 0 Returns a value in [0, 1]; 0 for the dark lobe. */
 static inline float burnish_lobe_at_lambda(burnish_lobe lobe, float lambda) {
     float u = burnish_lobe_saturate(1.0f - lobe.zeta * lambda);
     u = u * u;
@@ -258,14 +249,15 @@ static inline float burnish_lobe_chord(const float a[3], const float b[3]) {
     return 0.5f * ((x * x + y * y) + z * z);
 }
 
-/* The cosine from which downward the lobe is 0: 1 - 1/zeta. Below -1 (zeta < 1/2) the lobe reaches 0
- * nowhere. Rounded to float, so at this very cosine the lobe may still be a rounding error above 0.
- * 1 for the dark lobe. */
+/* The cosine from which downward the lobe is 0: 1 - 1/zeta. Below -1 (zeta < 1/2) the lobe reaches
+ * 0 nowhere. Rounded to float, so at this very cosine the lobe may still be a rounding error above
+ * 0. 1 for the dark lobe. */
 static inline float burnish_lobe_cutoff_cosine(burnish_lobe lobe) {
     return lobe.order >= 2 ? 1.0f - 1.0f / lobe.zeta : 1.0f;
 }
 
-/* ---- Lobes to compare with -----------------------------------------------------------------------
+/* ---- Lobes to compare with
+ * -----------------------------------------------------------------------
  *
  * Known alternatives that need no libm; those that do (cos^n itself, the Gaussian) are in
  * burnish/theory.h. They take the exponent at each call; one outside [1, 65536] is clamped into it,
@@ -277,10 +269,9 @@ static inline float burnish_lobe_clamp_exponent(float exponent) {
     return exponent > BURNISH_LOBE_EXPONENT_MAX ? BURNISH_LOBE_EXPONENT_MAX : exponent;
 }
 
-/* Schlick's lobe c / (n - n c + c), evaluated as c / (c + n (1 - c)): one division, never below cos^n.
- *   cosine    any float; <= 0 and NaN give 0, >= 1 gives 1
- *   exponent  n, clamped to [1, 65536]; NaN gives 0
- * Returns a value in [0, 1]. Source: Schlick, Graphics Gems IV, 1994. */
+/* Schlick's lobe c / (n - n c + c), evaluated as c / (c + n (1 - c)): one division, never below
+ * cos^n. cosine    any float; <= 0 and NaN give 0, >= 1 gives 1 exponent  n, clamped to [1, 65536];
+ * NaN gives 0 Returns a value in [0, 1]. Source: Schlick, Graphics Gems IV, 1994. */
 static inline float burnish_schlick_at_cosine(float cosine, float exponent) {
     const float c = burnish_lobe_saturate(cosine);
     const float n = burnish_lobe_clamp_exponent(exponent);
@@ -298,21 +289,19 @@ static inline float burnish_gx_at_cosine(float cosine, float exponent) {
     return burnish_lobe_saturate(squared / (squared + (0.5f * n) * ((1.0f - c) * (1.0f + c))));
 }
 
-/* Lyon's stand-in for 1/sqrt(s) near s = 1: 1 + e/2 + 3 e^2/8 with e = 1 - s, the first three terms of
- * the series. Relative error below .0004 for s in [.9, 1.1], .05 in [.5, 1.5].
- *   s  the squared length of a vector that is nearly a unit vector
- * Returns at least 5/6. Source: Lyon 1993. */
+/* Lyon's stand-in for 1/sqrt(s) near s = 1: 1 + e/2 + 3 e^2/8 with e = 1 - s, the first three terms
+ * of the series. Relative error below .0004 for s in [.9, 1.1], .05 in [.5, 1.5]. s  the squared
+ * length of a vector that is nearly a unit vector Returns at least 5/6. Source: Lyon 1993. */
 static inline float burnish_lyon_normalize_factor(float s) {
     const float e = 1.0f - s;
     return 1.0f + e * (0.5f + 0.375f * e);
 }
 
-/* Lyon's lobe from the chord of two vectors as they are: (1 - beta r^2/2)^order with r = |a - b| and
- * beta = exponent/order; the family's taylor fit in chord form.
- *   a, b      three components each; unit vectors, or nearly so
- *   exponent  clamped to [1, 65536]; NaN gives 0
- *   order     2, 4, 8, 16 or 32, from 4 on at most the exponent; otherwise the result is 0
- * Returns a value in [0, 1]. Source: Lyon 1993. */
+/* Lyon's lobe from the chord of two vectors as they are: (1 - beta r^2/2)^order with r = |a - b|
+ * and beta = exponent/order; the family's taylor fit in chord form. a, b      three components
+ * each; unit vectors, or nearly so exponent  clamped to [1, 65536]; NaN gives 0 order     2, 4, 8,
+ * 16 or 32, from 4 on at most the exponent; otherwise the result is 0 Returns a value in [0, 1].
+ * Source: Lyon 1993. */
 static inline float burnish_lyon_at_chord(const float a[3], const float b[3], float exponent,
                                           int order) {
     burnish_lobe lobe; /* on error the dark lobe, which gives the promised 0 */
@@ -321,17 +310,14 @@ static inline float burnish_lyon_at_chord(const float a[3], const float b[3], fl
     return burnish_lobe_at_lambda(lobe, burnish_lobe_chord(a, b));
 }
 
-/* Lyon's lobe from vectors that are only nearly of unit length, as interpolation leaves them: both are
- * scaled by burnish_lyon_normalize_factor, then burnish_lyon_at_chord. No root, no division.
- *   n, h             three components each, squared lengths near 1
- *   exponent, order  as for burnish_lyon_at_chord
- * Returns a value in [0, 1]. Source: Lyon 1993. */
+/* Lyon's lobe from vectors that are only nearly of unit length, as interpolation leaves them: both
+ * are scaled by burnish_lyon_normalize_factor, then burnish_lyon_at_chord. No root, no division. n,
+ * h             three components each, squared lengths near 1 exponent, order  as for
+ * burnish_lyon_at_chord Returns a value in [0, 1]. Source: Lyon 1993. */
 static inline float burnish_lyon_at_vectors(const float n[3], const float h[3], float exponent,
                                             int order) {
-    const float n_scale =
-        burnish_lyon_normalize_factor((n[0] * n[0] + n[1] * n[1]) + n[2] * n[2]);
-    const float h_scale =
-        burnish_lyon_normalize_factor((h[0] * h[0] + h[1] * h[1]) + h[2] * h[2]);
+    const float n_scale = burnish_lyon_normalize_factor((n[0] * n[0] + n[1] * n[1]) + n[2] * n[2]);
+    const float h_scale = burnish_lyon_normalize_factor((h[0] * h[0] + h[1] * h[1]) + h[2] * h[2]);
     float a[3], b[3];
     int i;
     for (i = 0; i < 3; ++i) {

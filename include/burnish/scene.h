@@ -41,18 +41,22 @@ typedef enum burnish_format {
     BURNISH_FORMAT_COUNT
 } burnish_format;
 
+/* A crease angle by format: 40 degrees for STL, which holds parts with chamfers, 60 for the others,
+ * which hold scans and sculptures where they have no normals. */
+#define BURNISH_CREASE_AUTO (-1.0)
+
 /* How to load. Start from burnish_load_options_default(). */
 typedef struct burnish_load_options {
     uint32_t cookie;          /* set by burnish_load_options_default() */
     burnish_format format;    /* AUTO unless the input has no telling name */
     double crease_angle;      /* degrees, [0, 180]: made normals are smooth across edges whose faces
-                                 differ by less; 0 shades every face flat */
+                                 differ by less; 0 shades every face flat; BURNISH_CREASE_AUTO */
     int tessellation;         /* built-in objects: segments along a patch edge, [1, 256] */
     uint64_t max_input_bytes; /* a larger file is refused with LIMIT */
     uint64_t max_triangles;   /* a mesh with more is refused with LIMIT; at most 2^31 - 1 */
 } burnish_load_options;
 
-/* crease 40 degrees, tessellation 16, 16 GiB, 2^31 - 1 triangles. */
+/* crease auto, tessellation 16, 16 GiB, 2^31 - 1 triangles. */
 BURNISH_API burnish_load_options burnish_load_options_default(void);
 
 /* A mesh as the scene holds it; the pointers live as long as the scene. */

@@ -10,8 +10,12 @@ static const double infinity = __builtin_inf();
 static const double not_a_number = __builtin_nan("");
 
 /* Valid with -fno-math-errno only: the compiler then emits the instruction, never a call. */
-double burnish_sqrt(double x) { return __builtin_sqrt(x); }
-float burnish_sqrtf(float x) { return __builtin_sqrtf(x); }
+double burnish_sqrt(double x) {
+    return __builtin_sqrt(x);
+}
+float burnish_sqrtf(float x) {
+    return __builtin_sqrtf(x);
+}
 
 /* Sum of the polynomial c[0] + c[1] x + ... by Horner's rule. */
 static double polynomial(const double *c, int count, double x) {
@@ -39,8 +43,8 @@ static void subtract_exactly(double x, double y, double *high, double *low) {
     *low = (x - x_part) + (y_part - y);
 }
 
-/* x = quadrant * pi/2 + *high + *low, abs(*high) <= pi/4 and a little. pi/2 in parts of 33 bits makes
- * every product with a quadrant below 2^20 exact; the four parts together hold 152 bits. */
+/* x = quadrant * pi/2 + *high + *low, abs(*high) <= pi/4 and a little. pi/2 in parts of 33 bits
+ * makes every product with a quadrant below 2^20 exact; the four parts together hold 152 bits. */
 static int reduce_by_half_pi(double x, double *high, double *low) {
     double quadrant = (double)(int)(x * 0x1.45f306dc9c883p-1 + (x < 0 ? -0.5 : 0.5));
     double low2, low3, sum;
@@ -56,18 +60,18 @@ static int reduce_by_half_pi(double x, double *high, double *low) {
 
 /* sin(x + y) for abs(x) <= pi/4 and a y below the last bit of x; series to x^17. */
 static double sine_kernel(double x, double y) {
-    static const double c[] = {-1 / 6.0,        1 / 120.0,          -1 / 5040.0,
-                               1 / 362880.0,    -1 / 39916800.0,    1 / 6227020800.0,
-                               -1 / 1307674368000.0, 1 / 355687428096000.0};
+    static const double c[] = {
+        -1 / 6.0,        1 / 120.0,        -1 / 5040.0,          1 / 362880.0,
+        -1 / 39916800.0, 1 / 6227020800.0, -1 / 1307674368000.0, 1 / 355687428096000.0};
     double z = x * x;
     return x + (z * x * polynomial(c, 8, z) + y * (1 - 0.5 * z));
 }
 
 /* cos(x + y) likewise; series to x^18. */
 static double cosine_kernel(double x, double y) {
-    static const double c[] = {1 / 24.0,          -1 / 720.0,         1 / 40320.0,
-                               -1 / 3628800.0,    1 / 479001600.0,    -1 / 87178291200.0,
-                               1 / 20922789888000.0, -1 / 6402373705728000.0};
+    static const double c[] = {
+        1 / 24.0,        -1 / 720.0,         1 / 40320.0,          -1 / 3628800.0,
+        1 / 479001600.0, -1 / 87178291200.0, 1 / 20922789888000.0, -1 / 6402373705728000.0};
     double z = x * x;
     double half = 0.5 * z;
     double head = 1 - half;
@@ -99,7 +103,8 @@ void burnish_sincos(double x, double *sine, double *cosine) {
     }
 }
 
-/* atan(q) = *high + *low for q in [0, 1]: the difference to the nearest atan(k/8), by its series. */
+/* atan(q) = *high + *low for q in [0, 1]: the difference to the nearest atan(k/8), by its series.
+ */
 static void arctangent_kernel(double q, double *high, double *low) {
     static const double table[9][2] = {{0, 0},
                                        {0, 0},
@@ -187,18 +192,9 @@ double burnish_log(double x) {
 }
 
 double burnish_expm1(double x) {
-    static const double c[] = {1 / 2.0,
-                               1 / 6.0,
-                               1 / 24.0,
-                               1 / 120.0,
-                               1 / 720.0,
-                               1 / 5040.0,
-                               1 / 40320.0,
-                               1 / 362880.0,
-                               1 / 3628800.0,
-                               1 / 39916800.0,
-                               1 / 479001600.0,
-                               1 / 6227020800.0,
+    static const double c[] = {1 / 2.0,          1 / 6.0,        1 / 24.0,        1 / 120.0,
+                               1 / 720.0,        1 / 5040.0,     1 / 40320.0,     1 / 362880.0,
+                               1 / 3628800.0,    1 / 39916800.0, 1 / 479001600.0, 1 / 6227020800.0,
                                1 / 87178291200.0};
     if (x != x || x == 0) {
         return x;

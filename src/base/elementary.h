@@ -13,8 +13,9 @@ float burnish_sqrtf(float x);
  * for NaN both are NaN. */
 void burnish_sincos(double x, double *sine, double *cosine);
 
-/* Angle of the point (x, y) in (-pi, pi], within 1.5 ulp (measured 1.38); (0, 0) gives 0, whatever the
- * signs of the zeros, and y = -0 counts as 0. Two infinities stand for equal lengths; NaN gives NaN. */
+/* Angle of the point (x, y) in (-pi, pi], within 1.5 ulp (measured 1.38); (0, 0) gives 0, whatever
+ * the signs of the zeros, and y = -0 counts as 0. Two infinities stand for equal lengths; NaN gives
+ * NaN. */
 double burnish_atan2(double y, double x);
 
 /* Arc cosine in [0, pi], within 2.5 ulp also near 1 (measured 2.06); arguments outside [-1, 1] are

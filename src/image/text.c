@@ -124,19 +124,38 @@ static void draw_glyph(burnish_image *image, const burnish_glyph *glyph,
 
 static int near_image(float coordinate) { return coordinate > -far_away && coordinate < far_away; }
 
-float burnish_draw_text(burnish_image *image, float x, float y, float height,
-                        const uint8_t color[3], const char *text, size_t length) {
+/* The nearest whole pixel; beyond far_away the value itself, which is never drawn. */
+static float snap(float value) {
+    if (!near_image(value)) {
+        return value;
+    }
+    return value < 0 ? -(float)(int)(0.5F - value) : (float)(int)(value + 0.5F);
+}
+
+/* The pen for capitals of the given height, its seat (the whole pixels that its width takes in the
+ * layout) and the unit. */
+static burnish_glyph_scale make_scale(float height, float *seat) {
     height = height > least_height ? height : least_height; /* also for NaN */
     height = height < most_height ? height : most_height;
     float pen = height * pen_share;
     pen = pen > least_pen ? pen : least_pen;
-    float unit = (height - pen) / BURNISH_GLYPH_CAP;
-    float plain_x_height = unit * BURNISH_GLYPH_X_HEIGHT;
-    float fitted_x_height = (float)(int)(plain_x_height + pen + 0.5F) - pen;
+    *seat = snap(pen);
+    return (burnish_glyph_scale){.unit = (height - *seat) / BURNISH_GLYPH_CAP,
+                                 .radius = pen * 0.5F};
+}
+
+/* Positions and advances are whole pixels: every stem of a line is then equally sharp, and the same
+ * letters are spaced alike wherever they stand. */
+float burnish_draw_text(burnish_image *image, float x, float y, float height,
+                        const uint8_t color[3], const char *text, size_t length) {
+    float seat;
+    burnish_glyph_scale scale = make_scale(height, &seat);
     float linear[3] = {0, 0, 0};
     for (int k = 0; image && k < 3; ++k) {
         linear[k] = burnish_srgb_to_linear[color[k]];
     }
+    x = snap(x);
+    scale.y = snap(y) - seat * 0.5F;
     float advance = 0;
     for (size_t i = 0; i < length; ++i) {
         unsigned char character = (unsigned char)text[i];
@@ -144,16 +163,14 @@ float burnish_draw_text(burnish_image *image, float x, float y, float height,
             continue; /* the rest of a UTF-8 character, whose first byte gave the '?' */
         }
         const burnish_glyph *glyph = burnish_glyph_find(character);
-        int small = character >= 'a' && character <= 'z';
-        burnish_glyph_scale scale = {.x = x + advance + (float)glyph->left * unit,
-                                     .y = y,
-                                     .unit = unit,
-                                     .x_height = small ? fitted_x_height : plain_x_height,
-                                     .radius = pen * 0.5F};
-        if (image && image->pixels && near_image(scale.x) && near_image(y)) {
+        float left = burnish_glyph_pixels(&scale, glyph->left);
+        scale.small_letter = character >= 'a' && character <= 'z';
+        scale.x = x + advance + left + seat * 0.5F;
+        if (image && image->pixels && near_image(scale.x) && near_image(scale.y)) {
             draw_glyph(image, glyph, &scale, linear);
         }
-        advance += (float)(glyph->left + glyph->width + glyph->right) * unit + pen;
+        advance += left + burnish_glyph_pixels(&scale, glyph->width) + seat +
+                   burnish_glyph_pixels(&scale, glyph->right);
     }
     return advance;
 }

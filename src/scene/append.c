@@ -61,9 +61,8 @@ burnish_status burnish_append_normal(burnish_source *source, burnish_place place
                                BURNISH_POSITION_LIMIT);
     }
     if (count == source->normal_capacity) {
-        burnish_status status =
-            burnish_grow((void **)&source->normals, &source->normal_capacity, count + 1,
-                         3 * sizeof(float), "normals", error);
+        burnish_status status = burnish_grow((void **)&source->normals, &source->normal_capacity,
+                                             count + 1, 3 * sizeof(float), "normals", error);
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
@@ -89,13 +88,14 @@ burnish_status burnish_reserve_triangles(burnish_source *source,
                         source->triangle_count + more, 3 * sizeof(uint32_t), "triangles", error);
 }
 
-/* Room for the normal indices of `more` triangles; those so far get none when these are the first. */
+/* Room for the normal indices of `more` triangles; those so far get none when these are the first.
+ */
 static burnish_status reserve_corner_normals(burnish_source *source, size_t more,
                                              burnish_error *error) {
     int first = !source->corner_normals;
-    burnish_status status = burnish_grow(
-        (void **)&source->corner_normals, &source->corner_normal_capacity,
-        source->triangle_count + more, 3 * sizeof(uint32_t), "normal indices", error);
+    burnish_status status =
+        burnish_grow((void **)&source->corner_normals, &source->corner_normal_capacity,
+                     source->triangle_count + more, 3 * sizeof(uint32_t), "normal indices", error);
     if (status == BURNISH_STATUS_OK && first) {
         memset(source->corner_normals, 0xFF, 3 * sizeof(uint32_t) * source->triangle_count);
     }
@@ -116,8 +116,7 @@ static void append_triangle(burnish_source *source, const uint32_t *positions,
 
 burnish_status burnish_append_polygon(burnish_source *source, const burnish_load_options *options,
                                       burnish_place place, const uint32_t *positions,
-                                      const uint32_t *normals, size_t count,
-                                      burnish_error *error) {
+                                      const uint32_t *normals, size_t count, burnish_error *error) {
     burnish_status status = burnish_reserve_triangles(source, options, place, count - 2, error);
     if (status == BURNISH_STATUS_OK && (normals || source->corner_normals)) {
         status = reserve_corner_normals(source, count - 2, error);

@@ -257,11 +257,18 @@ static void release_corners(builder *b) {
     source->normal_count = source->normal_capacity = source->color_capacity = 0;
 }
 
-static burnish_status make_vertices(builder *b, double crease_angle) {
+static double crease_angle(const burnish_load_options *options, burnish_format format) {
+    if (options->crease_angle != BURNISH_CREASE_AUTO) {
+        return options->crease_angle;
+    }
+    return format == BURNISH_FORMAT_STL ? 40 : 60;
+}
+
+static burnish_status make_vertices(builder *b, double angle) {
     burnish_fan fan = {0};
     burnish_weld_record *records = NULL;
     float *normals = NULL;
-    burnish_status status = burnish_fan_create(&fan, b->max_faces, crease_angle, b->error);
+    burnish_status status = burnish_fan_create(&fan, b->max_faces, angle, b->error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_allocate((void **)&records, b->max_faces, sizeof *records, "vertices",
                                   b->error);
@@ -403,7 +410,7 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
         status = list_corners(b);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = make_vertices(b, options->crease_angle);
+        status = make_vertices(b, crease_angle(options, b->scene->format));
     }
     if (status == BURNISH_STATUS_OK) {
         release_corners(b);

@@ -31,7 +31,9 @@ typedef struct decimal {
     int truncated; /* more digits than mantissa holds */
 } decimal;
 
-static int is_digit(uint8_t c) { return c >= '0' && c <= '9'; }
+static int is_digit(uint8_t c) {
+    return c >= '0' && c <= '9';
+}
 
 void burnish_number_reader_close(burnish_number_reader *reader) {
     if (reader->c_locale) {
@@ -40,7 +42,8 @@ void burnish_number_reader_close(burnish_number_reader *reader) {
     }
 }
 
-/* "nan", "-nan(ind)", "inf", "Infinity", and the "1.#QNAN", "-1.#IND", "1.#INF" of older C libraries. */
+/* "nan", "-nan(ind)", "inf", "Infinity", and the "1.#QNAN", "-1.#IND", "1.#INF" of older C
+ * libraries. */
 static int spells_not_finite(const uint8_t *text, size_t size) {
     if (size > 0 && (*text == '-' || *text == '+')) {
         ++text;
@@ -176,8 +179,8 @@ burnish_number_status burnish_parse_double(burnish_number_reader *reader, const 
         return parse_slowly(reader, &d, value);
     }
     double mantissa = (double)d.mantissa;
-    double result = d.exponent < 0 ? mantissa / power_of_ten[-d.exponent]
-                                   : mantissa * power_of_ten[d.exponent];
+    double result =
+        d.exponent < 0 ? mantissa / power_of_ten[-d.exponent] : mantissa * power_of_ten[d.exponent];
     *value = d.negative ? -result : result;
     return BURNISH_NUMBER_OK;
 }

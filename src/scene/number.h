@@ -14,15 +14,16 @@ typedef enum burnish_number_status {
     BURNISH_NUMBER_MEMORY      /* the C locale could not be made */
 } burnish_number_status;
 
-/* What parsing keeps between numbers. Start from all zero; end with burnish_number_reader_close(). */
+/* What parsing keeps between numbers. Start from all zero; end with burnish_number_reader_close().
+ */
 typedef struct burnish_number_reader {
     locale_t c_locale; /* made when the first number needs it */
 } burnish_number_reader;
 
 void burnish_number_reader_close(burnish_number_reader *reader);
 
-/* [sign] digits [. digits] [e [sign] digits], at least one digit before the exponent; to the nearest
- * double, ties to even. The text may have any length. *value is set only on OK. */
+/* [sign] digits [. digits] [e [sign] digits], at least one digit before the exponent; to the
+ * nearest double, ties to even. The text may have any length. *value is set only on OK. */
 burnish_number_status burnish_parse_double(burnish_number_reader *reader, const uint8_t *text,
                                            size_t size, double *value);
 
@@ -33,7 +34,8 @@ burnish_number_status burnish_parse_float(burnish_number_reader *reader, const u
 /* [sign] digits, at most 18 of them after leading zeros. */
 burnish_number_status burnish_parse_integer(const uint8_t *text, size_t size, int64_t *value);
 
-/* Rounds to float; returns 0 when value is NaN or would become infinite, and leaves *rounded alone. */
+/* Rounds to float; returns 0 when value is NaN or would become infinite, and leaves *rounded alone.
+ */
 int burnish_double_to_float(double value, float *rounded);
 
 #endif

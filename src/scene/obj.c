@@ -1,4 +1,5 @@
-/* OBJ (Wavefront, "Object Files", 1992): v, vn, f, usemtl, mtllib; polygons; indices from either end.
+/* OBJ (Wavefront, "Object Files", 1992): v, vn, f, usemtl, mtllib; polygons; indices from either
+ * end.
  *
  * vt, o, g, s and unknown keywords are passed over; l and p too, with one warning. Vertex colours
  * follow the coordinates (v x y z r g b). An index refers to what stands before it in the file.
@@ -118,13 +119,12 @@ static burnish_status resolve_index(obj_state *obj, burnish_token token, const c
         return burnish_fail_at(obj->error, BURNISH_STATUS_FORMAT, here(obj),
                                "face refers to %s 0; indices start at 1", what);
     }
-    int64_t resolved = number == BURNISH_NUMBER_OK && written < 0 ? written + (int64_t)count
-                                                                  : written - 1;
+    int64_t resolved =
+        number == BURNISH_NUMBER_OK && written < 0 ? written + (int64_t)count : written - 1;
     if (number != BURNISH_NUMBER_OK || resolved < 0 || resolved >= (int64_t)count) {
         return burnish_fail_at(obj->error, BURNISH_STATUS_FORMAT, here(obj),
                                "face refers to %s %s, but %zu stand%s before it; correct the index",
-                               what, burnish_token_quote(token).text, count,
-                               count == 1 ? "s" : "");
+                               what, burnish_token_quote(token).text, count, count == 1 ? "s" : "");
     }
     *index = (uint32_t)resolved;
     return BURNISH_STATUS_OK;
@@ -155,8 +155,8 @@ static burnish_status read_corner(obj_state *obj, burnish_token token, uint32_t 
     }
     part = cut_part(&left);
     int64_t texture;
-    int wrong = part.size > 0 && burnish_parse_integer(part.bytes, part.size, &texture) ==
-                                     BURNISH_NUMBER_GARBAGE;
+    int wrong = part.size > 0 &&
+                burnish_parse_integer(part.bytes, part.size, &texture) == BURNISH_NUMBER_GARBAGE;
     if (left.size > 0) {
         part = cut_part(&left);
         wrong |= left.size > 0;
@@ -173,12 +173,12 @@ static burnish_status read_corner(obj_state *obj, burnish_token token, uint32_t 
 }
 
 static burnish_status begin_run(obj_state *obj) {
-    burnish_status status = burnish_grow((void **)&obj->runs, &obj->run_capacity,
-                                         obj->run_count + 1, sizeof *obj->runs, "material runs",
-                                         obj->error);
+    burnish_status status =
+        burnish_grow((void **)&obj->runs, &obj->run_capacity, obj->run_count + 1, sizeof *obj->runs,
+                     "material runs", obj->error);
     if (status == BURNISH_STATUS_OK) {
-        obj->runs[obj->run_count++] = (material_run){
-            .name = obj->material, .first_triangle = obj->source->triangle_count};
+        obj->runs[obj->run_count++] =
+            (material_run){.name = obj->material, .first_triangle = obj->source->triangle_count};
         obj->material_changed = 0;
     }
     return status;
@@ -195,9 +195,9 @@ static burnish_status read_face(obj_state *obj) {
             status = burnish_grow((void **)&obj->corners, &obj->corner_capacity, count + 1,
                                   sizeof *obj->corners, "corners", obj->error);
             if (status == BURNISH_STATUS_OK) {
-                status = burnish_grow((void **)&obj->corner_normals, &obj->corner_normal_capacity,
-                                      count + 1, sizeof *obj->corner_normals, "corners",
-                                      obj->error);
+                status =
+                    burnish_grow((void **)&obj->corner_normals, &obj->corner_normal_capacity,
+                                 count + 1, sizeof *obj->corner_normals, "corners", obj->error);
             }
         }
         if (status == BURNISH_STATUS_OK) {
@@ -395,7 +395,8 @@ static void match_runs(void **runs, size_t run_count, void **entries, size_t ent
         while (e < entry_count && compare_names(entries[e], run->name) < 0) {
             ++e;
         }
-        run->entry = e < entry_count && compare_names(entries[e], run->name) == 0 ? entries[e] : NULL;
+        run->entry =
+            e < entry_count && compare_names(entries[e], run->name) == 0 ? entries[e] : NULL;
     }
 }
 
@@ -407,10 +408,9 @@ static burnish_status add_material(obj_state *obj, const burnish_material *mater
                                burnish_place_file(obj->input->name),
                                "more than %d materials are in use; merge some", MATERIAL_LIMIT);
     }
-    burnish_status status =
-        burnish_grow((void **)&source->materials, &source->material_capacity,
-                     source->material_count + 1, sizeof *source->materials, "materials",
-                     obj->error);
+    burnish_status status = burnish_grow((void **)&source->materials, &source->material_capacity,
+                                         source->material_count + 1, sizeof *source->materials,
+                                         "materials", obj->error);
     if (status == BURNISH_STATUS_OK) {
         *index = (uint32_t)source->material_count;
         source->materials[source->material_count++] = *material;
@@ -487,8 +487,7 @@ static burnish_status resolve_materials(obj_state *obj) {
                                           compare_runs, &runs, obj->error);
     if (status == BURNISH_STATUS_OK) {
         status = sort_pointers(obj->library.entries, obj->library.count,
-                               sizeof *obj->library.entries, compare_entries, &entries,
-                               obj->error);
+                               sizeof *obj->library.entries, compare_entries, &entries, obj->error);
     }
     if (status == BURNISH_STATUS_OK) {
         match_runs(runs, obj->run_count, entries, obj->library.count);

@@ -170,8 +170,8 @@ static burnish_status read_format(const burnish_reader_input *input, burnish_for
 }
 
 /* Reads and builds; releases *owned, the bytes of a file, as soon as they have been read. */
-static burnish_status load(const burnish_reader_input *input, uint8_t *owned,
-                           burnish_scene **scene, burnish_error *error) {
+static burnish_status load(const burnish_reader_input *input, uint8_t *owned, burnish_scene **scene,
+                           burnish_error *error) {
     burnish_source source = {0};
     burnish_format format;
     burnish_status status = read_format(input, &format, &source, error);
@@ -234,8 +234,8 @@ burnish_status burnish_scene_load(const char *path, const burnish_load_options *
 }
 
 burnish_status burnish_scene_load_memory(const void *bytes, size_t size, const char *name,
-                                         const burnish_load_options *options,
-                                         burnish_scene **scene, burnish_error *error) {
+                                         const burnish_load_options *options, burnish_scene **scene,
+                                         burnish_error *error) {
     static const uint8_t nothing[1];
     const void *given = bytes ? bytes : size == 0 ? nothing : NULL;
     burnish_status status = check_arguments(given, "bytes", options, scene, error);

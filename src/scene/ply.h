@@ -77,8 +77,8 @@ typedef struct burnish_ply_header {
     size_t body_line;
 } burnish_ply_header;
 
-/* Reads the header; one vertex element with x, y and z is there, and every face element has corners.
- * The caller destroys the header, also on error. Errors: FORMAT, LIMIT, MEMORY. */
+/* Reads the header; one vertex element with x, y and z is there, and every face element has
+ * corners. The caller destroys the header, also on error. Errors: FORMAT, LIMIT, MEMORY. */
 burnish_status burnish_ply_read_header(const burnish_reader_input *input,
                                        burnish_ply_header *header, burnish_error *error);
 void burnish_ply_destroy_header(burnish_ply_header *header);

@@ -1,4 +1,5 @@
-/* The body of a PLY file: ASCII, little-endian or big-endian, read value by value as the header says.
+/* The body of a PLY file: ASCII, little-endian or big-endian, read value by value as the header
+ * says.
  *
  * ASCII values may be spread over lines in any way. Counts are held against the bytes that are left
  * before memory is taken for them. */
@@ -26,13 +27,14 @@ typedef struct ply_body {
     int warned_corners;
 } ply_body;
 
-static int is_ascii(const ply_body *ply) { return ply->header.encoding == BURNISH_PLY_ASCII; }
+static int is_ascii(const ply_body *ply) {
+    return ply->header.encoding == BURNISH_PLY_ASCII;
+}
 
 static burnish_place here(const ply_body *ply) {
-    return is_ascii(ply)
-               ? burnish_place_line(ply->input->name, ply->text.line)
-               : burnish_place_byte(ply->input->name,
-                                    (size_t)(ply->value_start - ply->input->bytes));
+    return is_ascii(ply) ? burnish_place_line(ply->input->name, ply->text.line)
+                         : burnish_place_byte(ply->input->name,
+                                              (size_t)(ply->value_start - ply->input->bytes));
 }
 
 static size_t bytes_left(const ply_body *ply) {
@@ -190,8 +192,7 @@ static burnish_status read_corners(ply_body *ply, const burnish_ply_property *pr
 /* ---- rows ---- */
 
 static burnish_status read_row(ply_body *ply) {
-    const burnish_ply_property *property =
-        ply->header.properties + ply->element->first_property;
+    const burnish_ply_property *property = ply->header.properties + ply->element->first_property;
     const burnish_ply_property *end = property + ply->element->property_count;
     burnish_status status = BURNISH_STATUS_OK;
     for (; property < end && status == BURNISH_STATUS_OK; ++property) {
@@ -204,8 +205,7 @@ static burnish_status read_row(ply_body *ply) {
                     return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
                                            "vertex %llu: coordinate %c is not finite or beyond "
                                            "3.4e38; repair the mesh",
-                                           (unsigned long long)ply->row,
-                                           'x' + (int)property->role);
+                                           (unsigned long long)ply->row, 'x' + (int)property->role);
                 }
             }
             continue;
@@ -246,8 +246,7 @@ static burnish_status append_vertex(ply_body *ply, int has_normals, int has_colo
     for (int i = 0; i < 3; ++i) {
         burnish_double_to_float(ply->values[BURNISH_PLY_X + i], &position[i]);
     }
-    burnish_status status =
-        burnish_append_position(ply->source, here(ply), position, ply->error);
+    burnish_status status = burnish_append_position(ply->source, here(ply), position, ply->error);
     if (status == BURNISH_STATUS_OK && has_normals) {
         for (int i = 0; i < 3; ++i) {
             normal[i] = 0; /* stays when the file's is not finite: build makes one */
@@ -259,8 +258,8 @@ static burnish_status append_vertex(ply_body *ply, int has_normals, int has_colo
         uint8_t rgba[4] = {0, 0, 0, 255};
         for (int i = 0; i < 4; ++i) {
             if (ply->types[BURNISH_PLY_RED + i] != BURNISH_PLY_NONE) {
-                rgba[i] = to_color(ply->values[BURNISH_PLY_RED + i],
-                                   ply->types[BURNISH_PLY_RED + i]);
+                rgba[i] =
+                    to_color(ply->values[BURNISH_PLY_RED + i], ply->types[BURNISH_PLY_RED + i]);
             }
         }
         status = burnish_append_color(ply->source, rgba, ply->error);
@@ -271,8 +270,7 @@ static burnish_status append_vertex(ply_body *ply, int has_normals, int has_colo
 static burnish_status append_face(ply_body *ply) {
     if (ply->corner_count < 3) {
         if (!ply->warned_corners++) {
-            burnish_warn_at(ply->source, here(ply),
-                            "faces with fewer than 3 corners were ignored");
+            burnish_warn_at(ply->source, here(ply), "faces with fewer than 3 corners were ignored");
         }
         return BURNISH_STATUS_OK;
     }
@@ -312,15 +310,14 @@ static burnish_status check_count(ply_body *ply, size_t *row_size, int *has_list
     *row_size = 0;
     *has_lists = 0;
     for (size_t i = 0; i < element->property_count; ++i) {
-        const burnish_ply_property *property =
-            &ply->header.properties[element->first_property + i];
+        const burnish_ply_property *property = &ply->header.properties[element->first_property + i];
         int is_list = property->count_type != BURNISH_PLY_NONE;
         *has_lists |= is_list;
-        *row_size += is_ascii(ply) ? 1
-                                   : burnish_ply_type_size(is_list ? property->count_type
-                                                                   : property->type);
+        *row_size += is_ascii(ply)
+                         ? 1
+                         : burnish_ply_type_size(is_list ? property->count_type : property->type);
     }
-    uint64_t room = *row_size == 0 ? UINT64_MAX
+    uint64_t room = *row_size == 0  ? UINT64_MAX
                     : is_ascii(ply) ? room_for(ply, 1) / *row_size
                                     : room_for(ply, *row_size);
     if (element->count > room) {
@@ -371,8 +368,7 @@ static burnish_status begin_vertices(ply_body *ply) {
     }
     memset(ply->types, 0, sizeof ply->types);
     for (size_t i = 0; i < element->property_count; ++i) {
-        const burnish_ply_property *property =
-            &ply->header.properties[element->first_property + i];
+        const burnish_ply_property *property = &ply->header.properties[element->first_property + i];
         if (property->role < BURNISH_PLY_ROLE_COUNT) {
             ply->types[property->role] = property->type;
         }
@@ -412,9 +408,9 @@ static burnish_status walk(ply_body *ply, int vertices, int faces) {
             return status;
         }
         burnish_ply_kind kind = ply->element->kind;
-        int read = kind == BURNISH_PLY_ELEMENT_VERTEX   ? vertices
+        int read = kind == BURNISH_PLY_ELEMENT_VERTEX  ? vertices
                    : kind == BURNISH_PLY_ELEMENT_OTHER ? 0
-                                                        : faces;
+                                                       : faces;
         status = read && row_size > 0 ? read_element(ply) : skip_element(ply, row_size, has_lists);
         if (status != BURNISH_STATUS_OK) {
             return status;
@@ -440,11 +436,11 @@ static burnish_status read_body(ply_body *ply) {
         status = walk(ply, 0, 1); /* polygons are cut by their positions */
     }
     if (status == BURNISH_STATUS_OK && ply->source->triangle_count == 0) {
-        status = burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT,
-                                 burnish_place_file(ply->input->name),
-                                 has_faces ? "no face has 3 different corners; export the mesh again"
-                                           : "a point cloud: no faces; make a surface of it first, "
-                                             "for example with MeshLab");
+        status =
+            burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, burnish_place_file(ply->input->name),
+                            has_faces ? "no face has 3 different corners; export the mesh again"
+                                      : "a point cloud: no faces; make a surface of it first, "
+                                        "for example with MeshLab");
     }
     return status;
 }

@@ -19,13 +19,13 @@ static burnish_ply_type type_of(burnish_token token) {
     static const struct {
         const char *name;
         burnish_ply_type type;
-    } types[] = {{"char", BURNISH_PLY_INT8},     {"int8", BURNISH_PLY_INT8},
-                 {"uchar", BURNISH_PLY_UINT8},   {"uint8", BURNISH_PLY_UINT8},
-                 {"short", BURNISH_PLY_INT16},   {"int16", BURNISH_PLY_INT16},
-                 {"ushort", BURNISH_PLY_UINT16}, {"uint16", BURNISH_PLY_UINT16},
-                 {"int", BURNISH_PLY_INT32},     {"int32", BURNISH_PLY_INT32},
-                 {"uint", BURNISH_PLY_UINT32},   {"uint32", BURNISH_PLY_UINT32},
-                 {"float", BURNISH_PLY_FLOAT32}, {"float32", BURNISH_PLY_FLOAT32},
+    } types[] = {{"char", BURNISH_PLY_INT8},      {"int8", BURNISH_PLY_INT8},
+                 {"uchar", BURNISH_PLY_UINT8},    {"uint8", BURNISH_PLY_UINT8},
+                 {"short", BURNISH_PLY_INT16},    {"int16", BURNISH_PLY_INT16},
+                 {"ushort", BURNISH_PLY_UINT16},  {"uint16", BURNISH_PLY_UINT16},
+                 {"int", BURNISH_PLY_INT32},      {"int32", BURNISH_PLY_INT32},
+                 {"uint", BURNISH_PLY_UINT32},    {"uint32", BURNISH_PLY_UINT32},
+                 {"float", BURNISH_PLY_FLOAT32},  {"float32", BURNISH_PLY_FLOAT32},
                  {"double", BURNISH_PLY_FLOAT64}, {"float64", BURNISH_PLY_FLOAT64}};
     for (size_t i = 0; i < sizeof types / sizeof *types; ++i) {
         if (burnish_token_is(token, types[i].name)) {
@@ -149,8 +149,7 @@ static burnish_status read_property(header_state *ply) {
         burnish_token count_type = {0};
         burnish_text_token(&ply->text, &count_type);
         property.count_type = type_of(count_type);
-        if (property.count_type == BURNISH_PLY_NONE ||
-            property.count_type >= BURNISH_PLY_FLOAT32) {
+        if (property.count_type == BURNISH_PLY_NONE || property.count_type >= BURNISH_PLY_FLOAT32) {
             return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
                                    "list count type \"%s\" is no integer type; use uchar or int",
                                    burnish_token_quote(count_type).text);

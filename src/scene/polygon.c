@@ -22,7 +22,9 @@ static double turn(point a, point b, point c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-static int same(point a, point b) { return a.x == b.x && a.y == b.y; }
+static int same(point a, point b) {
+    return a.x == b.x && a.y == b.y;
+}
 
 /* Projects along the dominant axis of Newell's normal, so that the polygon runs to the left.
  * Returns 0 when the polygon has no normal. */

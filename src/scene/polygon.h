@@ -10,9 +10,9 @@
 
 /* Cuts a polygon into count - 2 triangles of the same winding, written as corner numbers.
  *
- * A strictly convex polygon becomes a fan around corner 0. Any other is projected along the dominant
- * axis of its normal and cut by ear clipping in O(count^2): a simple polygon keeps its area. One
- * that has no normal or crosses itself still gives count - 2 triangles, from a fan.
+ * A strictly convex polygon becomes a fan around corner 0. Any other is projected along the
+ * dominant axis of its normal and cut by ear clipping in O(count^2): a simple polygon keeps its
+ * area. One that has no normal or crosses itself still gives count - 2 triangles, from a fan.
  *
  * positions: 3 floats a position, finite
  * corners:   count indices into positions

@@ -8,16 +8,16 @@
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */
 static const burnish_material DEFAULT_MATERIAL = {
-    .ambient = {0.45f, 0.45f, 0.45f},
-    .diffuse = {0.45f, 0.45f, 0.45f},
-    .specular = {0.35f, 0.35f, 0.35f},
-    .exponent = 48,
+    .ambient = {0.34f, 0.34f, 0.34f},
+    .diffuse = {0.34f, 0.34f, 0.34f},
+    .specular = {0.5f, 0.5f, 0.5f},
+    .exponent = 64,
 };
 
 burnish_load_options burnish_load_options_default(void) {
     return (burnish_load_options){.cookie = BURNISH_LOAD_OPTIONS_COOKIE,
                                   .format = BURNISH_FORMAT_AUTO,
-                                  .crease_angle = 40,
+                                  .crease_angle = BURNISH_CREASE_AUTO,
                                   .tessellation = 16,
                                   .max_input_bytes = (uint64_t)16 << 30,
                                   .max_triangles = INT32_MAX};
@@ -38,9 +38,10 @@ burnish_status burnish_check_load_options(const burnish_load_options *options,
                             "options: format %d is unknown; use a BURNISH_FORMAT_ value",
                             (int)options->format);
     }
-    if (!(options->crease_angle >= 0 && options->crease_angle <= 180)) {
+    if (options->crease_angle != BURNISH_CREASE_AUTO &&
+        !(options->crease_angle >= 0 && options->crease_angle <= 180)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: crease_angle %g is not in [0, 180] degrees",
+                            "options: crease_angle %g is not in [0, 180] degrees or BURNISH_CREASE_AUTO",
                             options->crease_angle);
     }
     if (options->tessellation < 1 || options->tessellation > 256) {

@@ -240,8 +240,7 @@ burnish_status burnish_read_stl(const burnish_reader_input *input, burnish_sourc
         return burnish_fail_at(error, BURNISH_STATUS_FORMAT, burnish_place_byte(input->name, 0),
                                "the file is empty; fetch it again");
     }
-    int exact = input->size >= HEADER_SIZE &&
-                (input->size - HEADER_SIZE) % FACET_SIZE == 0 &&
+    int exact = input->size >= HEADER_SIZE && (input->size - HEADER_SIZE) % FACET_SIZE == 0 &&
                 (input->size - HEADER_SIZE) / FACET_SIZE == read_u32(input->bytes + 80);
     if (!exact && is_text(input)) {
         status = read_text(input, source, error);

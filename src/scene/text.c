@@ -10,8 +10,12 @@ enum {
     MESSAGE_SIZE = 300
 };
 
-static int is_blank(uint8_t c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-static int is_line_end(uint8_t c) { return c == '\n' || c == '\r'; }
+static int is_blank(uint8_t c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+static int is_line_end(uint8_t c) {
+    return c == '\n' || c == '\r';
+}
 
 /* Bytes of the line end at p, 0 when there is none. */
 static size_t line_end_size(const uint8_t *p, const uint8_t *end) {

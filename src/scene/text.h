@@ -65,11 +65,12 @@ static inline burnish_place burnish_place_byte(const char *name, size_t offset) 
     return (burnish_place){name, BURNISH_PLACE_BYTE, offset};
 }
 
-/* burnish_fail() and burnish_source_warn() with the place in front. A long name loses its beginning,
- * so that the message itself always fits. */
-__attribute__((format(printf, 4, 5))) burnish_status
-burnish_fail_at(burnish_error *error, burnish_status status, burnish_place place,
-                const char *format, ...);
+/* burnish_fail() and burnish_source_warn() with the place in front. A long name loses its
+ * beginning, so that the message itself always fits. */
+__attribute__((format(printf, 4, 5))) burnish_status burnish_fail_at(burnish_error *error,
+                                                                     burnish_status status,
+                                                                     burnish_place place,
+                                                                     const char *format, ...);
 __attribute__((format(printf, 3, 4))) void
 burnish_warn_at(burnish_source *source, burnish_place place, const char *format, ...);
 

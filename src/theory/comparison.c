@@ -1,4 +1,5 @@
-/* Exact values of the lobes in double precision. Uses libm, so nothing of a picture may come here. */
+/* Exact values of the lobes in double precision. Uses libm, so nothing of a picture may come here.
+ */
 #include "burnish/theory.h"
 
 #include <math.h>

@@ -101,7 +101,7 @@ int burnish_cli_read_reals(const char *text, size_t length, double *values, size
 static burnish_status fail_number(const burnish_cli_flag *flag, const char *text, const char *what,
                                   burnish_error *error) {
     return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: \"%.60s\" is not %s from %.17g to %.17g", flag->name, text, what,
+                            "--%s: \"%.60s\" is not %s from %.10g to %.10g", flag->name, text, what,
                             flag->low, flag->high);
 }
 

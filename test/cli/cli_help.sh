@@ -1,0 +1,60 @@
+#!/bin/sh
+# The help screens fit a screen, the man page is clean roff and covers every flag.
+# usage: cli_help.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+
+# fits FILE: at most 40 lines of at most 100 columns, no blanks at the ends of lines.
+fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
+
+for screen in "--help" "-h" "help" "render --help" "render -h" "help render" "help --help"; do
+    run $screen
+    check "burnish $screen: exit code $code" [ "$code" = 0 ]
+    check "burnish $screen: writes to standard error" [ ! -s "$err" ]
+    check "burnish $screen: does not fit 40 lines of 100 columns" fits "$out"
+done
+run --help
+cp "$out" main.txt
+for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'help \[COMMAND\]'; do
+    check "burnish --help lacks '$code_text'" grep -q -- "  $code_text" main.txt
+done
+run render --help
+cp "$out" render.txt
+check "burnish help render differs from render --help" sh -c "'$burnish' help render | cmp - render.txt"
+check "flags before --help count" sh -c "'$burnish' render --samples=4 --help | cmp - render.txt"
+
+run --version
+check "version" grep -qx 'burnish [0-9]*\.[0-9]*\.[0-9]*' "$out"
+check "-V" sh -c "'$burnish' -V | cmp - '$out'"
+
+run help --man
+cp "$out" burnish.1
+check "burnish help --man: exit code $code" [ "$code" = 0 ]
+tr -d '\\' <burnish.1 >page.txt
+grep -o -- '--[a-z][a-z-]*' render.txt | sort -u >flags.txt
+check "fewer than 35 flags in the help screen" [ "$(wc -l <flags.txt)" -ge 35 ]
+while read -r flag; do
+    check "$flag is not in the man page" grep -q "^f.*$flag" page.txt
+done <flags.txt
+# and the other way round
+sed -n '/^.TP/{n;s/^.*fB\(--[a-z-]*\)fR.*$/\1/p}' page.txt | grep '^--' | sort -u >described.txt
+check "the man page describes no flags" [ -s described.txt ]
+while read -r flag; do
+    check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt || '$burnish' help --help | grep -q -- $flag"
+done <described.txt
+for heading in NAME SYNOPSIS DESCRIPTION RENDER COLOURS MATERIALS LOBES LIGHTS '"JSON OUTPUT"' \
+    '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
+    check "the man page lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish.1
+done
+for exit_code in 0 2 3 4 5 6 7 8; do
+    check "the man page lacks exit code $exit_code" grep -q "^.B $exit_code\$" burnish.1
+done
+if command -v mandoc >/dev/null; then
+    check "mandoc: $(mandoc -T lint -W warning burnish.1)" mandoc -T lint -W warning burnish.1
+fi
+if command -v groff >/dev/null && command -v man >/dev/null; then
+    warnings=$(LC_ALL=C MANROFFSEQ='' man --warnings -E UTF-8 -l burnish.1 2>&1 >/dev/null)
+    check "man: $warnings" [ -z "$warnings" ]
+fi
+check "help into a full device ends with 7" sh -c "'$burnish' --help >/dev/full 2>/dev/null; [ \$? = 7 ]"
+
+finish

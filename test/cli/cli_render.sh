@@ -1,0 +1,151 @@
+#!/bin/sh
+# burnish render as a user sees it: names of outputs, exit codes, JSON, cameras, sheets, nothing half-written.
+# usage: cli_render.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+
+# is_png FILE WIDTH HEIGHT: signature and the size in the header.
+is_png() {
+    [ "$(od -An -tx1 -N8 "$1" | tr -d ' ')" = 89504e470d0a1a0a ] &&
+        [ "$(od -An -tu1 -j16 -N8 "$1" | awk '{print ($1*256+$2)*65536+$3*256+$4, ($5*256+$6)*65536+$7*256+$8}')" = "$2 $3" ]
+}
+
+# hash ARGUMENTS...: the hash of the sphere-sized picture that they make.
+hash() {
+    run render "$@" --json -o picture.png
+    [ "$code" = 0 ] || fail "burnish render $*: exit code $code: $(cat "$err")"
+    json hash
+}
+
+# same TEXT A B and differs TEXT A B: two hashes.
+same() { check "$1: $2 is not $3" [ "$2" = "$3" ]; }
+differs() { check "$1: both are $2" [ "$2" != "$3" ]; }
+
+triangle() {
+    printf 'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n'
+}
+
+# Where the picture goes.
+expect 0 '' render :torus --size=32
+check "torus.png" is_png torus.png 32 32
+expect 0 '' render :torus --resolution=40x30 -o a.png
+check "a.png" is_png a.png 40 30
+expect 0 '' render :torus --resolution 40,30 -ob.png
+same "both forms" "$(cksum <a.png)" "$(cksum <b.png)"
+mkdir in
+triangle >in/part.v2.stl
+expect 0 '' render in/part.v2.stl --size=16
+check "part.v2.png in the current folder" is_png part.v2.png 16 16
+"$burnish" render - --size=16 <in/part.v2.stl >piped.png
+same "from pipe to pipe" "$(cksum <piped.png)" "$(cksum <part.v2.png)"
+expect 0 '' render -o dash.png --size=16 -- in/part.v2.stl
+expect 2 'burnish: --output: "in/part.v2.stl" is the input; name another file' render in/part.v2.stl -o in/part.v2.stl
+check "the input is as it was" sh -c "grep -q endsolid in/part.v2.stl"
+
+# Exit codes, and nothing left behind.
+mkdir empty
+cd empty || exit 1
+expect 3 "burnish: none.stl: can't be opened: No such file or directory" render none.stl
+expect 2 'burnish: :tepot: unknown built-in object; there are :teapot, :sphere, :torus, :knot' render :tepot
+printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n' >../broken.stl
+run render ../broken.stl
+check "a broken file: exit code $code" [ "$code" = 4 ]
+check "a broken file: one line that names it" sh -c "[ \$(wc -l <'$err') = 1 ] && grep -q '^burnish: ../broken.stl' '$err'"
+run render ../in/part.v2.stl --max-input-bytes=20
+check "too large: exit code $code" [ "$code" = 5 ]
+run render :sphere --max-triangles=3
+check "too many triangles: exit code $code" [ "$code" = 5 ]
+expect 7 "burnish: none/x.png: can't be written: No such file or directory; create the folder first" render :sphere --size=16 -o none/x.png
+expect 7 "burnish: /dev/full: can't be written: No space left on device; free some space" render :sphere --size=16 -o /dev/full
+away='--size=16 --camera-position=100,0,0 --camera-focal-point=200,0,0'
+expect 8 'burnish: :sphere: the picture is blank; check the camera; nothing was written' render :sphere $away --fail-on-blank
+expect 8 'burnish: :sphere: the picture is blank; check the camera; nothing was written' render :sphere $away --fail-on-blank --quiet
+nothing_left "failed runs"
+printf 'mine' >kept.png
+expect 8 'burnish: :sphere: the picture is blank; check the camera; nothing was written' render :sphere $away --fail-on-blank -o kept.png
+run render ../broken.stl -o kept.png
+check "an older picture stays" [ "$(cat kept.png)" = mine ]
+expect 0 'burnish: warning: :sphere: the picture is blank: nothing of the object is in it; check the camera' render :sphere $away
+expect 0 '' render :sphere $away --quiet
+"$burnish" render :sphere --size=500 --json -o s.png 2>"$err" >/dev/full
+check "a report that can't be printed: 7" [ $? = 7 ]
+{
+    "$burnish" render :sphere --size=500 -o - 2>"$err"
+    echo $? >../code
+} | true
+check "a closed pipe ends with 7 and a line, not a signal: $(cat ../code)" [ "$(cat ../code)" = 7 ]
+cd ..
+
+# The report.
+run render :teapot --size=64 --json -o t.png
+check "JSON is valid" valid_json
+check "JSON alone: nothing on standard error" [ ! -s "$err" ]
+for key in burnish input format output width height triangles vertices materials exponents bounding_box up \
+    triangles_drawn covered_pixels pixel_bounds camera lobe equation viewer lights samples threads seconds hash \
+    hash_algorithm blank warnings; do
+    check "JSON lacks $key" grep -q "\"$key\":" "$out"
+done
+same "input" "$(json input)" :teapot
+same "output" "$(json output)" t.png
+same "width" "$(json width)" 64
+same "lobe" "$(json lobe)" energy:2
+same "blank" "$(json blank)" false
+check "hash has 16 digits" sh -c "echo $(json hash) | grep -qx '[0-9a-f]\{16\}'"
+position=$(json position) focal=$(json focal_point) up=$(json view_up) plain=$(json hash)
+same "the camera of the report makes the same picture" "$plain" \
+    "$(hash :teapot --size=64 --camera-position=$position --camera-focal-point=$focal --camera-view-up=$up)"
+run render :sphere $away --json -o blank.png --fail-on-blank
+check "JSON of a blank picture: exit code $code" [ "$code" = 8 ]
+check "JSON of a blank picture is valid" valid_json
+same "blank" "$(json blank)" true
+same "nothing was written" "$(json output)" null
+check "no blank.png" [ ! -e blank.png ]
+name=$(printf 'a"b\\\377\303\251.stl')
+triangle >"$name"
+run render "$name" --size=8 --json -o q.png
+check "JSON with an odd file name is valid" valid_json
+if iconv --version >/dev/null 2>&1; then
+    check "JSON with an odd file name is UTF-8" iconv -f UTF-8 -t UTF-16 "$out"
+fi
+run render :sphere --size=16 --timing -o t.png
+check "--timing" grep -qx 'burnish: load [0-9.]* ms, transform [0-9.]* ms, draw [0-9.]* ms, encode and write [0-9.]* ms, total [0-9.]* ms' "$err"
+check "--timing leaves standard output alone" [ ! -s "$out" ]
+
+# Flags that must not change the picture, and flags that must.
+same "threads" "$plain" "$(hash :teapot --size=64 --threads=3)"
+same "defaults written out" "$plain" "$(hash :teapot --size=64 --samples=4 --lobe=energy:2 \
+    --equation=blinn --viewer=local --margin=0.05 --camera-view-angle=30 --camera-zoom-factor=1 --up=+Y \
+    --crease-angle=40 --tessellation=16 --background-color=white --threads=1)"
+for flag in --samples=8 --up=+Z --camera-azimuth-angle=20 --camera-elevation-angle=-20 --camera-zoom-factor=2 \
+    --camera-view-angle=50 --camera-orthographic --margin=0.2 --camera-direction=1,-1,0 --camera-view-up=1,1,0 \
+    --camera-focal-point=0,0,0 --background-color=navy --no-background --color=gold --material=metal \
+    --specular=0 --exponent=9 --lobe=power --lobe=schlick --lobe=taylor:8 --equation=phong --viewer=distant \
+    --light=point:0,0,0 --light=none --ambient=0.5 --tessellation=3; do
+    differs "$flag" "$plain" "$(hash :teapot --size=64 $flag)"
+done
+same "no light and no ambient light is black" "$(hash :teapot --size=64 --light=none --ambient=0 --specular=1)" \
+    "$(hash :teapot --size=64 --light=none --ambient=0 --color=red)"
+same "specular 0 has no lobe" "$(hash :teapot --size=64 --specular=0)" \
+    "$(hash :teapot --size=64 --specular=0 --lobe=power)"
+same "a turn of 360 degrees and --size" "$(hash :teapot --resolution=64,64 --camera-direction=0,0,-1)" \
+    "$(hash :teapot --size=64 --views=front)"
+same "STL stands on +Z" "$(hash in/part.v2.stl --size=32)" "$(hash in/part.v2.stl --size=32 --up=+Z)"
+same "--input-format" "$(hash in/part.v2.stl --size=32)" "$(hash in/part.v2.stl --size=32 --input-format=stl)"
+
+# Sheets.
+run render :teapot --views=front,right,top,iso --size=40 --json -o sheet.png
+check "a sheet's JSON is valid" valid_json
+check "a sheet has four cells" [ "$(grep -c '"row":' "$out")" = 4 ]
+check "a sheet of four is two cells wide: $(json width)" [ "$(json width)" -ge 80 ]
+check "a sheet of four is two cells wide: $(json width)" [ "$(json width)" -lt 120 ]
+check "sheet.png" is_png sheet.png "$(json width)" "$(json height)"
+front=$(tr -d '\n\t ' <"$out" | sed 's/.*"view":"front"//; s/"view":"right".*//' | grep -o '"hash":"[^"]*' | cut -d'"' -f4)
+same "a cell is the picture itself" "$front" "$(hash :teapot --size=40 --views=front)"
+labelled=$(hash :teapot --views=front,top --size=40)
+differs "--no-labels" "$labelled" "$(hash :teapot --views=front,top --size=40 --no-labels)"
+run render :teapot --views=front,top --lobe=power,energy:2,taylor:4 --size=40 --json -o sheet.png
+check "views times lobes" [ "$(grep -c '"row":' "$out")" = 6 ]
+check "a row a view" [ "$(grep -c '"column":.*2' "$out")" = 2 ]
+run render :teapot --lobe=power,schlick,energy:2,taylor:2 --columns=4 --size=40 --json -o sheet.png
+check "four columns" [ "$(json width)" -ge 160 ]
+
+finish

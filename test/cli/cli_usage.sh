@@ -1,0 +1,43 @@
+#!/bin/sh
+# Wrong usage: one line on standard error, literally, exit code 2, and no file.
+# usage: cli_usage.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+
+expect 2 'burnish: no command; try "burnish render :teapot" or "burnish --help"'
+expect 2 'burnish: "rendr": unknown command; did you mean render?' rendr
+expect 2 'burnish: "frobnicate": unknown command; "burnish --help" lists the commands' frobnicate
+expect 2 'burnish: "bunny.obj": unknown command; did you mean burnish render bunny.obj?' bunny.obj
+expect 2 'burnish: ":teapot": unknown command; did you mean burnish render :teapot?' :teapot
+expect 2 'burnish: --json: a command comes first, as in "burnish render INPUT --json"; burnish --help lists the commands' --json
+expect 2 'burnish: render: no INPUT; try "burnish render :teapot" or "burnish render --help"' render
+expect 2 'burnish: render: "b" is one operand too many; usage: burnish render INPUT [options]' render a b
+expect 2 'burnish: --sampels: unknown flag; did you mean --samples?' render :sphere --sampels=4
+expect 2 'burnish: --view-angle: unknown flag; did you mean --camera-view-angle?' render :sphere --view-angle 4
+expect 2 'burnish: --samp: unknown flag; did you mean --samples?' render :sphere --samp=4
+expect 2 'burnish: --qzx: unknown flag; "burnish render --help" lists the flags' render :sphere --qzx
+expect 2 'burnish: --samples: "3" is not one of 1, 4, 8, 16' render :sphere --samples=3
+expect 2 'burnish: --samples: a value is missing: --samples=N' render :sphere --samples
+expect 2 'burnish: --output: a value is missing before --json: --output=FILE' render :sphere -o --json
+expect 2 'burnish: --json: takes no value; write --json alone' render :sphere --json=1
+expect 2 'burnish: --resolution: "0,5" is not a width and a height from 1 to 16384, such as 1920,1080' render :sphere --resolution=0,5
+expect 2 'burnish: --size: "16385" is not a whole number from 1 to 16384' render :sphere --size=16385
+expect 2 'burnish: --margin: "0.5" is not a number from 0 to 0.45' render :sphere --margin=0.5
+expect 2 'burnish: --camera-view-angle: "nan" is not a number from 0.001 to 179' render :sphere --camera-view-angle=nan
+expect 2 'burnish: --camera-position: "1,2" is not three numbers, such as 1,0.5,-2' render :sphere --camera-position=1,2
+expect 2 'burnish: --camera-direction: 0,0,0 has no direction; give a vector that is not zero' render :sphere --camera-direction=0,0,0
+expect 2 'burnish: --camera-position: it is the focal point; move one of them' render :sphere --camera-position=1,2,3 --camera-focal-point=1,2,3
+expect 2 'burnish: --camera-view-up: it is parallel to the direction of view; give another vector' render :sphere --camera-position=0,9,0 --camera-focal-point=0,0,0 --camera-view-up=0,1,0
+expect 2 'burnish: --camera-position: --views already says where the camera looks from; leave one out' render :sphere --views=top --camera-position=1,2,3
+expect 2 'burnish: --camera-azimuth-angle: --camera-position already says where the camera looks from; leave one out' render :sphere --camera-position=1,2,3 --camera-azimuth-angle=30
+expect 2 'burnish: --light: "sun:1,2,3" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: the kind is one of directional, point, world-directional, world-point, none' render :sphere --light=sun:1,2,3
+expect 2 'burnish: --ambient: "-1" is not a number from 0 to 16, nor a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name' render :sphere --ambient=-1
+expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polished, metal' render :sphere --material=wood
+expect 2 'burnish: --resolution: a sheet of 2 cells would be 32768x16 pixels, more than 16384; make the cells smaller or change --columns' render :sphere --views=front,top --resolution=16384,16
+expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE' render :sphere -o - --json
+expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE' render - --json
+expect 2 'burnish: "/" gives the picture no name; name it with --output=FILE' render /
+expect 2 'burnish: "nonsense": unknown command; "burnish --help" lists the commands' help nonsense
+expect 2 'burnish: --samples: "?[31m" is not one of 1, 4, 8, 16' render :sphere --samples="$(printf '\033[31m')"
+nothing_left "wrong usage"
+
+finish
