@@ -121,13 +121,13 @@ static inline double sweep_exact(const sweep_case *c, burnish_lobe lobe, double 
     return cosine * cosine / (cosine * cosine + n / 2 * ((1 - cosine) * (1 + cosine)));
 }
 
-/* Units in the last place of a float at an exact value in [2^-10, 1]. */
+/* The unit in the last place of a float at a normal value: its power of two times 2^-23. */
 static inline double sweep_unit(double exact) {
-    double unit = 0x1p-24; /* of [1/2, 1) */
-    for (double limit = 0.5; exact < limit; limit *= 0.5) {
-        unit *= 0.5;
-    }
-    return exact >= 1 ? 0x1p-23 : unit;
+    uint64_t bits;
+    memcpy(&bits, &exact, sizeof bits);
+    bits &= 0x7ff0000000000000u;
+    memcpy(&exact, &bits, sizeof exact);
+    return exact * 0x1p-23;
 }
 
 /* Notes the error of a float value. */

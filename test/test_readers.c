@@ -213,6 +213,51 @@ static void test_polygons(void) {
     }
 }
 
+static int separated(const float *a, const float *b, const float *c, const float *d) {
+    return (triangle_area(a, b, c) > 0) == (triangle_area(a, b, d) > 0) ||
+           (triangle_area(c, d, a) > 0) == (triangle_area(c, d, b) > 0);
+}
+
+/* Random points joined in a ring and untangled: whenever two edges cross, the way between them is
+ * turned round, which shortens the ring, so that it ends as a simple polygon. */
+static void untangle(float *positions, size_t count) {
+    for (int crossed = 1; crossed;) {
+        crossed = 0;
+        for (size_t i = 0; i + 2 < count; ++i) {
+            for (size_t k = i + 2; k < count - (i == 0); ++k) {
+                float *a = positions + 3 * i, *c = positions + 3 * k;
+                if (separated(a, a + 3, c, positions + 3 * ((k + 1) % count))) {
+                    continue;
+                }
+                crossed = 1;
+                for (size_t lower = i + 1, upper = k; lower < upper; ++lower, --upper) {
+                    for (size_t axis = 0; axis < 2; ++axis) {
+                        float swap = positions[3 * lower + axis];
+                        positions[3 * lower + axis] = positions[3 * upper + axis];
+                        positions[3 * upper + axis] = swap;
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void test_random_polygons(void) {
+    const uint64_t seed = 11;
+    uint64_t state = seed;
+    printf("random polygons: seed %llu\n", (unsigned long long)seed);
+    for (int round = 0; round < 1000; ++round) {
+        float positions[3 * 40] = {0};
+        size_t count = 4 + next_random(&state) % 37;
+        for (size_t i = 0; i < count; ++i) { /* 20 bits: areas are exact in double */
+            positions[3 * i] = (float)(next_random(&state) >> 44);
+            positions[3 * i + 1] = (float)(next_random(&state) >> 44);
+        }
+        untangle(positions, count);
+        check_cut("random polygon", positions, count);
+    }
+}
+
 /* ---- OBJ ---- */
 
 static int position_is(const burnish_source *s, size_t i, float x, float y, float z) {
@@ -653,6 +698,7 @@ int main(void) {
     test_long_numbers();
     test_number_grammar();
     test_polygons();
+    test_random_polygons();
     test_obj();
     test_obj_colors();
     test_obj_polygons();

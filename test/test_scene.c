@@ -550,7 +550,7 @@ static void test_options(void) {
               "%d", i);
     }
     burnish_load_options options = burnish_load_options_default();
-    CHECK_THAT(options.crease_angle == 40 && options.tessellation == 16);
+    CHECK_THAT(options.crease_angle == BURNISH_CREASE_AUTO && options.tessellation == 16);
     CHECK_THAT(options.max_triangles == 2147483647 && options.max_input_bytes >> 30 == 16);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_scene *scene = NULL;
@@ -558,6 +558,37 @@ static void test_options(void) {
     CHECK_THAT(burnish_scene_create(positions, NULL, NULL, 4, indices, 2, &options, &scene,
                                     &error) == BURNISH_STATUS_LIMIT);
     CHECK(strstr(error.text, "2 triangles are more than the limit of 1"), "%s", error.text);
+}
+
+/* Two triangles that meet at 50 degrees: an edge in an STL, smooth in an OBJ, unless an angle is given. */
+static void test_crease_auto(void) {
+    static const char OBJ[] = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -0.642787 0.766044 0\nf 1 2 3\nf 2 1 4\n";
+    static const char STL[] = "solid\n"
+                              "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 1 vertex 1 0 0 "
+                              "endloop endfacet\n"
+                              "facet normal 0 0 0 outer loop vertex 0 0 1 vertex 0 0 0 "
+                              "vertex -0.642787 0.766044 0 endloop endfacet\nendsolid\n";
+    static const struct {
+        const char *text, *name;
+        double angle;
+        size_t vertices;
+    } cases[] = {{OBJ, "a.obj", BURNISH_CREASE_AUTO, 4},
+                 {STL, "a.stl", BURNISH_CREASE_AUTO, 6},
+                 {OBJ, "a.obj", 49, 6},
+                 {STL, "a.stl", 51, 4}};
+    for (int i = 0; i < 4; ++i) {
+        burnish_load_options options = burnish_load_options_default();
+        burnish_scene *scene = NULL;
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        options.crease_angle = cases[i].angle;
+        if (CHECK(burnish_scene_load_memory(cases[i].text, strlen(cases[i].text), cases[i].name,
+                                            &options, &scene, &error) == BURNISH_STATUS_OK,
+                  "%s", error.text)) {
+            size_t count = burnish_scene_mesh(scene)->vertex_count;
+            CHECK(count == cases[i].vertices, "case %d: %zu vertices", i, count);
+        }
+        burnish_scene_destroy(scene);
+    }
 }
 
 /* Each allocation fails once: MEMORY, no scene, nothing lost (the leak checker says so). */
@@ -609,6 +640,7 @@ int main(void) {
     test_set_material();
     test_arguments();
     test_options();
+    test_crease_auto();
     test_out_of_memory();
     return test_end("scene");
 }

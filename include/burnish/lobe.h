@@ -115,9 +115,8 @@ typedef enum burnish_fit {
     BURNISH_FIT_COUNT
 } burnish_fit;
 
-/* One lobe. A small value to copy and pass; make it with burnish_lobe_create or a sibling and then
- * leave it as it is. One that is all zero is the dark lobe, which is 0 everywhere, c = 1 included.
- */
+/* One lobe. A small value to copy and pass; make it with burnish_lobe_create or a sibling and leave
+ * it as it is. All zero it is the dark lobe, which is 0 everywhere, c = 1 included. */
 typedef struct burnish_lobe {
     float zeta; /* slope of the base: (0, 65536], 0 in the dark lobe */
     int order;  /* 2, 4, 8, 16 or 32; 0 in the dark lobe */
@@ -128,10 +127,10 @@ static inline int burnish_lobe_order_is_valid(int order) {
     return order == 2 || order == 4 || order == 8 || order == 16 || order == 32;
 }
 
-/* Whether lobes of this order and exponent exist, whatever the fit: OK, ERROR_ORDER,
- * ERROR_EXPONENT, or ERROR_ORDER_FOR_EXPONENT. Order 2 is there for every exponent, a higher one
- * from exponent = order on: below that zeta would sink under 1 and the lobe would still shine at c
- * = 0. */
+/* Whether lobes of an order and exponent exist, whatever the fit. Order 2 does for every exponent,
+ * a higher one from exponent = order on: below that zeta would sink under 1 and the lobe would
+ * still shine at c = 0.
+ * Returns OK, ERROR_ORDER, ERROR_EXPONENT or ERROR_ORDER_FOR_EXPONENT. */
 static inline burnish_lobe_status burnish_lobe_check(int order, double exponent) {
     if (!burnish_lobe_order_is_valid(order)) {
         return BURNISH_LOBE_ERROR_ORDER;
@@ -179,10 +178,12 @@ static inline burnish_lobe_status burnish_lobe_from_zeta(burnish_lobe *lobe, flo
 }
 
 /* Makes the lobe that stands for cos^exponent. zeta is the fit's formula evaluated in double
- * precision and rounded to float. lobe      becomes the lobe, on error the dark one; not NULL fit
- * TAYLOR, ENERGY, SHIFT7 or SHIFT3; for LEVEL and PROJECTED see burnish/theory.h order     2, 4, 8,
- * 16 or 32, from 4 on at most the exponent; SHIFT7 and SHIFT3: 2 exponent  [1, 65536], need not be
- * whole Errors: ERROR_FIT, ERROR_FIT_NEEDS_THEORY, ERROR_ORDER, ERROR_EXPONENT (NaN included),
+ * precision and rounded to float.
+ *   lobe      becomes the lobe, on error the dark one; not NULL
+ *   fit       TAYLOR, ENERGY, SHIFT7 or SHIFT3; for LEVEL and PROJECTED see burnish/theory.h
+ *   order     2, 4, 8, 16 or 32, from 4 on at most the exponent; SHIFT7 and SHIFT3: 2
+ *   exponent  [1, 65536], need not be whole
+ * Errors: ERROR_FIT, ERROR_FIT_NEEDS_THEORY, ERROR_ORDER, ERROR_EXPONENT (NaN included),
  * ERROR_ORDER_FOR_EXPONENT (burnish_lobe_highest_order finds the order to fall back to). */
 static inline burnish_lobe_status burnish_lobe_create(burnish_lobe *lobe, burnish_fit fit,
                                                       int order, float exponent) {
@@ -219,8 +220,9 @@ static inline float burnish_lobe_saturate(float x) {
 }
 
 /* The lobe at lambda = 1 - cosine: (1 - zeta lambda)^order by squarings. The form to prefer for
- * large exponents, where a cosine near 1 has too few bits left to tell how near. lambda  any float;
- * (-infinity, 0] gives 1, NaN gives 0 Returns a value in [0, 1]; 0 for the dark lobe. */
+ * large exponents, where a cosine near 1 has too few bits left to tell how near.
+ *   lambda  any float; [-infinity, 0] gives 1, NaN gives 0
+ * Returns a value in [0, 1]; 0 for the dark lobe. */
 static inline float burnish_lobe_at_lambda(burnish_lobe lobe, float lambda) {
     float u = burnish_lobe_saturate(1.0f - lobe.zeta * lambda);
     u = u * u;
@@ -249,15 +251,14 @@ static inline float burnish_lobe_chord(const float a[3], const float b[3]) {
     return 0.5f * ((x * x + y * y) + z * z);
 }
 
-/* The cosine from which downward the lobe is 0: 1 - 1/zeta. Below -1 (zeta < 1/2) the lobe reaches
- * 0 nowhere. Rounded to float, so at this very cosine the lobe may still be a rounding error above
- * 0. 1 for the dark lobe. */
+/* The cosine from which downward the lobe is 0: 1 - 1/zeta, rounded to float, so at this very
+ * cosine the lobe may still be a rounding error above 0.
+ * Returns a value below -1 where the lobe reaches 0 nowhere (zeta < 1/2); 1 for the dark lobe. */
 static inline float burnish_lobe_cutoff_cosine(burnish_lobe lobe) {
     return lobe.order >= 2 ? 1.0f - 1.0f / lobe.zeta : 1.0f;
 }
 
-/* ---- Lobes to compare with
- * -----------------------------------------------------------------------
+/* ---- Lobes to compare with ----------------------------------------------------------------------
  *
  * Known alternatives that need no libm; those that do (cos^n itself, the Gaussian) are in
  * burnish/theory.h. They take the exponent at each call; one outside [1, 65536] is clamped into it,
@@ -269,9 +270,10 @@ static inline float burnish_lobe_clamp_exponent(float exponent) {
     return exponent > BURNISH_LOBE_EXPONENT_MAX ? BURNISH_LOBE_EXPONENT_MAX : exponent;
 }
 
-/* Schlick's lobe c / (n - n c + c), evaluated as c / (c + n (1 - c)): one division, never below
- * cos^n. cosine    any float; <= 0 and NaN give 0, >= 1 gives 1 exponent  n, clamped to [1, 65536];
- * NaN gives 0 Returns a value in [0, 1]. Source: Schlick, Graphics Gems IV, 1994. */
+/* Schlick's lobe c / (n - n c + c), evaluated as c / (c + n (1 - c)): one division. Above cos^n.
+ *   cosine    any float; <= 0 and NaN give 0, >= 1 gives 1
+ *   exponent  n, clamped to [1, 65536]; NaN gives 0
+ * Returns a value in [0, 1]. Source: Schlick, Graphics Gems IV, 1994. */
 static inline float burnish_schlick_at_cosine(float cosine, float exponent) {
     const float c = burnish_lobe_saturate(cosine);
     const float n = burnish_lobe_clamp_exponent(exponent);
@@ -290,18 +292,20 @@ static inline float burnish_gx_at_cosine(float cosine, float exponent) {
 }
 
 /* Lyon's stand-in for 1/sqrt(s) near s = 1: 1 + e/2 + 3 e^2/8 with e = 1 - s, the first three terms
- * of the series. Relative error below .0004 for s in [.9, 1.1], .05 in [.5, 1.5]. s  the squared
- * length of a vector that is nearly a unit vector Returns at least 5/6. Source: Lyon 1993. */
+ * of the series. Relative error below .0004 for s in [.9, 1.1], .05 in [.5, 1.5].
+ *   s  the squared length of a vector that is nearly a unit vector
+ * Returns 5/6 or more. Source: Lyon 1993. */
 static inline float burnish_lyon_normalize_factor(float s) {
     const float e = 1.0f - s;
     return 1.0f + e * (0.5f + 0.375f * e);
 }
 
 /* Lyon's lobe from the chord of two vectors as they are: (1 - beta r^2/2)^order with r = |a - b|
- * and beta = exponent/order; the family's taylor fit in chord form. a, b      three components
- * each; unit vectors, or nearly so exponent  clamped to [1, 65536]; NaN gives 0 order     2, 4, 8,
- * 16 or 32, from 4 on at most the exponent; otherwise the result is 0 Returns a value in [0, 1].
- * Source: Lyon 1993. */
+ * and beta = exponent/order; the family's taylor fit in chord form.
+ *   a, b      three components each; unit vectors, or nearly so
+ *   exponent  clamped to [1, 65536]; NaN gives 0
+ *   order     2, 4, 8, 16 or 32, from 4 on at most the exponent; otherwise the result is 0
+ * Returns a value in [0, 1]. Source: Lyon 1993. */
 static inline float burnish_lyon_at_chord(const float a[3], const float b[3], float exponent,
                                           int order) {
     burnish_lobe lobe; /* on error the dark lobe, which gives the promised 0 */
@@ -311,9 +315,10 @@ static inline float burnish_lyon_at_chord(const float a[3], const float b[3], fl
 }
 
 /* Lyon's lobe from vectors that are only nearly of unit length, as interpolation leaves them: both
- * are scaled by burnish_lyon_normalize_factor, then burnish_lyon_at_chord. No root, no division. n,
- * h             three components each, squared lengths near 1 exponent, order  as for
- * burnish_lyon_at_chord Returns a value in [0, 1]. Source: Lyon 1993. */
+ * are scaled by burnish_lyon_normalize_factor, then burnish_lyon_at_chord. No root, no division.
+ *   n, h             three components each, squared lengths near 1
+ *   exponent, order  as for burnish_lyon_at_chord
+ * Returns a value in [0, 1]. Source: Lyon 1993. */
 static inline float burnish_lyon_at_vectors(const float n[3], const float h[3], float exponent,
                                             int order) {
     const float n_scale = burnish_lyon_normalize_factor((n[0] * n[0] + n[1] * n[1]) + n[2] * n[2]);

@@ -48,8 +48,8 @@ BURNISH_API burnish_lobe_status burnish_theory_lobe(burnish_lobe *lobe, burnish_
 
 /* Values of the lobes in double precision, to measure float ones against. All take any double for c
  * (<= 0 gives 0 except for the family and the Gaussian, > 1 counts as 1, NaN gives 0), return a
- * value in [0, 1], and give 0 for a NaN parameter. Relative error below 1e-12 where the value is
- * above 1e-30 and exponents are at most 65536. The power and the Gaussian use the C library. */
+ * value in [0, 1], and give 0 for a NaN parameter. Absolute error below 1e-14, relative error below
+ * 1e-12 where the value is at least 1e-6. The power and the Gaussian use the C library. */
 
 /* max(0, 1 - zeta (1 - c))^order; zeta >= 0; an order that does not exist gives 0. */
 BURNISH_API double burnish_theory_family(double zeta, int order, double cosine);

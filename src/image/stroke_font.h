@@ -10,26 +10,25 @@
 
 enum {
     BURNISH_GLYPH_CAP = 100,
-    BURNISH_GLYPH_X_HEIGHT = 68,
     BURNISH_GLYPH_DESCENDER = -26,
     BURNISH_GLYPH_MAX_STROKES = 1024 /* a test draws every glyph at the largest size */
 };
 
 typedef struct burnish_glyph {
     uint8_t left, width, right; /* white left of the ink, width of the pen's path, white right */
-    uint8_t stem, bar;          /* x of an inner stem and y of an inner bar; 0: none */
+    uint8_t stem;               /* x of an inner stem; 0: none */
+    uint8_t bars[2];            /* y of inner bars, rising; 0: none. Small letters have 68 here */
     /* M x y: move; L x y, H x, V y: line; C x1 y1 x2 y2 x y: cubic Bezier curve; A x y, B x y: a
      * quarter of an ellipse that leaves horizontally (A) or vertically (B); D x y: a dot. */
     const char *path;
 } burnish_glyph;
 
-/* How glyph units become pixels. Baseline, x-height, capitals, descenders, the outermost stems, and
- * inner stems and bars keep whole pixels between them, so that they are equally sharp. */
+/* How glyph units become pixels. Baseline, capitals, descenders, the outermost stems, and inner stems
+ * and bars keep whole pixels between them, so that they are equally sharp. */
 typedef struct burnish_glyph_scale {
-    float x, y;       /* pixels of the origin: the middle of the pen at (0, 0) units; y downward */
-    float unit;       /* pixels a unit */
-    float radius;     /* of the pen, in pixels */
-    int small_letter; /* 1: the x-height counts among the lines named above */
+    float x, y;   /* pixels of the origin: the middle of the pen at (0, 0) units; y downward */
+    float unit;   /* pixels a unit */
+    float radius; /* of the pen, in pixels */
 } burnish_glyph_scale;
 
 /* A straight piece of a glyph in pixels: a segment thickened by radius, with round ends. */

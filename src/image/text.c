@@ -12,7 +12,7 @@ enum { SPAN = 256 }; /* pixels of a row that are covered at a time */
 static const float least_height = 5;
 static const float most_height = BURNISH_IMAGE_MAX_SIZE;
 static const float pen_share = 0.12F; /* of the height of a capital */
-static const float least_pen = 1.1F;  /* pixels: a thinner pen fades */
+static const float widening = 0.35F; /* pixels, at most, that a pen is widened to whole ones */
 static const float far_away = 4194304; /* 2^22: beyond it a float has no quarter pixels */
 
 typedef struct rectangle {
@@ -133,15 +133,24 @@ static float snap(float value) {
 }
 
 /* The pen for capitals of the given height, its seat (the whole pixels that its width takes in the
- * layout) and the unit. */
+ * layout) and the unit. A pen a little narrower than its seat is widened to fill it: two grey rows
+ * look thinner than a black one beside a faint one. */
 static burnish_glyph_scale make_scale(float height, float *seat) {
     height = height > least_height ? height : least_height; /* also for NaN */
     height = height < most_height ? height : most_height;
     float pen = height * pen_share;
-    pen = pen > least_pen ? pen : least_pen;
-    *seat = snap(pen);
+    *seat = pen > 1 ? (float)(int)(pen + widening) : 1;
+    pen = pen > *seat ? pen : *seat;
     return (burnish_glyph_scale){.unit = (height - *seat) / BURNISH_GLYPH_CAP,
                                  .radius = pen * 0.5F};
+}
+
+/* White between two glyphs (NULL: the line's end): never nothing, or small letters would touch. */
+static float gap_pixels(const burnish_glyph_scale *scale, const burnish_glyph *before,
+                        const burnish_glyph *after) {
+    int units = (before ? before->right : 0) + (after ? after->left : 0);
+    float pixels = burnish_glyph_pixels(scale, units);
+    return pixels > 0 || units == 0 ? pixels : 1;
 }
 
 /* Positions and advances are whole pixels: every stem of a line is then equally sharp, and the same
@@ -156,6 +165,7 @@ float burnish_draw_text(burnish_image *image, float x, float y, float height,
     }
     x = snap(x);
     scale.y = snap(y) - seat * 0.5F;
+    const burnish_glyph *before = NULL;
     float advance = 0;
     for (size_t i = 0; i < length; ++i) {
         unsigned char character = (unsigned char)text[i];
@@ -163,16 +173,15 @@ float burnish_draw_text(burnish_image *image, float x, float y, float height,
             continue; /* the rest of a UTF-8 character, whose first byte gave the '?' */
         }
         const burnish_glyph *glyph = burnish_glyph_find(character);
-        float left = burnish_glyph_pixels(&scale, glyph->left);
-        scale.small_letter = character >= 'a' && character <= 'z';
-        scale.x = x + advance + left + seat * 0.5F;
+        advance += gap_pixels(&scale, before, glyph);
+        scale.x = x + advance + seat * 0.5F;
         if (image && image->pixels && near_image(scale.x) && near_image(scale.y)) {
             draw_glyph(image, glyph, &scale, linear);
         }
-        advance += left + burnish_glyph_pixels(&scale, glyph->width) + seat +
-                   burnish_glyph_pixels(&scale, glyph->right);
+        advance += burnish_glyph_pixels(&scale, glyph->width) + seat;
+        before = glyph;
     }
-    return advance;
+    return advance + gap_pixels(&scale, before, NULL);
 }
 
 float burnish_image_draw_text(burnish_image *image, float x, float y, float height,

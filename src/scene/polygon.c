@@ -144,28 +144,26 @@ static void clip_ears(ring *r, uint16_t *triangles) {
     write_triangle(triangles, r->previous[corner], corner, r->next[corner]);
 }
 
+/* Links the corners; returns 1 when every one turns strictly to the left. */
+static int make_ring(ring *r, size_t count) {
+    int convex = 1;
+    r->left = count;
+    for (size_t i = 0; i < count; ++i) {
+        r->previous[i] = (uint16_t)(i > 0 ? i - 1 : count - 1);
+        r->next[i] = (uint16_t)(i + 1 < count ? i + 1 : 0);
+        convex &= turn(r->points[r->previous[i]], r->points[i], r->points[r->next[i]]) > 0;
+    }
+    return convex;
+}
+
 void burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t count,
                          uint16_t *triangles) {
     ring r;
-    int fan = count == 3 || !project(positions, corners, count, r.points);
-    if (!fan) {
-        fan = 1;
-        for (size_t i = 0; i < count && fan; ++i) {
-            r.previous[i] = (uint16_t)(i > 0 ? i - 1 : count - 1);
-            r.next[i] = (uint16_t)(i + 1 < count ? i + 1 : 0);
-            fan = turn(r.points[r.previous[i]], r.points[i], r.points[r.next[i]]) > 0;
-        }
-    }
-    if (fan) {
-        for (size_t i = 0; i + 2 < count; ++i) {
-            write_triangle(triangles + 3 * i, 0, i + 1, i + 2);
-        }
+    if (count > 3 && project(positions, corners, count, r.points) && !make_ring(&r, count)) {
+        clip_ears(&r, triangles);
         return;
     }
-    for (size_t i = 0; i < count; ++i) {
-        r.previous[i] = (uint16_t)(i > 0 ? i - 1 : count - 1);
-        r.next[i] = (uint16_t)(i + 1 < count ? i + 1 : 0);
+    for (size_t i = 0; i + 2 < count; ++i) {
+        write_triangle(triangles + 3 * i, 0, i + 1, i + 2);
     }
-    r.left = count;
-    clip_ears(&r, triangles);
 }

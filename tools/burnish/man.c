@@ -213,7 +213,8 @@ static void print_exit_status(void) {
     printf(".PP\n");
     print_text(
         "Every failure is one line on standard error, \"burnish: ...\", that says which file or "
-        "flag, where in it, what was wrong and what to do. A failed run leaves no output behind.");
+        "flag, where in it, what was wrong and what to do. No failed run leaves half a file "
+        "behind.");
 }
 
 static void print_examples(void) {

@@ -193,7 +193,7 @@ static const burnish_cli_flag flags[] = {
      .handler = burnish_cli_flag_real,
      TARGET(zoom)},
     {.name = "camera-orthographic",
-     .help = "parallel projection; share left free at each side",
+     .help = "parallel projection; share left free around",
      .manual = "Parallel projection. With *--camera-position* the height of the picture is the one "
                "that frames the object.",
      .handler = burnish_cli_flag_switch,

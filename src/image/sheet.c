@@ -1,0 +1,180 @@
+/* Contact sheets: equal pictures in rows, a centred label under each. */
+#include <string.h>
+
+#include "base/error.h"
+#include "image/text.h"
+
+enum {
+    LEAST_GAP = 4,       /* pixels between cells and around them */
+    GAP_DIVISOR = 24,    /* the gap is the cell's shorter side by this */
+    LEAST_LABEL = 9,     /* height of a label's capitals, in pixels */
+    LABEL_DIVISOR = 28,  /* ... the cell's height by this */
+    SMALLEST_LABEL = 7   /* long labels make all labels smaller down to this, then are cut */
+};
+
+static const char ellipsis[] = "...";
+
+typedef struct layout {
+    int columns;
+    int width, height; /* of a cell's picture */
+    int gap;
+    int label;           /* height of a label's capitals; 0: no cell has a label */
+    int baseline, below; /* from the picture's lower edge to the baseline, and to the band's end */
+} layout;
+
+static int larger(int a, int b) { return a > b ? a : b; }
+
+static int has_label(const burnish_sheet_cell *cell) { return cell->label && *cell->label; }
+
+static burnish_status check_cells(const burnish_sheet_cell *cells, size_t count, int columns,
+                                  burnish_error *error) {
+    if (!cells || count == 0 || columns < 1 || (size_t)columns > count) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "sheet: %d columns for %zu pictures; use 1 to the number of pictures",
+                            columns, count);
+    }
+    const burnish_image *first = cells[0].image;
+    for (size_t i = 0; i < count; ++i) {
+        const burnish_image *image = cells[i].image;
+        if (!image || !image->pixels) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "sheet: picture %zu is empty; render it first", i + 1);
+        }
+        if (image->width != first->width || image->height != first->height ||
+            image->channels != first->channels) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "sheet: picture %zu is %d x %d with %d channels, the first is "
+                                "%d x %d with %d; make them equal",
+                                i + 1, image->width, image->height, image->channels, first->width,
+                                first->height, first->channels);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static float measure(const char *text, size_t length, int height) {
+    static const uint8_t unused[3] = {0};
+    return burnish_draw_text(NULL, 0, 0, (float)height, unused, text, length);
+}
+
+/* The label height at which every label fits its cell, or the smallest. */
+static int fit_labels(const burnish_sheet_cell *cells, size_t count, int width, int height) {
+    for (size_t i = 0; i < count && height > SMALLEST_LABEL; ++i) {
+        if (!has_label(&cells[i])) {
+            continue;
+        }
+        size_t length = strlen(cells[i].label);
+        while (height > SMALLEST_LABEL && measure(cells[i].label, length, height) > (float)width) {
+            --height;
+        }
+    }
+    return height;
+}
+
+static layout make_layout(const burnish_sheet_cell *cells, size_t count, int columns) {
+    const burnish_image *image = cells[0].image;
+    int shorter = image->width < image->height ? image->width : image->height;
+    layout made = {.columns = columns,
+                   .width = image->width,
+                   .height = image->height,
+                   .gap = larger(LEAST_GAP, shorter / GAP_DIVISOR)};
+    int labels = 0;
+    for (size_t i = 0; i < count; ++i) {
+        labels |= has_label(&cells[i]);
+    }
+    if (labels) {
+        int height = larger(LEAST_LABEL, image->height / LABEL_DIVISOR);
+        made.label = fit_labels(cells, count, image->width, height);
+        made.baseline = made.label * 9 / 5;
+        made.below = made.baseline + made.label / 2;
+    }
+    return made;
+}
+
+static void fill(burnish_image *image, const uint8_t color[3]) {
+    size_t count = (size_t)image->width * (size_t)image->height;
+    uint8_t *pixel = image->pixels;
+    for (size_t i = 0; i < count; ++i) {
+        memcpy(pixel, color, 3);
+        if (image->channels == 4) {
+            pixel[3] = 255;
+        }
+        pixel += image->channels;
+    }
+}
+
+/* Length of the longest beginning of text that fits width together with an ellipsis. */
+static size_t cut_length(const char *text, size_t length, int height, float width) {
+    float room = width - measure(ellipsis, sizeof ellipsis - 1, height);
+    size_t fits = 0;
+    size_t fails = length + 1;
+    while (fails - fits > 1) {
+        size_t middle = fits + (fails - fits) / 2;
+        if (measure(text, middle, height) <= room) {
+            fits = middle;
+        } else {
+            fails = middle;
+        }
+    }
+    return fits;
+}
+
+/* x: the cell's left edge; cells too narrow for an ellipsis keep no label. */
+static void draw_label(burnish_image *sheet, const layout *made, int x, int baseline,
+                       const uint8_t ink[3], const char *text) {
+    float width = (float)made->width;
+    float height = (float)made->label;
+    size_t length = strlen(text);
+    float advance = measure(text, length, made->label);
+    if (advance <= width) {
+        float left = (float)x + (width - advance) * 0.5F;
+        burnish_draw_text(sheet, left, (float)baseline, height, ink, text, length);
+        return;
+    }
+    length = cut_length(text, length, made->label, width);
+    if (length > 0) {
+        float left = (float)x;
+        left += burnish_draw_text(sheet, left, (float)baseline, height, ink, text, length);
+        burnish_draw_text(sheet, left, (float)baseline, height, ink, ellipsis,
+                          sizeof ellipsis - 1);
+    }
+}
+
+burnish_status burnish_image_sheet(burnish_image *sheet, const burnish_sheet_cell *cells,
+                                   size_t count, int columns, const uint8_t background[3],
+                                   const uint8_t ink[3], burnish_error *error) {
+    *sheet = (burnish_image){0};
+    burnish_status status = check_cells(cells, count, columns, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    layout made = make_layout(cells, count, columns);
+    size_t rows = (count - 1) / (size_t)columns + 1;
+    int64_t step_x = (int64_t)made.width + made.gap;
+    int64_t step_y = (int64_t)made.height + made.below + made.gap;
+    /* No product overflows: each factor that passes the first two tests is below 2^15. */
+    if (columns > BURNISH_IMAGE_MAX_SIZE || rows > BURNISH_IMAGE_MAX_SIZE ||
+        step_x * columns + made.gap > BURNISH_IMAGE_MAX_SIZE ||
+        step_y * (int64_t)rows + made.gap > BURNISH_IMAGE_MAX_SIZE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "sheet: %zu pictures of %d x %d in %d columns exceed %d pixels; use "
+                            "smaller pictures or another number of columns",
+                            count, made.width, made.height, columns, BURNISH_IMAGE_MAX_SIZE);
+    }
+    status = burnish_image_create(sheet, (int)(step_x * columns + made.gap),
+                                  (int)(step_y * (int64_t)rows + made.gap),
+                                  cells[0].image->channels, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    fill(sheet, background);
+    for (size_t i = 0; i < count; ++i) {
+        int x = made.gap + (int)step_x * (int)(i % (size_t)columns);
+        int y = made.gap + (int)step_y * (int)(i / (size_t)columns);
+        burnish_image_copy(sheet, x, y, cells[i].image);
+        if (has_label(&cells[i])) {
+            draw_label(sheet, &made, x, y + made.height + made.baseline, ink, cells[i].label);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
