@@ -56,7 +56,7 @@ static void test_defaults(void) {
     CHECK(render.background[0] == 255 && render.background[1] == 255 && render.background[2] == 255,
           "the help says that the background is white");
     HOLDS(s->format == (int)load.format && s->tessellation == load.tessellation);
-    HOLDS(s->crease.value == load.crease_angle);
+    HOLDS(!s->crease.given && load.crease_angle == BURNISH_CREASE_AUTO);
     HOLDS(s->max_triangles == load.max_triangles && s->max_input_bytes == load.max_input_bytes);
     HOLDS(s->view_angle.value == fit.view_angle && s->margin.value == fit.margin);
     HOLDS(s->azimuth.value == fit.azimuth && s->elevation.value == fit.elevation);

@@ -114,7 +114,7 @@ check "--timing leaves standard output alone" [ ! -s "$out" ]
 same "threads" "$plain" "$(hash :teapot --size=64 --threads=3)"
 same "defaults written out" "$plain" "$(hash :teapot --size=64 --samples=4 --lobe=energy:2 \
     --equation=blinn --viewer=local --margin=0.05 --camera-view-angle=30 --camera-zoom-factor=1 --up=+Y \
-    --crease-angle=40 --tessellation=16 --background-color=white --threads=1)"
+    --crease-angle=60 --tessellation=16 --background-color=white --threads=1)"
 for flag in --samples=8 --up=+Z --camera-azimuth-angle=20 --camera-elevation-angle=-20 --camera-zoom-factor=2 \
     --camera-view-angle=50 --camera-orthographic --margin=0.2 --camera-direction=1,-1,0 --camera-view-up=1,1,0 \
     --camera-focal-point=0,0,0 --background-color=navy --no-background --color=gold --material=metal \

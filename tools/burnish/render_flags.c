@@ -296,8 +296,8 @@ static const burnish_cli_flag flags[] = {
      TARGET(format)},
     {.name = "crease-angle",
      .value = "DEG",
-     .help = "smooth edges below; a built-in's segments",
-     .initial = "40",
+     .help = "smooth edges below; patch segments",
+     .shown = "60, 40 for STL",
      .low = 0,
      .high = 180,
      .manual = "Where the input has no normals: smooth across edges whose faces differ by less, 0 "

@@ -98,7 +98,9 @@ burnish_status burnish_cli_load(const burnish_cli_render *settings, burnish_scen
                                 burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
     options.format = (burnish_format)settings->format;
-    options.crease_angle = settings->crease.value;
+    if (settings->crease.given) {
+        options.crease_angle = settings->crease.value;
+    }
     options.tessellation = settings->tessellation;
     options.max_input_bytes = settings->max_input_bytes;
     options.max_triangles = settings->max_triangles;
