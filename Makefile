@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo test check asan tsan clang scalar sweep bench format format-check golden install clean
+.PHONY: help deps build demo pictures test check asan tsan clang scalar sweep bench format format-check golden install clean
 
 PRESET ?= release
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -22,6 +22,11 @@ demo: ## render the teapot with four lobes and a scanned object, and say where t
 	@$(DEPS) build demo
 	@$(MAKE) --no-print-directory build
 	@./scripts/demo $(BUILD)/burnish out/demo
+
+pictures: ## render the README's pictures again
+	@$(DEPS) build demo
+	@$(MAKE) --no-print-directory build
+	@./scripts/demo $(BUILD)/burnish docs/images 1280,720 480,334
 
 test: ## build and run every test
 	@$(DEPS) build test demo

@@ -392,6 +392,8 @@ static void check_special_floats(void) {
         HOLDS(lobe(0, 10) == 0 && lobe(-0.0f, 10) == 0 && lobe(-1, 10) == 0);
         HOLDS(lobe(-INFINITY, 10) == 0);
         HOLDS(lobe(0.9f, INFINITY) == lobe(0.9f, 65536) && lobe(0.9f, 0) == lobe(0.9f, 1));
+        HOLDS(lobe(0.9f, 65537) == lobe(0.9f, 65536) && lobe(0.9f, 65535) > lobe(0.9f, 65536));
+        HOLDS(lobe(0.9f, 0.99f) == lobe(0.9f, 1) && lobe(0.9f, 1.01f) < lobe(0.9f, 1));
         HOLDS(lobe(0.9f, -INFINITY) == lobe(0.9f, 1) && lobe(1, INFINITY) == 1);
     }
 }

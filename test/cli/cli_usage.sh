@@ -38,6 +38,7 @@ expect 2 'burnish: --json: standard output already carries the picture; name a f
 expect 2 'burnish: "/" gives the picture no name; name it with --output=FILE' render /
 expect 2 'burnish: "nonsense": unknown command; "burnish --help" lists the commands' help nonsense
 expect 2 'burnish: --samples: "?[31m" is not one of 1, 4, 8, 16' render :sphere --samples="$(printf '\033[31m')"
+expect 2 'burnish: --labels: 2 texts for 3 cells; give one text a cell, between commas' render :sphere --views=front,top,iso --labels=one,two
 nothing_left "wrong usage"
 
 finish

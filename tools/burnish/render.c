@@ -56,8 +56,20 @@ static burnish_status check_sheet(const burnish_cli_result *result, burnish_erro
     return BURNISH_STATUS_OK;
 }
 
-static void label_cell(const burnish_cli_render *settings, burnish_cli_cell *cell) {
+/* Copies the text between the commas before and after place `index` of a list that has it. */
+static void copy_item(const char *list, size_t index, char *text, size_t size) {
+    for (; index > 0; --index) {
+        list = strchr(list, ',') + 1;
+    }
+    snprintf(text, size, "%.*s", (int)strcspn(list, ","), list);
+}
+
+static void label_cell(const burnish_cli_render *settings, size_t index, burnish_cli_cell *cell) {
     char lobe[32];
+    if (settings->labels) {
+        copy_item(settings->labels, index, cell->label, sizeof cell->label);
+        return;
+    }
     burnish_lobe_choice_name(&cell->lobe, lobe, sizeof lobe);
     const char *view = burnish_cli_view_name(cell->view);
     if (settings->views.count > 0 && settings->lobes.count > 1) {
@@ -138,7 +150,7 @@ static burnish_status draw_cells(burnish_cli_result *result, burnish_render_opti
         cell->view =
             settings->views.count > 0 ? settings->views.items[view] : BURNISH_CLI_VIEW_FREE;
         cell->lobe = settings->lobes.items[i % settings->lobes.count];
-        label_cell(settings, cell);
+        label_cell(settings, i, cell);
         if (progress) {
             fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
                     cell->label);

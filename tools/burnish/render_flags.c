@@ -106,6 +106,12 @@ static const burnish_cli_flag flags[] = {
          "side.",
      .handler = burnish_cli_flag_integer,
      TARGET(columns)},
+    {.name = "labels",
+     .value = "LIST",
+     .manual = "What stands below the cells of a sheet instead of the views' and lobes' names: one "
+               "text a cell, between commas.",
+     .handler = burnish_cli_flag_text,
+     TARGET(labels)},
     {.name = "no-labels",
      .manual = "Leaves out the names below the cells of a sheet.",
      .handler = burnish_cli_flag_switch,

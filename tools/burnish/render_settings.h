@@ -66,6 +66,7 @@ typedef struct burnish_cli_render {
     burnish_cli_background background;
     burnish_cli_views views;
     int columns; /* 0: chosen by the number of cells */
+    const char *labels; /* NULL: the views' and lobes' names */
     int no_labels;
 
     int up; /* burnish_cli_up */

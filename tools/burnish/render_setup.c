@@ -86,8 +86,26 @@ static burnish_status check_camera_flags(const burnish_cli_render *settings, bur
                             extra, fixed);
 }
 
+static burnish_status check_labels(const burnish_cli_render *settings, burnish_error *error) {
+    size_t views = settings->views.count > 0 ? settings->views.count : 1, texts = 1;
+    size_t cells = views * settings->lobes.count;
+    for (const char *c = settings->labels; c && *c; ++c) {
+        texts += *c == ',';
+    }
+    if (!settings->labels || texts == cells) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--labels: %zu texts for %zu cells; give one text a cell, between "
+                            "commas",
+                            texts, cells);
+}
+
 burnish_status burnish_cli_render_finish(burnish_cli_render *settings, burnish_error *error) {
     burnish_status status = check_camera_flags(settings, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_labels(settings, error);
+    }
     if (status == BURNISH_STATUS_OK && !settings->output) {
         status = derive_output(settings, error);
     }

@@ -1,0 +1,305 @@
+/* Images: making, hashing, copying, contact sheets. */
+#include <limits.h>
+
+#include "burnish/image.h"
+#include "harness.h"
+
+/* XXH64 with seed 0, from the algorithm's description, independent of the library in use. */
+static uint64_t rotate(uint64_t x, int by) { return x << by | x >> (64 - by); }
+
+static uint64_t load(const uint8_t *bytes, int count) {
+    uint64_t value = 0;
+    for (int i = count - 1; i >= 0; --i) {
+        value = value << 8 | bytes[i];
+    }
+    return value;
+}
+
+static const uint64_t prime[5] = {0x9E3779B185EBCA87, 0xC2B2AE3D27D4EB4F, 0x165667B19E3779F9,
+                                  0x85EBCA77C2B2AE63, 0x27D4EB2F165667C5};
+
+static uint64_t mix(uint64_t lane, uint64_t input) {
+    return rotate(lane + input * prime[1], 31) * prime[0];
+}
+
+static uint64_t reference_hash(const uint8_t *bytes, size_t size) {
+    const uint8_t *end = bytes + size;
+    uint64_t hash = prime[4];
+    if (size >= 32) {
+        uint64_t lane[4] = {prime[0] + prime[1], prime[1], 0, -prime[0]};
+        for (; end - bytes >= 32; bytes += 32) {
+            for (int i = 0; i < 4; ++i) {
+                lane[i] = mix(lane[i], load(bytes + 8 * i, 8));
+            }
+        }
+        hash = rotate(lane[0], 1) + rotate(lane[1], 7) + rotate(lane[2], 12) + rotate(lane[3], 18);
+        for (int i = 0; i < 4; ++i) {
+            hash = (hash ^ mix(0, lane[i])) * prime[0] + prime[3];
+        }
+    }
+    hash += size;
+    for (; end - bytes >= 8; bytes += 8) {
+        hash = rotate(hash ^ mix(0, load(bytes, 8)), 27) * prime[0] + prime[3];
+    }
+    for (; end - bytes >= 4; bytes += 4) {
+        hash = rotate(hash ^ load(bytes, 4) * prime[0], 23) * prime[1] + prime[2];
+    }
+    for (; bytes < end; ++bytes) {
+        hash = rotate(hash ^ *bytes * prime[4], 11) * prime[0];
+    }
+    hash = (hash ^ hash >> 33) * prime[1];
+    hash = (hash ^ hash >> 29) * prime[2];
+    return hash ^ hash >> 32;
+}
+
+static burnish_image make(int width, int height, int channels, unsigned seed) {
+    burnish_image image;
+    burnish_error error;
+    if (burnish_image_create(&image, width, height, channels, &error) != BURNISH_STATUS_OK) {
+        printf("%s\n", error.text);
+        exit(EXIT_FAILURE);
+    }
+    size_t size = (size_t)width * (size_t)height * (size_t)channels;
+    for (size_t i = 0; i < size; ++i) {
+        seed = seed * 1664525U + 1013904223U;
+        image.pixels[i] = (uint8_t)(seed >> 24);
+    }
+    return image;
+}
+
+static void test_create(void) {
+    static const struct {
+        int width, height, channels;
+        const char *text;
+    } bad[] = {
+        {0, 1, 3, "image: a size of 0 x 1 pixels; width and height must be 1 to 16384"},
+        {1, -1, 3, "image: a size of 1 x -1 pixels; width and height must be 1 to 16384"},
+        {16385, 1, 3, "image: a size of 16385 x 1 pixels; width and height must be 1 to 16384"},
+        {1, INT_MAX, 4,
+         "image: a size of 1 x 2147483647 pixels; width and height must be 1 to 16384"},
+        {1, 1, 1, "image: 1 channels; use 3 (RGB) or 4 (RGBA)"},
+        {1, 1, 5, "image: 5 channels; use 3 (RGB) or 4 (RGBA)"},
+    };
+    burnish_error error;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        burnish_image image = {1, 2, 3, NULL};
+        CHECK(burnish_image_create(&image, bad[i].width, bad[i].height, bad[i].channels, &error) ==
+              BURNISH_STATUS_ARGUMENT);
+        CHECK_TEXT(error.text, bad[i].text);
+        CHECK(image.width == 0 && image.height == 0 && image.channels == 0 && !image.pixels);
+    }
+    CHECK(burnish_image_create(NULL, 1, 1, 3, NULL) == BURNISH_STATUS_ARGUMENT);
+    burnish_image image;
+    CHECK(burnish_image_create(&image, 5, 7, 4, NULL) == BURNISH_STATUS_OK);
+    int clear = 1;
+    for (int i = 0; i < 5 * 7 * 4; ++i) {
+        clear &= image.pixels[i] == 0;
+    }
+    CHECK(clear, "a new image must be zero");
+    burnish_image_destroy(&image);
+    CHECK(!image.pixels && image.width == 0);
+    burnish_image_destroy(&image);
+    burnish_image_destroy(NULL);
+}
+
+static void test_hash(void) {
+    burnish_image image = {0};
+    CHECK(burnish_image_hash(&image) == 0xEF46DB3751D8E999, "XXH64 of nothing");
+    image = make(1, 1, 3, 0);
+    memcpy(image.pixels, "abc", 3);
+    CHECK(burnish_image_hash(&image) == 0x44BC2CF5AD770999, "XXH64 of abc");
+    burnish_image_destroy(&image);
+    for (int width = 1; width < 70; ++width) {
+        for (int channels = 3; channels <= 4; ++channels) {
+            image = make(width, 1 + width % 3, channels, (unsigned)width);
+            size_t size = (size_t)width * (size_t)image.height * (size_t)channels;
+            CHECK(burnish_image_hash(&image) == reference_hash(image.pixels, size), "width %d",
+                  width);
+            burnish_image_destroy(&image);
+        }
+    }
+}
+
+/* Every placement of a small picture around and in another one, against a pixel-wise copy. */
+static void test_copy(void) {
+    for (int channels = 3; channels <= 4; ++channels) {
+        burnish_image source = make(4, 3, channels, 1);
+        for (int y = -4; y <= 7; ++y) {
+            for (int x = -5; x <= 8; ++x) {
+                burnish_image target = make(7, 6, channels, 2);
+                burnish_image expected = make(7, 6, channels, 2);
+                for (int j = 0; j < 6; ++j) {
+                    for (int i = 0; i < 7; ++i) {
+                        if (i >= x && i < x + 4 && j >= y && j < y + 3) {
+                            memcpy(expected.pixels + (j * 7 + i) * channels,
+                                   source.pixels + ((j - y) * 4 + i - x) * channels,
+                                   (size_t)channels);
+                        }
+                    }
+                }
+                burnish_image_copy(&target, x, y, &source);
+                CHECK(burnish_image_hash(&target) == burnish_image_hash(&expected), "at %d, %d", x,
+                      y);
+                burnish_image_destroy(&target);
+                burnish_image_destroy(&expected);
+            }
+        }
+        burnish_image_destroy(&source);
+    }
+}
+
+static void test_copy_extremes(void) {
+    const int places[] = {INT_MIN, INT_MIN + 1, -100000, 100000, INT_MAX - 1, INT_MAX};
+    burnish_image target = make(9, 9, 3, 1);
+    burnish_image source = make(20, 20, 3, 2);
+    uint64_t before = burnish_image_hash(&target);
+    for (size_t i = 0; i < sizeof places / sizeof *places; ++i) {
+        burnish_image_copy(&target, places[i], 0, &source);
+        burnish_image_copy(&target, 0, places[i], &source);
+        burnish_image_copy(&target, places[i], places[i], &source);
+    }
+    burnish_image other = make(3, 3, 4, 3);
+    burnish_image empty = {0};
+    burnish_image_copy(&target, 0, 0, &other);
+    burnish_image_copy(&target, 0, 0, &empty);
+    burnish_image_copy(&empty, 0, 0, &source);
+    CHECK(burnish_image_hash(&target) == before, "nothing may be copied from outside");
+    burnish_image_destroy(&other);
+    burnish_image_destroy(&target);
+    burnish_image_destroy(&source);
+}
+
+static const uint8_t *pixel_at(const burnish_image *image, int x, int y) {
+    return image->pixels +
+           ((size_t)y * (size_t)image->width + (size_t)x) * (size_t)image->channels;
+}
+
+/* Whether source stands in the sheet at (x, y). */
+static int contains(const burnish_image *sheet, const burnish_image *source, int x, int y) {
+    for (int j = 0; j < source->height; ++j) {
+        if (memcmp(pixel_at(sheet, x, y + j), pixel_at(source, 0, j),
+                   (size_t)source->width * (size_t)source->channels) != 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static const uint8_t background[3] = {10, 20, 30};
+static const uint8_t ink[3] = {240, 230, 220};
+
+static void check_sheet(int channels, int count, int columns, int labels) {
+    burnish_image images[7];
+    burnish_sheet_cell cells[7];
+    for (int i = 0; i < count; ++i) {
+        images[i] = make(96, 72, channels, (unsigned)i);
+        cells[i] = (burnish_sheet_cell){&images[i], labels ? "energy:2" : NULL};
+    }
+    burnish_image sheet;
+    burnish_error error;
+    CHECK(burnish_image_sheet(&sheet, cells, (size_t)count, columns, background, ink, &error) ==
+          BURNISH_STATUS_OK);
+    int rows = (count + columns - 1) / columns;
+    const int gap = 4;
+    int band = (sheet.height - gap) / rows - 72 - gap;
+    CHECK(sheet.width == gap + columns * (96 + gap) && sheet.channels == channels);
+    CHECK(sheet.height == gap + rows * (72 + band + gap), "rows of equal height");
+    CHECK(labels ? band >= 16 : band == 0, "a label's band of %d", band);
+    for (int i = 0; i < count; ++i) {
+        int x = gap + i % columns * (96 + gap);
+        int y = gap + i / columns * (72 + band + gap);
+        CHECK(contains(&sheet, &images[i], x, y), "picture %d", i);
+        int inked = 0;
+        for (int j = 0; j < band * 96; ++j) {
+            inked += memcmp(pixel_at(&sheet, x + j % 96, y + 72 + j / 96), background, 3) != 0;
+        }
+        CHECK((inked > 50) == labels, "label %d has %d pixels", i, inked);
+    }
+    for (int x = 0; x < sheet.width; ++x) {
+        const uint8_t *pixel = pixel_at(&sheet, x, 0);
+        CHECK(memcmp(pixel, background, 3) == 0 && (channels == 3 || pixel[3] == 255), "margin");
+    }
+    burnish_image_destroy(&sheet);
+    for (int i = 0; i < count; ++i) {
+        burnish_image_destroy(&images[i]);
+    }
+}
+
+/* A label much wider than its cell: cut, and nothing in the neighbour's column or the margin. */
+static void test_long_label(void) {
+    burnish_image image = make(60, 40, 3, 1);
+    static char text[5000];
+    memset(text, 'W', sizeof text - 1);
+    burnish_sheet_cell cells[2] = {{&image, ""}, {&image, text}};
+    burnish_image sheet;
+    CHECK(burnish_image_sheet(&sheet, cells, 2, 2, background, ink, NULL) == BURNISH_STATUS_OK);
+    int outside = 0;
+    int inside = 0;
+    for (int y = 4 + 40; y < sheet.height; ++y) {
+        for (int x = 0; x < sheet.width; ++x) {
+            int inked = memcmp(pixel_at(&sheet, x, y), background, 3) != 0;
+            *(x >= 4 + 60 + 4 && x < 4 + 60 + 4 + 60 ? &inside : &outside) += inked;
+        }
+    }
+    CHECK(inside > 50 && outside == 0, "%d pixels inside, %d outside", inside, outside);
+    burnish_image_destroy(&sheet);
+    burnish_image_destroy(&image);
+
+    image = make(3, 3, 4, 1);
+    burnish_sheet_cell tiny = {&image, "label"};
+    CHECK(burnish_image_sheet(&sheet, &tiny, 1, 1, background, ink, NULL) == BURNISH_STATUS_OK,
+          "a cell too narrow for its label");
+    CHECK(sheet.width == 11);
+    burnish_image_destroy(&sheet);
+    burnish_image_destroy(&image);
+}
+
+static void test_sheet_errors(void) {
+    burnish_image a = make(8, 8, 3, 1);
+    burnish_image b = make(8, 9, 3, 1);
+    burnish_image wide = make(9000, 1, 3, 1);
+    burnish_image empty = {0};
+    burnish_image sheet;
+    burnish_error error;
+    burnish_sheet_cell cells[2] = {{&a, NULL}, {&b, NULL}};
+    CHECK(burnish_image_sheet(&sheet, cells, 2, 1, background, ink, &error) ==
+          BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "sheet: picture 2 is 8 x 9 with 3 channels, the first is 8 x 8 with 3; "
+                           "make them equal");
+    CHECK(!sheet.pixels && sheet.width == 0);
+    cells[1].image = &empty;
+    CHECK(burnish_image_sheet(&sheet, cells, 2, 1, background, ink, &error) ==
+          BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "sheet: picture 2 is empty; render it first");
+    CHECK(burnish_image_sheet(&sheet, cells, 1, 2, background, ink, &error) ==
+          BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "sheet: 2 columns for 1 pictures; use 1 to the number of pictures");
+    CHECK(burnish_image_sheet(&sheet, cells, 0, 1, background, ink, NULL) ==
+          BURNISH_STATUS_ARGUMENT);
+    CHECK(burnish_image_sheet(&sheet, cells, 2, 0, background, ink, NULL) ==
+          BURNISH_STATUS_ARGUMENT);
+    cells[0].image = cells[1].image = &wide;
+    CHECK(burnish_image_sheet(&sheet, cells, 2, 2, background, ink, &error) ==
+          BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "sheet: 2 pictures of 9000 x 1 in 2 columns exceed 16384 pixels; use "
+                           "smaller pictures or another number of columns");
+    burnish_image_destroy(&a);
+    burnish_image_destroy(&b);
+    burnish_image_destroy(&wide);
+}
+
+int main(void) {
+    test_create();
+    test_hash();
+    test_copy();
+    test_copy_extremes();
+    for (int channels = 3; channels <= 4; ++channels) {
+        check_sheet(channels, 1, 1, 1);
+        check_sheet(channels, 6, 3, 0);
+        check_sheet(channels, 7, 3, 1);
+        check_sheet(channels, 4, 1, 1);
+    }
+    test_long_label();
+    test_sheet_errors();
+    return test_end("image");
+}

@@ -1,0 +1,123 @@
+/* The sRGB tables and look-ups against the formula in long double. */
+#define SRGB_TABLE_WITHOUT_MAIN
+#include "../tools/generate/srgb_table.c"
+
+#include "base/srgb.h"
+#include "harness.h"
+
+/* The nearest code by the encoding formula; the generator uses the decoding one. */
+static int exact_code(float linear) {
+    if (!(linear > 0)) {
+        return 0;
+    }
+    if (linear >= 1) {
+        return 255;
+    }
+    long double x = linear;
+    long double value = x <= 0.0031308L ? 12.92L * x : 1.055L * powl(x, 1 / 2.4L) - 0.055L;
+    return (int)floorl(value * 255 + 0.5L);
+}
+
+static void check_code(float linear) {
+    CHECK(burnish_linear_to_srgb(linear) == exact_code(linear), "%a: got %d, expected %d",
+          (double)linear, burnish_linear_to_srgb(linear), exact_code(linear));
+}
+
+static void test_generated(void) {
+    FILE *made = tmpfile();
+    FILE *committed = fopen(TEST_SOURCE_DIR "/src/base/srgb_table.h", "rb");
+    if (!CHECK(made && committed, "can't open the table")) {
+        exit(EXIT_FAILURE);
+    }
+    write_srgb_table(made);
+    rewind(made);
+    int a, b;
+    long offset = 0;
+    do {
+        a = getc(made);
+        b = getc(committed);
+        ++offset;
+    } while (a == b && a != EOF);
+    CHECK(a == b && offset > 10000, "the generator's output differs at byte %ld", offset);
+    fclose(made);
+    fclose(committed);
+}
+
+static void test_around_thresholds(void) {
+    for (int k = 1; k < 256; ++k) {
+        uint32_t bits = float_bits((float)srgb_decode((k - 0.5L) / 255));
+        for (uint32_t i = bits - 64; i <= bits + 64; ++i) {
+            check_code(bits_float(i));
+        }
+    }
+}
+
+static void test_bucket_edges(void) {
+    uint32_t first = float_bits(0x1p-13F);
+    for (uint32_t i = 0; i <= BUCKETS; ++i) {
+        uint32_t edge = first + (i << BUCKET_SHIFT);
+        check_code(bits_float(edge - 1));
+        check_code(bits_float(edge));
+    }
+}
+
+static void test_all_patterns(void) {
+    for (uint64_t bits = 0; bits <= UINT32_MAX; bits += 4099) {
+        check_code(bits_float((uint32_t)bits));
+    }
+    const float special[] = {0.0F,       -0.0F,      -1.0F,  1.0F,      2.0F,
+                             (float)INFINITY, -(float)INFINITY, (float)NAN, -(float)NAN, FLT_MIN / 2};
+    for (size_t i = 0; i < sizeof special / sizeof *special; ++i) {
+        check_code(special[i]);
+    }
+}
+
+static void test_monotone(void) {
+    int last = 0;
+    int rising = 1;
+    for (uint32_t bits = 0; bits <= float_bits(1); bits += 61) {
+        int code = burnish_linear_to_srgb(bits_float(bits));
+        rising &= code == last || code == last + 1;
+        last = code;
+    }
+    CHECK(rising && last == 255, "codes must rise one by one; the last is %d", last);
+}
+
+static void test_codes(void) {
+    for (int k = 0; k < 256; ++k) {
+        float linear = burnish_srgb_to_linear[k];
+        long double exact = srgb_decode(k / 255.0L);
+        CHECK(linear == (float)exact, "linear light of code %d", k);
+        CHECK(burnish_linear_to_srgb(linear) == k, "code %d does not come back", k);
+        CHECK(fabsl(burnish_srgb_value_to_linear((float)k / 255.0F) - exact) <= 2e-7L * exact,
+              "value of code %d", k);
+    }
+}
+
+static void test_values_between(void) {
+    float last = 0;
+    for (int i = 0; i <= 100000; ++i) {
+        float value = (float)i / 100000.0F;
+        float linear = burnish_srgb_value_to_linear(value);
+        /* A chord of the curve between two codes lies at most h^2/8 f'' = 3.9e-6 above it. */
+        CHECK(fabsl(linear - srgb_decode(value)) <= 4.2e-6L, "value %g", (double)value);
+        CHECK(linear >= last && linear <= 1, "value %g is not monotone", (double)value);
+        last = linear;
+    }
+    CHECK(burnish_srgb_value_to_linear((float)NAN) == 0, "NaN");
+    CHECK(burnish_srgb_value_to_linear(-1) == 0, "below 0");
+    CHECK(burnish_srgb_value_to_linear(bits_float(float_bits(1) - 1)) <= 1, "just below 1");
+    CHECK(burnish_srgb_value_to_linear(1) == 1, "1");
+    CHECK(burnish_srgb_value_to_linear((float)INFINITY) == 1, "infinity");
+}
+
+int main(void) {
+    test_generated();
+    test_around_thresholds();
+    test_bucket_edges();
+    test_all_patterns();
+    test_monotone();
+    test_codes();
+    test_values_between();
+    return test_end("srgb");
+}
