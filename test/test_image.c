@@ -4,8 +4,12 @@
 #include "burnish/image.h"
 #include "harness.h"
 
+#define CHECK_STATUS(call, expected) CHECK((call) == (expected), "not the expected status")
+
 /* XXH64 with seed 0, from the algorithm's description, independent of the library in use. */
-static uint64_t rotate(uint64_t x, int by) { return x << by | x >> (64 - by); }
+static uint64_t rotate(uint64_t x, int by) {
+    return x << by | x >> (64 - by);
+}
 
 static uint64_t load(const uint8_t *bytes, int count) {
     uint64_t value = 0;
@@ -83,21 +87,23 @@ static void test_create(void) {
     burnish_error error;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         burnish_image image = {1, 2, 3, NULL};
-        CHECK(burnish_image_create(&image, bad[i].width, bad[i].height, bad[i].channels, &error) ==
-              BURNISH_STATUS_ARGUMENT);
+        CHECK_STATUS(
+            burnish_image_create(&image, bad[i].width, bad[i].height, bad[i].channels, &error),
+            BURNISH_STATUS_ARGUMENT);
         CHECK_TEXT(error.text, bad[i].text);
-        CHECK(image.width == 0 && image.height == 0 && image.channels == 0 && !image.pixels);
+        CHECK(image.width == 0 && image.height == 0 && image.channels == 0 && !image.pixels,
+              "the image must be empty");
     }
-    CHECK(burnish_image_create(NULL, 1, 1, 3, NULL) == BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_image_create(NULL, 1, 1, 3, NULL), BURNISH_STATUS_ARGUMENT);
     burnish_image image;
-    CHECK(burnish_image_create(&image, 5, 7, 4, NULL) == BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_image_create(&image, 5, 7, 4, NULL), BURNISH_STATUS_OK);
     int clear = 1;
     for (int i = 0; i < 5 * 7 * 4; ++i) {
         clear &= image.pixels[i] == 0;
     }
     CHECK(clear, "a new image must be zero");
     burnish_image_destroy(&image);
-    CHECK(!image.pixels && image.width == 0);
+    CHECK(!image.pixels && image.width == 0, "the image must be empty");
     burnish_image_destroy(&image);
     burnish_image_destroy(NULL);
 }
@@ -170,8 +176,7 @@ static void test_copy_extremes(void) {
 }
 
 static const uint8_t *pixel_at(const burnish_image *image, int x, int y) {
-    return image->pixels +
-           ((size_t)y * (size_t)image->width + (size_t)x) * (size_t)image->channels;
+    return image->pixels + ((size_t)y * (size_t)image->width + (size_t)x) * (size_t)image->channels;
 }
 
 /* Whether source stands in the sheet at (x, y). */
@@ -197,12 +202,13 @@ static void check_sheet(int channels, int count, int columns, int labels) {
     }
     burnish_image sheet;
     burnish_error error;
-    CHECK(burnish_image_sheet(&sheet, cells, (size_t)count, columns, background, ink, &error) ==
-          BURNISH_STATUS_OK);
+    CHECK_STATUS(
+        burnish_image_sheet(&sheet, cells, (size_t)count, columns, background, ink, &error),
+        BURNISH_STATUS_OK);
     int rows = (count + columns - 1) / columns;
     const int gap = 4;
     int band = (sheet.height - gap) / rows - 72 - gap;
-    CHECK(sheet.width == gap + columns * (96 + gap) && sheet.channels == channels);
+    CHECK(sheet.width == gap + columns * (96 + gap) && sheet.channels == channels, "size");
     CHECK(sheet.height == gap + rows * (72 + band + gap), "rows of equal height");
     CHECK(labels ? band >= 16 : band == 0, "a label's band of %d", band);
     for (int i = 0; i < count; ++i) {
@@ -232,7 +238,8 @@ static void test_long_label(void) {
     memset(text, 'W', sizeof text - 1);
     burnish_sheet_cell cells[2] = {{&image, ""}, {&image, text}};
     burnish_image sheet;
-    CHECK(burnish_image_sheet(&sheet, cells, 2, 2, background, ink, NULL) == BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_image_sheet(&sheet, cells, 2, 2, background, ink, NULL),
+                 BURNISH_STATUS_OK);
     int outside = 0;
     int inside = 0;
     for (int y = 4 + 40; y < sheet.height; ++y) {
@@ -249,7 +256,7 @@ static void test_long_label(void) {
     burnish_sheet_cell tiny = {&image, "label"};
     CHECK(burnish_image_sheet(&sheet, &tiny, 1, 1, background, ink, NULL) == BURNISH_STATUS_OK,
           "a cell too narrow for its label");
-    CHECK(sheet.width == 11);
+    CHECK(sheet.width == 11, "%d", sheet.width);
     burnish_image_destroy(&sheet);
     burnish_image_destroy(&image);
 }
@@ -262,25 +269,25 @@ static void test_sheet_errors(void) {
     burnish_image sheet;
     burnish_error error;
     burnish_sheet_cell cells[2] = {{&a, NULL}, {&b, NULL}};
-    CHECK(burnish_image_sheet(&sheet, cells, 2, 1, background, ink, &error) ==
-          BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_image_sheet(&sheet, cells, 2, 1, background, ink, &error),
+                 BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "sheet: picture 2 is 8 x 9 with 3 channels, the first is 8 x 8 with 3; "
                            "make them equal");
-    CHECK(!sheet.pixels && sheet.width == 0);
+    CHECK(!sheet.pixels && sheet.width == 0, "the sheet must be empty");
     cells[1].image = &empty;
-    CHECK(burnish_image_sheet(&sheet, cells, 2, 1, background, ink, &error) ==
-          BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_image_sheet(&sheet, cells, 2, 1, background, ink, &error),
+                 BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "sheet: picture 2 is empty; render it first");
-    CHECK(burnish_image_sheet(&sheet, cells, 1, 2, background, ink, &error) ==
-          BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_image_sheet(&sheet, cells, 1, 2, background, ink, &error),
+                 BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "sheet: 2 columns for 1 pictures; use 1 to the number of pictures");
-    CHECK(burnish_image_sheet(&sheet, cells, 0, 1, background, ink, NULL) ==
-          BURNISH_STATUS_ARGUMENT);
-    CHECK(burnish_image_sheet(&sheet, cells, 2, 0, background, ink, NULL) ==
-          BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_image_sheet(&sheet, cells, 0, 1, background, ink, NULL),
+                 BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_image_sheet(&sheet, cells, 2, 0, background, ink, NULL),
+                 BURNISH_STATUS_ARGUMENT);
     cells[0].image = cells[1].image = &wide;
-    CHECK(burnish_image_sheet(&sheet, cells, 2, 2, background, ink, &error) ==
-          BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_image_sheet(&sheet, cells, 2, 2, background, ink, &error),
+                 BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "sheet: 2 pictures of 9000 x 1 in 2 columns exceed 16384 pixels; use "
                            "smaller pictures or another number of columns");
     burnish_image_destroy(&a);

@@ -65,8 +65,9 @@ static void test_all_patterns(void) {
     for (uint64_t bits = 0; bits <= UINT32_MAX; bits += 4099) {
         check_code(bits_float((uint32_t)bits));
     }
-    const float special[] = {0.0F,       -0.0F,      -1.0F,  1.0F,      2.0F,
-                             (float)INFINITY, -(float)INFINITY, (float)NAN, -(float)NAN, FLT_MIN / 2};
+    const float special[] = {
+        0.0F,       -0.0F,       -1.0F,      1.0F, 2.0F, (float)INFINITY, -(float)INFINITY,
+        (float)NAN, -(float)NAN, FLT_MIN / 2};
     for (size_t i = 0; i < sizeof special / sizeof *special; ++i) {
         check_code(special[i]);
     }
@@ -99,8 +100,8 @@ static void test_values_between(void) {
     for (int i = 0; i <= 100000; ++i) {
         float value = (float)i / 100000.0F;
         float linear = burnish_srgb_value_to_linear(value);
-        /* A chord of the curve between two codes lies at most h^2/8 f'' = 3.9e-6 above it. */
-        CHECK(fabsl(linear - srgb_decode(value)) <= 4.2e-6L, "value %g", (double)value);
+        /* A chord of the curve between two codes lies at most h^2/8 f'' = 5.9e-6 above it. */
+        CHECK(fabsl(linear - srgb_decode(value)) <= 6e-6L, "value %g", (double)value);
         CHECK(linear >= last && linear <= 1, "value %g is not monotone", (double)value);
         last = linear;
     }

@@ -157,7 +157,7 @@ burnish_status burnish_write_file(const char *path, const void *bytes, size_t si
         return write_directly(path, bytes, size, error);
     }
     /* A rename needs no permission of the file itself, so a protected one is asked for it here. */
-    if (access(path, W_OK) != 0) {
+    if (faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) != 0) {
         return fail_write(error, path, errno);
     }
     char *target = realpath(path, NULL);

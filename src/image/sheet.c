@@ -5,11 +5,11 @@
 #include "image/text.h"
 
 enum {
-    LEAST_GAP = 4,       /* pixels between cells and around them */
-    GAP_DIVISOR = 24,    /* the gap is the cell's shorter side by this */
-    LEAST_LABEL = 9,     /* height of a label's capitals, in pixels */
-    LABEL_DIVISOR = 28,  /* ... the cell's height by this */
-    SMALLEST_LABEL = 7   /* long labels make all labels smaller down to this, then are cut */
+    LEAST_GAP = 4,      /* pixels between cells and around them */
+    GAP_DIVISOR = 24,   /* the gap is the cell's shorter side by this */
+    LEAST_LABEL = 9,    /* height of a label's capitals, in pixels */
+    LABEL_DIVISOR = 28, /* ... the cell's height by this */
+    SMALLEST_LABEL = 7  /* long labels make all labels smaller down to this, then are cut */
 };
 
 static const char ellipsis[] = "...";
@@ -22,9 +22,13 @@ typedef struct layout {
     int baseline, below; /* from the picture's lower edge to the baseline, and to the band's end */
 } layout;
 
-static int larger(int a, int b) { return a > b ? a : b; }
+static int larger(int a, int b) {
+    return a > b ? a : b;
+}
 
-static int has_label(const burnish_sheet_cell *cell) { return cell->label && *cell->label; }
+static int has_label(const burnish_sheet_cell *cell) {
+    return cell->label && *cell->label;
+}
 
 static burnish_status check_cells(const burnish_sheet_cell *cells, size_t count, int columns,
                                   burnish_error *error) {
@@ -135,8 +139,7 @@ static void draw_label(burnish_image *sheet, const layout *made, int x, int base
     if (length > 0) {
         float left = (float)x;
         left += burnish_draw_text(sheet, left, (float)baseline, height, ink, text, length);
-        burnish_draw_text(sheet, left, (float)baseline, height, ink, ellipsis,
-                          sizeof ellipsis - 1);
+        burnish_draw_text(sheet, left, (float)baseline, height, ink, ellipsis, sizeof ellipsis - 1);
     }
 }
 

@@ -11,8 +11,8 @@ enum { SPAN = 256 }; /* pixels of a row that are covered at a time */
 
 static const float least_height = 5;
 static const float most_height = BURNISH_IMAGE_MAX_SIZE;
-static const float pen_share = 0.12F; /* of the height of a capital */
-static const float widening = 0.35F; /* pixels, at most, that a pen is widened to whole ones */
+static const float pen_share = 0.12F;  /* of the height of a capital */
+static const float widening = 0.35F;   /* pixels, at most, that a pen is widened to whole ones */
 static const float far_away = 4194304; /* 2^22: beyond it a float has no quarter pixels */
 
 typedef struct rectangle {
@@ -63,7 +63,6 @@ static void cover_row(const burnish_stroke *stroke, int row, int first, int coun
 
 /* Mixes the linear colour over a pixel. */
 static void blend_pixel(uint8_t *pixel, int channels, const float linear[3], float share) {
-
     if (channels == 4) {
         float alpha = (float)pixel[3] / 255.0F;
         float sum = share + alpha * (1 - share);
@@ -77,9 +76,8 @@ static void blend_pixel(uint8_t *pixel, int channels, const float linear[3], flo
     }
 }
 
-static void draw_span(burnish_image *image, const burnish_stroke *strokes,
-                      const rectangle *touched, size_t count, int row, int first, int last,
-                      const float linear[3]) {
+static void draw_span(burnish_image *image, const burnish_stroke *strokes, const rectangle *touched,
+                      size_t count, int row, int first, int last, const float linear[3]) {
     float coverage[SPAN] = {0};
     for (size_t i = 0; i < count; ++i) {
         if (row < touched[i].top || row >= touched[i].bottom) {
@@ -122,7 +120,9 @@ static void draw_glyph(burnish_image *image, const burnish_glyph *glyph,
     }
 }
 
-static int near_image(float coordinate) { return coordinate > -far_away && coordinate < far_away; }
+static int near_image(float coordinate) {
+    return coordinate > -far_away && coordinate < far_away;
+}
 
 /* The nearest whole pixel; beyond far_away the value itself, which is never drawn. */
 static float snap(float value) {

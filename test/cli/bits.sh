@@ -6,6 +6,7 @@ set -u
 source=$1
 scratch=$2
 failures=0
+mkdir -p "$scratch"
 for variant in "gcc -O0" "gcc -O3" "clang -O0" "clang -O3" "gcc -O3 -march=native" "clang -O2 -march=native"; do
     compiler=${variant%% *}
     flags=${variant#* }

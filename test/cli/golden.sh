@@ -2,25 +2,31 @@
 # The pixels of known pictures, by hash, with 1, 2 and 7 threads. A change of pixels is deliberate: rewrite
 # the list with `make golden` and say it in CHANGELOG.md. Usage: golden.sh BURNISH SCRATCH [--update]
 set -u
-burnish=$1
-scratch=$2
+mkdir -p "$2"
+burnish=$(realpath "$1")
+scratch=$(realpath "$2")
 here=$(cd "$(dirname "$0")/.." && pwd)
 list=$here/golden/pixels.txt
 failures=0
 checks=0
-mkdir -p "$scratch"
 
 # prints the hash of one picture
 picture() {
     # shellcheck disable=SC2086
     (cd "$here/data" && "$burnish" render $1 --threads="$2" --json -o "$scratch/golden.png") |
-        sed -n 's/.*"hash": *"\([0-9a-f]\{16\}\)".*/\1/p' | head -n 1
+        sed -n 's/.*"hash":[[:space:]]*"\([0-9a-f]\{16\}\)".*/\1/p' | tail -n 1
 }
 
 if [ "${3:-}" = --update ]; then
     cut -d' ' -f2- "$list" | while read -r arguments; do
-        echo "$(picture "$arguments" 2) $arguments"
-    done >"$scratch/pixels.txt" && mv "$scratch/pixels.txt" "$list"
+        hash=$(picture "$arguments" 2)
+        echo "${hash:-none} $arguments"
+    done >"$scratch/pixels.txt"
+    if grep -n '^none' "$scratch/pixels.txt"; then
+        echo "golden: these pictures failed; the list is unchanged"
+        exit 1
+    fi
+    mv "$scratch/pixels.txt" "$list"
     exit
 fi
 

@@ -77,16 +77,17 @@ static void write_floats(FILE *file, const char *comment, const char *name, cons
 }
 
 static void write_buckets(FILE *file, const float next[256]) {
-    fprintf(file,
-            "\n/* Code of the lowest float of each bucket: float patterns from 2^%d to 1 in steps of\n"
-            " * 2^%d. No bucket holds more than one threshold. */\n"
-            "#define SRGB_FIRST_BITS 0x%08xU /* of 2^%d */\n"
-            "#define SRGB_LAST_BITS 0x%08xU  /* of the float below 1 */\n"
-            "#define SRGB_BUCKET_SHIFT %d\n"
-            "#define SRGB_BUCKETS %d\n"
-            "#define SRGB_BUCKET_CODE \\\n",
-            FIRST_EXPONENT, BUCKET_SHIFT, (unsigned)float_bits(ldexpf(1, FIRST_EXPONENT)),
-            FIRST_EXPONENT, (unsigned)float_bits(1) - 1, BUCKET_SHIFT, BUCKETS);
+    fprintf(
+        file,
+        "\n/* Code of the lowest float of each bucket: float patterns from 2^%d to 1 in steps of\n"
+        " * 2^%d. No bucket holds more than one threshold. */\n"
+        "#define SRGB_FIRST_BITS 0x%08xU /* of 2^%d */\n"
+        "#define SRGB_LAST_BITS 0x%08xU  /* of the float below 1 */\n"
+        "#define SRGB_BUCKET_SHIFT %d\n"
+        "#define SRGB_BUCKETS %d\n"
+        "#define SRGB_BUCKET_CODE \\\n",
+        FIRST_EXPONENT, BUCKET_SHIFT, (unsigned)float_bits(ldexpf(1, FIRST_EXPONENT)),
+        FIRST_EXPONENT, (unsigned)float_bits(1) - 1, BUCKET_SHIFT, BUCKETS);
     uint32_t first = float_bits(ldexpf(1, FIRST_EXPONENT));
     for (uint32_t i = 0; i < BUCKETS; ++i) {
         int low = code_of(bits_float(first + (i << BUCKET_SHIFT)), next);
@@ -112,10 +113,11 @@ static void write_srgb_table(FILE *file) {
                   "#ifndef BURNISH_BASE_SRGB_TABLE_H\n#define BURNISH_BASE_SRGB_TABLE_H\n"
                   "\n/* clang-format off */\n");
     write_floats(file, "Linear light of code k, correctly rounded.", "SRGB_LINEAR", linear);
-    write_floats(file,
-                 "The smallest float whose exact code is above k: the linear value of (k + 1/2) / 255,"
-                 "\n * rounded up. The last entry is out of reach.",
-                 "SRGB_NEXT_THRESHOLD", next);
+    write_floats(
+        file,
+        "The smallest float whose exact code is above k: the linear value of (k + 1/2) / 255,"
+        "\n * rounded up. The last entry is out of reach.",
+        "SRGB_NEXT_THRESHOLD", next);
     write_buckets(file, next);
     fprintf(file, "\n/* clang-format on */\n\n#endif\n");
 }
