@@ -1,5 +1,6 @@
-/* Frame times: median, minimum and maximum over several frames, one row a scene, lobe and thread count.
- * Usage: frame INPUT [INPUT ...]       1920x1080, one sample a pixel, the default view and rig. */
+/* Frame times: median, minimum and maximum over several frames, one row a scene, lobe and thread
+ * count. Usage: frame INPUT [INPUT ...]       1920x1080, one sample a pixel, the default view and
+ * rig. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

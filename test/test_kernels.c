@@ -12,8 +12,7 @@ enum { BLOCK = 4096 };
 #define POWER_ERROR 1e-7
 #define GAUSSIAN_ERROR 1e-7
 
-static const float EXPONENTS[] = {1,   2,   3.5f, 8,    18,   32,
-                                  100, 256, 1000, 4096, 65536};
+static const float EXPONENTS[] = {1, 2, 3.5f, 8, 18, 32, 100, 256, 1000, 4096, 65536};
 enum { EXPONENT_COUNT = sizeof EXPONENTS / sizeof EXPONENTS[0] };
 
 static void check_accuracy(void) {
@@ -46,8 +45,8 @@ static burnish_lobe_kernel make(burnish_lobe_kernel_kind kind, float exponent) {
     return kernel;
 }
 
-/* Every lobe kernel gives a finite value in [0, 1] for a stride over all floats, and the same as one
- * element at a time. */
+/* Every lobe kernel gives a finite value in [0, 1] for a stride over all floats, and the same as
+ * one element at a time. */
 static void check_all_floats(void) {
     float cosines[BLOCK], values[BLOCK], one;
     for (int kind = BURNISH_LOBE_KERNEL_FAMILY; kind <= BURNISH_LOBE_KERNEL_GX; ++kind) {

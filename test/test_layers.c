@@ -17,7 +17,8 @@ static const struct layer {
     {"src/shade", "base kernels raster"},
     {"src/image", "base public:image.h public:status.h"},
     {"src/render", "base raster shade public:render.h public:theory.h public:status.h"},
-    {"tools/burnish", "public:image.h public:lobe.h public:render.h public:scene.h public:status.h"},
+    {"tools/burnish",
+     "public:image.h public:lobe.h public:render.h public:scene.h public:status.h"},
 };
 
 static int allowed(const struct layer *layer, const char *include) {

@@ -1,5 +1,5 @@
-/* Coverage is exact: samples on shared edges belong to one triangle, clipped or not; tile lists miss
- * nothing and depend neither on threads nor on the memory budget. */
+/* Coverage is exact: samples on shared edges belong to one triangle, clipped or not; tile lists
+ * miss nothing and depend neither on threads nor on the memory budget. */
 #include <math.h>
 #include <stdint.h>
 
@@ -19,7 +19,9 @@ static uint32_t next_random(uint32_t *state) {
     return *state >> 8;
 }
 
-static double random_unit(uint32_t *state) { return next_random(state) / 16777216.0; }
+static double random_unit(uint32_t *state) {
+    return next_random(state) / 16777216.0;
+}
 
 /* Parallel view: a unit is a pixel, the image's centre at the origin, depth 1 + z/1000. */
 static burnish_raster_view parallel_view(int width, int height, int samples) {
@@ -38,8 +40,8 @@ static void add_triangle(test_mesh *mesh, size_t a, size_t b, size_t c) {
     index[2] = (uint32_t)c;
 }
 
-/* A plane of GRID x GRID jittered cells reaching beyond the image on all sides; with snap the vertices
- * lie on pixel centres and corners, where the top-left rule decides. */
+/* A plane of GRID x GRID jittered cells reaching beyond the image on all sides; with snap the
+ * vertices lie on pixel centres and corners, where the top-left rule decides. */
 static void make_plane(test_mesh *mesh, int snap, uint32_t seed) {
     double cell = SIZE * 1.3 / GRID;
     mesh->vertex_count = mesh->triangle_count = 0;
@@ -111,8 +113,8 @@ static void check_each_sample_once(const char *name, const burnish_raster_view *
         holes += coverage[i] == 0;
         twice += coverage[i] > 1;
     }
-    CHECK(holes == 0 && twice == 0, "%s, %d samples: %d holes, %d drawn twice", name,
-          view->samples, holes, twice);
+    CHECK(holes == 0 && twice == 0, "%s, %d samples: %d holes, %d drawn twice", name, view->samples,
+          holes, twice);
     burnish_geometry_destroy(&geometry);
 }
 
@@ -170,8 +172,8 @@ static void check_box_from_inside(void) {
     }
 }
 
-/* Random triangles over several tiles: lists made with any threads and budget show what drawing every
- * triangle into every tile shows. */
+/* Random triangles over several tiles: lists made with any threads and budget show what drawing
+ * every triangle into every tile shows. */
 static void check_bins(void) {
     static test_mesh mesh;
     static const int THREADS[] = {1, 2, 7};
@@ -215,8 +217,8 @@ static void check_bins(void) {
             for (int row = bins.first_row; row < bins.end_row; ++row) {
                 for (int column = 0; column < bins.columns; ++column, ++tiles) {
                     burnish_bins full = bins;
-                    size_t place = (size_t)(row - bins.first_row) * (size_t)bins.columns +
-                                   (size_t)column;
+                    size_t place =
+                        (size_t)(row - bins.first_row) * (size_t)bins.columns + (size_t)column;
                     full.offsets = everything;
                     full.entries = all;
                     everything[place] = 0;
@@ -278,8 +280,8 @@ static void check_fragments(void) {
     while (burnish_next_fragments(&tile, &view, &geometry, &fragments)) {
         for (int i = 0; i < fragments.count; ++i) {
             const uint32_t *v = geometry.triangles[fragments.triangle[i]].vertices;
-            double w[3] = {1.0 - fragments.weight1[i] - fragments.weight2[i],
-                           fragments.weight1[i], fragments.weight2[i]};
+            double w[3] = {1.0 - fragments.weight1[i] - fragments.weight2[i], fragments.weight1[i],
+                           fragments.weight2[i]};
             double p[3] = {0, 0, 0};
             for (int k = 0; k < 3; ++k) {
                 for (int axis = 0; axis < 3; ++axis) {

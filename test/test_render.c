@@ -1,12 +1,15 @@
-/* Whole pictures against formulas: where a sphere's highlight lies and how wide it is, perspective-correct
- * attributes, point lights, edges, mirrored and turned scenes, threads, errors. */
+/* Whole pictures against formulas: where a sphere's highlight lies and how wide it is,
+ * perspective-correct attributes, point lights, edges, mirrored and turned scenes, threads, errors.
+ */
 #include <math.h>
 
 #include "burnish/render.h"
 #include "burnish/theory.h"
 #include "harness.h"
 
-static double decode(uint8_t code) { return (double)burnish_srgb_decode((float)code / 255.0f); }
+static double decode(uint8_t code) {
+    return (double)burnish_srgb_decode((float)code / 255.0f);
+}
 
 static double pixel_value(const burnish_image *image, int x, int y, int channel) {
     return decode(image->pixels[(y * image->width + x) * image->channels + channel]);
@@ -67,9 +70,9 @@ typedef struct lobe_case {
 } lobe_case;
 
 static const lobe_case LOBES[] = {
-    {"power", 20},     {"power", 200},      {"taylor:2", 40},  {"energy:2", 40},
-    {"energy:8", 60},  {"level0.5:2", 100}, {"shift7", 32},    {"shift3", 32},
-    {"projected:4", 50}, {"schlick", 30},   {"gaussian", 64},  {"gx", 30},
+    {"power", 20},       {"power", 200},      {"taylor:2", 40}, {"energy:2", 40},
+    {"energy:8", 60},    {"level0.5:2", 100}, {"shift7", 32},   {"shift3", 32},
+    {"projected:4", 50}, {"schlick", 30},     {"gaussian", 64}, {"gx", 30},
 };
 
 /* The lobe's value in double precision. */
@@ -131,8 +134,9 @@ static void check_highlight_width(burnish_scene *sphere) {
         double expected = radius * sin(half_angle(&LOBES[i]));
         CHECK(fabs((left + right) / 2 - SIZE / 2.0) < 0.5, "%s: centre at %.3f", LOBES[i].name,
               (left + right) / 2);
-        CHECK(fabs((right - left) / 2 - expected) < 0.5, "%s, n = %g: half-width %.3f, expected %.3f",
-              LOBES[i].name, (double)LOBES[i].exponent, (right - left) / 2, expected);
+        CHECK(fabs((right - left) / 2 - expected) < 0.5,
+              "%s, n = %g: half-width %.3f, expected %.3f", LOBES[i].name,
+              (double)LOBES[i].exponent, (right - left) / 2, expected);
         burnish_image_destroy(&image);
     }
     /* what the formula says of the power: acos(0.5^(1/n)) */
@@ -144,7 +148,8 @@ static void check_highlight_everywhere(burnish_scene *sphere, burnish_equation e
     enum { SIZE = 301 };
     const double radius = SIZE / 2.2;
     const double light[3] = {0.48, 0.6, 0.64};
-    double length = sqrt(light[0] * light[0] + light[1] * light[1] + (light[2] + 1) * (light[2] + 1));
+    double length =
+        sqrt(light[0] * light[0] + light[1] * light[1] + (light[2] + 1) * (light[2] + 1));
     double half[3] = {light[0] / length, light[1] / length, (light[2] + 1) / length};
     for (size_t i = 0; i < sizeof LOBES / sizeof LOBES[0]; ++i) {
         burnish_render_options options = front_options(SIZE, SIZE, 2.2);
@@ -191,9 +196,8 @@ static void check_highlight_everywhere(burnish_scene *sphere, burnish_equation e
     }
 }
 
-static burnish_scene *make_scene(const float *positions, const uint8_t *colors,
-                                 size_t vertex_count, const uint32_t *indices,
-                                 size_t triangle_count) {
+static burnish_scene *make_scene(const float *positions, const uint8_t *colors, size_t vertex_count,
+                                 const uint32_t *indices, size_t triangle_count) {
     burnish_load_options options = burnish_load_options_default();
     burnish_scene *scene;
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -205,8 +209,8 @@ static burnish_scene *make_scene(const float *positions, const uint8_t *colors,
 
 static const uint32_t QUAD[6] = {0, 1, 2, 0, 2, 3};
 
-/* A floor that runs from z = 4 to z = -40, black to white: the colour at a pixel is where its ray meets
- * the floor. The near end lies behind the camera, so clipping has its part too. */
+/* A floor that runs from z = 4 to z = -40, black to white: the colour at a pixel is where its ray
+ * meets the floor. The near end lies behind the camera, so clipping has its part too. */
 static void check_perspective_colors(void) {
     enum { SIZE = 200 };
     static const float POSITIONS[12] = {-50, -1, 14, 50, -1, 14, 50, -1, -40, -50, -1, -40};
@@ -426,16 +430,17 @@ static void check_blank(burnish_scene *sphere) {
 }
 
 static void check_lobe_words(void) {
-    static const char *const GOOD[] = {"taylor:2",      "energy:32", "level0.5:4", "level0.25:2",
-                                       "shift7:2",      "shift3:2",  "projected:8", "power",
-                                       "schlick",       "lyon:4",    "gaussian",    "gx"};
-    static const char *const BAD[] = {"",        "phong",    "energy:3", "energy:",  "energy:64",
-                                      "shift7:4", "level:2", "level1:2", "level0:2", "power:2",
-                                      "gxx",     "levelx:2", "taylor :2"};
+    static const char *const GOOD[] = {"taylor:2", "energy:32", "level0.5:4",  "level0.25:2",
+                                       "shift7:2", "shift3:2",  "projected:8", "power",
+                                       "schlick",  "lyon:4",    "gaussian",    "gx"};
+    static const char *const BAD[] = {"",         "phong",    "energy:3", "energy:",  "energy:64",
+                                      "shift7:4", "level:2",  "level1:2", "level0:2", "power:2",
+                                      "gxx",      "levelx:2", "taylor :2"};
     for (size_t i = 0; i < sizeof GOOD / sizeof GOOD[0]; ++i) {
         burnish_lobe_choice choice;
         char name[32];
-        CHECK(burnish_lobe_choice_parse(GOOD[i], &choice, NULL) == BURNISH_STATUS_OK, "%s", GOOD[i]);
+        CHECK(burnish_lobe_choice_parse(GOOD[i], &choice, NULL) == BURNISH_STATUS_OK, "%s",
+              GOOD[i]);
         burnish_lobe_choice_name(&choice, name, sizeof name);
         CHECK_TEXT(name, GOOD[i]);
     }

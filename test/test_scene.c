@@ -560,14 +560,17 @@ static void test_options(void) {
     CHECK(strstr(error.text, "2 triangles are more than the limit of 1"), "%s", error.text);
 }
 
-/* Two triangles that meet at 50 degrees: an edge in an STL, smooth in an OBJ, unless an angle is given. */
+/* Two triangles that meet at 50 degrees: an edge in an STL, smooth in an OBJ, unless an angle is
+ * given. */
 static void test_crease_auto(void) {
-    static const char OBJ[] = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -0.642787 0.766044 0\nf 1 2 3\nf 2 1 4\n";
-    static const char STL[] = "solid\n"
-                              "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 1 vertex 1 0 0 "
-                              "endloop endfacet\n"
-                              "facet normal 0 0 0 outer loop vertex 0 0 1 vertex 0 0 0 "
-                              "vertex -0.642787 0.766044 0 endloop endfacet\nendsolid\n";
+    static const char OBJ[] =
+        "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -0.642787 0.766044 0\nf 1 2 3\nf 2 1 4\n";
+    static const char STL[] =
+        "solid\n"
+        "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 1 vertex 1 0 0 "
+        "endloop endfacet\n"
+        "facet normal 0 0 0 outer loop vertex 0 0 1 vertex 0 0 0 "
+        "vertex -0.642787 0.766044 0 endloop endfacet\nendsolid\n";
     static const struct {
         const char *text, *name;
         double angle;

@@ -49,10 +49,10 @@ BURNISH_API burnish_status burnish_image_encode_png(const burnish_image *image, 
 BURNISH_API burnish_status burnish_image_write_png(const burnish_image *image, const char *path,
                                                    burnish_error *error);
 
-/* Draws one line of text (ASCII 32..126, others as '?') with a stroke font of round pens, antialiased
- * in linear light. x, y: left end of the baseline in pixels from the top left; height: of a
- * capital letter, in pixels, at least 5; color: sRGB 0..255. Parts outside the image are left out.
- * Returns the advance in pixels; with image NULL it only measures. */
+/* Draws one line of text (ASCII 32..126, others as '?') with a stroke font of round pens,
+ * antialiased in linear light. x, y: left end of the baseline in pixels from the top left; height:
+ * of a capital letter, in pixels, at least 5; color: sRGB 0..255. Parts outside the image are left
+ * out. Returns the advance in pixels; with image NULL it only measures. */
 BURNISH_API float burnish_image_draw_text(burnish_image *image, float x, float y, float height,
                                           const uint8_t color[3], const char *text);
 

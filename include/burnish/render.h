@@ -50,7 +50,10 @@ BURNISH_API burnish_status burnish_lobe_choice_parse(const char *text, burnish_l
 BURNISH_API void burnish_lobe_choice_name(const burnish_lobe_choice *choice, char *text,
                                           size_t size);
 
-typedef enum burnish_light_kind { BURNISH_LIGHT_DIRECTIONAL, BURNISH_LIGHT_POINT } burnish_light_kind;
+typedef enum burnish_light_kind {
+    BURNISH_LIGHT_DIRECTIONAL,
+    BURNISH_LIGHT_POINT
+} burnish_light_kind;
 
 /* One light; point lights do not fall off with distance. */
 typedef struct burnish_light {
@@ -81,10 +84,10 @@ typedef struct burnish_render_options {
     burnish_viewer viewer;
     float ambient_light[3]; /* Ia, linear */
     burnish_light lights[BURNISH_LIGHT_MAX];
-    int light_count;         /* [0, BURNISH_LIGHT_MAX] */
-    uint8_t background[3];   /* sRGB */
-    int transparent;         /* 1: the image has alpha and no background */
-    int ignore_colors;       /* 1: the mesh's vertex colours are not used */
+    int light_count;       /* [0, BURNISH_LIGHT_MAX] */
+    uint8_t background[3]; /* sRGB */
+    int transparent;       /* 1: the image has alpha and no background */
+    int ignore_colors;     /* 1: the mesh's vertex colours are not used */
 } burnish_render_options;
 
 /* 1024x768, 4 samples, energy:2, Blinn, local viewer, the default rig (key, fill and rim light that
@@ -94,13 +97,13 @@ BURNISH_API burnish_render_options burnish_render_options_default(void);
 
 /* What was drawn. */
 typedef struct burnish_render_report {
-    size_t triangles;         /* of the mesh */
-    size_t triangles_drawn;   /* that own at least one sample after clipping and depth test */
-    size_t covered_pixels;    /* pixels with at least one covered sample */
-    int bounds[4];            /* x0, y0, x1, y1 (exclusive) of the covered pixels; all 0 when blank */
-    int threads;              /* used */
-    size_t lobe_fallbacks;    /* materials whose exponent is too low for the chosen order: drawn with
-                                 the highest order that fits */
+    size_t triangles;       /* of the mesh */
+    size_t triangles_drawn; /* that own at least one sample after clipping and depth test */
+    size_t covered_pixels;  /* pixels with at least one covered sample */
+    int bounds[4];          /* x0, y0, x1, y1 (exclusive) of the covered pixels; all 0 when blank */
+    int threads;            /* used */
+    size_t lobe_fallbacks;  /* materials whose exponent is too low for the chosen order: drawn with
+                               the highest order that fits */
     double seconds_transform; /* vertices, clipping, set-up, binning */
     double seconds_draw;      /* visibility and shading */
 } burnish_render_report;

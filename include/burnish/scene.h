@@ -86,8 +86,8 @@ BURNISH_API burnish_status burnish_scene_load_memory(const void *bytes, size_t s
                                                      const burnish_load_options *options,
                                                      burnish_scene **scene, burnish_error *error);
 
-/* The caller's own arrays: copied, checked as a file is, welded, normals made where normals is NULL.
- * vertex_count * 3 positions, optional normals (3 a vertex) and sRGB colours (4 a vertex). */
+/* The caller's own arrays: copied, checked as a file is, welded, normals made where normals is
+ * NULL. vertex_count * 3 positions, optional normals (3 a vertex) and sRGB colours (4 a vertex). */
 BURNISH_API burnish_status burnish_scene_create(const float *positions, const float *normals,
                                                 const uint8_t *colors, size_t vertex_count,
                                                 const uint32_t *indices, size_t triangle_count,
@@ -99,7 +99,8 @@ BURNISH_API void burnish_scene_destroy(burnish_scene *scene);
 
 BURNISH_API const burnish_mesh *burnish_scene_mesh(const burnish_scene *scene);
 
-/* Lines about things that were passed over (a missing material library, triangles without area ...). */
+/* Lines about things that were passed over (a missing material library, triangles without area
+ * ...). */
 BURNISH_API size_t burnish_scene_warning_count(const burnish_scene *scene);
 BURNISH_API const char *burnish_scene_warning(const burnish_scene *scene, size_t index);
 
@@ -120,10 +121,11 @@ BURNISH_API burnish_format burnish_scene_format(const burnish_scene *scene);
 /* Where the picture is taken from. Right-handed world; the picture's up is view_up's projection. */
 typedef struct burnish_camera {
     double position[3];
-    double focal_point[3];      /* what the middle of the picture shows */
-    double view_up[3];          /* not parallel to the direction of view */
-    double view_angle;          /* degrees from the lower to the upper edge, (0, 180); perspective */
-    double orthographic_height; /* 0: perspective; > 0: parallel projection, height in scene units */
+    double focal_point[3]; /* what the middle of the picture shows */
+    double view_up[3];     /* not parallel to the direction of view */
+    double view_angle;     /* degrees from the lower to the upper edge, (0, 180); perspective */
+    double
+        orthographic_height; /* 0: perspective; > 0: parallel projection, height in scene units */
 } burnish_camera;
 
 /* How burnish_camera_fit chooses a view. Start from burnish_fit_options_default(). */
@@ -142,8 +144,8 @@ typedef struct burnish_fit_options {
 /* up +Y, three-quarter view, view angle 30 degrees, aspect 1, margin 0.05. */
 BURNISH_API burnish_fit_options burnish_fit_options_default(void);
 
-/* The camera that shows the whole mesh as large as the margin allows, exactly: it fits the projected
- * vertices, not a bounding sphere. Errors: ARGUMENT. */
+/* The camera that shows the whole mesh as large as the margin allows, exactly: it fits the
+ * projected vertices, not a bounding sphere. Errors: ARGUMENT. */
 BURNISH_API burnish_status burnish_camera_fit(const burnish_scene *scene,
                                               const burnish_fit_options *options,
                                               burnish_camera *camera, burnish_error *error);

@@ -29,7 +29,9 @@ int burnish_status_exit_code(burnish_status status) {
     return 1;
 }
 
-const char *burnish_version(void) { return BURNISH_VERSION; }
+const char *burnish_version(void) {
+    return BURNISH_VERSION;
+}
 
 burnish_status burnish_fail(burnish_error *error, burnish_status status, const char *format, ...) {
     if (error) {

@@ -10,8 +10,8 @@ burnish_status burnish_allocate(void **pointer, size_t count, size_t size, const
         return BURNISH_STATUS_OK;
     }
     if (!burnish_size_multiply(count, size, &bytes) || bytes > PTRDIFF_MAX - ALIGNMENT) {
-        return burnish_fail(error, BURNISH_STATUS_LIMIT, "%s: %zu elements do not fit the address space",
-                            what, count);
+        return burnish_fail(error, BURNISH_STATUS_LIMIT,
+                            "%s: %zu elements do not fit the address space", what, count);
     }
     *pointer = aligned_alloc(ALIGNMENT, (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
     return *pointer ? BURNISH_STATUS_OK : burnish_fail_memory(error, what, bytes);
@@ -32,8 +32,8 @@ burnish_status burnish_grow(void **pointer, size_t *capacity, size_t needed, siz
     }
     size_t bytes;
     if (!burnish_size_multiply(next, size, &bytes) || bytes > PTRDIFF_MAX) {
-        return burnish_fail(error, BURNISH_STATUS_LIMIT, "%s: %zu elements do not fit the address space",
-                            what, needed);
+        return burnish_fail(error, BURNISH_STATUS_LIMIT,
+                            "%s: %zu elements do not fit the address space", what, needed);
     }
     void *grown = realloc(*pointer, bytes);
     if (!grown) {

@@ -13,8 +13,9 @@ static inline int burnish_size_multiply(size_t a, size_t b, size_t *product) {
     return !__builtin_mul_overflow(a, b, product);
 }
 
-/* count elements of size bytes, not cleared, aligned for any vector type (64 bytes). *pointer becomes
- * NULL on error, and also for count 0. Release with free(). `what` names the array in the message. */
+/* count elements of size bytes, not cleared, aligned for any vector type (64 bytes). *pointer
+ * becomes NULL on error, and also for count 0. Release with free(). `what` names the array in the
+ * message. */
 burnish_status burnish_allocate(void **pointer, size_t count, size_t size, const char *what,
                                 burnish_error *error);
 

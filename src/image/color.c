@@ -1,4 +1,6 @@
 #include "base/srgb.h"
 #include "burnish/image.h"
 
-float burnish_srgb_decode(float value) { return burnish_srgb_value_to_linear(value); }
+float burnish_srgb_decode(float value) {
+    return burnish_srgb_value_to_linear(value);
+}

@@ -9,8 +9,8 @@
 
 #include "burnish/lobe.h"
 
-/* Scales (x, y, z) to unit length in place; length gets the old length (NULL: not wanted). A vector without
- * length stays zero. */
+/* Scales (x, y, z) to unit length in place; length gets the old length (NULL: not wanted). A vector
+ * without length stays zero. */
 void burnish_kernel_normalize(size_t count, float *x, float *y, float *z, float *length);
 
 /* out = ax bx + ay by + az bz */

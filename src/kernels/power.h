@@ -1,8 +1,8 @@
 /* c^n and exp for pictures: polynomials in plain multiplies and adds, so that the comparison lobes
  * have the same bits on every machine too. The family needs none of this.
  *
- * Largest absolute error of both lobes against the exact ones, n in [1, 65536]: 1e-7 (the kernels test
- * measures 8.6e-8 over 2^20 cosines for each of 11 exponents); results below 2^-126 are 0. */
+ * Largest absolute error of both lobes against the exact ones, n in [1, 65536]: 1e-7 (the kernels
+ * test measures 8.6e-8 over 2^20 cosines for each of 11 exponents); results below 2^-126 are 0. */
 #ifndef BURNISH_KERNELS_POWER_H
 #define BURNISH_KERNELS_POWER_H
 
@@ -21,8 +21,8 @@ static inline float burnish_kernel_from_bits(uint32_t bits) {
     return x;
 }
 
-/* Base-2 logarithm of x in [2^-126, 2^126], relative error about 1e-7, also near x = 1: x = 2^e m with m
- * in [sqrt(1/2), sqrt(2)), then (m - 1) P(m - 1), P by Remez exchange to 2.6e-8 relative. */
+/* Base-2 logarithm of x in [2^-126, 2^126], relative error about 1e-7, also near x = 1: x = 2^e m
+ * with m in [sqrt(1/2), sqrt(2)), then (m - 1) P(m - 1), P by Remez exchange to 2.6e-8 relative. */
 static inline float burnish_kernel_log2(float x) {
     const uint32_t sqrt_half = 0x3f3504f3u;
     int32_t exponent = (int32_t)(burnish_kernel_bits(x) - sqrt_half) >> 23;
@@ -66,7 +66,8 @@ static inline float burnish_kernel_power(float cosine, float exponent) {
     return cosine > 0x1p-126f ? (value < 1.0f ? value : 1.0f) : 0.0f;
 }
 
-/* exp(-(n + .775) lambda): a spherical Gaussian fitted to cos^n (Lagarde 2012, as model.md states it). */
+/* exp(-(n + .775) lambda): a spherical Gaussian fitted to cos^n (Lagarde 2012, as model.md states
+ * it). */
 static inline float burnish_kernel_gaussian(float cosine, float exponent) {
     const float log2_e = 1.44269504f;
     float lambda = 1.0f - cosine;

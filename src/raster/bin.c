@@ -78,8 +78,8 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geo
     bins->first_row = bins->end_row;
     bins->end_row = choose_end_row(bins, geometry);
     size_t tiles = (size_t)bins->columns * (size_t)(bins->end_row - bins->first_row);
-    burnish_status status = burnish_grow((void **)&bins->offsets, &bins->offset_capacity,
-                                         tiles + 1, sizeof *bins->offsets, "tile lists", error);
+    burnish_status status = burnish_grow((void **)&bins->offsets, &bins->offset_capacity, tiles + 1,
+                                         sizeof *bins->offsets, "tile lists", error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_grow((void **)&bins->counts, &bins->count_capacity,
                               tiles * (size_t)threads, sizeof *bins->counts, "tile lists", error);
@@ -91,8 +91,8 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geo
     memset(bins->counts, 0, tiles * slices * sizeof *bins->counts);
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
     for (size_t s = 0; s < slices; ++s) {
-        walk(bins, geometry, count * s / slices, count * (s + 1) / slices,
-             bins->counts + s * tiles, NULL);
+        walk(bins, geometry, count * s / slices, count * (s + 1) / slices, bins->counts + s * tiles,
+             NULL);
     }
     size_t total = place_entries(bins, tiles, threads);
     status = burnish_grow((void **)&bins->entries, &bins->entry_capacity, total,
@@ -102,8 +102,8 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geo
     }
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
     for (size_t s = 0; s < slices; ++s) {
-        walk(bins, geometry, count * s / slices, count * (s + 1) / slices,
-             bins->counts + s * tiles, bins->entries);
+        walk(bins, geometry, count * s / slices, count * (s + 1) / slices, bins->counts + s * tiles,
+             bins->entries);
     }
     return BURNISH_STATUS_OK;
 }

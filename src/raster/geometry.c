@@ -18,7 +18,8 @@ enum {
     OUT_CLIP = OUT_NEAR | OUT_GUARD
 };
 
-/* What a chunk of triangles became; vertex indices of clipped vertices count from the chunk's own. */
+/* What a chunk of triangles became; vertex indices of clipped vertices count from the chunk's own.
+ */
 typedef struct chunk_output {
     burnish_setup_triangle *triangles;
     size_t triangle_count, triangle_capacity;
@@ -60,8 +61,8 @@ static uint8_t outcode(const burnish_raster_view *view, const float clip[4]) {
     code |= clip[1] < -half_height ? OUT_BOTTOM : 0;
     code |= clip[1] > half_height ? OUT_TOP : 0;
     code |= clip[2] > clip[3] ? OUT_NEAR : 0;
-    code |= clip[0] < -guard || clip[0] > guard || clip[1] < -guard || clip[1] > guard ? OUT_GUARD
-                                                                                       : 0;
+    code |=
+        clip[0] < -guard || clip[0] > guard || clip[1] < -guard || clip[1] > guard ? OUT_GUARD : 0;
     return (uint8_t)code;
 }
 
@@ -69,10 +70,8 @@ static uint8_t outcode(const burnish_raster_view *view, const float clip[4]) {
 static void project(const burnish_raster_view *view, const float clip[4],
                     burnish_screen_vertices *vertices, size_t i) {
     float inverse_w = 1.0f / clip[3];
-    vertices->x[i] =
-        burnish_to_fixed(clip[0] * inverse_w) + view->width * (BURNISH_SUBPIXELS / 2);
-    vertices->y[i] =
-        view->height * (BURNISH_SUBPIXELS / 2) - burnish_to_fixed(clip[1] * inverse_w);
+    vertices->x[i] = burnish_to_fixed(clip[0] * inverse_w) + view->width * (BURNISH_SUBPIXELS / 2);
+    vertices->y[i] = view->height * (BURNISH_SUBPIXELS / 2) - burnish_to_fixed(clip[1] * inverse_w);
     vertices->depth[i] = clip[2] * inverse_w;
     vertices->inverse_w[i] = inverse_w;
 }
@@ -141,10 +140,9 @@ static int set_up(const burnish_raster_view *view, const int32_t x[3], const int
 
 static burnish_status append_triangle(chunk_output *output,
                                       const burnish_setup_triangle *triangle) {
-    burnish_status status =
-        burnish_grow((void **)&output->triangles, &output->triangle_capacity,
-                     output->triangle_count + 1, sizeof *triangle, "visible triangles",
-                     &output->error);
+    burnish_status status = burnish_grow((void **)&output->triangles, &output->triangle_capacity,
+                                         output->triangle_count + 1, sizeof *triangle,
+                                         "visible triangles", &output->error);
     if (status == BURNISH_STATUS_OK) {
         output->triangles[output->triangle_count++] = *triangle;
     }

@@ -7,8 +7,9 @@
  *             -> burnish_draw_tile          -> nearest triangle of every sample of a tile
  *             -> burnish_next_fragments     -> visible points, ready to be shaded
  *
- * Screen space: x right, y down, 1/256 pixel, the origin at the image's top left corner; depth grows
- * toward the viewer. Coverage is integer and exact: a sample on a shared edge belongs to one triangle.
+ * Screen space: x right, y down, 1/256 pixel, the origin at the image's top left corner; depth
+ * grows toward the viewer. Coverage is integer and exact: a sample on a shared edge belongs to one
+ * triangle.
  */
 #ifndef BURNISH_RASTER_RASTER_H
 #define BURNISH_RASTER_RASTER_H
@@ -19,19 +20,19 @@
 #include "base/error.h"
 
 enum {
-    BURNISH_SUBPIXELS = 256,   /* fixed-point steps a pixel */
-    BURNISH_TILE_SIZE = 64,    /* pixels along a tile's edge */
+    BURNISH_SUBPIXELS = 256, /* fixed-point steps a pixel */
+    BURNISH_TILE_SIZE = 64,  /* pixels along a tile's edge */
     BURNISH_TILE_PIXELS = BURNISH_TILE_SIZE * BURNISH_TILE_SIZE,
-    BURNISH_MAX_SAMPLES = 16,  /* coverage samples a pixel */
-    BURNISH_MAX_TILES = 256,   /* along an image's edge: a tile's index fits 8 bits */
+    BURNISH_MAX_SAMPLES = 16,    /* coverage samples a pixel */
+    BURNISH_MAX_TILES = 256,     /* along an image's edge: a tile's index fits 8 bits */
     BURNISH_FRAGMENT_BLOCK = 256 /* visible points handed over at once: their arrays stay in L1 */
 };
 
 /* A sample or pixel that no triangle covers. */
 #define BURNISH_NO_TRIANGLE UINT32_MAX
 
-/* From model space to the screen. clip = rows * (p - origin, 1); x and y come out in pixels from the
- * image's centre (y up) times w; a point is in front of the near plane when z <= w. */
+/* From model space to the screen. clip = rows * (p - origin, 1); x and y come out in pixels from
+ * the image's centre (y up) times w; a point is in front of the near plane when z <= w. */
 typedef struct burnish_raster_view {
     int width, height; /* pixels */
     int samples;       /* 1, 4, 8 or 16 */
@@ -78,7 +79,8 @@ burnish_status burnish_geometry_create(burnish_geometry *geometry, const burnish
                                        burnish_error *error);
 void burnish_geometry_destroy(burnish_geometry *geometry);
 
-/* Rounds to 1/256 pixel, halves to even, so that mirrored scenes stay mirrored; abs(pixels) < 16384. */
+/* Rounds to 1/256 pixel, halves to even, so that mirrored scenes stay mirrored; abs(pixels) <
+ * 16384. */
 int32_t burnish_to_fixed(float pixels);
 
 /* One corner of a triangle while it is clipped. */
@@ -89,12 +91,13 @@ typedef struct burnish_clip_corner {
 
 enum { BURNISH_CLIP_MAX = 8 }; /* corners of a triangle cut by five planes */
 
-/* Pixels from the image's centre beyond which triangles are cut, so that fixed point can't overflow. */
+/* Pixels from the image's centre beyond which triangles are cut, so that fixed point can't
+ * overflow. */
 #define BURNISH_GUARD_BAND 16000.0f
 
 /* Cuts a triangle by the near plane and the guard band. corners holds 3 and has room for
- * BURNISH_CLIP_MAX; returns the number left, 0 or 3 .. BURNISH_CLIP_MAX. A point on an edge that two
- * triangles share comes out with the same bits for both. */
+ * BURNISH_CLIP_MAX; returns the number left, 0 or 3 .. BURNISH_CLIP_MAX. A point on an edge that
+ * two triangles share comes out with the same bits for both. */
 int burnish_clip_triangle(burnish_clip_corner *corners);
 
 /* Triangle lists of a band of tile rows. */
@@ -111,8 +114,8 @@ typedef struct burnish_bins {
 /* Bins before the first band. */
 void burnish_bins_begin(burnish_bins *bins);
 
-/* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries under the
- * budget, at least one. The lists do not depend on threads. */
+/* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries under
+ * the budget, at least one. The lists do not depend on threads. */
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,
                                  const burnish_raster_view *view, int threads,
                                  burnish_error *error);
@@ -130,14 +133,16 @@ typedef struct burnish_tile {
 burnish_status burnish_tile_create(burnish_tile *tile, int samples, burnish_error *error);
 void burnish_tile_destroy(burnish_tile *tile);
 
-/* Makes the tile (column, row) current and draws its triangles; the first of two triangles at the same
- * depth stays. Returns 0 when no triangle's bounds touch it: the buffers are then not written. */
+/* Makes the tile (column, row) current and draws its triangles; the first of two triangles at the
+ * same depth stays. Returns 0 when no triangle's bounds touch it: the buffers are then not written.
+ */
 int burnish_draw_tile(burnish_tile *tile, const burnish_raster_view *view,
                       const burnish_geometry *geometry, const burnish_bins *bins, int column,
                       int row);
 
-/* Visible points: all samples of a pixel that show the same triangle are one point, at the pixel's centre
- * when that is the whole pixel and else at the mean of the samples, which lies inside the triangle. */
+/* Visible points: all samples of a pixel that show the same triangle are one point, at the pixel's
+ * centre when that is the whole pixel and else at the mean of the samples, which lies inside the
+ * triangle. */
 typedef struct burnish_fragments {
     int count;
     uint16_t pixel[BURNISH_FRAGMENT_BLOCK];    /* x + y * BURNISH_TILE_SIZE, in the tile */
@@ -146,7 +151,8 @@ typedef struct burnish_fragments {
     float x[BURNISH_FRAGMENT_BLOCK];           /* pixels from the image's centre, right */
     float y[BURNISH_FRAGMENT_BLOCK];           /* up */
     float depth[BURNISH_FRAGMENT_BLOCK];
-    float weight1[BURNISH_FRAGMENT_BLOCK]; /* screen-space barycentric weights of vertices 1 and 2 */
+    float
+        weight1[BURNISH_FRAGMENT_BLOCK]; /* screen-space barycentric weights of vertices 1 and 2 */
     float weight2[BURNISH_FRAGMENT_BLOCK];
 } burnish_fragments;
 

@@ -18,8 +18,7 @@ typedef struct triangle_edges {
     float depth0, depth1, depth2; /* of vertex 0; of 1 and 2 minus that */
 } triangle_edges;
 
-static void load_edges(const burnish_geometry *geometry, uint32_t triangle,
-                       triangle_edges *edges) {
+static void load_edges(const burnish_geometry *geometry, uint32_t triangle, triangle_edges *edges) {
     const burnish_screen_vertices *vertices = &geometry->vertices;
     const uint32_t *v = geometry->triangles[triangle].vertices;
     for (int i = 0; i < 3; ++i) {
@@ -66,8 +65,7 @@ static void pixel_bounds(const triangle_edges *edges, const burnish_tile *tile, 
     *y1 = high_y > tile->height ? tile->height : (int)high_y;
 }
 
-static void draw_triangle(burnish_tile *tile, const burnish_geometry *geometry,
-                          uint32_t triangle) {
+static void draw_triangle(burnish_tile *tile, const burnish_geometry *geometry, uint32_t triangle) {
     triangle_edges edges;
     load_edges(geometry, triangle, &edges);
     int x0, y0, x1, y1;
@@ -76,8 +74,8 @@ static void draw_triangle(burnish_tile *tile, const burnish_geometry *geometry,
     int64_t sample_step[3][BURNISH_MAX_SAMPLES];
     for (int i = 0; i < 3; ++i) {
         for (int s = 0; s < tile->samples; ++s) {
-            sample_step[i][s] = SAMPLE_STEP * (edges.dx[i] * offsets[s][1] -
-                                               edges.dy[i] * offsets[s][0]);
+            sample_step[i][s] =
+                SAMPLE_STEP * (edges.dx[i] * offsets[s][1] - edges.dy[i] * offsets[s][0]);
         }
     }
     const int64_t half = BURNISH_SUBPIXELS / 2;
@@ -166,7 +164,8 @@ static void append_fragment(const burnish_tile *tile, const burnish_raster_view 
         dx = sum_x * SAMPLE_STEP / weight;
         dy = sum_y * SAMPLE_STEP / weight;
     }
-    int pixel_x = tile->x + pixel % BURNISH_TILE_SIZE, pixel_y = tile->y + pixel / BURNISH_TILE_SIZE;
+    int pixel_x = tile->x + pixel % BURNISH_TILE_SIZE,
+        pixel_y = tile->y + pixel / BURNISH_TILE_SIZE;
     int x = pixel_x * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2 + dx;
     int y = pixel_y * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2 + dy;
     triangle_edges edges;
@@ -204,8 +203,7 @@ static void append_pixel(const burnish_tile *tile, const burnish_raster_view *vi
                 sum_y += offsets[other][1];
             }
         }
-        append_fragment(tile, view, geometry, pixel, triangles[s], weight, sum_x, sum_y,
-                        fragments);
+        append_fragment(tile, view, geometry, pixel, triangles[s], weight, sum_x, sum_y, fragments);
     }
 }
 

@@ -19,8 +19,8 @@ static const struct kind_word {
     const char *word;
     burnish_lobe_kind kind;
 } KIND_WORDS[] = {
-    {"power", BURNISH_LOBE_POWER},       {"schlick", BURNISH_LOBE_SCHLICK},
-    {"lyon", BURNISH_LOBE_LYON},         {"gaussian", BURNISH_LOBE_GAUSSIAN},
+    {"power", BURNISH_LOBE_POWER}, {"schlick", BURNISH_LOBE_SCHLICK},
+    {"lyon", BURNISH_LOBE_LYON},   {"gaussian", BURNISH_LOBE_GAUSSIAN},
     {"gx", BURNISH_LOBE_GX},
 };
 
@@ -43,7 +43,8 @@ static int has_order(const burnish_lobe_choice *choice) {
     return choice->kind == BURNISH_LOBE_FAMILY || choice->kind == BURNISH_LOBE_LYON;
 }
 
-/* Reads "0.5" or ".5": at most MAX_DIGITS digits; moves *text behind them. Returns -1 when malformed. */
+/* Reads "0.5" or ".5": at most MAX_DIGITS digits; moves *text behind them. Returns -1 when
+ * malformed. */
 static double read_fraction(const char **text) {
     double digits = 0, scale = 1;
     int count = 0, seen_point = 0;

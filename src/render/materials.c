@@ -3,8 +3,8 @@
 #include "base/memory.h"
 #include "burnish/theory.h"
 
-/* The family's lobe for an exponent: the chosen order or the highest below it that the exponent allows, and
- * when none fits the chosen fit, energy at order 2, which exists for every exponent. */
+/* The family's lobe for an exponent: the chosen order or the highest below it that the exponent
+ * allows, and when none fits the chosen fit, energy at order 2, which exists for every exponent. */
 static burnish_lobe family_lobe(const burnish_lobe_choice *choice, burnish_fit fit, float exponent,
                                 size_t *fallbacks) {
     burnish_lobe lobe;

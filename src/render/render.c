@@ -18,8 +18,8 @@ enum { MAX_THREADS = 1024 };
 /* Marks options that burnish_render_options_default() made. */
 #define RENDER_COOKIE 0x62726e64u
 
-/* A key light from the upper left, a cooler and weaker fill from the right, a rim light from behind:
- * the photographer's three points. Directions in camera space. */
+/* A key light from the upper left, a cooler and weaker fill from the right, a rim light from
+ * behind: the photographer's three points. Directions in camera space. */
 static const burnish_light DEFAULT_RIG[] = {
     {BURNISH_LIGHT_DIRECTIONAL, 1, {-0.55, 0.75, 0.85}, {1.22f, 1.19f, 1.13f}},
     {BURNISH_LIGHT_DIRECTIONAL, 1, {0.90, 0.15, 0.55}, {0.24f, 0.28f, 0.34f}},
@@ -92,8 +92,8 @@ static burnish_status check_lights(const burnish_render_options *options, burnis
     for (int i = 0; i < options->light_count; ++i) {
         const burnish_light *light = &options->lights[i];
         const double *v = light->vector;
-        int directionless = light->kind == BURNISH_LIGHT_DIRECTIONAL && v[0] == 0 && v[1] == 0 &&
-                            v[2] == 0;
+        int directionless =
+            light->kind == BURNISH_LIGHT_DIRECTIONAL && v[0] == 0 && v[1] == 0 && v[2] == 0;
         if (!finite(v, 3) || directionless || !is_light_color(light->color)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "light %d: needs a finite vector (not 0 for a directional light) "
@@ -192,7 +192,7 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
         shader.triangle_materials = mesh->triangle_materials;
         shader.indices = mesh->indices;
         shader.geometry = &geometry;
-        burnish_frame frame = {&raster_view, &geometry, &shader, options,
+        burnish_frame frame = {&raster_view, &geometry,       &shader, options,
                                image,        report->threads, drawn};
         status = burnish_frame_draw(&frame, report, error);
         report->seconds_draw = seconds_now() - start - report->seconds_transform;

@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "base/vector.h"
 
-/* Distance of the near plane in units of the scene's size; a power of two, so that 1/w comes back from
- * the depth exactly. */
+/* Distance of the near plane in units of the scene's size; a power of two, so that 1/w comes back
+ * from the depth exactly. */
 #define NEAR_PLANE 0x1p-14
 
 /* Camera distances beyond this many scene sizes leave too few bits for the scene. */
@@ -111,8 +111,8 @@ static void make_orthographic(const camera_frame *frame, double view_height, int
 
 /* A vector in camera space (x right, y up, z toward the viewer) in the raster's axes. */
 static burnish_vec3 from_camera_space(const camera_frame *frame, burnish_vec3 v) {
-    burnish_vec3 sum = burnish_vec3_add(burnish_vec3_scale(frame->right, v.x),
-                                        burnish_vec3_scale(frame->up, v.y));
+    burnish_vec3 sum =
+        burnish_vec3_add(burnish_vec3_scale(frame->right, v.x), burnish_vec3_scale(frame->up, v.y));
     return burnish_vec3_sub(sum, burnish_vec3_scale(frame->forward, v.z));
 }
 

@@ -6,7 +6,8 @@
 #include "raster/raster.h"
 #include "shade/shade.h"
 
-/* Errors: ARGUMENT (a camera without a direction, or further away than float arithmetic reaches). */
+/* Errors: ARGUMENT (a camera without a direction, or further away than float arithmetic reaches).
+ */
 burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
                                    burnish_raster_view *raster, burnish_shade_view *shade,
                                    burnish_shade_light lights[BURNISH_LIGHT_MAX],

@@ -1,5 +1,5 @@
-/* The readers: bytes in, burnish_source out. None opens files, but for the material library of an OBJ,
- * which comes through a callback. */
+/* The readers: bytes in, burnish_source out. None opens files, but for the material library of an
+ * OBJ, which comes through a callback. */
 #ifndef BURNISH_SCENE_READER_H
 #define BURNISH_SCENE_READER_H
 
@@ -10,7 +10,8 @@ typedef struct burnish_reader_input {
     size_t size;
     const char *name; /* for messages: "FILE:LINE: ..." or "FILE: byte N: ..." */
     const burnish_load_options *options;
-    /* Loads a file that lies beside the input; NULL when there is none. *bytes is released with free(). */
+    /* Loads a file that lies beside the input; NULL when there is none. *bytes is released with
+     * free(). */
     burnish_status (*open_beside)(const char *input_name, const char *file, uint64_t max_bytes,
                                   uint8_t **bytes, size_t *size, burnish_error *error);
 } burnish_reader_input;

@@ -40,9 +40,10 @@ burnish_status burnish_check_load_options(const burnish_load_options *options,
     }
     if (options->crease_angle != BURNISH_CREASE_AUTO &&
         !(options->crease_angle >= 0 && options->crease_angle <= 180)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: crease_angle %g is not in [0, 180] degrees or BURNISH_CREASE_AUTO",
-                            options->crease_angle);
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "options: crease_angle %g is not in [0, 180] degrees or BURNISH_CREASE_AUTO",
+            options->crease_angle);
     }
     if (options->tessellation < 1 || options->tessellation > 256) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -1,6 +1,7 @@
 /* What a reader hands over: triangles as the file states them, before welding and normals.
  *
- * Data flow: bytes -> reader (obj.c, ply.c, stl.c, builtin.c) -> burnish_source -> build.c -> burnish_scene. */
+ * Data flow: bytes -> reader (obj.c, ply.c, stl.c, builtin.c) -> burnish_source -> build.c ->
+ * burnish_scene. */
 #ifndef BURNISH_SCENE_SOURCE_H
 #define BURNISH_SCENE_SOURCE_H
 
@@ -14,7 +15,8 @@
 #define BURNISH_SOURCE_NONE UINT32_MAX
 
 /* Growing arrays, all owned (malloc family). Readers guarantee: finite positions, corner indices in
- * range, counts below 2^32 - 1. Zero-area and repeated-index triangles may be present: build drops them. */
+ * range, counts below 2^32 - 1. Zero-area and repeated-index triangles may be present: build drops
+ * them. */
 typedef struct burnish_source {
     float *positions; /* 3 a position */
     size_t position_count, position_capacity;
@@ -28,7 +30,8 @@ typedef struct burnish_source {
     uint32_t *corner_positions; /* 3 a triangle, index into positions */
     size_t triangle_count, corner_capacity;
 
-    uint32_t *corner_normals; /* 3 a triangle, index into normals or BURNISH_SOURCE_NONE; NULL: none */
+    uint32_t
+        *corner_normals; /* 3 a triangle, index into normals or BURNISH_SOURCE_NONE; NULL: none */
     size_t corner_normal_capacity;
 
     uint16_t *triangle_materials; /* 1 a triangle; NULL: all material 0 */
@@ -47,8 +50,8 @@ void burnish_source_destroy(burnish_source *source);
 __attribute__((format(printf, 2, 3))) void burnish_source_warn(burnish_source *source,
                                                                const char *format, ...);
 
-/* Weld, make normals, orient, drop triangles without area. Takes the warnings out of source; the caller
- * still destroys source. name stands in messages. */
+/* Weld, make normals, orient, drop triangles without area. Takes the warnings out of source; the
+ * caller still destroys source. name stands in messages. */
 burnish_status burnish_scene_build(burnish_source *source, const char *name,
                                    const burnish_load_options *options, burnish_format format,
                                    burnish_scene **scene, burnish_error *error);

@@ -1,5 +1,5 @@
-/* Attributes a vertex become attributes a point. In perspective an attribute times 1/w is linear on the
- * screen; a normal's length is of no interest, so its interpolation needs no division. */
+/* Attributes a vertex become attributes a point. In perspective an attribute times 1/w is linear on
+ * the screen; a normal's length is of no interest, so its interpolation needs no division. */
 #include "shade/interpolate.h"
 
 #include "base/srgb.h"
@@ -18,8 +18,7 @@ static corner_weights weights_at(const burnish_shader *shader, const burnish_fra
     float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
     float weight0 = (1.0f - weight1) - weight2;
     corner_weights corners = {{v[0], v[1], v[2]},
-                              {weight0 * screen->inverse_w[v[0]],
-                               weight1 * screen->inverse_w[v[1]],
+                              {weight0 * screen->inverse_w[v[0]], weight1 * screen->inverse_w[v[1]],
                                weight2 * screen->inverse_w[v[2]]}};
     if (v[0] < screen->mesh_count) {
         return corners;
@@ -65,8 +64,7 @@ void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *
             }
             points->normal[axis][i] = sum * side;
         }
-        inverse_sums[i] =
-            1.0f / ((corners.weights[0] + corners.weights[1]) + corners.weights[2]);
+        inverse_sums[i] = 1.0f / ((corners.weights[0] + corners.weights[1]) + corners.weights[2]);
         if (shader->colors) {
             interpolate_color(shader->colors, &corners, inverse_sums[i], points, i);
         } else {

@@ -1,4 +1,5 @@
-/* The Phong equation for a block of visible points, one light after another in the lights' order. */
+/* The Phong equation for a block of visible points, one light after another in the lights' order.
+ */
 #include "shade/shade.h"
 
 #include "shade/interpolate.h"
@@ -8,7 +9,7 @@ typedef float component[BURNISH_FRAGMENT_BLOCK];
 
 /* Vectors of a block that every light needs. */
 typedef struct block_vectors {
-    component offset[3];    /* from the eye to the point, times q */
+    component offset[3]; /* from the eye to the point, times q */
     component q;
     component to_viewer[3]; /* V */
     component n_dot_v;      /* Phong only */
@@ -25,10 +26,9 @@ static void locate(const burnish_shade_view *view, const burnish_fragments *frag
                    block_vectors *block) {
     for (int axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < fragments->count; ++i) {
-            block->offset[axis][i] =
-                ((view->ray[axis] + fragments->x[i] * view->ray_x[axis]) +
-                 fragments->y[i] * view->ray_y[axis]) +
-                (1.0f - fragments->depth[i]) * view->ray_depth[axis];
+            block->offset[axis][i] = ((view->ray[axis] + fragments->x[i] * view->ray_x[axis]) +
+                                      fragments->y[i] * view->ray_y[axis]) +
+                                     (1.0f - fragments->depth[i]) * view->ray_depth[axis];
         }
     }
     for (int i = 0; i < fragments->count; ++i) {
@@ -74,16 +74,16 @@ static void find_cosine(const burnish_shade_view *view, const burnish_shade_ligh
                         light_vectors *vectors) {
     size_t count = (size_t)points->count;
     if (view->phong) {
-        burnish_kernel_dot(count, vectors->to_light[0], vectors->to_light[1],
-                           vectors->to_light[2], block->to_viewer[0], block->to_viewer[1],
-                           block->to_viewer[2], vectors->l_dot_v);
+        burnish_kernel_dot(count, vectors->to_light[0], vectors->to_light[1], vectors->to_light[2],
+                           block->to_viewer[0], block->to_viewer[1], block->to_viewer[2],
+                           vectors->l_dot_v);
         burnish_kernel_reflect(count, vectors->n_dot_l, block->n_dot_v, vectors->l_dot_v,
                                vectors->cosine);
         return;
     }
     if (!light->point && !view->local_viewer) {
-        burnish_kernel_dot_uniform(count, points->normal[0], points->normal[1],
-                                   points->normal[2], light->half, vectors->cosine);
+        burnish_kernel_dot_uniform(count, points->normal[0], points->normal[1], points->normal[2],
+                                   light->half, vectors->cosine);
         return;
     }
     for (int axis = 0; axis < 3; ++axis) {
@@ -96,8 +96,8 @@ static void find_cosine(const burnish_shade_view *view, const burnish_shade_ligh
                        vectors->half[0], vectors->half[1], vectors->half[2], vectors->cosine);
 }
 
-/* Lyon's lobe: the normal of length s is scaled by three terms of 1/s instead of the exact root; what
- * is left of the length, g, shows in the chord: lambda = (g^2 + 1)/2 - g c. */
+/* Lyon's lobe: the normal of length s is scaled by three terms of 1/s instead of the exact root;
+ * what is left of the length, g, shows in the chord: lambda = (g^2 + 1)/2 - g c. */
 static void lyon_lobe(burnish_lobe lobe, size_t count, const float *lengths, const float *cosines,
                       float *values) {
     for (size_t i = 0; i < count; ++i) {

@@ -1,7 +1,7 @@
 /* From visible points to colours: the Phong equation by kernels, in linear light.
  *
- * Everything here happens in the raster's space: model space moved by burnish_raster_view.origin and
- * scaled so that the scene is about 1 in size; the eye may be anywhere in it. */
+ * Everything here happens in the raster's space: model space moved by burnish_raster_view.origin
+ * and scaled so that the scene is about 1 in size; the eye may be anywhere in it. */
 #ifndef BURNISH_SHADE_SHADE_H
 #define BURNISH_SHADE_SHADE_H
 
@@ -16,7 +16,7 @@ typedef struct burnish_shade_material {
     float diffuse[3];  /* kd */
     float specular[3]; /* ks */
     burnish_lobe_kernel lobe;
-    int lyon;          /* 1: lambda by chord and Lyon's three-term normalisation */
+    int lyon; /* 1: lambda by chord and Lyon's three-term normalisation */
 } burnish_shade_material;
 
 typedef struct burnish_shade_light {

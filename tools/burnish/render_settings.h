@@ -65,7 +65,7 @@ typedef struct burnish_cli_render {
     int threads;
     burnish_cli_background background;
     burnish_cli_views views;
-    int columns; /* 0: chosen by the number of cells */
+    int columns;        /* 0: chosen by the number of cells */
     const char *labels; /* NULL: the views' and lobes' names */
     int no_labels;
 
