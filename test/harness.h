@@ -13,7 +13,7 @@ static int test_checks, test_failures;
     (++test_checks, (condition)                                                                    \
                         ? 1                                                                        \
                         : (++test_failures, printf("%s:%d: %s: ", __FILE__, __LINE__, #condition), \
-                           printf("" __VA_ARGS__), printf("\n"), 0))
+                           printf(__VA_ARGS__), printf("\n"), 0))
 
 #define CHECK_TEXT(actual, expected)                                                               \
     CHECK(strcmp((actual), (expected)) == 0, "got \"%s\", expected \"%s\"", (actual), (expected))
