@@ -1,5 +1,4 @@
 /* Scenes from triangles: welding, made normals, orientation, materials, and every refusal. */
-#include <malloc.h>
 #include <math.h>
 
 #include "base/memory.h"
@@ -10,27 +9,25 @@
 
 #define CHECK_THAT(condition) CHECK(condition, "does not hold")
 
-/* Allocations that are left before one fails; negative: none fails. These definitions take the
- * place of the C library's for the whole program. */
+/* Allocations that are left before one fails; negative: none fails. The linker leads the library's
+ * calls here (--wrap in test/CMakeLists.txt). */
 static long allocations_left = -1;
 
 static int allocation_fails(void) {
     return allocations_left >= 0 && allocations_left-- == 0;
 }
 
-void *aligned_alloc(size_t alignment, size_t size) {
-    void *pointer = NULL;
-    return allocation_fails() || posix_memalign(&pointer, alignment, size) != 0 ? NULL : pointer;
+void *__real_aligned_alloc(size_t alignment, size_t size);
+void *__wrap_aligned_alloc(size_t alignment, size_t size);
+void *__real_realloc(void *old, size_t size);
+void *__wrap_realloc(void *old, size_t size);
+
+void *__wrap_aligned_alloc(size_t alignment, size_t size) {
+    return allocation_fails() ? NULL : __real_aligned_alloc(alignment, size);
 }
 
-void *realloc(void *old, size_t size) {
-    void *pointer = allocation_fails() ? NULL : malloc(size);
-    if (pointer && old) {
-        size_t usable = malloc_usable_size(old);
-        memcpy(pointer, old, usable < size ? usable : size);
-        free(old);
-    }
-    return pointer;
+void *__wrap_realloc(void *old, size_t size) {
+    return allocation_fails() ? NULL : __real_realloc(old, size);
 }
 
 static uint32_t random_state = 12345;
