@@ -1,14 +1,29 @@
-/* burnish/theory.h: what is true of a lobe, in double precision: the slope that every fit gives,
- * lobes by any fit, and the exact values that lobes are measured against.
+/* burnish/theory.h: what is true of a lobe, in double precision: fits, values, derivatives, widths,
+ * energy, sampling, errors against cos^n, cost, and the claims of the paper with their verdicts.
+ *
+ * How to use it.
+ *   1. Make a model, from words or from parts:
+ *          burnish_theory_model model;
+ *          status = burnish_theory_model_parse("energy:2", 100, &model, &error);
+ *   2. Ask: burnish_theory_value, burnish_theory_angle_at, burnish_theory_compare ...
  *
  * What it does not do: shade. Pictures use burnish/lobe.h; this is for set-up, tests and figures.
- * Notation: n exponent, m order, c cosine of the lobe angle, zeta slope of the lobe's base.
+ * Notation: n exponent, m order, c cosine of the lobe angle, lambda = 1 - c, zeta slope of the
+ * lobe's base, "the power" is c^n. Angles are radians in [0, pi].
+ *
+ * What it promises. A model that a function here made successfully may be handed to every other
+ * one. No function allocates, prints or keeps state; all may be called from any thread. Results do
+ * not depend on the locale. The fits of burnish_theory_zeta have the same bits on every machine;
+ * the rest uses the C library and may differ in the last digits.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
  */
 #ifndef BURNISH_THEORY_H
 #define BURNISH_THEORY_H
+
+#include <stddef.h>
+#include <stdint.h>
 
 #include "burnish/lobe.h"
 #include "burnish/status.h"
@@ -65,6 +80,479 @@ BURNISH_API double burnish_theory_gaussian(double cosine, double exponent);
 
 /* c^2 / (n/2 + (1 - n/2) c^2), exponent > 0: the GameCube's lobe. */
 BURNISH_API double burnish_theory_gx(double cosine, double exponent);
+
+/* ---- Models ----
+ *
+ * One lobe with everything needed to evaluate it. */
+
+typedef enum burnish_theory_kind {
+    BURNISH_THEORY_FAMILY,      /* scale max(0, 1 - zeta (1 - c))^m */
+    BURNISH_THEORY_POWER,       /* c^n, the reference */
+    BURNISH_THEORY_SCHLICK,     /* c / (n - n c + c) */
+    BURNISH_THEORY_LYON,        /* taylor of exact unit vectors, (1 - (n/m) |a - b|^2 / 2)^m */
+    BURNISH_THEORY_GAUSSIAN,    /* exp(-(n + .775) (1 - c)) */
+    BURNISH_THEORY_GX,          /* c^2 / (n/2 + (1 - n/2) c^2) */
+    BURNISH_THEORY_NV2X,        /* max(0, c + k0) / (k2 + k1 c) */
+    BURNISH_THEORY_KUIJK_BLAKE, /* quadratic in the angle, in two pieces */
+    BURNISH_THEORY_TABLE,       /* the power at c = i / (entries - 1), nearest or linear */
+    BURNISH_THEORY_KIND_COUNT
+} burnish_theory_kind;
+
+/* burnish_fit and the fits that are found by a search. */
+typedef enum burnish_theory_fit {
+    BURNISH_THEORY_TAYLOR = BURNISH_FIT_TAYLOR,
+    BURNISH_THEORY_ENERGY = BURNISH_FIT_ENERGY,
+    BURNISH_THEORY_LEVEL = BURNISH_FIT_LEVEL,
+    BURNISH_THEORY_SHIFT7 = BURNISH_FIT_SHIFT7,
+    BURNISH_THEORY_SHIFT3 = BURNISH_FIT_SHIFT3,
+    BURNISH_THEORY_PROJECTED = BURNISH_FIT_PROJECTED,
+    BURNISH_THEORY_MINIMAX = BURNISH_FIT_COUNT, /* least maximum absolute error, c in [0, 1] */
+    BURNISH_THEORY_LEAST_SQUARES,               /* least integral of the squared error over c */
+    BURNISH_THEORY_AFFINE, /* (A c + B)^m, A + B free: least maximum error; below 1 at the peak */
+    BURNISH_THEORY_GIVEN,  /* zeta as given: Doom 3's zeta4:2, Unreal's zeta6.645:2 */
+    BURNISH_THEORY_FIT_COUNT
+} burnish_theory_fit;
+
+/* The largest table. */
+#define BURNISH_THEORY_ENTRIES_MAX 65536
+
+/* A lobe. Made by the functions below; read it freely, change nothing. */
+typedef struct burnish_theory_model {
+    burnish_theory_kind kind;
+    burnish_theory_fit fit; /* FAMILY */
+    int order;              /* FAMILY, LYON: m; otherwise 0 */
+    int entries, linear;    /* TABLE: number of entries, 1 for linear interpolation */
+    double exponent;        /* n of the power that it stands for: [1, 65536] */
+    double level;           /* FAMILY with fit LEVEL: Q; otherwise 0 */
+    double zeta;            /* FAMILY, LYON: the slope; NV2X: 1 / (1 + k0); otherwise 0 */
+    double scale;           /* value at the peak: 1, in (0, 1) with fit AFFINE */
+    double k[3];            /* NV2X: k0, k1, k2; KUIJK_BLAKE: a, b of the header's formula, 0 */
+} burnish_theory_model;
+
+/* The slope and the scale that a fit gives, the searched ones included.
+ *   minimax        zeta where the largest error above the power equals the largest one below it.
+ *                  Above falls and below rises with zeta, so there is one such place. The maximum
+ *                  is certified: lobe and power have equal slope at two places at most, which are
+ *                  found by bisection, and the ends of the range are looked at.
+ *   leastsquares   zeta with the least integral of (lobe - power)^2 over c in [0, 1]
+ *   affine         u = max(0, A c + B), scale = (A + B)^m, zeta = A / (A + B): least maximum error
+ *                  over both. Costs what the others cost and lowers the error by a sixth (for large
+ *                  n to .0578 from minimax's .0699 at m = 2, to .0281 from .0332 at m = 4), for a
+ *                  peak that is lower by that error
+ * Guarantees: zeta and scale within 1e-9 of the optimum.
+ *
+ *   fit, order, exponent, level  as for burnish_theory_zeta; the searched fits need n >= m, order 2
+ *                                excepted (but not for AFFINE); GIVEN: level is zeta
+ *   zeta, scale                  receive the result, 0 on error; not NULL
+ * Errors: those of burnish_theory_zeta, and ERROR_ZETA for GIVEN outside (0, 65536].
+ * Source: minimax by Beaudoin and Guardado 2002, whose tables it reproduces. */
+BURNISH_API burnish_lobe_status burnish_theory_solve(burnish_theory_fit fit, int order,
+                                                     double exponent, double level, double *zeta,
+                                                     double *scale);
+
+/* Makes a lobe of the family. On error *model is the power with exponent 1.
+ *   fit, order, exponent, level  and errors: as for burnish_theory_solve */
+BURNISH_API burnish_lobe_status burnish_theory_model_family(burnish_theory_model *model,
+                                                            burnish_theory_fit fit, int order,
+                                                            double exponent, double level);
+
+/* Makes one of the lobes to compare with. On error *model is the power with exponent 1.
+ *   nv2x         a Moebius function of the cosine, as NVIDIA's NV1x and NV2x chips had it. Their
+ *                constants are known from reverse engineering only, to two digits; k0, k1, k2 here
+ *                are the best that the form can do: value 1 at the peak, least maximum error.
+ *   kuijk-blake  with the angle x: 1 - x^2/(ab) to a, (x - b)^2 / (b (b - a)) from a to b,
+ *                a = (n + 5.6) / (n (.09 n + 5.2)), b = (n + 65) / (5 n + 31.7); a poor fit from
+ *                n = 128 up. Source: Kuijk and Blake 1989.
+ *   kind      any but FAMILY and TABLE
+ *   order     LYON: m as for taylor; otherwise not read
+ *   exponent  n: [1, 65536]
+ * Errors: ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER, ERROR_ORDER_FOR_EXPONENT. */
+BURNISH_API burnish_lobe_status burnish_theory_model_other(burnish_theory_model *model,
+                                                           burnish_theory_kind kind, int order,
+                                                           double exponent);
+
+/* Makes a table of the power, which is not stored: entry i is (i / (entries - 1))^n.
+ *   entries   [2, BURNISH_THEORY_ENTRIES_MAX]
+ *   linear    0: the nearest entry (halves go up); 1: linear interpolation
+ *   exponent  n: [1, 65536]
+ * Errors: ERROR_ORDER for the number of entries, ERROR_EXPONENT. On error the power, exponent 1. */
+BURNISH_API burnish_lobe_status burnish_theory_model_table(burnish_theory_model *model, int entries,
+                                                           int linear, double exponent);
+
+/* The same kind of lobe for another exponent: fit, order, level, entries stay (GIVEN: zeta too).
+ * On error, for which see the functions above, *result is the power with exponent 1.
+ *   model   where to take the kind from; may be the same object as result */
+BURNISH_API burnish_lobe_status burnish_theory_model_at(const burnish_theory_model *model,
+                                                        double exponent,
+                                                        burnish_theory_model *result);
+
+/* Reads a lobe's words: FIT[:ORDER] (order 2 where left out) with FIT taylor, energy, levelQ,
+ * projected, minimax, leastsquares, affine or zetaZ (Q, Z decimal numbers); shift7[:2], shift3[:2];
+ * lyon[:ORDER]; power, schlick, gaussian, gx, nv2x, kuijk-blake; tableN, tableN:nearest,
+ * tableN:linear.
+ *   text      the words, zero-terminated
+ *   exponent  n: [1, 65536]
+ *   model     becomes the lobe; as it was on error
+ *   error     receives the one line of an error; may be NULL
+ * Errors: ARGUMENT. */
+BURNISH_API burnish_status burnish_theory_model_parse(const char *text, double exponent,
+                                                      burnish_theory_model *model,
+                                                      burnish_error *error);
+
+/* Writes the words that burnish_theory_model_parse reads; size 32 is enough. */
+BURNISH_API void burnish_theory_model_name(const burnish_theory_model *model, char *text,
+                                           size_t size);
+
+/* One lobe of each sort, as words, for lists and help: "taylor:2", ...; NULL from the end on. */
+BURNISH_API const char *burnish_theory_model_word(size_t index);
+
+/* ---- Values ----
+ *
+ * All models are defined for every angle, are 1 (fit affine: scale) at angle 0 and never increase
+ * with the angle. Absolute error below 1e-13 for the lambda form. */
+
+/* The lobe at 1 - cosine, the form that keeps its digits for large exponents.
+ *   lambda  any number; <= 0 counts as 0, NaN gives 0 */
+BURNISH_API double burnish_theory_value_at_lambda(const burnish_theory_model *model, double lambda);
+
+/* The lobe at a cosine; > 1 counts as 1, NaN gives 0. */
+BURNISH_API double burnish_theory_value(const burnish_theory_model *model, double cosine);
+
+/* The lobe at an angle in radians, [0, pi]. */
+BURNISH_API double burnish_theory_value_at_angle(const burnish_theory_model *model, double angle);
+
+/* Value, first and second derivative in the angle, for an angle in [0, pi]. Where the lobe has a
+ * corner or a step (its zero, table nodes) those of the side towards the peak. For m = 2:
+ * W' = -2 zeta sin(x) u, W'' = 2 zeta^2 sin^2(x) - 2 zeta cos(x) u.
+ *   derivatives  receives the three numbers; not NULL */
+BURNISH_API void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
+                                            double derivatives[3]);
+
+/* Lyon's stand-in for 1/sqrt(s) near 1: 1 + e/2 + 3 e^2/8, e = 1 - s. Source: Lyon 1993. */
+BURNISH_API double burnish_theory_lyon_normalize_factor(double s);
+
+/* Lyon's lobe of two vectors that are nearly of unit length, both scaled by that factor. 0 for an
+ * order or exponent that has no lobe. */
+BURNISH_API double burnish_theory_lyon_vectors(const double a[3], const double b[3],
+                                               double exponent, int order);
+
+/* ---- Widths ---- */
+
+/* The smallest angle at which the lobe is 0 up to rounding: acos(1 - 1/zeta) for the family, pi/2
+ * for power, schlick and gx, where a nearest table's lowest entry begins.
+ * Returns NaN where there is none: the Gaussian, the family with zeta < 1/2. */
+BURNISH_API double burnish_theory_zero_angle(const burnish_theory_model *model);
+
+/* The cosine of that angle, without the detour: 1 - 1/zeta for the family, which is below -1 where
+ * there is no zero (zeta < 1/2); NaN for the Gaussian. */
+BURNISH_API double burnish_theory_cutoff_cosine(const burnish_theory_model *model);
+
+/* Radius of curvature (1 + S'^2)^(3/2) / abs(S'') of the curve over the angle where it reaches
+ * zero, seen from the peak; m = 2: 1 / (4 zeta - 2). Infinity where S'' is 0 (m >= 4, tables); NaN
+ * without a zero. */
+BURNISH_API double burnish_theory_zero_curvature_radius(const burnish_theory_model *model);
+
+/* Where cos^n has its inflection: acos(sqrt((n - 1) / n)). n >= 1, otherwise NaN. */
+BURNISH_API double burnish_theory_inflection_angle(double exponent);
+
+/* The smallest angle at which the lobe is at most a level, for instance 2^-q:
+ * power acos(L^(1/n)); schlick acos(n / (1/L + n - 1)); family acos(1 - (1 - L^(1/m)) / zeta) ...
+ *   level  [0, 1); 0 is burnish_theory_zero_angle
+ * Returns 0 where the lobe's peak is not above the level, NaN where the lobe stays above it at
+ * every angle, and for a level out of range. */
+BURNISH_API double burnish_theory_angle_at(const burnish_theory_model *model, double level);
+
+/* R: the angle at which the power reaches 2^-bits, divided by the angle at which the lobe does.
+ * Above 1 the lobe ends sooner.
+ *   bits  q > 0, need not be whole
+ * NaN where the lobe does not get there. */
+BURNISH_API double burnish_theory_width_ratio(const burnish_theory_model *model, double bits);
+
+/* ---- Energy and sampling ----
+ *
+ * The lobe over the hemisphere around its axis, c in [0, 1]. */
+
+typedef enum burnish_theory_measure {
+    BURNISH_THEORY_SOLID_ANGLE,    /* d omega */
+    BURNISH_THEORY_COSINE_WEIGHTED /* c d omega: projected solid angle */
+} burnish_theory_measure;
+
+/* The integral of the lobe, in steradians. Closed form for family (cut by c = 0 where zeta < 1),
+ * power, gaussian and tables, adaptive Gauss-Kronrod for the rest; relative error below
+ * 1e-11. Family: 2 pi / (zeta (m+1)) and, for zeta >= 1, 2 pi (zeta (m+2) - 1) / (zeta^2
+ * (m+1)(m+2)); power: 2 pi / (n+1), 2 pi / (n+2). */
+BURNISH_API double burnish_theory_integral(const burnish_theory_model *model,
+                                           burnish_theory_measure measure);
+
+/* The part of that integral with cosines from `from` up to 1; from: [0, 1]. */
+BURNISH_API double burnish_theory_partial_integral(const burnish_theory_model *model,
+                                                   burnish_theory_measure measure, double from);
+
+/* What a lobe is multiplied with so that it reflects all light at most, and exactly all at normal
+ * incidence: Phong, where c = R.V: 1 / (cosine-weighted integral). */
+BURNISH_API double burnish_theory_phong_factor(const burnish_theory_model *model);
+
+/* The same for Blinn, where c = N.H: 1 / (8 pi integral over h in [sqrt(1/2), 1] of
+ * S(h) (2 h^2 - 1) h dh). For the power (n+2)(n+4) / (8 pi (2^(-n/2) + n)). */
+BURNISH_API double burnish_theory_blinn_factor(const burnish_theory_model *model);
+
+/* The common approximation to that for the power: (n + 8) / (8 pi). */
+BURNISH_API double burnish_theory_blinn_factor_common(double exponent);
+
+/* What makes the lobe a distribution of normals: 1 / (cosine-weighted integral), so that
+ * D(h) (n.h) d omega integrates to 1. Power: (n + 2) / (2 pi). */
+BURNISH_API double burnish_theory_normal_factor(const burnish_theory_model *model);
+
+/* Density per steradian of directions drawn in proportion to the lobe, or to lobe times cosine:
+ * S(c) / integral or S(c) c / integral; 0 below c = 0 and above 1. */
+BURNISH_API double burnish_theory_pdf(const burnish_theory_model *model,
+                                      burnish_theory_measure measure, double cosine);
+
+/* The cosine of a direction drawn with that density from a uniform number.
+ * Exact closed forms for power, Gaussian over solid angle and the family: over solid angle
+ * 1 - (1 - xi^(1/(m+1))) / zeta, cosine-weighted a mixture of two power densities in u (zeta >= 1).
+ * The others invert their integral numerically to 1e-12, which is about 100 times slower. Except
+ * for that mixture the cosine never decreases with xi.
+ *
+ *   xi  [0, 1]; clamped
+ * Returns a cosine in [0, 1]. */
+BURNISH_API double burnish_theory_sample_cosine(const burnish_theory_model *model,
+                                                burnish_theory_measure measure, double xi);
+
+/* A direction around (0, 0, 1) with that density.
+ *   xi         two uniform numbers in [0, 1): cosine, azimuth
+ *   direction  receives a unit vector; not NULL */
+BURNISH_API void burnish_theory_sample_direction(const burnish_theory_model *model,
+                                                 burnish_theory_measure measure, const double xi[2],
+                                                 double direction[3]);
+
+/* ---- Errors against the power ---- */
+
+/* How far a lobe is from the power with its exponent, for angles from 0 to `end`. */
+typedef struct burnish_theory_difference {
+    double end;            /* where the range ends, radians */
+    double absolute;       /* largest abs(lobe - power) */
+    double absolute_angle; /* where */
+    double above, below;   /* largest lobe - power and power - lobe, each >= 0 */
+    double relative;       /* largest abs(lobe / power - 1), infinity where the power is 0 */
+    double relative_angle; /* where */
+    double integral;       /* integral of abs(lobe - power) over the solid angle, steradians */
+    double rms;            /* root of the mean of (lobe - power)^2 over that solid angle */
+} burnish_theory_difference;
+
+/* Measures all of that. The maxima are certified. The slopes of a lobe and of the power are equal
+ * at two places at most, found by bisection (family, schlick, gaussian, gx, nv2x; within each cell
+ * of a table one place in closed form). For kuijk-blake, both curves falling with the angle,
+ * lobe(a) - power(b) bounds the error on [a, b], and intervals are split until no bound exceeds the
+ * maximum found by more than 1e-9.
+ *   end     (0, pi/2]: burnish_theory_inflection_angle, burnish_theory_angle_at of the power, or
+ *           pi/2 for everything
+ *   result  receives the numbers, all NaN for an end out of range; not NULL
+ * Guarantees: maxima within 1e-9, places where the error is within 1e-9 of the maximum; integral
+ * and rms within 1e-8 relative where the maximum is above 1e-7. */
+BURNISH_API void burnish_theory_compare(const burnish_theory_model *model, double end,
+                                        burnish_theory_difference *result);
+
+/* Only the largest absolute error, much faster, for a range as above. */
+BURNISH_API double burnish_theory_maximum_error(const burnish_theory_model *model, double end);
+
+/* lobe / power - 1 at an angle; -1 where the lobe is 0, infinity where only the power is; 0 for the
+ * power itself. */
+BURNISH_API double burnish_theory_relative_error(const burnish_theory_model *model, double angle);
+
+/* Where the family's relative error has its extreme before it falls to -1 at the zero:
+ * cos = n (zeta - 1) / (zeta (n - m)). energy, m = 2: tan = sqrt(2n + 1) / n; shift7:
+ * tan = 2 sqrt(7n - 15) / (7n - 16). NaN for other lobes and where there is no such
+ * place (zeta <= 1, n <= m, zeta > n/m). */
+BURNISH_API double burnish_theory_extreme_angle(const burnish_theory_model *model);
+
+/* The same place by a search that knows nothing of the formula: the maximum of lobe / power.
+ * NaN where burnish_theory_extreme_angle is. */
+BURNISH_API double burnish_theory_extreme_angle_searched(const burnish_theory_model *model);
+
+/* ---- Exponents and roughness ---- */
+
+/* n = 2 / alpha^2 - 2: the power as a distribution of normals for a Beckmann or GGX alpha.
+ * alpha: (0, 1]. Source: Walter et al. 2007. */
+BURNISH_API double burnish_theory_exponent_from_alpha(double alpha);
+
+/* alpha = sqrt(2 / (n + 2)), n >= 0. */
+BURNISH_API double burnish_theory_alpha_from_exponent(double exponent);
+
+/* With alpha = roughness^2, the perceptual roughness of most engines. */
+BURNISH_API double burnish_theory_exponent_from_roughness(double roughness);
+BURNISH_API double burnish_theory_roughness_from_exponent(double exponent);
+
+/* The Phong exponent whose highlight is about as wide as Blinn's: n / 4; and back. */
+BURNISH_API double burnish_theory_phong_from_blinn(double exponent);
+BURNISH_API double burnish_theory_blinn_from_phong(double exponent);
+
+/* Toksvig's exponent for averaged normals: n l / (l + n (1 - l)).
+ *   exponent  n >= 0
+ *   length    l, the length of the mean of unit normals: [0, 1], clamped
+ * Source: Toksvig 2005. */
+BURNISH_API double burnish_theory_toksvig_exponent(double exponent, double length);
+
+/* The mean of unit normals, as a normal map's texels are averaged.
+ *   normals  count times three components; not NULL unless count is 0
+ *   mean     receives the mean, not normalised; not NULL
+ * Returns the mean's length, for burnish_theory_toksvig_exponent; 0 for count 0. */
+BURNISH_API double burnish_theory_mean_normal(const double (*normals)[3], size_t count,
+                                              double mean[3]);
+
+/* ---- Cost and choice ---- */
+
+/* Operations of one evaluation from a cosine (kuijk-blake: the angle, by one arc cosine), constants
+ * of the material prepared. The family: u = max(0, A c + B), then log2(m) squarings. */
+typedef struct burnish_theory_cost {
+    int multiplications;
+    int additions;   /* subtractions too */
+    int comparisons; /* max, min and selections too */
+    int divisions;
+    int transcendentals; /* pow, exp, acos: one each */
+    int lookups;         /* reads of a table */
+    long memory;         /* entries of that table */
+} burnish_theory_cost;
+
+BURNISH_API burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model);
+
+/* Which is cheaper: < 0 for a, > 0 for b, 0 for the same. First the transcendentals count, then the
+ * divisions, then the lookups, then multiplications, additions and comparisons together. */
+BURNISH_API int burnish_theory_cost_order(const burnish_theory_cost *a,
+                                          const burnish_theory_cost *b);
+
+/* The cheapest lobe whose largest absolute error against the power, c in [0, 1], is at most
+ * epsilon; of equally cheap ones the one with the least error. The power itself is a candidate, so
+ * there always is one; tables are not.
+ *   exponent  n: [1, 65536]
+ *   epsilon   (0, 1)
+ *   affine    1: lobes whose peak is not 1 (fit affine) are candidates too
+ *   model     becomes the lobe; not NULL
+ *   cost      receives its cost; may be NULL
+ *   maximum   receives its error; may be NULL
+ *   error     receives the one line of an error; may be NULL
+ * Errors: ARGUMENT. */
+BURNISH_API burnish_status burnish_theory_choose(double exponent, double epsilon, int affine,
+                                                 burnish_theory_model *model,
+                                                 burnish_theory_cost *cost, double *maximum,
+                                                 burnish_error *error);
+
+/* ---- The memory of boundary cosines ----
+ *
+ * Per exponent one stored cosine from which downward nothing need be computed. */
+
+/* The cosine at which the lobe has fallen to 2^-bits; bits 0: to zero, the cutoff cosine.
+ *   bits  q: [0, 1024]
+ * Clamped to [0, 1]: 0 where the lobe is brighter than that at every c > 0. NaN for other bits. */
+BURNISH_API double burnish_theory_boundary_cosine(const burnish_theory_model *model, double bits);
+
+/* 1 minus that, with all its digits for narrow lobes. */
+BURNISH_API double burnish_theory_boundary_lambda(const burnish_theory_model *model, double bits);
+
+typedef enum burnish_theory_rounding {
+    BURNISH_THEORY_NEAREST, /* halves go up */
+    BURNISH_THEORY_DOWN,    /* keeps all that is visible when cosines are stored */
+    BURNISH_THEORY_UP       /* the same when 1 - cosine is stored */
+} burnish_theory_rounding;
+
+/* A fixed-point format. The word is [sign] integer_bits fraction_bits, 32 bits at most. */
+typedef struct burnish_theory_format {
+    int is_signed; /* 1: two's complement with one more bit for the sign */
+    int integer_bits, fraction_bits;
+} burnish_theory_format;
+
+/* Reads "UQ0.15" (unsigned, 0 integer and 15 fraction bits), "Q0.15" (the same and a sign bit),
+ * "Q15" or "UQ16" (no integer bits).
+ * Errors: ARGUMENT for anything else, no bits, or more than 32 with the sign. */
+BURNISH_API burnish_status burnish_theory_format_parse(const char *text,
+                                                       burnish_theory_format *format,
+                                                       burnish_error *error);
+
+/* Writes "UQ0.15" or "Q1.14"; size 16 is enough. */
+BURNISH_API void burnish_theory_format_name(const burnish_theory_format *format, char *text,
+                                            size_t size);
+
+/* The width of a word in bits, the sign included. */
+BURNISH_API int burnish_theory_format_width(const burnish_theory_format *format);
+
+/* A number in that format: x 2^fraction_bits rounded as stated, then limited to the format's range,
+ * so that 1 becomes the largest word of UQ0.15. NaN gives 0. */
+BURNISH_API int64_t burnish_theory_format_encode(const burnish_theory_format *format,
+                                                 burnish_theory_rounding rounding, double x);
+
+/* The number that a word stands for. */
+BURNISH_API double burnish_theory_format_decode(const burnish_theory_format *format, int64_t word);
+
+/* What a memory holds. */
+typedef struct burnish_theory_memory {
+    burnish_theory_model model; /* its kind; the exponent comes from the list */
+    double bits;                /* q: [1, 1024], or 0 for the cutoff */
+    int lambda;                 /* 1: words hold 1 - cosine, 0: cosines */
+    burnish_theory_format format;
+    burnish_theory_rounding rounding;
+} burnish_theory_memory;
+
+/* Fills a memory: words[i] is the boundary for exponents[i]. An exponent below the order gets the
+ * highest order that it allows.
+ *   exponents, count  each n: [1, 65536]
+ *   words             receives count words; not NULL unless count is 0
+ *   error             receives the one line of an error; may be NULL
+ * Errors: ARGUMENT. */
+BURNISH_API burnish_status burnish_theory_memory_fill(const burnish_theory_memory *memory,
+                                                      const double *exponents, size_t count,
+                                                      int64_t *words, burnish_error *error);
+
+/* ---- The paper's claims ----
+ *
+ * Every number is computed when asked for, every verdict follows from the numbers. */
+
+typedef enum burnish_theory_verdict {
+    BURNISH_THEORY_HOLDS,
+    BURNISH_THEORY_HOLDS_TO_DIGITS, /* missed by less than one unit of the last digit given */
+    BURNISH_THEORY_DOES_NOT_HOLD,
+    BURNISH_THEORY_BENCHMARK, /* a timing: measured on each machine, not here */
+    BURNISH_THEORY_VERDICT_COUNT
+} burnish_theory_verdict;
+
+/* "holds", "holds to the digits given", "does not hold", "measured by benchmark". */
+BURNISH_API const char *burnish_theory_verdict_text(burnish_theory_verdict verdict);
+
+/* How the verdict follows from values and bound. */
+typedef enum burnish_theory_relation {
+    BURNISH_THEORY_AT_MOST,  /* every value <= bound */
+    BURNISH_THEORY_AT_LEAST, /* every value >= bound */
+    BURNISH_THEORY_ABOUT,    /* every value within half a unit of the bound's last digit */
+    BURNISH_THEORY_NONE      /* no verdict: a benchmark */
+} burnish_theory_relation;
+
+enum { BURNISH_THEORY_CLAIM_VALUES = 12 };
+
+typedef struct burnish_theory_claim {
+    const char *id;       /* one word for tables and options */
+    const char *claim;    /* what the paper says, in our words */
+    const char *quantity; /* what the values are, with unit */
+    const char *note;     /* what is behind a verdict that needs a word; otherwise "" */
+    const char *command;  /* a command line that shows it */
+    int count;            /* number of values: [0, BURNISH_THEORY_CLAIM_VALUES] */
+    struct {
+        char label[32]; /* "n=100", "W_0.5 n=21" */
+        double value;
+        int judged; /* 0: shown beside the others, not part of the claim */
+    } values[BURNISH_THEORY_CLAIM_VALUES];
+    burnish_theory_relation relation;
+    double bound; /* what the values are judged against */
+    double unit;  /* one unit of the last digit that the paper gives; 0 for an exact statement */
+    burnish_theory_verdict verdict;
+} burnish_theory_claim;
+
+/* How many claims there are. */
+BURNISH_API size_t burnish_theory_claim_count(void);
+
+/* Computes one claim; under a second each.
+ *   index  [0, burnish_theory_claim_count())
+ *   claim  receives it; its strings live for ever; not NULL
+ * Errors: ARGUMENT for an index out of range. */
+BURNISH_API burnish_status burnish_theory_claim_compute(size_t index, burnish_theory_claim *claim);
 
 #ifdef __cplusplus
 }

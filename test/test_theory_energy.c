@@ -1,0 +1,305 @@
+/* burnish/theory.h: integrals against GSL's adaptive quadrature, normalisation by Monte Carlo,
+ * sampling by chi-square. */
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <stdint.h>
+
+#include "burnish/theory.h"
+#include "harness.h"
+
+#define HOLDS(condition) CHECK(condition, " ")
+
+static const double PI = 3.14159265358979323846;
+static const double exponents[] = {1, 1.5, 2, 3, 10, 64, 1000, 65536};
+enum { EXPONENT_COUNT = sizeof exponents / sizeof exponents[0] };
+
+/* ---- Integrals ---- */
+
+typedef struct {
+    const burnish_theory_model *model;
+    int weight; /* 0 solid angle, 1 cosine, 2 Blinn */
+} integrand;
+
+static double evaluate(double lambda, void *context) {
+    const integrand *f = context;
+    double c = 1 - lambda;
+    return burnish_theory_value_at_lambda(f->model, lambda) * (f->weight == 0 ? 1
+                                                               : f->weight == 1
+                                                                   ? c
+                                                                   : 4 * c * (2 * c * c - 1));
+}
+
+/* 2 pi times the integral over lambda, in pieces that end where the lobe has a corner. */
+static double by_gsl(const burnish_theory_model *model, int weight, double end) {
+    static gsl_integration_workspace *workspace;
+    gsl_function f = {evaluate, &(integrand){model, weight}};
+    double sum = 0, at = 0, corners[3] = {burnish_theory_zero_angle(model), 0, 0};
+    workspace = workspace ? workspace : gsl_integration_workspace_alloc(2000);
+    corners[0] = isnan(corners[0]) ? 9 : 1 - burnish_theory_cutoff_cosine(model);
+    if (model->kind == BURNISH_THEORY_KUIJK_BLAKE) {
+        corners[1] = 1 - cos(model->k[0]);
+    }
+    for (int k = 0; at < end; ++k) {
+        double next = ldexp(1 / model->exponent, k), value, error;
+        next = next > at ? next : end;
+        next = next < end ? next : end;
+        for (int i = 0; i < 2; ++i) {
+            if (corners[i] > at && corners[i] < next) {
+                next = corners[i];
+                --k;
+            }
+        }
+        gsl_integration_qag(&f, at, next, 1e-14 / model->exponent, 1e-11, 2000, GSL_INTEG_GAUSS31,
+                            workspace, &value, &error);
+        sum += value;
+        at = next;
+    }
+    return 2 * PI * sum;
+}
+
+/* Tables have a corner or step per cell: their own sum over cells. */
+static double by_cells(const burnish_theory_model *model, int weight) {
+    long double sum = 0;
+    int parts = 2 * (model->entries - 1);
+    for (int i = 0; i < parts; ++i) { /* half cells; two-point Gauss is exact for cubics */
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double c = (i + 0.5 + sign * 0.28867513459481287) / parts;
+            sum += burnish_theory_value(model, c) * (weight ? c : 1);
+        }
+    }
+    return (double)(2 * PI * sum / (2 * parts));
+}
+
+static void check_integrals(const burnish_theory_model *model, const char *name) {
+    for (int weight = 0; weight < 2; ++weight) {
+        burnish_theory_measure measure = (burnish_theory_measure)weight;
+        int table = model->kind == BURNISH_THEORY_TABLE;
+        double expected = table ? by_cells(model, weight) : by_gsl(model, weight, 1);
+        double value = burnish_theory_integral(model, measure);
+        CHECK(fabs(value / expected - 1) < 1e-10, "%s, measure %d: %.15g, not %.15g", name, weight,
+              value, expected);
+        if (table) {
+            continue;
+        }
+        for (int i = 1; i <= 3; ++i) {
+            double from = 1 - i * 0.7 / model->exponent;
+            if (from > 0) {
+                expected = by_gsl(model, weight, 1 - from);
+                value = burnish_theory_partial_integral(model, measure, from);
+                CHECK(fabs(value / expected - 1) < 1e-10, "%s, measure %d from %g: %.15g, %.15g",
+                      name, weight, from, value, expected);
+            }
+        }
+    }
+    HOLDS(burnish_theory_partial_integral(model, BURNISH_THEORY_SOLID_ANGLE, 1) == 0);
+    if (model->kind != BURNISH_THEORY_TABLE) {
+        double expected = 1 / by_gsl(model, 2, 1 - sqrt(0.5));
+        double factor = burnish_theory_blinn_factor(model);
+        CHECK(fabs(factor / expected - 1) < 1e-10, "%s, Blinn: %.15g, %.15g", name, factor,
+              expected);
+    }
+    HOLDS(fabs(burnish_theory_phong_factor(model) * burnish_theory_integral(model, 1) - 1) < 1e-15);
+    HOLDS(burnish_theory_normal_factor(model) == burnish_theory_phong_factor(model));
+}
+
+/* The formulas of model.md as they stand there. */
+static void check_formulas(void) {
+    for (int i = 0; i < EXPONENT_COUNT; ++i) {
+        for (int order = 2; order <= 32; order *= 2) {
+            burnish_theory_model model;
+            double n = exponents[i], m = order;
+            if (burnish_theory_model_family(&model, BURNISH_THEORY_ENERGY, order, n, 0)) {
+                continue;
+            }
+            double zeta = model.zeta, solid = 2 * PI / (zeta * (m + 1));
+            solid *= zeta < 1 ? 1 - pow(1 - zeta, m + 1) : 1;
+            HOLDS(fabs(burnish_theory_integral(&model, 0) / solid - 1) < 1e-13);
+            double weighted = 2 * PI * (zeta * (m + 2) - 1) / (zeta * zeta * (m + 1) * (m + 2));
+            if (zeta >= 1) {
+                HOLDS(fabs(burnish_theory_integral(&model, 1) / weighted - 1) < 1e-13);
+            }
+            if (zeta >= 1 && order == 2) {
+                double factor = 6 * zeta * zeta / (PI * (4 * zeta - 1));
+                HOLDS(fabs(burnish_theory_normal_factor(&model) / factor - 1) < 1e-13);
+            }
+        }
+    }
+    HOLDS(fabs(burnish_theory_blinn_factor_common(100) - 108 / (8 * PI)) < 1e-14);
+}
+
+/* ---- Sampling ---- */
+
+static uint64_t random_state;
+
+static double uniform(void) { /* splitmix64 */
+    uint64_t z = random_state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+typedef double (*sampler)(const burnish_theory_model *, burnish_theory_measure, double);
+enum { BINS = 40, FEW = 4000, MANY = 80000 };
+
+/* Chi-square over bins of equal probability; the bins come from the integral that GSL confirmed. */
+static double chi_square(const burnish_theory_model *model, burnish_theory_measure measure,
+                         sampler sample, int count) {
+    double total = burnish_theory_integral(model, measure), sum = 0;
+    int bins[BINS] = {0};
+    for (int i = 0; i < count; ++i) {
+        double c = sample(model, measure, uniform());
+        int bin = (int)(BINS * burnish_theory_partial_integral(model, measure, c) / total);
+        ++bins[bin < BINS ? bin : BINS - 1];
+    }
+    for (int i = 0; i < BINS; ++i) {
+        double difference = bins[i] - (double)count / BINS;
+        sum += difference * difference / ((double)count / BINS);
+    }
+    return sum;
+}
+
+/* Forgets that the integral raises the exponent by one. */
+static double wrong_sampler(const burnish_theory_model *model, burnish_theory_measure measure,
+                            double xi) {
+    (void)measure;
+    return 1 - (1 - pow(xi, 1.0 / model->order)) / model->zeta;
+}
+
+/* Right over solid angle, used for the cosine-weighted measure. */
+static double unweighted_sampler(const burnish_theory_model *model, burnish_theory_measure measure,
+                                 double xi) {
+    (void)measure;
+    return burnish_theory_sample_cosine(model, BURNISH_THEORY_SOLID_ANGLE, xi);
+}
+
+static double limit(void) {
+    return gsl_cdf_chisq_Qinv(1e-7, BINS - 1);
+}
+
+static void check_sampling(const burnish_theory_model *model, const char *name) {
+    int table = model->kind == BURNISH_THEORY_TABLE;
+    int quick = (model->order > 0 && model->zeta >= 1) || model->kind == BURNISH_THEORY_POWER;
+    for (int measure = 0; measure < 2; ++measure) {
+        double x = chi_square(model, (burnish_theory_measure)measure, burnish_theory_sample_cosine,
+                              quick   ? MANY
+                              : table ? FEW / 4
+                                      : FEW);
+        CHECK(x < limit(), "%s, measure %d: chi-square %g", name, measure, x);
+    }
+}
+
+static void check_wrong_samplers(void) {
+    static const char *const words[] = {"energy:2", "minimax:8", "taylor:16", "energy:32"};
+    for (int i = 0; i < 4; ++i) {
+        burnish_theory_model model;
+        HOLDS(!burnish_theory_model_parse(words[i], 100, &model, NULL));
+        double x = chi_square(&model, BURNISH_THEORY_SOLID_ANGLE, wrong_sampler, MANY);
+        CHECK(x > limit(), "%s: a wrong sampler passed with %g", words[i], x);
+    }
+    burnish_theory_model model;
+    HOLDS(!burnish_theory_model_parse("energy:2", 10, &model, NULL));
+    HOLDS(chi_square(&model, BURNISH_THEORY_COSINE_WEIGHTED, unweighted_sampler, MANY) > limit());
+}
+
+static double pdf_value(double c, void *context) {
+    const integrand *f = context;
+    return 2 * PI * burnish_theory_pdf(f->model, (burnish_theory_measure)f->weight, c);
+}
+
+/* Densities integrate to 1; directions are unit vectors with even azimuths. */
+static void check_densities(void) {
+    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(2000);
+    static const char *const words[] = {"energy:2", "power", "schlick", "gaussian", "affine:4"};
+    for (int i = 0; i < 10; ++i) {
+        burnish_theory_model model;
+        HOLDS(!burnish_theory_model_parse(words[i / 2], 20, &model, NULL));
+        gsl_function f = {pdf_value, &(integrand){&model, i % 2}};
+        double value, error;
+        gsl_integration_qag(&f, 0, 1, 0, 1e-9, 2000, GSL_INTEG_GAUSS31, workspace, &value, &error);
+        CHECK(fabs(value - 1) < 1e-8, "%s: %.12g", words[i / 2], value);
+        HOLDS(burnish_theory_pdf(&model, BURNISH_THEORY_SOLID_ANGLE, -0.1) == 0);
+        int azimuths[16] = {0};
+        double sum = 0;
+        for (int k = 0; k < FEW; ++k) {
+            double xi[2] = {uniform(), uniform()}, d[3];
+            burnish_theory_sample_direction(&model, (burnish_theory_measure)(i % 2), xi, d);
+            HOLDS(fabs(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1) < 1e-14 && d[2] >= 0);
+            ++azimuths[(int)(8 * (1 + atan2(d[1], d[0]) / PI)) & 15];
+        }
+        for (int k = 0; k < 16; ++k) {
+            sum += (azimuths[k] - FEW / 16.0) * (azimuths[k] - FEW / 16.0) / (FEW / 16.0);
+        }
+        CHECK(sum < gsl_cdf_chisq_Qinv(1e-7, 15), "%s: azimuths %g", words[i / 2], sum);
+    }
+    gsl_integration_workspace_free(workspace);
+}
+
+/* What a white furnace of brightness 1 gives back along the normal: 1, by Monte Carlo, for Phong
+ * (lobe around the normal) and Blinn (light mirrored at the sampled half vector). */
+static void furnace(const burnish_theory_model *model, double phong, double blinn, double mean[2],
+                    double deviation[2]) {
+    double solid = burnish_theory_integral(model, BURNISH_THEORY_SOLID_ANGLE);
+    double sum[2] = {0, 0}, squares[2] = {0, 0};
+    for (int i = 0; i < MANY; ++i) {
+        double c = burnish_theory_sample_cosine(model, BURNISH_THEORY_SOLID_ANGLE, uniform());
+        double light = 2 * c * c - 1;
+        double weight[2] = {phong * solid * c, blinn * solid * (light > 0 ? 4 * c * light : 0)};
+        for (int k = 0; k < 2; ++k) {
+            sum[k] += weight[k];
+            squares[k] += weight[k] * weight[k];
+        }
+    }
+    for (int k = 0; k < 2; ++k) {
+        mean[k] = sum[k] / MANY;
+        deviation[k] = sqrt((squares[k] / MANY - mean[k] * mean[k]) / MANY);
+    }
+}
+
+static void check_furnace(void) {
+    static const char *const words[] = {"power", "energy:2", "minimax:4", "shift7:2", "affine:2"};
+    for (int i = 0; i < 15; ++i) {
+        burnish_theory_model model;
+        double n = i % 3 == 0 ? 5 : i % 3 == 1 ? 30 : 300, mean[2], deviation[2];
+        HOLDS(!burnish_theory_model_parse(words[i / 3], n, &model, NULL));
+        double phong = burnish_theory_phong_factor(&model);
+        double blinn = burnish_theory_blinn_factor(&model);
+        furnace(&model, phong, blinn, mean, deviation);
+        for (int k = 0; k < 2; ++k) {
+            CHECK(fabs(mean[k] - 1) < 5 * deviation[k] + 1e-12, "%s n=%g, %s: %g +- %g",
+                  words[i / 3], n, k ? "Blinn" : "Phong", mean[k], deviation[k]);
+        }
+        /* the two factors exchanged must not pass */
+        furnace(&model, blinn, phong, mean, deviation);
+        CHECK(fabs(mean[0] - 1) > 5 * deviation[0] && fabs(mean[1] - 1) > 5 * deviation[1],
+              "%s n=%g: wrong factors passed", words[i / 3], n);
+    }
+}
+
+int main(void) {
+    int count = 0;
+    gsl_set_error_handler_off();
+    check_formulas();
+    for (size_t w = 0; burnish_theory_model_word(w); ++w) {
+        for (int i = 0; i < EXPONENT_COUNT; ++i) {
+            const char *word = burnish_theory_model_word(w);
+            char name[64];
+            burnish_theory_model model;
+            if (burnish_theory_model_parse(word, exponents[i], &model, NULL)) {
+                continue;
+            }
+            snprintf(name, sizeof name, "%s n=%g", word, exponents[i]);
+            check_integrals(&model, name);
+            if (i % 3 == 1) {
+                check_sampling(&model, name);
+            }
+            ++count;
+        }
+    }
+    CHECK(count > 120, "only %d models", count);
+    check_wrong_samplers();
+    check_densities();
+    check_furnace();
+    return test_end("theory_energy");
+}

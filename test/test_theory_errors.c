@@ -1,0 +1,412 @@
+/* burnish/theory.h: fits and maximum errors against published and measured figures, certified
+ * maxima against dense sweeps, the paper's claims, choice, boundary memories, roughness. */
+#include <math.h>
+
+#include "burnish/theory.h"
+#include "harness.h"
+
+#define HOLDS(condition) CHECK(condition, " ")
+
+static const double HALF_PI = 1.57079632679489661923;
+
+static burnish_theory_model model_of(const char *words, double n) {
+    burnish_theory_model model = {0};
+    burnish_error error = {0};
+    CHECK(burnish_theory_model_parse(words, n, &model, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return model;
+}
+
+static double error_of(const char *words, double n) {
+    burnish_theory_model model = model_of(words, n);
+    return burnish_theory_maximum_error(&model, HALF_PI);
+}
+
+/* Beaudoin and Guardado's tables: {order, exponent, zeta, error}. Their zeta is within .0007 of the
+ * optimum, and never better. */
+static void check_published_minimax(void) {
+    static const double table[][4] = {
+        {2, 3, 1.336, .0256},   {2, 4, 1.683, .0375},   {2, 5, 2.033, .0444},
+        {2, 6, 2.385, .0489},   {2, 10, 3.802, .0576},  {2, 18, 6.645, .0631},
+        {4, 5, 1.208, .0070},   {4, 6, 1.417, .0115},   {4, 8, 1.838, .0171},
+        {4, 12, 2.681, .0226},  {4, 20, 4.370, .0269},  {8, 9, 1.115, .0019},
+        {8, 10, 1.229, .0033},  {8, 12, 1.459, .0055},  {8, 24, 2.838, .0109},
+        {16, 17, 1.060, .0005}, {16, 20, 1.239, .0017}, {16, 24, 1.479, .0027},
+        {16, 32, 1.959, .0040}};
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) {
+        const double *row = table[i];
+        burnish_theory_model model, theirs;
+        HOLDS(!burnish_theory_model_family(&model, BURNISH_THEORY_MINIMAX, (int)row[0], row[1], 0));
+        HOLDS(!burnish_theory_model_family(&theirs, BURNISH_THEORY_GIVEN, (int)row[0], row[1],
+                                           row[2]));
+        double error = burnish_theory_maximum_error(&model, HALF_PI);
+        CHECK(fabs(model.zeta - row[2]) < 0.00075, "%g:%g zeta %.5f", row[0], row[1], model.zeta);
+        CHECK(fabs(error - row[3]) < 1e-4, "%g:%g error %.5f", row[0], row[1], error);
+        CHECK(error <= burnish_theory_maximum_error(&theirs, HALF_PI), "%g:%g", row[0], row[1]);
+    }
+}
+
+/* model.md, section 2: what the maximum errors tend to. */
+static void check_limits(void) {
+    static const double table[][6] = {{2, .1619, .0916, .1114, .0700, .7118},
+                                      {4, .0738, .0509, .0508, .0332, .8454},
+                                      {8, .0353, .0270, .0243, .0162, .9200},
+                                      {16, .0173, .0139, .0119, .0080, .9594},
+                                      {32, .0085, .0071, .0059, .0040, .9794}};
+    static const char *const fits[] = {"taylor", "energy", "level0.5", "minimax"};
+    for (int i = 0; i < 5; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            char words[32];
+            snprintf(words, sizeof words, "%s:%g", fits[k], table[i][0]);
+            double error = error_of(words, 65536);
+            CHECK(fabs(error - table[i][k + 1]) < 0.000101, "%s: %.5f", words, error);
+        }
+        char words[32];
+        snprintf(words, sizeof words, "minimax:%g", table[i][0]);
+        double ratio = model_of(words, 65536).zeta * table[i][0] / 65536;
+        CHECK(fabs(ratio - table[i][5]) < 0.00012, "%s: zeta m/n %.5f", words, ratio);
+    }
+}
+
+/* prior-art figures for the lobes to compare with: error at 5, 18, 64, 256. */
+static void check_comparison_lobes(void) {
+    static const struct {
+        const char *words;
+        double n[4], error[4];
+    } rows[] = {{"schlick", {5, 18, 64, 256}, {.155, .190, .200, .203}},
+                {"gx", {5, 18, 64, 256}, {.111, .176, .196, .202}},
+                {"gaussian", {5, 18, 64, 256}, {.029, .0086, .0025, .0006}},
+                {"shift7:2", {5, 18, 64, 256}, {.063, .106, .117, .120}},
+                {"shift3:2", {5, 18, 64, 256}, {.074, .067, .077, .080}}};
+    for (int i = 0; i < 5; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            double error = error_of(rows[i].words, rows[i].n[k]);
+            CHECK(fabs(error - rows[i].error[k]) < 0.00051, "%s n=%g: %.5f", rows[i].words,
+                  rows[i].n[k], error);
+        }
+    }
+    for (double n = 6; n < 60000; n *= 1.3) {
+        CHECK(error_of("shift3:2", n) < error_of("shift7:2", n), "n=%g", n);
+    }
+}
+
+/* Neighbours of every fit that claims to be the best are worse. */
+static void check_optima(void) {
+    static const double n[] = {3, 10, 100, 4096};
+    for (int i = 0; i < 12; ++i) {
+        static const char *const words[] = {"minimax:2", "affine:2", "leastsquares:2"};
+        burnish_theory_model best = model_of(words[i / 4], n[i % 4]);
+        burnish_theory_difference at_best, at_near;
+        burnish_theory_compare(&best, HALF_PI, &at_best);
+        for (int k = 0; k < 8; ++k) {
+            burnish_theory_model near = best;
+            near.zeta *= k & 1 ? 1.001 : 0.999;
+            near.scale *= i / 4 != 1 || k < 4 ? 1 : k & 2 ? 1.0005 : 0.9995;
+            burnish_theory_compare(&near, HALF_PI, &at_near);
+            int worse =
+                i / 4 == 2 ? at_near.rms > at_best.rms : at_near.absolute > at_best.absolute;
+            CHECK(worse, "%s n=%g, neighbour %d", words[i / 4], n[i % 4], k);
+        }
+    }
+    CHECK(error_of("affine:2", 4096) < 0.83 * error_of("minimax:2", 4096), "two parameters");
+    burnish_theory_model affine = model_of("affine:2", 100);
+    HOLDS(fabs(1 - affine.scale - burnish_theory_maximum_error(&affine, HALF_PI)) < 1e-9);
+    HOLDS(error_of("nv2x", 100) < 0.025 && error_of("kuijk-blake", 18) < 0.014);
+}
+
+/* The certified maxima against 20,000 places, places against the values there. */
+static void check_maxima(void) {
+    enum { PLACES = 20000 };
+    static const double ns[] = {1, 2.5, 18, 300, 65536};
+    for (size_t w = 0; burnish_theory_model_word(w); ++w) {
+        for (int i = 0; i < 10; ++i) {
+            burnish_theory_model model;
+            double n = ns[i / 2], core = burnish_theory_inflection_angle(n);
+            double end = i % 2 ? core : HALF_PI, largest = 0, relative = 0;
+            if (burnish_theory_model_parse(burnish_theory_model_word(w), n, &model, NULL)) {
+                continue;
+            }
+            burnish_theory_difference d;
+            burnish_theory_compare(&model, end, &d);
+            for (int k = 0; k < PLACES; ++k) {
+                double x = end * k / PLACES;
+                double value = burnish_theory_value_at_angle(&model, x);
+                double difference = fabs(value - pow(cos(x), n));
+                largest = difference > largest ? difference : largest;
+                difference = fabs(burnish_theory_relative_error(&model, x));
+                relative = difference > relative ? difference : relative;
+            }
+            const char *word = burnish_theory_model_word(w);
+            double noise = 1e-9 + 4e-16 * n; /* of pow(cos(x), n) */
+            CHECK(largest <= d.absolute + noise, "%s n=%g: %.12g above the maximum %.12g", word, n,
+                  largest, d.absolute);
+            CHECK(largest > d.absolute * 0.97 - noise || model.entries, "%s n=%g: %g, %g", word, n,
+                  largest, d.absolute);
+            CHECK(relative <= d.relative * (1 + 1e-8) + noise, "%s n=%g: %g above %g", word, n,
+                  relative, d.relative);
+            CHECK(d.absolute == fmax(d.above, d.below) && d.end == end, "%s n=%g", word, n);
+            double there = burnish_theory_value_at_angle(&model, d.absolute_angle) -
+                           pow(cos(d.absolute_angle), n);
+            CHECK(fabs(fabs(there) - d.absolute) < noise || model.entries, "%s n=%g: place %g",
+                  word, n, d.absolute_angle);
+            CHECK(d.integral <= 2 * 3.1416 * d.absolute * (1 - cos(end)) * 1.0001 + 1e-14 &&
+                      d.rms <= d.absolute + 1e-14,
+                  "%s n=%g: integral %g rms %g", word, n, d.integral, d.rms);
+        }
+    }
+    burnish_theory_model model = model_of("energy:2", 10);
+    burnish_theory_difference d;
+    burnish_theory_compare(&model, 2, &d);
+    HOLDS(isnan(d.absolute) && isnan(burnish_theory_maximum_error(&model, 0)));
+}
+
+/* Integral and mean of the error in closed form: (1 - l/2)^2 .. against c^3, n = 3, all of c. */
+static void check_error_integrals(void) {
+    /* zeta 1.5: (1 - 1.5 l)^2 <= (1 - l)^3 everywhere: the integral is the difference of both */
+    burnish_theory_model taylor = model_of("taylor:2", 3), power = model_of("power", 3);
+    burnish_theory_difference d;
+    burnish_theory_compare(&taylor, HALF_PI, &d);
+    double expected = burnish_theory_integral(&power, 0) - burnish_theory_integral(&taylor, 0);
+    CHECK(fabs(d.integral / expected - 1) < 1e-8, "%.12g, %.12g", d.integral, expected);
+    /* over l in [0, 2/3] the difference is l^2 (.75 - l), beyond it (1 - l)^3 */
+    double t = 2.0 / 3;
+    double square =
+        0.5625 * pow(t, 5) / 5 - 1.5 * pow(t, 6) / 6 + pow(t, 7) / 7 + pow(1 - t, 7) / 7;
+    CHECK(fabs(d.rms / sqrt(square) - 1) < 1e-8, "%.12g, %.12g", d.rms, sqrt(square));
+}
+
+static void check_extremes(void) {
+    for (double n = 3; n < 65536; n *= 1.7) {
+        static const char *const words[] = {"energy:2", "shift7:2", "minimax:2", "level0.5:2"};
+        for (int i = 0; i < 4; ++i) {
+            burnish_theory_model model = model_of(words[i], n);
+            double angle = burnish_theory_extreme_angle(&model);
+            double found = burnish_theory_extreme_angle_searched(&model);
+            CHECK(fabs(angle / found - 1) < 1e-5, "%s n=%g: %g, %g", words[i], n, angle, found);
+            double formula = i == 0 ? sqrt(2 * n + 1) / n : 2 * sqrt(7 * n - 15) / (7 * n - 16);
+            CHECK(i > 1 || fabs(tan(angle) / formula - 1) < 1e-9, "%s n=%g", words[i], n);
+        }
+    }
+    burnish_theory_model schlick = model_of("schlick", 10);
+    HOLDS(isnan(burnish_theory_extreme_angle(&schlick)));
+}
+
+static double claimed(const burnish_theory_claim *claim, const char *label) {
+    for (int i = 0; i < claim->count; ++i) {
+        if (strcmp(claim->values[i].label, label) == 0) {
+            return claim->values[i].value;
+        }
+    }
+    printf("claim %s has no value \"%s\"\n", claim->id, label);
+    return NAN; /* fails every comparison */
+}
+
+/* model.md, section 5. */
+static const struct {
+    const char *id, *label;
+    double value, tolerance;
+} figures[] = {{"core-w", "n=10", 6.41, .005},
+               {"core-w", "n=100", 7.18, .005},
+               {"core-w", "n=200", 7.22, .005},
+               {"core-w", "n=65536", 7.26, .005},
+               {"core-schlick", "n=10", 9.90, .005},
+               {"core-schlick", "n=65536", 9.91, .006},
+               {"w1-absolute", "n=65536", .0916, .00005},
+               {"w05-large", "7n/16 n=21", .0181, .00005},
+               {"w05-large", "7n/16 n=100", .0248, .00005},
+               {"w05-large", "7n/16 n=65536", .027, .0005},
+               {"w05-large", "level(.5) n=21", .0197, .00006},
+               {"w05-large", "level(.5) n=65536", .022, .0005},
+               {"w05-large", "to inflection n=21", .0157, .00005},
+               {"w05-large", "to inflection n=100", .0147, .00005},
+               {"w05-small", "7n/16 n=5", .0216, .00005},
+               {"w05-small", "7n/16 n=3", .032, .0005},
+               {"schlick-absolute", "n=100", .0600, .00005},
+               {"schlick-ratio", "n=100", 4.1, .05},
+               {"operations-w05", "shift places", 7, 0}};
+static const struct {
+    const char *id;
+    burnish_theory_verdict verdict;
+} verdicts[] = {{"peak", BURNISH_THEORY_HOLDS},
+                {"zero", BURNISH_THEORY_HOLDS},
+                {"monotone", BURNISH_THEORY_HOLDS},
+                {"core-w", BURNISH_THEORY_HOLDS_TO_DIGITS},
+                {"core-schlick", BURNISH_THEORY_HOLDS},
+                {"order", BURNISH_THEORY_HOLDS},
+                {"radius", BURNISH_THEORY_HOLDS},
+                {"w1-absolute", BURNISH_THEORY_HOLDS},
+                {"w1-extreme", BURNISH_THEORY_HOLDS},
+                {"w05-large", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"w05-small", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"schlick-absolute", BURNISH_THEORY_HOLDS},
+                {"schlick-ratio", BURNISH_THEORY_HOLDS},
+                {"w05-extreme", BURNISH_THEORY_HOLDS},
+                {"w05-radius", BURNISH_THEORY_HOLDS},
+                {"w05-radius-larger", BURNISH_THEORY_HOLDS},
+                {"speed-w", BURNISH_THEORY_BENCHMARK},
+                {"speed-w05", BURNISH_THEORY_BENCHMARK},
+                {"operations-w", BURNISH_THEORY_HOLDS},
+                {"operations-w05", BURNISH_THEORY_HOLDS}};
+
+static void check_claims(void) {
+    size_t count = burnish_theory_claim_count(), compared = 0;
+    HOLDS(count == sizeof verdicts / sizeof verdicts[0]);
+    for (size_t i = 0; i < count; ++i) {
+        burnish_theory_claim claim;
+        HOLDS(burnish_theory_claim_compute(i, &claim) == BURNISH_STATUS_OK);
+        CHECK_TEXT(claim.id, verdicts[i].id);
+        CHECK(claim.verdict == verdicts[i].verdict, "%s: %s", claim.id,
+              burnish_theory_verdict_text(claim.verdict));
+        HOLDS(claim.command[0] && claim.claim[0] &&
+              (claim.count > 0) == (claim.relation != BURNISH_THEORY_NONE));
+        for (size_t k = 0; k < sizeof figures / sizeof figures[0]; ++k) {
+            if (strcmp(figures[k].id, claim.id) == 0) {
+                double value = claimed(&claim, figures[k].label);
+                CHECK(fabs(value - figures[k].value) <= figures[k].tolerance, "%s %s: %g", claim.id,
+                      figures[k].label, value);
+                ++compared;
+            }
+        }
+    }
+    HOLDS(compared == sizeof figures / sizeof figures[0]);
+    burnish_theory_claim claim;
+    HOLDS(burnish_theory_claim_compute(count, &claim) == BURNISH_STATUS_ARGUMENT);
+}
+
+static void check_choice(void) {
+    static const struct {
+        double n, epsilon;
+        int affine;
+        const char *words;
+    } rows[] = {{100, .08, 0, "minimax:2"}, {100, .06, 0, "minimax:4"},  {100, .06, 1, "affine:2"},
+                {100, .02, 0, "minimax:8"}, {100, .01, 0, "minimax:16"}, {2, .001, 0, "minimax:2"},
+                {3, .01, 0, "power"},       {100, 1e-4, 0, "power"},     {1, .01, 0, "schlick"}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
+        burnish_theory_model model;
+        burnish_theory_cost cost;
+        char name[32];
+        double maximum;
+        HOLDS(!burnish_theory_choose(rows[i].n, rows[i].epsilon, rows[i].affine, &model, &cost,
+                                     &maximum, NULL));
+        burnish_theory_model_name(&model, name, sizeof name);
+        CHECK_TEXT(name, rows[i].words);
+        HOLDS(maximum <= rows[i].epsilon &&
+              fabs(maximum - burnish_theory_maximum_error(&model, HALF_PI)) < 1e-12);
+        for (size_t w = 0; burnish_theory_model_word(w); ++w) { /* nothing cheaper is as good */
+            burnish_theory_model other;
+            if (burnish_theory_model_parse(burnish_theory_model_word(w), rows[i].n, &other, NULL) ||
+                other.entries || (other.scale < 1 && !rows[i].affine)) {
+                continue;
+            }
+            burnish_theory_cost its = burnish_theory_model_cost(&other);
+            CHECK(burnish_theory_cost_order(&its, &cost) >= 0 ||
+                      burnish_theory_maximum_error(&other, HALF_PI) > rows[i].epsilon,
+                  "%s instead of %s", burnish_theory_model_word(w), name);
+        }
+    }
+    burnish_theory_model model;
+    HOLDS(burnish_theory_choose(10, 0, 0, &model, NULL, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
+    HOLDS(burnish_theory_choose(0, 0.1, 0, &model, NULL, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
+    burnish_theory_model w = model_of("taylor:16", 100);
+    burnish_theory_cost cost = burnish_theory_model_cost(&w);
+    HOLDS(cost.multiplications == 5 && cost.additions == 1 && cost.comparisons == 1);
+}
+
+static void check_formats(void) {
+    static const char *const bad[] = {"",    "Q",      "15",     "UQ",  "Q.",    "Q1.",   "UQ0.0",
+                                      "Q32", "UQ1.32", "Q0.15x", "q15", "Q-1.3", "Q100.1"};
+    burnish_theory_format format = {1, 7, 7};
+    char name[16];
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        CHECK(burnish_theory_format_parse(bad[i], &format, NULL) == BURNISH_STATUS_ARGUMENT,
+              "\"%s\"", bad[i]);
+    }
+    HOLDS(format.integer_bits == 7);
+    HOLDS(!burnish_theory_format_parse("Q15", &format, NULL));
+    burnish_theory_format_name(&format, name, sizeof name);
+    CHECK_TEXT(name, "Q0.15");
+    HOLDS(burnish_theory_format_width(&format) == 16);
+    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, 1) == 32767);
+    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, -1) == -32768);
+    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_DOWN, 0.5 + 0.9 / 32768) == 16384);
+    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_UP, 0.5 + 0.1 / 32768) == 16385);
+    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, 2.5 / 32768) == 3);
+    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, NAN) == 0);
+    HOLDS(burnish_theory_format_decode(&format, 16384) == 0.5);
+    HOLDS(!burnish_theory_format_parse("UQ0.15", &format, NULL) && !format.is_signed);
+    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, -0.1) == 0);
+    HOLDS(!burnish_theory_format_parse("UQ1.31", &format, NULL));
+    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, 1) == 1ll << 31);
+}
+
+static void check_memories(void) {
+    static const double n[] = {1, 2, 3, 10, 100, 65536};
+    int64_t words[6];
+    burnish_theory_memory memory = {
+        .model = model_of("taylor:2", 10), .format = {0, 0, 15}, .rounding = BURNISH_THEORY_DOWN};
+    HOLDS(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
+    for (int i = 0; i < 6; ++i) { /* 1 - 2/n, in whole words, downward */
+        double cosine = n[i] > 2 ? (n[i] - 2) / n[i] : 0;
+        CHECK(words[i] == (int64_t)floor(cosine * 32768 + 1e-9), "n=%g: %d", n[i], (int)words[i]);
+    }
+    memory.bits = 8;
+    memory.lambda = 1;
+    memory.rounding = BURNISH_THEORY_UP;
+    memory.model = model_of("power", 10);
+    HOLDS(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
+    for (int i = 0; i < 6; ++i) {
+        double stored = burnish_theory_format_decode(&memory.format, words[i]);
+        HOLDS(words[i] == 32767 || pow(1 - stored, n[i]) <= 1.0 / 256 + 1e-15);
+        HOLDS(pow(1 - stored + 1.0 / 32768, n[i]) >= 1.0 / 256);
+    }
+    memory.model = model_of("energy:32", 100); /* lower orders for the low exponents */
+    HOLDS(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
+    memory.model = model_of("projected:2", 100);
+    HOLDS(burnish_theory_memory_fill(&memory, n, 6, words, NULL) == BURNISH_STATUS_ARGUMENT);
+    memory.bits = 0.5;
+    HOLDS(burnish_theory_memory_fill(&memory, n + 1, 1, words, NULL) == BURNISH_STATUS_ARGUMENT);
+    memory.bits = 4;
+    memory.format.fraction_bits = 40;
+    HOLDS(burnish_theory_memory_fill(&memory, n + 1, 1, words, NULL) == BURNISH_STATUS_ARGUMENT);
+}
+
+static void check_roughness(void) {
+    HOLDS(fabs(burnish_theory_exponent_from_alpha(0.1) - 198) < 1e-12);
+    HOLDS(burnish_theory_exponent_from_alpha(1) == 0);
+    HOLDS(fabs(burnish_theory_exponent_from_roughness(0.5) - 30) < 1e-12);
+    for (double n = 1; n < 65536; n *= 3) {
+        double alpha = burnish_theory_alpha_from_exponent(n);
+        HOLDS(fabs(burnish_theory_exponent_from_alpha(alpha) / n - 1) < 1e-11);
+        double roughness = burnish_theory_roughness_from_exponent(n);
+        HOLDS(fabs(burnish_theory_exponent_from_roughness(roughness) / n - 1) < 1e-11);
+        HOLDS(burnish_theory_phong_from_blinn(burnish_theory_blinn_from_phong(n)) == n);
+    }
+    HOLDS(burnish_theory_blinn_from_phong(10) == 40);
+    HOLDS(burnish_theory_toksvig_exponent(100, 1) == 100);
+    HOLDS(burnish_theory_toksvig_exponent(100, 0) == 0);
+    HOLDS(fabs(burnish_theory_toksvig_exponent(100, 0.5) - 50 / 50.5) < 1e-14);
+    /* Toksvig's exponent is n times Schlick's lobe of the length */
+    burnish_theory_model schlick = model_of("schlick", 100);
+    HOLDS(fabs(burnish_theory_toksvig_exponent(100, 0.9) -
+               100 * burnish_theory_value(&schlick, 0.9)) < 1e-11);
+    double normals[2][3] = {{0.6, 0, 0.8}, {-0.6, 0, 0.8}}, mean[3];
+    HOLDS(fabs(burnish_theory_mean_normal((const double(*)[3])normals, 2, mean) - 0.8) < 1e-15);
+    HOLDS(mean[0] == 0 && mean[2] == 0.8);
+    HOLDS(burnish_theory_mean_normal(NULL, 0, mean) == 0 && mean[2] == 0);
+}
+
+int main(void) {
+    check_published_minimax();
+    check_limits();
+    check_comparison_lobes();
+    check_optima();
+    check_maxima();
+    check_error_integrals();
+    check_extremes();
+    check_claims();
+    check_choice();
+    check_formats();
+    check_memories();
+    check_roughness();
+    return test_end("theory_errors");
+}

@@ -1,0 +1,293 @@
+/* burnish/theory.h: models, their words and values against vectors in quad precision, derivatives
+ * against finite differences, monotony and order by sweeps, widths. */
+#include <float.h>
+#include <math.h>
+
+#include "burnish/theory.h"
+#include "harness.h"
+
+#define HOLDS(condition) CHECK(condition, " ")
+
+static const double PI = 3.14159265358979323846;
+static const double exponents[] = {1, 1.5, 2, 3, 10, 64, 99.5, 1000, 65536};
+enum { EXPONENT_COUNT = sizeof exponents / sizeof exponents[0] };
+
+/* Calls check(model) for every word and exponent that go together; returns how many did. */
+static int for_each_model(void (*check)(const burnish_theory_model *, const char *)) {
+    int count = 0;
+    for (size_t w = 0; burnish_theory_model_word(w); ++w) {
+        for (int i = 0; i < EXPONENT_COUNT; ++i) {
+            burnish_theory_model model;
+            char name[64];
+            if (burnish_theory_model_parse(burnish_theory_model_word(w), exponents[i], &model,
+                                           NULL) == BURNISH_STATUS_OK) {
+                snprintf(name, sizeof name, "%s n=%g", burnish_theory_model_word(w), exponents[i]);
+                check(&model, name);
+                ++count;
+            }
+        }
+    }
+    return count;
+}
+
+/* The model of one line of lobes.csv; 0 when it can't be made. */
+static int model_of_line(const char *lobe, int order, const char *fit, double n,
+                         burnish_theory_model *model) {
+    char words[64];
+    if (strcmp(lobe, "family") == 0) {
+        snprintf(words, sizeof words, "%.24s:%d", fit, order);
+    } else if (strcmp(lobe, "lyon") == 0) {
+        snprintf(words, sizeof words, "lyon:%d", order);
+    } else {
+        return burnish_theory_model_parse(lobe, n, model, NULL) == BURNISH_STATUS_OK;
+    }
+    return burnish_theory_model_parse(words, n, model, NULL) == BURNISH_STATUS_OK;
+}
+
+static void check_vectors(void) {
+    FILE *file = fopen(TEST_DATA_DIR "/lobes.csv", "r");
+    char line[256];
+    int compared = 0;
+    double worst = 0;
+    if (!CHECK(file != NULL, "lobes.csv")) {
+        return;
+    }
+    (void)!fgets(line, sizeof line, file);
+    while (fgets(line, sizeof line, file)) {
+        char *field[7] = {line};
+        for (int i = 1; i < 7; ++i) {
+            field[i] = strchr(field[i - 1], ',');
+            if (!CHECK(field[i] != NULL, "line %d: \"%s\"", compared + 2, line)) {
+                fclose(file);
+                return;
+            }
+            *field[i]++ = 0;
+        }
+        double n = strtod(field[3], NULL), c = strtod(field[4], NULL);
+        double expected = strtod(field[6], NULL);
+        burnish_theory_model model;
+        if (atoi(field[1]) > 2 && n < atoi(field[1])) {
+            continue; /* the float header's range is wider: it takes any zeta */
+        }
+        if (!CHECK(model_of_line(field[0], atoi(field[1]), field[2], n, &model), "%s:%s %s n=%g",
+                   field[0], field[1], field[2], n)) {
+            continue;
+        }
+        double error = fabs(burnish_theory_value(&model, c) - expected);
+        worst = error > worst ? error : worst;
+        CHECK(error < 1e-13, "%s:%s %s n=%g at %a: off by %g", field[0], field[1], field[2], n, c,
+              error);
+        if (*field[5]) {
+            CHECK(fabs(model.zeta / strtod(field[5], NULL) - 1) < 1e-14, "zeta of %s n=%g",
+                  field[2], n);
+        }
+        ++compared;
+    }
+    fclose(file);
+    CHECK(compared >= 3000, "%d vectors", compared);
+    printf("%d vectors, largest error %.2g\n", compared, worst);
+}
+
+static void check_derivatives(const burnish_theory_model *model, const char *name) {
+    double n = model->exponent, width = 1 / sqrt(n);
+    double h = 1e-4 * width;
+    if (model->kind == BURNISH_THEORY_TABLE) {
+        return; /* corners and steps everywhere: check_table_slopes */
+    }
+    if (model->zeta > n) { /* zeta6.645 is narrower than its exponent says */
+        h = 1e-4 / sqrt(model->zeta);
+    }
+    double corners[3] = {burnish_theory_zero_angle(model), model->k[0], 0.5 * PI};
+    for (int i = 1; i < 60; ++i) {
+        double x = 6 * width * i / 60 + 0.001 * width, d[3];
+        int skip = x > 0.5 * PI - 0.05; /* c^1.5 has no third derivative at c = 0 */
+        for (int k = 0; k < 3; ++k) {
+            skip |= fabs(x - corners[k]) < 3 * h;
+        }
+        if (skip) {
+            continue;
+        }
+        burnish_theory_derivatives(model, x, d);
+        double low = burnish_theory_value_at_angle(model, x - h);
+        double high = burnish_theory_value_at_angle(model, x + h);
+        HOLDS(d[0] == burnish_theory_value_at_angle(model, x));
+        CHECK(fabs((high - low) / (2 * h) - d[1]) < 1e-6 / width, "%s: first at %g", name, x);
+        CHECK(fabs((high - 2 * d[0] + low) / (h * h) - d[2]) < 2e-6 * (n + model->zeta),
+              "%s: second at %g: %g", name, x, d[2]);
+    }
+}
+
+/* m = 2 in the form of model.md, and the piecewise constant slope of a table. */
+static void check_slopes(void) {
+    burnish_theory_model model;
+    double d[3], x = 0.2;
+    HOLDS(burnish_theory_model_parse("zeta4:2", 10, &model, NULL) == BURNISH_STATUS_OK);
+    burnish_theory_derivatives(&model, x, d);
+    double u = 1 + 4 * (cos(x) - 1);
+    HOLDS(fabs(d[1] + 8 * sin(x) * u) < 1e-14);
+    HOLDS(fabs(d[2] - (32 * sin(x) * sin(x) - 8 * cos(x) * u)) < 1e-13);
+    HOLDS(burnish_theory_model_parse("table11:linear", 2, &model, NULL) == BURNISH_STATUS_OK);
+    burnish_theory_derivatives(&model, acos(0.75), d); /* from .49 at .7 to .64 at .8 */
+    HOLDS(fabs(d[0] - 0.565) < 1e-14 && fabs(d[1] + 1.5 * sin(acos(0.75))) < 1e-12);
+    HOLDS(burnish_theory_model_parse("table11", 2, &model, NULL) == BURNISH_STATUS_OK);
+    HOLDS(fabs(burnish_theory_value(&model, 0.7499) - 0.49) < 1e-14);
+    HOLDS(fabs(burnish_theory_value(&model, 0.7501) - 0.64) < 1e-14);
+    burnish_theory_derivatives(&model, acos(0.76), d);
+    HOLDS(d[1] == 0 && d[2] == 0);
+}
+
+static void check_monotone(const burnish_theory_model *model, const char *name) {
+    double before = burnish_theory_value_at_lambda(model, 0);
+    CHECK(before == model->scale, "%s: peak %g", name, before);
+    for (int i = 1; i <= 2000; ++i) {
+        double s = i / 2000.0, value = burnish_theory_value_at_lambda(model, 2 * s * s * s * s);
+        CHECK(value <= before + 4 * DBL_EPSILON && value >= 0, "%s: rises at lambda %g", name,
+              2 * s * s * s * s);
+        before = value;
+    }
+    HOLDS(burnish_theory_value(model, NAN) == 0 && burnish_theory_value(model, 2) == model->scale);
+    HOLDS(burnish_theory_value_at_lambda(model, HUGE_VAL) == 0);
+}
+
+/* taylor <= power <= schlick, on every interval: an upper bound of one against a lower bound of the
+ * other, which the ends give since all fall; intervals are split until they say yes. */
+static int ordered(const burnish_theory_model *low, const burnish_theory_model *high, double a,
+                   double b, int depth) {
+    if (burnish_theory_value_at_lambda(low, a) <= burnish_theory_value_at_lambda(high, b) + 2e-6) {
+        return 1;
+    }
+    double middle = 0.5 * (a + b);
+    return depth > 0 && ordered(low, high, a, middle, depth - 1) &&
+           ordered(low, high, middle, b, depth - 1);
+}
+
+static void check_order(void) {
+    for (int i = 2; i < EXPONENT_COUNT; ++i) {
+        burnish_theory_model power, schlick, taylor;
+        HOLDS(!burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, exponents[i]));
+        HOLDS(!burnish_theory_model_other(&schlick, BURNISH_THEORY_SCHLICK, 0, exponents[i]));
+        CHECK(ordered(&power, &schlick, 0, 1, 40), "power <= schlick, n=%g", exponents[i]);
+        CHECK(!ordered(&schlick, &power, 0, 1, 40), "schlick <= power, n=%g", exponents[i]);
+        for (int order = 2; order <= 32 && order <= exponents[i]; order *= 2) {
+            HOLDS(!burnish_theory_model_family(&taylor, BURNISH_THEORY_TAYLOR, order, exponents[i],
+                                               0));
+            CHECK(ordered(&taylor, &power, 0, 1, 40), "taylor:%d <= power, n=%g", order,
+                  exponents[i]);
+        }
+    }
+}
+
+static void check_widths(const burnish_theory_model *model, const char *name) {
+    double zero = burnish_theory_zero_angle(model);
+    for (double bits = 1; bits <= 16; bits *= 2) {
+        double level = exp2(-bits), angle = burnish_theory_angle_at(model, level);
+        if (isnan(angle)) {
+            CHECK(burnish_theory_value_at_angle(model, PI) > level, "%s: 2^-%g", name, bits);
+            continue;
+        }
+        if (model->kind == BURNISH_THEORY_TABLE && !model->linear) {
+            CHECK(burnish_theory_value_at_angle(model, angle * (1 + 1e-9)) <= level &&
+                      burnish_theory_value_at_angle(model, angle * (1 - 1e-9)) > level,
+                  "%s: 2^-%g", name, bits);
+        } else {
+            double value = burnish_theory_value_at_angle(model, angle);
+            CHECK(fabs(value - level) < 1e-9 * model->exponent, "%s: 2^-%g: %g", name, bits, value);
+        }
+        CHECK(fabs(burnish_theory_boundary_cosine(model, bits) - fmax(0, cos(angle))) < 1e-14,
+              "%s: boundary 2^-%g", name, bits);
+        burnish_theory_model power;
+        HOLDS(!burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, model->exponent));
+        double ratio = burnish_theory_angle_at(&power, level) / angle;
+        CHECK(fabs(burnish_theory_width_ratio(model, bits) / ratio - 1) < 1e-12, "%s: R", name);
+    }
+    if (!isnan(zero)) {
+        CHECK(burnish_theory_value_at_angle(model, zero) < 1e-14 &&
+                  (burnish_theory_value_at_angle(model, zero * 0.99) > 0 || model->exponent > 100),
+              "%s: zero %g", name, zero);
+        CHECK(fabs(burnish_theory_cutoff_cosine(model) - cos(zero)) < 1e-14, "%s: cutoff", name);
+    }
+}
+
+/* Radii from derivatives just inside the zero. */
+static void check_radii(void) {
+    static const char *const words[] = {"taylor:2", "energy:2", "shift7:2",   "gx",
+                                        "schlick",  "nv2x",     "kuijk-blake"};
+    for (int w = 0; w < 7; ++w) {
+        for (int i = 3; i < 6; ++i) {
+            burnish_theory_model model;
+            double d[3], n = exponents[i];
+            HOLDS(!burnish_theory_model_parse(words[w], n, &model, NULL));
+            burnish_theory_derivatives(&model, burnish_theory_zero_angle(&model) * (1 - 1e-9), d);
+            double radius = pow(1 + d[1] * d[1], 1.5) / fabs(d[2]);
+            double r = burnish_theory_zero_curvature_radius(&model);
+            CHECK(fabs(r / radius - 1) < 1e-5, "%s n=%g: %g, %g", words[w], n, r, radius);
+            double known = w == 0 ? 1 / (2 * n - 2) : w == 1 ? 3 / (4 * n - 2) : 4 / (7 * n - 8);
+            CHECK(w > 2 || fabs(r / known - 1) < 1e-12, "%s n=%g: %g", words[w], n, r);
+        }
+    }
+    HOLDS(fabs(burnish_theory_inflection_angle(100) - acos(sqrt(0.99))) < 1e-14);
+}
+
+static void check_words(void) {
+    static const char *const bad[] = {
+        "",           "nonsense",   "energy:3",    "energy:64", "level",   "level0:2",
+        "level1:2",   "level1.5",   "shift7:4",    "schlick:2", "table",   "table1",
+        "table65537", "table2.5",   "table256:no", "zeta:2",    "zeta0:2", "zeta65537:2",
+        "energy:2x",  "projected:", "gx ",         "nv2x:2",    "affine:0"};
+    char long_text[2000], name[32];
+    burnish_theory_model model = {.exponent = 7};
+    burnish_error error;
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        CHECK(burnish_theory_model_parse(bad[i], 10, &model, &error) == BURNISH_STATUS_ARGUMENT,
+              "\"%s\"", bad[i]);
+        CHECK(strlen(error.text) > 20 && !strchr(error.text, '\n'), "%s", error.text);
+    }
+    memset(long_text, 'z', sizeof long_text);
+    long_text[sizeof long_text - 1] = 0;
+    HOLDS(burnish_theory_model_parse(long_text, 10, &model, &error) == BURNISH_STATUS_ARGUMENT);
+    HOLDS(burnish_theory_model_parse("energy:2", 0.5, &model, &error) == BURNISH_STATUS_ARGUMENT);
+    HOLDS(burnish_theory_model_parse("power", NAN, &model, &error) == BURNISH_STATUS_ARGUMENT);
+    HOLDS(burnish_theory_model_parse("minimax:32", 31, &model, &error) == BURNISH_STATUS_ARGUMENT);
+    HOLDS(burnish_theory_model_parse(NULL, 10, &model, NULL) == BURNISH_STATUS_ARGUMENT);
+    HOLDS(model.exponent == 7); /* untouched by every error */
+    for (size_t w = 0; burnish_theory_model_word(w); ++w) {
+        HOLDS(!burnish_theory_model_parse(burnish_theory_model_word(w), 64, &model, NULL));
+        burnish_theory_model_name(&model, name, sizeof name);
+        CHECK_TEXT(name, burnish_theory_model_word(w));
+        burnish_theory_model other, again;
+        HOLDS(!burnish_theory_model_at(&model, 200, &other));
+        HOLDS(!burnish_theory_model_parse(name, 200, &again, NULL));
+        HOLDS(other.kind == again.kind && other.zeta == again.zeta && other.exponent == 200);
+    }
+    HOLDS(!burnish_theory_model_parse("energy", 10, &model, NULL) && model.order == 2);
+    HOLDS(!burnish_theory_model_parse("table16:nearest", 10, &model, NULL) && !model.linear);
+    HOLDS(!burnish_theory_model_parse("zeta6.645:2", 10, &model, NULL) && model.zeta == 6.645);
+}
+
+static void check_lyon(void) {
+    double a[3] = {0.6, 0, 0.8}, b[3] = {0, 0, 1}, long_a[3] = {0.63, 0, 0.84};
+    burnish_theory_model model;
+    HOLDS(!burnish_theory_model_parse("lyon:4", 10, &model, NULL));
+    HOLDS(fabs(burnish_theory_lyon_vectors(a, b, 10, 4) - burnish_theory_value(&model, 0.8)) <
+          1e-15);
+    /* a vector that is 5 % too long: normalised to three terms, error 5 e^3 / 16 */
+    HOLDS(fabs(burnish_theory_lyon_vectors(long_a, b, 10, 4) - burnish_theory_value(&model, 0.8)) <
+          1e-3);
+    HOLDS(burnish_theory_lyon_vectors(a, b, 3, 4) == 0);
+    for (double s = 0.9; s <= 1.1; s += 0.01) {
+        HOLDS(fabs(burnish_theory_lyon_normalize_factor(s) * sqrt(s) - 1) < 0.0004);
+    }
+}
+
+int main(void) {
+    check_vectors();
+    CHECK(for_each_model(check_derivatives) > 150, "too few models");
+    for_each_model(check_monotone);
+    for_each_model(check_widths);
+    check_slopes();
+    check_order();
+    check_radii();
+    check_words();
+    check_lyon();
+    return test_end("theory_values");
+}
