@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo pictures test check asan tsan clang scalar sweep bench format format-check golden install clean
+.PHONY: help deps build demo pictures test check asan tsan clang scalar sweep bench format format-check golden figures install clean
 
 PRESET ?= release
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -77,6 +77,12 @@ format-check: ## fail when a source is not formatted
 
 golden: build ## rewrite test/golden/pixels.txt after a deliberate change of pixels
 	@./test/cli/golden.sh $(BUILD)/burnish build/golden --update
+
+figures: ## draw the figures and fill the tables of docs/theory.md again
+	@$(DEPS) build test
+	@$(MAKE) --no-print-directory build
+	@./scripts/figures $(BUILD)/burnish docs/figures
+	@./scripts/theory-tables $(BUILD)/burnish docs/theory.md
 
 install: build ## install program, library, headers and man page (DESTDIR, PREFIX)
 	@cmake --build --preset $(PRESET) -j $(JOBS)

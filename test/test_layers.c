@@ -9,7 +9,7 @@ static const struct layer {
     const char *folder;
     const char *may_include;
 } LAYERS[] = {
-    {"src/base", "public:status.h"},
+    {"src/base", "public:file.h public:status.h"},
     {"src/theory", "base public:lobe.h public:theory.h"},
     {"src/kernels", "base public:lobe.h"},
     {"src/scene", "base public:scene.h public:status.h"},
@@ -18,7 +18,8 @@ static const struct layer {
     {"src/image", "base public:image.h public:status.h"},
     {"src/render", "base raster shade public:render.h public:theory.h public:status.h"},
     {"tools/burnish",
-     "public:image.h public:lobe.h public:render.h public:scene.h public:status.h"},
+     "public:file.h public:image.h public:lobe.h public:render.h public:scene.h public:status.h "
+     "public:theory.h"},
 };
 
 static int allowed(const struct layer *layer, const char *include) {

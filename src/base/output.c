@@ -19,6 +19,7 @@
 enum {
     TEMPORARY_ATTEMPTS = 1000,
     TEMPORARY_NAME_SIZE = 64, /* "/.burnish-", 16 + 8 hexadecimal digits, ".tmp" and room */
+    PIECE = 1 << 16,          /* bytes that a source is asked for at a time */
     WRITE_STEP = 1 << 30      /* the kernel takes at most 2^31 - 4096 bytes at a time */
 };
 
@@ -34,8 +35,17 @@ static burnish_status fail_write(burnish_error *error, const char *path, int cod
                         advice);
 }
 
-/* Writes everything; returns 0 or an errno. */
-static int write_all(int file, const void *bytes, size_t size) {
+/* What is written: bytes as they are, or what a source gives in pieces. */
+typedef struct content {
+    const void *bytes;
+    size_t size;
+    burnish_file_source *source; /* NULL: the bytes */
+    void *context;
+    char *buffer; /* of the source's pieces: PIECE bytes */
+} content;
+
+/* Writes the bytes; returns 0 or an errno. */
+static int write_bytes(int file, const void *bytes, size_t size) {
     const uint8_t *next = bytes;
     while (size > 0) {
         ssize_t written = write(file, next, size < WRITE_STEP ? size : WRITE_STEP);
@@ -56,23 +66,35 @@ static int write_all(int file, const void *bytes, size_t size) {
     return 0;
 }
 
-static burnish_status write_directly(const char *path, const void *bytes, size_t size,
-                                     burnish_error *error) {
+/* Writes everything; returns 0 or an errno. */
+static int write_all(int file, const content *what) {
+    size_t size;
+    int code = 0;
+    if (!what->source) {
+        return write_bytes(file, what->bytes, what->size);
+    }
+    while (code == 0 && (size = what->source(what->context, what->buffer, PIECE)) > 0) {
+        code = write_bytes(file, what->buffer, size);
+    }
+    return code;
+}
+
+static burnish_status write_directly(const char *path, const content *what, burnish_error *error) {
     int file = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
     if (file < 0) {
         return fail_write(error, path, errno);
     }
-    int code = write_all(file, bytes, size);
+    int code = write_all(file, what);
     if (close(file) != 0 && code == 0) {
         code = errno;
     }
     return code == 0 ? BURNISH_STATUS_OK : fail_write(error, path, code);
 }
 
-static burnish_status write_standard_output(const void *bytes, size_t size, burnish_error *error) {
+static burnish_status write_standard_output(const content *what, burnish_error *error) {
     int code = fflush(stdout) == 0 ? 0 : errno;
     if (code == 0) {
-        code = write_all(STDOUT_FILENO, bytes, size);
+        code = write_all(STDOUT_FILENO, what);
     }
     return code == 0 ? BURNISH_STATUS_OK : fail_write(error, "standard output", code);
 }
@@ -102,7 +124,7 @@ static int create_temporary(const char *target, char *name, size_t name_size) {
 
 /* existing: the target's state, or NULL for a new file. */
 static burnish_status replace_file(const char *path, const char *target,
-                                   const struct stat *existing, const void *bytes, size_t size,
+                                   const struct stat *existing, const content *what,
                                    burnish_error *error) {
     void *buffer;
     size_t name_size = strlen(target) + TEMPORARY_NAME_SIZE;
@@ -119,7 +141,7 @@ static burnish_status replace_file(const char *path, const char *target,
     }
     int code = existing && fchmod(file, existing->st_mode & 0777) != 0 ? errno : 0;
     if (code == 0) {
-        code = write_all(file, bytes, size);
+        code = write_all(file, what);
     }
     if (close(file) != 0 && code == 0) {
         code = errno;
@@ -135,18 +157,17 @@ static burnish_status replace_file(const char *path, const char *target,
     return status;
 }
 
-burnish_status burnish_write_file(const char *path, const void *bytes, size_t size,
-                                  burnish_error *error) {
+static burnish_status write_content(const char *path, const content *what, burnish_error *error) {
     if (!path || !*path) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "output: no file name; give one, or - for standard output");
     }
     if (strcmp(path, "-") == 0) {
-        return write_standard_output(bytes, size, error);
+        return write_standard_output(what, error);
     }
     struct stat state;
     if (stat(path, &state) != 0) {
-        return errno == ENOENT ? replace_file(path, path, NULL, bytes, size, error)
+        return errno == ENOENT ? replace_file(path, path, NULL, what, error)
                                : fail_write(error, path, errno);
     }
     if (S_ISDIR(state.st_mode)) {
@@ -154,7 +175,7 @@ burnish_status burnish_write_file(const char *path, const void *bytes, size_t si
                             "%s: can't be written: it is a folder; name a file in it", path);
     }
     if (!S_ISREG(state.st_mode)) {
-        return write_directly(path, bytes, size, error);
+        return write_directly(path, what, error);
     }
     /* A rename needs no permission of the file itself, so a protected one is asked for it here. */
     if (faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) != 0) {
@@ -164,7 +185,31 @@ burnish_status burnish_write_file(const char *path, const void *bytes, size_t si
     if (!target) {
         return fail_write(error, path, errno);
     }
-    burnish_status status = replace_file(path, target, &state, bytes, size, error);
+    burnish_status status = replace_file(path, target, &state, what, error);
     free(target);
+    return status;
+}
+
+burnish_status burnish_write_file(const char *path, const void *bytes, size_t size,
+                                  burnish_error *error) {
+    content what = {.bytes = bytes, .size = size};
+    return write_content(path, &what, error);
+}
+
+burnish_status burnish_file_write(const char *path, const void *bytes, size_t size,
+                                  burnish_error *error) {
+    return burnish_write_file(path, bytes, size, error);
+}
+
+burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
+                                         void *context, burnish_error *error) {
+    void *buffer;
+    burnish_status status = burnish_allocate(&buffer, PIECE, 1, "output buffer", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    content what = {.source = source, .context = context, .buffer = buffer};
+    status = write_content(path, &what, error);
+    free(buffer);
     return status;
 }

@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "burnish/file.h"
 #include "burnish/status.h"
 
 /* Writes size bytes to path. "-" is standard output. A new or existing regular file is written to a
