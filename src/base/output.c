@@ -31,8 +31,8 @@ static burnish_status fail_write(burnish_error *error, const char *path, int cod
     char text[96];
     /* strerror_r in its GNU form: strerror shares a buffer between threads. */
     const char *reason = strerror_r(code, text, sizeof text);
-    return burnish_fail(error, BURNISH_STATUS_WRITE, "%s: can't be written: %s%s", path, reason,
-                        advice);
+    return burnish_fail(error, BURNISH_STATUS_WRITE, "%s: can't be written: %s%s",
+                        burnish_show_name(path).text, reason, advice);
 }
 
 /* What is written: bytes as they are, or what a source gives in pieces. */
@@ -99,13 +99,27 @@ static burnish_status write_standard_output(const content *what, burnish_error *
     return code == 0 ? BURNISH_STATUS_OK : fail_write(error, "standard output", code);
 }
 
-/* Creates a new file beside target and writes its name (at most strlen(target) +
- * TEMPORARY_NAME_SIZE bytes) to name; returns its descriptor or -1 with errno. Not mkstemp, whose
- * files are always private: the mode of an ordinary file needs the umask, which can only be read by
- * changing it for all threads. O_EXCL makes a guessed or taken name harmless. */
-static int create_temporary(const char *target, char *name, size_t name_size) {
+/* A new file in target's folder that has no name yet, so that nothing is left of a process that is
+ * killed; -1 where the file system has no such files. name is scratch. */
+static int create_nameless(const char *target, char *name, size_t name_size) {
     const char *slash = strrchr(target, '/');
     int folder = slash ? (int)(slash - target) + 1 : 0;
+    if (access("/proc/self/fd", X_OK) != 0) { /* name_temporary() goes through it */
+        return -1;
+    }
+    snprintf(name, name_size, "%.*s.", folder, target);
+    return open(name, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+/* Gives file a name beside target (at most strlen(target) + TEMPORARY_NAME_SIZE bytes, to name), or
+ * creates one with such a name when file is -1; returns its descriptor or -1 with errno. Not
+ * mkstemp, whose files are always private: the mode of an ordinary file needs the umask, which can
+ * only be read by changing it for all threads. O_EXCL makes a guessed or taken name harmless. */
+static int name_temporary(int file, const char *target, char *name, size_t name_size) {
+    const char *slash = strrchr(target, '/');
+    int folder = slash ? (int)(slash - target) + 1 : 0;
+    char link[40];
+    snprintf(link, sizeof link, "/proc/self/fd/%d", file);
     for (unsigned attempt = 0; attempt < TEMPORARY_ATTEMPTS; ++attempt) {
         struct timespec now = {0};
         clock_gettime(CLOCK_MONOTONIC, &now);
@@ -113,9 +127,12 @@ static int create_temporary(const char *target, char *name, size_t name_size) {
                           (uint64_t)(uintptr_t)&now << 20 ^ attempt;
         snprintf(name, name_size, "%.*s.burnish-%016llx-%08x.tmp", folder, target,
                  (unsigned long long)unique, (unsigned)getpid());
-        int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
-        if (file >= 0 || errno != EEXIST) {
-            return file;
+        int named = file < 0
+                        ? open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666)
+                    : linkat(AT_FDCWD, link, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0 ? file
+                                                                                     : -1;
+        if (named >= 0 || errno != EEXIST) {
+            return named;
         }
     }
     errno = EEXIST;
@@ -133,7 +150,11 @@ static burnish_status replace_file(const char *path, const char *target,
         return status;
     }
     char *name = buffer;
-    int file = create_temporary(target, name, name_size);
+    int file = create_nameless(target, name, name_size);
+    int named = file < 0;
+    if (named) {
+        file = name_temporary(-1, target, name, name_size);
+    }
     if (file < 0) {
         status = fail_write(error, path, errno);
         free(name);
@@ -143,6 +164,10 @@ static burnish_status replace_file(const char *path, const char *target,
     if (code == 0) {
         code = write_all(file, what);
     }
+    if (code == 0 && !named) {
+        named = name_temporary(file, target, name, name_size) >= 0;
+        code = named ? 0 : errno;
+    }
     if (close(file) != 0 && code == 0) {
         code = errno;
     }
@@ -150,7 +175,9 @@ static burnish_status replace_file(const char *path, const char *target,
         code = errno;
     }
     if (code != 0) {
-        unlink(name);
+        if (named) {
+            unlink(name);
+        }
         status = fail_write(error, path, code);
     }
     free(name);
@@ -172,7 +199,8 @@ static burnish_status write_content(const char *path, const content *what, burni
     }
     if (S_ISDIR(state.st_mode)) {
         return burnish_fail(error, BURNISH_STATUS_WRITE,
-                            "%s: can't be written: it is a folder; name a file in it", path);
+                            "%s: can't be written: it is a folder; name a file in it",
+                            burnish_show_name(path).text);
     }
     if (!S_ISREG(state.st_mode)) {
         return write_directly(path, what, error);
