@@ -2,6 +2,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <libdeflate.h>
 #include <png.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -12,6 +13,7 @@
 #include "base/output.h"
 #include "burnish/image.h"
 #include "harness.h"
+#include "image/deflate.h"
 
 #define CHECK_STATUS(call, expected) CHECK((call) == (expected), "not the expected status")
 
@@ -69,6 +71,101 @@ static void test_decoding(void) {
             burnish_image_destroy(&image);
         }
     }
+}
+
+/* Filtered rows of noise (stored), of next to nothing, and of symbols so unlike in frequency that
+ * their Huffman tree must be cut down. */
+static burnish_image make_kind(int width, int height, int channels, int kind) {
+    burnish_image image = make(width, height, channels);
+    size_t stride = (size_t)width * (size_t)channels, size = stride * (size_t)height;
+    uint32_t seed = 1;
+    size_t fibonacci[24] = {1, 1}, sum = 0, symbol = 0, left = 0;
+    for (int i = 2; i < 24; ++i) {
+        fibonacci[i] = fibonacci[i - 1] + fibonacci[i - 2];
+    }
+    for (size_t i = 0; i < size; ++i) {
+        seed = seed * 1664525U + 1013904223U;
+        if (left == 0) {
+            symbol = (symbol + 1) % 24;
+            left = fibonacci[symbol];
+        }
+        --left;
+        uint8_t above = i >= stride ? image.pixels[i - stride] : 0;
+        uint8_t rare = (uint8_t)(symbol + (i % 5 == 0 ? 100 * (i % 2) : 0));
+        image.pixels[i] = (uint8_t)(above + (kind == 0   ? seed >> 24
+                                             : kind == 1 ? (i % 4000 == 0)
+                                             : kind == 2 ? 0
+                                                         : rare));
+        sum += image.pixels[i];
+    }
+    CHECK(size < 1000 || kind == 2 || sum > 0, "an empty picture");
+    return image;
+}
+
+/* Sizes on both sides of every change in the number of bands, every kind of content, and the same
+ * file from any number of threads. */
+static void test_bands(void) {
+    enum { BAND = 1 << 17 };
+    static const int widths[] = {1, 2, 5, 341, 10922, 16384};
+    for (size_t w = 0; w < sizeof widths / sizeof *widths; ++w) {
+        for (int channels = 3; channels <= 4; ++channels) {
+            int row = widths[w] * channels + 1, most = row < 64 ? 8192 : 3 * BAND / row + 2;
+            for (int height = 1; height <= most; height += height < 20 ? 1 : most / 9 + 1) {
+                int near = BAND / row + height % 3 - 1; /* a band less one row, full, and more */
+                int chosen = height % 2 && near > 0 && near <= 16384 ? near : height;
+                burnish_image image = make_kind(widths[w], chosen, channels, height % 4);
+                uint8_t *bytes, *again;
+                size_t size, again_size;
+                CHECK_STATUS(burnish_image_encode_png_threads(&image, 1, &bytes, &size, NULL),
+                             BURNISH_STATUS_OK);
+                check_decoded(&image, bytes, size);
+                for (int threads = 2; threads <= 7; threads += 5) {
+                    CHECK_STATUS(burnish_image_encode_png_threads(&image, threads, &again,
+                                                                  &again_size, NULL),
+                                 BURNISH_STATUS_OK);
+                    CHECK(size == again_size && memcmp(bytes, again, size) == 0,
+                          "%d x %d: %d threads make another file", widths[w], chosen, threads);
+                    free(again);
+                }
+                free(bytes);
+                burnish_image_destroy(&image);
+            }
+        }
+    }
+}
+
+/* Bands of every small size, repetitions of every length up to two pieces, the four ways a band can
+ * end; a stored block in front and behind, so that a wrong boundary does not go unnoticed. */
+static void test_deflate(void) {
+    enum { MOST = 700 };
+    static uint8_t bytes[MOST], out[2 * MOST + 400], back[3 * MOST];
+    burnish_deflate_sequence sequences[MOST];
+    struct libdeflate_decompressor *decompressor = libdeflate_alloc_decompressor();
+    uint32_t seed = 7;
+    CHECK(burnish_deflate_sequence_bound(MOST) <= MOST, "room");
+    for (size_t size = 0; size < MOST; ++size) {
+        for (int kind = 0; kind < 4; ++kind) {
+            size_t distance = 3 + size % 2, used = 0, got = 0;
+            for (size_t i = 0; i < size; ++i) {
+                seed = seed * 1664525U + 1013904223U;
+                int copied = kind == 1 ? i > 9 : kind == 2 ? seed >> 24 < 200 : kind == 3;
+                bytes[i] = copied && i >= distance ? bytes[i - distance]
+                                                   : (uint8_t)(seed >> (kind == 2 ? 29 : 24));
+            }
+            for (int part = 0; part < 2; ++part) {
+                size_t packed =
+                    burnish_deflate_band(bytes, size, distance, part == 1, sequences, out + used);
+                CHECK(packed + 8 <= burnish_deflate_bound(size), "%zu of %zu bytes", packed, size);
+                used += packed;
+            }
+            enum libdeflate_result result =
+                libdeflate_deflate_decompress(decompressor, out, used, back, sizeof back, &got);
+            CHECK(result == LIBDEFLATE_SUCCESS && got == 2 * size &&
+                      memcmp(back, bytes, size) == 0 && memcmp(back + size, bytes, size) == 0,
+                  "%zu bytes of kind %d do not come back", size, kind);
+        }
+    }
+    libdeflate_free_decompressor(decompressor);
 }
 
 /* Signature and chunks, byte by byte up to the image data; libpng checks the CRC of the header. */
@@ -349,6 +446,8 @@ int main(void) {
         return EXIT_FAILURE;
     }
     test_decoding();
+    test_bands();
+    test_deflate();
     test_chunks();
     test_new_and_existing_file();
     test_link();
