@@ -8,6 +8,7 @@
 #include "burnish/file.h"
 #include "burnish/render.h"
 #include "help.h"
+#include "memory.h"
 #include "render_camera.h"
 #include "render_report.h"
 #include "render_settings.h"
@@ -270,6 +271,7 @@ static int render(const burnish_cli_render *settings) {
     burnish_error error;
     burnish_scene *scene = NULL;
     burnish_cli_result result = {.settings = settings};
+    burnish_cli_prepare_memory();
     result.seconds.start = processor_seconds();
     double start = seconds_now();
     burnish_status status = burnish_cli_load(settings, &scene, &error);
