@@ -11,14 +11,15 @@ static const struct layer {
 } LAYERS[] = {
     {"src/base", "public:status.h"},
     {"src/theory", "base public:lobe.h public:theory.h"},
-    {"src/kernels", "base public:lobe.h"},
+    {"src/kernels", "base public:batch.h public:isa.h public:lobe.h"},
     {"src/scene", "base public:scene.h public:status.h"},
     {"src/raster", "base"},
-    {"src/shade", "base kernels raster"},
+    {"src/shade", "base raster public:batch.h"},
     {"src/image", "base public:image.h public:status.h"},
-    {"src/render", "base raster shade public:render.h public:theory.h public:status.h"},
-    {"tools/burnish",
-     "public:image.h public:lobe.h public:render.h public:scene.h public:status.h"},
+    {"src/render",
+     "base raster shade public:batch.h public:render.h public:theory.h public:status.h"},
+    {"tools/burnish", "public:batch.h public:image.h public:isa.h public:lobe.h public:render.h "
+                      "public:scene.h public:status.h"},
 };
 
 static int allowed(const struct layer *layer, const char *include) {

@@ -13,6 +13,7 @@
 #ifndef BURNISH_RENDER_H
 #define BURNISH_RENDER_H
 
+#include "burnish/batch.h"
 #include "burnish/image.h"
 #include "burnish/lobe.h"
 #include "burnish/scene.h"
@@ -78,6 +79,8 @@ typedef struct burnish_render_options {
     int width, height; /* pixels, [1, BURNISH_IMAGE_MAX_SIZE] */
     int samples;       /* coverage samples a pixel: 1, 4, 8 or 16 */
     int threads;       /* [1, 1024]; 0: as many as the machine offers. Never changes the pixels */
+    const burnish_batch
+        *batch; /* the kernels; NULL: burnish_batch_best(). Never change the pixels */
     burnish_camera camera;
     burnish_lobe_choice lobe;
     burnish_equation equation;
@@ -102,6 +105,7 @@ typedef struct burnish_render_report {
     size_t covered_pixels;  /* pixels with at least one covered sample */
     int bounds[4];          /* x0, y0, x1, y1 (exclusive) of the covered pixels; all 0 when blank */
     int threads;            /* used */
+    burnish_isa isa;        /* used */
     size_t lobe_fallbacks;  /* materials whose exponent is too low for the chosen order: drawn with
                                the highest order that fits */
     double seconds_transform; /* vertices, clipping, set-up, binning */

@@ -14,6 +14,7 @@ typedef struct tile_worker {
     burnish_tile tile;
     burnish_fragments fragments;
     burnish_shaded shaded;
+    burnish_shade_cache cache;
     float sum[3][BURNISH_TILE_PIXELS];    /* linear light times samples */
     uint8_t covered[BURNISH_TILE_PIXELS]; /* samples */
     size_t covered_pixels;
@@ -99,7 +100,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile
         memset(worker->sum, 0, sizeof worker->sum);
         while (burnish_next_fragments(&worker->tile, frame->view, frame->geometry,
                                       &worker->fragments)) {
-            burnish_shade(frame->shader, &worker->fragments, &worker->shaded);
+            burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
             add_fragments(frame, worker);
         }
     }
@@ -164,6 +165,7 @@ burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_render_rep
     }
     memset(workers, 0, (size_t)frame->threads * sizeof *workers);
     for (int i = 0; i < frame->threads && status == BURNISH_STATUS_OK; ++i) {
+        workers[i].cache.material = -1;
         status = burnish_tile_create(&workers[i].tile, frame->options->samples, error);
     }
     if (status == BURNISH_STATUS_OK) {

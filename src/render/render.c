@@ -166,13 +166,12 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
     const burnish_mesh *mesh = burnish_scene_mesh(scene);
     burnish_raster_view raster_view;
     burnish_shader shader;
-    burnish_shade_light lights[BURNISH_LIGHT_MAX];
     burnish_geometry geometry;
     burnish_shade_material *materials;
     double start = seconds_now();
     memset(&shader, 0, sizeof shader);
     burnish_status status =
-        burnish_view_create(mesh, options, &raster_view, &shader.view, lights, error);
+        burnish_view_create(mesh, options, &raster_view, &shader.view, &shader.lighting, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -180,13 +179,18 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    shader.batch = options->batch ? options->batch : burnish_batch_best();
+    shader.materials = materials;
+    report->isa = burnish_batch_isa(shader.batch);
+    status = burnish_shader_check(&shader, burnish_scene_material_count(scene), error);
+    if (status != BURNISH_STATUS_OK) {
+        free(materials);
+        return status;
+    }
     status = burnish_geometry_create(&geometry, &raster_view, mesh->positions, mesh->vertex_count,
                                      mesh->indices, mesh->triangle_count, report->threads, error);
     if (status == BURNISH_STATUS_OK) {
         report->seconds_transform = seconds_now() - start;
-        shader.materials = materials;
-        shader.lights = lights;
-        shader.light_count = options->light_count;
         shader.normals = mesh->normals;
         shader.colors = options->ignore_colors ? NULL : mesh->colors;
         shader.triangle_materials = mesh->triangle_materials;

@@ -48,34 +48,35 @@ static void interpolate_color(const uint8_t *colors, const corner_weights *corne
     }
 }
 
+static void interpolate_normal(const float *normals, const corner_weights *corners, float scale,
+                               burnish_points *points, int i) {
+    for (int axis = 0; axis < 3; ++axis) {
+        float sum = 0;
+        for (int k = 0; k < 3; ++k) {
+            sum += corners->weights[k] * normals[3 * (size_t)corners->vertices[k] + (size_t)axis];
+        }
+        points->normal[axis][i] = sum * scale;
+    }
+}
+
 void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *fragments,
                          burnish_points *points) {
+    int needs_weights = shader->colors || shader->lighting.lyon;
     points->count = fragments->count;
-    float inverse_sums[BURNISH_FRAGMENT_BLOCK];
     for (int i = 0; i < fragments->count; ++i) {
         corner_weights corners = weights_at(shader, fragments, i);
         uint32_t source = shader->geometry->triangles[fragments->triangle[i]].source;
-        float side = source & 1 ? -1.0f : 1.0f;
-        for (int axis = 0; axis < 3; ++axis) {
-            float sum = 0;
-            for (int k = 0; k < 3; ++k) {
-                sum += corners.weights[k] *
-                       shader->normals[3 * (size_t)corners.vertices[k] + (size_t)axis];
+        float scale = source & 1 ? -1.0f : 1.0f;
+        if (needs_weights) {
+            float sum = (corners.weights[0] + corners.weights[1]) + corners.weights[2];
+            float inverse = 1.0f / sum;
+            scale = shader->lighting.lyon ? scale * inverse : scale;
+            if (shader->colors) {
+                interpolate_color(shader->colors, &corners, inverse, points, i);
             }
-            points->normal[axis][i] = sum * side;
         }
-        inverse_sums[i] = 1.0f / ((corners.weights[0] + corners.weights[1]) + corners.weights[2]);
-        if (shader->colors) {
-            interpolate_color(shader->colors, &corners, inverse_sums[i], points, i);
-        } else {
-            points->diffuse[0][i] = points->diffuse[1][i] = points->diffuse[2][i] = 1.0f;
-        }
+        interpolate_normal(shader->normals, &corners, scale, points, i);
         points->material[i] =
             shader->triangle_materials ? shader->triangle_materials[source >> 1] : 0;
-    }
-    burnish_kernel_normalize((size_t)points->count, points->normal[0], points->normal[1],
-                             points->normal[2], points->length);
-    for (int i = 0; i < points->count; ++i) {
-        points->length[i] *= inverse_sums[i];
     }
 }

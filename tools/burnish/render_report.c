@@ -251,6 +251,7 @@ static void add_run(cJSON *root, const burnish_cli_result *result, int *failed) 
     add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
     add(root, "samples", cJSON_CreateNumber(options->samples), failed);
     add(root, "threads", cJSON_CreateNumber(result->cells[0].report.threads), failed);
+    add(root, "isa", cJSON_CreateString(burnish_isa_name(result->cells[0].report.isa)), failed);
     add(times, "load", duration(seconds->load), failed);
     add(times, "transform", duration(seconds->transform), failed);
     add(times, "draw", duration(seconds->draw), failed);

@@ -1,0 +1,89 @@
+/* The vector type for AVX-512: 16 floats. See vector.h for what the operations mean. */
+#ifndef BURNISH_KERNELS_VECTOR_AVX512_H
+#define BURNISH_KERNELS_VECTOR_AVX512_H
+
+#include <immintrin.h>
+#include <stdint.h>
+
+enum { LANES = 16 };
+typedef __m512 vf;
+typedef __m512i vi;
+typedef __mmask16 vm;
+
+static inline vf vf_set(float x) {
+    return _mm512_set1_ps(x);
+}
+static inline vf vf_load(const float *from) {
+    return _mm512_loadu_ps(from);
+}
+static inline void vf_store(float *to, vf x) {
+    _mm512_storeu_ps(to, x);
+}
+static inline void vf_stream(float *to, vf x) {
+    _mm512_stream_ps(to, x);
+}
+static inline vf vf_add(vf a, vf b) {
+    return _mm512_add_ps(a, b);
+}
+static inline vf vf_sub(vf a, vf b) {
+    return _mm512_sub_ps(a, b);
+}
+static inline vf vf_mul(vf a, vf b) {
+    return _mm512_mul_ps(a, b);
+}
+static inline vf vf_div(vf a, vf b) {
+    return _mm512_div_ps(a, b);
+}
+static inline vf vf_max(vf a, vf b) {
+    return _mm512_max_ps(a, b);
+}
+static inline vf vf_min(vf a, vf b) {
+    return _mm512_min_ps(a, b);
+}
+static inline vm vf_greater(vf a, vf b) {
+    return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ);
+}
+static inline vf vf_keep(vm mask, vf x) {
+    return _mm512_maskz_mov_ps(mask, x);
+}
+static inline vm vm_and(vm a, vm b) {
+    return (vm)(a & b);
+}
+static inline int vm_any(vm mask) {
+    return mask != 0;
+}
+static inline vi vi_set(int32_t x) {
+    return _mm512_set1_epi32(x);
+}
+static inline vi vf_bits(vf x) {
+    return _mm512_castps_si512(x);
+}
+static inline vf vi_float(vi x) {
+    return _mm512_castsi512_ps(x);
+}
+static inline vi vi_add(vi a, vi b) {
+    return _mm512_add_epi32(a, b);
+}
+static inline vi vi_sub(vi a, vi b) {
+    return _mm512_sub_epi32(a, b);
+}
+static inline vi vi_or(vi a, vi b) {
+    return _mm512_or_si512(a, b);
+}
+#define vi_left(x, bits) _mm512_slli_epi32(x, bits)
+#define vi_right(x, bits) _mm512_srli_epi32(x, bits)
+#define vi_right_signed(x, bits) _mm512_srai_epi32(x, bits)
+static inline vf vi_convert(vi x) {
+    return _mm512_cvtepi32_ps(x);
+}
+static inline void vi_store(uint8_t *to, vi x) {
+    _mm512_storeu_si512((void *)to, x);
+}
+static inline void vi_stream(uint8_t *to, vi x) {
+    _mm512_stream_si512((__m512i *)(void *)to, x);
+}
+static inline void vector_fence(void) {
+    _mm_sfence();
+}
+
+#endif

@@ -1,0 +1,88 @@
+/* The vector type for AArch64's Advanced SIMD: 4 floats. See vector.h for what the operations mean.
+ */
+#ifndef BURNISH_KERNELS_VECTOR_NEON_H
+#define BURNISH_KERNELS_VECTOR_NEON_H
+
+#include <arm_neon.h>
+#include <stdint.h>
+
+enum { LANES = 4 };
+typedef float32x4_t vf;
+typedef int32x4_t vi;
+typedef uint32x4_t vm;
+
+static inline vf vf_set(float x) {
+    return vdupq_n_f32(x);
+}
+static inline vf vf_load(const float *from) {
+    return vld1q_f32(from);
+}
+static inline void vf_store(float *to, vf x) {
+    vst1q_f32(to, x);
+}
+static inline void vf_stream(float *to, vf x) {
+    vst1q_f32(to, x);
+}
+static inline vf vf_add(vf a, vf b) {
+    return vaddq_f32(a, b);
+}
+static inline vf vf_sub(vf a, vf b) {
+    return vsubq_f32(a, b);
+}
+static inline vf vf_mul(vf a, vf b) {
+    return vmulq_f32(a, b);
+}
+static inline vf vf_div(vf a, vf b) {
+    return vdivq_f32(a, b);
+}
+static inline vf vf_max(vf a, vf b) {
+    return vbslq_f32(vcgtq_f32(a, b), a, b);
+}
+static inline vf vf_min(vf a, vf b) {
+    return vbslq_f32(vcltq_f32(a, b), a, b);
+}
+static inline vm vf_greater(vf a, vf b) {
+    return vcgtq_f32(a, b);
+}
+static inline vf vf_keep(vm mask, vf x) {
+    return vreinterpretq_f32_u32(vandq_u32(mask, vreinterpretq_u32_f32(x)));
+}
+static inline vm vm_and(vm a, vm b) {
+    return vandq_u32(a, b);
+}
+static inline int vm_any(vm mask) {
+    return vmaxvq_u32(mask) != 0;
+}
+static inline vi vi_set(int32_t x) {
+    return vdupq_n_s32(x);
+}
+static inline vi vf_bits(vf x) {
+    return vreinterpretq_s32_f32(x);
+}
+static inline vf vi_float(vi x) {
+    return vreinterpretq_f32_s32(x);
+}
+static inline vi vi_add(vi a, vi b) {
+    return vaddq_s32(a, b);
+}
+static inline vi vi_sub(vi a, vi b) {
+    return vsubq_s32(a, b);
+}
+static inline vi vi_or(vi a, vi b) {
+    return vorrq_s32(a, b);
+}
+#define vi_left(x, bits) vshlq_n_s32(x, bits)
+#define vi_right(x, bits) vreinterpretq_s32_u32(vshrq_n_u32(vreinterpretq_u32_s32(x), bits))
+#define vi_right_signed(x, bits) vshrq_n_s32(x, bits)
+static inline vf vi_convert(vi x) {
+    return vcvtq_f32_s32(x);
+}
+static inline void vi_store(uint8_t *to, vi x) {
+    vst1q_u8(to, vreinterpretq_u8_s32(x));
+}
+static inline void vi_stream(uint8_t *to, vi x) {
+    vi_store(to, x);
+}
+static inline void vector_fence(void) {}
+
+#endif

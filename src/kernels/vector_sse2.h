@@ -1,0 +1,89 @@
+/* The vector type for SSE2: 4 floats. See vector.h for what the operations mean. */
+#ifndef BURNISH_KERNELS_VECTOR_SSE2_H
+#define BURNISH_KERNELS_VECTOR_SSE2_H
+
+#include <emmintrin.h>
+#include <stdint.h>
+
+enum { LANES = 4 };
+typedef __m128 vf;
+typedef __m128i vi;
+typedef __m128 vm;
+
+static inline vf vf_set(float x) {
+    return _mm_set1_ps(x);
+}
+static inline vf vf_load(const float *from) {
+    return _mm_loadu_ps(from);
+}
+static inline void vf_store(float *to, vf x) {
+    _mm_storeu_ps(to, x);
+}
+static inline void vf_stream(float *to, vf x) {
+    _mm_stream_ps(to, x);
+}
+static inline vf vf_add(vf a, vf b) {
+    return _mm_add_ps(a, b);
+}
+static inline vf vf_sub(vf a, vf b) {
+    return _mm_sub_ps(a, b);
+}
+static inline vf vf_mul(vf a, vf b) {
+    return _mm_mul_ps(a, b);
+}
+static inline vf vf_div(vf a, vf b) {
+    return _mm_div_ps(a, b);
+}
+static inline vf vf_max(vf a, vf b) {
+    return _mm_max_ps(a, b);
+}
+static inline vf vf_min(vf a, vf b) {
+    return _mm_min_ps(a, b);
+}
+static inline vm vf_greater(vf a, vf b) {
+    return _mm_cmpgt_ps(a, b);
+}
+static inline vf vf_keep(vm mask, vf x) {
+    return _mm_and_ps(mask, x);
+}
+static inline vm vm_and(vm a, vm b) {
+    return _mm_and_ps(a, b);
+}
+static inline int vm_any(vm mask) {
+    return _mm_movemask_ps(mask) != 0;
+}
+static inline vi vi_set(int32_t x) {
+    return _mm_set1_epi32(x);
+}
+static inline vi vf_bits(vf x) {
+    return _mm_castps_si128(x);
+}
+static inline vf vi_float(vi x) {
+    return _mm_castsi128_ps(x);
+}
+static inline vi vi_add(vi a, vi b) {
+    return _mm_add_epi32(a, b);
+}
+static inline vi vi_sub(vi a, vi b) {
+    return _mm_sub_epi32(a, b);
+}
+static inline vi vi_or(vi a, vi b) {
+    return _mm_or_si128(a, b);
+}
+#define vi_left(x, bits) _mm_slli_epi32(x, bits)
+#define vi_right(x, bits) _mm_srli_epi32(x, bits)
+#define vi_right_signed(x, bits) _mm_srai_epi32(x, bits)
+static inline vf vi_convert(vi x) {
+    return _mm_cvtepi32_ps(x);
+}
+static inline void vi_store(uint8_t *to, vi x) {
+    _mm_storeu_si128((__m128i *)(void *)to, x);
+}
+static inline void vi_stream(uint8_t *to, vi x) {
+    _mm_stream_si128((__m128i *)(void *)to, x);
+}
+static inline void vector_fence(void) {
+    _mm_sfence();
+}
+
+#endif

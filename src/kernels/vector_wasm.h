@@ -1,0 +1,94 @@
+/* The vector type for WebAssembly's SIMD128: 4 floats. See vector.h for what the operations mean.
+ */
+#ifndef BURNISH_KERNELS_VECTOR_WASM_H
+#define BURNISH_KERNELS_VECTOR_WASM_H
+
+#include <stdint.h>
+#include <wasm_simd128.h>
+
+enum { LANES = 4 };
+typedef v128_t vf;
+typedef v128_t vi;
+typedef v128_t vm;
+
+static inline vf vf_set(float x) {
+    return wasm_f32x4_splat(x);
+}
+static inline vf vf_load(const float *from) {
+    return wasm_v128_load(from);
+}
+static inline void vf_store(float *to, vf x) {
+    wasm_v128_store(to, x);
+}
+static inline void vf_stream(float *to, vf x) {
+    wasm_v128_store(to, x);
+}
+static inline vf vf_add(vf a, vf b) {
+    return wasm_f32x4_add(a, b);
+}
+static inline vf vf_sub(vf a, vf b) {
+    return wasm_f32x4_sub(a, b);
+}
+static inline vf vf_mul(vf a, vf b) {
+    return wasm_f32x4_mul(a, b);
+}
+static inline vf vf_div(vf a, vf b) {
+    return wasm_f32x4_div(a, b);
+}
+static inline vf vf_max(vf a, vf b) {
+    return wasm_f32x4_pmax(b, a);
+}
+static inline vf vf_min(vf a, vf b) {
+    return wasm_f32x4_pmin(b, a);
+}
+static inline vm vf_greater(vf a, vf b) {
+    return wasm_f32x4_gt(a, b);
+}
+static inline vf vf_keep(vm mask, vf x) {
+    return wasm_v128_and(mask, x);
+}
+static inline vm vm_and(vm a, vm b) {
+    return wasm_v128_and(a, b);
+}
+static inline int vm_any(vm mask) {
+    return wasm_v128_any_true(mask);
+}
+static inline vi vi_set(int32_t x) {
+    return wasm_i32x4_splat(x);
+}
+static inline vi vf_bits(vf x) {
+    return x;
+}
+static inline vf vi_float(vi x) {
+    return x;
+}
+static inline vi vi_add(vi a, vi b) {
+    return wasm_i32x4_add(a, b);
+}
+static inline vi vi_sub(vi a, vi b) {
+    return wasm_i32x4_sub(a, b);
+}
+static inline vi vi_or(vi a, vi b) {
+    return wasm_v128_or(a, b);
+}
+static inline vi vi_left(vi x, unsigned bits) {
+    return wasm_i32x4_shl(x, bits);
+}
+static inline vi vi_right(vi x, unsigned bits) {
+    return wasm_u32x4_shr(x, bits);
+}
+static inline vi vi_right_signed(vi x, unsigned bits) {
+    return wasm_i32x4_shr(x, bits);
+}
+static inline vf vi_convert(vi x) {
+    return wasm_f32x4_convert_i32x4(x);
+}
+static inline void vi_store(uint8_t *to, vi x) {
+    wasm_v128_store(to, x);
+}
+static inline void vi_stream(uint8_t *to, vi x) {
+    wasm_v128_store(to, x);
+}
+static inline void vector_fence(void) {}
+
+#endif
