@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo pictures test check asan tsan clang scalar sweep bench format format-check golden install clean
+.PHONY: help deps build demo pictures test check asan tsan clang scalar sweep bench bench-peers format format-check golden install clean
 
 PRESET ?= release
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -66,6 +66,13 @@ bench: ## time frames and whole processes (medians)
 	@cmake --preset release -DBURNISH_BENCH=ON >/dev/null
 	@cmake --build --preset release -j $(JOBS)
 	@./bench/run build/release
+
+bench-peers: ## time frames and whole processes against other renderers (minutes)
+	@$(DEPS) build demo
+	@$(DEPS) peers || echo "bench-peers: going on with the peers that are installed"
+	@cmake --preset release -DBURNISH_BENCH_PEERS=ON >/dev/null
+	@cmake --build --preset release -j $(JOBS) --target bench_peers_programs
+	@./bench/peers/run build/release
 
 format: ## format the sources with clang-format
 	@$(DEPS) test

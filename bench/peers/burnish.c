@@ -13,7 +13,27 @@ typedef struct renderer {
     burnish_render_options options;
     const burnish_batch *best;
     struct burnish_batch libm;
+    int libm_works; /* the renderer shades by the table that it is given */
 } renderer;
+
+/* Whether the renderer calls the kernels of libm_lobe.h: with black ones the picture is black. */
+static int shades_by_table(const burnish_peers_job *job, const burnish_batch *best) {
+    const struct burnish_batch dark = burnish_peers_dark_batch(best);
+    burnish_render_options options = job->options;
+    burnish_image image;
+    burnish_error error;
+    options.batch = &dark;
+    options.lobe.kind = BURNISH_LOBE_POWER;
+    if (burnish_render(job->scene, &options, &image, NULL, &error) != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    size_t bright = 0;
+    for (size_t i = 0; i < (size_t)BURNISH_PEERS_PIXELS * 3; ++i) {
+        bright += image.pixels[i] != 0;
+    }
+    burnish_image_destroy(&image);
+    return bright == 0;
+}
 
 static int open_renderer(void **state, const burnish_peers_job *job, int threads, char *note) {
     renderer *made = calloc(1, sizeof *made);
@@ -27,6 +47,7 @@ static int open_renderer(void **state, const burnish_peers_job *job, int threads
     made->options = job->options;
     made->best = burnish_batch_best();
     made->libm = burnish_peers_libm_batch(made->best);
+    made->libm_works = shades_by_table(job, made->best);
     snprintf(note, BURNISH_PEERS_NOTE, "burnish, %s kernels, %d thread%s, %zu triangles",
              burnish_isa_name(burnish_batch_isa(made->best)), threads, threads == 1 ? "" : "s",
              burnish_scene_mesh(job->scene)->triangle_count);
@@ -42,7 +63,11 @@ static int choose(renderer *r, const char *variant) {
     burnish_error error;
     for (size_t i = 0; i < sizeof LOBES / sizeof *LOBES; ++i) {
         if (strcmp(variant, LOBES[i].variant) == 0) {
-            r->options.batch = strcmp(variant, "libm") == 0 ? &r->libm : r->best;
+            int is_libm = strcmp(variant, "libm") == 0;
+            if (is_libm && !r->libm_works) {
+                return 0;
+            }
+            r->options.batch = is_libm ? &r->libm : r->best;
             return burnish_lobe_choice_parse(LOBES[i].lobe, &r->options.lobe, &error) ==
                    BURNISH_STATUS_OK;
         }
@@ -68,8 +93,8 @@ static int picture(void *state, const char *variant, uint8_t *rgb) {
     renderer *r = state;
     burnish_image image;
     burnish_error error;
-    if (!choose(r, variant) || burnish_render(r->job->scene, &r->options, &image, NULL, &error) !=
-                                   BURNISH_STATUS_OK) {
+    if (!choose(r, variant) ||
+        burnish_render(r->job->scene, &r->options, &image, NULL, &error) != BURNISH_STATUS_OK) {
         return 0;
     }
     memcpy(rgb, image.pixels, (size_t)BURNISH_PEERS_PIXELS * 3);

@@ -34,50 +34,60 @@ typedef struct tile_points {
     int count;
 } tile_points;
 
-static int open_tracer(void **state, const burnish_peers_job *job, int threads, char *note) {
-    tracer *made = calloc(1, sizeof *made);
-    uint8_t *rgba = calloc(BURNISH_PEERS_PIXELS, 4);
-    if (!made || !rgba) {
-        free(made);
-        free(rgba);
-        return 0;
+static void build(tracer *t) {
+    const burnish_mesh *mesh = t->mesh;
+    RTCGeometry geometry = rtcNewGeometry(t->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    float *positions =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                3 * sizeof *positions, mesh->vertex_count);
+    uint32_t *indices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof *indices, mesh->triangle_count);
+    if (positions && indices) {
+        memcpy(positions, mesh->positions, 3 * mesh->vertex_count * sizeof *positions);
+        memcpy(indices, mesh->indices, 3 * mesh->triangle_count * sizeof *indices);
     }
-    made->job = job;
-    made->mesh = burnish_scene_mesh(job->scene);
-    made->rgba = rgba;
-    made->threads = threads;
-    made->batch = burnish_batch_best();
-    made->device = rtcNewDevice(threads == 1 ? "threads=1" : "threads=2");
-    made->scene = rtcNewScene(made->device);
-    RTCGeometry geometry = rtcNewGeometry(made->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    size_t vectors = 3 * made->mesh->vertex_count, corners = 3 * made->mesh->triangle_count;
-    float *positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float), vectors / 3);
-    uint32_t *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-                                                RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), corners / 3);
-    memcpy(positions, made->mesh->positions, vectors * sizeof(float));
-    memcpy(indices, made->mesh->indices, corners * sizeof(uint32_t));
-    rtcSetSceneBuildQuality(made->scene, RTC_BUILD_QUALITY_HIGH);
+    t->scene = rtcNewScene(t->device);
+    rtcSetSceneBuildQuality(t->scene, RTC_BUILD_QUALITY_HIGH);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(made->scene, geometry);
+    rtcAttachGeometry(t->scene, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(made->scene);
-    if (rtcGetDeviceError(made->device) != RTC_ERROR_NONE) {
-        snprintf(note, BURNISH_PEERS_NOTE, "Embree: the scene can't be built");
-        return 0;
-    }
-    snprintf(note, BURNISH_PEERS_NOTE, "Embree %s, packets of 16, %d thread%s", RTC_VERSION_STRING,
-             threads, threads == 1 ? "" : "s");
-    *state = made;
-    return 1;
+    rtcCommitScene(t->scene);
 }
 
 static void close_tracer(void *state) {
     tracer *t = state;
-    rtcReleaseScene(t->scene);
-    rtcReleaseDevice(t->device);
+    if (t->device) {
+        rtcReleaseScene(t->scene);
+        rtcReleaseDevice(t->device);
+    }
     free(t->rgba);
     free(t);
+}
+
+static int open_tracer(void **state, const burnish_peers_job *job, int threads, char *note) {
+    tracer *t = calloc(1, sizeof *t);
+    if (!t) {
+        return 0;
+    }
+    t->job = job;
+    t->mesh = burnish_scene_mesh(job->scene);
+    t->rgba = calloc(BURNISH_PEERS_PIXELS, 4);
+    t->threads = threads;
+    t->batch = burnish_batch_best();
+    t->device = rtcNewDevice(threads == 1 ? "threads=1" : "threads=2");
+    if (t->device) {
+        build(t);
+    }
+    if (!t->device || !t->rgba || rtcGetDeviceError(t->device) != RTC_ERROR_NONE) {
+        snprintf(note, BURNISH_PEERS_NOTE, "Embree: the scene can't be built");
+        close_tracer(t);
+        return 0;
+    }
+    snprintf(note, BURNISH_PEERS_NOTE, "Embree %s, packets of 16, %d thread%s", RTC_VERSION_STRING,
+             threads, threads == 1 ? "" : "s");
+    *state = t;
+    return 1;
 }
 
 /* The rays through the pixels of a square; valid is 0 for those outside the picture. */

@@ -43,8 +43,8 @@ static void shade_block(const burnish_batch_shader *shader, const burnish_batch_
         normal[k] = points->normal[k] + first;
     }
     for (int i = 0; i < count; ++i) {
-        float squared = normal[0][i] * normal[0][i] + normal[1][i] * normal[1][i] +
-                        normal[2][i] * normal[2][i];
+        float squared =
+            normal[0][i] * normal[0][i] + normal[1][i] * normal[1][i] + normal[2][i] * normal[2][i];
         sums->inverse[i] = squared > 0 ? 1.0f / sqrtf(squared) : 0;
         for (int k = 0; k < 3; ++k) {
             sums->diffuse[k][i] = shader->ambient[output][k];
@@ -57,9 +57,8 @@ static void shade_block(const burnish_batch_shader *shader, const burnish_batch_
     for (int k = 0; k < 3; ++k) {
         const float *color = points->diffuse[0] ? points->diffuse[k] + first : NULL;
         for (int i = 0; i < count; ++i) {
-            sums->diffuse[k][i] =
-                (color ? sums->diffuse[k][i] * color[i] : sums->diffuse[k][i]) +
-                sums->specular[k][i];
+            sums->diffuse[k][i] = (color ? sums->diffuse[k][i] * color[i] : sums->diffuse[k][i]) +
+                                  sums->specular[k][i];
         }
     }
 }
@@ -94,9 +93,34 @@ static void shade_rgba8(const burnish_batch_shader *shader, const burnish_batch_
     }
 }
 
-struct burnish_batch burnish_peers_libm_batch(const burnish_batch *batch) {
+static void shade_dark(const burnish_batch_shader *shader, const burnish_batch_points *points,
+                       size_t count, uint8_t *rgba, float *const rgb[3]) {
+    (void)shader;
+    (void)points;
+    if (rgba) {
+        memset(rgba, 0, 4 * count);
+        return;
+    }
+    for (int k = 0; k < 3; ++k) {
+        memset(rgb[k], 0, count * sizeof(float));
+    }
+}
+
+static struct burnish_batch with_power(const burnish_batch *batch,
+                                       burnish_shade_function *const shade[2]) {
     struct burnish_batch made = *batch;
-    made.shade[BURNISH_LOBE_BODY_POWER][BURNISH_SHADE_DISTANT][BURNISH_SHADE_FLOAT] = shade_float;
-    made.shade[BURNISH_LOBE_BODY_POWER][BURNISH_SHADE_DISTANT][BURNISH_SHADE_RGBA8] = shade_rgba8;
+    for (int output = 0; output < 2; ++output) {
+        made.shade[BURNISH_LOBE_BODY_POWER][BURNISH_SHADE_DISTANT][output] = shade[output];
+    }
     return made;
+}
+
+struct burnish_batch burnish_peers_libm_batch(const burnish_batch *batch) {
+    return with_power(
+        batch, (burnish_shade_function *const[]){
+                   [BURNISH_SHADE_RGBA8] = shade_rgba8, [BURNISH_SHADE_FLOAT] = shade_float});
+}
+
+struct burnish_batch burnish_peers_dark_batch(const burnish_batch *batch) {
+    return with_power(batch, (burnish_shade_function *const[]){shade_dark, shade_dark});
 }

@@ -8,4 +8,7 @@
  * loops over arrays around one powf a lit point. */
 struct burnish_batch burnish_peers_libm_batch(const burnish_batch *batch);
 
+/* The same with kernels that shade everything black: shows whether a renderer calls them. */
+struct burnish_batch burnish_peers_dark_batch(const burnish_batch *batch);
+
 #endif

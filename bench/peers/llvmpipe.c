@@ -12,26 +12,24 @@
 
 #include "worker.h"
 
-static const char vertex_text[] =
-    "#version 320 es\n"
-    "layout(location = 0) in vec3 position;\n"
-    "layout(location = 1) in vec3 normal;\n"
-    "uniform mat4 to_clip;\n"
-    "out vec3 n;\n"
-    "void main() {\n"
-    "    n = normal;\n"
-    "    gl_Position = to_clip * vec4(position, 1.0);\n"
-    "}\n";
+static const char vertex_text[] = "#version 320 es\n"
+                                  "layout(location = 0) in vec3 position;\n"
+                                  "layout(location = 1) in vec3 normal;\n"
+                                  "uniform mat4 to_clip;\n"
+                                  "out vec3 n;\n"
+                                  "void main() {\n"
+                                  "    n = normal;\n"
+                                  "    gl_Position = to_clip * vec4(position, 1.0);\n"
+                                  "}\n";
 
 /* Between the two parts stands `float lobe(float c)`. */
-static const char fragment_head[] =
-    "#version 320 es\n"
-    "precision highp float;\n"
-    "precision highp int;\n"
-    "in vec3 n;\n"
-    "uniform vec3 light, halfway;\n"
-    "uniform float ambient, diffuse, specular, exponent, zeta;\n"
-    "out vec4 color;\n";
+static const char fragment_head[] = "#version 320 es\n"
+                                    "precision highp float;\n"
+                                    "precision highp int;\n"
+                                    "in vec3 n;\n"
+                                    "uniform vec3 light, halfway;\n"
+                                    "uniform float ambient, diffuse, specular, exponent, zeta;\n"
+                                    "out vec4 color;\n";
 static const char fragment_one_sided[] = "vec3 facing() { return normalize(n); }\n";
 static const char fragment_two_sided[] =
     "vec3 facing() { return normalize(gl_FrontFacing ? n : -n); }\n";
@@ -43,19 +41,17 @@ static const char fragment_main[] =
     "    float value = ambient + diffuse * n_dot_l + specular * shine;\n"
     "    color = vec4(value, value, value, 1.0);\n"
     "}\n";
-static const char lobe_power[] =
-    "float lobe(float c) { return pow(max(c, 0.0), exponent); }\n";
+static const char lobe_power[] = "float lobe(float c) { return pow(max(c, 0.0), exponent); }\n";
 static const char lobe_family[] =
     "float lobe(float c) { float u = max(1.0 + zeta * (c - 1.0), 0.0); return u * u; }\n";
 static const char lobe_schlick[] =
     "float lobe(float c) { c = max(c, 0.0); return c / (exponent - exponent * c + c); }\n";
 
-static const char fragment_number[] =
-    "#version 320 es\n"
-    "precision highp float;\n"
-    "precision highp int;\n"
-    "out uint number;\n"
-    "void main() { number = uint(gl_PrimitiveID); }\n";
+static const char fragment_number[] = "#version 320 es\n"
+                                      "precision highp float;\n"
+                                      "precision highp int;\n"
+                                      "out uint number;\n"
+                                      "void main() { number = uint(gl_PrimitiveID); }\n";
 
 enum { LINEAR8, SRGB8, FLOAT32, NUMBER, TARGETS };
 
@@ -101,8 +97,7 @@ static int open_context(gl_renderer *gl, char *note) {
         return 0;
     }
     gl->context = eglCreateContext(gl->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (!gl->context ||
-        !eglMakeCurrent(gl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, gl->context)) {
+    if (!gl->context || !eglMakeCurrent(gl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, gl->context)) {
         fail(note, "no OpenGL ES 3.2 context");
         return 0;
     }

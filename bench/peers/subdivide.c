@@ -48,8 +48,8 @@ static void add_middle(soup *mesh, uint32_t a, uint32_t b) {
         squared += sum[k] * sum[k];
     }
     for (size_t k = 0; k < 3; ++k) { /* opposite normals: either will do */
-        normal[k] = squared > 0 ? (float)(sum[k] / sqrt(squared))
-                                : mesh->normals[3 * (size_t)a + k];
+        normal[k] =
+            squared > 0 ? (float)(sum[k] / sqrt(squared)) : mesh->normals[3 * (size_t)a + k];
     }
     ++mesh->vertices;
 }
@@ -129,9 +129,8 @@ burnish_status burnish_peers_subdivide(const burnish_scene *scene, int levels,
         snprintf(error->text, sizeof error->text, "subdivision: out of memory");
         return BURNISH_STATUS_MEMORY;
     }
-    burnish_status status =
-        burnish_scene_create(mesh.positions, mesh.normals, NULL, mesh.vertices, mesh.indices,
-                             mesh.triangles, &load, finer, error);
+    burnish_status status = burnish_scene_create(mesh.positions, mesh.normals, NULL, mesh.vertices,
+                                                 mesh.indices, mesh.triangles, &load, finer, error);
     soup_free(&mesh);
     return status;
 }
