@@ -4,7 +4,8 @@
  *   FOLDER has the contestants, BURNISH is the program, INPUT the mesh.
  *
  * Contestants of one scene and thread count run at the same time, but only one of them draws; each
- * round asks each for a few frames in turn, so that a busy moment of the machine hits all alike. */
+ * round asks each for a few frames in turn, so that a busy moment of the machine hits all alike. A
+ * round waits for a quiet moment first; those that found none are counted. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <signal.h>
@@ -16,8 +17,9 @@
 #include "compare.h"
 #include "figures.h"
 #include "process.h"
+#include "quiet.h"
 
-enum { FRAMES = 3, CONTESTANTS = 3, VARIANTS = 5, LINE = 2048, PATH = 600 };
+enum { FRAMES = 3, CONTESTANTS = 3, VARIANTS = 5, LINE = 2048, PATH = 600, PATIENCE = 300 };
 
 typedef struct contestant {
     const char *name;
@@ -44,6 +46,8 @@ enum { SCENES = sizeof scenes / sizeof *scenes };
 typedef struct runner {
     const char *folder, *burnish, *input, *scratch, *json;
     int rounds, cores;
+    double patience; /* seconds left to wait for quiet moments */
+    int all_rounds, busy_rounds;
     burnish_peers_figures figures;
     char skipped[CONTESTANTS + 1][LINE]; /* why; the last one is f3d */
     burnish_peers_comparison comparisons[SCENES][CONTESTANTS];
@@ -87,6 +91,11 @@ static int start(runner *r, int which, const struct scene *scene, int threads,
     return 1;
 }
 
+static void begin_round(runner *r) {
+    ++r->all_rounds;
+    r->busy_rounds += !burnish_peers_wait_until_quiet(&r->patience);
+}
+
 static void time_variant(runner *r, const char *prefix, int which, const char *variant,
                          burnish_peers_process *process) {
     const char *name = contestants[which].name;
@@ -110,6 +119,7 @@ static void time_variant(runner *r, const char *prefix, int which, const char *v
 static void time_rounds(runner *r, const char *prefix, const int running[CONTESTANTS],
                         burnish_peers_process processes[CONTESTANTS]) {
     for (int round = 0; round < r->rounds; ++round) {
+        begin_round(r);
         for (int i = 0; i < CONTESTANTS; ++i) {
             for (int v = 0; running[i] && v < VARIANTS && contestants[i].variants[v]; ++v) {
                 time_variant(r, prefix, i, contestants[i].variants[v], &processes[i]);
@@ -184,6 +194,7 @@ static void time_process(runner *r, const char *scene, int size, int cores, int 
     char input[PATH], output[PATH], resolution[64], name[2][BURNISH_PEERS_NAME];
     const char *who = is_f3d ? "f3d" : "burnish";
     double milliseconds, kibibytes;
+    usleep(100000); /* the X server is still busy with what f3d left behind */
     snprintf(input, sizeof input, "%s/%s.ply", r->scratch, scene);
     snprintf(output, sizeof output, "%s/%s-%s-%s.png", r->scratch, scene, sizes[size].name, who);
     snprintf(resolution, sizeof resolution, "--resolution=%s", sizes[size].resolution);
@@ -228,6 +239,7 @@ static void run_processes(runner *r) {
             continue;
         }
         for (int round = 0; round <= r->rounds; ++round) {
+            begin_round(r);
             for (int size = 0; size < SIZES; ++size) {
                 for (int cores = 1; cores <= (r->cores > 1 ? 2 : 1); ++cores) {
                     if (x) {
@@ -381,6 +393,8 @@ static int write_json(const runner *r) {
     if (r->cores < 2) {
         cJSON_AddStringToObject(skipped, "t2", "this machine offers one core");
     }
+    cJSON_AddNumberToObject(json, "busy_rounds", r->busy_rounds);
+    cJSON_AddNumberToObject(json, "rounds", r->all_rounds);
     char *ratios = cJSON_Print(json);
     printf("\n%s\n", ratios ? ratios : "{}");
     cJSON_free(ratios);
@@ -404,9 +418,6 @@ static void print_machine(const runner *r) {
     (void)getloadavg(load, 1);
     printf("%d cores, load %.1f at the start; %d rounds of %d frames, 1920x1080, one sample\n",
            r->cores, load[0], r->rounds, FRAMES);
-    if (load[0] > 0.5) {
-        printf("The machine is busy: ratios with two threads are the least certain.\n");
-    }
 }
 
 static void run(runner *r) {
@@ -420,6 +431,7 @@ static void run(runner *r) {
     run_processes(r);
     print_table(r);
     print_comparisons(r);
+    printf("%d of %d rounds began while other programs ran\n", r->busy_rounds, r->all_rounds);
     for (int i = 0; i <= CONTESTANTS; ++i) {
         if (r->skipped[i][0]) {
             printf("skipped: %s: %s\n", contestant_name(i), r->skipped[i]);
@@ -440,6 +452,7 @@ int main(int count, char **arguments) {
     r->scratch = arguments[4];
     r->json = arguments[5];
     r->rounds = count > 6 ? atoi(arguments[6]) : 11;
+    r->patience = PATIENCE;
     r->cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
     signal(SIGPIPE, SIG_IGN); /* a contestant that ended is an error of its own */
     setvbuf(stdout, NULL, _IOLBF, 0);
