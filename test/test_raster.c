@@ -77,7 +77,7 @@ static void make_plane(test_mesh *mesh, int snap, uint32_t seed) {
 static void count_coverage(const burnish_raster_view *view, const burnish_geometry *geometry,
                            int *coverage) {
     burnish_tile tile;
-    size_t offsets[2] = {0, 1};
+    size_t offsets[3] = {0, 1, 1};
     uint32_t entry;
     burnish_bins bins;
     burnish_bins_begin(&bins);
@@ -198,8 +198,12 @@ static void check_bins(void) {
           "geometry");
     uint32_t all[MAX_TRIANGLES];
     size_t everything[64];
-    for (uint32_t i = 0; i < MAX_TRIANGLES; ++i) {
-        all[i] = i;
+    for (uint32_t back = 0, i = 0; back < 2; ++back) { /* fronts first, as the lists have them */
+        for (uint32_t k = 0; k < geometry.triangle_count; ++k) {
+            if ((geometry.triangles[k].source & 1) == back) {
+                all[i++] = k;
+            }
+        }
     }
     burnish_tile tile, expected;
     burnish_tile_create(&tile, 4, NULL);
@@ -221,8 +225,8 @@ static void check_bins(void) {
                         (size_t)(row - bins.first_row) * (size_t)bins.columns + (size_t)column;
                     full.offsets = everything;
                     full.entries = all;
-                    everything[place] = 0;
-                    everything[place + 1] = geometry.triangle_count;
+                    everything[2 * place] = 0;
+                    everything[2 * place + 2] = geometry.triangle_count;
                     burnish_draw_tile(&expected, &view, &geometry, &full, column, row);
                     if (!burnish_draw_tile(&tile, &view, &geometry, &bins, column, row)) {
                         memset(tile.triangles, 0xff, sizeof(uint32_t) * BURNISH_TILE_PIXELS * 4);

@@ -67,13 +67,14 @@ static uint8_t outcode(const burnish_raster_view *view, const float clip[4]) {
 }
 
 /* The perspective division of a point that needs no clipping. */
-static void project(const burnish_raster_view *view, const float clip[4],
-                    burnish_screen_vertices *vertices, size_t i) {
-    float inverse_w = 1.0f / clip[3];
-    vertices->x[i] = burnish_to_fixed(clip[0] * inverse_w) + view->width * (BURNISH_SUBPIXELS / 2);
-    vertices->y[i] = view->height * (BURNISH_SUBPIXELS / 2) - burnish_to_fixed(clip[1] * inverse_w);
-    vertices->depth[i] = clip[2] * inverse_w;
-    vertices->inverse_w[i] = inverse_w;
+static burnish_screen_vertex project(const burnish_raster_view *view, const float clip[4]) {
+    burnish_screen_vertex vertex;
+    vertex.inverse_w = 1.0f / clip[3];
+    vertex.x = burnish_to_fixed(clip[0] * vertex.inverse_w) + view->width * (BURNISH_SUBPIXELS / 2);
+    vertex.y =
+        view->height * (BURNISH_SUBPIXELS / 2) - burnish_to_fixed(clip[1] * vertex.inverse_w);
+    vertex.depth = clip[2] * vertex.inverse_w;
+    return vertex;
 }
 
 static void transform_vertices(burnish_screen_vertices *vertices, const burnish_raster_view *view,
@@ -84,8 +85,10 @@ static void transform_vertices(burnish_screen_vertices *vertices, const burnish_
         float clip[4];
         to_clip_space(view, positions + 3 * i, clip);
         vertices->outcodes[i] = outcode(view, clip);
-        if (!(vertices->outcodes[i] & OUT_CLIP)) {
-            project(view, clip, vertices, i);
+        if (vertices->outcodes[i] & OUT_CLIP) {
+            memset(&vertices->items[i], 0, sizeof vertices->items[i]);
+        } else {
+            vertices->items[i] = project(view, clip);
         }
     }
 }
@@ -178,9 +181,9 @@ static burnish_status append_clipped(const setup_context *context, uint32_t sour
     }
     int32_t x[BURNISH_CLIP_MAX], y[BURNISH_CLIP_MAX];
     for (int i = 0; i < count; ++i) {
-        float depth, inverse_w;
-        burnish_screen_vertices one = {&x[i], &y[i], &depth, &inverse_w, NULL, 0, 0};
-        project(context->view, corners[i].position, &one, 0);
+        burnish_screen_vertex vertex = project(context->view, corners[i].position);
+        x[i] = vertex.x;
+        y[i] = vertex.y;
         burnish_clip_vertex clip = {source, {0}};
         memcpy(clip.weights, corners[i].weights, sizeof clip.weights);
         output->clips[first + i] = clip;
@@ -216,8 +219,9 @@ static burnish_status set_up_chunk(const setup_context *context, size_t first, s
             status = append_clipped(context, (uint32_t)i, output);
             continue;
         }
-        const int32_t x[3] = {vertices->x[v[0]], vertices->x[v[1]], vertices->x[v[2]]};
-        const int32_t y[3] = {vertices->y[v[0]], vertices->y[v[1]], vertices->y[v[2]]};
+        const burnish_screen_vertex *items = vertices->items;
+        const int32_t x[3] = {items[v[0]].x, items[v[1]].x, items[v[2]].x};
+        const int32_t y[3] = {items[v[0]].y, items[v[1]].y, items[v[2]].y};
         if (set_up(context->view, x, y, (uint32_t)i, &triangle)) {
             status = append_triangle(output, &triangle);
         }
@@ -228,22 +232,13 @@ static burnish_status set_up_chunk(const setup_context *context, size_t first, s
 static burnish_status grow_vertices(burnish_screen_vertices *vertices, size_t extra,
                                     burnish_error *error) {
     size_t count = vertices->mesh_count + extra;
-    size_t capacities[4] = {vertices->mesh_count, vertices->mesh_count, vertices->mesh_count,
-                            vertices->mesh_count};
-    void **arrays[4] = {(void **)&vertices->x, (void **)&vertices->y, (void **)&vertices->depth,
-                        (void **)&vertices->inverse_w};
     if (count >= BURNISH_NO_TRIANGLE) {
         return burnish_fail(error, BURNISH_STATUS_LIMIT,
                             "clipping makes more than 2^32 vertices; split the mesh");
     }
-    for (int i = 0; i < 4; ++i) {
-        burnish_status status =
-            burnish_grow(arrays[i], &capacities[i], count, 4, "screen vertices", error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-    }
-    return BURNISH_STATUS_OK;
+    size_t capacity = vertices->mesh_count;
+    return burnish_grow((void **)&vertices->items, &capacity, count, sizeof *vertices->items,
+                        "screen vertices", error);
 }
 
 /* Joins the chunks in their order; the clipped vertices move behind the mesh's. */
@@ -283,7 +278,8 @@ static burnish_status join_chunks(burnish_geometry *geometry, const burnish_rast
         for (size_t j = 0; j < chunk->clip_count; ++j) {
             size_t place = clip_base + j;
             geometry->clip_vertices[place] = chunk->clips[j];
-            project(view, chunk->corners[j].position, vertices, vertices->mesh_count + place);
+            vertices->items[vertices->mesh_count + place] =
+                project(view, chunk->corners[j].position);
         }
         clip_base += chunk->clip_count;
     }
@@ -293,17 +289,13 @@ static burnish_status join_chunks(burnish_geometry *geometry, const burnish_rast
 
 static burnish_status allocate_vertices(burnish_screen_vertices *vertices, size_t count,
                                         burnish_error *error) {
-    void **arrays[5] = {(void **)&vertices->x, (void **)&vertices->y, (void **)&vertices->depth,
-                        (void **)&vertices->inverse_w, (void **)&vertices->outcodes};
     vertices->mesh_count = vertices->count = count;
-    for (int i = 0; i < 5; ++i) {
-        burnish_status status =
-            burnish_allocate(arrays[i], count, i < 4 ? 4 : 1, "screen vertices", error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
+    burnish_status status = burnish_allocate((void **)&vertices->items, count,
+                                             sizeof *vertices->items, "screen vertices", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&vertices->outcodes, count, 1, "screen vertices", error);
     }
-    return BURNISH_STATUS_OK;
+    return status;
 }
 
 static burnish_status set_up_triangles(burnish_geometry *geometry, const setup_context *context,
@@ -357,10 +349,7 @@ burnish_status burnish_geometry_create(burnish_geometry *geometry, const burnish
 }
 
 void burnish_geometry_destroy(burnish_geometry *geometry) {
-    free(geometry->vertices.x);
-    free(geometry->vertices.y);
-    free(geometry->vertices.depth);
-    free(geometry->vertices.inverse_w);
+    free(geometry->vertices.items);
     free(geometry->vertices.outcodes);
     free(geometry->clip_vertices);
     free(geometry->triangles);

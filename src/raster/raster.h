@@ -40,11 +40,16 @@ typedef struct burnish_raster_view {
     float rows[4][4]; /* x, y, z, w */
 } burnish_raster_view;
 
-/* Where the vertices fell: one entry a vertex of the mesh, then the vertices that clipping made. */
+/* Where a vertex fell. */
+typedef struct burnish_screen_vertex {
+    int32_t x, y;    /* 1/256 pixel */
+    float depth;     /* z / w, nearer is larger */
+    float inverse_w; /* 1 / w; 0 for a vertex of the mesh that only clipped triangles use */
+} burnish_screen_vertex;
+
+/* One item a vertex of the mesh, then the vertices that clipping made. */
 typedef struct burnish_screen_vertices {
-    int32_t *x, *y;    /* 1/256 pixel */
-    float *depth;      /* z / w, nearer is larger */
-    float *inverse_w;  /* 1 / w */
+    burnish_screen_vertex *items;
     uint8_t *outcodes; /* which planes each vertex of the mesh lies beyond */
     size_t mesh_count; /* vertices of the mesh */
     size_t count;      /* with the clipped ones */
@@ -100,12 +105,14 @@ enum { BURNISH_CLIP_MAX = 8 }; /* corners of a triangle cut by five planes */
  * two triangles share comes out with the same bits for both. */
 int burnish_clip_triangle(burnish_clip_corner *corners);
 
-/* Triangle lists of a band of tile rows. */
+/* Triangle lists of a band of tile rows: two a tile, of the triangles seen from their front, then
+ * of those seen from their back. Where two triangles have the same depth, the first one drawn
+ * stays. */
 typedef struct burnish_bins {
     int columns, rows; /* tiles of the whole image */
     int first_row, end_row;
-    size_t *offsets;   /* columns * (end_row - first_row) + 1 */
-    uint32_t *entries; /* ascending triangle indices, tile after tile */
+    size_t *offsets;   /* 2 * columns * (end_row - first_row) + 1 */
+    uint32_t *entries; /* ascending triangle indices, list after list */
     size_t offset_capacity, entry_capacity, count_capacity;
     size_t *counts;      /* scratch */
     size_t entry_budget; /* entries that a band of several rows may hold */

@@ -19,22 +19,23 @@ typedef struct triangle_edges {
 } triangle_edges;
 
 static void load_edges(const burnish_geometry *geometry, uint32_t triangle, triangle_edges *edges) {
-    const burnish_screen_vertices *vertices = &geometry->vertices;
+    const burnish_screen_vertex *items = geometry->vertices.items;
     const uint32_t *v = geometry->triangles[triangle].vertices;
     for (int i = 0; i < 3; ++i) {
-        uint32_t a = v[i == 2 ? 0 : i + 1], b = v[i == 0 ? 2 : i - 1];
-        edges->x[i] = vertices->x[a];
-        edges->y[i] = vertices->y[a];
-        edges->dx[i] = (int64_t)vertices->x[b] - vertices->x[a];
-        edges->dy[i] = (int64_t)vertices->y[b] - vertices->y[a];
+        const burnish_screen_vertex *a = &items[v[i == 2 ? 0 : i + 1]];
+        const burnish_screen_vertex *b = &items[v[i == 0 ? 2 : i - 1]];
+        edges->x[i] = a->x;
+        edges->y[i] = a->y;
+        edges->dx[i] = (int64_t)b->x - a->x;
+        edges->dy[i] = (int64_t)b->y - a->y;
         int top_or_left = edges->dy[i] < 0 || (edges->dy[i] == 0 && edges->dx[i] > 0);
         edges->bias[i] = top_or_left ? 0 : -1;
     }
     int64_t area = edges->dx[2] * edges->dy[0] - edges->dy[2] * edges->dx[0];
     edges->inverse_area = 1.0f / (float)area;
-    edges->depth0 = vertices->depth[v[0]];
-    edges->depth1 = vertices->depth[v[1]] - edges->depth0;
-    edges->depth2 = vertices->depth[v[2]] - edges->depth0;
+    edges->depth0 = items[v[0]].depth;
+    edges->depth1 = items[v[1]].depth - edges->depth0;
+    edges->depth2 = items[v[2]].depth - edges->depth0;
 }
 
 static int64_t edge_at(const triangle_edges *edges, int i, int64_t x, int64_t y) {
@@ -134,7 +135,7 @@ int burnish_draw_tile(burnish_tile *tile, const burnish_raster_view *view,
                       const burnish_geometry *geometry, const burnish_bins *bins, int column,
                       int row) {
     size_t index = (size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column;
-    size_t first = bins->offsets[index], end = bins->offsets[index + 1];
+    size_t first = bins->offsets[2 * index], end = bins->offsets[2 * index + 2];
     tile->x = column * BURNISH_TILE_SIZE;
     tile->y = row * BURNISH_TILE_SIZE;
     int right = view->width - tile->x, below = view->height - tile->y;

@@ -190,18 +190,21 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
     status = burnish_geometry_create(&geometry, &raster_view, mesh->positions, mesh->vertex_count,
                                      mesh->indices, mesh->triangle_count, report->threads, error);
     if (status == BURNISH_STATUS_OK) {
+        status = burnish_attributes_create(&shader.attributes, &geometry, mesh->normals,
+                                           options->ignore_colors ? NULL : mesh->colors,
+                                           mesh->indices, report->threads, error);
         report->seconds_transform = seconds_now() - start;
-        shader.normals = mesh->normals;
-        shader.colors = options->ignore_colors ? NULL : mesh->colors;
         shader.triangle_materials = mesh->triangle_materials;
-        shader.indices = mesh->indices;
         shader.geometry = &geometry;
+    }
+    if (status == BURNISH_STATUS_OK) {
         burnish_frame frame = {&raster_view, &geometry,       &shader, options,
                                image,        report->threads, drawn};
         status = burnish_frame_draw(&frame, report, error);
         report->seconds_draw = seconds_now() - start - report->seconds_transform;
-        burnish_geometry_destroy(&geometry);
     }
+    burnish_attributes_destroy(&shader.attributes);
+    burnish_geometry_destroy(&geometry);
     free(materials);
     return status;
 }

@@ -9,6 +9,7 @@
 
 #include "burnish/batch.h"
 #include "raster/raster.h"
+#include "shade/attributes.h"
 
 /* A material, before it is folded with the lights. */
 typedef struct burnish_shade_material {
@@ -32,10 +33,8 @@ typedef struct burnish_shader {
     burnish_batch_lighting lighting; /* lights, from the eye, and viewer; no material */
     const burnish_shade_material *materials;
     /* the mesh */
-    const float *normals;               /* 3 a vertex */
-    const uint8_t *colors;              /* 4 a vertex or NULL */
+    burnish_attributes attributes;
     const uint16_t *triangle_materials; /* or NULL */
-    const uint32_t *indices;
     const burnish_geometry *geometry;
 } burnish_shader;
 
