@@ -13,7 +13,7 @@ static const struct layer {
     {"src/theory", "base public:lobe.h public:theory.h"},
     {"src/kernels", "base public:batch.h public:isa.h public:lobe.h"},
     {"src/scene", "base public:scene.h public:status.h"},
-    {"src/raster", "base"},
+    {"src/raster", "base kernels"},
     {"src/shade", "base raster public:batch.h"},
     {"src/image", "base public:image.h public:status.h"},
     {"src/render",

@@ -76,6 +76,25 @@ static inline vi vi_or(vi a, vi b) {
 static inline vf vi_convert(vi x) {
     return _mm512_cvtepi32_ps(x);
 }
+static inline vi vi_ramp(int32_t step) {
+    const vi lanes = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+    return _mm512_mullo_epi32(_mm512_set1_epi32(step), lanes);
+}
+static inline vi vi_load(const int32_t *from) {
+    return _mm512_loadu_si512((const void *)from);
+}
+static inline void vi_save(int32_t *to, vi x) {
+    _mm512_storeu_si512((void *)to, x);
+}
+static inline vm vi_not_negative(vi x) {
+    return _mm512_cmpge_epi32_mask(x, _mm512_setzero_si512());
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return _mm512_mask_blend_ps(mask, b, a);
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return _mm512_mask_blend_epi32(mask, b, a);
+}
 static inline void vi_store(uint8_t *to, vi x) {
     _mm512_storeu_si512((void *)to, x);
 }

@@ -87,6 +87,24 @@ static inline vi vi_right_signed(vi x, unsigned bits) {
 static inline vf vi_convert(vi x) {
     return (float)(int32_t)x;
 }
+static inline vi vi_ramp(int32_t step) {
+    return 0 * (uint32_t)step;
+}
+static inline vi vi_load(const int32_t *from) {
+    return (uint32_t)*from;
+}
+static inline void vi_save(int32_t *to, vi x) {
+    *to = (int32_t)x;
+}
+static inline vm vi_not_negative(vi x) {
+    return (int32_t)x >= 0 ? ~0u : 0u;
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return mask ? a : b;
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return mask ? a : b;
+}
 static inline void vi_store(uint8_t *to, vi x) { /* the same bytes on a big-endian machine */
     to[0] = (uint8_t)x;
     to[1] = (uint8_t)(x >> 8);

@@ -76,6 +76,24 @@ static inline vi vi_or(vi a, vi b) {
 static inline vf vi_convert(vi x) {
     return _mm_cvtepi32_ps(x);
 }
+static inline vi vi_ramp(int32_t step) {
+    return _mm_set_epi32(3 * step, 2 * step, step, 0);
+}
+static inline vi vi_load(const int32_t *from) {
+    return _mm_loadu_si128((const __m128i *)(const void *)from);
+}
+static inline void vi_save(int32_t *to, vi x) {
+    _mm_storeu_si128((__m128i *)(void *)to, x);
+}
+static inline vm vi_not_negative(vi x) {
+    return _mm_castsi128_ps(_mm_cmpgt_epi32(x, _mm_set1_epi32(-1)));
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return _mm_or_ps(_mm_and_ps(mask, a), _mm_andnot_ps(mask, b));
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return _mm_castps_si128(vf_blend(mask, _mm_castsi128_ps(a), _mm_castsi128_ps(b)));
+}
 static inline void vi_store(uint8_t *to, vi x) {
     _mm_storeu_si128((__m128i *)(void *)to, x);
 }

@@ -11,7 +11,7 @@
 
 /* What one thread needs to draw tiles, and what it counted. */
 typedef struct tile_worker {
-    burnish_tile tile;
+    burnish_visibility tile;
     burnish_fragments fragments;
     burnish_shaded shaded;
     burnish_shade_cache cache;
@@ -78,7 +78,7 @@ static void resolve_pixel(const burnish_frame *frame, const tile_worker *worker,
 }
 
 static void resolve_tile(const burnish_frame *frame, tile_worker *worker) {
-    const burnish_tile *tile = &worker->tile;
+    const burnish_visibility *tile = &worker->tile;
     size_t channels = (size_t)frame->image->channels;
     for (int y = 0; y < tile->height; ++y) {
         size_t first = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
@@ -96,10 +96,10 @@ static void resolve_tile(const burnish_frame *frame, tile_worker *worker) {
 static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile_worker *worker,
                       int column, int row) {
     memset(worker->covered, 0, sizeof worker->covered);
-    if (burnish_draw_tile(&worker->tile, frame->view, frame->geometry, bins, column, row)) {
+    if (burnish_visibility_draw(&worker->tile, frame->visibility, frame->view, frame->geometry,
+                                bins, column, row)) {
         memset(worker->sum, 0, sizeof worker->sum);
-        while (burnish_next_fragments(&worker->tile, frame->view, frame->geometry,
-                                      &worker->fragments)) {
+        while (burnish_visibility_next(&worker->tile, frame->view, &worker->fragments)) {
             burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
             add_fragments(frame, worker);
         }
@@ -166,7 +166,7 @@ burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_render_rep
     memset(workers, 0, (size_t)frame->threads * sizeof *workers);
     for (int i = 0; i < frame->threads && status == BURNISH_STATUS_OK; ++i) {
         workers[i].cache.material = -1;
-        status = burnish_tile_create(&workers[i].tile, frame->options->samples, error);
+        status = burnish_visibility_create(&workers[i].tile, frame->options->samples, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = draw_bands(frame, workers, error);
@@ -175,7 +175,7 @@ burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_render_rep
         merge_counts(workers, frame->threads, report);
     }
     for (int i = 0; i < frame->threads; ++i) {
-        burnish_tile_destroy(&workers[i].tile);
+        burnish_visibility_destroy(&workers[i].tile);
     }
     free(workers);
     return status;

@@ -159,6 +159,25 @@ static size_t count_drawn(const uint8_t *drawn, size_t count) {
     return sum;
 }
 
+static burnish_visibility_function *visibility_of(burnish_isa isa) {
+    switch (isa) {
+#if defined(__SSE2__)
+    case BURNISH_ISA_SSE2:
+        return burnish_visibility_sse2;
+    case BURNISH_ISA_AVX2:
+        return burnish_visibility_avx2;
+    case BURNISH_ISA_AVX512:
+        return burnish_visibility_avx512;
+#endif
+#if defined(__aarch64__)
+    case BURNISH_ISA_NEON:
+        return burnish_visibility_neon;
+#endif
+    default:
+        return burnish_visibility_scalar;
+    }
+}
+
 /* Everything after the checks; *image is allocated. */
 static burnish_status draw(const burnish_scene *scene, const burnish_render_options *options,
                            burnish_image *image, burnish_render_report *report, uint8_t *drawn,
@@ -198,8 +217,9 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
         shader.geometry = &geometry;
     }
     if (status == BURNISH_STATUS_OK) {
-        burnish_frame frame = {&raster_view, &geometry,       &shader, options,
-                               image,        report->threads, drawn};
+        burnish_frame frame = {&raster_view,    &geometry, visibility_of(report->isa),
+                               &shader,         options,   image,
+                               report->threads, drawn};
         status = burnish_frame_draw(&frame, report, error);
         report->seconds_draw = seconds_now() - start - report->seconds_transform;
     }

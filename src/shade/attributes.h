@@ -1,4 +1,5 @@
-/* What a vertex carries to its points: normals and colours times 1/w, which are linear on the screen. */
+/* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
+ * screen. */
 #ifndef BURNISH_SHADE_ATTRIBUTES_H
 #define BURNISH_SHADE_ATTRIBUTES_H
 

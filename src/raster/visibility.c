@@ -1,0 +1,204 @@
+/* A tile from its lists of triangles to blocks of visible points; the drawing itself is in
+ * visibility_body.h. */
+#include "raster/visibility.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+
+/* No triangle is that far away. */
+#define FARTHEST -1e30f
+
+burnish_status burnish_visibility_create(burnish_visibility *visibility, int samples,
+                                         burnish_error *error) {
+    memset(visibility, 0, sizeof *visibility);
+    visibility->samples = samples;
+    visibility->triangle_capacity = (size_t)BURNISH_TILE_TRIANGLES * (size_t)samples;
+    size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)samples;
+    burnish_status status = burnish_allocate((void **)&visibility->owners, count,
+                                             sizeof *visibility->owners, "a tile", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&visibility->depths, count, sizeof *visibility->depths,
+                                  "a tile", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&visibility->triangles, visibility->triangle_capacity,
+                                  sizeof *visibility->triangles, "a tile's triangles", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&visibility->places, visibility->triangle_capacity,
+                                  sizeof *visibility->places, "a tile's triangles", error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        burnish_visibility_destroy(visibility);
+    }
+    return status;
+}
+
+void burnish_visibility_destroy(burnish_visibility *visibility) {
+    free(visibility->owners);
+    free(visibility->depths);
+    free(visibility->triangles);
+    free(visibility->places);
+    memset(visibility, 0, sizeof *visibility);
+}
+
+/* Samples own at most half of the triangles that the tile can remember, so that half are free
+ * afterwards. Triangles keep their order. */
+void burnish_visibility_compact(burnish_visibility *visibility) {
+    const size_t samples = (size_t)BURNISH_TILE_PIXELS * (size_t)visibility->samples;
+    burnish_tile_triangle *triangles = visibility->triangles;
+    int32_t *places = visibility->places, kept = 0;
+    memset(places, 0, visibility->triangle_count * sizeof *places);
+    for (size_t i = 0; i < samples; ++i) {
+        if (visibility->owners[i] >= 0) {
+            places[visibility->owners[i]] = 1;
+        }
+    }
+    for (size_t i = 0; i < visibility->triangle_count; ++i) {
+        if (places[i]) {
+            triangles[kept] = triangles[i];
+            places[i] = kept++;
+        }
+    }
+    for (size_t i = 0; i < samples; ++i) {
+        if (visibility->owners[i] >= 0) {
+            visibility->owners[i] = places[visibility->owners[i]];
+        }
+    }
+    visibility->triangle_count = (size_t)kept;
+}
+
+/* The least depth of each block, over all samples. */
+static void find_coarse(burnish_visibility *visibility) {
+    float columns[BURNISH_TILE_SIZE];
+    for (int block = 0; block < BURNISH_TILE_BLOCKS; ++block) {
+        for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+            columns[x] = 1e30f;
+        }
+        for (int s = 0; s < visibility->samples; ++s) {
+            const float *depths = visibility->depths + (size_t)s * BURNISH_TILE_PIXELS +
+                                  (size_t)(block * BURNISH_TILE_BLOCK * BURNISH_TILE_SIZE);
+            for (int y = 0; y < BURNISH_TILE_BLOCK; ++y, depths += BURNISH_TILE_SIZE) {
+                for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+                    columns[x] = depths[x] < columns[x] ? depths[x] : columns[x];
+                }
+            }
+        }
+        for (int x = 0; x < BURNISH_TILE_BLOCKS; ++x) {
+            float least = columns[x * BURNISH_TILE_BLOCK];
+            for (int k = 1; k < BURNISH_TILE_BLOCK; ++k) {
+                float depth = columns[x * BURNISH_TILE_BLOCK + k];
+                least = depth < least ? depth : least;
+            }
+            visibility->coarse[block][x] = least;
+        }
+    }
+}
+
+int burnish_visibility_draw(burnish_visibility *visibility, burnish_visibility_function *draw,
+                            const burnish_raster_view *view, const burnish_geometry *geometry,
+                            const burnish_bins *bins, int column, int row) {
+    size_t list = 2 * ((size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column);
+    const size_t *offsets = bins->offsets + list;
+    visibility->x = column * BURNISH_TILE_SIZE;
+    visibility->y = row * BURNISH_TILE_SIZE;
+    int right = view->width - visibility->x, below = view->height - visibility->y;
+    visibility->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
+    visibility->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
+    visibility->next_pixel = 0;
+    visibility->triangle_count = 0;
+    if (offsets[0] == offsets[2]) {
+        return 0;
+    }
+    size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)visibility->samples;
+    memset(visibility->owners, 0xff, count * sizeof *visibility->owners);
+    for (size_t i = 0; i < count; ++i) {
+        visibility->depths[i] = FARTHEST;
+    }
+    draw(visibility, geometry, bins->entries + offsets[0], offsets[1] - offsets[0], 0);
+    if (offsets[1] < offsets[2]) {
+        find_coarse(visibility);
+        draw(visibility, geometry, bins->entries + offsets[1], offsets[2] - offsets[1], 1);
+    }
+    return 1;
+}
+
+/* Appends the point of `weight` samples whose offsets add up to (sum_x, sum_y) in 1/16 pixel. */
+static void append_point(const burnish_visibility *visibility, const burnish_raster_view *view,
+                         int pixel, int32_t owner, int weight, int sum_x, int sum_y,
+                         burnish_fragments *fragments) {
+    const burnish_tile_triangle *triangle = &visibility->triangles[owner];
+    const int step = BURNISH_SUBPIXELS / 16;
+    int x = pixel % BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
+    int y = pixel / BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
+    if (weight < visibility->samples) {
+        x += sum_x * step / weight;
+        y += sum_y * step / weight;
+    }
+    const int64_t edge1 = (int64_t)triangle->dx[0] * y - (int64_t)triangle->dy[0] * x;
+    const int64_t edge2 = (int64_t)triangle->dx[1] * y - (int64_t)triangle->dy[1] * x;
+    const float weight1 = (float)(edge1 + triangle->constant[0]) * triangle->inverse_area;
+    const float weight2 = (float)(edge2 + triangle->constant[1]) * triangle->inverse_area;
+    x += visibility->x * BURNISH_SUBPIXELS;
+    y += visibility->y * BURNISH_SUBPIXELS;
+    const int i = fragments->count++;
+    fragments->pixel[i] = (uint16_t)pixel;
+    fragments->weight[i] = (uint8_t)weight;
+    fragments->triangle[i] = triangle->triangle;
+    fragments->x[i] = (float)(x - view->width * (BURNISH_SUBPIXELS / 2)) / BURNISH_SUBPIXELS;
+    fragments->y[i] = (float)(view->height * (BURNISH_SUBPIXELS / 2) - y) / BURNISH_SUBPIXELS;
+    fragments->depth[i] =
+        (triangle->depth[0] + weight1 * triangle->depth[1]) + weight2 * triangle->depth[2];
+    fragments->weight1[i] = weight1;
+    fragments->weight2[i] = weight2;
+}
+
+/* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
+static void append_pixel(const burnish_visibility *visibility, const burnish_raster_view *view,
+                         int pixel, burnish_fragments *fragments) {
+    const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->samples);
+    const int samples = visibility->samples;
+    int32_t owners[BURNISH_MAX_SAMPLES];
+    unsigned taken = 0;
+    for (int s = 0; s < samples; ++s) {
+        owners[s] = visibility->owners[s * BURNISH_TILE_PIXELS + pixel];
+    }
+    for (int s = 0; s < samples; ++s) {
+        if ((taken >> s & 1) || owners[s] < 0) {
+            continue;
+        }
+        int weight = 0, sum_x = 0, sum_y = 0;
+        for (int other = s; other < samples; ++other) {
+            if (owners[other] == owners[s]) {
+                taken |= 1u << other;
+                weight += 1;
+                sum_x += offsets[other][0];
+                sum_y += offsets[other][1];
+            }
+        }
+        append_point(visibility, view, pixel, owners[s], weight, sum_x, sum_y, fragments);
+    }
+}
+
+int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
+                            burnish_fragments *fragments) {
+    const int samples = visibility->samples;
+    const int end = visibility->height * BURNISH_TILE_SIZE;
+    int pixel = visibility->next_pixel;
+    fragments->count = 0;
+    while (pixel < end && fragments->count + samples <= BURNISH_FRAGMENT_BLOCK) {
+        if (pixel % BURNISH_TILE_SIZE >= visibility->width) {
+            pixel += BURNISH_TILE_SIZE - pixel % BURNISH_TILE_SIZE;
+            continue;
+        }
+        if (samples > 1) {
+            append_pixel(visibility, view, pixel, fragments);
+        } else if (visibility->owners[pixel] >= 0) {
+            append_point(visibility, view, pixel, visibility->owners[pixel], 1, 0, 0, fragments);
+        }
+        ++pixel;
+    }
+    visibility->next_pixel = pixel;
+    return fragments->count > 0;
+}

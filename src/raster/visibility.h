@@ -1,0 +1,71 @@
+/* Visibility of a tile, fast: the pixels of tile.c, which stays as the reference, by vectors over a
+ * row. Compiled for each instruction set like src/kernels. */
+#ifndef BURNISH_RASTER_VISIBILITY_H
+#define BURNISH_RASTER_VISIBILITY_H
+
+#include "raster/raster.h"
+
+/* A triangle that owns, or owned, a sample of the tile. Coordinates are 1/256 pixel from the tile's
+ * corner; edge function i at (x, y) is dx[i - 1] y - dy[i - 1] x + constant[i - 1], i = 1, 2. */
+typedef struct burnish_tile_triangle {
+    int64_t constant[2];
+    int32_t dx[2], dy[2];
+    float inverse_area;
+    float depth[3]; /* of vertex 0; of 1 and 2 minus that */
+    uint32_t triangle;
+} burnish_tile_triangle;
+
+enum {
+    /* Triangles that a tile remembers before it forgets those that own nothing any more. */
+    BURNISH_TILE_TRIANGLES = 2 * BURNISH_TILE_PIXELS,
+    BURNISH_TILE_BLOCK = 8, /* pixels along the edge of a block of the coarse depth */
+    BURNISH_TILE_BLOCKS = BURNISH_TILE_SIZE / BURNISH_TILE_BLOCK
+};
+
+/* A tile while it is drawn. Plane s of `owners` and `depths` holds sample s of every pixel. */
+typedef struct burnish_visibility {
+    int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
+    int samples;
+    int32_t *owners; /* index into triangles, -1 for none */
+    float *depths;
+    burnish_tile_triangle *triangles;
+    int32_t *places; /* scratch, one a triangle */
+    size_t triangle_count, triangle_capacity;
+    float coarse[BURNISH_TILE_BLOCKS][BURNISH_TILE_BLOCKS]; /* least depth of each block */
+    int next_pixel; /* where burnish_visibility_next goes on */
+} burnish_visibility;
+
+burnish_status burnish_visibility_create(burnish_visibility *visibility, int samples,
+                                         burnish_error *error);
+void burnish_visibility_destroy(burnish_visibility *visibility);
+
+/* Draws the triangles of a list, in its order. covered: 1 when the list is drawn over others whose
+ * coarse depth is known. */
+typedef void burnish_visibility_function(burnish_visibility *visibility,
+                                         const burnish_geometry *geometry, const uint32_t *entries,
+                                         size_t count, int covered);
+
+extern burnish_visibility_function burnish_visibility_scalar;
+#if defined(__SSE2__)
+extern burnish_visibility_function burnish_visibility_sse2;
+extern burnish_visibility_function burnish_visibility_avx2;
+extern burnish_visibility_function burnish_visibility_avx512;
+#endif
+#if defined(__aarch64__)
+extern burnish_visibility_function burnish_visibility_neon;
+#endif
+
+/* Makes the tile (column, row) current and draws its triangles. Returns 0 when no triangle's bounds
+ * touch it. */
+int burnish_visibility_draw(burnish_visibility *visibility, burnish_visibility_function *draw,
+                            const burnish_raster_view *view, const burnish_geometry *geometry,
+                            const burnish_bins *bins, int column, int row);
+
+/* The next block of the tile's visible points, as burnish_next_fragments gives them. */
+int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
+                            burnish_fragments *fragments);
+
+/* Forgets the triangles that own no sample. For visibility_body.h. */
+void burnish_visibility_compact(burnish_visibility *visibility);
+
+#endif
