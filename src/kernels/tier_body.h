@@ -1,6 +1,8 @@
 /* One tier: defined BURNISH_VECTOR_... chooses the vector type, BATCH names the table, ISA the
  * tier. */
 #include "kernels/lobe_body.h"
+/* needs the vector type */
+#include "kernels/encode_body.h"
 #include "kernels/normalize_body.h"
 #include "kernels/shade_body.h"
 
@@ -24,6 +26,7 @@ const struct burnish_batch BATCH = {
              [BURNISH_LOBE_BODY_GAUSSIAN] = LOBE_ROW(gaussian),
              [BURNISH_LOBE_BODY_GX] = LOBE_ROW(gx)},
     .normalize = normalize_array,
+    .encode = encode_pixels,
     .shade = {[BURNISH_LOBE_BODY_NONE] = SHADE_ROW(none),
               [BURNISH_LOBE_BODY_SQUARE] = SHADE_ROW(square),
               [BURNISH_LOBE_BODY_SQUARES] = SHADE_ROW(squares),

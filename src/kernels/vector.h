@@ -10,6 +10,7 @@
  *   vi_left, vi_right, vi_right_signed  shifts by a constant
  *   vi_convert  integers to floats, to nearest even
  *   vi_store    four bytes a lane, the lowest first; vi_load, vi_save whole integers
+ *   vi_gather   table[index] a lane
  *   vi_ramp     0, step, 2 step ... a lane
  *   vf_blend, vi_blend  a where the mask holds, b elsewhere
  *   vf_stream, vi_stream  stores past the caches to aligned places, for what vector_fence then

@@ -73,6 +73,9 @@ static inline vi vi_or(vi a, vi b) {
 #define vi_left(x, bits) _mm256_slli_epi32(x, bits)
 #define vi_right(x, bits) _mm256_srli_epi32(x, bits)
 #define vi_right_signed(x, bits) _mm256_srai_epi32(x, bits)
+static inline vi vi_gather(const int32_t *table, vi index) {
+    return _mm256_i32gather_epi32((const int *)table, index, 4);
+}
 static inline vf vi_convert(vi x) {
     return _mm256_cvtepi32_ps(x);
 }

@@ -74,6 +74,14 @@ static inline vi vi_or(vi a, vi b) {
 #define vi_left(x, bits) vshlq_n_s32(x, bits)
 #define vi_right(x, bits) vreinterpretq_s32_u32(vshrq_n_u32(vreinterpretq_u32_s32(x), bits))
 #define vi_right_signed(x, bits) vshrq_n_s32(x, bits)
+static inline vi vi_gather(const int32_t *table, vi index) {
+    int32_t lanes[4];
+    vst1q_s32(lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        lanes[i] = table[lanes[i]];
+    }
+    return vld1q_s32(lanes);
+}
 static inline vf vi_convert(vi x) {
     return vcvtq_f32_s32(x);
 }

@@ -84,6 +84,9 @@ static inline vi vi_right(vi x, unsigned bits) {
 static inline vi vi_right_signed(vi x, unsigned bits) {
     return (uint32_t)((int32_t)x >> bits);
 }
+static inline vi vi_gather(const int32_t *table, vi index) {
+    return (uint32_t)table[index];
+}
 static inline vf vi_convert(vi x) {
     return (float)(int32_t)x;
 }

@@ -73,6 +73,14 @@ static inline vi vi_or(vi a, vi b) {
 #define vi_left(x, bits) _mm_slli_epi32(x, bits)
 #define vi_right(x, bits) _mm_srli_epi32(x, bits)
 #define vi_right_signed(x, bits) _mm_srai_epi32(x, bits)
+static inline vi vi_gather(const int32_t *table, vi index) {
+    int32_t lanes[4];
+    _mm_storeu_si128((__m128i *)(void *)lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        lanes[i] = table[lanes[i]];
+    }
+    return _mm_loadu_si128((const __m128i *)(const void *)lanes);
+}
 static inline vf vi_convert(vi x) {
     return _mm_cvtepi32_ps(x);
 }

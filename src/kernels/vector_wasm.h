@@ -80,6 +80,14 @@ static inline vi vi_right(vi x, unsigned bits) {
 static inline vi vi_right_signed(vi x, unsigned bits) {
     return wasm_i32x4_shr(x, bits);
 }
+static inline vi vi_gather(const int32_t *table, vi index) {
+    int32_t lanes[4];
+    wasm_v128_store(lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        lanes[i] = table[lanes[i]];
+    }
+    return wasm_v128_load(lanes);
+}
 static inline vf vi_convert(vi x) {
     return wasm_f32x4_convert_i32x4(x);
 }

@@ -21,7 +21,18 @@ typedef struct tile_worker {
     int bounds[4];
 } tile_worker;
 
-static void add_fragments(const burnish_frame *frame, tile_worker *worker) {
+static void mark_drawn(const burnish_frame *frame, const burnish_fragments *fragments) {
+    uint32_t last = BURNISH_NO_TRIANGLE;
+    for (int i = 0; i < fragments->count; ++i) {
+        if (fragments->triangle[i] != last) {
+            last = fragments->triangle[i];
+            uint32_t source = frame->geometry->triangles[last].source >> 1;
+            __atomic_store_n(&frame->drawn[source], 1, __ATOMIC_RELAXED);
+        }
+    }
+}
+
+static void add_fragments(tile_worker *worker) {
     const burnish_fragments *fragments = &worker->fragments;
     for (int i = 0; i < fragments->count; ++i) {
         int pixel = fragments->pixel[i];
@@ -31,80 +42,127 @@ static void add_fragments(const burnish_frame *frame, tile_worker *worker) {
             worker->sum[channel][pixel] += weight * (value < 1.0f ? value : 1.0f);
         }
         worker->covered[pixel] = (uint8_t)(worker->covered[pixel] + fragments->weight[i]);
-        if (frame->drawn) {
-            uint32_t source = frame->geometry->triangles[fragments->triangle[i]].source >> 1;
-            __atomic_store_n(&frame->drawn[source], 1, __ATOMIC_RELAXED);
-        }
     }
 }
 
-static void count_pixel(tile_worker *worker, int x, int y) {
-    int *bounds = worker->bounds;
-    if (worker->covered_pixels++ == 0) {
-        bounds[0] = x;
-        bounds[1] = y;
-        bounds[2] = x + 1;
-        bounds[3] = y + 1;
+/* Adds a row of the tile to the counts. */
+static void count_row(tile_worker *worker, int y) {
+    const burnish_visibility *tile = &worker->tile;
+    const uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
+    int count = 0, first = tile->width, end = 0;
+    for (int x = 0; x < tile->width; ++x) {
+        count += covered[x] != 0;
     }
-    bounds[0] = x < bounds[0] ? x : bounds[0];
-    bounds[1] = y < bounds[1] ? y : bounds[1];
-    bounds[2] = x >= bounds[2] ? x + 1 : bounds[2];
-    bounds[3] = y >= bounds[3] ? y + 1 : bounds[3];
-}
-
-/* Mixes a pixel with the background in linear light and encodes it. */
-static void resolve_pixel(const burnish_frame *frame, const tile_worker *worker, int pixel,
-                          uint8_t *out) {
-    int samples = frame->options->samples, covered = worker->covered[pixel];
-    const uint8_t *background = frame->options->background;
-    if (covered == 0) {
-        for (int channel = 0; channel < frame->image->channels; ++channel) {
-            out[channel] = frame->options->transparent ? 0 : background[channel];
-        }
+    if (count == 0) {
         return;
     }
-    float share = 1.0f / (float)(frame->options->transparent ? covered : samples);
-    for (int channel = 0; channel < 3; ++channel) {
-        float sum = worker->sum[channel][pixel];
-        if (!frame->options->transparent) {
-            float behind = burnish_srgb_to_linear[background[channel]];
-            sum += (float)(samples - covered) * behind;
-        }
-        out[channel] = burnish_linear_to_srgb(sum * share);
+    for (first = 0; !covered[first]; ++first) {
     }
-    if (frame->options->transparent) {
-        out[3] = (uint8_t)((255 * covered + samples / 2) / samples);
+    for (end = tile->width; !covered[end - 1]; --end) {
+    }
+    int *bounds = worker->bounds;
+    if (worker->covered_pixels == 0) {
+        bounds[0] = tile->x + first;
+        bounds[1] = tile->y + y;
+    }
+    worker->covered_pixels += (size_t)count;
+    bounds[0] = tile->x + first < bounds[0] ? tile->x + first : bounds[0];
+    bounds[1] = tile->y + y < bounds[1] ? tile->y + y : bounds[1];
+    bounds[2] = tile->x + end > bounds[2] ? tile->x + end : bounds[2];
+    bounds[3] = tile->y + y + 1 > bounds[3] ? tile->y + y + 1 : bounds[3];
+}
+
+/* A row mixed with the background in linear light, and encoded. Where nothing is covered the
+ * background comes back: coding its linear value gives its code. */
+static void resolve_row(const burnish_frame *frame, const tile_worker *worker, int y,
+                        uint8_t *out) {
+    const int first = y * BURNISH_TILE_SIZE, samples = frame->options->samples;
+    const uint8_t *covered = worker->covered + first;
+    const float share = 1.0f / (float)samples; /* a power of two */
+    float rgb[3][BURNISH_TILE_SIZE];
+    uint8_t pixels[4 * BURNISH_TILE_SIZE];
+    for (int channel = 0; channel < 3; ++channel) {
+        const float behind = burnish_srgb_to_linear[frame->options->background[channel]];
+        const float *sum = worker->sum[channel] + first;
+        for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+            rgb[channel][x] = (sum[x] + (float)(samples - covered[x]) * behind) * share;
+        }
+    }
+    const float *const rows[3] = {rgb[0], rgb[1], rgb[2]};
+    frame->encode(frame->encoder, BURNISH_TILE_SIZE, rows, pixels);
+    for (int x = 0; x < worker->tile.width; ++x) {
+        memcpy(out + 3 * x, pixels + 4 * x, 3);
     }
 }
 
-static void resolve_tile(const burnish_frame *frame, tile_worker *worker) {
+/* The same with alpha: the colour is that of the covered samples alone. */
+static void resolve_row_transparent(const burnish_frame *frame, const tile_worker *worker, int y,
+                                    uint8_t *out) {
+    const int samples = frame->options->samples;
+    for (int x = 0; x < worker->tile.width; ++x, out += 4) {
+        const int pixel = y * BURNISH_TILE_SIZE + x, covered = worker->covered[pixel];
+        memset(out, 0, 4);
+        if (covered) {
+            const float share = 1.0f / (float)covered;
+            for (int channel = 0; channel < 3; ++channel) {
+                out[channel] = burnish_linear_to_srgb(worker->sum[channel][pixel] * share);
+            }
+            out[3] = (uint8_t)((255 * covered + samples / 2) / samples);
+        }
+    }
+}
+
+static void fill_row(const burnish_frame *frame, int width, uint8_t *out) {
+    const uint8_t *background = frame->options->background;
+    if (frame->options->transparent) {
+        memset(out, 0, 4 * (size_t)width);
+    } else if (background[0] == background[1] && background[0] == background[2]) {
+        memset(out, background[0], 3 * (size_t)width);
+    } else {
+        for (int x = 0; x < width; ++x) {
+            memcpy(out + 3 * x, background, 3);
+        }
+    }
+}
+
+static void resolve_tile(const burnish_frame *frame, tile_worker *worker, int has_points) {
     const burnish_visibility *tile = &worker->tile;
-    size_t channels = (size_t)frame->image->channels;
+    const size_t channels = (size_t)frame->image->channels;
     for (int y = 0; y < tile->height; ++y) {
         size_t first = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
         uint8_t *out = frame->image->pixels + first * channels;
-        for (int x = 0; x < tile->width; ++x, out += channels) {
-            int pixel = y * BURNISH_TILE_SIZE + x;
-            if (worker->covered[pixel]) {
-                count_pixel(worker, tile->x + x, tile->y + y);
-            }
-            resolve_pixel(frame, worker, pixel, out);
+        if (!has_points) {
+            fill_row(frame, tile->width, out);
+            continue;
+        }
+        count_row(worker, y);
+        if (frame->options->transparent) {
+            resolve_row_transparent(frame, worker, y, out);
+        } else {
+            resolve_row(frame, worker, y, out);
         }
     }
 }
 
 static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile_worker *worker,
                       int column, int row) {
-    memset(worker->covered, 0, sizeof worker->covered);
+    int has_points = 0;
     if (burnish_visibility_draw(&worker->tile, frame->visibility, frame->view, frame->geometry,
                                 bins, column, row)) {
-        memset(worker->sum, 0, sizeof worker->sum);
         while (burnish_visibility_next(&worker->tile, frame->view, &worker->fragments)) {
+            if (!has_points) {
+                memset(worker->sum, 0, sizeof worker->sum);
+                memset(worker->covered, 0, sizeof worker->covered);
+                has_points = 1;
+            }
             burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
-            add_fragments(frame, worker);
+            add_fragments(worker);
+            if (frame->drawn) {
+                mark_drawn(frame, &worker->fragments);
+            }
         }
     }
-    resolve_tile(frame, worker);
+    resolve_tile(frame, worker, has_points);
 }
 
 static int thread_index(void) {

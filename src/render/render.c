@@ -217,9 +217,18 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
         shader.geometry = &geometry;
     }
     if (status == BURNISH_STATUS_OK) {
-        burnish_frame frame = {&raster_view,    &geometry, visibility_of(report->isa),
-                               &shader,         options,   image,
-                               report->threads, drawn};
+        burnish_srgb_encoder encoder;
+        burnish_srgb_encoder_make(&encoder);
+        burnish_frame frame = {.view = &raster_view,
+                               .geometry = &geometry,
+                               .visibility = visibility_of(report->isa),
+                               .encode = shader.batch->encode,
+                               .encoder = &encoder,
+                               .shader = &shader,
+                               .options = options,
+                               .image = image,
+                               .threads = report->threads,
+                               .drawn = drawn};
         status = burnish_frame_draw(&frame, report, error);
         report->seconds_draw = seconds_now() - start - report->seconds_transform;
     }
