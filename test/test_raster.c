@@ -283,7 +283,7 @@ static void check_fragments(void) {
     int front = 0, samples = 0, wrong = 0;
     while (burnish_next_fragments(&tile, &view, &geometry, &fragments)) {
         for (int i = 0; i < fragments.count; ++i) {
-            const uint32_t *v = geometry.triangles[fragments.triangle[i]].vertices;
+            const uint32_t *v = fragments.corners[i].vertices;
             double w[3] = {1.0 - fragments.weight1[i] - fragments.weight2[i], fragments.weight1[i],
                            fragments.weight2[i]};
             double p[3] = {0, 0, 0};
@@ -295,7 +295,7 @@ static void check_fragments(void) {
             wrong += !(fabs(p[0] - fragments.x[i]) < 0.01 && fabs(p[1] - fragments.y[i]) < 0.01 &&
                        fabs(0.5 + 0.001 * p[2] - fragments.depth[i]) < 1e-6);
             samples += fragments.weight[i];
-            front += fragments.triangle[i] == 1 ? fragments.weight[i] : 0;
+            front += fragments.corners[i].source >> 1 == 1 ? fragments.weight[i] : 0;
         }
     }
     CHECK(wrong == 0, "%d fragments whose weights do not give their place", wrong);

@@ -147,16 +147,22 @@ int burnish_draw_tile(burnish_tile *tile, const burnish_raster_view *view,
                       const burnish_geometry *geometry, const burnish_bins *bins, int column,
                       int row);
 
+/* The corners of the triangle that a point lies on. */
+typedef struct burnish_corners {
+    uint32_t vertices[3]; /* into burnish_screen_vertices */
+    uint32_t source;      /* the mesh's triangle * 2, + 1 when seen from its back */
+} burnish_corners;
+
 /* Visible points: all samples of a pixel that show the same triangle are one point, at the pixel's
  * centre when that is the whole pixel and else at the mean of the samples, which lies inside the
  * triangle. */
 typedef struct burnish_fragments {
     int count;
-    uint16_t pixel[BURNISH_FRAGMENT_BLOCK];    /* x + y * BURNISH_TILE_SIZE, in the tile */
-    uint8_t weight[BURNISH_FRAGMENT_BLOCK];    /* samples */
-    uint32_t triangle[BURNISH_FRAGMENT_BLOCK]; /* setup triangle */
-    float x[BURNISH_FRAGMENT_BLOCK];           /* pixels from the image's centre, right */
-    float y[BURNISH_FRAGMENT_BLOCK];           /* up */
+    uint16_t pixel[BURNISH_FRAGMENT_BLOCK]; /* x + y * BURNISH_TILE_SIZE, in the tile */
+    uint8_t weight[BURNISH_FRAGMENT_BLOCK]; /* samples */
+    burnish_corners corners[BURNISH_FRAGMENT_BLOCK];
+    float x[BURNISH_FRAGMENT_BLOCK]; /* pixels from the image's centre, right */
+    float y[BURNISH_FRAGMENT_BLOCK]; /* up */
     float depth[BURNISH_FRAGMENT_BLOCK];
     float
         weight1[BURNISH_FRAGMENT_BLOCK]; /* screen-space barycentric weights of vertices 1 and 2 */

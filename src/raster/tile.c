@@ -176,7 +176,9 @@ static void append_fragment(const burnish_tile *tile, const burnish_raster_view 
     int i = fragments->count++;
     fragments->pixel[i] = (uint16_t)pixel;
     fragments->weight[i] = (uint8_t)weight;
-    fragments->triangle[i] = triangle;
+    memcpy(fragments->corners[i].vertices, geometry->triangles[triangle].vertices,
+           sizeof fragments->corners[i].vertices);
+    fragments->corners[i].source = geometry->triangles[triangle].source;
     fragments->x[i] = (float)(x - view->width * (BURNISH_SUBPIXELS / 2)) / BURNISH_SUBPIXELS;
     fragments->y[i] = (float)(view->height * (BURNISH_SUBPIXELS / 2) - y) / BURNISH_SUBPIXELS;
     fragments->depth[i] = depth_at(&edges, weight1, weight2);

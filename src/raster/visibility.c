@@ -121,49 +121,44 @@ int burnish_visibility_draw(burnish_visibility *visibility, burnish_visibility_f
         find_coarse(visibility);
         draw(visibility, geometry, bins->entries + offsets[1], offsets[2] - offsets[1], 1);
     }
+    memset(visibility->places, 0, visibility->triangle_count * sizeof *visibility->places);
     return 1;
 }
 
-/* Appends the point of `weight` samples whose offsets add up to (sum_x, sum_y) in 1/16 pixel. */
+/* Appends the point at (x, y), in 1/256 pixel from the tile's corner. */
 static void append_point(const burnish_visibility *visibility, const burnish_raster_view *view,
-                         int pixel, int32_t owner, int weight, int sum_x, int sum_y,
+                         int pixel, int32_t owner, int weight, int x, int y,
                          burnish_fragments *fragments) {
     const burnish_tile_triangle *triangle = &visibility->triangles[owner];
-    const int step = BURNISH_SUBPIXELS / 16;
-    int x = pixel % BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
-    int y = pixel / BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
-    if (weight < visibility->samples) {
-        x += sum_x * step / weight;
-        y += sum_y * step / weight;
-    }
     const int64_t edge1 = (int64_t)triangle->dx[0] * y - (int64_t)triangle->dy[0] * x;
     const int64_t edge2 = (int64_t)triangle->dx[1] * y - (int64_t)triangle->dy[1] * x;
     const float weight1 = (float)(edge1 + triangle->constant[0]) * triangle->inverse_area;
     const float weight2 = (float)(edge2 + triangle->constant[1]) * triangle->inverse_area;
-    x += visibility->x * BURNISH_SUBPIXELS;
-    y += visibility->y * BURNISH_SUBPIXELS;
     const int i = fragments->count++;
+    visibility->places[owner] = 1;
     fragments->pixel[i] = (uint16_t)pixel;
     fragments->weight[i] = (uint8_t)weight;
-    fragments->triangle[i] = triangle->triangle;
-    fragments->x[i] = (float)(x - view->width * (BURNISH_SUBPIXELS / 2)) / BURNISH_SUBPIXELS;
-    fragments->y[i] = (float)(view->height * (BURNISH_SUBPIXELS / 2) - y) / BURNISH_SUBPIXELS;
-    fragments->depth[i] =
-        (triangle->depth[0] + weight1 * triangle->depth[1]) + weight2 * triangle->depth[2];
+    fragments->corners[i] = triangle->corners;
     fragments->weight1[i] = weight1;
     fragments->weight2[i] = weight2;
+    if (visibility->needs_place) {
+        x += visibility->x * BURNISH_SUBPIXELS - view->width * (BURNISH_SUBPIXELS / 2);
+        y += visibility->y * BURNISH_SUBPIXELS - view->height * (BURNISH_SUBPIXELS / 2);
+        fragments->x[i] = (float)x / BURNISH_SUBPIXELS;
+        fragments->y[i] = (float)-y / BURNISH_SUBPIXELS;
+        fragments->depth[i] =
+            (triangle->depth[0] + weight1 * triangle->depth[1]) + weight2 * triangle->depth[2];
+    }
 }
 
 /* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
-static void append_pixel(const burnish_visibility *visibility, const burnish_raster_view *view,
-                         int pixel, burnish_fragments *fragments) {
+static void append_samples(const burnish_visibility *visibility, const burnish_raster_view *view,
+                           int pixel, const int32_t *owners, burnish_fragments *fragments) {
     const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->samples);
-    const int samples = visibility->samples;
-    int32_t owners[BURNISH_MAX_SAMPLES];
+    const int samples = visibility->samples, step = BURNISH_SUBPIXELS / 16;
+    const int x = pixel % BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
+    const int y = pixel / BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
     unsigned taken = 0;
-    for (int s = 0; s < samples; ++s) {
-        owners[s] = visibility->owners[s * BURNISH_TILE_PIXELS + pixel];
-    }
     for (int s = 0; s < samples; ++s) {
         if ((taken >> s & 1) || owners[s] < 0) {
             continue;
@@ -177,28 +172,52 @@ static void append_pixel(const burnish_visibility *visibility, const burnish_ras
                 sum_y += offsets[other][1];
             }
         }
-        append_point(visibility, view, pixel, owners[s], weight, sum_x, sum_y, fragments);
+        append_point(visibility, view, pixel, owners[s], weight, x + sum_x * step / weight,
+                     y + sum_y * step / weight, fragments);
+    }
+}
+
+static void append_pixel(const burnish_visibility *visibility, const burnish_raster_view *view,
+                         int pixel, burnish_fragments *fragments) {
+    const int32_t *plane = visibility->owners + pixel;
+    const int samples = visibility->samples;
+    int32_t owners[BURNISH_MAX_SAMPLES], different = 0;
+    owners[0] = plane[0];
+    for (int s = 1; s < samples; ++s) {
+        owners[s] = plane[s * BURNISH_TILE_PIXELS];
+        different |= owners[s] ^ owners[0];
+    }
+    if (different) {
+        append_samples(visibility, view, pixel, owners, fragments);
+    } else if (owners[0] >= 0) {
+        append_point(visibility, view, pixel, owners[0], samples,
+                     pixel % BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2,
+                     pixel / BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2,
+                     fragments);
     }
 }
 
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments) {
-    const int samples = visibility->samples;
     const int end = visibility->height * BURNISH_TILE_SIZE;
     int pixel = visibility->next_pixel;
     fragments->count = 0;
-    while (pixel < end && fragments->count + samples <= BURNISH_FRAGMENT_BLOCK) {
+    while (pixel < end && fragments->count + visibility->samples <= BURNISH_FRAGMENT_BLOCK) {
         if (pixel % BURNISH_TILE_SIZE >= visibility->width) {
             pixel += BURNISH_TILE_SIZE - pixel % BURNISH_TILE_SIZE;
             continue;
         }
-        if (samples > 1) {
-            append_pixel(visibility, view, pixel, fragments);
-        } else if (visibility->owners[pixel] >= 0) {
-            append_point(visibility, view, pixel, visibility->owners[pixel], 1, 0, 0, fragments);
-        }
-        ++pixel;
+        append_pixel(visibility, view, pixel++, fragments);
     }
     visibility->next_pixel = pixel;
     return fragments->count > 0;
+}
+
+void burnish_visibility_mark(const burnish_visibility *visibility, uint8_t *drawn) {
+    for (size_t i = 0; i < visibility->triangle_count; ++i) {
+        if (visibility->places[i]) {
+            __atomic_store_n(&drawn[visibility->triangles[i].corners.source >> 1], 1,
+                             __ATOMIC_RELAXED);
+        }
+    }
 }

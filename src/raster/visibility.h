@@ -12,7 +12,7 @@ typedef struct burnish_tile_triangle {
     int32_t dx[2], dy[2];
     float inverse_area;
     float depth[3]; /* of vertex 0; of 1 and 2 minus that */
-    uint32_t triangle;
+    burnish_corners corners;
 } burnish_tile_triangle;
 
 enum {
@@ -26,10 +26,11 @@ enum {
 typedef struct burnish_visibility {
     int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
     int samples;
+    int needs_place; /* 1: points get x, y and depth */
     int32_t *owners; /* index into triangles, -1 for none */
     float *depths;
     burnish_tile_triangle *triangles;
-    int32_t *places; /* scratch, one a triangle */
+    int32_t *places; /* one a triangle: scratch while drawing, then 1 where it has a point */
     size_t triangle_count, triangle_capacity;
     float coarse[BURNISH_TILE_BLOCKS][BURNISH_TILE_BLOCKS]; /* least depth of each block */
     int next_pixel; /* where burnish_visibility_next goes on */
@@ -64,6 +65,10 @@ int burnish_visibility_draw(burnish_visibility *visibility, burnish_visibility_f
 /* The next block of the tile's visible points, as burnish_next_fragments gives them. */
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments);
+
+/* Sets drawn[t] to 1 for each of the mesh's triangles t that had a point so far. Threads may do so
+ * at the same time. */
+void burnish_visibility_mark(const burnish_visibility *visibility, uint8_t *drawn);
 
 /* Forgets the triangles that own no sample. For visibility_body.h. */
 void burnish_visibility_compact(burnish_visibility *visibility);

@@ -13,6 +13,9 @@
  * triangle touches: 2 * 24576 * (24576 + 64 * 256) < 2^31. */
 enum { SMALL_EDGE = 96 * BURNISH_SUBPIXELS, HALF_PIXEL = BURNISH_SUBPIXELS / 2 };
 
+/* How many triangles ahead memory is asked for. */
+enum { AHEAD = 8 };
+
 /* One triangle, relative to the tile. */
 typedef struct tile_edges {
     int32_t x[3], y[3];   /* vertices */
@@ -35,8 +38,7 @@ static int32_t most(int32_t a, int32_t b, int32_t c) {
 
 /* Vertices and bounds; returns 0 when no pixel of the tile can be touched. */
 static int load_bounds(const burnish_visibility *tile, const burnish_geometry *geometry,
-                       uint32_t triangle, tile_edges *edges) {
-    const uint32_t *v = geometry->triangles[triangle].vertices;
+                       const uint32_t v[3], tile_edges *edges) {
     for (int i = 0; i < 3; ++i) {
         const burnish_screen_vertex *vertex = &geometry->vertices.items[v[i]];
         edges->x[i] = vertex->x - tile->x * BURNISH_SUBPIXELS;
@@ -211,7 +213,8 @@ static int draw_large(burnish_visibility *tile, const tile_edges *edges, int32_t
 }
 
 /* What the tile's points will need of a triangle that owns a sample. */
-static void remember(burnish_visibility *tile, const tile_edges *edges, uint32_t triangle) {
+static void remember(burnish_visibility *tile, const tile_edges *edges,
+                     const burnish_setup_triangle *triangle) {
     burnish_tile_triangle *made = &tile->triangles[tile->triangle_count++];
     for (int i = 0; i < 2; ++i) {
         const int a = i == 1 ? 0 : 2;
@@ -222,15 +225,24 @@ static void remember(burnish_visibility *tile, const tile_edges *edges, uint32_t
     }
     made->inverse_area = edges->inverse_area;
     memcpy(made->depth, edges->depth, sizeof made->depth);
-    made->triangle = triangle;
+    memcpy(made->corners.vertices, triangle->vertices, sizeof made->corners.vertices);
+    made->corners.source = triangle->source;
 }
 
 void DRAW(burnish_visibility *visibility, const burnish_geometry *geometry, const uint32_t *entries,
           size_t count, int covered) {
     const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->samples);
     for (size_t k = 0; k < count; ++k) {
+        const burnish_setup_triangle *triangle = &geometry->triangles[entries[k]];
         tile_edges edges;
-        if (!load_bounds(visibility, geometry, entries[k], &edges) ||
+        if (k + 2 * AHEAD < count) { /* lists are in the mesh's order, not in that of memory */
+            const uint32_t *near = geometry->triangles[entries[k + AHEAD]].vertices;
+            __builtin_prefetch(&geometry->triangles[entries[k + 2 * AHEAD]]);
+            __builtin_prefetch(&geometry->vertices.items[near[0]]);
+            __builtin_prefetch(&geometry->vertices.items[near[1]]);
+            __builtin_prefetch(&geometry->vertices.items[near[2]]);
+        }
+        if (!load_bounds(visibility, geometry, triangle->vertices, &edges) ||
             (covered && is_hidden(visibility, &edges))) {
             continue;
         }
@@ -241,7 +253,7 @@ void DRAW(burnish_visibility *visibility, const burnish_geometry *geometry, cons
         int drawn = load_edges(&edges) ? draw_small(visibility, &edges, owner, offsets)
                                        : draw_large(visibility, &edges, owner, offsets);
         if (drawn) {
-            remember(visibility, &edges, entries[k]);
+            remember(visibility, &edges, triangle);
         }
     }
 }

@@ -21,27 +21,22 @@ typedef struct tile_worker {
     int bounds[4];
 } tile_worker;
 
-static void mark_drawn(const burnish_frame *frame, const burnish_fragments *fragments) {
-    uint32_t last = BURNISH_NO_TRIANGLE;
-    for (int i = 0; i < fragments->count; ++i) {
-        if (fragments->triangle[i] != last) {
-            last = fragments->triangle[i];
-            uint32_t source = frame->geometry->triangles[last].source >> 1;
-            __atomic_store_n(&frame->drawn[source], 1, __ATOMIC_RELAXED);
-        }
-    }
-}
-
-static void add_fragments(tile_worker *worker) {
+/* A point that has its pixel to itself is stored, others are added up. */
+static void add_fragments(tile_worker *worker, int samples) {
     const burnish_fragments *fragments = &worker->fragments;
+    const float all = (float)samples;
     for (int i = 0; i < fragments->count; ++i) {
-        int pixel = fragments->pixel[i];
-        float weight = (float)fragments->weight[i];
+        const int pixel = fragments->pixel[i];
+        const int whole = fragments->weight[i] == samples;
+        const float weight = whole ? all : (float)fragments->weight[i];
         for (int channel = 0; channel < 3; ++channel) {
             float value = worker->shaded.channel[channel][i];
-            worker->sum[channel][pixel] += weight * (value < 1.0f ? value : 1.0f);
+            float *sum = &worker->sum[channel][pixel];
+            value = weight * (value < 1.0f ? value : 1.0f);
+            *sum = whole ? value : *sum + value;
         }
-        worker->covered[pixel] = (uint8_t)(worker->covered[pixel] + fragments->weight[i]);
+        worker->covered[pixel] =
+            (uint8_t)(whole ? samples : worker->covered[pixel] + fragments->weight[i]);
     }
 }
 
@@ -85,7 +80,8 @@ static void resolve_row(const burnish_frame *frame, const tile_worker *worker, i
         const float behind = burnish_srgb_to_linear[frame->options->background[channel]];
         const float *sum = worker->sum[channel] + first;
         for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-            rgb[channel][x] = (sum[x] + (float)(samples - covered[x]) * behind) * share;
+            const float light = covered[x] ? sum[x] : 0.0f;
+            rgb[channel][x] = (light + (float)(samples - covered[x]) * behind) * share;
         }
     }
     const float *const rows[3] = {rgb[0], rgb[1], rgb[2]};
@@ -149,17 +145,20 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile
     int has_points = 0;
     if (burnish_visibility_draw(&worker->tile, frame->visibility, frame->view, frame->geometry,
                                 bins, column, row)) {
+        const int samples = frame->options->samples;
         while (burnish_visibility_next(&worker->tile, frame->view, &worker->fragments)) {
             if (!has_points) {
-                memset(worker->sum, 0, sizeof worker->sum);
                 memset(worker->covered, 0, sizeof worker->covered);
+                if (samples > 1) { /* a single sample is never added to another */
+                    memset(worker->sum, 0, sizeof worker->sum);
+                }
                 has_points = 1;
             }
             burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
-            add_fragments(worker);
-            if (frame->drawn) {
-                mark_drawn(frame, &worker->fragments);
-            }
+            add_fragments(worker, samples);
+        }
+        if (frame->drawn) {
+            burnish_visibility_mark(&worker->tile, frame->drawn);
         }
     }
     resolve_tile(frame, worker, has_points);
@@ -225,6 +224,7 @@ burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_render_rep
     for (int i = 0; i < frame->threads && status == BURNISH_STATUS_OK; ++i) {
         workers[i].cache.material = -1;
         status = burnish_visibility_create(&workers[i].tile, frame->options->samples, error);
+        workers[i].tile.needs_place = frame->shader->needs_place;
     }
     if (status == BURNISH_STATUS_OK) {
         status = draw_bands(frame, workers, error);

@@ -159,6 +159,14 @@ static size_t count_drawn(const uint8_t *drawn, size_t count) {
     return sum;
 }
 
+static int needs_place(const burnish_batch_lighting *lighting) {
+    int needs = lighting->near_viewer;
+    for (int i = 0; i < lighting->light_count; ++i) {
+        needs |= lighting->lights[i].kind == BURNISH_BATCH_POINT;
+    }
+    return needs;
+}
+
 static burnish_visibility_function *visibility_of(burnish_isa isa) {
     switch (isa) {
 #if defined(__SSE2__)
@@ -200,6 +208,7 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
     }
     shader.batch = options->batch ? options->batch : burnish_batch_best();
     shader.materials = materials;
+    shader.needs_place = needs_place(&shader.lighting);
     report->isa = burnish_batch_isa(shader.batch);
     status = burnish_shader_check(&shader, burnish_scene_material_count(scene), error);
     if (status != BURNISH_STATUS_OK) {
@@ -214,7 +223,6 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
                                            mesh->indices, report->threads, error);
         report->seconds_transform = seconds_now() - start;
         shader.triangle_materials = mesh->triangle_materials;
-        shader.geometry = &geometry;
     }
     if (status == BURNISH_STATUS_OK) {
         burnish_srgb_encoder encoder;

@@ -14,17 +14,16 @@ void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *
     const int needs_w = attributes->colors || shader->lighting.lyon;
     points->count = fragments->count;
     for (int i = 0; i < fragments->count; ++i) {
-        const burnish_setup_triangle *triangle =
-            &shader->geometry->triangles[fragments->triangle[i]];
+        const burnish_corners *corners = &fragments->corners[i];
         const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
-        burnish_float4 normal = mix(attributes->normals, triangle->vertices, weight1, weight2);
-        float scale = triangle->source & 1 ? -1.0f : 1.0f;
+        burnish_float4 normal = mix(attributes->normals, corners->vertices, weight1, weight2);
+        float scale = corners->source & 1 ? -1.0f : 1.0f;
         if (needs_w) {
             const float w = 1.0f / normal[3];
             scale = shader->lighting.lyon ? scale * w : scale;
             if (attributes->colors) {
                 burnish_float4 color =
-                    mix(attributes->colors, triangle->vertices, weight1, weight2) * w;
+                    mix(attributes->colors, corners->vertices, weight1, weight2) * w;
                 points->diffuse[0][i] = color[0];
                 points->diffuse[1][i] = color[1];
                 points->diffuse[2][i] = color[2];
@@ -35,6 +34,6 @@ void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *
         points->normal[1][i] = normal[1];
         points->normal[2][i] = normal[2];
         points->material[i] =
-            shader->triangle_materials ? shader->triangle_materials[triangle->source >> 1] : 0;
+            shader->triangle_materials ? shader->triangle_materials[corners->source >> 1] : 0;
     }
 }

@@ -60,7 +60,9 @@ void burnish_shade(const burnish_shader *shader, burnish_shade_cache *cache,
     burnish_points points;
     block_places places;
     burnish_interpolate(shader, fragments, &points);
-    locate(&shader->view, fragments, &places);
+    if (shader->needs_place) {
+        locate(&shader->view, fragments, &places);
+    }
     for (int first = 0, end; first < points.count; first = end) {
         end = run_end(&points, first);
         if (cache->material != points.material[first]) {

@@ -35,7 +35,7 @@ typedef struct burnish_shader {
     /* the mesh */
     burnish_attributes attributes;
     const uint16_t *triangle_materials; /* or NULL */
-    const burnish_geometry *geometry;
+    int needs_place; /* 1: a light or the viewer is near, points must have x, y and depth */
 } burnish_shader;
 
 /* Colours of a block of visible points, each channel >= 0, not yet clamped. */
