@@ -21,6 +21,10 @@ burnish_status burnish_visibility_create(burnish_visibility *visibility, int sam
         status = burnish_allocate((void **)&visibility->depths, count, sizeof *visibility->depths,
                                   "a tile", error);
     }
+    for (int k = 0; k < 2 && samples == 1 && status == BURNISH_STATUS_OK; ++k) {
+        status = burnish_allocate((void **)&visibility->weights[k], count,
+                                  sizeof *visibility->weights[k], "a tile", error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_allocate((void **)&visibility->triangles, visibility->triangle_capacity,
                                   sizeof *visibility->triangles, "a tile's triangles", error);
@@ -38,6 +42,8 @@ burnish_status burnish_visibility_create(burnish_visibility *visibility, int sam
 void burnish_visibility_destroy(burnish_visibility *visibility) {
     free(visibility->owners);
     free(visibility->depths);
+    free(visibility->weights[0]);
+    free(visibility->weights[1]);
     free(visibility->triangles);
     free(visibility->places);
     memset(visibility, 0, sizeof *visibility);
@@ -125,15 +131,16 @@ int burnish_visibility_draw(burnish_visibility *visibility, burnish_visibility_f
     return 1;
 }
 
-/* Appends the point at (x, y), in 1/256 pixel from the tile's corner. */
-static void append_point(const burnish_visibility *visibility, const burnish_raster_view *view,
-                         int pixel, int32_t owner, int weight, int x, int y,
-                         burnish_fragments *fragments) {
+/* 1/256 pixel from the tile's edge to a pixel's centre. */
+static int center_of(int pixel) {
+    return pixel * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
+}
+
+/* Appends a point with its weights, at (x, y) in 1/256 pixel from the tile's corner. */
+static void append_weighted(const burnish_visibility *visibility, const burnish_raster_view *view,
+                            int pixel, int32_t owner, int weight, int x, int y, float weight1,
+                            float weight2, burnish_fragments *fragments) {
     const burnish_tile_triangle *triangle = &visibility->triangles[owner];
-    const int64_t edge1 = (int64_t)triangle->dx[0] * y - (int64_t)triangle->dy[0] * x;
-    const int64_t edge2 = (int64_t)triangle->dx[1] * y - (int64_t)triangle->dy[1] * x;
-    const float weight1 = (float)(edge1 + triangle->constant[0]) * triangle->inverse_area;
-    const float weight2 = (float)(edge2 + triangle->constant[1]) * triangle->inverse_area;
     const int i = fragments->count++;
     visibility->places[owner] = 1;
     fragments->pixel[i] = (uint16_t)pixel;
@@ -151,13 +158,24 @@ static void append_point(const burnish_visibility *visibility, const burnish_ras
     }
 }
 
+/* The same, weights and all from the triangle. */
+static void append_point(const burnish_visibility *visibility, const burnish_raster_view *view,
+                         int pixel, int32_t owner, int weight, int x, int y,
+                         burnish_fragments *fragments) {
+    const burnish_tile_triangle *triangle = &visibility->triangles[owner];
+    const int64_t edge1 = (int64_t)triangle->dx[0] * y - (int64_t)triangle->dy[0] * x;
+    const int64_t edge2 = (int64_t)triangle->dx[1] * y - (int64_t)triangle->dy[1] * x;
+    append_weighted(visibility, view, pixel, owner, weight, x, y,
+                    (float)(edge1 + triangle->constant[0]) * triangle->inverse_area,
+                    (float)(edge2 + triangle->constant[1]) * triangle->inverse_area, fragments);
+}
+
 /* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
 static void append_samples(const burnish_visibility *visibility, const burnish_raster_view *view,
                            int pixel, const int32_t *owners, burnish_fragments *fragments) {
     const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->samples);
     const int samples = visibility->samples, step = BURNISH_SUBPIXELS / 16;
-    const int x = pixel % BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
-    const int y = pixel / BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
+    const int x = center_of(pixel % BURNISH_TILE_SIZE), y = center_of(pixel / BURNISH_TILE_SIZE);
     unsigned taken = 0;
     for (int s = 0; s < samples; ++s) {
         if ((taken >> s & 1) || owners[s] < 0) {
@@ -191,8 +209,7 @@ static void append_pixel(const burnish_visibility *visibility, const burnish_ras
         append_samples(visibility, view, pixel, owners, fragments);
     } else if (owners[0] >= 0) {
         append_point(visibility, view, pixel, owners[0], samples,
-                     pixel % BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2,
-                     pixel / BURNISH_TILE_SIZE * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2,
+                     center_of(pixel % BURNISH_TILE_SIZE), center_of(pixel / BURNISH_TILE_SIZE),
                      fragments);
     }
 }
@@ -207,7 +224,15 @@ int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster
             pixel += BURNISH_TILE_SIZE - pixel % BURNISH_TILE_SIZE;
             continue;
         }
-        append_pixel(visibility, view, pixel++, fragments);
+        if (visibility->samples > 1) {
+            append_pixel(visibility, view, pixel, fragments);
+        } else if (visibility->owners[pixel] >= 0) {
+            append_weighted(visibility, view, pixel, visibility->owners[pixel], 1,
+                            center_of(pixel % BURNISH_TILE_SIZE),
+                            center_of(pixel / BURNISH_TILE_SIZE), visibility->weights[0][pixel],
+                            visibility->weights[1][pixel], fragments);
+        }
+        ++pixel;
     }
     visibility->next_pixel = pixel;
     return fragments->count > 0;

@@ -29,6 +29,7 @@ typedef struct burnish_visibility {
     int needs_place; /* 1: points get x, y and depth */
     int32_t *owners; /* index into triangles, -1 for none */
     float *depths;
+    float *weights[2]; /* of vertices 1 and 2 at each pixel; NULL with more than one sample */
     burnish_tile_triangle *triangles;
     int32_t *places; /* one a triangle: scratch while drawing, then 1 where it has a point */
     size_t triangle_count, triangle_capacity;

@@ -99,10 +99,10 @@ static int load_edges(tile_edges *edges) {
     return longest <= SMALL_EDGE;
 }
 
-/* A vector of samples of a row: e_i are the edge functions with their bias. Returns 1 when one
- * became the triangle's. */
-BURNISH_INLINE int draw_vector(const tile_edges *edges, const vi e[3], int32_t owner, float *depths,
-                               int32_t *owners) {
+/* A vector of samples of a row, from `place` on: e_i are the edge functions with their bias. Keeps
+ * the weights where a pixel has one sample. Returns 1 when one became the triangle's. */
+BURNISH_INLINE int draw_vector(const burnish_visibility *tile, const tile_edges *edges,
+                               const vi e[3], int32_t owner, int single, size_t place) {
     vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
     if (!vm_any(covered)) {
         return 0;
@@ -112,19 +112,24 @@ BURNISH_INLINE int draw_vector(const tile_edges *edges, const vi e[3], int32_t o
     vf weight2 = vf_mul(vi_convert(vi_sub(e[2], vi_set(edges->bias[2]))), area);
     vf depth = vf_add(vf_add(vf_set(edges->depth[0]), vf_mul(weight1, vf_set(edges->depth[1]))),
                       vf_mul(weight2, vf_set(edges->depth[2])));
-    vf before = vf_load(depths);
+    vf before = vf_load(tile->depths + place);
     vm nearer = vm_and(covered, vf_greater(depth, before));
     if (!vm_any(nearer)) {
         return 0;
     }
-    vf_store(depths, vf_blend(nearer, depth, before));
-    vi_save(owners, vi_blend(nearer, vi_set(owner), vi_load(owners)));
+    vf_store(tile->depths + place, vf_blend(nearer, depth, before));
+    vi_save(tile->owners + place, vi_blend(nearer, vi_set(owner), vi_load(tile->owners + place)));
+    if (single) {
+        float *first = tile->weights[0] + place, *second = tile->weights[1] + place;
+        vf_store(first, vf_blend(nearer, weight1, vf_load(first)));
+        vf_store(second, vf_blend(nearer, weight2, vf_load(second)));
+    }
     return 1;
 }
 
 /* A triangle of up to 96 pixels. */
-static int draw_small(burnish_visibility *tile, const tile_edges *edges, int32_t owner,
-                      const int8_t (*offsets)[2]) {
+BURNISH_INLINE int draw_small(const burnish_visibility *tile, const tile_edges *edges,
+                              int32_t owner, int single, const int8_t (*offsets)[2]) {
     const int first = edges->x0 & ~(LANES - 1);
     int drawn = 0;
     vi ramp[3], next[3], down[3];
@@ -134,7 +139,7 @@ static int draw_small(burnish_visibility *tile, const tile_edges *edges, int32_t
         next[i] = vi_set(step * LANES);
         down[i] = vi_set(edges->dx[i] * BURNISH_SUBPIXELS);
     }
-    for (int s = 0; s < tile->samples; ++s) {
+    for (int s = 0; s < (single ? 1 : tile->samples); ++s) {
         const int32_t x = first * BURNISH_SUBPIXELS + HALF_PIXEL + offsets[s][0] * 16;
         const int32_t y = edges->y0 * BURNISH_SUBPIXELS + HALF_PIXEL + offsets[s][1] * 16;
         size_t place = (size_t)s * BURNISH_TILE_PIXELS + (size_t)(edges->y0 * BURNISH_TILE_SIZE);
@@ -147,8 +152,7 @@ static int draw_small(burnish_visibility *tile, const tile_edges *edges, int32_t
         for (int line = edges->y0; line < edges->y1; ++line, place += BURNISH_TILE_SIZE) {
             vi e[3] = {row[0], row[1], row[2]};
             for (int column = first; column < edges->x1; column += LANES) {
-                drawn |= draw_vector(edges, e, owner, tile->depths + place + column,
-                                     tile->owners + place + column);
+                drawn |= draw_vector(tile, edges, e, owner, single, place + (size_t)column);
                 for (int i = 0; i < 3; ++i) {
                     e[i] = vi_add(e[i], next[i]);
                 }
@@ -161,29 +165,42 @@ static int draw_small(burnish_visibility *tile, const tile_edges *edges, int32_t
     return drawn;
 }
 
-/* One row of a large triangle; start and step of each edge function are whole numbers below 2^53.
- */
-static int draw_row(const tile_edges *edges, const double start[3], const double step[3], int x0,
-                    int x1, int32_t owner, float *restrict depths, int32_t *restrict owners) {
+/* One row of a large triangle from `place` on; start and step of each edge function are whole
+ * numbers below 2^53. */
+static int draw_row(const burnish_visibility *tile, const tile_edges *edges, const double start[3],
+                    const double step[3], int32_t owner, size_t place) {
     const double limit0 = -edges->bias[0], limit1 = -edges->bias[1], limit2 = -edges->bias[2];
     const double start0 = start[0], start1 = start[1], start2 = start[2];
     const double step0 = step[0], step1 = step[1], step2 = step[2];
     const float area = edges->inverse_area;
     const float depth0 = edges->depth[0], depth1 = edges->depth[1], depth2 = edges->depth[2];
-    int drawn = 0;
-    for (int x = x0; x < x1; ++x) {
+    float weights[2][BURNISH_TILE_SIZE];
+    int32_t nearer[BURNISH_TILE_SIZE];
+    float *restrict depths = tile->depths + place;
+    int32_t *restrict owners = tile->owners + place;
+    int32_t drawn = 0;
+    for (int x = edges->x0; x < edges->x1; ++x) {
         const double e0 = start0 + step0 * x, e1 = start1 + step1 * x, e2 = start2 + step2 * x;
-        const float depth = (depth0 + ((float)e1 * area) * depth1) + ((float)e2 * area) * depth2;
-        const int nearer = (e0 >= limit0) & (e1 >= limit1) & (e2 >= limit2) & (depth > depths[x]);
-        depths[x] = nearer ? depth : depths[x];
-        owners[x] = nearer ? owner : owners[x];
-        drawn |= nearer;
+        const float weight1 = (float)e1 * area, weight2 = (float)e2 * area;
+        const float depth = (depth0 + weight1 * depth1) + weight2 * depth2;
+        nearer[x] = (e0 >= limit0) & (e1 >= limit1) & (e2 >= limit2) & (depth > depths[x]);
+        depths[x] = nearer[x] ? depth : depths[x];
+        owners[x] = nearer[x] ? owner : owners[x];
+        weights[0][x] = weight1;
+        weights[1][x] = weight2;
+        drawn |= nearer[x];
+    }
+    for (int k = 0; k < 2 && tile->weights[0] && drawn; ++k) {
+        float *restrict kept = tile->weights[k] + place;
+        for (int x = edges->x0; x < edges->x1; ++x) {
+            kept[x] = nearer[x] ? weights[k][x] : kept[x];
+        }
     }
     return drawn;
 }
 
 /* A triangle of any size: its edge functions are below 2^49. */
-static int draw_large(burnish_visibility *tile, const tile_edges *edges, int32_t owner,
+static int draw_large(const burnish_visibility *tile, const tile_edges *edges, int32_t owner,
                       const int8_t (*offsets)[2]) {
     int drawn = 0;
     for (int s = 0; s < tile->samples; ++s) {
@@ -204,8 +221,7 @@ static int draw_large(burnish_visibility *tile, const tile_edges *edges, int32_t
                 step[i] = (double)along;
             }
             if (!outside) {
-                drawn |= draw_row(edges, start, step, edges->x0, edges->x1, owner,
-                                  tile->depths + place, tile->owners + place);
+                drawn |= draw_row(tile, edges, start, step, owner, place);
             }
         }
     }
@@ -250,8 +266,14 @@ void DRAW(burnish_visibility *visibility, const burnish_geometry *geometry, cons
             burnish_visibility_compact(visibility);
         }
         int32_t owner = (int32_t)visibility->triangle_count;
-        int drawn = load_edges(&edges) ? draw_small(visibility, &edges, owner, offsets)
-                                       : draw_large(visibility, &edges, owner, offsets);
+        int drawn;
+        if (!load_edges(&edges)) {
+            drawn = draw_large(visibility, &edges, owner, offsets);
+        } else if (visibility->samples == 1) {
+            drawn = draw_small(visibility, &edges, owner, 1, offsets);
+        } else {
+            drawn = draw_small(visibility, &edges, owner, 0, offsets);
+        }
         if (drawn) {
             remember(visibility, &edges, triangle);
         }

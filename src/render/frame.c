@@ -80,8 +80,7 @@ static void resolve_row(const burnish_frame *frame, const tile_worker *worker, i
         const float behind = burnish_srgb_to_linear[frame->options->background[channel]];
         const float *sum = worker->sum[channel] + first;
         for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-            const float light = covered[x] ? sum[x] : 0.0f;
-            rgb[channel][x] = (light + (float)(samples - covered[x]) * behind) * share;
+            rgb[channel][x] = (sum[x] + (float)(samples - covered[x]) * behind) * share;
         }
     }
     const float *const rows[3] = {rgb[0], rgb[1], rgb[2]};
@@ -148,10 +147,8 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile
         const int samples = frame->options->samples;
         while (burnish_visibility_next(&worker->tile, frame->view, &worker->fragments)) {
             if (!has_points) {
+                memset(worker->sum, 0, sizeof worker->sum);
                 memset(worker->covered, 0, sizeof worker->covered);
-                if (samples > 1) { /* a single sample is never added to another */
-                    memset(worker->sum, 0, sizeof worker->sum);
-                }
                 has_points = 1;
             }
             burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
