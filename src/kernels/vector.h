@@ -8,6 +8,7 @@
  *   vf_keep     x where the mask holds, +0 elsewhere
  *   vf_bits, vi_float  the same 32 bits under the other type
  *   vi_left, vi_right, vi_right_signed  shifts by a constant
+ *   vi_mul      the low 32 bits; vi_max, vi_min of signed numbers
  *   vi_convert  integers to floats, to nearest even
  *   vi_store    four bytes a lane, the lowest first; vi_load, vi_save whole integers
  *   vi_gather   table[index] a lane

@@ -67,12 +67,24 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return _mm256_sub_epi32(a, b);
 }
+static inline vi vi_and(vi a, vi b) {
+    return _mm256_and_si256(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return _mm256_or_si256(a, b);
 }
 #define vi_left(x, bits) _mm256_slli_epi32(x, bits)
 #define vi_right(x, bits) _mm256_srli_epi32(x, bits)
 #define vi_right_signed(x, bits) _mm256_srai_epi32(x, bits)
+static inline vi vi_mul(vi a, vi b) {
+    return _mm256_mullo_epi32(a, b);
+}
+static inline vi vi_max(vi a, vi b) {
+    return _mm256_max_epi32(a, b);
+}
+static inline vi vi_min(vi a, vi b) {
+    return _mm256_min_epi32(a, b);
+}
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm256_i32gather_epi32((const int *)table, index, 4);
 }

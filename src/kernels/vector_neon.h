@@ -68,12 +68,24 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return vsubq_s32(a, b);
 }
+static inline vi vi_and(vi a, vi b) {
+    return vandq_s32(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return vorrq_s32(a, b);
 }
 #define vi_left(x, bits) vshlq_n_s32(x, bits)
 #define vi_right(x, bits) vreinterpretq_s32_u32(vshrq_n_u32(vreinterpretq_u32_s32(x), bits))
 #define vi_right_signed(x, bits) vshrq_n_s32(x, bits)
+static inline vi vi_mul(vi a, vi b) {
+    return vmulq_s32(a, b);
+}
+static inline vi vi_max(vi a, vi b) {
+    return vmaxq_s32(a, b);
+}
+static inline vi vi_min(vi a, vi b) {
+    return vminq_s32(a, b);
+}
 static inline vi vi_gather(const int32_t *table, vi index) {
     int32_t lanes[4];
     vst1q_s32(lanes, index);

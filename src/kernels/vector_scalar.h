@@ -72,6 +72,9 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return a - b;
 }
+static inline vi vi_and(vi a, vi b) {
+    return a & b;
+}
 static inline vi vi_or(vi a, vi b) {
     return a | b;
 }
@@ -83,6 +86,15 @@ static inline vi vi_right(vi x, unsigned bits) {
 }
 static inline vi vi_right_signed(vi x, unsigned bits) {
     return (uint32_t)((int32_t)x >> bits);
+}
+static inline vi vi_mul(vi a, vi b) {
+    return a * b;
+}
+static inline vi vi_max(vi a, vi b) {
+    return (int32_t)a > (int32_t)b ? a : b;
+}
+static inline vi vi_min(vi a, vi b) {
+    return (int32_t)a < (int32_t)b ? a : b;
 }
 static inline vi vi_gather(const int32_t *table, vi index) {
     return (uint32_t)table[index];

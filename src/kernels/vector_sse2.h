@@ -67,12 +67,29 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return _mm_sub_epi32(a, b);
 }
+static inline vi vi_and(vi a, vi b) {
+    return _mm_and_si128(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return _mm_or_si128(a, b);
 }
 #define vi_left(x, bits) _mm_slli_epi32(x, bits)
 #define vi_right(x, bits) _mm_srli_epi32(x, bits)
 #define vi_right_signed(x, bits) _mm_srai_epi32(x, bits)
+static inline vi vi_mul(vi a, vi b) {
+    vi even = _mm_mul_epu32(a, b);
+    vi odd = _mm_mul_epu32(_mm_srli_si128(a, 4), _mm_srli_si128(b, 4));
+    return _mm_unpacklo_epi32(_mm_shuffle_epi32(even, _MM_SHUFFLE(0, 0, 2, 0)),
+                              _mm_shuffle_epi32(odd, _MM_SHUFFLE(0, 0, 2, 0)));
+}
+static inline vi vi_max(vi a, vi b) {
+    vi greater = _mm_cmpgt_epi32(a, b);
+    return _mm_or_si128(_mm_and_si128(greater, a), _mm_andnot_si128(greater, b));
+}
+static inline vi vi_min(vi a, vi b) {
+    vi greater = _mm_cmpgt_epi32(a, b);
+    return _mm_or_si128(_mm_and_si128(greater, b), _mm_andnot_si128(greater, a));
+}
 static inline vi vi_gather(const int32_t *table, vi index) {
     int32_t lanes[4];
     _mm_storeu_si128((__m128i *)(void *)lanes, index);

@@ -68,6 +68,9 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return wasm_i32x4_sub(a, b);
 }
+static inline vi vi_and(vi a, vi b) {
+    return wasm_v128_and(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return wasm_v128_or(a, b);
 }
@@ -79,6 +82,15 @@ static inline vi vi_right(vi x, unsigned bits) {
 }
 static inline vi vi_right_signed(vi x, unsigned bits) {
     return wasm_i32x4_shr(x, bits);
+}
+static inline vi vi_mul(vi a, vi b) {
+    return wasm_i32x4_mul(a, b);
+}
+static inline vi vi_max(vi a, vi b) {
+    return wasm_i32x4_max(a, b);
+}
+static inline vi vi_min(vi a, vi b) {
+    return wasm_i32x4_min(a, b);
 }
 static inline vi vi_gather(const int32_t *table, vi index) {
     int32_t lanes[4];
