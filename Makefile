@@ -61,11 +61,13 @@ sweep: ## every lobe over all 2^32 floats (minutes)
 	@cmake --build --preset release -j $(JOBS) --target sweep_lobe
 	@build/release/test/sweep_lobe
 
-bench: ## time frames and whole processes (medians)
-	@$(DEPS) build demo
+bench: ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
+	@$(DEPS) build demo bench
 	@cmake --preset release -DBURNISH_BENCH=ON >/dev/null
 	@cmake --build --preset release -j $(JOBS)
 	@./bench/run build/release
+	@./scripts/performance build/release/kernels.csv >build/release/performance.md
+	@mv build/release/performance.md docs/performance.md
 
 format: ## format the sources with clang-format
 	@$(DEPS) test

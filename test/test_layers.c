@@ -19,11 +19,13 @@ static const struct layer {
     {"src/render",
      "base raster shade public:batch.h public:render.h public:theory.h public:status.h"},
     {"tools/burnish", "public:batch.h public:image.h public:isa.h public:lobe.h public:render.h "
-                      "public:scene.h public:status.h"},
+                      "public:scene.h public:status.h bench"},
+    {"bench", "kernels public:batch.h public:lobe.h public:render.h"},
 };
 
 static int allowed(const struct layer *layer, const char *include) {
-    const char *own = strrchr(layer->folder, '/') + 1;
+    const char *slash_in_folder = strrchr(layer->folder, '/');
+    const char *own = slash_in_folder ? slash_in_folder + 1 : layer->folder;
     char word[128];
     if (strncmp(include, "burnish/", 8) == 0 && strncmp(layer->folder, "src/", 4) == 0) {
         snprintf(word, sizeof word, "public:%s", include + 8);

@@ -6,7 +6,7 @@
 # fits FILE: at most 40 lines of at most 100 columns, no blanks at the ends of lines.
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
 
-for screen in "--help" "-h" "help" "render --help" "render -h" "help render" "help --help"; do
+for screen in "--help" "-h" "help" "render --help" "render -h" "help render" "help --help" "bench --help"; do
     run $screen
     check "burnish $screen: exit code $code" [ "$code" = 0 ]
     check "burnish $screen: writes to standard error" [ ! -s "$err" ]
@@ -14,7 +14,7 @@ for screen in "--help" "-h" "help" "render --help" "render -h" "help render" "he
 done
 run --help
 cp "$out" main.txt
-for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'help \[COMMAND\]'; do
+for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'bench ' 'help \[COMMAND\]'; do
     check "burnish --help lacks '$code_text'" grep -q -- "  $code_text" main.txt
 done
 run render --help
@@ -39,9 +39,9 @@ done <flags.txt
 sed -n '/^.TP/{n;s/^.*fB\(--[a-z-]*\)fR.*$/\1/p}' page.txt | grep '^--' | sort -u >described.txt
 check "the man page describes no flags" [ -s described.txt ]
 while read -r flag; do
-    check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt || '$burnish' help --help | grep -q -- $flag"
+    check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt || '$burnish' help --help | grep -q -- $flag || '$burnish' bench --help | grep -q -- $flag"
 done <described.txt
-for heading in NAME SYNOPSIS DESCRIPTION RENDER COLOURS MATERIALS LOBES LIGHTS '"JSON OUTPUT"' \
+for heading in NAME SYNOPSIS DESCRIPTION RENDER BENCH COLOURS MATERIALS LOBES LIGHTS '"JSON OUTPUT"' \
     '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
     check "the man page lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish.1
 done

@@ -9,6 +9,7 @@
 
 const burnish_cli_command *const burnish_cli_commands[] = {
     &burnish_cli_render_command,
+    &burnish_cli_bench_command,
     &burnish_cli_help_command,
     NULL,
 };
@@ -116,8 +117,12 @@ static size_t widest_row(const burnish_cli_command *command) {
 
 int burnish_cli_print_command_help(const burnish_cli_command *command) {
     int width = (int)widest_row(command);
-    printf("Usage: burnish %s %s [options]   %s\n  %s  %s\n", command->name, command->operand,
-           command->summary, command->operand, command->operand_help);
+    const char *blank = *command->operand ? " " : "";
+    printf("Usage: burnish %s%s%s [options]   %s\n", command->name, blank, command->operand,
+           command->summary);
+    if (*command->operand) {
+        printf("  %s  %s\n", command->operand, command->operand_help);
+    }
     for (size_t i = 0; i < command->flag_count; i += row_length(command, i)) {
         const burnish_cli_flag *flags = &command->flags[i];
         size_t length = row_length(command, i);

@@ -32,7 +32,8 @@ int burnish_cli_print_man(void);
 /* Flushes standard output; the exit code, after a message where it failed. */
 int burnish_cli_finish_output(void);
 
-/* The subcommand `help`. */
+/* The subcommands `help` and `bench`. */
 extern const burnish_cli_command burnish_cli_help_command;
+extern const burnish_cli_command burnish_cli_bench_command;
 
 #endif

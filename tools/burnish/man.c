@@ -235,8 +235,10 @@ int burnish_cli_print_man(void) {
         PAGE_DATE, burnish_version());
     for (size_t i = 0; burnish_cli_commands[i]; ++i) {
         char line[160];
-        snprintf(line, sizeof line, "*burnish %s* _%s_ [_options_]", burnish_cli_commands[i]->name,
-                 burnish_cli_commands[i]->operand);
+        const burnish_cli_command *command = burnish_cli_commands[i];
+        snprintf(line, sizeof line,
+                 *command->operand ? "*burnish %s* _%s_ [_options_]" : "*burnish %s*%s [_options_]",
+                 command->name, command->operand);
         print_text(line);
         printf(".br\n");
     }
