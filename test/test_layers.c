@@ -9,7 +9,7 @@ static const struct layer {
     const char *folder;
     const char *may_include;
 } LAYERS[] = {
-    {"src/base", "public:status.h"},
+    {"src/base", "public:file.h public:status.h"},
     {"src/theory", "base public:lobe.h public:theory.h"},
     {"src/kernels", "base public:batch.h public:isa.h public:lobe.h"},
     {"src/scene", "base public:scene.h public:status.h"},
@@ -18,8 +18,9 @@ static const struct layer {
     {"src/image", "base public:image.h public:status.h"},
     {"src/render",
      "base raster shade public:batch.h public:render.h public:theory.h public:status.h"},
-    {"tools/burnish", "public:batch.h public:image.h public:isa.h public:lobe.h public:render.h "
-                      "public:scene.h public:status.h bench"},
+    {"tools/burnish",
+     "public:batch.h public:file.h public:image.h public:isa.h public:lobe.h public:render.h "
+     "public:scene.h public:status.h public:theory.h bench"},
     {"bench", "kernels public:batch.h public:lobe.h public:render.h"},
 };
 
