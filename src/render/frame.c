@@ -19,6 +19,7 @@ typedef struct tile_worker {
     uint8_t covered[BURNISH_TILE_PIXELS]; /* samples */
     size_t covered_pixels;
     int bounds[4];
+    burnish_row row; /* with one sample a pixel */
 } tile_worker;
 
 /* A point that has its pixel to itself is stored, others are added up. */
@@ -139,26 +140,83 @@ static void resolve_tile(const burnish_frame *frame, tile_worker *worker, int ha
     }
 }
 
-static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile_worker *worker,
-                      int column, int row) {
-    int has_points = 0;
-    if (burnish_visibility_draw(&worker->tile, frame->visibility, frame->view, frame->geometry,
-                                bins, column, row)) {
-        const int samples = frame->options->samples;
-        while (burnish_visibility_next(&worker->tile, frame->view, &worker->fragments)) {
-            if (!has_points) {
-                memset(worker->sum, 0, sizeof worker->sum);
-                memset(worker->covered, 0, sizeof worker->covered);
-                has_points = 1;
-            }
-            burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
-            add_fragments(worker, samples);
-        }
-        if (frame->drawn) {
-            burnish_visibility_mark(&worker->tile, frame->drawn);
+/* One sample a pixel: rows go from owners to codes without sums. */
+static void finish_row(const burnish_frame *frame, tile_worker *worker, int y, uint8_t *out) {
+    const burnish_visibility *tile = &worker->tile;
+    const int32_t *owners = tile->owners + y * BURNISH_TILE_SIZE;
+    uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
+    const int transparent = frame->options->transparent;
+    uint8_t pixels[4 * BURNISH_TILE_SIZE];
+    float rgb[3][BURNISH_TILE_SIZE];
+    if (!burnish_shade_row(frame->shader, &worker->cache, tile, frame->view, y, &worker->row)) {
+        fill_row(frame, tile->width, out);
+        return;
+    }
+    for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+        covered[x] = owners[x] >= 0;
+    }
+    count_row(worker, y);
+    for (int channel = 0; channel < 3; ++channel) {
+        const float behind =
+            transparent ? 0.0f : burnish_srgb_to_linear[frame->options->background[channel]];
+        const float *light = worker->row.rgb[channel];
+        for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+            const float value = light[x] < 1.0f ? light[x] : 1.0f;
+            rgb[channel][x] = owners[x] >= 0 ? value : behind;
         }
     }
+    const float *const rows[3] = {rgb[0], rgb[1], rgb[2]};
+    frame->encode(frame->encoder, BURNISH_TILE_SIZE, rows, pixels);
+    if (transparent) {
+        for (int x = 0; x < tile->width; ++x) {
+            pixels[4 * x + 3] = covered[x] ? 255 : 0;
+        }
+        memcpy(out, pixels, 4 * (size_t)tile->width);
+        return;
+    }
+    for (int x = 0; x < tile->width; ++x) {
+        memcpy(out + 3 * x, pixels + 4 * x, 3);
+    }
+}
+
+static void finish_tile(const burnish_frame *frame, tile_worker *worker) {
+    const burnish_visibility *tile = &worker->tile;
+    const size_t channels = (size_t)frame->image->channels;
+    for (int y = 0; y < tile->height; ++y) {
+        size_t first = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
+        finish_row(frame, worker, y, frame->image->pixels + first * channels);
+    }
+}
+
+static void shade_samples(const burnish_frame *frame, tile_worker *worker) {
+    int has_points = 0;
+    while (burnish_visibility_next(&worker->tile, frame->view, &worker->fragments)) {
+        if (!has_points) {
+            memset(worker->sum, 0, sizeof worker->sum);
+            memset(worker->covered, 0, sizeof worker->covered);
+            has_points = 1;
+        }
+        burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
+        add_fragments(worker, frame->options->samples);
+    }
     resolve_tile(frame, worker, has_points);
+}
+
+static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile_worker *worker,
+                      int column, int row) {
+    if (!burnish_visibility_draw(&worker->tile, frame->visibility, frame->view, frame->geometry,
+                                 bins, column, row)) {
+        resolve_tile(frame, worker, 0);
+        return;
+    }
+    if (frame->options->samples == 1) {
+        finish_tile(frame, worker);
+    } else {
+        shade_samples(frame, worker);
+    }
+    if (frame->drawn) {
+        burnish_visibility_mark(&worker->tile, frame->drawn);
+    }
 }
 
 static int thread_index(void) {

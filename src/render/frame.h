@@ -5,7 +5,7 @@
 #include "burnish/render.h"
 #include "kernels/table.h"
 #include "raster/visibility.h"
-#include "shade/shade.h"
+#include "shade/row.h"
 
 typedef struct burnish_frame {
     const burnish_raster_view *view;

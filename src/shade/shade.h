@@ -49,6 +49,9 @@ typedef struct burnish_shade_cache {
     burnish_batch_shader prepared;
 } burnish_shade_cache;
 
+/* Makes `material` the cache's. */
+void burnish_shade_prepare(const burnish_shader *shader, int material, burnish_shade_cache *cache);
+
 /* Whether every material and light can be shaded. Errors: ARGUMENT. */
 burnish_status burnish_shader_check(const burnish_shader *shader, size_t material_count,
                                     burnish_error *error);
