@@ -72,7 +72,7 @@ typedef struct burnish_setup_triangle {
 typedef struct burnish_geometry {
     burnish_screen_vertices vertices;
     burnish_clip_vertex *clip_vertices; /* vertices.count - vertices.mesh_count of them */
-    burnish_setup_triangle *triangles;
+    burnish_setup_triangle *triangles;  /* whole ones, then the pieces of clipped ones */
     size_t triangle_count;
 } burnish_geometry;
 
