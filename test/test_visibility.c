@@ -152,56 +152,87 @@ static int compare_owners(const burnish_tile *tile, const burnish_visibility *fa
     return wrong;
 }
 
-/* Colours that one sample a pixel gets by rows, against those of the list of points. */
-static int compare_row(const burnish_shader *shader, burnish_shade_cache *cache,
-                       const burnish_visibility *fast, const burnish_raster_view *view,
-                       float (*expected)[BURNISH_TILE_PIXELS]) {
-    static burnish_row row;
-    int wrong = 0;
-    for (int y = 0; y < fast->height; ++y) {
-        int shown = burnish_shade_row(shader, cache, fast, view, y, &row);
-        for (int x = 0; x < fast->width; ++x) {
-            int pixel = y * BURNISH_TILE_SIZE + x;
-            if (fast->owners[pixel] < 0) {
-                continue;
-            }
-            wrong += !shown;
-            for (int k = 0; k < 3; ++k) {
-                wrong += memcmp(&row.rgb[k][x], &expected[k][pixel], sizeof(float)) != 0;
-            }
-        }
+/* A visible point by the reference, with its colour. */
+typedef struct point {
+    int pixel, weight;
+    burnish_corners corners;
+    float x, y, depth, weights[2], color[3];
+} point;
+
+static point take_point(const burnish_fragments *fragments, const burnish_shaded *shaded, int i) {
+    point made;
+    memset(&made, 0, sizeof made);
+    made.pixel = fragments->pixel[i];
+    made.weight = fragments->weight[i];
+    made.corners = fragments->corners[i];
+    made.x = fragments->x[i];
+    made.y = fragments->y[i];
+    made.depth = fragments->depth[i];
+    made.weights[0] = fragments->weight1[i];
+    made.weights[1] = fragments->weight2[i];
+    for (int k = 0; k < 3; ++k) {
+        made.color[k] = shaded->channel[k][i];
     }
-    return wrong;
+    return made;
+}
+
+/* What the fast renderer makes of a pixel that is one triangle's alone. */
+static int same_whole(const burnish_visibility *fast, const burnish_whole_row *whole,
+                      const burnish_row *row, const point *expected) {
+    const int x = expected->pixel % BURNISH_TILE_SIZE;
+    if (whole->owners[x] < 0) {
+        return 0;
+    }
+    const float got[6] = {whole->weights[0][x], whole->weights[1][x], whole->depths[x],
+                          row->rgb[0][x],       row->rgb[1][x],       row->rgb[2][x]};
+    const float want[6] = {expected->weights[0], expected->weights[1], expected->depth,
+                           expected->color[0],   expected->color[1],   expected->color[2]};
+    return memcmp(got, want, sizeof got) == 0 &&
+           memcmp(&fast->triangles[whole->owners[x]].corners, &expected->corners,
+                  sizeof expected->corners) == 0;
 }
 
 /* All points of a tile by both paths; *points counts them. */
 static int compare_points(burnish_tile *tile, burnish_visibility *fast,
                           const burnish_raster_view *view, const burnish_geometry *geometry,
                           const burnish_shader *shader, burnish_shade_cache *cache, int *points) {
-    static burnish_fragments expected, got;
+    static point expected[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
+    static burnish_fragments fragments;
     static burnish_shaded shaded;
-    static float colors[3][BURNISH_TILE_PIXELS];
-    int wrong = 0, more;
-    do {
-        memset(&expected, 0, sizeof expected);
-        memset(&got, 0, sizeof got);
-        more = burnish_next_fragments(tile, view, geometry, &expected);
-        wrong += burnish_visibility_next(fast, view, &got) != more;
-        wrong += memcmp(&expected, &got, sizeof got) != 0;
-        *points += got.count;
-        if (tile->samples == 1 && wrong == 0) {
-            burnish_shade(shader, cache, &got, &shaded);
-            for (int i = 0; i < got.count; ++i) {
-                for (int k = 0; k < 3; ++k) {
-                    colors[k][got.pixel[i]] = shaded.channel[k][i];
-                }
-            }
+    static burnish_whole_row whole;
+    static burnish_row row;
+    int count = 0, wrong = 0, at = 0, known = -1;
+    while (burnish_next_fragments(tile, view, geometry, &fragments)) {
+        burnish_shade(shader, cache, &fragments, &shaded);
+        for (int i = 0; i < fragments.count; ++i) {
+            expected[count++] = take_point(&fragments, &shaded, i);
         }
-    } while (more && wrong == 0);
-    if (tile->samples == 1 && wrong == 0) {
-        wrong += compare_row(shader, cache, fast, view, colors);
     }
-    return wrong;
+    *points += count;
+    for (int i = 0; i < count; ++i) { /* whole pixels, a row after another */
+        const int y = expected[i].pixel / BURNISH_TILE_SIZE;
+        if (y != known) {
+            burnish_visibility_row(fast, y, &whole);
+            burnish_shade_row(shader, cache, fast, &whole, view, y, &row);
+            known = y;
+        }
+        wrong +=
+            expected[i].weight == tile->samples && !same_whole(fast, &whole, &row, &expected[i]);
+    }
+    while (burnish_visibility_next(fast, view, &fragments)) {
+        burnish_shade(shader, cache, &fragments, &shaded);
+        for (int i = 0; i < fragments.count; ++i, ++at) {
+            while (at < count && expected[at].weight == tile->samples) {
+                ++at;
+            }
+            point got = take_point(&fragments, &shaded, i);
+            wrong += at >= count || memcmp(&got, &expected[at], sizeof got) != 0;
+        }
+    }
+    while (at < count && expected[at].weight == tile->samples) {
+        ++at;
+    }
+    return wrong + (at != count);
 }
 
 static void make_shader(burnish_shader *shader, burnish_shade_material materials[3],

@@ -136,12 +136,27 @@ static int center_of(int pixel) {
     return pixel * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
 }
 
-/* Appends a point with its weights, at (x, y) in 1/256 pixel from the tile's corner. */
-static void append_weighted(const burnish_visibility *visibility, const burnish_raster_view *view,
-                            int pixel, int32_t owner, int weight, int x, int y, float weight1,
-                            float weight2, burnish_fragments *fragments) {
+/* Weights of a triangle's vertices 1 and 2 at (x, y) in 1/256 pixel from the tile's corner. */
+static void weights_at(const burnish_tile_triangle *triangle, int x, int y, float *weight1,
+                       float *weight2) {
+    const int64_t edge1 = (int64_t)triangle->dx[0] * y - (int64_t)triangle->dy[0] * x;
+    const int64_t edge2 = (int64_t)triangle->dx[1] * y - (int64_t)triangle->dy[1] * x;
+    *weight1 = (float)(edge1 + triangle->constant[0]) * triangle->inverse_area;
+    *weight2 = (float)(edge2 + triangle->constant[1]) * triangle->inverse_area;
+}
+
+static float depth_at(const burnish_tile_triangle *triangle, float weight1, float weight2) {
+    return (triangle->depth[0] + weight1 * triangle->depth[1]) + weight2 * triangle->depth[2];
+}
+
+/* Appends the point at (x, y) in 1/256 pixel from the tile's corner. */
+static void append_point(const burnish_visibility *visibility, const burnish_raster_view *view,
+                         int pixel, int32_t owner, int weight, int x, int y,
+                         burnish_fragments *fragments) {
     const burnish_tile_triangle *triangle = &visibility->triangles[owner];
     const int i = fragments->count++;
+    float weight1, weight2;
+    weights_at(triangle, x, y, &weight1, &weight2);
     visibility->places[owner] = 1;
     fragments->pixel[i] = (uint16_t)pixel;
     fragments->weight[i] = (uint8_t)weight;
@@ -153,21 +168,8 @@ static void append_weighted(const burnish_visibility *visibility, const burnish_
         y += visibility->y * BURNISH_SUBPIXELS - view->height * (BURNISH_SUBPIXELS / 2);
         fragments->x[i] = (float)x / BURNISH_SUBPIXELS;
         fragments->y[i] = (float)-y / BURNISH_SUBPIXELS;
-        fragments->depth[i] =
-            (triangle->depth[0] + weight1 * triangle->depth[1]) + weight2 * triangle->depth[2];
+        fragments->depth[i] = depth_at(triangle, weight1, weight2);
     }
-}
-
-/* The same, weights and all from the triangle. */
-static void append_point(const burnish_visibility *visibility, const burnish_raster_view *view,
-                         int pixel, int32_t owner, int weight, int x, int y,
-                         burnish_fragments *fragments) {
-    const burnish_tile_triangle *triangle = &visibility->triangles[owner];
-    const int64_t edge1 = (int64_t)triangle->dx[0] * y - (int64_t)triangle->dy[0] * x;
-    const int64_t edge2 = (int64_t)triangle->dx[1] * y - (int64_t)triangle->dy[1] * x;
-    append_weighted(visibility, view, pixel, owner, weight, x, y,
-                    (float)(edge1 + triangle->constant[0]) * triangle->inverse_area,
-                    (float)(edge2 + triangle->constant[1]) * triangle->inverse_area, fragments);
 }
 
 /* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
@@ -195,47 +197,72 @@ static void append_samples(const burnish_visibility *visibility, const burnish_r
     }
 }
 
-static void append_pixel(const burnish_visibility *visibility, const burnish_raster_view *view,
-                         int pixel, burnish_fragments *fragments) {
-    const int32_t *plane = visibility->owners + pixel;
-    const int samples = visibility->samples;
-    int32_t owners[BURNISH_MAX_SAMPLES], different = 0;
-    owners[0] = plane[0];
-    for (int s = 1; s < samples; ++s) {
-        owners[s] = plane[s * BURNISH_TILE_PIXELS];
-        different |= owners[s] ^ owners[0];
-    }
-    if (different) {
-        append_samples(visibility, view, pixel, owners, fragments);
-    } else if (owners[0] >= 0) {
-        append_point(visibility, view, pixel, owners[0], samples,
-                     center_of(pixel % BURNISH_TILE_SIZE), center_of(pixel / BURNISH_TILE_SIZE),
-                     fragments);
+/* Differences between the samples' owners of row y: 0 where one has them all. */
+static void find_differences(const burnish_visibility *visibility, int y,
+                             int32_t different[BURNISH_TILE_SIZE]) {
+    const int32_t *first = visibility->owners + y * BURNISH_TILE_SIZE;
+    memset(different, 0, BURNISH_TILE_SIZE * sizeof *different);
+    for (int s = 1; s < visibility->samples; ++s) {
+        const int32_t *owners = first + s * BURNISH_TILE_PIXELS;
+        for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+            different[x] |= owners[x] ^ first[x];
+        }
     }
 }
 
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments) {
-    const int end = visibility->height * BURNISH_TILE_SIZE;
-    int pixel = visibility->next_pixel;
+    const int samples = visibility->samples;
+    int32_t different[BURNISH_TILE_SIZE], owners[BURNISH_MAX_SAMPLES];
+    int pixel = visibility->next_pixel, known = -1;
     fragments->count = 0;
-    while (pixel < end && fragments->count + visibility->samples <= BURNISH_FRAGMENT_BLOCK) {
-        if (pixel % BURNISH_TILE_SIZE >= visibility->width) {
-            pixel += BURNISH_TILE_SIZE - pixel % BURNISH_TILE_SIZE;
+    for (; samples > 1 && pixel < visibility->height * BURNISH_TILE_SIZE; ++pixel) {
+        const int x = pixel % BURNISH_TILE_SIZE, y = pixel / BURNISH_TILE_SIZE;
+        if (y != known) {
+            find_differences(visibility, y, different);
+            known = y;
+        }
+        if (x >= visibility->width || !different[x]) {
             continue;
         }
-        if (visibility->samples > 1) {
-            append_pixel(visibility, view, pixel, fragments);
-        } else if (visibility->owners[pixel] >= 0) {
-            append_weighted(visibility, view, pixel, visibility->owners[pixel], 1,
-                            center_of(pixel % BURNISH_TILE_SIZE),
-                            center_of(pixel / BURNISH_TILE_SIZE), visibility->weights[0][pixel],
-                            visibility->weights[1][pixel], fragments);
+        if (fragments->count + samples > BURNISH_FRAGMENT_BLOCK) {
+            break;
         }
-        ++pixel;
+        for (int s = 0; s < samples; ++s) {
+            owners[s] = visibility->owners[s * BURNISH_TILE_PIXELS + pixel];
+        }
+        append_samples(visibility, view, pixel, owners, fragments);
     }
     visibility->next_pixel = pixel;
     return fragments->count > 0;
+}
+
+void burnish_visibility_row(const burnish_visibility *visibility, int y, burnish_whole_row *row) {
+    const int first = y * BURNISH_TILE_SIZE;
+    row->owners = visibility->owners + first;
+    row->depths = visibility->depths + first;
+    if (visibility->samples == 1) {
+        row->weights[0] = visibility->weights[0] + first;
+        row->weights[1] = visibility->weights[1] + first;
+        return;
+    }
+    int32_t different[BURNISH_TILE_SIZE];
+    find_differences(visibility, y, different);
+    for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+        row->own_owners[x] = different[x] ? -1 : row->owners[x];
+    }
+    for (int x = 0; x < visibility->width; ++x) {
+        if (row->own_owners[x] >= 0) {
+            const burnish_tile_triangle *triangle = &visibility->triangles[row->own_owners[x]];
+            float *weight1 = &row->own_weights[0][x], *weight2 = &row->own_weights[1][x];
+            weights_at(triangle, center_of(x), center_of(y), weight1, weight2);
+            row->own_depths[x] = depth_at(triangle, *weight1, *weight2);
+        }
+    }
+    row->owners = row->own_owners;
+    row->weights[0] = row->own_weights[0];
+    row->weights[1] = row->own_weights[1];
+    row->depths = row->own_depths;
 }
 
 void burnish_visibility_mark(const burnish_visibility *visibility, uint8_t *drawn) {

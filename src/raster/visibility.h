@@ -26,7 +26,7 @@ enum {
 typedef struct burnish_visibility {
     int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
     int samples;
-    int needs_place; /* 1: points get x, y and depth */
+    int needs_place; /* 1: points get places: x, y and depth */
     int32_t *owners; /* index into triangles, -1 for none */
     float *depths;
     float *weights[2]; /* of vertices 1 and 2 at each pixel; NULL with more than one sample */
@@ -63,9 +63,23 @@ int burnish_visibility_draw(burnish_visibility *visibility, burnish_visibility_f
                             const burnish_raster_view *view, const burnish_geometry *geometry,
                             const burnish_bins *bins, int column, int row);
 
-/* The next block of the tile's visible points, as burnish_next_fragments gives them. */
+/* The next block of the visible points of pixels that are not one triangle's alone, as
+ * burnish_next_fragments gives them. With one sample a pixel there are none. */
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments);
+
+/* The pixels of a row that are one triangle's alone. */
+typedef struct burnish_whole_row {
+    const int32_t *owners; /* BURNISH_TILE_SIZE: index into triangles, -1 for none */
+    const float
+        *weights[2];     /* of vertices 1 and 2 at the pixel's centre, where there is an owner */
+    const float *depths; /* there, where there is an owner and points get places */
+    int32_t own_owners[BURNISH_TILE_SIZE]; /* what the above point to, unless to the tile's */
+    float own_weights[2][BURNISH_TILE_SIZE], own_depths[BURNISH_TILE_SIZE];
+} burnish_whole_row;
+
+/* Finds them in row y of the tile. */
+void burnish_visibility_row(const burnish_visibility *visibility, int y, burnish_whole_row *row);
 
 /* Sets drawn[t] to 1 for each of the mesh's triangles t that had a point so far. Threads may do so
  * at the same time. */

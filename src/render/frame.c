@@ -19,30 +19,25 @@ typedef struct tile_worker {
     uint8_t covered[BURNISH_TILE_PIXELS]; /* samples */
     size_t covered_pixels;
     int bounds[4];
-    burnish_row row; /* with one sample a pixel */
+    burnish_whole_row whole;
+    burnish_row row;
 } tile_worker;
 
-/* A point that has its pixel to itself is stored, others are added up. */
-static void add_fragments(tile_worker *worker, int samples) {
+static void add_fragments(tile_worker *worker) {
     const burnish_fragments *fragments = &worker->fragments;
-    const float all = (float)samples;
     for (int i = 0; i < fragments->count; ++i) {
         const int pixel = fragments->pixel[i];
-        const int whole = fragments->weight[i] == samples;
-        const float weight = whole ? all : (float)fragments->weight[i];
+        const float weight = (float)fragments->weight[i];
         for (int channel = 0; channel < 3; ++channel) {
-            float value = worker->shaded.channel[channel][i];
-            float *sum = &worker->sum[channel][pixel];
-            value = weight * (value < 1.0f ? value : 1.0f);
-            *sum = whole ? value : *sum + value;
+            const float value = worker->shaded.channel[channel][i];
+            worker->sum[channel][pixel] += weight * (value < 1.0f ? value : 1.0f);
         }
-        worker->covered[pixel] =
-            (uint8_t)(whole ? samples : worker->covered[pixel] + fragments->weight[i]);
+        worker->covered[pixel] = (uint8_t)(worker->covered[pixel] + fragments->weight[i]);
     }
 }
 
-/* Adds a row of the tile to the counts. */
-static void count_row(tile_worker *worker, int y) {
+/* Adds a row of the tile to the counts; returns 0 when nothing covers it. */
+static int count_row(tile_worker *worker, int y) {
     const burnish_visibility *tile = &worker->tile;
     const uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
     int count = 0, first = tile->width, end = 0;
@@ -50,7 +45,7 @@ static void count_row(tile_worker *worker, int y) {
         count += covered[x] != 0;
     }
     if (count == 0) {
-        return;
+        return 0;
     }
     for (first = 0; !covered[first]; ++first) {
     }
@@ -66,44 +61,32 @@ static void count_row(tile_worker *worker, int y) {
     bounds[1] = tile->y + y < bounds[1] ? tile->y + y : bounds[1];
     bounds[2] = tile->x + end > bounds[2] ? tile->x + end : bounds[2];
     bounds[3] = tile->y + y + 1 > bounds[3] ? tile->y + y + 1 : bounds[3];
+    return 1;
 }
 
-/* A row mixed with the background in linear light, and encoded. Where nothing is covered the
- * background comes back: coding its linear value gives its code. */
-static void resolve_row(const burnish_frame *frame, const tile_worker *worker, int y,
-                        uint8_t *out) {
+/* The light of a row: whole pixels as they are, the others' sums mixed with the background, or with
+ * alpha the mean of their covered samples. Pixels that nothing covers get the background, whose
+ * code comes back from its linear value. */
+static void mix_row(const burnish_frame *frame, const tile_worker *worker, int y,
+                    float rgb[3][BURNISH_TILE_SIZE]) {
     const int first = y * BURNISH_TILE_SIZE, samples = frame->options->samples;
+    const int transparent = frame->options->transparent;
     const uint8_t *covered = worker->covered + first;
-    const float share = 1.0f / (float)samples; /* a power of two */
-    float rgb[3][BURNISH_TILE_SIZE];
-    uint8_t pixels[4 * BURNISH_TILE_SIZE];
+    const int32_t *owners = worker->whole.owners;
+    float share[BURNISH_TILE_SIZE], missing[BURNISH_TILE_SIZE];
+    for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+        const int all = transparent && covered[x] ? covered[x] : samples;
+        share[x] = 1.0f / (float)all; /* a power of two, unless transparent */
+        missing[x] = (float)(samples - covered[x]);
+    }
     for (int channel = 0; channel < 3; ++channel) {
-        const float behind = burnish_srgb_to_linear[frame->options->background[channel]];
-        const float *sum = worker->sum[channel] + first;
+        const float behind =
+            transparent ? 0.0f : burnish_srgb_to_linear[frame->options->background[channel]];
+        const float *sum = worker->sum[channel] + first, *light = worker->row.rgb[channel];
         for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-            rgb[channel][x] = (sum[x] + (float)(samples - covered[x]) * behind) * share;
-        }
-    }
-    const float *const rows[3] = {rgb[0], rgb[1], rgb[2]};
-    frame->encode(frame->encoder, BURNISH_TILE_SIZE, rows, pixels);
-    for (int x = 0; x < worker->tile.width; ++x) {
-        memcpy(out + 3 * x, pixels + 4 * x, 3);
-    }
-}
-
-/* The same with alpha: the colour is that of the covered samples alone. */
-static void resolve_row_transparent(const burnish_frame *frame, const tile_worker *worker, int y,
-                                    uint8_t *out) {
-    const int samples = frame->options->samples;
-    for (int x = 0; x < worker->tile.width; ++x, out += 4) {
-        const int pixel = y * BURNISH_TILE_SIZE + x, covered = worker->covered[pixel];
-        memset(out, 0, 4);
-        if (covered) {
-            const float share = 1.0f / (float)covered;
-            for (int channel = 0; channel < 3; ++channel) {
-                out[channel] = burnish_linear_to_srgb(worker->sum[channel][pixel] * share);
-            }
-            out[3] = (uint8_t)((255 * covered + samples / 2) / samples);
+            const float value = light[x] < 1.0f ? light[x] : 1.0f;
+            const float mixed = (sum[x] + missing[x] * behind) * share[x];
+            rgb[channel][x] = owners[x] >= 0 ? value : mixed;
         }
     }
 }
@@ -121,101 +104,73 @@ static void fill_row(const burnish_frame *frame, int width, uint8_t *out) {
     }
 }
 
-static void resolve_tile(const burnish_frame *frame, tile_worker *worker, int has_points) {
+static void store_row(const burnish_frame *frame, const tile_worker *worker, int y,
+                      uint8_t pixels[4 * BURNISH_TILE_SIZE], uint8_t *out) {
+    const uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
+    const int width = worker->tile.width, samples = frame->options->samples;
+    if (frame->options->transparent) {
+        for (int x = 0; x < width; ++x) {
+            pixels[4 * x + 3] = (uint8_t)((255 * covered[x] + samples / 2) / samples);
+        }
+        memcpy(out, pixels, 4 * (size_t)width);
+        return;
+    }
+    for (int x = 0; x < width; ++x) {
+        memcpy(out + 3 * x, pixels + 4 * x, 3);
+    }
+}
+
+static void finish_row(const burnish_frame *frame, tile_worker *worker, int y, uint8_t *out) {
+    uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
+    float rgb[3][BURNISH_TILE_SIZE];
+    uint8_t pixels[4 * BURNISH_TILE_SIZE];
+    burnish_visibility_row(&worker->tile, y, &worker->whole);
+    (void)burnish_shade_row(frame->shader, &worker->cache, &worker->tile, &worker->whole,
+                            frame->view, y, &worker->row);
+    for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+        covered[x] = worker->whole.owners[x] >= 0 ? (uint8_t)frame->options->samples : covered[x];
+    }
+    if (!count_row(worker, y)) {
+        fill_row(frame, worker->tile.width, out);
+        return;
+    }
+    mix_row(frame, worker, y, rgb);
+    const float *const rows[3] = {rgb[0], rgb[1], rgb[2]};
+    frame->encode(frame->encoder, BURNISH_TILE_SIZE, rows, pixels);
+    store_row(frame, worker, y, pixels, out);
+}
+
+static void finish_tile(const burnish_frame *frame, tile_worker *worker, int is_empty) {
     const burnish_visibility *tile = &worker->tile;
     const size_t channels = (size_t)frame->image->channels;
     for (int y = 0; y < tile->height; ++y) {
         size_t first = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
         uint8_t *out = frame->image->pixels + first * channels;
-        if (!has_points) {
+        if (is_empty) {
             fill_row(frame, tile->width, out);
-            continue;
-        }
-        count_row(worker, y);
-        if (frame->options->transparent) {
-            resolve_row_transparent(frame, worker, y, out);
         } else {
-            resolve_row(frame, worker, y, out);
+            finish_row(frame, worker, y, out);
         }
     }
-}
-
-/* One sample a pixel: rows go from owners to codes without sums. */
-static void finish_row(const burnish_frame *frame, tile_worker *worker, int y, uint8_t *out) {
-    const burnish_visibility *tile = &worker->tile;
-    const int32_t *owners = tile->owners + y * BURNISH_TILE_SIZE;
-    uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
-    const int transparent = frame->options->transparent;
-    uint8_t pixels[4 * BURNISH_TILE_SIZE];
-    float rgb[3][BURNISH_TILE_SIZE];
-    if (!burnish_shade_row(frame->shader, &worker->cache, tile, frame->view, y, &worker->row)) {
-        fill_row(frame, tile->width, out);
-        return;
-    }
-    for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-        covered[x] = owners[x] >= 0;
-    }
-    count_row(worker, y);
-    for (int channel = 0; channel < 3; ++channel) {
-        const float behind =
-            transparent ? 0.0f : burnish_srgb_to_linear[frame->options->background[channel]];
-        const float *light = worker->row.rgb[channel];
-        for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-            const float value = light[x] < 1.0f ? light[x] : 1.0f;
-            rgb[channel][x] = owners[x] >= 0 ? value : behind;
-        }
-    }
-    const float *const rows[3] = {rgb[0], rgb[1], rgb[2]};
-    frame->encode(frame->encoder, BURNISH_TILE_SIZE, rows, pixels);
-    if (transparent) {
-        for (int x = 0; x < tile->width; ++x) {
-            pixels[4 * x + 3] = covered[x] ? 255 : 0;
-        }
-        memcpy(out, pixels, 4 * (size_t)tile->width);
-        return;
-    }
-    for (int x = 0; x < tile->width; ++x) {
-        memcpy(out + 3 * x, pixels + 4 * x, 3);
-    }
-}
-
-static void finish_tile(const burnish_frame *frame, tile_worker *worker) {
-    const burnish_visibility *tile = &worker->tile;
-    const size_t channels = (size_t)frame->image->channels;
-    for (int y = 0; y < tile->height; ++y) {
-        size_t first = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
-        finish_row(frame, worker, y, frame->image->pixels + first * channels);
-    }
-}
-
-static void shade_samples(const burnish_frame *frame, tile_worker *worker) {
-    int has_points = 0;
-    while (burnish_visibility_next(&worker->tile, frame->view, &worker->fragments)) {
-        if (!has_points) {
-            memset(worker->sum, 0, sizeof worker->sum);
-            memset(worker->covered, 0, sizeof worker->covered);
-            has_points = 1;
-        }
-        burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
-        add_fragments(worker, frame->options->samples);
-    }
-    resolve_tile(frame, worker, has_points);
 }
 
 static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile_worker *worker,
                       int column, int row) {
-    if (!burnish_visibility_draw(&worker->tile, frame->visibility, frame->view, frame->geometry,
-                                 bins, column, row)) {
-        resolve_tile(frame, worker, 0);
+    burnish_visibility *tile = &worker->tile;
+    if (!burnish_visibility_draw(tile, frame->visibility, frame->view, frame->geometry, bins,
+                                 column, row)) {
+        finish_tile(frame, worker, 1);
         return;
     }
-    if (frame->options->samples == 1) {
-        finish_tile(frame, worker);
-    } else {
-        shade_samples(frame, worker);
+    memset(worker->covered, 0, sizeof worker->covered);
+    memset(worker->sum, 0, sizeof worker->sum);
+    while (burnish_visibility_next(tile, frame->view, &worker->fragments)) {
+        burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
+        add_fragments(worker);
     }
+    finish_tile(frame, worker, 0);
     if (frame->drawn) {
-        burnish_visibility_mark(&worker->tile, frame->drawn);
+        burnish_visibility_mark(tile, frame->drawn);
     }
 }
 

@@ -20,19 +20,18 @@ static float divide_w(const burnish_shader *shader, const uint32_t v[3], float w
     return shader->lighting.lyon ? w : 1.0f;
 }
 
-/* Interpolates the pixels from `first` on that something covers; returns the end of the last. */
+/* Interpolates the pixels from `first` on that have an owner; returns the end of the last. */
 static int interpolate_row(const burnish_shader *shader, const burnish_visibility *visibility,
-                           int first, int place, burnish_row *row) {
+                           const burnish_whole_row *whole, int first, burnish_row *row) {
     const burnish_float4 *normals = shader->attributes.normals;
-    const int32_t *owners = visibility->owners + place;
-    const float *weights[2] = {visibility->weights[0] + place, visibility->weights[1] + place};
+    const int32_t *owners = whole->owners;
     const int needs_w = shader->attributes.colors || shader->lighting.lyon;
     int end = first;
     uint16_t material = 0;
     for (int x = first; x < visibility->width; ++x) {
         if (owners[x] >= 0) {
             const burnish_corners *corners = &visibility->triangles[owners[x]].corners;
-            const float weight1 = weights[0][x], weight2 = weights[1][x];
+            const float weight1 = whole->weights[0][x], weight2 = whole->weights[1][x];
             burnish_float4 normal = mix(normals, corners->vertices, weight1, weight2);
             float scale = corners->source & 1 ? -1.0f : 1.0f;
             if (needs_w) {
@@ -55,10 +54,9 @@ static int interpolate_row(const burnish_shader *shader, const burnish_visibilit
 
 /* Places of the pixels [first, end) from the eye, times w. */
 static void locate_row(const burnish_shade_view *view, const burnish_visibility *visibility,
-                       const burnish_raster_view *raster, int y, int first, int end,
-                       burnish_row *row) {
+                       const burnish_raster_view *raster, const float *depths, int y, int first,
+                       int end, burnish_row *row) {
     const int half = BURNISH_SUBPIXELS / 2;
-    const float *depths = visibility->depths + y * BURNISH_TILE_SIZE;
     const int center_y = (visibility->y + y) * BURNISH_SUBPIXELS + half - raster->height * half;
     const float at_y = (float)-center_y / BURNISH_SUBPIXELS;
     for (int x = first; x < end; ++x) {
@@ -88,19 +86,18 @@ static void shade_run(const burnish_shader *shader, burnish_shade_cache *cache, 
 }
 
 int burnish_shade_row(const burnish_shader *shader, burnish_shade_cache *cache,
-                      const burnish_visibility *visibility, const burnish_raster_view *view, int y,
-                      burnish_row *row) {
-    const int32_t *owners = visibility->owners + y * BURNISH_TILE_SIZE;
+                      const burnish_visibility *visibility, const burnish_whole_row *whole,
+                      const burnish_raster_view *view, int y, burnish_row *row) {
     int first = 0;
-    while (first < visibility->width && owners[first] < 0) {
+    while (first < visibility->width && whole->owners[first] < 0) {
         ++first;
     }
     if (first == visibility->width) {
         return 0;
     }
-    const int end = interpolate_row(shader, visibility, first, y * BURNISH_TILE_SIZE, row);
+    const int end = interpolate_row(shader, visibility, whole, first, row);
     if (shader->needs_place) {
-        locate_row(&shader->view, visibility, view, y, first, end, row);
+        locate_row(&shader->view, visibility, view, whole->depths, y, first, end, row);
     }
     if (!shader->triangle_materials) {
         /* whole vectors: pixels that nothing covers may be shaded too */
