@@ -172,6 +172,15 @@ static void append_point(const burnish_visibility *visibility, const burnish_ras
     }
 }
 
+/* sum / count, towards 0, for abs(sum) <= 4096 and count in [1, 16]: the factor is 65536 / count
+ * rounded up, so that the product is too large by less than 1/16. */
+static int mean_of(int sum, int count) {
+    static const int32_t factors[BURNISH_MAX_SAMPLES + 1] = {
+        0,    65536, 32768, 21846, 16384, 13108, 10923, 9363, 8192,
+        7282, 6554,  5958,  5462,  5042,  4682,  4370,  4096};
+    return sum < 0 ? -(-sum * factors[count] >> 16) : sum * factors[count] >> 16;
+}
+
 /* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
 static void append_samples(const burnish_visibility *visibility, const burnish_raster_view *view,
                            int pixel, const int32_t *owners, burnish_fragments *fragments) {
@@ -192,8 +201,8 @@ static void append_samples(const burnish_visibility *visibility, const burnish_r
                 sum_y += offsets[other][1];
             }
         }
-        append_point(visibility, view, pixel, owners[s], weight, x + sum_x * step / weight,
-                     y + sum_y * step / weight, fragments);
+        append_point(visibility, view, pixel, owners[s], weight, x + mean_of(sum_x * step, weight),
+                     y + mean_of(sum_y * step, weight), fragments);
     }
 }
 

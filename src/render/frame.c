@@ -64,6 +64,19 @@ static int count_row(tile_worker *worker, int y) {
     return 1;
 }
 
+/* What a sum is multiplied with and how many samples the background fills, a pixel each. */
+static void find_shares(const uint8_t *covered, int samples, int transparent,
+                        float share[BURNISH_TILE_SIZE], float missing[BURNISH_TILE_SIZE]) {
+    const float all = 1.0f / (float)samples; /* a power of two */
+    for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+        share[x] = all;
+        missing[x] = (float)(samples - covered[x]);
+    }
+    for (int x = 0; x < BURNISH_TILE_SIZE && transparent; ++x) {
+        share[x] = covered[x] ? 1.0f / (float)covered[x] : 0.0f;
+    }
+}
+
 /* The light of a row: whole pixels as they are, the others' sums mixed with the background, or with
  * alpha the mean of their covered samples. Pixels that nothing covers get the background, whose
  * code comes back from its linear value. */
@@ -71,18 +84,23 @@ static void mix_row(const burnish_frame *frame, const tile_worker *worker, int y
                     float rgb[3][BURNISH_TILE_SIZE]) {
     const int first = y * BURNISH_TILE_SIZE, samples = frame->options->samples;
     const int transparent = frame->options->transparent;
-    const uint8_t *covered = worker->covered + first;
     const int32_t *owners = worker->whole.owners;
     float share[BURNISH_TILE_SIZE], missing[BURNISH_TILE_SIZE];
-    for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-        const int all = transparent && covered[x] ? covered[x] : samples;
-        share[x] = 1.0f / (float)all; /* a power of two, unless transparent */
-        missing[x] = (float)(samples - covered[x]);
+    if (samples > 1) {
+        find_shares(worker->covered + first, samples, transparent, share, missing);
     }
     for (int channel = 0; channel < 3; ++channel) {
         const float behind =
             transparent ? 0.0f : burnish_srgb_to_linear[frame->options->background[channel]];
-        const float *sum = worker->sum[channel] + first, *light = worker->row.rgb[channel];
+        const float *light = worker->row.rgb[channel];
+        if (samples == 1) {
+            for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
+                const float value = light[x] < 1.0f ? light[x] : 1.0f;
+                rgb[channel][x] = owners[x] >= 0 ? value : behind;
+            }
+            continue;
+        }
+        const float *sum = worker->sum[channel] + first;
         for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
             const float value = light[x] < 1.0f ? light[x] : 1.0f;
             const float mixed = (sum[x] + missing[x] * behind) * share[x];
@@ -163,7 +181,9 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile
         return;
     }
     memset(worker->covered, 0, sizeof worker->covered);
-    memset(worker->sum, 0, sizeof worker->sum);
+    if (frame->options->samples > 1) {
+        memset(worker->sum, 0, sizeof worker->sum);
+    }
     while (burnish_visibility_next(tile, frame->view, &worker->fragments)) {
         burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
         add_fragments(worker);
