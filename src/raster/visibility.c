@@ -258,7 +258,9 @@ void burnish_visibility_row(const burnish_visibility *visibility, int y, burnish
     int32_t different[BURNISH_TILE_SIZE];
     find_differences(visibility, y, different);
     for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-        row->own_owners[x] = different[x] ? -1 : row->owners[x];
+        /* all ones where there is a difference */
+        row->own_owners[x] =
+            row->owners[x] | (different[x] | (int32_t)(0u - (uint32_t)different[x])) >> 31;
     }
     for (int x = 0; x < visibility->width; ++x) {
         if (row->own_owners[x] >= 0) {

@@ -64,6 +64,17 @@ static int count_row(tile_worker *worker, int y) {
     return 1;
 }
 
+/* a where the owner is one (>= 0), b elsewhere; without a branch, since owners are hard to foresee.
+ */
+static inline float pick(int32_t owner, float a, float b) {
+    uint32_t none = (uint32_t)(owner >> 31), a_bits, b_bits;
+    memcpy(&a_bits, &a, sizeof a_bits);
+    memcpy(&b_bits, &b, sizeof b_bits);
+    a_bits = (a_bits & ~none) | (b_bits & none);
+    memcpy(&a, &a_bits, sizeof a);
+    return a;
+}
+
 /* What a sum is multiplied with and how many samples the background fills, a pixel each. */
 static void find_shares(const uint8_t *covered, int samples, int transparent,
                         float share[BURNISH_TILE_SIZE], float missing[BURNISH_TILE_SIZE]) {
@@ -96,7 +107,7 @@ static void mix_row(const burnish_frame *frame, const tile_worker *worker, int y
         if (samples == 1) {
             for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
                 const float value = light[x] < 1.0f ? light[x] : 1.0f;
-                rgb[channel][x] = owners[x] >= 0 ? value : behind;
+                rgb[channel][x] = pick(owners[x], value, behind);
             }
             continue;
         }
@@ -104,7 +115,7 @@ static void mix_row(const burnish_frame *frame, const tile_worker *worker, int y
         for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
             const float value = light[x] < 1.0f ? light[x] : 1.0f;
             const float mixed = (sum[x] + missing[x] * behind) * share[x];
-            rgb[channel][x] = owners[x] >= 0 ? value : mixed;
+            rgb[channel][x] = pick(owners[x], value, mixed);
         }
     }
 }
@@ -140,13 +151,15 @@ static void store_row(const burnish_frame *frame, const tile_worker *worker, int
 
 static void finish_row(const burnish_frame *frame, tile_worker *worker, int y, uint8_t *out) {
     uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
+    const int samples = frame->options->samples;
     float rgb[3][BURNISH_TILE_SIZE];
     uint8_t pixels[4 * BURNISH_TILE_SIZE];
     burnish_visibility_row(&worker->tile, y, &worker->whole);
     (void)burnish_shade_row(frame->shader, &worker->cache, &worker->tile, &worker->whole,
                             frame->view, y, &worker->row);
     for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-        covered[x] = worker->whole.owners[x] >= 0 ? (uint8_t)frame->options->samples : covered[x];
+        /* a whole pixel has no other points: nothing was counted there */
+        covered[x] = (uint8_t)(covered[x] | (~(worker->whole.owners[x] >> 31) & samples));
     }
     if (!count_row(worker, y)) {
         fill_row(frame, worker->tile.width, out);
