@@ -5,6 +5,7 @@
 
 #include "harness.h"
 #include "raster/visibility.h"
+#include "reference_tile.h"
 #include "shade/row.h"
 
 enum { MOST_VERTICES = 1200, MOST_TRIANGLES = 400, SCENES = 2000 };
@@ -131,7 +132,7 @@ static int same_corners(const burnish_corners *a, const burnish_setup_triangle *
 }
 
 /* Samples of the tile whose owners differ. */
-static int compare_owners(const burnish_tile *tile, const burnish_visibility *fast,
+static int compare_owners(const reference_tile *tile, const burnish_visibility *fast,
                           const burnish_geometry *geometry) {
     int wrong = 0;
     for (int y = 0; y < tile->height; ++y) {
@@ -193,7 +194,7 @@ static int same_whole(const burnish_visibility *fast, const burnish_whole_row *w
 }
 
 /* All points of a tile by both paths; *points counts them. */
-static int compare_points(burnish_tile *tile, burnish_visibility *fast,
+static int compare_points(reference_tile *tile, burnish_visibility *fast,
                           const burnish_raster_view *view, const burnish_geometry *geometry,
                           const burnish_shader *shader, burnish_shade_cache *cache, int *points) {
     static point expected[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
@@ -202,7 +203,7 @@ static int compare_points(burnish_tile *tile, burnish_visibility *fast,
     static burnish_whole_row whole;
     static burnish_row row;
     int count = 0, wrong = 0, at = 0, known = -1;
-    while (burnish_next_fragments(tile, view, geometry, &fragments)) {
+    while (reference_next_fragments(tile, view, geometry, &fragments)) {
         burnish_shade(shader, cache, &fragments, &shaded);
         for (int i = 0; i < fragments.count; ++i) {
             expected[count++] = take_point(&fragments, &shaded, i);
@@ -268,7 +269,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
                                          1 + (int)(next_random(state) % 130), samples, state);
     burnish_geometry geometry;
     burnish_bins bins;
-    burnish_tile tile;
+    reference_tile tile;
     burnish_visibility fast;
     burnish_shader shader;
     burnish_shade_material materials[3];
@@ -277,7 +278,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
     burnish_geometry_create(&geometry, &view, scene->positions, scene->vertex_count, scene->indices,
                             scene->triangle_count, 1, NULL);
     make_shader(&shader, materials, scene, &geometry, state);
-    burnish_tile_create(&tile, samples, NULL);
+    reference_tile_create(&tile, samples, NULL);
     burnish_visibility_create(&fast, samples, NULL);
     fast.needs_place = 1;
     if (next_random(state) % 4 == 0) { /* forget triangles often; samples own at most half */
@@ -289,7 +290,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
         burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
         for (int row = bins.first_row; row < bins.end_row; ++row) {
             for (int column = 0; column < bins.columns; ++column) {
-                int drawn = burnish_draw_tile(&tile, &view, &geometry, &bins, column, row);
+                int drawn = reference_draw_tile(&tile, &view, &geometry, &bins, column, row);
                 int wrong = burnish_visibility_draw(&fast, draw, &view, &geometry, &bins, column,
                                                     row) != drawn;
                 if (drawn && !wrong) {
@@ -305,7 +306,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
     } while (bins.end_row < bins.rows);
     burnish_bins_destroy(&bins);
     burnish_visibility_destroy(&fast);
-    burnish_tile_destroy(&tile);
+    reference_tile_destroy(&tile);
     burnish_attributes_destroy(&shader.attributes);
     burnish_geometry_destroy(&geometry);
 }
@@ -331,21 +332,21 @@ static void check_forgetting(void) {
     view.rows[2][2] = 0.004f;
     burnish_geometry geometry;
     burnish_bins bins;
-    burnish_tile tile;
+    reference_tile tile;
     burnish_visibility fast;
     burnish_geometry_create(&geometry, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS, 1,
                             NULL);
     burnish_bins_begin(&bins);
     burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
-    burnish_tile_create(&tile, 1, NULL);
+    reference_tile_create(&tile, 1, NULL);
     burnish_visibility_create(&fast, 1, NULL);
-    burnish_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
+    reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
     burnish_visibility_draw(&fast, burnish_visibility_scalar, &view, &geometry, &bins, 0, 0);
     CHECK(geometry.triangle_count == LAYERS, "all may be seen: %zu", geometry.triangle_count);
     CHECK(fast.triangle_count < LAYERS, "forgot some: %zu", fast.triangle_count);
     CHECK(compare_owners(&tile, &fast, &geometry) == 0, "owners after forgetting");
     burnish_visibility_destroy(&fast);
-    burnish_tile_destroy(&tile);
+    reference_tile_destroy(&tile);
     burnish_bins_destroy(&bins);
     burnish_geometry_destroy(&geometry);
 }

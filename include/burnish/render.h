@@ -113,10 +113,10 @@ typedef struct burnish_render_report {
 } burnish_render_report;
 
 /* Draws the scene into a new image (RGB, or RGBA when transparent). report may be NULL.
- * Memory besides the image, at its peak: 17 bytes a vertex and 41 a triangle that may be seen (20
- * set up, 20 more while the tasks' lists are joined, 1 for the report; later tile lists of 4 bytes
- * an entry, about 128 MiB of them at most, stand in place of the second 20), and for each thread
- * 0.3 MB at 4 samples.
+ * Memory besides the image: 33 bytes a vertex (17 its place on the screen, 16 its normal), 16 more
+ * where the mesh has colours; 20 bytes a triangle and 1 for the report; tile lists of 4 bytes an
+ * entry, about 128 MiB of them at most unless a single row of tiles needs more; and for each thread
+ * 0.6 MB a sample, of which only what is needed is touched.
  * Errors: ARGUMENT, MEMORY, LIMIT (also a mesh so small, below about 1e-33 across, or so much
  * enlarged that single precision can't hold it); the image is then empty. */
 BURNISH_API burnish_status burnish_render(const burnish_scene *scene,

@@ -4,8 +4,9 @@
  *   positions -> burnish_transform_vertices -> screen vertices (fixed point, 1/w, depth)
  *             -> burnish_setup_triangles    -> oriented, clipped, culled triangles
  *             -> burnish_bin_tiles          -> triangle lists per tile, one band of tiles at a time
- *             -> burnish_draw_tile          -> nearest triangle of every sample of a tile
- *             -> burnish_next_fragments     -> visible points, ready to be shaded
+ *             -> burnish_visibility_draw    -> nearest triangle of every sample of a tile
+ *             -> burnish_visibility_row     -> pixels that are one triangle's alone, in place
+ *             -> burnish_visibility_next    -> points of the others, ready to be shaded
  *
  * Screen space: x right, y down, 1/256 pixel, the origin at the image's top left corner; depth
  * grows toward the viewer. Coverage is integer and exact: a sample on a shared edge belongs to one
@@ -128,25 +129,6 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geo
                                  burnish_error *error);
 void burnish_bins_destroy(burnish_bins *bins);
 
-/* Visibility of one tile: sample s of the tile's pixel p is entry p * samples + s. */
-typedef struct burnish_tile {
-    int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
-    int samples;
-    uint32_t *triangles; /* nearest triangle or BURNISH_NO_TRIANGLE */
-    float *depths;
-    int next_pixel; /* where burnish_next_fragments goes on */
-} burnish_tile;
-
-burnish_status burnish_tile_create(burnish_tile *tile, int samples, burnish_error *error);
-void burnish_tile_destroy(burnish_tile *tile);
-
-/* Makes the tile (column, row) current and draws its triangles; the first of two triangles at the
- * same depth stays. Returns 0 when no triangle's bounds touch it: the buffers are then not written.
- */
-int burnish_draw_tile(burnish_tile *tile, const burnish_raster_view *view,
-                      const burnish_geometry *geometry, const burnish_bins *bins, int column,
-                      int row);
-
 /* The corners of the triangle that a point lies on. */
 typedef struct burnish_corners {
     uint32_t vertices[3]; /* into burnish_screen_vertices */
@@ -168,10 +150,6 @@ typedef struct burnish_fragments {
         weight1[BURNISH_FRAGMENT_BLOCK]; /* screen-space barycentric weights of vertices 1 and 2 */
     float weight2[BURNISH_FRAGMENT_BLOCK];
 } burnish_fragments;
-
-/* The next block of the tile's visible points in pixel order; returns 0 when there is none left. */
-int burnish_next_fragments(burnish_tile *tile, const burnish_raster_view *view,
-                           const burnish_geometry *geometry, burnish_fragments *fragments);
 
 /* Sample positions in 1/16 pixel from the pixel's centre: (x, y) pairs. */
 const int8_t (*burnish_sample_offsets(int samples))[2];

@@ -1,5 +1,8 @@
-/* Visibility of a tile, fast: the pixels of tile.c, which stays as the reference, by vectors over a
- * row. Compiled for each instruction set like src/kernels. */
+/* Visibility of a tile by vectors over a row, compiled for each instruction set like src/kernels.
+ * What comes out is, bit for bit, what test/reference_tile.h computes in the plainest way.
+ *
+ * A sample belongs to the triangle that is nearest there; of two at the same depth to the one seen
+ * from its front, then to the first. */
 #ifndef BURNISH_RASTER_VISIBILITY_H
 #define BURNISH_RASTER_VISIBILITY_H
 
@@ -63,8 +66,9 @@ int burnish_visibility_draw(burnish_visibility *visibility, burnish_visibility_f
                             const burnish_raster_view *view, const burnish_geometry *geometry,
                             const burnish_bins *bins, int column, int row);
 
-/* The next block of the visible points of pixels that are not one triangle's alone, as
- * burnish_next_fragments gives them. With one sample a pixel there are none. */
+/* The next block of the visible points of pixels that are not one triangle's alone: all samples of
+ * a pixel that show the same triangle are one point, at the mean of the samples, which lies inside
+ * the triangle. Returns 0 when there is none left; with one sample a pixel there are none. */
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments);
 

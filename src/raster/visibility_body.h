@@ -2,8 +2,8 @@
  * BURNISH_VECTOR_... and DRAW, the function's name.
  *
  * Edge functions are whole numbers and exact: 32-bit ones for triangles up to 96 pixels, doubles,
- * which hold all of them, for larger ones. What is computed from them is what tile.c computes, in
- * the same order. */
+ * which hold all of them, for larger ones. What is computed from them keeps one order of
+ * operations, that of test/reference_tile.h. */
 #include <string.h>
 
 #include "kernels/vector.h"
