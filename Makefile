@@ -1,8 +1,9 @@
 # The front door. `make help` lists what there is.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo pictures test check asan tsan clang scalar sweep bench bench-peers format format-check golden install clean
+.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench bench-peers format format-check golden figures install clean
 
 PRESET ?= release
+FUZZ_SECONDS ?= 600
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 BUILD = build/$(PRESET)
 DEPS = ./scripts/install-deps
@@ -37,7 +38,7 @@ ctest-%:
 	@cmake --build --preset $* -j $(JOBS)
 	@ctest --preset $* --no-tests=error
 
-check: format-check asan tsan ## format, tests under sanitizers
+check: format-check asan tsan fuzz-briefly ## format, tests under sanitizers, a little fuzzing
 
 asan: ## tests with the address and undefined behaviour sanitizers
 	@$(DEPS) build test demo
@@ -46,6 +47,19 @@ asan: ## tests with the address and undefined behaviour sanitizers
 tsan: ## tests with the thread sanitizer
 	@$(DEPS) build test demo
 	@$(MAKE) --no-print-directory ctest-tsan
+
+# The same 20,000 inputs every time.
+fuzz-briefly: build-fuzz
+	@./test/fuzz/run --runs 20000 >build/fuzz/brief.log 2>&1 || { tail -n 30 build/fuzz/brief.log; exit 1; }
+	@echo "fuzz: 20000 inputs, none of them harmful"
+
+fuzz: build-fuzz ## look for files that break loading and drawing: 10 minutes, or FUZZ_SECONDS=N
+	@./test/fuzz/run $(FUZZ_SECONDS) $(FUZZ_FORMAT)
+
+build-fuzz:
+	@$(DEPS) build test
+	@cmake --preset fuzz >/dev/null
+	@cmake --build --preset fuzz -j $(JOBS)
 
 clang: ## tests of the optimised clang build
 	@$(DEPS) build test demo
@@ -61,11 +75,13 @@ sweep: ## every lobe over all 2^32 floats (minutes)
 	@cmake --build --preset release -j $(JOBS) --target sweep_lobe
 	@build/release/test/sweep_lobe
 
-bench: ## time frames and whole processes (medians)
-	@$(DEPS) build demo
+bench: ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
+	@$(DEPS) build demo bench
 	@cmake --preset release -DBURNISH_BENCH=ON >/dev/null
 	@cmake --build --preset release -j $(JOBS)
 	@./bench/run build/release
+	@./scripts/performance build/release/kernels.csv >build/release/performance.md
+	@mv build/release/performance.md docs/performance.md
 
 bench-peers: ## time frames and whole processes against other renderers (minutes)
 	@$(DEPS) build demo
@@ -84,6 +100,12 @@ format-check: ## fail when a source is not formatted
 
 golden: build ## rewrite test/golden/pixels.txt after a deliberate change of pixels
 	@./test/cli/golden.sh $(BUILD)/burnish build/golden --update
+
+figures: ## draw the figures and fill the tables of docs/theory.md again
+	@$(DEPS) build test
+	@$(MAKE) --no-print-directory build
+	@./scripts/figures $(BUILD)/burnish docs/figures
+	@./scripts/theory-tables $(BUILD)/burnish docs/theory.md
 
 install: build ## install program, library, headers and man page (DESTDIR, PREFIX)
 	@cmake --build --preset $(PRESET) -j $(JOBS)

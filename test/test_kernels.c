@@ -1,7 +1,8 @@
 /* The kernels: every tier against the scalar one, bit for bit; lobes against burnish/lobe.h and
  * libm; the lighting against the same equation in double precision; the choice of a tier.
  *
- * Needs nothing but src/kernels and src/base, so that it also runs on other processors. */
+ * Needs nothing but src/kernels and src/base, so that it also runs on other processors. With
+ * --bench it then prints the time of every variant; `burnish bench` compares with others. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -731,7 +732,9 @@ static void check_choice(void) {
     CHECK(burnish_isa_best(0) == BURNISH_ISA_SCALAR, "an empty mask");
 }
 
-int main(void) {
+#include "kernel_times.h"
+
+int main(int count, char **arguments) {
     check_choice();
     check_values();
     check_normalize();
@@ -740,5 +743,8 @@ int main(void) {
     check_errors();
     check_tiers();
     check_processors();
+    if (count > 1 && strcmp(arguments[1], "--bench") == 0) {
+        print_times();
+    }
     return test_end("kernels");
 }

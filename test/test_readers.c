@@ -446,6 +446,21 @@ static void test_obj_materials(void) {
     burnish_source_destroy(&s);
 }
 
+/* Warnings stop after 16 lines, however many there would be. */
+static void test_many_warnings(void) {
+    char library[512] = "newmtl a\n";
+    burnish_source s;
+    burnish_error e;
+    for (int i = 0; i < 40; ++i) {
+        strcat(library, "Ns 0.5\n");
+    }
+    CHECK(read_with_library("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                            library, &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK(s.warning_count == 16, "%zu", s.warning_count);
+    burnish_source_destroy(&s);
+}
+
 static void test_missing_libraries(void) {
     static const char mesh[] = "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     static const struct {
@@ -475,6 +490,49 @@ static void test_missing_libraries(void) {
         CHECK_THAT(s.material_count == 1 && !s.materials[0].has_diffuse);
         burnish_source_destroy(&s);
     }
+}
+
+/* Asked for under whatever name, a file is opened once; no more than 64 files are. */
+static size_t libraries_opened;
+
+static burnish_status count_library(const char *input_name, const char *file, uint64_t max_bytes,
+                                    uint8_t **bytes, size_t *size, burnish_error *error) {
+    (void)input_name, (void)file, (void)max_bytes, (void)error;
+    ++libraries_opened;
+    *size = 9;
+    *bytes = malloc(*size);
+    memcpy(*bytes, "newmtl a\n", *size);
+    return BURNISH_STATUS_OK;
+}
+
+static void check_libraries(const char *lines, size_t opened, const char *warning) {
+    static char text[4096];
+    burnish_load_options options = burnish_load_options_default();
+    burnish_source s;
+    burnish_error e;
+    snprintf(text, sizeof text, "%susemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", lines);
+    libraries_opened = 0;
+    CHECK(run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, count_library, &s, &e) ==
+              BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK(libraries_opened == opened, "%zu of %zu: %s", libraries_opened, opened, lines);
+    if (CHECK(s.warning_count == (warning != NULL), "%zu", s.warning_count) && warning) {
+        CHECK_TEXT(s.warnings[0], warning);
+    }
+    burnish_source_destroy(&s);
+}
+
+static void test_library_names(void) {
+    char many[1024] = "";
+    check_libraries("mtllib x.mtl\nmtllib ./x.mtl\nmtllib .\\x.mtl\nmtllib .//./x.mtl\n", 1, NULL);
+    check_libraries("mtllib p/x.mtl\nmtllib p//x.mtl\nmtllib p/./x.mtl\nmtllib p\\x.mtl\n", 1,
+                    NULL);
+    check_libraries("mtllib x\nmtllib y\nmtllib x/y\nmtllib xy\nmtllib .x\nmtllib x./y\n", 6, NULL);
+    for (int i = 0; i < 66; ++i) {
+        snprintf(many + strlen(many), sizeof many - strlen(many), "mtllib %d\n", i);
+    }
+    check_libraries(many, 64,
+                    "mesh.obj:65: only the first 64 material libraries are read; merge them");
 }
 
 /* ---- STL ---- */
@@ -585,6 +643,26 @@ static void test_ply_variants(void) {
                triangle_is(&s, 2, 2, 3, 4) && triangle_is(&s, 3, 4, 3, 2));
     CHECK_THAT(s.colors && s.colors[0] == 255 && s.colors[1] == 0 && s.colors[2] == 1);
     burnish_source_destroy(&s);
+}
+
+/* What the header does not declare is not there: no colours, no normals, also with some of them. */
+static void test_ply_plain(void) {
+    static const char *const extra[] = {"", "property uchar red\nproperty uchar green\n",
+                                        "property float nx\nproperty float nz\n"};
+    for (size_t i = 0; i < 3; ++i) {
+        char text[512];
+        burnish_source s;
+        burnish_error e;
+        const char *row = i > 0 ? " 1 1" : "";
+        snprintf(text, sizeof text,
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\n%selement face 1\nproperty list uchar int vertex_indices\n"
+                 "end_header\n0 0 0%s\n1 0 0%s\n0 1 0%s\n3 0 1 2\n",
+                 extra[i], row, row, row);
+        CHECK(read_text(BURNISH_FORMAT_PLY, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        CHECK(!s.colors && !s.normals && !s.corner_normals && s.triangle_count == 1, "%zu", i);
+        burnish_source_destroy(&s);
+    }
 }
 
 /* After "\r" line ends the body may start with a byte that looks like "\n". */
@@ -704,11 +782,14 @@ int main(void) {
     test_obj_polygons();
     test_mtl();
     test_obj_materials();
+    test_many_warnings();
     test_missing_libraries();
+    test_library_names();
     test_stl();
     test_binary_stl();
     test_ply();
     test_ply_variants();
+    test_ply_plain();
     test_ply_line_ends();
     test_guess();
     test_files();

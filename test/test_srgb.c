@@ -4,6 +4,7 @@
 
 #include "base/srgb.h"
 #include "harness.h"
+#include "kernels/table.h"
 
 /* The nearest code by the encoding formula; the generator uses the decoding one. */
 static int exact_code(float linear) {
@@ -112,6 +113,43 @@ static void test_values_between(void) {
     CHECK(burnish_srgb_value_to_linear((float)INFINITY) == 1, "infinity");
 }
 
+/* Every tier's encoder gives the codes of burnish_linear_to_srgb: a stride over all floats, and
+ * both sides of every decision level. */
+static void test_encoders(void) {
+    enum { COUNT = 1024 };
+    static float values[3][COUNT];
+    static uint8_t pixels[4 * COUNT];
+    const float *const rgb[3] = {values[0], values[1], values[2]};
+    burnish_srgb_encoder encoder;
+    burnish_srgb_encoder_make(&encoder);
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+        int wrong = 0;
+        for (uint64_t bits = 0; batch && bits <= UINT32_MAX;) {
+            for (int i = 0; i < COUNT; ++i) {
+                for (int k = 0; k < 3; ++k, bits += 4099) {
+                    uint32_t pattern = (uint32_t)bits;
+                    memcpy(&values[k][i], &pattern, sizeof pattern);
+                }
+                if (i < 255) {
+                    uint32_t level = float_bits((float)srgb_decode((i + 0.5L) / 255));
+                    for (uint32_t k = 0; k < 3; ++k) {
+                        values[k][i] = bits_float(level - 1 + k);
+                    }
+                }
+            }
+            batch->encode(&encoder, COUNT, rgb, pixels);
+            for (int i = 0; i < COUNT; ++i) {
+                for (int k = 0; k < 3; ++k) {
+                    wrong += pixels[4 * i + k] != burnish_linear_to_srgb(values[k][i]);
+                }
+                wrong += pixels[4 * i + 3] != 0;
+            }
+        }
+        CHECK(wrong == 0, "%s: %d codes differ", burnish_isa_name((burnish_isa)isa), wrong);
+    }
+}
+
 int main(void) {
     test_generated();
     test_around_thresholds();
@@ -120,5 +158,6 @@ int main(void) {
     test_monotone();
     test_codes();
     test_values_between();
+    test_encoders();
     return test_end("srgb");
 }

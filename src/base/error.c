@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 const char *burnish_status_text(burnish_status status) {
     switch (status) {
@@ -49,8 +50,24 @@ burnish_status burnish_fail(burnish_error *error, burnish_status status, const c
     return status;
 }
 
+burnish_shown_name burnish_show_name(const char *name) {
+    burnish_shown_name shown;
+    const char *cut = "";
+    const size_t most = sizeof shown.text - sizeof "...";
+    size_t length = strlen(name);
+    if (length > most) {
+        name += length - most;
+        cut = "...";
+        while (((unsigned char)*name & 0xC0) == 0x80) { /* not from the middle of a character */
+            ++name;
+        }
+    }
+    snprintf(shown.text, sizeof shown.text, "%s%s", cut, name);
+    return shown;
+}
+
 burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes) {
     return burnish_fail(error, BURNISH_STATUS_MEMORY,
                         "out of memory: %s needs %zu bytes; free memory or use a smaller input",
-                        what, bytes);
+                        burnish_show_name(what).text, bytes);
 }

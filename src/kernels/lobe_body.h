@@ -1,4 +1,5 @@
-/* Every lobe over a vector, and over an array. Included by the tiers. */
+/* Every lobe over a vector, and over an array. Included by the tiers, which make functions of it.
+ */
 #include <string.h>
 
 #include "kernels/lobe_constants.h"
@@ -8,6 +9,10 @@
 /* From this many bytes of output on, stores go past the caches: nobody finds such an array in
  * them afterwards. */
 enum { STREAM_BYTES = 8 << 20 };
+
+/* So many floats ahead the input is asked for: the processor's own prefetching waits at each page.
+ * bench/NOTES.md has the figures. */
+enum { STREAM_AHEAD = 512 };
 
 /* u^m by squarings. */
 BURNISH_INLINE vf lobe_squares(vf u, int body, int squarings) {
@@ -93,6 +98,9 @@ BURNISH_INLINE void lobe_array(int body, int from_lambda, const burnish_batch_lo
         i = (vector - (uintptr_t)out % vector) % vector / sizeof *out;
         lobe_rest(body, from_lambda, &lobe, i, in, out);
         for (; i + LANES <= count; i += LANES) {
+            if (LANES > 1) {
+                __builtin_prefetch(in + (i + STREAM_AHEAD < count ? i + STREAM_AHEAD : i));
+            }
             vf_stream(out + i, lobe_of(body, from_lambda, &lobe, vf_load(in + i)));
         }
         vector_fence();
@@ -109,23 +117,3 @@ BURNISH_INLINE void lobe_array(int body, int from_lambda, const burnish_batch_lo
         lobe_rest(body, from_lambda, &lobe, count - i, in + i, out + i);
     }
 }
-
-#define LOBE_FUNCTIONS(name, body)                                                                 \
-    static void name##_of_cosines(const burnish_batch_lobe_constants *lobe, size_t count,          \
-                                  const float *in, float *out) {                                   \
-        lobe_array(body, 0, lobe, count, in, out);                                                 \
-    }                                                                                              \
-    static void name##_of_lambdas(const burnish_batch_lobe_constants *lobe, size_t count,          \
-                                  const float *in, float *out) {                                   \
-        lobe_array(body, 1, lobe, count, in, out);                                                 \
-    }
-
-LOBE_FUNCTIONS(none, BURNISH_LOBE_BODY_NONE)
-LOBE_FUNCTIONS(square, BURNISH_LOBE_BODY_SQUARE)
-LOBE_FUNCTIONS(squares, BURNISH_LOBE_BODY_SQUARES)
-LOBE_FUNCTIONS(power, BURNISH_LOBE_BODY_POWER)
-LOBE_FUNCTIONS(multiply, BURNISH_LOBE_BODY_MULTIPLY)
-LOBE_FUNCTIONS(schlick, BURNISH_LOBE_BODY_SCHLICK)
-LOBE_FUNCTIONS(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
-LOBE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
-#undef LOBE_FUNCTIONS

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/srgb.h"
 #include "burnish/batch.h"
 #include "kernels/lobe_constants.h"
 
@@ -24,6 +25,10 @@ typedef void burnish_shade_function(const burnish_batch_shader *shader,
                                     const burnish_batch_points *points, size_t count, uint8_t *rgba,
                                     float *const rgb[3]);
 
+/* count linear colours, a multiple of 16, to sRGB codes: 4 bytes a pixel, the last one 0. */
+typedef void burnish_encode_function(const burnish_srgb_encoder *encoder, size_t count,
+                                     const float *const rgb[3], uint8_t *pixels);
+
 enum { BURNISH_LOBE_INPUT_COSINE, BURNISH_LOBE_INPUT_LAMBDA, BURNISH_LOBE_INPUT_COUNT };
 
 /* DISTANT: every light directional, the viewer distant and Blinn's cosine: the half vectors are
@@ -36,6 +41,7 @@ struct burnish_batch {
     burnish_isa isa;
     burnish_lobe_function *lobe[BURNISH_LOBE_BODY_COUNT][BURNISH_LOBE_INPUT_COUNT];
     burnish_normalize_function *normalize;
+    burnish_encode_function *encode;
     burnish_shade_function
         *shade[BURNISH_LOBE_BODY_COUNT][BURNISH_SHADE_GEOMETRY_COUNT][BURNISH_SHADE_OUTPUT_COUNT];
 };

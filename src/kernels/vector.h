@@ -8,8 +8,12 @@
  *   vf_keep     x where the mask holds, +0 elsewhere
  *   vf_bits, vi_float  the same 32 bits under the other type
  *   vi_left, vi_right, vi_right_signed  shifts by a constant
- *   vi_convert  integers in [-2^24, 2^24] to floats, exactly
- *   vi_store    four bytes a lane, the lowest first
+ *   vi_mul      the low 32 bits; vi_max, vi_min of signed numbers
+ *   vi_convert  integers to floats, to nearest even
+ *   vi_store    four bytes a lane, the lowest first; vi_load, vi_save whole integers
+ *   vi_gather   table[index] a lane
+ *   vi_ramp     0, step, 2 step ... a lane
+ *   vf_blend, vi_blend  a where the mask holds, b elsewhere
  *   vf_stream, vi_stream  stores past the caches to aligned places, for what vector_fence then
  *               orders; plain stores where there are none
  *

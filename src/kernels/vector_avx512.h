@@ -67,14 +67,48 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return _mm512_sub_epi32(a, b);
 }
+static inline vi vi_and(vi a, vi b) {
+    return _mm512_and_si512(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return _mm512_or_si512(a, b);
 }
 #define vi_left(x, bits) _mm512_slli_epi32(x, bits)
 #define vi_right(x, bits) _mm512_srli_epi32(x, bits)
 #define vi_right_signed(x, bits) _mm512_srai_epi32(x, bits)
+static inline vi vi_mul(vi a, vi b) {
+    return _mm512_mullo_epi32(a, b);
+}
+static inline vi vi_max(vi a, vi b) {
+    return _mm512_max_epi32(a, b);
+}
+static inline vi vi_min(vi a, vi b) {
+    return _mm512_min_epi32(a, b);
+}
+static inline vi vi_gather(const int32_t *table, vi index) {
+    return _mm512_i32gather_epi32(index, table, 4);
+}
 static inline vf vi_convert(vi x) {
     return _mm512_cvtepi32_ps(x);
+}
+static inline vi vi_ramp(int32_t step) {
+    const vi lanes = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+    return _mm512_mullo_epi32(_mm512_set1_epi32(step), lanes);
+}
+static inline vi vi_load(const int32_t *from) {
+    return _mm512_loadu_si512((const void *)from);
+}
+static inline void vi_save(int32_t *to, vi x) {
+    _mm512_storeu_si512((void *)to, x);
+}
+static inline vm vi_not_negative(vi x) {
+    return _mm512_cmpge_epi32_mask(x, _mm512_setzero_si512());
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return _mm512_mask_blend_ps(mask, b, a);
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return _mm512_mask_blend_epi32(mask, b, a);
 }
 static inline void vi_store(uint8_t *to, vi x) {
     _mm512_storeu_si512((void *)to, x);

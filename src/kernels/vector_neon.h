@@ -68,14 +68,53 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return vsubq_s32(a, b);
 }
+static inline vi vi_and(vi a, vi b) {
+    return vandq_s32(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return vorrq_s32(a, b);
 }
 #define vi_left(x, bits) vshlq_n_s32(x, bits)
 #define vi_right(x, bits) vreinterpretq_s32_u32(vshrq_n_u32(vreinterpretq_u32_s32(x), bits))
 #define vi_right_signed(x, bits) vshrq_n_s32(x, bits)
+static inline vi vi_mul(vi a, vi b) {
+    return vmulq_s32(a, b);
+}
+static inline vi vi_max(vi a, vi b) {
+    return vmaxq_s32(a, b);
+}
+static inline vi vi_min(vi a, vi b) {
+    return vminq_s32(a, b);
+}
+static inline vi vi_gather(const int32_t *table, vi index) {
+    int32_t lanes[4];
+    vst1q_s32(lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        lanes[i] = table[lanes[i]];
+    }
+    return vld1q_s32(lanes);
+}
 static inline vf vi_convert(vi x) {
     return vcvtq_f32_s32(x);
+}
+static inline vi vi_ramp(int32_t step) {
+    const int32_t lanes[4] = {0, 1, 2, 3};
+    return vmulq_n_s32(vld1q_s32(lanes), step);
+}
+static inline vi vi_load(const int32_t *from) {
+    return vld1q_s32(from);
+}
+static inline void vi_save(int32_t *to, vi x) {
+    vst1q_s32(to, x);
+}
+static inline vm vi_not_negative(vi x) {
+    return vcgeq_s32(x, vdupq_n_s32(0));
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return vbslq_f32(mask, a, b);
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return vbslq_s32(mask, a, b);
 }
 static inline void vi_store(uint8_t *to, vi x) {
     vst1q_u8(to, vreinterpretq_u8_s32(x));

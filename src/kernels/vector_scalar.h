@@ -72,6 +72,9 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return a - b;
 }
+static inline vi vi_and(vi a, vi b) {
+    return a & b;
+}
 static inline vi vi_or(vi a, vi b) {
     return a | b;
 }
@@ -84,8 +87,38 @@ static inline vi vi_right(vi x, unsigned bits) {
 static inline vi vi_right_signed(vi x, unsigned bits) {
     return (uint32_t)((int32_t)x >> bits);
 }
+static inline vi vi_mul(vi a, vi b) {
+    return a * b;
+}
+static inline vi vi_max(vi a, vi b) {
+    return (int32_t)a > (int32_t)b ? a : b;
+}
+static inline vi vi_min(vi a, vi b) {
+    return (int32_t)a < (int32_t)b ? a : b;
+}
+static inline vi vi_gather(const int32_t *table, vi index) {
+    return (uint32_t)table[index];
+}
 static inline vf vi_convert(vi x) {
     return (float)(int32_t)x;
+}
+static inline vi vi_ramp(int32_t step) {
+    return 0 * (uint32_t)step;
+}
+static inline vi vi_load(const int32_t *from) {
+    return (uint32_t)*from;
+}
+static inline void vi_save(int32_t *to, vi x) {
+    *to = (int32_t)x;
+}
+static inline vm vi_not_negative(vi x) {
+    return (int32_t)x >= 0 ? ~0u : 0u;
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return mask ? a : b;
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return mask ? a : b;
 }
 static inline void vi_store(uint8_t *to, vi x) { /* the same bytes on a big-endian machine */
     to[0] = (uint8_t)x;

@@ -67,14 +67,57 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return _mm_sub_epi32(a, b);
 }
+static inline vi vi_and(vi a, vi b) {
+    return _mm_and_si128(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return _mm_or_si128(a, b);
 }
 #define vi_left(x, bits) _mm_slli_epi32(x, bits)
 #define vi_right(x, bits) _mm_srli_epi32(x, bits)
 #define vi_right_signed(x, bits) _mm_srai_epi32(x, bits)
+static inline vi vi_mul(vi a, vi b) {
+    vi even = _mm_mul_epu32(a, b);
+    vi odd = _mm_mul_epu32(_mm_srli_si128(a, 4), _mm_srli_si128(b, 4));
+    return _mm_unpacklo_epi32(_mm_shuffle_epi32(even, _MM_SHUFFLE(0, 0, 2, 0)),
+                              _mm_shuffle_epi32(odd, _MM_SHUFFLE(0, 0, 2, 0)));
+}
+static inline vi vi_max(vi a, vi b) {
+    vi greater = _mm_cmpgt_epi32(a, b);
+    return _mm_or_si128(_mm_and_si128(greater, a), _mm_andnot_si128(greater, b));
+}
+static inline vi vi_min(vi a, vi b) {
+    vi greater = _mm_cmpgt_epi32(a, b);
+    return _mm_or_si128(_mm_and_si128(greater, b), _mm_andnot_si128(greater, a));
+}
+static inline vi vi_gather(const int32_t *table, vi index) {
+    int32_t lanes[4];
+    _mm_storeu_si128((__m128i *)(void *)lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        lanes[i] = table[lanes[i]];
+    }
+    return _mm_loadu_si128((const __m128i *)(const void *)lanes);
+}
 static inline vf vi_convert(vi x) {
     return _mm_cvtepi32_ps(x);
+}
+static inline vi vi_ramp(int32_t step) {
+    return _mm_set_epi32(3 * step, 2 * step, step, 0);
+}
+static inline vi vi_load(const int32_t *from) {
+    return _mm_loadu_si128((const __m128i *)(const void *)from);
+}
+static inline void vi_save(int32_t *to, vi x) {
+    _mm_storeu_si128((__m128i *)(void *)to, x);
+}
+static inline vm vi_not_negative(vi x) {
+    return _mm_castsi128_ps(_mm_cmpgt_epi32(x, _mm_set1_epi32(-1)));
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return _mm_or_ps(_mm_and_ps(mask, a), _mm_andnot_ps(mask, b));
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return _mm_castps_si128(vf_blend(mask, _mm_castsi128_ps(a), _mm_castsi128_ps(b)));
 }
 static inline void vi_store(uint8_t *to, vi x) {
     _mm_storeu_si128((__m128i *)(void *)to, x);

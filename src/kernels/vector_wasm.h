@@ -68,6 +68,9 @@ static inline vi vi_add(vi a, vi b) {
 static inline vi vi_sub(vi a, vi b) {
     return wasm_i32x4_sub(a, b);
 }
+static inline vi vi_and(vi a, vi b) {
+    return wasm_v128_and(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return wasm_v128_or(a, b);
 }
@@ -80,8 +83,43 @@ static inline vi vi_right(vi x, unsigned bits) {
 static inline vi vi_right_signed(vi x, unsigned bits) {
     return wasm_i32x4_shr(x, bits);
 }
+static inline vi vi_mul(vi a, vi b) {
+    return wasm_i32x4_mul(a, b);
+}
+static inline vi vi_max(vi a, vi b) {
+    return wasm_i32x4_max(a, b);
+}
+static inline vi vi_min(vi a, vi b) {
+    return wasm_i32x4_min(a, b);
+}
+static inline vi vi_gather(const int32_t *table, vi index) {
+    int32_t lanes[4];
+    wasm_v128_store(lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        lanes[i] = table[lanes[i]];
+    }
+    return wasm_v128_load(lanes);
+}
 static inline vf vi_convert(vi x) {
     return wasm_f32x4_convert_i32x4(x);
+}
+static inline vi vi_ramp(int32_t step) {
+    return wasm_i32x4_mul(wasm_i32x4_splat(step), wasm_i32x4_make(0, 1, 2, 3));
+}
+static inline vi vi_load(const int32_t *from) {
+    return wasm_v128_load(from);
+}
+static inline void vi_save(int32_t *to, vi x) {
+    wasm_v128_store(to, x);
+}
+static inline vm vi_not_negative(vi x) {
+    return wasm_i32x4_ge(x, wasm_i32x4_splat(0));
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return wasm_v128_bitselect(a, b, mask);
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return wasm_v128_bitselect(a, b, mask);
 }
 static inline void vi_store(uint8_t *to, vi x) {
     wasm_v128_store(to, x);

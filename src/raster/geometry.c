@@ -21,8 +21,10 @@ enum {
 /* What a chunk of triangles became; vertex indices of clipped vertices count from the chunk's own.
  */
 typedef struct chunk_output {
-    burnish_setup_triangle *triangles;
-    size_t triangle_count, triangle_capacity;
+    burnish_setup_triangle *triangles; /* whole ones, in the chunk's place of the frame's array */
+    size_t triangle_count;
+    burnish_setup_triangle *pieces; /* of clipped ones */
+    size_t piece_count, piece_capacity;
     burnish_clip_vertex *clips;
     burnish_clip_corner *corners; /* parallel to clips */
     size_t clip_count, clip_capacity, corner_capacity;
@@ -67,13 +69,14 @@ static uint8_t outcode(const burnish_raster_view *view, const float clip[4]) {
 }
 
 /* The perspective division of a point that needs no clipping. */
-static void project(const burnish_raster_view *view, const float clip[4],
-                    burnish_screen_vertices *vertices, size_t i) {
-    float inverse_w = 1.0f / clip[3];
-    vertices->x[i] = burnish_to_fixed(clip[0] * inverse_w) + view->width * (BURNISH_SUBPIXELS / 2);
-    vertices->y[i] = view->height * (BURNISH_SUBPIXELS / 2) - burnish_to_fixed(clip[1] * inverse_w);
-    vertices->depth[i] = clip[2] * inverse_w;
-    vertices->inverse_w[i] = inverse_w;
+static burnish_screen_vertex project(const burnish_raster_view *view, const float clip[4]) {
+    burnish_screen_vertex vertex;
+    vertex.inverse_w = 1.0f / clip[3];
+    vertex.x = burnish_to_fixed(clip[0] * vertex.inverse_w) + view->width * (BURNISH_SUBPIXELS / 2);
+    vertex.y =
+        view->height * (BURNISH_SUBPIXELS / 2) - burnish_to_fixed(clip[1] * vertex.inverse_w);
+    vertex.depth = clip[2] * vertex.inverse_w;
+    return vertex;
 }
 
 static void transform_vertices(burnish_screen_vertices *vertices, const burnish_raster_view *view,
@@ -84,8 +87,10 @@ static void transform_vertices(burnish_screen_vertices *vertices, const burnish_
         float clip[4];
         to_clip_space(view, positions + 3 * i, clip);
         vertices->outcodes[i] = outcode(view, clip);
-        if (!(vertices->outcodes[i] & OUT_CLIP)) {
-            project(view, clip, vertices, i);
+        if (vertices->outcodes[i] & OUT_CLIP) {
+            memset(&vertices->items[i], 0, sizeof vertices->items[i]);
+        } else {
+            vertices->items[i] = project(view, clip);
         }
     }
 }
@@ -138,13 +143,12 @@ static int set_up(const burnish_raster_view *view, const int32_t x[3], const int
     return 1;
 }
 
-static burnish_status append_triangle(chunk_output *output,
-                                      const burnish_setup_triangle *triangle) {
-    burnish_status status = burnish_grow((void **)&output->triangles, &output->triangle_capacity,
-                                         output->triangle_count + 1, sizeof *triangle,
-                                         "visible triangles", &output->error);
+static burnish_status append_piece(chunk_output *output, const burnish_setup_triangle *triangle) {
+    burnish_status status =
+        burnish_grow((void **)&output->pieces, &output->piece_capacity, output->piece_count + 1,
+                     sizeof *triangle, "clipped triangles", &output->error);
     if (status == BURNISH_STATUS_OK) {
-        output->triangles[output->triangle_count++] = *triangle;
+        output->pieces[output->piece_count++] = *triangle;
     }
     return status;
 }
@@ -178,9 +182,9 @@ static burnish_status append_clipped(const setup_context *context, uint32_t sour
     }
     int32_t x[BURNISH_CLIP_MAX], y[BURNISH_CLIP_MAX];
     for (int i = 0; i < count; ++i) {
-        float depth, inverse_w;
-        burnish_screen_vertices one = {&x[i], &y[i], &depth, &inverse_w, NULL, 0, 0};
-        project(context->view, corners[i].position, &one, 0);
+        burnish_screen_vertex vertex = project(context->view, corners[i].position);
+        x[i] = vertex.x;
+        y[i] = vertex.y;
         burnish_clip_vertex clip = {source, {0}};
         memcpy(clip.weights, corners[i].weights, sizeof clip.weights);
         output->clips[first + i] = clip;
@@ -193,7 +197,7 @@ static burnish_status append_clipped(const setup_context *context, uint32_t sour
             {base, base + (uint32_t)i, base + (uint32_t)i + 1}, 0, {0}};
         const int32_t tx[3] = {x[0], x[i], x[i + 1]}, ty[3] = {y[0], y[i], y[i + 1]};
         if (set_up(context->view, tx, ty, source, &triangle)) {
-            status = append_triangle(output, &triangle);
+            status = append_piece(output, &triangle);
         }
     }
     return status;
@@ -216,10 +220,11 @@ static burnish_status set_up_chunk(const setup_context *context, size_t first, s
             status = append_clipped(context, (uint32_t)i, output);
             continue;
         }
-        const int32_t x[3] = {vertices->x[v[0]], vertices->x[v[1]], vertices->x[v[2]]};
-        const int32_t y[3] = {vertices->y[v[0]], vertices->y[v[1]], vertices->y[v[2]]};
+        const burnish_screen_vertex *items = vertices->items;
+        const int32_t x[3] = {items[v[0]].x, items[v[1]].x, items[v[2]].x};
+        const int32_t y[3] = {items[v[0]].y, items[v[1]].y, items[v[2]].y};
         if (set_up(context->view, x, y, (uint32_t)i, &triangle)) {
-            status = append_triangle(output, &triangle);
+            output->triangles[output->triangle_count++] = triangle;
         }
     }
     return status;
@@ -228,36 +233,59 @@ static burnish_status set_up_chunk(const setup_context *context, size_t first, s
 static burnish_status grow_vertices(burnish_screen_vertices *vertices, size_t extra,
                                     burnish_error *error) {
     size_t count = vertices->mesh_count + extra;
-    size_t capacities[4] = {vertices->mesh_count, vertices->mesh_count, vertices->mesh_count,
-                            vertices->mesh_count};
-    void **arrays[4] = {(void **)&vertices->x, (void **)&vertices->y, (void **)&vertices->depth,
-                        (void **)&vertices->inverse_w};
     if (count >= BURNISH_NO_TRIANGLE) {
         return burnish_fail(error, BURNISH_STATUS_LIMIT,
                             "clipping makes more than 2^32 vertices; split the mesh");
     }
-    for (int i = 0; i < 4; ++i) {
-        burnish_status status =
-            burnish_grow(arrays[i], &capacities[i], count, 4, "screen vertices", error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
+    size_t capacity = vertices->mesh_count;
+    return burnish_grow((void **)&vertices->items, &capacity, count, sizeof *vertices->items,
+                        "screen vertices", error);
+}
+
+/* Moves the chunks' triangles together and appends the pieces of clipped ones behind them. */
+static burnish_status join_triangles(burnish_geometry *geometry, const chunk_output *chunks,
+                                     size_t chunk_count, size_t capacity, burnish_error *error) {
+    size_t pieces = 0, clip_base = 0;
+    for (size_t i = 0; i < chunk_count; ++i) {
+        burnish_setup_triangle *to = geometry->triangles + geometry->triangle_count;
+        if (to != chunks[i].triangles) {
+            memmove(to, chunks[i].triangles, chunks[i].triangle_count * sizeof *to);
         }
+        geometry->triangle_count += chunks[i].triangle_count;
+        pieces += chunks[i].piece_count;
+    }
+    if (pieces == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_status status =
+        burnish_grow((void **)&geometry->triangles, &capacity, geometry->triangle_count + pieces,
+                     sizeof *geometry->triangles, "triangles", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < chunk_count; ++i) {
+        for (size_t j = 0; j < chunks[i].piece_count; ++j) {
+            burnish_setup_triangle piece = chunks[i].pieces[j];
+            for (int k = 0; k < 3; ++k) {
+                piece.vertices[k] += (uint32_t)clip_base;
+            }
+            geometry->triangles[geometry->triangle_count++] = piece;
+        }
+        clip_base += chunks[i].clip_count;
     }
     return BURNISH_STATUS_OK;
 }
 
 /* Joins the chunks in their order; the clipped vertices move behind the mesh's. */
 static burnish_status join_chunks(burnish_geometry *geometry, const burnish_raster_view *view,
-                                  const chunk_output *chunks, size_t chunk_count,
+                                  const chunk_output *chunks, size_t chunk_count, size_t capacity,
                                   burnish_error *error) {
-    size_t triangles = 0, clips = 0;
+    burnish_screen_vertices *vertices = &geometry->vertices;
+    size_t clips = 0, clip_base = 0;
     for (size_t i = 0; i < chunk_count; ++i) {
-        triangles += chunks[i].triangle_count;
         clips += chunks[i].clip_count;
     }
-    burnish_screen_vertices *vertices = &geometry->vertices;
-    burnish_status status = burnish_allocate((void **)&geometry->triangles, triangles,
-                                             sizeof *geometry->triangles, "triangles", error);
+    burnish_status status = join_triangles(geometry, chunks, chunk_count, capacity, error);
     if (status == BURNISH_STATUS_OK && clips > 0) {
         status = burnish_allocate((void **)&geometry->clip_vertices, clips,
                                   sizeof *geometry->clip_vertices, "clipped vertices", error);
@@ -268,22 +296,13 @@ static burnish_status join_chunks(burnish_geometry *geometry, const burnish_rast
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    size_t clip_base = 0;
     for (size_t i = 0; i < chunk_count; ++i) {
         const chunk_output *chunk = &chunks[i];
-        for (size_t j = 0; j < chunk->triangle_count; ++j) {
-            burnish_setup_triangle triangle = chunk->triangles[j];
-            if (triangle.vertices[0] >= vertices->mesh_count) {
-                for (int k = 0; k < 3; ++k) {
-                    triangle.vertices[k] += (uint32_t)clip_base;
-                }
-            }
-            geometry->triangles[geometry->triangle_count++] = triangle;
-        }
         for (size_t j = 0; j < chunk->clip_count; ++j) {
             size_t place = clip_base + j;
             geometry->clip_vertices[place] = chunk->clips[j];
-            project(view, chunk->corners[j].position, vertices, vertices->mesh_count + place);
+            vertices->items[vertices->mesh_count + place] =
+                project(view, chunk->corners[j].position);
         }
         clip_base += chunk->clip_count;
     }
@@ -293,17 +312,13 @@ static burnish_status join_chunks(burnish_geometry *geometry, const burnish_rast
 
 static burnish_status allocate_vertices(burnish_screen_vertices *vertices, size_t count,
                                         burnish_error *error) {
-    void **arrays[5] = {(void **)&vertices->x, (void **)&vertices->y, (void **)&vertices->depth,
-                        (void **)&vertices->inverse_w, (void **)&vertices->outcodes};
     vertices->mesh_count = vertices->count = count;
-    for (int i = 0; i < 5; ++i) {
-        burnish_status status =
-            burnish_allocate(arrays[i], count, i < 4 ? 4 : 1, "screen vertices", error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
+    burnish_status status = burnish_allocate((void **)&vertices->items, count,
+                                             sizeof *vertices->items, "screen vertices", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&vertices->outcodes, count, 1, "screen vertices", error);
     }
-    return BURNISH_STATUS_OK;
+    return status;
 }
 
 static burnish_status set_up_triangles(burnish_geometry *geometry, const setup_context *context,
@@ -314,13 +329,19 @@ static burnish_status set_up_triangles(burnish_geometry *geometry, const setup_c
     if (!chunks) {
         return burnish_fail_memory(error, "triangle chunks", chunk_count * sizeof *chunks);
     }
+    burnish_status status = burnish_allocate((void **)&geometry->triangles, triangle_count,
+                                             sizeof *geometry->triangles, "triangles", error);
+    if (status != BURNISH_STATUS_OK) {
+        free(chunks);
+        return status;
+    }
 #pragma omp parallel for num_threads(threads) schedule(dynamic)
     for (size_t i = 0; i < chunk_count; ++i) {
         size_t end = (i + 1) * CHUNK;
+        chunks[i].triangles = geometry->triangles + i * CHUNK;
         chunks[i].status = set_up_chunk(context, i * CHUNK,
                                         end < triangle_count ? end : triangle_count, &chunks[i]);
     }
-    burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < chunk_count && status == BURNISH_STATUS_OK; ++i) {
         status = chunks[i].status;
         if (status != BURNISH_STATUS_OK && error) {
@@ -328,10 +349,10 @@ static burnish_status set_up_triangles(burnish_geometry *geometry, const setup_c
         }
     }
     if (status == BURNISH_STATUS_OK) {
-        status = join_chunks(geometry, context->view, chunks, chunk_count, error);
+        status = join_chunks(geometry, context->view, chunks, chunk_count, triangle_count, error);
     }
     for (size_t i = 0; i < chunk_count; ++i) {
-        free(chunks[i].triangles);
+        free(chunks[i].pieces);
         free(chunks[i].clips);
         free(chunks[i].corners);
     }
@@ -357,10 +378,7 @@ burnish_status burnish_geometry_create(burnish_geometry *geometry, const burnish
 }
 
 void burnish_geometry_destroy(burnish_geometry *geometry) {
-    free(geometry->vertices.x);
-    free(geometry->vertices.y);
-    free(geometry->vertices.depth);
-    free(geometry->vertices.inverse_w);
+    free(geometry->vertices.items);
     free(geometry->vertices.outcodes);
     free(geometry->clip_vertices);
     free(geometry->triangles);

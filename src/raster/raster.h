@@ -4,8 +4,9 @@
  *   positions -> burnish_transform_vertices -> screen vertices (fixed point, 1/w, depth)
  *             -> burnish_setup_triangles    -> oriented, clipped, culled triangles
  *             -> burnish_bin_tiles          -> triangle lists per tile, one band of tiles at a time
- *             -> burnish_draw_tile          -> nearest triangle of every sample of a tile
- *             -> burnish_next_fragments     -> visible points, ready to be shaded
+ *             -> burnish_visibility_draw    -> nearest triangle of every sample of a tile
+ *             -> burnish_visibility_row     -> pixels that are one triangle's alone, in place
+ *             -> burnish_visibility_next    -> points of the others, ready to be shaded
  *
  * Screen space: x right, y down, 1/256 pixel, the origin at the image's top left corner; depth
  * grows toward the viewer. Coverage is integer and exact: a sample on a shared edge belongs to one
@@ -40,11 +41,16 @@ typedef struct burnish_raster_view {
     float rows[4][4]; /* x, y, z, w */
 } burnish_raster_view;
 
-/* Where the vertices fell: one entry a vertex of the mesh, then the vertices that clipping made. */
+/* Where a vertex fell. */
+typedef struct burnish_screen_vertex {
+    int32_t x, y;    /* 1/256 pixel */
+    float depth;     /* z / w, nearer is larger */
+    float inverse_w; /* 1 / w; 0 for a vertex of the mesh that only clipped triangles use */
+} burnish_screen_vertex;
+
+/* One item a vertex of the mesh, then the vertices that clipping made. */
 typedef struct burnish_screen_vertices {
-    int32_t *x, *y;    /* 1/256 pixel */
-    float *depth;      /* z / w, nearer is larger */
-    float *inverse_w;  /* 1 / w */
+    burnish_screen_vertex *items;
     uint8_t *outcodes; /* which planes each vertex of the mesh lies beyond */
     size_t mesh_count; /* vertices of the mesh */
     size_t count;      /* with the clipped ones */
@@ -67,7 +73,7 @@ typedef struct burnish_setup_triangle {
 typedef struct burnish_geometry {
     burnish_screen_vertices vertices;
     burnish_clip_vertex *clip_vertices; /* vertices.count - vertices.mesh_count of them */
-    burnish_setup_triangle *triangles;
+    burnish_setup_triangle *triangles;  /* whole ones, then the pieces of clipped ones */
     size_t triangle_count;
 } burnish_geometry;
 
@@ -100,12 +106,14 @@ enum { BURNISH_CLIP_MAX = 8 }; /* corners of a triangle cut by five planes */
  * two triangles share comes out with the same bits for both. */
 int burnish_clip_triangle(burnish_clip_corner *corners);
 
-/* Triangle lists of a band of tile rows. */
+/* Triangle lists of a band of tile rows: two a tile, of the triangles seen from their front, then
+ * of those seen from their back. Where two triangles have the same depth, the first one drawn
+ * stays. */
 typedef struct burnish_bins {
     int columns, rows; /* tiles of the whole image */
     int first_row, end_row;
-    size_t *offsets;   /* columns * (end_row - first_row) + 1 */
-    uint32_t *entries; /* ascending triangle indices, tile after tile */
+    size_t *offsets;   /* 2 * columns * (end_row - first_row) + 1 */
+    uint32_t *entries; /* ascending triangle indices, list after list */
     size_t offset_capacity, entry_capacity, count_capacity;
     size_t *counts;      /* scratch */
     size_t entry_budget; /* entries that a band of several rows may hold */
@@ -121,44 +129,27 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geo
                                  burnish_error *error);
 void burnish_bins_destroy(burnish_bins *bins);
 
-/* Visibility of one tile: sample s of the tile's pixel p is entry p * samples + s. */
-typedef struct burnish_tile {
-    int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
-    int samples;
-    uint32_t *triangles; /* nearest triangle or BURNISH_NO_TRIANGLE */
-    float *depths;
-    int next_pixel; /* where burnish_next_fragments goes on */
-} burnish_tile;
-
-burnish_status burnish_tile_create(burnish_tile *tile, int samples, burnish_error *error);
-void burnish_tile_destroy(burnish_tile *tile);
-
-/* Makes the tile (column, row) current and draws its triangles; the first of two triangles at the
- * same depth stays. Returns 0 when no triangle's bounds touch it: the buffers are then not written.
- */
-int burnish_draw_tile(burnish_tile *tile, const burnish_raster_view *view,
-                      const burnish_geometry *geometry, const burnish_bins *bins, int column,
-                      int row);
+/* The corners of the triangle that a point lies on. */
+typedef struct burnish_corners {
+    uint32_t vertices[3]; /* into burnish_screen_vertices */
+    uint32_t source;      /* the mesh's triangle * 2, + 1 when seen from its back */
+} burnish_corners;
 
 /* Visible points: all samples of a pixel that show the same triangle are one point, at the pixel's
  * centre when that is the whole pixel and else at the mean of the samples, which lies inside the
  * triangle. */
 typedef struct burnish_fragments {
     int count;
-    uint16_t pixel[BURNISH_FRAGMENT_BLOCK];    /* x + y * BURNISH_TILE_SIZE, in the tile */
-    uint8_t weight[BURNISH_FRAGMENT_BLOCK];    /* samples */
-    uint32_t triangle[BURNISH_FRAGMENT_BLOCK]; /* setup triangle */
-    float x[BURNISH_FRAGMENT_BLOCK];           /* pixels from the image's centre, right */
-    float y[BURNISH_FRAGMENT_BLOCK];           /* up */
+    uint16_t pixel[BURNISH_FRAGMENT_BLOCK]; /* x + y * BURNISH_TILE_SIZE, in the tile */
+    uint8_t weight[BURNISH_FRAGMENT_BLOCK]; /* samples */
+    burnish_corners corners[BURNISH_FRAGMENT_BLOCK];
+    float x[BURNISH_FRAGMENT_BLOCK]; /* pixels from the image's centre, right */
+    float y[BURNISH_FRAGMENT_BLOCK]; /* up */
     float depth[BURNISH_FRAGMENT_BLOCK];
     float
         weight1[BURNISH_FRAGMENT_BLOCK]; /* screen-space barycentric weights of vertices 1 and 2 */
     float weight2[BURNISH_FRAGMENT_BLOCK];
 } burnish_fragments;
-
-/* The next block of the tile's visible points in pixel order; returns 0 when there is none left. */
-int burnish_next_fragments(burnish_tile *tile, const burnish_raster_view *view,
-                           const burnish_geometry *geometry, burnish_fragments *fragments);
 
 /* Sample positions in 1/16 pixel from the pixel's centre: (x, y) pairs. */
 const int8_t (*burnish_sample_offsets(int samples))[2];

@@ -3,12 +3,16 @@
 #define BURNISH_RENDER_FRAME_H
 
 #include "burnish/render.h"
-#include "raster/raster.h"
-#include "shade/shade.h"
+#include "kernels/table.h"
+#include "raster/visibility.h"
+#include "shade/row.h"
 
 typedef struct burnish_frame {
     const burnish_raster_view *view;
     const burnish_geometry *geometry;
+    burnish_visibility_function *visibility;
+    burnish_encode_function *encode;
+    const burnish_srgb_encoder *encoder;
     const burnish_shader *shader;
     const burnish_render_options *options;
     burnish_image *image; /* allocated; every pixel is written */

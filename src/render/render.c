@@ -159,6 +159,33 @@ static size_t count_drawn(const uint8_t *drawn, size_t count) {
     return sum;
 }
 
+static int needs_place(const burnish_batch_lighting *lighting) {
+    int needs = lighting->near_viewer;
+    for (int i = 0; i < lighting->light_count; ++i) {
+        needs |= lighting->lights[i].kind == BURNISH_BATCH_POINT;
+    }
+    return needs;
+}
+
+static burnish_visibility_function *visibility_of(burnish_isa isa) {
+    switch (isa) {
+#if defined(__SSE2__)
+    case BURNISH_ISA_SSE2:
+        return burnish_visibility_sse2;
+    case BURNISH_ISA_AVX2:
+        return burnish_visibility_avx2;
+    case BURNISH_ISA_AVX512:
+        return burnish_visibility_avx512;
+#endif
+#if defined(__aarch64__)
+    case BURNISH_ISA_NEON:
+        return burnish_visibility_neon;
+#endif
+    default:
+        return burnish_visibility_scalar;
+    }
+}
+
 /* Everything after the checks; *image is allocated. */
 static burnish_status draw(const burnish_scene *scene, const burnish_render_options *options,
                            burnish_image *image, burnish_render_report *report, uint8_t *drawn,
@@ -181,6 +208,7 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
     }
     shader.batch = options->batch ? options->batch : burnish_batch_best();
     shader.materials = materials;
+    shader.needs_place = needs_place(&shader.lighting);
     report->isa = burnish_batch_isa(shader.batch);
     status = burnish_shader_check(&shader, burnish_scene_material_count(scene), error);
     if (status != BURNISH_STATUS_OK) {
@@ -190,18 +218,30 @@ static burnish_status draw(const burnish_scene *scene, const burnish_render_opti
     status = burnish_geometry_create(&geometry, &raster_view, mesh->positions, mesh->vertex_count,
                                      mesh->indices, mesh->triangle_count, report->threads, error);
     if (status == BURNISH_STATUS_OK) {
+        status = burnish_attributes_create(&shader.attributes, &geometry, mesh->normals,
+                                           options->ignore_colors ? NULL : mesh->colors,
+                                           mesh->indices, report->threads, error);
         report->seconds_transform = seconds_now() - start;
-        shader.normals = mesh->normals;
-        shader.colors = options->ignore_colors ? NULL : mesh->colors;
         shader.triangle_materials = mesh->triangle_materials;
-        shader.indices = mesh->indices;
-        shader.geometry = &geometry;
-        burnish_frame frame = {&raster_view, &geometry,       &shader, options,
-                               image,        report->threads, drawn};
+    }
+    if (status == BURNISH_STATUS_OK) {
+        burnish_srgb_encoder encoder;
+        burnish_srgb_encoder_make(&encoder);
+        burnish_frame frame = {.view = &raster_view,
+                               .geometry = &geometry,
+                               .visibility = visibility_of(report->isa),
+                               .encode = shader.batch->encode,
+                               .encoder = &encoder,
+                               .shader = &shader,
+                               .options = options,
+                               .image = image,
+                               .threads = report->threads,
+                               .drawn = drawn};
         status = burnish_frame_draw(&frame, report, error);
         report->seconds_draw = seconds_now() - start - report->seconds_transform;
-        burnish_geometry_destroy(&geometry);
     }
+    burnish_attributes_destroy(&shader.attributes);
+    burnish_geometry_destroy(&geometry);
     free(materials);
     return status;
 }

@@ -13,6 +13,10 @@
 /* Camera distances beyond this many scene sizes leave too few bits for the scene. */
 #define MAX_DISTANCE 1e6
 
+/* Entries of the matrices stay below this, and so do their products with coordinates: nothing
+ * overflows on the way to the screen. */
+#define LARGEST_ENTRY 1e36
+
 /* The camera's place and axes in the raster's space (moved and scaled). */
 typedef struct camera_frame {
     burnish_vec3 eye, right, up, forward;
@@ -109,6 +113,24 @@ static void make_orthographic(const camera_frame *frame, double view_height, int
     shade->q_constant = 1;
 }
 
+/* Refuses what single precision can't hold: meshes of next to no size (1e-33 and less), pictures
+ * of next to nothing. */
+static burnish_status check_rows(const camera_frame *frame, const burnish_raster_view *raster,
+                                 burnish_error *error) {
+    double half_diagonal = 1 / frame->scale;
+    double reach = half_diagonal > 1 ? half_diagonal : 1;
+    for (int i = 0; i < 16; ++i) {
+        double entry = raster->rows[i / 4][i % 4] * (i % 4 < 3 ? reach : 1);
+        if (!(entry >= -LARGEST_ENTRY && entry <= LARGEST_ENTRY)) {
+            return burnish_fail(error, BURNISH_STATUS_LIMIT,
+                                "camera: a mesh %g across is too small, or too much enlarged, for "
+                                "single precision; scale it up or show more of it",
+                                2 * half_diagonal);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
 /* A vector in camera space (x right, y up, z toward the viewer) in the raster's axes. */
 static burnish_vec3 from_camera_space(const camera_frame *frame, burnish_vec3 v) {
     burnish_vec3 sum =
@@ -198,6 +220,9 @@ burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_rende
     } else {
         make_perspective(&frame, camera->view_angle, options->height, raster, shade);
     }
-    make_lighting(&frame, mesh, options, lighting);
-    return BURNISH_STATUS_OK;
+    status = check_rows(&frame, raster, error);
+    if (status == BURNISH_STATUS_OK) {
+        make_lighting(&frame, mesh, options, lighting);
+    }
+    return status;
 }

@@ -8,6 +8,7 @@
 #include "scene/normals.h"
 #include "scene/scene.h"
 #include "scene/source.h"
+#include "scene/text.h"
 #include "scene/weld.h"
 
 /* One vertex of the result while they are collected. */
@@ -41,10 +42,10 @@ static burnish_status check_counts(const builder *b, const burnish_load_options 
     uint64_t limit = options->max_triangles < BURNISH_TRIANGLE_LIMIT ? options->max_triangles
                                                                      : BURNISH_TRIANGLE_LIMIT;
     if (count > limit) {
-        return burnish_fail(b->error, BURNISH_STATUS_LIMIT,
-                            "%s: %zu triangles are more than the limit of %llu; "
-                            "raise the limit or simplify the mesh",
-                            b->name, count, (unsigned long long)limit);
+        return burnish_fail_at(b->error, BURNISH_STATUS_LIMIT, burnish_place_file(b->name),
+                               "%zu triangles are more than the limit of %llu; "
+                               "raise the limit or simplify the mesh",
+                               count, (unsigned long long)limit);
     }
     return BURNISH_STATUS_OK;
 }
@@ -104,14 +105,15 @@ static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
         ++kept;
     }
     if (kept == 0) {
-        return burnish_fail(b->error, BURNISH_STATUS_FORMAT,
-                            "%s: no triangle has any area; %zu triangles were read, and a mesh "
-                            "needs at least one whose corners are not on a line",
-                            b->name, source->triangle_count);
+        return burnish_fail_at(b->error, BURNISH_STATUS_FORMAT, burnish_place_file(b->name),
+                               "no triangle has any area; %zu triangles were read, and a mesh "
+                               "needs at least one whose corners are not on a line",
+                               source->triangle_count);
     }
     if (kept < source->triangle_count) {
-        burnish_source_warn(source, "%s: %zu of %zu triangles have no area and were left out",
-                            b->name, source->triangle_count - kept, source->triangle_count);
+        burnish_warn_at(source, burnish_place_file(b->name),
+                        "%zu of %zu triangles have no area and were left out",
+                        source->triangle_count - kept, source->triangle_count);
     }
     b->triangle_count = kept;
     return BURNISH_STATUS_OK;
@@ -357,10 +359,9 @@ static burnish_status take_materials(builder *b) {
     if (scene->material_count > 1 && source->triangle_materials) {
         for (size_t i = 0; i < b->triangle_count; ++i) {
             if (source->triangle_materials[i] >= scene->material_count) {
-                return burnish_fail(b->error, BURNISH_STATUS_FORMAT,
-                                    "%s: triangle %zu has material %d, but there are only %zu",
-                                    b->name, i, source->triangle_materials[i],
-                                    scene->material_count);
+                return burnish_fail_at(b->error, BURNISH_STATUS_FORMAT, burnish_place_file(b->name),
+                                       "triangle %zu has material %d, but there are only %zu", i,
+                                       source->triangle_materials[i], scene->material_count);
             }
         }
         scene->triangle_materials = source->triangle_materials;

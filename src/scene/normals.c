@@ -22,8 +22,17 @@ burnish_vec3 burnish_face_cross(const float *positions, const uint32_t vertices[
     return burnish_vec3_cross(burnish_vec3_sub(b, a), burnish_vec3_sub(c, a));
 }
 
+/* Shorter vectors, sums weighted by the tip of a needle, have squares that lose bits to underflow;
+ * a power of two lengthens them. */
+#define SHORT_LENGTH 0x1p-400
+#define LENGTHEN 0x1p600
+
 void burnish_store_unit(burnish_vec3 v, float unit[3]) {
     double length = burnish_vec3_length(v);
+    if (length < SHORT_LENGTH) {
+        v = burnish_vec3_scale(v, LENGTHEN);
+        length = burnish_vec3_length(v);
+    }
     double scale = length > 0 && length <= DBL_MAX ? 1 / length : 0;
     unit[0] = unit[1] = unit[2] = 0;
     if (scale > 0) {

@@ -245,10 +245,39 @@ static int same_token(burnish_token a, burnish_token b) {
     return a.size == b.size && (a.size == 0 || memcmp(a.bytes, b.bytes, a.size) == 0);
 }
 
+/* Takes the next part of a path off it, "." passed over; empty at the end. */
+static burnish_token next_part(burnish_token *path) {
+    burnish_token part;
+    do {
+        part = (burnish_token){path->bytes, 0};
+        while (part.size < path->size && path->bytes[part.size] != '/' &&
+               path->bytes[part.size] != '\\') {
+            ++part.size;
+        }
+        size_t used = part.size + (part.size < path->size);
+        path->bytes += used;
+        path->size -= used;
+    } while (path->size > 0 && (part.size == 0 || burnish_token_is(part, ".")));
+    return part;
+}
+
+/* Names of one file: a library in disguise must not be read, and kept, many times over. */
+static int same_path(burnish_token a, burnish_token b) {
+    for (;;) {
+        burnish_token part_a = next_part(&a), part_b = next_part(&b);
+        if (!same_token(part_a, part_b)) {
+            return 0;
+        }
+        if (part_a.size == 0) {
+            return 1;
+        }
+    }
+}
+
 /* Returns 1 when the library was asked for before, or when there were too many. */
 static int pass_over_library(obj_state *obj, burnish_token token) {
     for (size_t i = 0; i < obj->library_count; ++i) {
-        if (same_token(obj->libraries[i], token)) {
+        if (same_path(obj->libraries[i], token)) {
             return 1;
         }
     }

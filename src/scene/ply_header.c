@@ -103,8 +103,16 @@ static burnish_status read_element(header_state *ply) {
                                    .line = ply->text.line};
     burnish_token token = {0};
     int64_t count = -1;
-    if (!burnish_text_token(&ply->text, &element.name) || !burnish_text_token(&ply->text, &token) ||
-        burnish_parse_integer(token.bytes, token.size, &count) != BURNISH_NUMBER_OK || count < 0) {
+    burnish_number_status number = BURNISH_NUMBER_GARBAGE;
+    if (burnish_text_token(&ply->text, &element.name) && burnish_text_token(&ply->text, &token)) {
+        number = burnish_parse_integer(token.bytes, token.size, &count);
+    }
+    if (number == BURNISH_NUMBER_RANGE) {
+        return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
+                               "element count %s is more than any file holds; correct it",
+                               burnish_token_quote(token).text);
+    }
+    if (number != BURNISH_NUMBER_OK || count < 0) {
         return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
                                "element count is \"%s\"; write element NAME COUNT",
                                burnish_token_quote(token).text);

@@ -5,10 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum {
-    NAME_SHOWN = 160, /* bytes of a file's name in a message */
-    MESSAGE_SIZE = 300
-};
+enum { MESSAGE_SIZE = 300, LINE_SIZE = MESSAGE_SIZE + sizeof(burnish_shown_name) + 64 };
 
 static int is_blank(uint8_t c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
@@ -134,31 +131,23 @@ burnish_quote burnish_token_quote(burnish_token token) {
 
 /* "NAME:LINE: message" into out. */
 static void write_line(char *out, size_t out_size, burnish_place place, const char *message) {
-    const char *name = place.name ? place.name : "input", *cut = "";
-    size_t length = strlen(name);
-    if (length > NAME_SHOWN) {
-        name += length - NAME_SHOWN;
-        cut = "...";
-        while (((uint8_t)*name & 0xC0) == 0x80) { /* not from the middle of a UTF-8 character */
-            ++name;
-        }
-    }
+    burnish_shown_name name = burnish_show_name(place.name ? place.name : "input");
     switch (place.kind) {
     case BURNISH_PLACE_LINE:
-        snprintf(out, out_size, "%s%s:%zu: %s", cut, name, place.at, message);
+        snprintf(out, out_size, "%s:%zu: %s", name.text, place.at, message);
         break;
     case BURNISH_PLACE_BYTE:
-        snprintf(out, out_size, "%s%s: byte %zu: %s", cut, name, place.at, message);
+        snprintf(out, out_size, "%s: byte %zu: %s", name.text, place.at, message);
         break;
     case BURNISH_PLACE_FILE:
-        snprintf(out, out_size, "%s%s: %s", cut, name, message);
+        snprintf(out, out_size, "%s: %s", name.text, message);
         break;
     }
 }
 
 burnish_status burnish_fail_at(burnish_error *error, burnish_status status, burnish_place place,
                                const char *format, ...) {
-    char message[MESSAGE_SIZE], line[MESSAGE_SIZE + NAME_SHOWN + 64];
+    char message[MESSAGE_SIZE], line[LINE_SIZE];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
@@ -171,7 +160,7 @@ void burnish_warn_at(burnish_source *source, burnish_place place, const char *fo
     if (!source) {
         return;
     }
-    char message[MESSAGE_SIZE], line[MESSAGE_SIZE + NAME_SHOWN + 64];
+    char message[MESSAGE_SIZE], line[LINE_SIZE];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);

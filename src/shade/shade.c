@@ -55,24 +55,29 @@ burnish_status burnish_shader_check(const burnish_shader *shader, size_t materia
     return status;
 }
 
+void burnish_shade_prepare(const burnish_shader *shader, int material, burnish_shade_cache *cache) {
+    if (cache->material != material) {
+        (void)prepare(shader, (size_t)material, &cache->prepared, NULL); /* checked before */
+        cache->material = material;
+    }
+}
+
 void burnish_shade(const burnish_shader *shader, burnish_shade_cache *cache,
                    const burnish_fragments *fragments, burnish_shaded *shaded) {
     burnish_points points;
     block_places places;
     burnish_interpolate(shader, fragments, &points);
-    locate(&shader->view, fragments, &places);
+    if (shader->needs_place) {
+        locate(&shader->view, fragments, &places);
+    }
     for (int first = 0, end; first < points.count; first = end) {
         end = run_end(&points, first);
-        if (cache->material != points.material[first]) {
-            /* checked by burnish_shader_check */
-            (void)prepare(shader, points.material[first], &cache->prepared, NULL);
-            cache->material = points.material[first];
-        }
+        burnish_shade_prepare(shader, points.material[first], cache);
         burnish_batch_points run = {.w = places.w + first};
         float *rgb[3];
         for (int k = 0; k < 3; ++k) {
             run.normal[k] = points.normal[k] + first;
-            run.diffuse[k] = shader->colors ? points.diffuse[k] + first : NULL;
+            run.diffuse[k] = shader->attributes.colors ? points.diffuse[k] + first : NULL;
             run.position[k] = places.position[k] + first;
             rgb[k] = shaded->channel[k] + first;
         }

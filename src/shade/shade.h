@@ -9,6 +9,7 @@
 
 #include "burnish/batch.h"
 #include "raster/raster.h"
+#include "shade/attributes.h"
 
 /* A material, before it is folded with the lights. */
 typedef struct burnish_shade_material {
@@ -32,11 +33,9 @@ typedef struct burnish_shader {
     burnish_batch_lighting lighting; /* lights, from the eye, and viewer; no material */
     const burnish_shade_material *materials;
     /* the mesh */
-    const float *normals;               /* 3 a vertex */
-    const uint8_t *colors;              /* 4 a vertex or NULL */
+    burnish_attributes attributes;
     const uint16_t *triangle_materials; /* or NULL */
-    const uint32_t *indices;
-    const burnish_geometry *geometry;
+    int needs_place; /* 1: a light or the viewer is near, points must have x, y and depth */
 } burnish_shader;
 
 /* Colours of a block of visible points, each channel >= 0, not yet clamped. */
@@ -49,6 +48,9 @@ typedef struct burnish_shade_cache {
     int material; /* -1: none yet */
     burnish_batch_shader prepared;
 } burnish_shade_cache;
+
+/* Makes `material` the cache's. */
+void burnish_shade_prepare(const burnish_shader *shader, int material, burnish_shade_cache *cache);
 
 /* Whether every material and light can be shaded. Errors: ARGUMENT. */
 burnish_status burnish_shader_check(const burnish_shader *shader, size_t material_count,

@@ -6,15 +6,28 @@
 # fits FILE: at most 40 lines of at most 100 columns, no blanks at the ends of lines.
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
 
-for screen in "--help" "-h" "help" "render --help" "render -h" "help render" "help --help"; do
+lobe="table claims choose fit boundary sample plot"
+screens="--help;-h;help;render --help;render -h;help render;help --help;lobe --help;lobe -h;help lobe;bench --help"
+for part in $lobe; do
+    screens="$screens;lobe $part --help;help lobe $part"
+done
+printf '%s\n' "$screens" | tr ';' '\n' >screens.txt
+while read -r screen; do
+    # shellcheck disable=SC2086
     run $screen
     check "burnish $screen: exit code $code" [ "$code" = 0 ]
     check "burnish $screen: writes to standard error" [ ! -s "$err" ]
     check "burnish $screen: does not fit 40 lines of 100 columns" fits "$out"
+done <screens.txt
+for part in $lobe; do
+    run lobe "$part" --help
+    check "help lobe $part differs from lobe $part --help" sh -c "'$burnish' help lobe $part | cmp - '$out'"
+    check "burnish lobe --help lacks $part" sh -c "'$burnish' lobe --help | grep -q '^  $part '"
+    cat "$out" >>lobe.txt
 done
 run --help
 cp "$out" main.txt
-for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'help \[COMMAND\]'; do
+for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'bench ' 'help \[COMMAND\]'; do
     check "burnish --help lacks '$code_text'" grep -q -- "  $code_text" main.txt
 done
 run render --help
@@ -30,8 +43,8 @@ run help --man
 cp "$out" burnish.1
 check "burnish help --man: exit code $code" [ "$code" = 0 ]
 tr -d '\\' <burnish.1 >page.txt
-grep -o -- '--[a-z][a-z-]*' render.txt | sort -u >flags.txt
-check "fewer than 35 flags in the help screen" [ "$(wc -l <flags.txt)" -ge 35 ]
+grep -oh -- '--[a-z][a-z-]*' render.txt lobe.txt | sort -u >flags.txt
+check "fewer than 50 flags on the help screens" [ "$(wc -l <flags.txt)" -ge 50 ]
 while read -r flag; do
     check "$flag is not in the man page" grep -q "^f.*$flag" page.txt
 done <flags.txt
@@ -39,9 +52,10 @@ done <flags.txt
 sed -n '/^.TP/{n;s/^.*fB\(--[a-z-]*\)fR.*$/\1/p}' page.txt | grep '^--' | sort -u >described.txt
 check "the man page describes no flags" [ -s described.txt ]
 while read -r flag; do
-    check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt || '$burnish' help --help | grep -q -- $flag"
+    check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt lobe.txt || '$burnish' help --help | grep -q -- $flag || '$burnish' bench --help | grep -q -- $flag"
 done <described.txt
-for heading in NAME SYNOPSIS DESCRIPTION RENDER COLOURS MATERIALS LOBES LIGHTS '"JSON OUTPUT"' \
+for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE BENCH '"LOBE TABLE"' '"LOBE FIT"' COLOURS MATERIALS \
+    LOBES METRICS LIGHTS '"JSON OUTPUT"' \
     '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
     check "the man page lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish.1
 done

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The kernels on AArch64: test_kernels, cross-compiled, under emulation: NEON against scalar, and the
-# scalar bits against those of every other processor. Skipped (77) without the cross compiler.
+# AArch64, cross-compiled, under emulation: test_kernels (NEON against scalar, and the scalar bits against
+# those of every other processor) and test_visibility on some scenes. Skipped (77) without the cross compiler.
 # Usage: kernels_neon.sh SOURCE_DIR SCRATCH
 set -eu
 compiler=aarch64-linux-gnu-gcc
@@ -13,3 +13,6 @@ mkdir -p "$2"
 $compiler $flags -static $(sources "$1" neon) -lm -o "$2/test_kernels_neon"
 qemu-aarch64 "$2/test_kernels_neon" | tee "$2/neon.txt"
 grep -q 'tiers: scalar neon' "$2/neon.txt"
+# shellcheck disable=SC2046,SC2086
+$compiler $flags -static $(renderer_sources "$1" neon) -lm -o "$2/test_visibility_neon"
+qemu-aarch64 "$2/test_visibility_neon" 100

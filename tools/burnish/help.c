@@ -5,10 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lobe.h"
 #include "render_settings.h"
 
 const burnish_cli_command *const burnish_cli_commands[] = {
     &burnish_cli_render_command,
+    &burnish_cli_lobe_command,
+    &burnish_cli_bench_command,
     &burnish_cli_help_command,
     NULL,
 };
@@ -20,13 +23,21 @@ const burnish_cli_example burnish_cli_examples[] = {
     {"burnish render :teapot --lobe=power,schlick,energy:2,taylor:2", "lobes side by side"},
     {"burnish render part.obj --json --fail-on-blank", "for programs"},
     {"burnish render - --input-format=ply -o - <in.ply >out.png", "in a pipe"},
+    {"burnish lobe table --exponents=10,100", "lobes in numbers"},
+    {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest lobe that will do"},
     {NULL, NULL},
 };
 
-const burnish_cli_command *burnish_cli_find_command(const char *name) {
-    for (size_t i = 0; burnish_cli_commands[i]; ++i) {
-        if (strcmp(burnish_cli_commands[i]->name, name) == 0) {
-            return burnish_cli_commands[i];
+const char *burnish_cli_short_name(const burnish_cli_command *command) {
+    const char *space = strrchr(command->name, ' ');
+    return space ? space + 1 : command->name;
+}
+
+const burnish_cli_command *burnish_cli_find_command(const burnish_cli_command *const *commands,
+                                                    const char *name) {
+    for (size_t i = 0; commands[i]; ++i) {
+        if (strcmp(burnish_cli_short_name(commands[i]), name) == 0) {
+            return commands[i];
         }
     }
     return NULL;
@@ -114,10 +125,59 @@ static size_t widest_row(const burnish_cli_command *command) {
     return widest;
 }
 
+static void print_examples(const burnish_cli_example *examples, int width) {
+    printf("\nExamples\n");
+    for (const burnish_cli_example *example = examples; example->command; ++example) {
+        printf("  %-*s  %s\n", width, example->command, example->what);
+    }
+}
+
+static int longest_example(const burnish_cli_example *examples) {
+    size_t longest = 0;
+    for (const burnish_cli_example *example = examples; example->command; ++example) {
+        longest = strlen(example->command) > longest ? strlen(example->command) : longest;
+    }
+    return (int)longest;
+}
+
+static void print_commands(const burnish_cli_command *const *commands, int width) {
+    for (size_t i = 0; commands[i]; ++i) {
+        char usage[ROW_MAX];
+        snprintf(usage, sizeof usage, "%s %s", burnish_cli_short_name(commands[i]),
+                 commands[i]->operand);
+        printf("  %-*s  %s\n", width, usage, commands[i]->summary);
+    }
+}
+
+static void print_exit_codes(int with_blank) {
+    printf("\nExit codes: 0 done, 2 usage, 3 read, 4 format, 5 limit, 6 memory, 7 write");
+    if (with_blank) {
+        printf(", %d blank", BURNISH_CLI_EXIT_BLANK);
+    }
+    printf("\n");
+}
+
+static int print_parts_help(const burnish_cli_command *command) {
+    printf("Usage: burnish %s %s [options]   %s\n\nCommands\n", command->name, command->operand,
+           command->summary);
+    print_commands(command->parts, 16);
+    print_examples(command->examples, longest_example(command->examples));
+    printf("\n%s\n", command->operand_help);
+    return burnish_cli_finish_output();
+}
+
 int burnish_cli_print_command_help(const burnish_cli_command *command) {
     int width = (int)widest_row(command);
-    printf("Usage: burnish %s %s [options]   %s\n  %s  %s\n", command->name, command->operand,
-           command->summary, command->operand, command->operand_help);
+    if (command->parts) {
+        return print_parts_help(command);
+    }
+    printf("Usage: burnish %s %s%s[options]   %s\n", command->name, command->operand,
+           *command->operand ? " " : "", command->summary);
+    if (*command->operand) {
+        printf("  %s  %s\n", command->operand, command->operand_help);
+    } else if (command->operand_help && *command->operand_help) {
+        printf("  %s\n", command->operand_help);
+    }
     for (size_t i = 0; i < command->flag_count; i += row_length(command, i)) {
         const burnish_cli_flag *flags = &command->flags[i];
         size_t length = row_length(command, i);
@@ -129,9 +189,10 @@ int burnish_cli_print_command_help(const burnish_cli_command *command) {
         }
         printf("  %-*s  %s\n", width, left, right);
     }
-    printf(
-        "\nExit codes: 0 done, 2 usage, 3 read, 4 format, 5 limit, 6 memory, 7 write, %d blank\n",
-        BURNISH_CLI_EXIT_BLANK);
+    if (command->examples) {
+        print_examples(command->examples, longest_example(command->examples));
+    }
+    print_exit_codes(command == &burnish_cli_render_command);
     return burnish_cli_finish_output();
 }
 
@@ -139,17 +200,10 @@ int burnish_cli_print_help(void) {
     printf("burnish %s: pictures of meshes without a GPU, the same bits on every machine\n\n"
            "Usage: burnish COMMAND [options]\n\nCommands\n",
            burnish_version());
-    for (size_t i = 0; burnish_cli_commands[i]; ++i) {
-        const burnish_cli_command *command = burnish_cli_commands[i];
-        char usage[ROW_MAX];
-        snprintf(usage, sizeof usage, "%s %s", command->name, command->operand);
-        printf("  %-16s  %s\n", usage, command->summary);
-    }
-    printf("  %-16s  %s\n  %-16s  %s\n\nExamples\n", "--help, -h", "this screen", "--version, -V",
+    print_commands(burnish_cli_commands, 16);
+    printf("  %-16s  %s\n  %-16s  %s\n", "--help, -h", "this screen", "--version, -V",
            "the version");
-    for (const burnish_cli_example *example = burnish_cli_examples; example->command; ++example) {
-        printf("  %-66s %s\n", example->command, example->what);
-    }
+    print_examples(burnish_cli_examples, 65);
     printf("\nExit codes\n");
 #define PRINT_CODE(code, text) printf("  %d  %s\n", code, text);
 #define PRINT_STATUS(name, code, text) PRINT_CODE(code, text)
@@ -158,6 +212,6 @@ int burnish_cli_print_help(void) {
 #undef PRINT_STATUS
 #undef PRINT_CODE
     printf(
-        "\nburnish render --help lists every flag; burnish help --man | man -l - explains them.\n");
+        "\nburnish COMMAND --help lists the flags; burnish help --man | man -l - explains them.\n");
     return burnish_cli_finish_output();
 }

@@ -12,8 +12,13 @@
 /* All subcommands, in the order of the help screen; NULL ends the list. */
 extern const burnish_cli_command *const burnish_cli_commands[];
 
-/* The subcommand of that name, or NULL. */
-const burnish_cli_command *burnish_cli_find_command(const char *name);
+/* The command of that name in a list that NULL ends, or NULL. Names are compared without the
+ * command that they are part of: "table" finds "lobe table". */
+const burnish_cli_command *burnish_cli_find_command(const burnish_cli_command *const *commands,
+                                                    const char *name);
+
+/* The name without the command that it is part of. */
+const char *burnish_cli_short_name(const burnish_cli_command *command);
 
 /* Examples of both screens and the man page; the last has a NULL command. */
 extern const burnish_cli_example burnish_cli_examples[];
@@ -24,6 +29,10 @@ extern const burnish_cli_example burnish_cli_examples[];
 /* Text of a flag's default, "" for none. */
 const char *burnish_cli_flag_default(const burnish_cli_flag *flag);
 
+/* Answers an unknown name with the closest command of a list. `whole` is the command that the list
+ * is part of, NULL for the list of all. Returns the exit code. */
+int burnish_cli_fail_command(const burnish_cli_command *whole, const char *name);
+
 /* Print on standard output; the exit code: 0, or that of WRITE. */
 int burnish_cli_print_help(void);
 int burnish_cli_print_command_help(const burnish_cli_command *command);
@@ -32,7 +41,11 @@ int burnish_cli_print_man(void);
 /* Flushes standard output; the exit code, after a message where it failed. */
 int burnish_cli_finish_output(void);
 
-/* The subcommand `help`. */
+/* Commands that consist of subcommands: finds and runs one. */
+int burnish_cli_run_part(const burnish_cli_command *whole, int argc, char **argv);
+
+/* The subcommands `help` and `bench`. */
 extern const burnish_cli_command burnish_cli_help_command;
+extern const burnish_cli_command burnish_cli_bench_command;
 
 #endif

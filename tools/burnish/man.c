@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "help.h"
+#include "lobe_metrics.h"
 #include "render_settings.h"
 
 /* When the words below were last changed; part of the page's header. */
@@ -89,6 +90,7 @@ static void print_flag(const burnish_cli_flag *flag) {
     }
 }
 
+/* The commands, with those that consist of others opened up, each with its heading. */
 static void print_command(const burnish_cli_command *command) {
     printf(".SH \"");
     for (const char *c = command->name; *c; ++c) {
@@ -102,6 +104,27 @@ static void print_command(const burnish_cli_command *command) {
         }
         print_flag(&command->flags[i]);
     }
+    for (size_t i = 0; command->parts && command->parts[i]; ++i) {
+        print_command(command->parts[i]);
+    }
+}
+
+static void print_synopsis(const burnish_cli_command *command) {
+    char line[160];
+    if (command->parts) {
+        for (size_t i = 0; command->parts[i]; ++i) {
+            print_synopsis(command->parts[i]);
+        }
+        return;
+    }
+    if (*command->operand) {
+        snprintf(line, sizeof line, "*burnish %s* _%s_ [_options_]", command->name,
+                 command->operand);
+    } else {
+        snprintf(line, sizeof line, "*burnish %s* [_options_]", command->name);
+    }
+    print_text(line);
+    printf(".br\n");
 }
 
 static void print_colors(void) {
@@ -150,6 +173,23 @@ static void print_lobes(void) {
         "for comparison: c^n, c / (n - n c + c), exp(-(n + 0.775) (1 - c)), "
         "c^2 / (n/2 + (1 - n/2) c^2), and the taylor fit taken from the chord of vectors that "
         "are nearly of unit length.");
+}
+
+static void print_metrics(void) {
+    const burnish_cli_metric *metric;
+    printf(".SH METRICS\n");
+    print_text("The columns of *burnish lobe table*. The groups *shape*, *widths*, *energies*, "
+               "*errors* and *cost* are runs of them, *all* is everything. _BITS_ (8 when left "
+               "out), _DEG_ (10) and _LENGTH_ (0.9) follow a colon, as in *angle:4*.");
+    for (size_t i = 0; (metric = burnish_cli_metric_at(i)) != NULL; ++i) {
+        char tag[64];
+        snprintf(tag, sizeof tag, "*%s*%s", metric->name,
+                 metric->takes == 'q'   ? "[:_BITS_]"
+                 : metric->takes == 'a' ? "[:_DEG_]"
+                 : metric->takes == 'l' ? "[:_LENGTH_]"
+                                        : "");
+        print_tagged(tag, metric->what);
+    }
 }
 
 static void print_lights(void) {
@@ -217,12 +257,22 @@ static void print_exit_status(void) {
         "behind.");
 }
 
-static void print_examples(void) {
-    printf(".SH EXAMPLES\n");
-    for (const burnish_cli_example *example = burnish_cli_examples; example->command; ++example) {
+static void print_example_list(const burnish_cli_example *examples) {
+    for (const burnish_cli_example *example = examples; example && example->command; ++example) {
         printf(".TP\n.B ");
         print_text(example->command);
         print_text(example->what);
+    }
+}
+
+static void print_examples(void) {
+    printf(".SH EXAMPLES\n");
+    print_example_list(burnish_cli_examples);
+    for (size_t i = 0; burnish_cli_commands[i]; ++i) {
+        const burnish_cli_command *command = burnish_cli_commands[i];
+        for (size_t k = 0; command->parts && command->parts[k]; ++k) {
+            print_example_list(command->parts[k]->examples);
+        }
     }
 }
 
@@ -234,11 +284,7 @@ int burnish_cli_print_man(void) {
         ".SH SYNOPSIS\n",
         PAGE_DATE, burnish_version());
     for (size_t i = 0; burnish_cli_commands[i]; ++i) {
-        char line[160];
-        snprintf(line, sizeof line, "*burnish %s* _%s_ [_options_]", burnish_cli_commands[i]->name,
-                 burnish_cli_commands[i]->operand);
-        print_text(line);
-        printf(".br\n");
+        print_synopsis(burnish_cli_commands[i]);
     }
     print_text("*burnish* *--help* | *--version*");
     printf(".SH DESCRIPTION\n");
@@ -255,6 +301,7 @@ int burnish_cli_print_man(void) {
     print_colors();
     print_materials();
     print_lobes();
+    print_metrics();
     print_lights();
     print_json();
     print_exit_status();

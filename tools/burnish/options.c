@@ -225,6 +225,11 @@ static burnish_status parse_short(const burnish_cli_command *command, const char
 
 static burnish_status take_operand(const burnish_cli_command *command, const char *argument,
                                    burnish_cli_operands *operands, burnish_error *error) {
+    if (operands->count == command->operands_max && command->operands_max == 0) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "%s: \"%s\" is no flag; \"burnish %s --help\" lists the flags",
+                                command->name, argument, command->name);
+    }
     if (operands->count == command->operands_max) {
         return burnish_cli_fail(
             error, BURNISH_STATUS_ARGUMENT,

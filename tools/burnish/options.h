@@ -44,9 +44,11 @@ typedef struct burnish_cli_example {
     const char *command, *what;
 } burnish_cli_example;
 
-/* One subcommand. */
-typedef struct burnish_cli_command {
-    const char *name;
+typedef struct burnish_cli_command burnish_cli_command;
+
+/* One subcommand, or a command that consists of such. */
+struct burnish_cli_command {
+    const char *name;         /* as typed: "render", "lobe table" */
     const char *operand;      /* what stands for the operand; "" when there is none */
     const char *summary;      /* one line */
     const char *operand_help; /* one line for the help screen */
@@ -54,8 +56,10 @@ typedef struct burnish_cli_command {
     size_t operands_max;
     const burnish_cli_flag *flags;
     size_t flag_count;
-    int (*run)(int argc, char **argv); /* argv[0] is the first argument after the command */
-} burnish_cli_command;
+    const burnish_cli_example *examples;     /* the last has a NULL command; may be NULL */
+    const burnish_cli_command *const *parts; /* its subcommands, NULL ends them; or NULL */
+    int (*run)(int argc, char **argv);       /* argv[0] is the first argument after the command */
+};
 
 /* What parsing leaves besides the settings. */
 typedef struct burnish_cli_operands {

@@ -1,0 +1,203 @@
+#!/bin/sh
+# burnish lobe plot: the figures of docs/theory.md are what the program draws, their numbers agree with closed
+# forms, runs repeat, errors are one line and leave nothing. Without gnuplot the drawings are passed over.
+# usage: cli_figures.sh BURNISH SCRATCH
+root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$(dirname "$0")/lib.sh"
+LC_ALL=C
+export LC_ALL
+command -v gnuplot >/dev/null && has_gnuplot=1 || has_gnuplot=0
+
+# data FIGURE ARGUMENTS...: its CSV in data.csv.
+data() {
+    run lobe plot "$@" --format=csv
+    check "burnish lobe plot $*: exit code $code, $(cat "$err")" [ "$code" = 0 ]
+    cp "$out" data.csv
+}
+
+# agrees TEXT PROGRAM: every row of data.csv for which the awk program sets `expected` agrees with it to eight digits
+# (absolutely below 1), and there are at least `rows` of them, 50 unless told.
+agrees() {
+    checks=$((checks + 1))
+    awk -F, '
+        function abs(x) { return x < 0 ? -x : x }
+        function max(a, b) { return a > b ? a : b }
+        function acos(x) { return atan2(sqrt(max(0, 1 - x * x)), x) }
+        function pow(x, y) { return x > 0 ? exp(y * log(x)) : 0 }
+        BEGIN { degree = atan2(0, -1) / 180; wanted = 50 }
+        function slope(lobe, n) { return lobe == "energy:2" ? (n + 1) / 3 : n / 2 }
+        function value(lobe, n, c) {
+            return lobe == "power" ? pow(c, n) : lobe == "schlick" ? c / (n - n * c + c) : max(0, 1 - slope(lobe, n) * (1 - c)) ^ 2
+        }
+        NR == 1 { next }
+        { expected = "" }
+        '"$2"'
+        expected != "" {
+            ++rows
+            if (!(abs($3 - expected) <= 1e-8 * max(1, abs(expected)))) { print $0, expected; bad = 1 }
+        }
+        END { exit bad || rows < wanted }' data.csv >disagreements.txt ||
+        fail "$1: $(head -3 disagreements.txt | tr '\n' ';')"
+}
+
+# ---- Numbers ---------------------------------------------------------------------------------------
+
+data error --exponents=3,100
+agrees "error: |W - cos^n|" '{ split($1, w, "="); c = cos($2 * degree); expected = abs(value("taylor:2", w[2], c) - pow(c, w[2])) }'
+data curves
+agrees "curves: power, W, Schlick" '{ split($1, w, " "); expected = value(w[1], 100, cos($2 * degree)) }'
+data w1 --exponents=10
+agrees "w1: power, W1" '{ split($1, w, " "); expected = value(w[1], 10, cos($2 * degree)) }'
+data core
+agrees "core: relative error at the inflection" '
+    $1 == "taylor:2" && $2 > 1 { c = sqrt(($2 - 1) / $2); expected = 100 * abs(value("taylor:2", $2, c) / pow(c, $2) - 1) }'
+data ratio --bits=1,8,15.5
+agrees "ratio: R of W and of Schlick" '
+    { split($1, w, "="); q = w[2]; level = 2 ^ -q; power = acos(2 ^ (-q / $2)) }
+    $1 ~ /^taylor:2/ { expected = power / acos(1 - (1 - sqrt(level)) * 2 / $2) }
+    $1 ~ /^schlick/ { expected = power / acos($2 / (2 ^ q + $2 - 1)) }'
+data widths --exponents=50 --lobes=schlick,energy:2
+agrees "widths: R over q" '
+    { level = 2 ^ -$2; power = acos(2 ^ (-$2 / 50)) }
+    $1 == "schlick" { expected = power / acos(50 / (2 ^ $2 + 49)) }
+    $1 == "energy:2" { expected = power / acos(1 - (1 - sqrt(level)) * 3 / 51) }'
+data w1-extreme
+agrees "w1-extreme: the formula" '
+    { n = $2; t = sqrt(2 * n + 1) / n; c = 1 / sqrt(1 + t * t) }
+    n > 2 { expected = 100 * (value("energy:2", n, c) / pow(c, n) - 1) }'
+data energy
+agrees "energy: closed forms" '
+    { n = $2 }
+    $1 == "energy:2" { expected = 1 }
+    $1 == "taylor:2" { expected = (n + 1) * 2 / (3 * n) }
+    $1 == "schlick" { expected = (n + 1) * (n * log(n) / (n - 1) - 1) / (n - 1) }'
+agrees "energy: order 2 stays within what the page says" '
+    $1 !~ /schlick|gx/ { expected = $3; if ($3 < 0.65 || $3 > 1.35) expected = 1e9 }'
+data orders
+agrees "orders: limits published for the minimax fit, below them everywhere" '
+    BEGIN { split("2 .07 4 .0333 8 .0163 16 .0081 32 .004", l, " "); for (i = 1; i < 10; i += 2) limit["minimax:" l[i]] = l[i + 1] }
+    { expected = $3 <= limit[$1] ? $3 : limit[$1] }
+    $2 == 5000 && $3 < 0.97 * limit[$1] { expected = limit[$1] }'
+data cost
+agrees "cost: the front is below every lobe to the right of it" '
+    BEGIN { wanted = 16 }
+    $1 == "front" { x[++f] = $2; y[f] = $3; next }
+    { best = 1; for (i = 1; i <= f; ++i) if (x[i] <= $2 && y[i] < best) best = y[i]; expected = max($3, best) }'
+agrees "cost: the front is the family" '
+    BEGIN { wanted = 5 }
+    $1 == "front" && $3 > 0 { y[$3] = 1; next }
+    $1 ~ /minimax|affine/ && ($3 in y) { delete y[$3]; expected = $3 }
+    $1 == "gaussian" { for (v in y) { expected = -1 } }'
+data object --size=160,160
+check "object: rows" [ "$(sed -n 1p data.csv)" = "lobe,reference,lowest_difference,highest_difference,mean_difference" ]
+check "object: W1 is nearer to the power than Schlick's function" awk -F, '
+    NR == 2 { if ($1 != "energy:2" || $3 >= 0 || $4 <= 0) exit 1; mean = $5 }
+    NR == 3 { exit !($1 == "schlick" && $5 > 3 && $5 > 10 * (mean < 0 ? -mean : mean)) }' data.csv
+rm -f data.csv disagreements.txt
+
+# ---- Errors ----------------------------------------------------------------------------------------
+
+expect 2 'burnish: lobe plot: "curvs": unknown figure; did you mean curves?' lobe plot curvs
+expect 2 'burnish: lobe plot: no FIGURE; try "burnish lobe plot curves" or "burnish lobe plot --help"' lobe plot
+expect 2 'burnish: --bits: the figure curves has no thresholds; leave it out' lobe plot curves --bits=3
+expect 2 'burnish: --exponents: more than 32 items; leave some out' lobe plot curves --exponents=1-33
+expect 2 'burnish: --exponents: the figure core has an axis of exponents; give its two ends, such as 2,1000' \
+    lobe plot core --exponents=5
+expect 2 'burnish: --exponents: the figure cost is drawn for one exponent' lobe plot cost --exponents=5,6
+expect 2 'burnish: --bits: "0" is not a number above 0 up to 64' lobe plot ratio --bits=0
+expect 2 'burnish: --lobes: the figure object takes 2 to 6 lobes, the one to compare with first' lobe plot object --lobes=power
+expect 2 'burnish: --size: "9,9" is not a width and a height from 160 to 4096, such as 720,440' lobe plot curves --size=9,9
+expect 2 "burnish: --size: 200,300 is too small for the names in this figure; it takes 328,250 or more" \
+    lobe plot ratio --size=200,300
+expect 2 'burnish: --output: the figure curves is written as svg, csv or gp' lobe plot curves -o curves.pdf
+expect 2 'burnish: --format: the figure object is written as png or csv' lobe plot object --format=gp
+expect 2 'burnish: curves: more than 48 curves; leave out some lobes, exponents or bits' \
+    lobe plot curves --exponents=1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17
+expect 7 "burnish: none/x.csv: can't be written: No such file or directory; create the folder first" lobe plot curves -o none/x.csv
+nothing_left "errors"
+# with_gnuplot SCRIPT LINE: with that as gnuplot, or without one for "", plotting ends with that line.
+with_gnuplot() {
+    mkdir -p "$out.tools"
+    if [ -n "$1" ]; then
+        printf '#!/bin/sh\n%s\n' "$1" >"$out.tools/gnuplot"
+        chmod +x "$out.tools/gnuplot"
+    fi
+    real=$burnish
+    burnish=$out.tools/burnish
+    printf '#!/bin/sh\nPATH=%s exec %s "$@"\n' "$out.tools" "$real" >"$burnish"
+    chmod +x "$burnish"
+    expect 7 "burnish: gnuplot: $2" lobe plot curves
+    burnish=$real
+    rm -r "$out.tools"
+}
+with_gnuplot "" "not found, and it draws the figures; install it (Debian: gnuplot-nox), or take --format=gp to another machine, or --format=csv"
+with_gnuplot 'echo "    line 7: out of luck" >&2; exit 1' "failed: line 7: out of luck; version 5.4 is known to work"
+with_gnuplot 'read -r line' "wrote no SVG; version 5.4 is known to work"
+nothing_left "a gnuplot that fails"
+
+# ---- Drawings --------------------------------------------------------------------------------------
+
+run lobe plot curves -o kept.csv
+cp kept.csv again.csv
+check "by the ending: csv" grep -q '^series,angle_deg,value$' kept.csv
+check "to standard output: the same" sh -c "'$burnish' lobe plot curves --format=csv | cmp - kept.csv"
+run lobe plot curves -o script.gp
+check "by the ending: gp" grep -q '^set terminal svg' script.gp
+check "an output that can't be written is kept as it was" sh -c "chmod 400 kept.csv; '$burnish' lobe plot curves --lobes=foo -o kept.csv; cmp kept.csv again.csv"
+rm -f kept.csv again.csv script.gp
+
+"$root/scripts/figures" "$burnish" one >/dev/null 2>&1 || [ "$has_gnuplot" = 0 ] || fail "scripts/figures fails"
+if [ "$has_gnuplot" = 1 ]; then
+    "$root/scripts/figures" "$burnish" two >/dev/null 2>&1
+    check "two runs differ" diff -r one two
+    for file in "$root"/docs/figures/*; do
+        name=$(basename "$file")
+        check "docs/figures/$name is not what the program draws; run make figures" cmp "one/$name" "$file"
+        check "docs/figures/$name is not in docs/theory.md" grep -q "(figures/$name)" "$root/docs/theory.md"
+    done
+    check "docs/figures lacks a figure" [ "$(ls one | wc -l)" = "$(ls "$root/docs/figures" | wc -l)" ]
+    for file in one/*.svg; do
+        check "$file: no end" sh -c "tail -n 2 '$file' | grep -q '</svg>'"
+        check "$file: no forms for light and dark pages" grep -q 'prefers-color-scheme:dark' "$file"
+        check "$file: a number that is none" sh -c "! grep -qi '[^a-z]nan[^a-z]' '$file'"
+        command -v xmllint >/dev/null && check "$file: not well-formed" xmllint --noout "$file"
+    done
+    run lobe plot energy -o -
+    check "standard output" cmp "$out" one/energy.svg
+    rm -r two
+fi
+rm -rf one
+nothing_left "figures"
+
+# ---- The page --------------------------------------------------------------------------------------
+
+check "docs/theory.md: $("$root/scripts/theory-tables" "$burnish" "$root/docs/theory.md" --check 2>&1 | head -5 | tr '\n' ' ')" \
+    "$root/scripts/theory-tables" "$burnish" "$root/docs/theory.md" --check
+sed 's/0\.0916/0.0915/' "$root/docs/theory.md" >stale.md
+check "a changed number is not noticed" sh -c "! '$root/scripts/theory-tables' '$burnish' stale.md --check"
+rm stale.md
+# What its text says in round numbers.
+about() {
+    run lobe table --lobes="$1" --exponents="$2" --metrics="$3" --format=csv
+    check "$3 of $1 at n = $2 is not about $4" awk -F, -v about="$4" 'NR == 2 { exit !(int($3 + 0.5) == about) }' "$out"
+}
+about taylor:2 100 zero-angle 11
+about energy:2 10 zero-angle 43
+
+# Every command of the page and of the help screens and the man page.
+{
+    grep -o '`burnish lobe plot [^`]*`' "$root/docs/theory.md" | tr -d '`'
+    for screen in --help "lobe --help" "lobe plot --help" "help --man"; do
+        # shellcheck disable=SC2086
+        "$burnish" $screen 2>/dev/null | tr -d '\\' | grep -o 'burnish lobe plot [a-z0-9].*' | sed 's/  .*//; s/fR$//'
+    done
+} | sort -u | grep -v '^burnish lobe plot FIGURE' >"$out.commands"
+check "no examples" [ "$(wc -l <"$out.commands")" -ge 11 ]
+while read -r command; do
+    case $command in *object*) ;; *) [ "$has_gnuplot" = 1 ] || continue ;; esac
+    check "fails: $command" sh -c "PATH=$(dirname "$burnish"):\$PATH; $command"
+done <"$out.commands"
+rm -f "$out.commands" ./*
+
+finish || exit 1
+[ "$has_gnuplot" = 1 ] || { echo "gnuplot is missing: drawings passed over"; exit 77; }

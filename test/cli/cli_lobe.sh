@@ -1,0 +1,207 @@
+#!/bin/sh
+# burnish lobe: every example of the help runs, numbers against closed forms, formats, claims, usage.
+# usage: cli_lobe.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+
+# near VALUE AWK-EXPRESSION TOLERANCE: absolute, 1 for the unit. The expression may use pi and acos.
+near() {
+    awk -v v="$1" "function acos(x) { return atan2(sqrt(1 - x * x), x) }
+        BEGIN { pi = atan2(0, -1); d = v - ($2); exit !(v != \"\" && d <= $3 && d >= -$3) }"
+}
+
+# cell LOBE KEY: of the last output, a CSV table.
+cell() {
+    awk -F, -v lobe="$1" -v key="$2" '
+        NR == 1 { for (i = 1; i <= NF; ++i) if ($i == key) column = i }
+        NR > 1 && $2 == lobe { print $column; exit }' "$out"
+}
+
+# number TEXT LOBE KEY EXPRESSION TOLERANCE
+number() {
+    checks=$((checks + 1))
+    value=$(cell "$2" "$3")
+    near "$value" "$4" "$5" || fail "$1: $2 $3 is '$value', not $4"
+}
+
+# ---- Examples ----
+
+printf 'angle,intensity\n' >samples.csv
+awk 'BEGIN { for (a = 0; a <= 40; ++a) {
+    u = 1 - 61 / 5 * (1 - cos(a * atan2(0, -1) / 180)); printf "%d,%.12g\n", a, 0.8 * (u > 0 ? u^4 : 0) } }' >>samples.csv
+examples=0
+mkdir bin
+ln -s "$burnish" bin/burnish
+for screen in "" table claims choose fit boundary sample plot; do
+    # shellcheck disable=SC2086
+    run lobe $screen --help
+    sed -n '/^Examples/,/^$/s/^  \(burnish .*[^ ]\)   *[^ ].*$/\1/p' "$out" | sed 's/   *.*$//' >list.txt
+    while read -r example; do
+        examples=$((examples + 1))
+        check "the help's example fails: $example" sh -c "PATH='$scratch/bin':\$PATH; $example </dev/null"
+    done <list.txt
+    check "burnish lobe $screen --help has no examples" [ -s list.txt ]
+done
+check "only $examples examples" [ "$examples" -ge 20 ]
+for file in lobes.csv claims.json boundary.c boundary.mem rays.csv residuals.csv; do
+    check "the examples leave no $file" [ -s "$file" ]
+done
+rm -rf ./*
+
+# ---- Numbers ----
+
+run lobe table --lobes=taylor:2,energy:4,level0.5:2,schlick,power,minimax:2 --exponents=18 --metrics=all --format=csv
+check "table: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+number zeta taylor:2 zeta "9" 1e-14
+number zeta energy:4 zeta "19/5" 1e-14
+number zeta level0.5:2 zeta "(1 - sqrt(.5)) / (1 - exp(log(.5) / 18))" 1e-12
+number "minimax (Beaudoin and Guardado)" minimax:2 zeta "6.645" 6e-4
+number "minimax (Beaudoin and Guardado)" minimax:2 max_error ".0631" 6e-5
+number zero taylor:2 zero_angle_deg "acos(16/18) * 180 / pi" 1e-11
+number zero taylor:2 cutoff_cosine "16/18" 1e-14
+number zero schlick zero_angle_deg "90" 1e-12
+number radius taylor:2 curvature_radius_rad "1 / 34" 1e-14
+number inflection power inflection_deg "acos(sqrt(17/18)) * 180 / pi" 1e-11
+number angle power angle_deg_8 "acos(exp(-8 * log(2) / 18)) * 180 / pi" 1e-11
+number angle schlick angle_deg_8 "acos(18 / (256 + 17)) * 180 / pi" 1e-11
+number angle taylor:2 angle_deg_8 "acos(1 - (1 - 1/16) / 9) * 180 / pi" 1e-11
+number ratio taylor:2 ratio_8 "acos(exp(-8 * log(2) / 18)) / acos(1 - (1 - 1/16) / 9)" 1e-12
+number boundary taylor:2 boundary_cosine_8 "1 - (1 - 1/16) / 9" 1e-14
+number integral energy:4 integral_sr "2 * pi / 19" 1e-13
+number integral power integral_sr "2 * pi / 19" 1e-13
+number energy energy:4 energy "1" 1e-13
+number energy taylor:2 energy "(1 / 27) * 19" 1e-13
+number integral taylor:2 cosine_integral_sr "2 * pi * (9 * 4 - 1) / (81 * 12)" 1e-13
+number factor power normal_factor_per_sr "20 / (2 * pi)" 1e-12
+number factor power phong_factor_per_sr "20 / (2 * pi)" 1e-12
+number factor power blinn_factor_per_sr "20 * 22 / (8 * pi * (exp(-9 * log(2)) + 18))" 1e-10
+number factor power blinn_factor_common_per_sr "26 / (8 * pi)" 1e-13
+number extreme energy:4 extreme_angle_deg "acos(18 * (3.8 - 1) / (3.8 * 14)) * 180 / pi" 1e-10
+number extreme energy:4 extreme_searched_deg "acos(18 * (3.8 - 1) / (3.8 * 14)) * 180 / pi" 1e-5
+number alpha power alpha "sqrt(2 / 20)" 1e-14
+number toksvig power toksvig_exponent_0.9 "18 * .9 / (.9 + 1.8)" 1e-12
+number phong power phong_exponent "4.5" 1e-14
+number value taylor:2 value_10 "(1 - 9 * (1 - cos(pi / 18)))^2" 1e-13
+number slope taylor:2 slope_per_rad_10 "-18 * sin(pi / 18) * (1 - 9 * (1 - cos(pi / 18)))" 1e-12
+number second taylor:2 second_per_rad2_10 \
+    "162 * sin(pi / 18)^2 - 18 * cos(pi / 18) * (1 - 9 * (1 - cos(pi / 18)))" 1e-11
+number relative taylor:2 relative_percent_10 \
+    "100 * ((1 - 9 * (1 - cos(pi / 18)))^2 / cos(pi / 18)^18 - 1)" 1e-10
+number cost energy:4 multiplications "3" 0
+number cost schlick divisions "1" 0
+number cost power functions "1" 0
+check "no number is an empty field" [ -z "$(cell power zeta)" ]
+# the maximum by a scan that knows nothing of the library
+scan=$(awk 'BEGIN { for (i = 0; i <= 200000; ++i) { c = i / 200000; u = 1 - 9 * (1 - c); w = u > 0 ? u * u : 0
+    d = w - c^18; d = d < 0 ? -d : d; if (d > m) m = d } printf "%.12f", m }')
+number "maximum error" taylor:2 max_error "$scan" 1e-8
+
+run lobe table --lobes=taylor:2,schlick --exponents=100 --range=inflection --metrics=max-relative --format=csv
+number "paper's figure 4" taylor:2 max_relative_percent "7.18" 5e-3
+number "paper's figure 4" schlick max_relative_percent "9.9146" 5e-5
+run lobe table --lobes=shift7 --exponents=21 --range=level:0.45 --metrics=max-error --format=csv
+number "down to a level" shift7:2 max_error ".0181" 5e-5
+
+# lists
+run lobe table --exponents=3-5,10-30:10,2-16x2 --lobes=power --metrics=zeta --format=csv
+check "exponents: $(cut -d, -f1 "$out" | tr '\n' ' ')" \
+    [ "$(cut -d, -f1 "$out" | tr '\n' ' ')" = "exponent 3 4 5 10 20 30 2 4 8 16 " ]
+run lobe table --exponents=8,1.5e1 --lobes=taylor:16,minimax:8 --metrics=zeta --format=csv
+check "an order that an exponent does not allow is an empty field" \
+    [ "$(sed -n 2p "$out")" = "8,taylor:16," ]
+check "a lobe that exists has a number" [ "$(sed -n 3p "$out" | cut -d, -f3)" != "" ]
+
+# ---- Formats ----
+
+run lobe table --metrics=all --lobes=power,schlick,table16,taylor:32,gaussian,zeta4:2 --exponents=1,10
+check "text is wider than 100 columns or ends in blanks" awk 'length($0) > 100 || / $/ { exit 1 }' "$out"
+check "units" grep -q 'deg' "$out"
+run lobe table --metrics=all --exponents=1,10,100 --format=json
+check "table --format=json" valid_json
+check "JSON has no nan or inf" sh -c "! grep -qiE 'nan|inf[^l]' '$out'"
+run lobe table --metrics=all --exponents=1,10,100 --format=csv
+check "CSV rows have one width" awk -F, 'NR == 1 { n = NF } NF != n { exit 1 } END { exit NR != 22 }' "$out"
+run lobe table --format=markdown
+check "Markdown" awk -F'|' 'NR == 1 { n = NF } NF != n || !/^\|.*\|$/ { exit 1 } END { exit NR != 16 }' "$out"
+LC_ALL=de_DE.UTF-8 "$burnish" lobe table --format=csv >german.txt
+"$burnish" lobe table --format=csv | cmp -s - german.txt
+check "the locale changes a table" [ $? = 0 ]
+rm german.txt
+
+# ---- Claims ----
+
+run lobe claims
+check "claims: exit code $code" [ "$code" = 0 ]
+check "claims: count" grep -qx '20 claims. holds: 15; holds to the digits given: 1; does not hold: 2; measured by benchmark: 2' "$out"
+check "claims: too wide" awk 'length($0) > 100 || / $/ { exit 1 }' "$out"
+run lobe claims --format=json
+check "claims --format=json" valid_json
+check "claims: 20 in JSON" [ "$(json id | wc -l)" -eq 20 ]
+run lobe claims --format=csv
+sed '1d; s/^.*,//' "$out" | sort -u >commands.txt
+check "hardly any commands" [ "$(wc -l <commands.txt)" -ge 19 ]
+mkdir bin
+ln -s "$burnish" bin/burnish
+while read -r command; do
+    case $command in
+    "make bench") ;;
+    "burnish "*) check "a claim's command fails: $command" sh -c "PATH='$scratch/bin':\$PATH; $command" ;;
+    *) check "a claim's command is no command: $command" false ;;
+    esac
+done <commands.txt
+rm -r bin commands.txt
+run lobe claims --format=csv
+check "claims CSV: core-w at 200" sh -c "grep '^core-w,' '$out' | grep -q ',n=200,7\.2206.*,1,at most,7.2,0.1,holds to the digits given,burnish lobe claims core-w$'"
+for id_verdict in "peak holds" "core-w holds to the digits given" "w05-large does not hold" "speed-w measured by benchmark"; do
+    run lobe claims "${id_verdict%% *}"
+    check "claims $id_verdict" sh -c "head -n 1 '$out' | grep -q ' ${id_verdict#* }\$' && [ '$code' = 0 ]"
+done
+run lobe claims --format=markdown
+check "claims --format=markdown" awk -F'|' 'NF != 7 { exit 1 } END { exit NR != 22 }' "$out"
+
+# ---- Choose ----
+
+run lobe choose --exponent=100 --epsilon=0.02 --format=json
+check "choose --format=json" valid_json
+check "choose: $(json lobe | head -n 1)" [ "$(json lobe | head -n 1)" = minimax:8 ]
+check "A + B is 1" near "$(json a)" "1 - ($(json b))" 1e-6
+check "error within epsilon" awk -v e="$(json max_error | head -n 1)" 'BEGIN { exit !(e > .014 && e <= .02) }'
+run lobe choose --exponent=20 --epsilon=0.024 --affine
+check "choose --affine" grep -q '^affine:4 is the cheapest lobe within 0.024 of c^20 ' "$out"
+run lobe choose --exponent=20 --epsilon=0.024
+check "without: one squaring more" grep -q '^minimax:8 is the cheapest' "$out"
+# what is printed, compiled by the reader's own eyes: awk takes A and B and must find the error stated
+error=$(awk '/float A/ { a = $6 + 0 } /float B/ { b = $6 + 0 } END {
+    for (i = 0; i <= 20000; ++i) { c = i / 20000; u = a * c + b; u = u > 0 ? u : 0
+        d = u^8 - c^20; d = d < 0 ? -d : d; m = d > m ? d : m } printf "%.5f", m }' "$out")
+check "constants give $error" grep -q "largest error  $error\$" "$out"
+run lobe choose --exponent=20 --epsilon=0.0003
+check "nothing but the power" grep -q '^power is the cheapest' "$out"
+
+# ---- Usage ----
+
+expect 2 'burnish: lobe: what comes next is one of table, claims, choose, fit, boundary, sample or plot; "burnish lobe --help" explains them' lobe
+expect 2 'burnish: "lobe tabel": unknown command; did you mean lobe table?' lobe tabel
+expect 2 'burnish: "lobe tabel": unknown command; did you mean lobe table?' help lobe tabel
+expect 2 'burnish: "lobe frobnicate": unknown command; "burnish lobe --help" lists the commands' lobe frobnicate
+expect 2 'burnish: lobe --format: one of table, claims, choose, fit, boundary, sample or plot comes first' lobe --format
+expect 2 'burnish: help: "x": render has no commands of its own; burnish help render' help render x
+expect 2 'burnish: lobe table: "x" is no flag; "burnish lobe table --help" lists the flags' lobe table x
+expect 2 'burnish: --metric: unknown flag; did you mean --metrics?' lobe table --metric=zeta
+expect 2 'burnish: --metrics: "zetta": unknown metric; did you mean zeta?' lobe table --metrics=zetta
+expect 2 'burnish: --metrics: "frobnicate": unknown metric; "burnish help --man" lists them' lobe table --metrics=zeta,frobnicate
+expect 2 'burnish: --metrics: "angle:0": angle takes bits above 0 and up to 1024, as in angle:8' lobe table --metrics=angle:0
+expect 2 'burnish: --metrics: "zeta:2": zeta takes no number; leave out what follows the colon' lobe table --metrics=zeta:2
+expect 2 'burnish: --exponents: "0" is not an exponent from 1 to 65536, nor a range such as 1-1023, 10-100:10 or 2-1024x2' lobe table --exponents=0
+expect 2 'burnish: --exponents: "9-3" is not an exponent from 1 to 65536, nor a range such as 1-1023, 10-100:10 or 2-1024x2' lobe table --exponents=9-3
+expect 2 'burnish: --exponents: more than 65536 exponents; give fewer or wider steps' lobe table --exponents=1-65536:0.001
+expect 2 'burnish: --range: "level:2" is not all, inflection, nor level:L with L between 0 and 1, such as level:0.5' lobe table --range=level:2
+expect 2 'burnish: --format: "xml" is not one of text, csv, json, markdown' lobe table --format=xml
+expect 5 'burnish: lobe table: 458752 rows of 14 columns are more than 4194304 cells; ask for fewer lobes, exponents or metrics' lobe table --exponents=1-65536
+expect 2 'burnish: lobe claims: "core": unknown claim; did you mean core-w?' lobe claims core
+expect 2 'burnish: lobe claims: "b" is one operand too many; usage: burnish lobe claims [ID] [options]' lobe claims a b
+expect 2 'burnish: lobe choose: --exponent is missing; try "burnish lobe choose --exponent=100 --epsilon=0.02"' lobe choose
+expect 2 'burnish: lobe choose: --epsilon is missing; try "burnish lobe choose --exponent=100 --epsilon=0.02"' lobe choose --exponent=9
+expect 2 'burnish: --epsilon: "1" is not a number between 0 and 1' lobe choose --exponent=9 --epsilon=1
+nothing_left "wrong usage"
+
+finish

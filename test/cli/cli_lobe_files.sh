@@ -1,0 +1,156 @@
+#!/bin/sh
+# burnish lobe boundary and sample: words against closed forms, C that compiles, Verilog that loads,
+# directions that are distributed as stated; and that -o writes the whole file or none.
+# usage: cli_lobe_files.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+
+# ---- Boundary ----
+
+# energy:2 at q = 8: cosine 1 - (1 - 2^-4) 3 / (n + 1), 0 where that is below 0; rounded down
+run lobe boundary --as=csv
+check "boundary CSV against the formula" awk -F, 'NR == 1 { if ($0 != "exponent,word,hex,value,cosine") bad = 1; next }
+    { n = NR - 1; c = 1 - 15 / 16 * 3 / (n + 1); c = c > 0 ? c : 0; d = $5 - c
+      if ($1 != n || $2 != int(32768 * c) || d > 1e-14 || d < -1e-14 || $4 != $2 / 32768) bad = 1 }
+    END { exit bad || NR != 1024 }' "$out"
+run lobe boundary --as=csv --lambda --lobe=power --exponents=2-4096x2 --bits=10 --format-word=UQ0.24
+check "lambda of the power" awk -F, 'NR > 1 { l = 1 - exp(-10 * log(2) / $1); d = $5 - l; w = l * 2^24
+    if (d > 1e-13 || d < -1e-13 || $2 < w || $2 > w + 1.00001) bad = 1 } END { exit bad || NR != 13 }' "$out"
+run lobe boundary --as=csv --exponents=100 --bits=0 --lobe=taylor:2 --rounding=nearest
+check "the zero of taylor: $(sed -n 2p "$out")" [ "$(sed -n 2p "$out")" = "100,32113,7d71,0.980010986328125,0.98" ]
+
+run lobe boundary --exponents=1-40 -o ok.c --name=table
+check "boundary -o: code $code, $(cat "$err")" [ "$code" = 0 ]
+check "nothing on standard output" [ ! -s "$out" ]
+run lobe boundary --exponents=1-40 --as=csv
+cp "$out" words.csv
+cat >main.c <<'CODE'
+#include <stdio.h>
+#include "ok.c"
+int main(void) {
+    for (unsigned i = 0; i < sizeof table / sizeof table[0]; ++i) {
+        printf("%d\n", (int)table[i]);
+    }
+    return 0;
+}
+CODE
+check "the C array does not compile" gcc -std=c99 -pedantic-errors -Wall -Wextra -Werror -o words main.c
+check "the C array holds other words" sh -c "./words >a.txt; sed 1d words.csv | cut -d, -f2 | cmp - a.txt && [ -s a.txt ]"
+run lobe boundary --exponents=1,10,100.5 --format-word=Q0.7 --lambda -o ok.c --name=table
+cat >>main.c <<'CODE'
+const float *last_exponent(void);
+const float *last_exponent(void) { return &table_exponents[2]; }
+CODE
+check "the C array with exponents does not compile" gcc -std=c99 -pedantic-errors -Wall -Wextra -Werror -o words main.c
+check "signed words" [ "$(./words | tr '\n' ' ')" = "127 33 4 " ]
+
+run lobe boundary --exponents=1-40 --as=mem -o words.mem
+check "mem: words, comments and an address only" awk '/^\/\// || /^@0$/ { next }
+    !/^[0-9a-f][0-9a-f][0-9a-f][0-9a-f] \/\/ n = [0-9]+$/ { exit 1 }' words.mem
+check "mem holds other words" sh -c "sed 1d words.csv | cut -d, -f3 >a.txt; sed -n 's/ .*n = .*//p' words.mem | grep -v '^//' | cmp - a.txt && [ -s a.txt ]"
+if command -v iverilog >/dev/null && command -v vvp >/dev/null; then
+    cat >bench.v <<'CODE'
+module bench;
+    reg [14:0] words [0:39];
+    integer i;
+    initial begin
+        $readmemh("words.mem", words);
+        for (i = 0; i < 40; i = i + 1) $display("%0d", words[i]);
+    end
+endmodule
+CODE
+    check "iverilog" iverilog -o bench bench.v
+    check "\$readmemh reads other words" sh -c "vvp bench >a.txt; sed 1d words.csv | cut -d, -f2 | cmp - a.txt"
+fi
+rm -rf ./*
+
+expect 2 'burnish: --name: "2x" is not a name in C: letters, digits and _' lobe boundary --name=2x
+expect 2 'burnish: --lobe: "power,gx" is 2 lobes; a memory holds one' lobe boundary --lobe=power,gx
+expect 2 'burnish: --format-word: "Q40" is not a fixed-point format; use UQ0.15 (unsigned, 0 integer and 15 fraction bits), Q0.15 (and a sign bit) or Q15, at most 32 bits' lobe boundary --format-word=Q40
+expect 2 'burnish: boundary: 0.5 threshold bits; use 1 to 1024, or 0 for the lobe'"'"'s zero' lobe boundary --bits=0.5
+expect 2 'burnish: --as: "hex" is not one of c, mem, csv' lobe boundary --as=hex
+
+# ---- Samples ----
+
+# moments SEED...: count, largest | |d| - 1 |, largest | pdf - density |, and z of the cosine's mean
+# from its true value in standard errors, for energy:2, n = 50: zeta 17, u has density 3 u^2.
+moments() {
+    awk -F, 'BEGIN { pi = atan2(0, -1); zeta = 17 } NR == 1 { next }
+        { length2 = $1 * $1 + $2 * $2 + $3 * $3; d = length2 - 1; d = d < 0 ? -d : d; off = d > off ? d : off
+          u = 1 - zeta * (1 - $3); p = zeta * 3 * u * u / (2 * pi) - $4; p = p < 0 ? -p : p; pdf = p > pdf ? p : pdf
+          s += u; x += $1; y += $2; xx += $1 * $1; if (u < 0 || u > 1) out = 1; ++n
+          ++bin[int(u * u * u * 20) > 19 ? 19 : int(u * u * u * 20)] }
+        END { for (i = 0; i < 20; ++i) chi += (bin[i] - n / 20) ^ 2 / (n / 20)
+              z = (s / n - 3 / 4) / sqrt(3 / 80 / n); zx = x / n / sqrt(xx / n / n); zy = y / n / sqrt(xx / n / n)
+              printf "%d %g %g %.4f %.4f %.4f %.3f %d\n", n, off, pdf, z, zx, zy, chi, out }' "$out"
+}
+run lobe sample --lobe=energy:2 --exponent=50 --count=20000
+moments >m.txt
+check "random directions: $(cat m.txt)" awk '{ exit !($1 == 20000 && $2 < 1e-14 && $3 < 1e-9 && $4 * $4 < 12 &&
+    $5 * $5 < 12 && $6 * $6 < 12 && $7 < 45 && $8 == 0) }' m.txt
+cp "$out" first.csv
+run lobe sample --lobe=energy:2 --exponent=50 --count=20000 --seed=1
+check "the same seed, other directions" cmp -s "$out" first.csv
+run lobe sample --lobe=energy:2 --exponent=50 --count=100
+check "a shorter run is no beginning of a longer one" sh -c "head -n 101 first.csv | cmp -s - '$out'"
+run lobe sample --lobe=energy:2 --exponent=50 --count=100 --seed=2
+check "another seed, the same directions" sh -c "! head -n 101 first.csv | cmp -s - '$out'"
+# a wrong lobe fails the same test
+run lobe sample --lobe=energy:2 --exponent=52 --count=20000
+moments >m.txt
+check "a wrong lobe passes: $(cat m.txt)" awk '{ exit !($4 * $4 > 12) }' m.txt
+run lobe sample --lobe=energy:2 --exponent=50 --count=20000 --pattern=stratified
+moments >m.txt
+check "stratified directions: $(cat m.txt)" awk '{ exit !($1 == 20000 && $3 < 1e-9 && $4 * $4 < 1e-4 && $7 < 0.01 && $8 == 0) }' m.txt
+run lobe sample --lobe=power --exponent=10 --measure=cosine --count=5000
+check "power, cosine-weighted: density (n + 2) c^(n + 1) / 2 pi" awk -F, 'NR > 1 { d = $4 - 12 * $3^11 / (2 * atan2(0, -1))
+    if (d > 1e-12 || d < -1e-12) bad = 1; s += $3 } END { m = s / (NR - 1) - 12 / 13; exit bad || NR != 5001 || m * m > 16 * .0051 / 5000 }' "$out"
+expect 2 'burnish: --count: "0" is not a whole number from 1 to 1000000000' lobe sample --count=0
+expect 2 'burnish: --lobe: lobe "taylor:16" at exponent 8: the order is above the exponent: try a lower order' lobe sample --lobe=taylor:16 --exponent=8
+rm -rf ./*
+
+# ---- Whole or nothing ----
+
+for part in "table" "claims peak" "boundary" "sample" "choose --exponent=9 --epsilon=.1"; do
+    # shellcheck disable=SC2086
+    run lobe $part -o whole.txt
+    check "lobe $part -o: code $code, $(cat "$err")" [ "$code" = 0 ]
+    # shellcheck disable=SC2086
+    run lobe $part
+    check "lobe $part: -o writes something else" cmp -s whole.txt "$out"
+    rm -f whole.txt
+    nothing_left "lobe $part -o"
+    # shellcheck disable=SC2086
+    expect 7 "burnish: no/where.txt: can't be written: No such file or directory; create the folder first" lobe $part -o no/where.txt
+    # shellcheck disable=SC2086
+    expect 7 "burnish: /dev/full: can't be written: No space left on device; free some space" lobe $part -o /dev/full
+    # shellcheck disable=SC2086
+    "$burnish" lobe $part >/dev/full 2>"$err"
+    check "lobe $part into a full device: code $?" grep -qx "burnish: standard output: can't be written: No space left on device; free some space" "$err"
+    mkdir folder
+    # shellcheck disable=SC2086
+    expect 7 "burnish: folder: can't be written: it is a folder; name a file in it" lobe $part -o folder
+    rmdir folder
+done
+echo kept >old.csv
+expect 2 'burnish: --lobe: "nonsense" is not a lobe; use FIT:ORDER with FIT taylor, energy, levelQ, shift7, shift3, projected, minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, schlick, gaussian, gx, nv2x, kuijk-blake, tableN, tableN:linear' lobe sample --lobe=nonsense -o old.csv
+check "a failed run touched the file" [ "$(cat old.csv)" = kept ]
+rm old.csv
+if [ "$(id -u)" -ne 0 ]; then
+    mkdir locked
+    chmod 555 locked
+    expect 7 "burnish: locked/a.csv: can't be written: Permission denied" lobe sample -o locked/a.csv
+    check "something in the locked folder" [ -z "$(ls -A locked)" ]
+    rmdir locked
+elif [ -d /proc/self ]; then
+    run lobe sample -o /proc/self/a.csv
+    check "a folder that takes no files: code $code" [ "$code" = 7 ]
+fi
+# the memory does not grow with the count: this limit holds the program (not a sanitizer's, which
+# needs more), but not half a million directions
+if sh -c "ulimit -v 32768; '$burnish' --version" >/dev/null 2>&1; then
+    check "500000 directions in 32 MB" sh -c "ulimit -v 32768; '$burnish' lobe sample --count=500000 -o big.csv && [ \$(wc -l <big.csv) -eq 500001 ]"
+    rm -f big.csv
+fi
+nothing_left "all runs"
+
+finish

@@ -1,0 +1,184 @@
+/* Fuzzing from bytes to pixels: libFuzzer's bytes become a mesh file, loaded and drawn through the
+ * public API alone. What loads must keep what scene.h promises, and draw; what does not must say so
+ * in one line.
+ *
+ * byte 0:  format, by the letters of FORMATS; FUZZ_FORMAT in the environment comes first
+ * byte 1:  options, see load_options() and draw()
+ * the rest: the file. Of an OBJ what stands behind the first NUL is its material library, "101".
+ *
+ * Built by `make fuzz`; test/fuzz/run starts it, test/fuzz/seeds makes what it starts from. */
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "burnish/render.h"
+#include "burnish/scene.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+#define FORMATS "aops" /* auto, OBJ, PLY, STL: the order of burnish_format */
+
+enum {
+    HEAD = 2,
+    /* Where the files are, so that "/proc/self/fd/100" finds its library "101" beside it. */
+    MESH_DESCRIPTOR = 100,
+    LIBRARY_DESCRIPTOR = 101,
+    TRIANGLE_LIMIT = 100000,
+    INPUT_LIMIT = 1 << 20
+};
+#define MESH_PATH "/proc/self/fd/100"
+
+/* Ends the run; libFuzzer keeps the input. */
+static void require(int condition, const char *what, const burnish_error *error) {
+    if (!condition) {
+        fprintf(stderr, "fuzz_load: %s: %s\n", what, error ? error->text : "");
+        abort();
+    }
+}
+
+static burnish_load_options load_options(const uint8_t *head) {
+    static const double creases[4] = {BURNISH_CREASE_AUTO, 0, 89.5, 180};
+    const char *fixed = getenv("FUZZ_FORMAT");
+    const char *place = strchr(FORMATS, fixed && *fixed ? *fixed : head[0] ? head[0] : 'a');
+    burnish_load_options options = burnish_load_options_default();
+    options.format = place ? (burnish_format)(place - FORMATS) : BURNISH_FORMAT_AUTO;
+    options.crease_angle = creases[head[1] & 3];
+    options.max_triangles = head[1] & 4 ? 5 : TRIANGLE_LIMIT;
+    options.max_input_bytes = INPUT_LIMIT;
+    return options;
+}
+
+/* A file in memory behind a descriptor of our choice. */
+static void place_file(int descriptor, const uint8_t *bytes, size_t size) {
+    int file = memfd_create("fuzz", 0);
+    require(file >= 0 && write(file, bytes, size) == (ssize_t)size &&
+                dup2(file, descriptor) == descriptor,
+            "memfd", NULL);
+    close(file);
+}
+
+static burnish_status load(const uint8_t *bytes, size_t size, int from_file,
+                           const burnish_load_options *options, burnish_scene **scene,
+                           burnish_error *error) {
+    const uint8_t *end = memchr(bytes, 0, size);
+    if (options->format != BURNISH_FORMAT_OBJ || !end) {
+        end = bytes + size;
+    }
+    size_t mesh_size = (size_t)(end - bytes);
+    if (!from_file) {
+        return burnish_scene_load_memory(bytes, mesh_size, "fuzz", options, scene, error);
+    }
+    place_file(MESH_DESCRIPTOR, bytes, mesh_size);
+    place_file(LIBRARY_DESCRIPTOR, mesh_size < size ? end + 1 : end,
+               mesh_size < size ? size - mesh_size - 1 : 0);
+    burnish_status status = burnish_scene_load(MESH_PATH, options, scene, error);
+    close(MESH_DESCRIPTOR);
+    close(LIBRARY_DESCRIPTOR);
+    return status;
+}
+
+static void check_line(const char *line) {
+    require(line && *line && !strchr(line, '\n'), "not one line", NULL);
+}
+
+static void check_material(const burnish_material *material) {
+    require(material && material->exponent >= 1 && material->exponent <= 65536, "exponent", NULL);
+    for (int i = 0; i < 3; ++i) {
+        require(material->ambient[i] >= 0 && material->ambient[i] <= 1, "ambient", NULL);
+        require(material->diffuse[i] >= 0 && material->diffuse[i] <= 1, "diffuse", NULL);
+        require(material->specular[i] >= 0 && material->specular[i] <= 1, "specular", NULL);
+    }
+}
+
+static void check_mesh(const burnish_mesh *mesh) {
+    require(mesh->vertex_count >= 3 && mesh->triangle_count >= 1, "counts", NULL);
+    for (size_t i = 0; i < 3 * mesh->vertex_count; ++i) {
+        require(mesh->positions[i] >= -FLT_MAX && mesh->positions[i] <= FLT_MAX, "position", NULL);
+        require(mesh->positions[i] >= mesh->bounds_min[i % 3] &&
+                    mesh->positions[i] <= mesh->bounds_max[i % 3],
+                "bounds", NULL);
+    }
+    for (size_t i = 0; i < mesh->vertex_count; ++i) {
+        const float *n = mesh->normals + 3 * i;
+        double square = (double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2];
+        require(square > 1 - 1e-6 && square < 1 + 1e-6, "normal", NULL);
+    }
+    for (size_t i = 0; i < 3 * mesh->triangle_count; ++i) {
+        require(mesh->indices[i] < mesh->vertex_count, "index", NULL);
+    }
+}
+
+static void check_scene(const burnish_scene *scene) {
+    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    size_t materials = burnish_scene_material_count(scene);
+    check_mesh(mesh);
+    require(materials >= 1, "no material", NULL);
+    for (size_t i = 0; i < materials; ++i) {
+        check_material(burnish_scene_material(scene, i));
+    }
+    for (size_t i = 0; mesh->triangle_materials && i < mesh->triangle_count; ++i) {
+        require(mesh->triangle_materials[i] < materials, "material index", NULL);
+    }
+    for (size_t i = 0; i < burnish_scene_warning_count(scene); ++i) {
+        check_line(burnish_scene_warning(scene, i));
+    }
+}
+
+/* So small that render may refuse it. */
+static int is_tiny(const burnish_mesh *mesh) {
+    for (int i = 0; i < 3; ++i) {
+        if ((double)mesh->bounds_max[i] - mesh->bounds_min[i] > 1e-30) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* A mesh that loads can be framed and drawn, whatever its size and place. */
+static void draw(const burnish_scene *scene, uint8_t choice) {
+    static const int samples[2] = {1, 4};
+    burnish_error error = {0};
+    burnish_image image = {0};
+    burnish_render_report report = {0};
+    burnish_fit_options fit = burnish_fit_options_default();
+    burnish_render_options options = burnish_render_options_default();
+    fit.orthographic = choice >> 4 & 1;
+    options.width = 40;
+    options.height = 24;
+    fit.aspect = 40.0 / 24;
+    options.threads = 1;
+    options.samples = samples[choice >> 5 & 1];
+    options.lobe.kind = choice & 64 ? BURNISH_LOBE_LYON : BURNISH_LOBE_FAMILY;
+    burnish_status status = burnish_camera_fit(scene, &fit, &options.camera, &error);
+    require(status == BURNISH_STATUS_OK, "camera", &error);
+    status = burnish_render(scene, &options, &image, &report, &error);
+    if (status == BURNISH_STATUS_LIMIT && is_tiny(burnish_scene_mesh(scene))) {
+        return;
+    }
+    require(status == BURNISH_STATUS_OK, "render", &error);
+    require(report.triangles_drawn <= report.triangles && report.covered_pixels <= 40 * 24,
+            "report", NULL);
+    burnish_image_destroy(&image);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    if (size < HEAD) {
+        return 0;
+    }
+    burnish_load_options options = load_options(data);
+    burnish_scene *scene = NULL;
+    burnish_error error = {0};
+    burnish_status status = load(data + HEAD, size - HEAD, data[1] & 8, &options, &scene, &error);
+    if (status == BURNISH_STATUS_OK) {
+        check_scene(scene);
+        draw(scene, data[1]);
+    } else {
+        require(!scene && error.status == status, "status", &error);
+        check_line(error.text);
+    }
+    burnish_scene_destroy(scene);
+    return 0;
+}
