@@ -54,9 +54,10 @@ typedef struct burnish_load_options {
     int tessellation;         /* built-in objects: segments along a patch edge, [1, 256] */
     uint64_t max_input_bytes; /* a larger file is refused with LIMIT */
     uint64_t max_triangles;   /* a mesh with more is refused with LIMIT; at most 2^31 - 1 */
+    int threads;              /* [0, 1024]; 0: one a processor. The scene does not depend on it. */
 } burnish_load_options;
 
-/* crease auto, tessellation 16, 16 GiB, 2^31 - 1 triangles. */
+/* crease auto, tessellation 16, 16 GiB, 2^31 - 1 triangles, a thread a processor. */
 BURNISH_API burnish_load_options burnish_load_options_default(void);
 
 /* A mesh as the scene holds it; the pointers live as long as the scene. */

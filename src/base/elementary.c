@@ -18,7 +18,7 @@ float burnish_sqrtf(float x) {
 }
 
 /* Sum of the polynomial c[0] + c[1] x + ... by Horner's rule. */
-static double polynomial(const double *c, int count, double x) {
+static inline double polynomial(const double *c, int count, double x) {
     double sum = c[count - 1];
     for (int i = count - 2; i >= 0; --i) {
         sum = sum * x + c[i];
@@ -103,33 +103,41 @@ void burnish_sincos(double x, double *sine, double *cosine) {
     }
 }
 
+/* k/8 and atan(k/8) in two parts; near 0 the series alone serves. */
+static const double arctangents[9][3] = {{0, 0, 0},
+                                         {0, 0, 0},
+                                         {0.25, 0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
+                                         {0.375, 0x1.6f61941e4def1p-2, -0x1.c63aae6f6e918p-56},
+                                         {0.5, 0x1.dac670561bb4fp-2, 0x1.a2b7f222f65e2p-56},
+                                         {0.625, 0x1.1e00babdefeb4p-1, -0x1.928df287a668fp-58},
+                                         {0.75, 0x1.4978fa3269ee1p-1, 0x1.2419a87f2a458p-56},
+                                         {0.875, 0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
+                                         {1, 0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}};
+/* atan(t) = t + t^3 (c[0] + c[1] t^2 + ...) */
+static const double arctangent_series[11] = {-1 / 3.0,  1 / 5.0,  -1 / 7.0,  1 / 9.0,
+                                             -1 / 11.0, 1 / 13.0, -1 / 15.0, 1 / 17.0,
+                                             -1 / 19.0, 1 / 21.0, -1 / 23.0};
+static const double half_pi[2] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
+
+/* The row of arctangents nearest to q in [0, 1]. */
+static inline const double *arctangent_row(double q) {
+    return arctangents[(int)(q * 8 + 0.5)];
+}
+
 /* atan(q) = *high + *low for q in [0, 1]: the difference to the nearest atan(k/8), by its series.
  */
 static void arctangent_kernel(double q, double *high, double *low) {
-    static const double table[9][2] = {{0, 0},
-                                       {0, 0},
-                                       {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
-                                       {0x1.6f61941e4def1p-2, -0x1.c63aae6f6e918p-56},
-                                       {0x1.dac670561bb4fp-2, 0x1.a2b7f222f65e2p-56},
-                                       {0x1.1e00babdefeb4p-1, -0x1.928df287a668fp-58},
-                                       {0x1.4978fa3269ee1p-1, 0x1.2419a87f2a458p-56},
-                                       {0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
-                                       {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}};
-    static const double c[] = {-1 / 3.0,  1 / 5.0,  -1 / 7.0,  1 / 9.0,  -1 / 11.0, 1 / 13.0,
-                               -1 / 15.0, 1 / 17.0, -1 / 19.0, 1 / 21.0, -1 / 23.0};
-    int k = q < 0.1875 ? 0 : (int)(q * 8 + 0.5);
-    double centre = k * 0.125;
-    double t = (q - centre) / (1 + q * centre);
-    double tail = t * (t * t * polynomial(c, 11, t * t));
-    if (k == 0) {
+    const double *row = arctangent_row(q);
+    double t = (q - row[0]) / (1 + q * row[0]);
+    double tail = t * (t * t * polynomial(arctangent_series, 11, t * t));
+    if (row[0] == 0) {
         *high = t, *low = tail;
     } else {
-        *high = table[k][0], *low = t + (tail + table[k][1]);
+        *high = row[1], *low = t + (tail + row[2]);
     }
 }
 
 double burnish_atan2(double y, double x) {
-    static const double half_pi[2] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
     if (x != x || y != y) {
         return not_a_number;
     }
@@ -154,6 +162,61 @@ double burnish_atan2(double y, double x) {
         angle = high + low;
     }
     return y < 0 ? -angle : angle;
+}
+
+/* Two numbers, and two masks of all bits or none. */
+typedef double pair __attribute__((vector_size(16)));
+typedef int64_t pair_mask __attribute__((vector_size(16)));
+
+static inline pair select_pair(pair_mask mask, pair yes, pair no) {
+    return (pair)((mask & (pair_mask)yes) | (~mask & (pair_mask)no));
+}
+
+static inline pair absolute_pair(pair x) {
+    const pair_mask sign = {INT64_MIN, INT64_MIN};
+    return (pair)((pair_mask)x & ~sign);
+}
+
+/* burnish_atan2() of two finite points, the operations in the same order. */
+static inline pair arctangent_pair(pair y, pair x) {
+    pair width = absolute_pair(x), height = absolute_pair(y);
+    pair_mask steep = height > width, left = x < 0;
+    pair larger = select_pair(steep, height, width);
+    pair q = select_pair(steep, width, height) / select_pair(larger > 0, larger, larger + 1);
+    const double *first = arctangent_row(q[0]), *second = arctangent_row(q[1]);
+    pair centre = {first[0], second[0]};
+    pair head = {first[1], second[1]};
+    pair rest = {first[2], second[2]};
+    pair t = (q - centre) / (1 + q * centre);
+    pair z = t * t;
+    pair sum = arctangent_series[10] - (pair){0, 0};
+    for (int i = 9; i >= 0; --i) {
+        sum = sum * z + arctangent_series[i];
+    }
+    pair tail = t * (z * sum);
+    pair_mask near_zero = centre == 0;
+    pair high = select_pair(near_zero, t, head);
+    pair low = select_pair(near_zero, tail, t + (tail + rest));
+    pair before_pi = 2 * half_pi[0] - (high + (low - 2 * half_pi[1]));
+    pair before_half = half_pi[0] - (high + (low - half_pi[1]));
+    pair after_half = half_pi[0] + (high + (low + half_pi[1]));
+    pair angle = select_pair(steep, select_pair(left, after_half, before_half),
+                             select_pair(left, before_pi, high + low));
+    return select_pair(y < 0, -angle, angle);
+}
+
+void burnish_atan2_array(const double *y, const double *x, double *angles, size_t count) {
+    size_t i = 0;
+    for (; i + 2 <= count; i += 2) {
+        pair at_y, at_x, angle;
+        memcpy(&at_y, y + i, sizeof at_y);
+        memcpy(&at_x, x + i, sizeof at_x);
+        angle = arctangent_pair(at_y, at_x);
+        memcpy(angles + i, &angle, sizeof angle);
+    }
+    if (i < count) {
+        angles[i] = burnish_atan2(y[i], x[i]);
+    }
 }
 
 double burnish_acos(double x) {

@@ -5,24 +5,44 @@
  * cost is quadratic in the faces around a vertex (a fan of 80,000 takes 5 s, version 0.18). */
 #include <string.h>
 
+#include "base/threads.h"
 #include "scene/normals.h"
 #include "scene/scene.h"
 #include "scene/source.h"
 #include "scene/text.h"
 #include "scene/weld.h"
 
+enum {
+    SHARE = 8192,           /* triangles, positions or vertices that are worth a thread */
+    POSITIONS_A_TURN = 512, /* that a thread takes at a time */
+    CORNERS_AT_ONCE = 512   /* measured together; the fan's arrays stay in the first-level cache */
+};
+
 /* One vertex of the result while they are collected. */
 typedef struct built_vertex {
+    uint32_t corner;   /* the first one that uses it */
     uint32_t position; /* number of the welded position */
     float normal[3];
     uint32_t color; /* the four bytes */
 } built_vertex;
+
+/* What one thread makes vertices with. */
+typedef struct vertex_maker {
+    burnish_fan fan;
+    float *normals;               /* 3 a corner of one position */
+    burnish_weld_record *records; /* 1 a corner of one position */
+    built_vertex *vertices;
+    size_t count, capacity;
+    burnish_status status;
+    burnish_error error;
+} vertex_maker;
 
 typedef struct builder {
     burnish_source *source;
     const char *name;
     burnish_error *error;
     burnish_scene *scene;
+    int threads; /* as asked for */
 
     size_t position_count;     /* welded positions, at the head of source->positions */
     size_t triangle_count;     /* triangles with area, at the head of the source's arrays */
@@ -33,8 +53,9 @@ typedef struct builder {
     size_t max_faces;       /* around one position */
     int has_colors;
 
-    built_vertex *vertices;
-    size_t vertex_count, vertex_capacity;
+    vertex_maker *makers;
+    int maker_count;
+    size_t vertex_count;
 } builder;
 
 static burnish_status check_counts(const builder *b, const burnish_load_options *options) {
@@ -60,10 +81,10 @@ static burnish_status weld_positions(builder *b, uint32_t **remap) {
     burnish_status status = burnish_allocate((void **)remap, source->position_count, sizeof **remap,
                                              "welding", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_weld(source->positions, source->position_count, *remap, &b->position_count,
-                              b->error);
+        status = burnish_weld(source->positions, source->position_count, b->threads, *remap,
+                              &b->position_count, b->error);
     }
-    if (status == BURNISH_STATUS_OK) {
+    if (status == BURNISH_STATUS_OK && b->position_count < source->position_count) {
         size_t next = 0;
         for (size_t i = 0; i < source->position_count; ++i) {
             if ((*remap)[i] == next) {
@@ -75,35 +96,51 @@ static burnish_status weld_positions(builder *b, uint32_t **remap) {
     return status;
 }
 
+/* A repeated position makes an edge, and so the product, exactly 0. */
+static int has_area(const builder *b, size_t triangle) {
+    burnish_vec3 cross =
+        burnish_face_cross(b->source->positions, b->corner_vertices + 3 * triangle);
+    return cross.x != 0 || cross.y != 0 || cross.z != 0;
+}
+
+/* Fills corner_vertices; returns how many triangles have an area. */
+static size_t weld_corners(builder *b, const uint32_t *remap) {
+    const uint32_t *corners = b->source->corner_positions;
+    size_t count = b->source->triangle_count, with_area = 0;
+    int threads = burnish_thread_count(b->threads, count, SHARE);
+#pragma omp parallel for num_threads(threads) reduction(+ : with_area) if (threads > 1)
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t k = 3 * i; k < 3 * i + 3; ++k) {
+            b->corner_vertices[k] = remap[corners[k]];
+        }
+        with_area += (size_t)has_area(b, i);
+    }
+    return with_area;
+}
+
+static void move_triangle(builder *b, size_t from, size_t to) {
+    burnish_source *source = b->source;
+    memmove(b->corner_vertices + 3 * to, b->corner_vertices + 3 * from, 3 * sizeof(uint32_t));
+    memmove(source->corner_positions + 3 * to, source->corner_positions + 3 * from,
+            3 * sizeof(uint32_t));
+    if (source->corner_normals) {
+        memmove(source->corner_normals + 3 * to, source->corner_normals + 3 * from,
+                3 * sizeof(uint32_t));
+    }
+    if (source->triangle_materials) {
+        source->triangle_materials[to] = source->triangle_materials[from];
+    }
+}
+
 /* Moves the triangles with area to the head of the source's arrays and fills corner_vertices. */
 static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
     burnish_source *source = b->source;
-    size_t kept = 0;
     burnish_status status = burnish_allocate((void **)&b->corner_vertices, source->triangle_count,
                                              3 * sizeof *b->corner_vertices, "triangles", b->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    for (size_t i = 0; i < source->triangle_count; ++i) {
-        uint32_t *vertices = b->corner_vertices + 3 * kept;
-        for (int k = 0; k < 3; ++k) {
-            vertices[k] = remap[source->corner_positions[3 * i + k]];
-        }
-        burnish_vec3 cross = burnish_face_cross(source->positions, vertices);
-        if (cross.x == 0 && cross.y == 0 && cross.z == 0) {
-            continue; /* a repeated position makes an edge, and so the product, exactly 0 */
-        }
-        memmove(source->corner_positions + 3 * kept, source->corner_positions + 3 * i,
-                3 * sizeof(uint32_t));
-        if (source->corner_normals) {
-            memmove(source->corner_normals + 3 * kept, source->corner_normals + 3 * i,
-                    3 * sizeof(uint32_t));
-        }
-        if (source->triangle_materials) {
-            source->triangle_materials[kept] = source->triangle_materials[i];
-        }
-        ++kept;
-    }
+    size_t kept = weld_corners(b, remap);
     if (kept == 0) {
         return burnish_fail_at(b->error, BURNISH_STATUS_FORMAT, burnish_place_file(b->name),
                                "no triangle has any area; %zu triangles were read, and a mesh "
@@ -114,13 +151,22 @@ static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
         burnish_warn_at(source, burnish_place_file(b->name),
                         "%zu of %zu triangles have no area and were left out",
                         source->triangle_count - kept, source->triangle_count);
+        size_t next = 0;
+        for (size_t i = 0; i < source->triangle_count; ++i) {
+            if (has_area(b, i)) {
+                move_triangle(b, i, next++);
+            }
+        }
     }
     b->triangle_count = kept;
     return BURNISH_STATUS_OK;
 }
 
 /* Makes the file's normals unit vectors; those without a direction become 0: to be made. */
-static void prepare_normals(burnish_source *source) {
+static void prepare_normals(builder *b) {
+    burnish_source *source = b->source;
+    int threads = burnish_thread_count(b->threads, source->normal_count, SHARE);
+#pragma omp parallel for num_threads(threads) if (threads > 1)
     for (size_t i = 0; i < source->normal_count; ++i) {
         burnish_store_unit(burnish_vec3_loadf(source->normals + 3 * i), source->normals + 3 * i);
     }
@@ -147,7 +193,10 @@ static void swap_corners(uint32_t *corners, size_t triangle) {
  * because those follow the winding. */
 static void orient(builder *b) {
     burnish_source *source = b->source;
-    for (size_t i = 0; source->corner_normals && i < b->triangle_count; ++i) {
+    size_t count = source->corner_normals ? b->triangle_count : 0;
+    int threads = burnish_thread_count(b->threads, count, SHARE);
+#pragma omp parallel for num_threads(threads) if (threads > 1)
+    for (size_t i = 0; i < count; ++i) {
         burnish_vec3 sum = {0, 0, 0};
         for (size_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
             const float *normal = file_normal(source, corner);
@@ -193,52 +242,182 @@ static burnish_status list_corners(builder *b) {
     return BURNISH_STATUS_OK;
 }
 
-/* Gives each corner of one position its vertex: corners with equal normal and colour share one. */
-static burnish_status number_corners(builder *b, uint32_t position, const float *normals,
-                                     burnish_weld_record *records) {
-    const uint32_t *corners = b->corners + b->first_corner[position];
-    size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
+/* ---- vertices ---- */
+
+static int needs_normal(const builder *b, const uint32_t *corners, size_t count) {
     for (size_t i = 0; i < count; ++i) {
-        records[i] = (burnish_weld_record){{0}, corners[i]};
-        memcpy(records[i].key, normals + 3 * i, 3 * sizeof(float));
-        if (b->has_colors) {
-            memcpy(&records[i].key[3],
-                   b->source->colors + 4 * (size_t)b->source->corner_positions[corners[i]], 4);
+        if (!file_normal(b->source, corners[i])) {
+            return 1;
         }
     }
-    burnish_weld_sort(records, count);
-    burnish_status status =
-        burnish_grow((void **)&b->vertices, &b->vertex_capacity, b->vertex_count + count,
-                     sizeof *b->vertices, "vertices", b->error);
-    for (size_t i = 0; status == BURNISH_STATUS_OK && i < count; ++i) {
-        if (i == 0 || memcmp(records[i].key, records[i - 1].key, sizeof records[i].key) != 0) {
-            built_vertex *vertex = &b->vertices[b->vertex_count++];
-            vertex->position = position;
-            memcpy(vertex->normal, records[i].key, sizeof vertex->normal);
-            vertex->color = records[i].key[3];
+    return 0;
+}
+
+static void describe_corner(const builder *b, uint32_t corner, const float *normal,
+                            burnish_weld_record *record) {
+    *record = (burnish_weld_record){{0}, corner};
+    memcpy(record->key, normal, 3 * sizeof(float));
+    if (b->has_colors) {
+        memcpy(&record->key[3], b->source->colors + 4 * (size_t)b->source->corner_positions[corner],
+               4);
+    }
+}
+
+static int same_vertex(const burnish_weld_record *x, const burnish_weld_record *y) {
+    return memcmp(x->key, y->key, sizeof x->key) == 0;
+}
+
+/* Appends a vertex of which record is the first corner. Room was made. */
+static void append_vertex(vertex_maker *maker, uint32_t position,
+                          const burnish_weld_record *record) {
+    built_vertex *vertex = &maker->vertices[maker->count++];
+    vertex->corner = record->value;
+    vertex->position = position;
+    memcpy(vertex->normal, record->key, sizeof vertex->normal);
+    vertex->color = record->key[3];
+}
+
+/* Gives each corner of one position its vertex: corners with equal normal and colour share one. In
+ * the scene's indices stands the first corner of that vertex for now. */
+static void number_corners(builder *b, vertex_maker *maker, uint32_t position, size_t normal_step) {
+    enum { FEW = 16 };
+    const uint32_t *corners = b->corners + b->first_corner[position];
+    size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
+    burnish_weld_record *records = maker->records;
+    uint32_t *indices = b->scene->indices;
+    size_t different = 0;
+    for (size_t i = 0; i < count; ++i) {
+        describe_corner(b, corners[i], maker->normals + normal_step * i, &records[i]);
+        different += i > 0 && !same_vertex(&records[i], &records[0]);
+    }
+    if (different == 0) {
+        append_vertex(maker, position, &records[0]);
+        for (size_t i = 0; i < count; ++i) {
+            indices[corners[i]] = corners[0];
         }
-        b->scene->indices[records[i].value] = (uint32_t)(b->vertex_count - 1);
+        return;
+    }
+    if (count > FEW) {
+        burnish_weld_sort(records, count);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        size_t head = count > FEW && i > 0 ? i - 1 : 0;
+        while (head < i && !same_vertex(&records[head], &records[i])) {
+            ++head;
+        }
+        indices[records[i].value] = head < i ? indices[records[head].value] : records[i].value;
+        if (head == i) {
+            append_vertex(maker, position, &records[i]);
+        }
+    }
+}
+
+/* The vertices of one position; measured: whether its corners stand in the fan, from `first` on. */
+static void make_position(builder *b, vertex_maker *maker, uint32_t position, int measured,
+                          size_t first) {
+    const uint32_t *corners = b->corners + b->first_corner[position];
+    size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
+    size_t step = 3;
+    maker->status = burnish_grow((void **)&maker->vertices, &maker->capacity, maker->count + count,
+                                 sizeof *maker->vertices, "vertices", &maker->error);
+    if (maker->status != BURNISH_STATUS_OK) {
+        return;
+    }
+    if (measured && needs_normal(b, corners, count) &&
+        burnish_fan_normals(&maker->fan, first, count, maker->normals)) {
+        step = 0;
+        if (b->source->corner_normals) {
+            for (size_t i = 1; i < count; ++i) {
+                memcpy(maker->normals + 3 * i, maker->normals, 3 * sizeof(float));
+            }
+            step = 3;
+        }
+    }
+    for (size_t i = 0; i < count && b->source->corner_normals; ++i) {
+        const float *given = file_normal(b->source, corners[i]);
+        if (given) {
+            memcpy(maker->normals + 3 * i, given, 3 * sizeof(float));
+        }
+    }
+    number_corners(b, maker, position, step);
+}
+
+/* The vertices of positions [first, end), whose corners fit the fan; the first one may not. */
+static void make_block(builder *b, vertex_maker *maker, size_t first, size_t end) {
+    uint32_t start = b->first_corner[first];
+    size_t count = b->first_corner[end] - start;
+    int measured = needs_normal(b, b->corners + start, count);
+    if (measured) {
+        burnish_fan_measure(&maker->fan, b->source->positions, b->corner_vertices,
+                            b->corners + start, count);
+    }
+    for (size_t i = first; i < end && maker->status == BURNISH_STATUS_OK; ++i) {
+        if (b->first_corner[i + 1] > b->first_corner[i]) {
+            make_position(b, maker, (uint32_t)i, measured, b->first_corner[i] - start);
+        }
+    }
+}
+
+/* The vertices of positions [first, end), but for those with more corners than fit the fan. */
+static void make_turn(builder *b, vertex_maker *maker, size_t first, size_t end) {
+    const uint32_t *starts = b->first_corner;
+    while (first < end && maker->status == BURNISH_STATUS_OK) {
+        size_t next = first + 1;
+        while (next < end && starts[next + 1] - starts[first] <= maker->fan.capacity) {
+            ++next;
+        }
+        if (starts[next] - starts[first] <= maker->fan.capacity) {
+            make_block(b, maker, first, next);
+        }
+        first = next;
+    }
+}
+
+static burnish_status create_maker(vertex_maker *maker, size_t capacity, double angle,
+                                   burnish_error *error) {
+    burnish_status status = burnish_fan_create(&maker->fan, capacity, angle, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&maker->normals, capacity, 3 * sizeof *maker->normals,
+                                  "vertices", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&maker->records, capacity, sizeof *maker->records,
+                                  "vertices", error);
     }
     return status;
 }
 
-/* The normals of one position's corners: the file's, or made ones where it has none. */
-static void corner_normals(const builder *b, uint32_t position, burnish_fan *fan, float *normals) {
-    const uint32_t *corners = b->corners + b->first_corner[position];
-    size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
-    for (size_t i = 0; i < count; ++i) {
-        if (!file_normal(b->source, corners[i])) {
-            burnish_fan_normals(fan, b->source->positions, b->corner_vertices, corners, count,
-                                normals);
-            break;
+static void destroy_maker_scratch(vertex_maker *maker) {
+    burnish_fan_destroy(&maker->fan);
+    free(maker->normals);
+    free(maker->records);
+    maker->normals = NULL;
+    maker->records = NULL;
+}
+
+static void destroy_makers(builder *b) {
+    for (int i = 0; i < b->maker_count; ++i) {
+        destroy_maker_scratch(&b->makers[i]);
+        free(b->makers[i].vertices);
+    }
+    free(b->makers);
+    b->makers = NULL;
+    b->maker_count = 0;
+}
+
+/* Positions with more corners than fit: one by one, with a fan of their size. */
+static burnish_status make_large(builder *b, double angle) {
+    vertex_maker *maker = &b->makers[0];
+    burnish_status status;
+    destroy_maker_scratch(maker);
+    status = create_maker(maker, b->max_faces, angle, b->error);
+    for (size_t i = 0; i < b->position_count && status == BURNISH_STATUS_OK; ++i) {
+        if (b->first_corner[i + 1] - b->first_corner[i] > CORNERS_AT_ONCE) {
+            make_block(b, maker, i, i + 1);
+            status = maker->status;
         }
     }
-    for (size_t i = 0; i < count; ++i) {
-        const float *given = file_normal(b->source, corners[i]);
-        if (given) {
-            memcpy(normals + 3 * i, given, 3 * sizeof(float));
-        }
-    }
+    return status;
 }
 
 /* Everything that is kept per corner, once the vertices stand: most of the memory. */
@@ -266,64 +445,93 @@ static double crease_angle(const burnish_load_options *options, burnish_format f
     return format == BURNISH_FORMAT_STL ? 40 : 60;
 }
 
+static burnish_status create_makers(builder *b, double angle) {
+    size_t capacity = b->max_faces < CORNERS_AT_ONCE ? b->max_faces : CORNERS_AT_ONCE;
+    if (capacity < CORNERS_AT_ONCE && 3 * b->triangle_count > capacity) {
+        capacity =
+            3 * b->triangle_count < CORNERS_AT_ONCE ? 3 * b->triangle_count : CORNERS_AT_ONCE;
+    }
+    int count = burnish_thread_count(b->threads, b->position_count, SHARE / 2);
+    burnish_status status = burnish_allocate((void **)&b->makers, (size_t)count, sizeof *b->makers,
+                                             "vertices", b->error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    memset(b->makers, 0, (size_t)count * sizeof *b->makers);
+    b->maker_count = count;
+    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        status = create_maker(&b->makers[i], capacity, angle, b->error);
+    }
+    return status;
+}
+
 static burnish_status make_vertices(builder *b, double angle) {
-    burnish_fan fan = {0};
-    burnish_weld_record *records = NULL;
-    float *normals = NULL;
-    burnish_status status = burnish_fan_create(&fan, b->max_faces, angle, b->error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&records, b->max_faces, sizeof *records, "vertices",
-                                  b->error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&normals, b->max_faces, 3 * sizeof *normals, "vertices",
-                                  b->error);
-    }
+    burnish_status status = create_makers(b, angle);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_allocate((void **)&b->scene->indices, b->triangle_count,
                                   3 * sizeof *b->scene->indices, "triangles", b->error);
     }
-    for (size_t i = 0; status == BURNISH_STATUS_OK && i < b->position_count; ++i) {
-        corner_normals(b, (uint32_t)i, &fan, normals);
-        status = number_corners(b, (uint32_t)i, normals, records);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
-    burnish_fan_destroy(&fan);
-    free(records);
-    free(normals);
+    size_t turns = (b->position_count + POSITIONS_A_TURN - 1) / POSITIONS_A_TURN;
+#pragma omp parallel for num_threads(b->maker_count) schedule(dynamic, 1) if (b->maker_count > 1)
+    for (size_t turn = 0; turn < turns; ++turn) {
+        size_t first = turn * POSITIONS_A_TURN, end = first + POSITIONS_A_TURN;
+        make_turn(b, &b->makers[burnish_thread_index()], first,
+                  end < b->position_count ? end : b->position_count);
+    }
+    for (int i = 0; i < b->maker_count; ++i) {
+        if (b->makers[i].status != BURNISH_STATUS_OK) {
+            if (b->error) {
+                *b->error = b->makers[i].error;
+            }
+            return b->makers[i].status;
+        }
+    }
+    if (b->max_faces > CORNERS_AT_ONCE) {
+        status = make_large(b, angle);
+    }
+    for (int i = 0; i < b->maker_count; ++i) {
+        destroy_maker_scratch(&b->makers[i]);
+        b->vertex_count += b->makers[i].count;
+    }
     return status;
 }
 
-/* Writes the vertices out in the order in which the triangles first use them. */
-static void write_vertices(builder *b, uint32_t *number) {
-    burnish_scene *scene = b->scene;
-    uint32_t next = 0;
-    memset(number, 0xff, b->vertex_count * sizeof *number);
+/* Numbers the vertices in the order in which the triangles first use them. A vertex's first corner
+ * comes before its others, so that their numbers are known by then. */
+static void number_vertices(builder *b) {
+    uint32_t *indices = b->scene->indices, next = 0;
     for (size_t i = 0; i < 3 * b->triangle_count; ++i) {
-        uint32_t old = scene->indices[i];
-        if (number[old] == UINT32_MAX) {
-            const built_vertex *vertex = &b->vertices[old];
-            memcpy(scene->positions + 3 * (size_t)next,
+        indices[i] = indices[i] == i ? next++ : indices[indices[i]];
+    }
+}
+
+static void write_vertices(builder *b) {
+    burnish_scene *scene = b->scene;
+    for (int i = 0; i < b->maker_count; ++i) {
+        const vertex_maker *maker = &b->makers[i];
+        int threads = burnish_thread_count(b->threads, maker->count, SHARE);
+#pragma omp parallel for num_threads(threads) if (threads > 1)
+        for (size_t k = 0; k < maker->count; ++k) {
+            const built_vertex *vertex = &maker->vertices[k];
+            size_t number = scene->indices[vertex->corner];
+            memcpy(scene->positions + 3 * number,
                    b->source->positions + 3 * (size_t)vertex->position, 3 * sizeof(float));
-            memcpy(scene->normals + 3 * (size_t)next, vertex->normal, 3 * sizeof(float));
+            memcpy(scene->normals + 3 * number, vertex->normal, 3 * sizeof(float));
             if (scene->colors) {
-                memcpy(scene->colors + 4 * (size_t)next, &vertex->color, 4);
+                memcpy(scene->colors + 4 * number, &vertex->color, 4);
             }
-            number[old] = next++;
         }
-        scene->indices[i] = number[old];
     }
 }
 
 static burnish_status finish_vertices(builder *b) {
     burnish_scene *scene = b->scene;
     size_t count = b->vertex_count;
-    uint32_t *number = NULL;
-    burnish_status status =
-        burnish_allocate((void **)&number, count, sizeof *number, "vertices", b->error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&scene->positions, count, 3 * sizeof(float), "vertices",
-                                  b->error);
-    }
+    burnish_status status = burnish_allocate((void **)&scene->positions, count, 3 * sizeof(float),
+                                             "vertices", b->error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_allocate((void **)&scene->normals, count, 3 * sizeof(float), "vertices",
                                   b->error);
@@ -332,9 +540,9 @@ static burnish_status finish_vertices(builder *b) {
         status = burnish_allocate((void **)&scene->colors, count, 4, "vertices", b->error);
     }
     if (status == BURNISH_STATUS_OK) {
-        write_vertices(b, number);
+        number_vertices(b);
+        write_vertices(b);
     }
-    free(number);
     return status;
 }
 
@@ -382,14 +590,13 @@ static void describe_mesh(burnish_scene *scene, size_t vertex_count, size_t tria
     mesh->triangle_materials = scene->triangle_materials;
     memcpy(mesh->bounds_min, scene->positions, sizeof mesh->bounds_min);
     memcpy(mesh->bounds_max, scene->positions, sizeof mesh->bounds_max);
-    for (size_t i = 0; i < 3 * vertex_count; ++i) {
-        float value = scene->positions[i];
-        size_t axis = i % 3;
-        if (value < mesh->bounds_min[axis]) {
-            mesh->bounds_min[axis] = value;
-        }
-        if (value > mesh->bounds_max[axis]) {
-            mesh->bounds_max[axis] = value;
+    for (size_t i = 0; i < vertex_count; ++i) {
+        const float *position = scene->positions + 3 * i;
+        for (int axis = 0; axis < 3; ++axis) {
+            float value = position[axis];
+            float *low = &mesh->bounds_min[axis], *high = &mesh->bounds_max[axis];
+            *low = value < *low ? value : *low;
+            *high = value > *high ? value : *high;
         }
     }
 }
@@ -406,7 +613,7 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
     }
     free(remap);
     if (status == BURNISH_STATUS_OK) {
-        prepare_normals(b->source);
+        prepare_normals(b);
         orient(b);
         status = list_corners(b);
     }
@@ -437,9 +644,10 @@ burnish_status burnish_scene_build(burnish_source *source, const char *name,
         return status;
     }
     *b.scene = (burnish_scene){.format = format};
+    b.threads = options->threads;
     status = build(&b, options);
     release_corners(&b);
-    free(b.vertices);
+    destroy_makers(&b);
     if (status != BURNISH_STATUS_OK) {
         burnish_scene_destroy(b.scene);
         return status;

@@ -12,6 +12,9 @@
  * linear. */
 enum { PAIRWISE_MAX = 8 };
 
+/* Edges up to which insertion sort is faster than a heap. */
+enum { INSERTION_MAX = 40 };
+
 /* A sum shorter than this share of its weights is rounding noise around zero. */
 #define CANCELLED 1e-9
 
@@ -43,29 +46,34 @@ void burnish_store_unit(burnish_vec3 v, float unit[3]) {
     }
 }
 
-burnish_status burnish_fan_create(burnish_fan *fan, size_t max_faces, double crease_angle,
+static burnish_status allocate_doubles(double **array, size_t count, burnish_error *error) {
+    return burnish_allocate((void **)array, count, sizeof **array, "making normals", error);
+}
+static burnish_status allocate_numbers(uint32_t **array, size_t count, burnish_error *error) {
+    return burnish_allocate((void **)array, count, sizeof **array, "making normals", error);
+}
+
+burnish_status burnish_fan_create(burnish_fan *fan, size_t capacity, double crease_angle,
                                   burnish_error *error) {
-    const char *what = "making normals";
     double sine;
-    *fan = (burnish_fan){.flat = crease_angle <= 0};
+    *fan = (burnish_fan){.flat = crease_angle <= 0, .capacity = capacity};
     burnish_sincos(crease_angle * DEGREE, &sine, &fan->crease_cosine);
-    burnish_status status = burnish_allocate((void **)&fan->face_normals, max_faces,
-                                             sizeof *fan->face_normals, what, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&fan->sums, max_faces, sizeof *fan->sums, what, error);
+    double **doubles[] = {&fan->x, &fan->y, &fan->z, &fan->lengths, &fan->dots, &fan->angles};
+    uint32_t **numbers[] = {&fan->next, &fan->previous, &fan->parents};
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t i = 0; i < 6 && status == BURNISH_STATUS_OK; ++i) {
+        status = allocate_doubles(doubles[i], capacity, error);
+    }
+    for (size_t i = 0; i < 3 && status == BURNISH_STATUS_OK; ++i) {
+        status = allocate_numbers(numbers[i], capacity, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_allocate((void **)&fan->angles, max_faces, sizeof *fan->angles, what, error);
+        status = burnish_allocate((void **)&fan->sums, capacity, sizeof *fan->sums,
+                                  "making normals", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_allocate((void **)&fan->parents, max_faces, sizeof *fan->parents, what, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        /* Each face has two edges at the vertex. */
-        status =
-            burnish_allocate((void **)&fan->edges, max_faces, 2 * sizeof *fan->edges, what, error);
+        status = burnish_allocate((void **)&fan->edges, capacity, 2 * sizeof *fan->edges,
+                                  "making normals", error);
     }
     if (status != BURNISH_STATUS_OK) {
         burnish_fan_destroy(fan);
@@ -74,13 +82,60 @@ burnish_status burnish_fan_create(burnish_fan *fan, size_t max_faces, double cre
 }
 
 void burnish_fan_destroy(burnish_fan *fan) {
-    free(fan->face_normals);
-    free(fan->sums);
+    free(fan->x);
+    free(fan->y);
+    free(fan->z);
+    free(fan->lengths);
+    free(fan->dots);
     free(fan->angles);
+    free(fan->next);
+    free(fan->previous);
     free(fan->parents);
+    free(fan->sums);
     free(fan->edges);
     *fan = (burnish_fan){0};
 }
+
+/* ---- faces ---- */
+
+void burnish_fan_measure(burnish_fan *fan, const float *positions, const uint32_t *corner_vertices,
+                         const uint32_t *corners, size_t count) {
+    static const uint8_t after[5] = {0, 1, 2, 0, 1};
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t *face = corner_vertices + corners[i] / 3 * (size_t)3;
+        uint32_t at = corners[i] % 3;
+        uint32_t next = face[after[at + 1]], previous = face[after[at + 2]];
+        burnish_vec3 origin = burnish_vec3_loadf(positions + 3 * (size_t)face[at]);
+        burnish_vec3 a = burnish_vec3_sub(burnish_vec3_loadf(positions + 3 * (size_t)next), origin);
+        burnish_vec3 b =
+            burnish_vec3_sub(burnish_vec3_loadf(positions + 3 * (size_t)previous), origin);
+        burnish_vec3 cross = burnish_face_cross(positions, face);
+        fan->x[i] = cross.x;
+        fan->y[i] = cross.y;
+        fan->z[i] = cross.z;
+        fan->lengths[i] = burnish_vec3_dot(cross, cross);
+        fan->dots[i] = burnish_vec3_dot(a, b);
+        fan->next[i] = next;
+        fan->previous[i] = previous;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        /* Area makes the length positive: the square of the smallest product does not underflow. */
+        double length = __builtin_sqrt(fan->lengths[i]), scale = 1 / length;
+        fan->lengths[i] = length;
+        fan->x[i] = fan->x[i] * scale;
+        fan->y[i] = fan->y[i] * scale;
+        fan->z[i] = fan->z[i] * scale;
+    }
+    if (!fan->flat) {
+        burnish_atan2_array(fan->lengths, fan->dots, fan->angles, count);
+    }
+}
+
+static burnish_vec3 face_normal(const burnish_fan *fan, size_t i) {
+    return (burnish_vec3){fan->x[i], fan->y[i], fan->z[i]};
+}
+
+/* ---- joining ---- */
 
 static uint32_t find_root(uint32_t *parents, uint32_t i) {
     while (parents[i] != i) {
@@ -90,10 +145,12 @@ static uint32_t find_root(uint32_t *parents, uint32_t i) {
     return i;
 }
 
-/* Joins faces i and j when the edge between them is smooth; the smaller root stays one. */
-static void join(burnish_fan *fan, uint32_t i, uint32_t j) {
-    if (burnish_vec3_dot(fan->face_normals[i], fan->face_normals[j]) <= fan->crease_cosine) {
-        return;
+/* Joins faces i and j of the vertex when the edge between them is smooth; the smaller root stays
+ * one. Returns 1 when two sets became one. */
+static int join(burnish_fan *fan, size_t first, uint32_t i, uint32_t j) {
+    if (burnish_vec3_dot(face_normal(fan, first + i), face_normal(fan, first + j)) <=
+        fan->crease_cosine) {
+        return 0;
     }
     i = find_root(fan->parents, i);
     j = find_root(fan->parents, j);
@@ -102,60 +159,134 @@ static void join(burnish_fan *fan, uint32_t i, uint32_t j) {
     } else {
         fan->parents[i] = j;
     }
+    return i != j;
 }
 
-/* Joins across every edge at the vertex; edges: count records {other end, face}, sorted. */
-static void join_edges(burnish_fan *fan, size_t count) {
-    const burnish_weld_record *edges = fan->edges;
-    for (size_t start = 0, end; start < count; start = end) {
-        for (end = start + 1; end < count && edges[end].key[0] == edges[start].key[0]; ++end) {
+/* Every edge by comparing all pairs of faces. Returns how often two sets became one. */
+static size_t join_few(burnish_fan *fan, size_t first, size_t count) {
+    const uint32_t *next = fan->next + first, *previous = fan->previous + first;
+    size_t joined = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t j = i + 1; j < count; ++j) {
+            if ((next[i] == previous[j]) | (previous[i] == next[j]) | (next[i] == next[j]) |
+                (previous[i] == previous[j])) {
+                joined += (size_t)join(fan, first, i, j);
+            }
+        }
+    }
+    return joined;
+}
+
+static void sift_down(uint64_t *heap, size_t root, size_t count) {
+    uint64_t value = heap[root];
+    for (size_t child; (child = 2 * root + 1) < count; root = child) {
+        child += child + 1 < count && heap[child] < heap[child + 1];
+        if (value >= heap[child]) {
+            break;
+        }
+        heap[root] = heap[child];
+    }
+    heap[root] = value;
+}
+
+static void sort_edges(uint64_t *edges, size_t count) {
+    if (count <= INSERTION_MAX) {
+        for (size_t i = 1; i < count; ++i) {
+            uint64_t edge = edges[i];
+            size_t j = i;
+            for (; j > 0 && edge < edges[j - 1]; --j) {
+                edges[j] = edges[j - 1];
+            }
+            edges[j] = edge;
+        }
+        return;
+    }
+    for (size_t i = count / 2; i > 0; --i) {
+        sift_down(edges, i - 1, count);
+    }
+    for (size_t i = count - 1; i > 0; --i) {
+        uint64_t last = edges[i];
+        edges[i] = edges[0];
+        edges[0] = last;
+        sift_down(edges, 0, i);
+    }
+}
+
+/* The same by sorting the edges by their other end, then by face. */
+static size_t join_many(burnish_fan *fan, size_t first, size_t count) {
+    uint64_t *edges = fan->edges;
+    size_t joined = 0;
+    for (size_t i = 0; i < count; ++i) {
+        edges[2 * i] = (uint64_t)fan->next[first + i] << 32 | i;
+        edges[2 * i + 1] = (uint64_t)fan->previous[first + i] << 32 | i;
+    }
+    sort_edges(edges, 2 * count);
+    for (size_t start = 0, end; start < 2 * count; start = end) {
+        for (end = start + 1; end < 2 * count && edges[end] >> 32 == edges[start] >> 32; ++end) {
         }
         size_t reach = end - start <= PAIRWISE_MAX ? PAIRWISE_MAX : 1;
         for (size_t i = start; i < end; ++i) {
             for (size_t j = i + 1; j < end && j <= i + reach; ++j) {
-                join(fan, edges[i].value, edges[j].value);
+                joined += (size_t)join(fan, first, (uint32_t)edges[i], (uint32_t)edges[j]);
             }
         }
     }
+    return joined;
 }
 
-/* Face normal and angle of each corner, and the two edges that leave the vertex there. */
-static void measure_faces(burnish_fan *fan, const float *positions, const uint32_t *corner_vertices,
-                          const uint32_t *corners, size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-        const uint32_t *face = corner_vertices + corners[i] / 3 * (size_t)3;
-        uint32_t at = corners[i] % 3;
-        uint32_t next = face[(at + 1) % 3], previous = face[(at + 2) % 3];
-        burnish_vec3 origin = burnish_vec3_loadf(positions + 3 * (size_t)face[at]);
-        burnish_vec3 a = burnish_vec3_sub(burnish_vec3_loadf(positions + 3 * (size_t)next), origin);
-        burnish_vec3 b =
-            burnish_vec3_sub(burnish_vec3_loadf(positions + 3 * (size_t)previous), origin);
-        burnish_vec3 cross = burnish_face_cross(positions, face);
-        fan->face_normals[i] = burnish_vec3_normalize(cross);
-        fan->angles[i] = burnish_atan2(burnish_vec3_length(cross), burnish_vec3_dot(a, b));
-        fan->sums[i] = (burnish_vec3){0, 0, 0};
-        fan->parents[i] = (uint32_t)i;
-        fan->edges[2 * i] = (burnish_weld_record){{next}, (uint32_t)i};
-        fan->edges[2 * i + 1] = (burnish_weld_record){{previous}, (uint32_t)i};
+/* ---- normals ---- */
+
+static burnish_vec3 weighted_normal(const burnish_fan *fan, size_t i) {
+    return burnish_vec3_scale(face_normal(fan, i), fan->angles[i]);
+}
+
+/* No angle is larger than pi, so the share of one weight also is a share of the largest. */
+static int is_cancelled(double length, double angle) {
+    return !(length > CANCELLED * angle);
+}
+
+/* The normal of all faces together; returns 0 when it cancels for one of them. */
+static int store_common(const burnish_fan *fan, size_t first, size_t count, float *normal) {
+    burnish_vec3 sum = {0, 0, 0};
+    for (size_t i = first; i < first + count; ++i) {
+        sum = burnish_vec3_add(sum, weighted_normal(fan, i));
     }
+    double length = burnish_vec3_length(sum);
+    for (size_t i = first; i < first + count; ++i) {
+        if (is_cancelled(length, fan->angles[i])) {
+            return 0;
+        }
+    }
+    burnish_store_unit(sum, normal);
+    return 1;
 }
 
-void burnish_fan_normals(burnish_fan *fan, const float *positions, const uint32_t *corner_vertices,
-                         const uint32_t *corners, size_t count, float *normals) {
-    measure_faces(fan, positions, corner_vertices, corners, count);
-    if (!fan->flat) {
-        burnish_weld_sort(fan->edges, 2 * count);
-        join_edges(fan, 2 * count);
+int burnish_fan_normals(burnish_fan *fan, size_t first, size_t count, float *normals) {
+    if (fan->flat) {
+        for (size_t i = 0; i < count; ++i) {
+            burnish_store_unit(face_normal(fan, first + i), normals + 3 * i);
+        }
+        return 0;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        fan->parents[i] = (uint32_t)i;
+    }
+    size_t joined =
+        count <= PAIRWISE_MAX ? join_few(fan, first, count) : join_many(fan, first, count);
+    if (joined + 1 == count && store_common(fan, first, count, normals)) {
+        return 1;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        fan->sums[i] = (burnish_vec3){0, 0, 0};
     }
     for (size_t i = 0; i < count; ++i) {
         uint32_t root = find_root(fan->parents, (uint32_t)i);
-        fan->sums[root] = burnish_vec3_add(
-            fan->sums[root], burnish_vec3_scale(fan->face_normals[i], fan->angles[i]));
+        fan->sums[root] = burnish_vec3_add(fan->sums[root], weighted_normal(fan, first + i));
     }
     for (size_t i = 0; i < count; ++i) {
         burnish_vec3 sum = fan->sums[find_root(fan->parents, (uint32_t)i)];
-        /* No angle is larger than pi, so this also is a share of the largest weight. */
-        int cancelled = !(burnish_vec3_length(sum) > CANCELLED * fan->angles[i]);
-        burnish_store_unit(fan->flat || cancelled ? fan->face_normals[i] : sum, normals + 3 * i);
+        int cancelled = is_cancelled(burnish_vec3_length(sum), fan->angles[first + i]);
+        burnish_store_unit(cancelled ? face_normal(fan, first + i) : sum, normals + 3 * i);
     }
+    return 0;
 }

@@ -9,23 +9,35 @@
 #include "base/vector.h"
 #include "scene/weld.h"
 
-/* Scratch for the faces around one vertex; made once for the vertex with the most faces. */
+/* What is known of the corners at hand, in arrays of `capacity`. */
 typedef struct burnish_fan {
     double crease_cosine;
     int flat; /* crease angle 0: no edge is smooth */
-    burnish_vec3 *face_normals, *sums;
-    double *angles;
-    uint32_t *parents;
-    burnish_weld_record *edges;
+    size_t capacity;
+    double *x, *y, *z;         /* unit normals of the corners' faces */
+    double *lengths, *dots;    /* |a x b| and a . b of the edges at the corner */
+    double *angles;            /* between them */
+    uint32_t *next, *previous; /* the edges' other ends */
+    uint32_t *parents;         /* sets of joined faces of the vertex at hand, and ... */
+    burnish_vec3 *sums;        /* ... their normals */
+    uint64_t *edges;           /* 2 a corner: other end and face */
 } burnish_fan;
 
-/* max_faces: the most faces around one vertex; crease_angle: degrees, [0, 180].
+/* Scratch for one thread and `capacity` corners at a time; crease_angle: degrees, [0, 180].
  * Errors: MEMORY, LIMIT; the fan is then empty. */
-burnish_status burnish_fan_create(burnish_fan *fan, size_t max_faces, double crease_angle,
+burnish_status burnish_fan_create(burnish_fan *fan, size_t capacity, double crease_angle,
                                   burnish_error *error);
 
 /* Releases the scratch; a fan of zero bytes is allowed. */
 void burnish_fan_destroy(burnish_fan *fan);
+
+/* Measures the faces at corners of any number of vertices.
+ *
+ * positions: 3 a vertex; corner_vertices: 3 a triangle, every triangle with area
+ * corners:   count corners (3 * triangle + 0..2), those of a vertex together
+ * count:     up to the fan's capacity */
+void burnish_fan_measure(burnish_fan *fan, const float *positions, const uint32_t *corner_vertices,
+                         const uint32_t *corners, size_t count);
 
 /* Unit normals of the corners that meet in one vertex, O(count log count).
  *
@@ -34,11 +46,10 @@ void burnish_fan_destroy(burnish_fan *fan);
  * their angles at the vertex (Thuermer and Wuethrich 1998), which does not depend on how a flat
  * face is cut into triangles. Where the sum cancels to nothing, each face keeps its own.
  *
- * positions: 3 a vertex; corner_vertices: 3 a triangle, every triangle with area
- * corners:   count corners (3 * triangle + 0..2) whose vertex is the same
- * normals:   3 a corner, in the order of corners, written */
-void burnish_fan_normals(burnish_fan *fan, const float *positions, const uint32_t *corner_vertices,
-                         const uint32_t *corners, size_t count, float *normals);
+ * first, count: where the vertex's corners stand among those measured
+ * normals:      3 a corner, in their order, written
+ * Returns 1 when all of them are the same, bit for bit; then only the first one is written. */
+int burnish_fan_normals(burnish_fan *fan, size_t first, size_t count, float *normals);
 
 /* The cross product of two edges: twice the area long, along the normal by winding. */
 burnish_vec3 burnish_face_cross(const float *positions, const uint32_t vertices[3]);

@@ -4,6 +4,7 @@
 #include <float.h>
 #include <string.h>
 
+#include "base/threads.h"
 #include "scene/source.h"
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */
@@ -53,6 +54,10 @@ burnish_status burnish_check_load_options(const burnish_load_options *options,
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: max_triangles %llu is more than 2147483647",
                             (unsigned long long)options->max_triangles);
+    }
+    if (options->threads < 0 || options->threads > BURNISH_THREADS_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "options: threads %d is not in [0, %d]",
+                            options->threads, BURNISH_THREADS_MAX);
     }
     return BURNISH_STATUS_OK;
 }

@@ -14,11 +14,12 @@
  *
  * positions: 3 words a position (the bits of floats); -0.0 must have been made 0.0 before
  * count:     [0, 2^32 - 2]
+ * threads:   as burnish_load_options.threads
  * remap:     count numbers, written
  * unique:    how many different positions there are, written
  * Errors: MEMORY, LIMIT. */
-burnish_status burnish_weld(const float *positions, size_t count, uint32_t *remap, size_t *unique,
-                            burnish_error *error);
+burnish_status burnish_weld(const float *positions, size_t count, int threads, uint32_t *remap,
+                            size_t *unique, burnish_error *error);
 
 /* Something to be sorted by four words; the value breaks ties, so that the order is total. */
 typedef struct burnish_weld_record {

@@ -122,6 +122,7 @@ burnish_status burnish_cli_load(const burnish_cli_render *settings, burnish_scen
     options.tessellation = settings->tessellation;
     options.max_input_bytes = settings->max_input_bytes;
     options.max_triangles = settings->max_triangles;
+    options.threads = settings->threads;
     return burnish_scene_load(settings->input, &options, scene, error);
 }
 
