@@ -18,9 +18,9 @@
 typedef struct reference_tile {
     int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
     int samples;
-    uint32_t *triangles; /* nearest triangle or BURNISH_NO_TRIANGLE */
+    uint32_t *triangles; /* slot of the nearest triangle or BURNISH_NO_TRIANGLE */
     float *depths;
-    int next_pixel; /* where reference_next_fragments goes on */
+    int next_place; /* where reference_next_fragments goes on: in the order of burnish_tile_place */
 } reference_tile;
 
 /* Steps of 1/256 pixel in 1/16 pixel, the unit of sample positions. */
@@ -39,7 +39,8 @@ typedef struct triangle_edges {
 
 static void load_edges(const burnish_geometry *geometry, uint32_t triangle, triangle_edges *edges) {
     const burnish_screen_vertex *items = geometry->vertices.items;
-    const uint32_t *v = geometry->triangles[triangle].vertices;
+    const burnish_corners corners = burnish_geometry_corners(geometry, triangle);
+    const uint32_t *v = corners.vertices;
     for (int i = 0; i < 3; ++i) {
         const burnish_screen_vertex *a = &items[v[i == 2 ? 0 : i + 1]];
         const burnish_screen_vertex *b = &items[v[i == 0 ? 2 : i - 1]];
@@ -162,7 +163,7 @@ static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *
     int right = view->width - tile->x, below = view->height - tile->y;
     tile->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
     tile->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
-    tile->next_pixel = 0;
+    tile->next_place = 0;
     if (first == end) {
         return 0;
     }
@@ -195,11 +196,10 @@ static void append_fragment(const reference_tile *tile, const burnish_raster_vie
     float weight1 = (float)edge_at(&edges, 1, x, y) * edges.inverse_area;
     float weight2 = (float)edge_at(&edges, 2, x, y) * edges.inverse_area;
     int i = fragments->count++;
-    fragments->pixel[i] = (uint16_t)pixel;
+    fragments->place[i] =
+        (uint16_t)burnish_tile_place(pixel % BURNISH_TILE_SIZE, pixel / BURNISH_TILE_SIZE);
     fragments->weight[i] = (uint8_t)weight;
-    memcpy(fragments->corners[i].vertices, geometry->triangles[triangle].vertices,
-           sizeof fragments->corners[i].vertices);
-    fragments->corners[i].source = geometry->triangles[triangle].source;
+    fragments->corners[i] = burnish_geometry_corners(geometry, triangle);
     fragments->x[i] = (float)(x - view->width * (BURNISH_SUBPIXELS / 2)) / BURNISH_SUBPIXELS;
     fragments->y[i] = (float)(view->height * (BURNISH_SUBPIXELS / 2) - y) / BURNISH_SUBPIXELS;
     fragments->depth[i] = depth_at(&edges, weight1, weight2);
@@ -235,9 +235,12 @@ static int reference_next_fragments(reference_tile *tile, const burnish_raster_v
                                     const burnish_geometry *geometry,
                                     burnish_fragments *fragments) {
     fragments->count = 0;
-    while (tile->next_pixel < BURNISH_TILE_PIXELS &&
+    while (tile->next_place < BURNISH_TILE_PIXELS &&
            fragments->count + tile->samples <= BURNISH_FRAGMENT_BLOCK) {
-        append_pixel(tile, view, geometry, tile->next_pixel++, fragments);
+        const int place = tile->next_place++;
+        append_pixel(tile, view, geometry,
+                     burnish_place_y(place) * BURNISH_TILE_SIZE + burnish_place_x(place),
+                     fragments);
     }
     return fragments->count > 0;
 }

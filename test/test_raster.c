@@ -80,13 +80,16 @@ static void count_coverage(const burnish_raster_view *view, const burnish_geomet
     reference_tile tile;
     size_t offsets[3] = {0, 1, 1};
     uint32_t entry;
-    burnish_bins bins;
+    burnish_bins bins = {0};
     burnish_bins_begin(&bins);
     bins.columns = bins.rows = bins.end_row = 1;
     bins.offsets = offsets;
     bins.entries = &entry;
     CHECK(reference_tile_create(&tile, view->samples, NULL) == BURNISH_STATUS_OK, "tile");
-    for (entry = 0; entry < geometry->triangle_count; ++entry) {
+    for (entry = 0; entry < geometry->whole_slots + geometry->piece_count; ++entry) {
+        if (!burnish_geometry_has(geometry, entry)) {
+            continue;
+        }
         reference_draw_tile(&tile, view, geometry, &bins, 0, 0);
         for (int i = 0; i < BURNISH_TILE_PIXELS * view->samples; ++i) {
             coverage[i] += tile.triangles[i] == entry;
@@ -99,12 +102,12 @@ static void count_coverage(const burnish_raster_view *view, const burnish_geomet
 static void check_each_sample_once(const char *name, const burnish_raster_view *view,
                                    const test_mesh *mesh) {
     static int coverage[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
-    burnish_geometry geometry;
+    burnish_geometry geometry = {0};
     memset(coverage, 0, sizeof coverage);
     burnish_error error;
-    if (!CHECK(burnish_geometry_create(&geometry, view, mesh->positions, mesh->vertex_count,
-                                       mesh->indices, mesh->triangle_count, 1,
-                                       &error) == BURNISH_STATUS_OK,
+    if (!CHECK(burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), view,
+                                       mesh->positions, mesh->vertex_count, mesh->indices,
+                                       mesh->triangle_count, 1, &error) == BURNISH_STATUS_OK,
                "%s", error.text)) {
         return;
     }
@@ -193,15 +196,16 @@ static void check_bins(void) {
         add_triangle(&mesh, 3 * (size_t)i, 3 * (size_t)i + 1, 3 * (size_t)i + 2);
     }
     burnish_raster_view view = parallel_view(300, 200, 4);
-    burnish_geometry geometry;
-    CHECK(burnish_geometry_create(&geometry, &view, mesh.positions, mesh.vertex_count, mesh.indices,
+    burnish_geometry geometry = {0};
+    CHECK(burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), &view,
+                                  mesh.positions, mesh.vertex_count, mesh.indices,
                                   mesh.triangle_count, 2, NULL) == BURNISH_STATUS_OK,
           "geometry");
     uint32_t all[MAX_TRIANGLES];
     size_t everything[64];
     for (uint32_t back = 0, i = 0; back < 2; ++back) { /* fronts first, as the lists have them */
-        for (uint32_t k = 0; k < geometry.triangle_count; ++k) {
-            if ((geometry.triangles[k].source & 1) == back) {
+        for (uint32_t k = 0; k < geometry.whole_slots + geometry.piece_count; ++k) {
+            if (burnish_geometry_has(&geometry, k) && (geometry.triangles[k].source & 1) == back) {
                 all[i++] = k;
             }
         }
@@ -210,7 +214,7 @@ static void check_bins(void) {
     reference_tile_create(&tile, 4, NULL);
     reference_tile_create(&expected, 4, NULL);
     for (int run = 0; run < 9; ++run) {
-        burnish_bins bins;
+        burnish_bins bins = {0};
         burnish_bins_begin(&bins);
         bins.entry_budget = BUDGETS[run / 3];
         int tiles = 0, bands = 0, wrong = 0;
@@ -271,10 +275,11 @@ static void check_fragments(void) {
     add_triangle(&mesh, 0, 1, 2);
     add_triangle(&mesh, 3, 4, 5);
     burnish_raster_view view = parallel_view(SIZE, SIZE, 4);
-    burnish_geometry geometry;
-    burnish_geometry_create(&geometry, &view, mesh.positions, 6, mesh.indices, 2, 1, NULL);
+    burnish_geometry geometry = {0};
+    burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), &view,
+                            mesh.positions, 6, mesh.indices, 2, 1, NULL);
     CHECK(geometry.triangle_count == 2 && geometry.triangles[0].source == 0, "two front faces");
-    burnish_bins bins;
+    burnish_bins bins = {0};
     burnish_bins_begin(&bins);
     burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
     reference_tile tile;

@@ -118,7 +118,7 @@ static void test_values_between(void) {
 static void test_encoders(void) {
     enum { COUNT = 1024 };
     static float values[3][COUNT];
-    static uint8_t pixels[4 * COUNT];
+    static uint32_t pixels[COUNT];
     const float *const rgb[3] = {values[0], values[1], values[2]};
     burnish_srgb_encoder encoder;
     burnish_srgb_encoder_make(&encoder);
@@ -138,15 +138,57 @@ static void test_encoders(void) {
                     }
                 }
             }
-            batch->encode(&encoder, COUNT, rgb, pixels);
+            batch->encode(&encoder, COUNT, rgb, NULL, 0, 0, pixels);
             for (int i = 0; i < COUNT; ++i) {
                 for (int k = 0; k < 3; ++k) {
-                    wrong += pixels[4 * i + k] != burnish_linear_to_srgb(values[k][i]);
+                    wrong += (pixels[i] >> 8 * k & 255) != burnish_linear_to_srgb(values[k][i]);
                 }
-                wrong += pixels[4 * i + 3] != 0;
+                wrong += pixels[i] >> 24 != 0;
             }
         }
         CHECK(wrong == 0, "%s: %d codes differ", burnish_isa_name((burnish_isa)isa), wrong);
+    }
+}
+
+/* Hidden pixels, alpha, and the three bytes of each pixel in their order. */
+static void test_packing(void) {
+    enum { COUNT = 64 };
+    static float values[3][COUNT];
+    static int32_t shown[COUNT];
+    static uint32_t pixels[COUNT];
+    const float *const rgb[3] = {values[0], values[1], values[2]};
+    burnish_srgb_encoder encoder;
+    burnish_srgb_encoder_make(&encoder);
+    for (int i = 0; i < COUNT; ++i) {
+        values[0][i] = burnish_srgb_to_linear[i];
+        values[1][i] = burnish_srgb_to_linear[255 - i];
+        values[2][i] = burnish_srgb_to_linear[2 * i];
+        shown[i] = i % 3 == 0 ? -1 : i;
+    }
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+        uint8_t bytes[3 * COUNT + 4];
+        int wrong = 0;
+        if (!batch) {
+            continue;
+        }
+        batch->encode(&encoder, COUNT, rgb, shown, 0xff000000u, 0x00123456u, pixels);
+        for (uint32_t i = 0; i < COUNT; ++i) {
+            uint32_t code = i | (255 - i) << 8 | 2 * i << 16 | 0xff000000u;
+            wrong += pixels[i] != (i % 3 == 0 ? 0x00123456u : code);
+            pixels[i] &= 0xffffffu;
+        }
+        memset(bytes, 0xa5, sizeof bytes);
+        batch->pack(4, pixels + 4, 16, bytes); /* every fourth group */
+        for (int i = 0; i < 48; ++i) {
+            uint32_t pixel = pixels[4 + i / 12 * 16 + i / 3 % 4];
+            wrong += bytes[i] != (pixel >> 8 * (i % 3) & 255);
+        }
+        for (int i = 52; i < 3 * COUNT + 4; ++i) {
+            wrong += bytes[i] != 0xa5;
+        }
+        CHECK(wrong == 0, "%s: %d pixels or bytes differ", burnish_isa_name((burnish_isa)isa),
+              wrong);
     }
 }
 
@@ -159,5 +201,6 @@ int main(void) {
     test_codes();
     test_values_between();
     test_encoders();
+    test_packing();
     return test_end("srgb");
 }

@@ -5,8 +5,9 @@
 
 #include "harness.h"
 #include "raster/visibility.h"
+#include "reference_geometry.h"
 #include "reference_tile.h"
-#include "shade/row.h"
+#include "shade/strip.h"
 
 enum { MOST_VERTICES = 1200, MOST_TRIANGLES = 400, SCENES = 2000 };
 
@@ -99,17 +100,7 @@ static burnish_raster_view make_view(int width, int height, int samples, uint32_
     return view;
 }
 
-static burnish_visibility_function *const TIERS[] = {
-    burnish_visibility_scalar,
-#if defined(__SSE2__)
-    burnish_visibility_sse2,   burnish_visibility_avx2, burnish_visibility_avx512,
-#endif
-#if defined(__aarch64__)
-    burnish_visibility_neon,
-#endif
-};
-
-static burnish_visibility_function *pick_tier(uint32_t *state) {
+static burnish_isa pick_isa(uint32_t *state) {
     static const burnish_isa isas[] = {
         BURNISH_ISA_SCALAR,
 #if defined(__SSE2__)
@@ -124,29 +115,70 @@ static burnish_visibility_function *pick_tier(uint32_t *state) {
     do {
         i = next_random(state) % (sizeof isas / sizeof isas[0]);
     } while (!(available >> isas[i] & 1));
-    return TIERS[i];
+    return isas[i];
 }
 
-static int same_corners(const burnish_corners *a, const burnish_setup_triangle *b) {
-    return memcmp(a->vertices, b->vertices, sizeof a->vertices) == 0 && a->source == b->source;
+/* Vertices and set-up triangles against the plain ones; pieces of clipped triangles come out of
+ * their pictures. */
+static void check_geometry(const random_scene *scene, const burnish_raster_view *view,
+                           const burnish_geometry *geometry, int number) {
+    int wrong = 0;
+    size_t slot = 0;
+    for (size_t i = 0; i < scene->vertex_count; ++i) {
+        float inverse_w;
+        burnish_screen_vertex v = reference_vertex(view, scene->positions + 3 * i, &inverse_w);
+        wrong += memcmp(&v, &geometry->vertices.items[i], sizeof v) != 0;
+        wrong += inverse_w != geometry->vertices.inverse_w[i];
+    }
+    CHECK(wrong == 0, "scene %d: %d vertices differ", number, wrong);
+    for (uint32_t i = 0; i < scene->triangle_count; ++i) {
+        burnish_screen_vertex v[3];
+        burnish_setup_triangle made;
+        for (size_t k = 0; k < 3; ++k) {
+            v[k] = geometry->vertices.items[scene->indices[3 * i + k]];
+        }
+        if (((v[0].outcode | v[1].outcode | v[2].outcode) & BURNISH_OUT_CLIP) == 0 &&
+            reference_set_up(view, v, i, &made)) {
+            wrong += !burnish_geometry_has(geometry, slot) ||
+                     memcmp(&made, &geometry->triangles[slot], sizeof made) != 0;
+            ++slot;
+        }
+    }
+    wrong += slot + geometry->piece_count != geometry->triangle_count;
+    CHECK(wrong == 0, "scene %d: %d triangles differ", number, wrong);
 }
 
-/* Samples of the tile whose owners differ. */
+static int same_corners(const burnish_corners *a, const burnish_corners *b) {
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
+/* The owner of a sample in the fast tile: its corners' source, and with several samples its
+ * corners; 0 when it is not the expected triangle. */
+static int same_owner(const burnish_visibility *fast, const burnish_geometry *geometry, int place,
+                      int s, uint32_t triangle) {
+    const int samples = fast->options.samples, at = burnish_sample_place(samples, place, s);
+    const int is_none = fast->depths[at] == -1e30f;
+    if (triangle == BURNISH_NO_TRIANGLE || is_none) {
+        return triangle == BURNISH_NO_TRIANGLE && is_none &&
+               (samples == 1 || fast->owners[at] == -1);
+    }
+    const burnish_corners corners = burnish_geometry_corners(geometry, triangle);
+    return samples == 1 ? (uint32_t)fast->owners[at] == corners.source
+                        : same_corners(&fast->triangles[fast->owners[at]].corners, &corners);
+}
+
+/* Samples of the tile whose owners or depths differ. */
 static int compare_owners(const reference_tile *tile, const burnish_visibility *fast,
                           const burnish_geometry *geometry) {
     int wrong = 0;
     for (int y = 0; y < tile->height; ++y) {
         for (int x = 0; x < tile->width; ++x) {
-            int pixel = y * BURNISH_TILE_SIZE + x;
+            const int pixel = y * BURNISH_TILE_SIZE + x, place = burnish_tile_place(x, y);
             for (int s = 0; s < tile->samples; ++s) {
-                uint32_t triangle = tile->triangles[pixel * tile->samples + s];
-                int32_t owner = fast->owners[s * BURNISH_TILE_PIXELS + pixel];
-                if (triangle == BURNISH_NO_TRIANGLE || owner < 0) {
-                    wrong += triangle != BURNISH_NO_TRIANGLE || owner >= 0;
-                } else {
-                    wrong += !same_corners(&fast->triangles[owner].corners,
-                                           &geometry->triangles[triangle]);
-                }
+                const int entry = pixel * tile->samples + s;
+                wrong += !same_owner(fast, geometry, place, s, tile->triangles[entry]);
+                wrong += tile->depths[entry] !=
+                         fast->depths[burnish_sample_place(tile->samples, place, s)];
             }
         }
     }
@@ -155,7 +187,7 @@ static int compare_owners(const reference_tile *tile, const burnish_visibility *
 
 /* A visible point by the reference, with its colour. */
 typedef struct point {
-    int pixel, weight;
+    int place, weight;
     burnish_corners corners;
     float x, y, depth, weights[2], color[3];
 } point;
@@ -163,7 +195,7 @@ typedef struct point {
 static point take_point(const burnish_fragments *fragments, const burnish_shaded *shaded, int i) {
     point made;
     memset(&made, 0, sizeof made);
-    made.pixel = fragments->pixel[i];
+    made.place = fragments->place[i];
     made.weight = fragments->weight[i];
     made.corners = fragments->corners[i];
     made.x = fragments->x[i];
@@ -178,19 +210,19 @@ static point take_point(const burnish_fragments *fragments, const burnish_shaded
 }
 
 /* What the fast renderer makes of a pixel that is one triangle's alone. */
-static int same_whole(const burnish_visibility *fast, const burnish_whole_row *whole,
-                      const burnish_row *row, const point *expected) {
-    const int x = expected->pixel % BURNISH_TILE_SIZE;
-    if (whole->owners[x] < 0) {
+static int same_whole(const burnish_visibility *fast, const burnish_strip *strip,
+                      const point *expected) {
+    const int i = expected->place % BURNISH_STRIP_PIXELS;
+    if (strip->whole[i] < 0) {
         return 0;
     }
-    const float got[6] = {whole->weights[0][x], whole->weights[1][x], whole->depths[x],
-                          row->rgb[0][x],       row->rgb[1][x],       row->rgb[2][x]};
-    const float want[6] = {expected->weights[0], expected->weights[1], expected->depth,
-                           expected->color[0],   expected->color[1],   expected->color[2]};
+    const float got[4] = {fast->center_depths[expected->place], strip->rgb[0][i], strip->rgb[1][i],
+                          strip->rgb[2][i]};
+    const float want[4] = {expected->depth, expected->color[0], expected->color[1],
+                           expected->color[2]};
     return memcmp(got, want, sizeof got) == 0 &&
-           memcmp(&fast->triangles[whole->owners[x]].corners, &expected->corners,
-                  sizeof expected->corners) == 0;
+           burnish_visibility_source(fast, expected->place / BURNISH_STRIP_PIXELS, i,
+                                     strip->whole[i]) == expected->corners.source;
 }
 
 /* All points of a tile by both paths; *points counts them. */
@@ -200,8 +232,7 @@ static int compare_points(reference_tile *tile, burnish_visibility *fast,
     static point expected[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
     static burnish_fragments fragments;
     static burnish_shaded shaded;
-    static burnish_whole_row whole;
-    static burnish_row row;
+    static burnish_strip strip;
     int count = 0, wrong = 0, at = 0, known = -1;
     while (reference_next_fragments(tile, view, geometry, &fragments)) {
         burnish_shade(shader, cache, &fragments, &shaded);
@@ -210,15 +241,13 @@ static int compare_points(reference_tile *tile, burnish_visibility *fast,
         }
     }
     *points += count;
-    for (int i = 0; i < count; ++i) { /* whole pixels, a row after another */
-        const int y = expected[i].pixel / BURNISH_TILE_SIZE;
-        if (y != known) {
-            burnish_visibility_row(fast, y, &whole);
-            burnish_shade_row(shader, cache, fast, &whole, view, y, &row);
-            known = y;
+    for (int i = 0; i < count; ++i) { /* whole pixels, a strip after another */
+        const int number = expected[i].place / BURNISH_STRIP_PIXELS;
+        if (number != known) {
+            burnish_shade_strip(shader, cache, fast, view, number, &strip);
+            known = number;
         }
-        wrong +=
-            expected[i].weight == tile->samples && !same_whole(fast, &whole, &row, &expected[i]);
+        wrong += expected[i].weight == tile->samples && !same_whole(fast, &strip, &expected[i]);
     }
     while (burnish_visibility_next(fast, view, &fragments)) {
         burnish_shade(shader, cache, &fragments, &shaded);
@@ -236,9 +265,9 @@ static int compare_points(reference_tile *tile, burnish_visibility *fast,
     return wrong + (at != count);
 }
 
-static void make_shader(burnish_shader *shader, burnish_shade_material materials[3],
-                        const random_scene *scene, const burnish_geometry *geometry,
-                        uint32_t *state) {
+static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
+                        burnish_shade_material materials[3], const random_scene *scene,
+                        const burnish_geometry *geometry, uint32_t *state) {
     memset(shader, 0, sizeof *shader);
     shader->batch = burnish_batch_best();
     shader->lighting = burnish_batch_lighting_default();
@@ -257,7 +286,8 @@ static void make_shader(burnish_shader *shader, burnish_shade_material materials
     }
     shader->materials = materials;
     shader->triangle_materials = next_random(state) & 1 ? scene->materials : NULL;
-    burnish_attributes_create(&shader->attributes, geometry, scene->normals,
+    shader->attributes = attributes;
+    burnish_attributes_update(attributes, geometry, scene->normals,
                               next_random(state) & 1 ? scene->colors : NULL, scene->indices, 1,
                               NULL);
 }
@@ -267,22 +297,29 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
     const int samples = counts[number % 6];
     burnish_raster_view view = make_view(65 + (int)(next_random(state) % 90),
                                          1 + (int)(next_random(state) % 130), samples, state);
-    burnish_geometry geometry;
-    burnish_bins bins;
+    static burnish_geometry geometry; /* kept, as a renderer keeps them */
+    static burnish_attributes attributes;
+    static burnish_bins bins;
     reference_tile tile;
     burnish_visibility fast;
     burnish_shader shader;
     burnish_shade_material materials[3];
     burnish_shade_cache cache = {.material = -1};
-    burnish_visibility_function *draw = pick_tier(state);
-    burnish_geometry_create(&geometry, &view, scene->positions, scene->vertex_count, scene->indices,
-                            scene->triangle_count, 1, NULL);
-    make_shader(&shader, materials, scene, &geometry, state);
+    const burnish_raster_tier *tier = burnish_raster_tier_of(pick_isa(state));
+    burnish_geometry_update(&geometry, tier, &view, scene->positions, scene->vertex_count,
+                            scene->indices, scene->triangle_count, 1, NULL);
+    check_geometry(scene, &view, &geometry, number);
+    make_shader(&shader, &attributes, materials, scene, &geometry, state);
     reference_tile_create(&tile, samples, NULL);
-    burnish_visibility_create(&fast, samples, NULL);
-    fast.needs_place = 1;
-    if (next_random(state) % 4 == 0) { /* forget triangles often; samples own at most half */
-        size_t least = 2 * (size_t)BURNISH_TILE_PIXELS * (size_t)samples;
+    const burnish_visibility_options options = {.samples = samples,
+                                                .planes = burnish_shade_planes(&shader),
+                                                .keep_owners = 1,
+                                                .needs_place = 1};
+    burnish_visibility_create(&fast, &options, NULL);
+    fast.attributes[0] = attributes.normals;
+    fast.attributes[1] = attributes.colors;
+    if (samples > 1 && next_random(state) % 4 == 0) { /* forget triangles often */
+        size_t least = 2 * (size_t)BURNISH_TILE_PIXELS * (size_t)samples; /* own at most half */
         fast.triangle_capacity = least < fast.triangle_capacity ? least : fast.triangle_capacity;
     }
     burnish_bins_begin(&bins);
@@ -291,7 +328,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
         for (int row = bins.first_row; row < bins.end_row; ++row) {
             for (int column = 0; column < bins.columns; ++column) {
                 int drawn = reference_draw_tile(&tile, &view, &geometry, &bins, column, row);
-                int wrong = burnish_visibility_draw(&fast, draw, &view, &geometry, &bins, column,
+                int wrong = burnish_visibility_draw(&fast, tier, &view, &geometry, &bins, column,
                                                     row) != drawn;
                 if (drawn && !wrong) {
                     wrong = compare_owners(&tile, &fast, &geometry);
@@ -304,17 +341,14 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
             }
         }
     } while (bins.end_row < bins.rows);
-    burnish_bins_destroy(&bins);
     burnish_visibility_destroy(&fast);
     reference_tile_destroy(&tile);
-    burnish_attributes_destroy(&shader.attributes);
-    burnish_geometry_destroy(&geometry);
 }
 
 /* More triangles than a tile remembers, each nearer than the last: old ones must be forgotten. */
 static void check_forgetting(void) {
-    enum { LAYERS = 3 * BURNISH_TILE_TRIANGLES };
-    static float positions[9 * LAYERS];
+    enum { SAMPLES = 4, LAYERS = 3 * BURNISH_TILE_TRIANGLES * SAMPLES };
+    static float positions[9 * LAYERS], normals[9 * LAYERS];
     static uint32_t indices[3 * LAYERS];
     for (uint32_t i = 0; i < LAYERS; ++i) {
         const float z = (float)i * (200.0f / LAYERS), x = (float)(i % 61) - 30;
@@ -327,26 +361,32 @@ static void check_forgetting(void) {
     burnish_raster_view view;
     memset(&view, 0, sizeof view);
     view.width = view.height = BURNISH_TILE_SIZE;
-    view.samples = 1;
+    view.samples = SAMPLES;
     view.rows[0][0] = view.rows[1][1] = view.rows[3][3] = 1;
     view.rows[2][2] = 0.004f;
-    burnish_geometry geometry;
-    burnish_bins bins;
+    burnish_geometry geometry = {0};
+    burnish_attributes attributes = {0};
+    burnish_bins bins = {0};
     reference_tile tile;
     burnish_visibility fast;
-    burnish_geometry_create(&geometry, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS, 1,
-                            NULL);
+    const burnish_raster_tier *tier = burnish_raster_tier_of(BURNISH_ISA_SCALAR);
+    const burnish_visibility_options options = {.samples = SAMPLES, .planes = 3};
+    burnish_geometry_update(&geometry, tier, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS,
+                            1, NULL);
+    burnish_attributes_update(&attributes, &geometry, normals, NULL, indices, 1, NULL);
     burnish_bins_begin(&bins);
     burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
-    reference_tile_create(&tile, 1, NULL);
-    burnish_visibility_create(&fast, 1, NULL);
+    reference_tile_create(&tile, SAMPLES, NULL);
+    burnish_visibility_create(&fast, &options, NULL);
+    fast.attributes[0] = attributes.normals;
     reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
-    burnish_visibility_draw(&fast, burnish_visibility_scalar, &view, &geometry, &bins, 0, 0);
+    burnish_visibility_draw(&fast, tier, &view, &geometry, &bins, 0, 0);
     CHECK(geometry.triangle_count == LAYERS, "all may be seen: %zu", geometry.triangle_count);
     CHECK(fast.triangle_count < LAYERS, "forgot some: %zu", fast.triangle_count);
     CHECK(compare_owners(&tile, &fast, &geometry) == 0, "owners after forgetting");
     burnish_visibility_destroy(&fast);
     reference_tile_destroy(&tile);
+    burnish_attributes_destroy(&attributes);
     burnish_bins_destroy(&bins);
     burnish_geometry_destroy(&geometry);
 }

@@ -14,11 +14,23 @@ BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) 
 }
 
 static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
-                          const float *const rgb[3], uint8_t *pixels) {
+                          const float *const rgb[3], const int32_t *shown, uint32_t alpha,
+                          uint32_t behind, uint32_t *pixels) {
     for (size_t i = 0; i < count; i += LANES) {
         vi red = encode_vector(encoder, vf_load(rgb[0] + i));
         vi green = encode_vector(encoder, vf_load(rgb[1] + i));
         vi blue = encode_vector(encoder, vf_load(rgb[2] + i));
-        vi_store(pixels + 4 * i, vi_or(vi_or(red, vi_left(green, 8)), vi_left(blue, 16)));
+        vi pixel = vi_or(vi_or(red, vi_left(green, 8)), vi_left(blue, 16));
+        if (shown) {
+            vm mask = vi_not_negative(vi_load(shown + i));
+            pixel = vi_blend(mask, vi_or(pixel, vi_set((int32_t)alpha)), vi_set((int32_t)behind));
+        }
+        vi_save((int32_t *)pixels + i, pixel);
+    }
+}
+
+static void pack_groups(size_t count, const uint32_t *pixels, size_t apart, uint8_t *to) {
+    for (size_t i = 0; i < count; ++i) {
+        pack_pixels(to + 12 * i, pixels + apart * i);
     }
 }

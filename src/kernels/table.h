@@ -25,9 +25,17 @@ typedef void burnish_shade_function(const burnish_batch_shader *shader,
                                     const burnish_batch_points *points, size_t count, uint8_t *rgba,
                                     float *const rgb[3]);
 
-/* count linear colours, a multiple of 16, to sRGB codes: 4 bytes a pixel, the last one 0. */
+/* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel, then
+ * green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and the others
+ * are `behind`. */
 typedef void burnish_encode_function(const burnish_srgb_encoder *encoder, size_t count,
-                                     const float *const rgb[3], uint8_t *pixels);
+                                     const float *const rgb[3], const int32_t *shown,
+                                     uint32_t alpha, uint32_t behind, uint32_t *pixels);
+
+/* count groups of four pixels, each group `apart` pixels after the last, to 12 bytes a group, which
+ * follow one another: red, green, blue. The highest byte of a pixel must be 0. Up to four bytes
+ * after the last may be written. */
+typedef void burnish_pack_function(size_t count, const uint32_t *pixels, size_t apart, uint8_t *to);
 
 enum { BURNISH_LOBE_INPUT_COSINE, BURNISH_LOBE_INPUT_LAMBDA, BURNISH_LOBE_INPUT_COUNT };
 
@@ -42,6 +50,7 @@ struct burnish_batch {
     burnish_lobe_function *lobe[BURNISH_LOBE_BODY_COUNT][BURNISH_LOBE_INPUT_COUNT];
     burnish_normalize_function *normalize;
     burnish_encode_function *encode;
+    burnish_pack_function *pack;
     burnish_shade_function
         *shade[BURNISH_LOBE_BODY_COUNT][BURNISH_SHADE_GEOMETRY_COUNT][BURNISH_SHADE_OUTPUT_COUNT];
 };

@@ -70,6 +70,7 @@ const struct burnish_batch BATCH = {
              [BURNISH_LOBE_BODY_GX] = LOBE_ROW(gx)},
     .normalize = normalize_array,
     .encode = encode_pixels,
+    .pack = pack_groups,
     .shade = {[BURNISH_LOBE_BODY_NONE] = SHADE_ROW(none),
               [BURNISH_LOBE_BODY_SQUARE] = SHADE_ROW(square),
               [BURNISH_LOBE_BODY_SQUARES] = SHADE_ROW(squares),

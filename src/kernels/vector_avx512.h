@@ -79,6 +79,9 @@ static inline vi vi_or(vi a, vi b) {
 static inline vi vi_mul(vi a, vi b) {
     return _mm512_mullo_epi32(a, b);
 }
+static inline vi vi_dot16(vi a, vi b) {
+    return _mm512_madd_epi16(a, b);
+}
 static inline vi vi_max(vi a, vi b) {
     return _mm512_max_epi32(a, b);
 }
@@ -115,6 +118,48 @@ static inline void vi_store(uint8_t *to, vi x) {
 }
 static inline void vi_stream(uint8_t *to, vi x) {
     _mm512_stream_si512((__m512i *)(void *)to, x);
+}
+static inline unsigned vm_bits(vm mask) {
+    return mask;
+}
+static inline void vf_store_where(vm mask, float *to, vf x) {
+    _mm512_mask_storeu_ps(to, mask, x);
+}
+static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+    _mm512_mask_storeu_epi32(to, mask, x);
+}
+static inline void vector_transpose(vf a[4]) {
+    __m512 t0 = _mm512_unpacklo_ps(a[0], a[1]), t1 = _mm512_unpackhi_ps(a[0], a[1]);
+    __m512 t2 = _mm512_unpacklo_ps(a[2], a[3]), t3 = _mm512_unpackhi_ps(a[2], a[3]);
+    a[0] = _mm512_shuffle_ps(t0, t2, _MM_SHUFFLE(1, 0, 1, 0));
+    a[1] = _mm512_shuffle_ps(t0, t2, _MM_SHUFFLE(3, 2, 3, 2));
+    a[2] = _mm512_shuffle_ps(t1, t3, _MM_SHUFFLE(1, 0, 1, 0));
+    a[3] = _mm512_shuffle_ps(t1, t3, _MM_SHUFFLE(3, 2, 3, 2));
+}
+static inline void vf_load_records(const void *const from[16], vf x[4]) {
+    for (int i = 0; i < 4; ++i) {
+        __m512 row = _mm512_castps128_ps512(_mm_loadu_ps(from[i]));
+        row = _mm512_insertf32x4(row, _mm_loadu_ps(from[4 + i]), 1);
+        row = _mm512_insertf32x4(row, _mm_loadu_ps(from[8 + i]), 2);
+        x[i] = _mm512_insertf32x4(row, _mm_loadu_ps(from[12 + i]), 3);
+    }
+    vector_transpose(x);
+}
+static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+    vf x[4] = {a, b, c, d};
+    float *out = to;
+    vector_transpose(x);
+    for (int i = 0; i < 4; ++i) {
+        _mm_storeu_ps(out + 4 * i, _mm512_castps512_ps128(x[i]));
+        _mm_storeu_ps(out + 16 + 4 * i, _mm512_extractf32x4_ps(x[i], 1));
+        _mm_storeu_ps(out + 32 + 4 * i, _mm512_extractf32x4_ps(x[i], 2));
+        _mm_storeu_ps(out + 48 + 4 * i, _mm512_extractf32x4_ps(x[i], 3));
+    }
+}
+static inline void pack_pixels(uint8_t *to, const uint32_t *from) {
+    const __m128i order = _mm_setr_epi8(0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, -1, -1, -1, -1);
+    __m128i pixels = _mm_loadu_si128((const __m128i *)(const void *)from);
+    _mm_storeu_si128((__m128i *)(void *)to, _mm_shuffle_epi8(pixels, order));
 }
 static inline void vector_fence(void) {
     _mm_sfence();

@@ -80,6 +80,10 @@ static inline vi vi_or(vi a, vi b) {
 static inline vi vi_mul(vi a, vi b) {
     return vmulq_s32(a, b);
 }
+static inline vi vi_dot16(vi a, vi b) {
+    int16x8_t x = vreinterpretq_s16_s32(a), y = vreinterpretq_s16_s32(b);
+    return vpaddq_s32(vmull_s16(vget_low_s16(x), vget_low_s16(y)), vmull_high_s16(x, y));
+}
 static inline vi vi_max(vi a, vi b) {
     return vmaxq_s32(a, b);
 }
@@ -121,6 +125,37 @@ static inline void vi_store(uint8_t *to, vi x) {
 }
 static inline void vi_stream(uint8_t *to, vi x) {
     vi_store(to, x);
+}
+static inline unsigned vm_bits(vm mask) {
+    const uint32_t bits[4] = {1, 2, 4, 8};
+    return vaddvq_u32(vandq_u32(mask, vld1q_u32(bits)));
+}
+static inline void vf_store_where(vm mask, float *to, vf x) {
+    vst1q_f32(to, vbslq_f32(mask, x, vld1q_f32(to)));
+}
+static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+    vst1q_s32(to, vbslq_s32(mask, x, vld1q_s32(to)));
+}
+static inline void vector_transpose(vf a[4]) {
+    float32x4x2_t low = vtrnq_f32(a[0], a[1]), high = vtrnq_f32(a[2], a[3]);
+    a[0] = vcombine_f32(vget_low_f32(low.val[0]), vget_low_f32(high.val[0]));
+    a[1] = vcombine_f32(vget_low_f32(low.val[1]), vget_low_f32(high.val[1]));
+    a[2] = vcombine_f32(vget_high_f32(low.val[0]), vget_high_f32(high.val[0]));
+    a[3] = vcombine_f32(vget_high_f32(low.val[1]), vget_high_f32(high.val[1]));
+}
+static inline void vf_load_records(const void *const from[4], vf x[4]) {
+    for (int i = 0; i < 4; ++i) {
+        x[i] = vld1q_f32(from[i]);
+    }
+    vector_transpose(x);
+}
+static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+    const float32x4x4_t x = {{a, b, c, d}};
+    vst4q_f32(to, x);
+}
+static inline void pack_pixels(uint8_t *to, const uint32_t *from) {
+    const uint8_t order[16] = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255};
+    vst1q_u8(to, vqtbl1q_u8(vreinterpretq_u8_u32(vld1q_u32(from)), vld1q_u8(order)));
 }
 static inline void vector_fence(void) {}
 

@@ -90,6 +90,11 @@ static inline vi vi_right_signed(vi x, unsigned bits) {
 static inline vi vi_mul(vi a, vi b) {
     return a * b;
 }
+static inline vi vi_dot16(vi a, vi b) {
+    const int32_t low = (int16_t)(uint16_t)a * (int16_t)(uint16_t)b;
+    const int32_t high = (int16_t)(uint16_t)(a >> 16) * (int16_t)(uint16_t)(b >> 16);
+    return (uint32_t)low + (uint32_t)high;
+}
 static inline vi vi_max(vi a, vi b) {
     return (int32_t)a > (int32_t)b ? a : b;
 }
@@ -128,6 +133,29 @@ static inline void vi_store(uint8_t *to, vi x) { /* the same bytes on a big-endi
 }
 static inline void vi_stream(uint8_t *to, vi x) {
     vi_store(to, x);
+}
+static inline unsigned vm_bits(vm mask) {
+    return mask & 1;
+}
+static inline void vf_store_where(vm mask, float *to, vf x) {
+    *to = mask ? x : *to;
+}
+static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+    *to = mask ? (int32_t)x : *to;
+}
+static inline void vf_load_records(const void *const from[1], vf x[4]) {
+    memcpy(x, from[0], 4 * sizeof *x);
+}
+static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+    const vf x[4] = {a, b, c, d};
+    memcpy(to, x, sizeof x);
+}
+static inline void pack_pixels(uint8_t *to, const uint32_t *from) { /* on big-endian machines too */
+    for (int i = 0; i < 4; ++i) {
+        to[3 * i] = (uint8_t)from[i];
+        to[3 * i + 1] = (uint8_t)(from[i] >> 8);
+        to[3 * i + 2] = (uint8_t)(from[i] >> 16);
+    }
 }
 static inline void vector_fence(void) {}
 

@@ -4,6 +4,7 @@
 
 #include <emmintrin.h>
 #include <stdint.h>
+#include <string.h>
 
 enum { LANES = 4 };
 typedef __m128 vf;
@@ -82,6 +83,9 @@ static inline vi vi_mul(vi a, vi b) {
     return _mm_unpacklo_epi32(_mm_shuffle_epi32(even, _MM_SHUFFLE(0, 0, 2, 0)),
                               _mm_shuffle_epi32(odd, _MM_SHUFFLE(0, 0, 2, 0)));
 }
+static inline vi vi_dot16(vi a, vi b) {
+    return _mm_madd_epi16(a, b);
+}
 static inline vi vi_max(vi a, vi b) {
     vi greater = _mm_cmpgt_epi32(a, b);
     return _mm_or_si128(_mm_and_si128(greater, a), _mm_andnot_si128(greater, b));
@@ -124,6 +128,35 @@ static inline void vi_store(uint8_t *to, vi x) {
 }
 static inline void vi_stream(uint8_t *to, vi x) {
     _mm_stream_si128((__m128i *)(void *)to, x);
+}
+static inline unsigned vm_bits(vm mask) {
+    return (unsigned)_mm_movemask_ps(mask);
+}
+static inline void vf_store_where(vm mask, float *to, vf x) {
+    _mm_storeu_ps(to, vf_blend(mask, x, _mm_loadu_ps(to)));
+}
+static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+    vi_save(to, vi_blend(mask, x, vi_load(to)));
+}
+static inline void vf_load_records(const void *const from[4], vf x[4]) {
+    for (int i = 0; i < 4; ++i) {
+        x[i] = _mm_loadu_ps(from[i]);
+    }
+    _MM_TRANSPOSE4_PS(x[0], x[1], x[2], x[3]);
+}
+static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+    float *out = to;
+    _MM_TRANSPOSE4_PS(a, b, c, d);
+    _mm_storeu_ps(out, a);
+    _mm_storeu_ps(out + 4, b);
+    _mm_storeu_ps(out + 8, c);
+    _mm_storeu_ps(out + 12, d);
+}
+/* SSE2 has no shuffle of bytes */
+static inline void pack_pixels(uint8_t *to, const uint32_t *from) {
+    const uint32_t words[3] = {from[0] | from[1] << 24, from[1] >> 8 | from[2] << 16,
+                               from[2] >> 16 | from[3] << 8};
+    memcpy(to, words, sizeof words);
 }
 static inline void vector_fence(void) {
     _mm_sfence();

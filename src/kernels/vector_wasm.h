@@ -4,6 +4,7 @@
 #define BURNISH_KERNELS_VECTOR_WASM_H
 
 #include <stdint.h>
+#include <string.h>
 #include <wasm_simd128.h>
 
 enum { LANES = 4 };
@@ -86,6 +87,9 @@ static inline vi vi_right_signed(vi x, unsigned bits) {
 static inline vi vi_mul(vi a, vi b) {
     return wasm_i32x4_mul(a, b);
 }
+static inline vi vi_dot16(vi a, vi b) {
+    return wasm_i32x4_dot_i16x8(a, b);
+}
 static inline vi vi_max(vi a, vi b) {
     return wasm_i32x4_max(a, b);
 }
@@ -126,6 +130,43 @@ static inline void vi_store(uint8_t *to, vi x) {
 }
 static inline void vi_stream(uint8_t *to, vi x) {
     wasm_v128_store(to, x);
+}
+static inline unsigned vm_bits(vm mask) {
+    return wasm_i32x4_bitmask(mask);
+}
+static inline void vf_store_where(vm mask, float *to, vf x) {
+    wasm_v128_store(to, wasm_v128_bitselect(x, wasm_v128_load(to), mask));
+}
+static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+    wasm_v128_store(to, wasm_v128_bitselect(x, wasm_v128_load(to), mask));
+}
+static inline void vector_transpose(vf a[4]) {
+    vf t0 = wasm_i32x4_shuffle(a[0], a[1], 0, 4, 1, 5),
+       t1 = wasm_i32x4_shuffle(a[0], a[1], 2, 6, 3, 7);
+    vf t2 = wasm_i32x4_shuffle(a[2], a[3], 0, 4, 1, 5),
+       t3 = wasm_i32x4_shuffle(a[2], a[3], 2, 6, 3, 7);
+    a[0] = wasm_i64x2_shuffle(t0, t2, 0, 2);
+    a[1] = wasm_i64x2_shuffle(t0, t2, 1, 3);
+    a[2] = wasm_i64x2_shuffle(t1, t3, 0, 2);
+    a[3] = wasm_i64x2_shuffle(t1, t3, 1, 3);
+}
+static inline void vf_load_records(const void *const from[4], vf x[4]) {
+    for (int i = 0; i < 4; ++i) {
+        x[i] = wasm_v128_load(from[i]);
+    }
+    vector_transpose(x);
+}
+static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+    vf x[4] = {a, b, c, d};
+    vector_transpose(x);
+    for (int i = 0; i < 4; ++i) {
+        wasm_v128_store((float *)to + 4 * i, x[i]);
+    }
+}
+static inline void pack_pixels(uint8_t *to, const uint32_t *from) {
+    const uint32_t words[3] = {from[0] | from[1] << 24, from[1] >> 8 | from[2] << 16,
+                               from[2] >> 16 | from[3] << 8};
+    memcpy(to, words, sizeof words);
 }
 static inline void vector_fence(void) {}
 

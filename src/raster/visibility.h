@@ -1,8 +1,10 @@
-/* Visibility of a tile by vectors over a row, compiled for each instruction set like src/kernels.
- * What comes out is, bit for bit, what test/reference_tile.h computes in the plainest way.
+/* A tile from its lists of triangles to depth and attributes of every pixel. What comes out is, bit
+ * for bit, what test/reference_tile.h computes in the plainest way, for every instruction set.
  *
  * A sample belongs to the triangle that is nearest there; of two at the same depth to the one seen
- * from its front, then to the first. */
+ * from its front, then to the first. A pixel whose samples all are one triangle's is whole: its
+ * attributes are interpolated at its centre while the triangle is drawn. The others are shared:
+ * all samples of such a pixel that show one triangle become one point (burnish_visibility_next). */
 #ifndef BURNISH_RASTER_VISIBILITY_H
 #define BURNISH_RASTER_VISIBILITY_H
 
@@ -21,75 +23,89 @@ typedef struct burnish_tile_triangle {
 enum {
     /* Triangles that a tile remembers before it forgets those that own nothing any more. */
     BURNISH_TILE_TRIANGLES = 2 * BURNISH_TILE_PIXELS,
-    BURNISH_TILE_BLOCK = 8, /* pixels along the edge of a block of the coarse depth */
-    BURNISH_TILE_BLOCKS = BURNISH_TILE_SIZE / BURNISH_TILE_BLOCK
+    BURNISH_TILE_BLOCKS = BURNISH_TILE_SIZE / BURNISH_COARSE_BLOCK
 };
 
-/* A tile while it is drawn. Plane s of `owners` and `depths` holds sample s of every pixel. */
+/* Interpolated numbers of a pixel. */
+enum {
+    BURNISH_PLANE_X, /* the first attribute, turned round for triangles seen from their back */
+    BURNISH_PLANE_Y,
+    BURNISH_PLANE_Z,
+    BURNISH_PLANE_W, /* its fourth number */
+    BURNISH_PLANE_R, /* the second attribute */
+    BURNISH_PLANE_G,
+    BURNISH_PLANE_B,
+    BURNISH_PLANE_COUNT
+};
+
+/* What is wanted of a tile. */
+typedef struct burnish_visibility_options {
+    int samples;
+    int planes;      /* interpolated: 3, 4 or BURNISH_PLANE_COUNT */
+    int keep_owners; /* 1: owners are wanted, also with one sample */
+    int needs_place; /* 1: points get places: x, y and depth */
+} burnish_visibility_options;
+
+/* A tile while it is drawn. Pixels lie as burnish_tile_place says; of the samples of a block of
+ * pixels, sample s comes s blocks after sample 0 (burnish_sample_place). */
 typedef struct burnish_visibility {
     int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
-    int samples;
-    int needs_place; /* 1: points get places: x, y and depth */
-    int32_t *owners; /* index into triangles, -1 for none */
-    float *depths;
-    float *weights[2]; /* of vertices 1 and 2 at each pixel; NULL with more than one sample */
-    burnish_tile_triangle *triangles;
+    burnish_visibility_options options;
+    const burnish_float4 *attributes[2]; /* one item a screen vertex each; the second or NULL */
+    float *depths;                       /* a sample each */
+    float *planes[BURNISH_PLANE_COUNT];  /* of whole pixels at their centre */
+    float *center_depths;                /* of whole pixels; with one sample these are depths */
+    /* with one sample, where wanted, burnish_corners.source; else a sample each an index into
+     * triangles, -1 for none */
+    int32_t *owners;
+    uint16_t touched[BURNISH_TILE_STRIPS]; /* bit x of y: block (x, y) shows a triangle */
+    burnish_tile_triangle *triangles;      /* with more than one sample */
     int32_t *places; /* one a triangle: scratch while drawing, then 1 where it has a point */
     size_t triangle_count, triangle_capacity;
-    float coarse[BURNISH_TILE_BLOCKS][BURNISH_TILE_BLOCKS]; /* least depth of each block */
-    int next_pixel; /* where burnish_visibility_next goes on */
+    /* least depth of each coarse block, and of it, the next one, and the two below */
+    float coarse[2][BURNISH_TILE_BLOCKS][BURNISH_TILE_BLOCKS];
+    int next_place; /* where burnish_visibility_next goes on */
 } burnish_visibility;
 
-burnish_status burnish_visibility_create(burnish_visibility *visibility, int samples,
+/* Where sample s of the pixel at `place` lies in depths and owners. */
+static inline int burnish_sample_place(int samples, int place, int s) {
+    return (place & ~(BURNISH_BLOCK_PIXELS - 1)) * samples + s * BURNISH_BLOCK_PIXELS +
+           (place & (BURNISH_BLOCK_PIXELS - 1));
+}
+
+/* Attributes are the caller's to set. Errors: MEMORY; destroy it all the same. */
+burnish_status burnish_visibility_create(burnish_visibility *visibility,
+                                         const burnish_visibility_options *options,
                                          burnish_error *error);
 void burnish_visibility_destroy(burnish_visibility *visibility);
 
-/* Draws the triangles of a list, in its order. covered: 1 when the list is drawn over others whose
- * coarse depth is known. */
-typedef void burnish_visibility_function(burnish_visibility *visibility,
-                                         const burnish_geometry *geometry, const uint32_t *entries,
-                                         size_t count, int covered);
-
-extern burnish_visibility_function burnish_visibility_scalar;
-#if defined(__SSE2__)
-extern burnish_visibility_function burnish_visibility_sse2;
-extern burnish_visibility_function burnish_visibility_avx2;
-extern burnish_visibility_function burnish_visibility_avx512;
-#endif
-#if defined(__aarch64__)
-extern burnish_visibility_function burnish_visibility_neon;
-#endif
-
 /* Makes the tile (column, row) current and draws its triangles. Returns 0 when no triangle's bounds
  * touch it. */
-int burnish_visibility_draw(burnish_visibility *visibility, burnish_visibility_function *draw,
+int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster_tier *tier,
                             const burnish_raster_view *view, const burnish_geometry *geometry,
                             const burnish_bins *bins, int column, int row);
 
-/* The next block of the visible points of pixels that are not one triangle's alone: all samples of
- * a pixel that show the same triangle are one point, at the mean of the samples, which lies inside
- * the triangle. Returns 0 when there is none left; with one sample a pixel there are none. */
+/* The next block of the visible points of shared pixels: all samples of a pixel that show the same
+ * triangle are one point, at the mean of the samples, which lies inside the triangle. Returns 0
+ * when there is none left; with one sample a pixel there are none. */
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments);
 
-/* The pixels of a row that are one triangle's alone. */
-typedef struct burnish_whole_row {
-    const int32_t *owners; /* BURNISH_TILE_SIZE: index into triangles, -1 for none */
-    const float
-        *weights[2];     /* of vertices 1 and 2 at the pixel's centre, where there is an owner */
-    const float *depths; /* there, where there is an owner and points get places */
-    int32_t own_owners[BURNISH_TILE_SIZE]; /* what the above point to, unless to the tile's */
-    float own_weights[2][BURNISH_TILE_SIZE], own_depths[BURNISH_TILE_SIZE];
-} burnish_whole_row;
+/* The pixels of a strip, four rows of a tile: whole[i] >= 0 where pixel i of it is whole, -1 else.
+ * With more than one sample that is the index of its triangle. */
+void burnish_visibility_whole(const burnish_visibility *visibility, int strip,
+                              int32_t whole[BURNISH_STRIP_PIXELS]);
 
-/* Finds them in row y of the tile. */
-void burnish_visibility_row(const burnish_visibility *visibility, int y, burnish_whole_row *row);
+/* burnish_corners.source of a whole pixel's triangle; needs owners. */
+static inline uint32_t burnish_visibility_source(const burnish_visibility *visibility, int strip,
+                                                 int pixel, int32_t whole) {
+    return visibility->options.samples == 1
+               ? (uint32_t)visibility->owners[strip * BURNISH_STRIP_PIXELS + pixel]
+               : visibility->triangles[whole].corners.source;
+}
 
-/* Sets drawn[t] to 1 for each of the mesh's triangles t that had a point so far. Threads may do so
- * at the same time. */
+/* Sets drawn[t] to 1 for each of the mesh's triangles t that own a sample; needs owners. Threads
+ * may do so at the same time. */
 void burnish_visibility_mark(const burnish_visibility *visibility, uint8_t *drawn);
-
-/* Forgets the triangles that own no sample. For visibility_body.h. */
-void burnish_visibility_compact(burnish_visibility *visibility);
 
 #endif

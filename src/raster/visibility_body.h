@@ -1,85 +1,90 @@
-/* Drawing triangles into a tile by vectors over a row. Included by the tiers, which define
- * BURNISH_VECTOR_... and DRAW, the function's name.
+/* Drawing triangles into a tile by vectors. Included by the tiers after geometry_body.h.
  *
  * Edge functions are whole numbers and exact: 32-bit ones for triangles up to 96 pixels, doubles,
  * which hold all of them, for larger ones. What is computed from them keeps one order of
- * operations, that of test/reference_tile.h. */
-#include <string.h>
+ * operations, that of test/reference_tile.h.
+ *
+ * As many triangles as a vector has lanes are set up at once. Then each is drawn by units, the part
+ * of a block of pixels that is one vector; or, where several are small, their pixels are found for
+ * all of them at once. */
 
-#include "kernels/vector.h"
-#include "raster/visibility.h"
+enum { HALF_PIXEL = BURNISH_SUBPIXELS / 2 };
 
-/* Longest edge, in 1/256 pixel along an axis, whose functions fit 32 bits all over a tile that the
- * triangle touches: 2 * 24576 * (24576 + 64 * 256) < 2^31. */
-enum { SMALL_EDGE = 96 * BURNISH_SUBPIXELS, HALF_PIXEL = BURNISH_SUBPIXELS / 2 };
-
-/* log2 of LANES. */
-enum { LANE_BITS = LANES == 16 ? 4 : LANES == 8 ? 3 : LANES == 4 ? 2 : 0 };
+/* Pixels of a unit: 4 x 4, 4 x 2, 4 x 1 or one. */
+enum { UNIT_WIDTH = LANES >= 4 ? 4 : 1, UNIT_HEIGHT = LANES / UNIT_WIDTH };
 
 /* As many triangles as a vector has lanes, relative to the tile. */
 typedef struct setup_block {
     int32_t x[3][LANES], y[3][LANES];   /* vertices */
     int32_t dx[3][LANES], dy[3][LANES]; /* edge i runs from vertex i + 1 to vertex i + 2 */
     int32_t bias[3][LANES];             /* -1 where the top-left rule leaves the edge out */
-    int32_t start[3][LANES];            /* edge functions with bias at the centre of (first, y0) */
+    int32_t start[3][LANES];            /* edge functions with bias at the centre of (x0, y0) */
+    int32_t unit[3][LANES];             /* the same at the first pixel of its unit */
+    int32_t slope[3][LANES];            /* -dy in the lower half, dx in the upper one */
     int32_t x0[LANES], y0[LANES], x1[LANES], y1[LANES]; /* pixels of the tile that the bounds touch;
                                                            x1, y1 inclusive */
-    int32_t empty[LANES];                               /* < 0 where they touch none */
-    int32_t longest[LANES];                             /* of an edge along an axis */
     float depth[3][LANES];                              /* of vertex 0; of 1 and 2 minus that */
-    float nearest[LANES];
     float inverse_area[LANES]; /* of triangles whose edge functions fit 32 bits */
+    float attributes[3][BURNISH_PLANE_COUNT][LANES];
+    burnish_corners corners[LANES];
+    unsigned live, small, tiny; /* bits: touch a pixel; have 32-bit edge functions; have at most
+                                   2 x 2 pixels */
 } setup_block;
 
-/* Copies the corners of up to LANES triangles. */
-static void load_corners(const burnish_visibility *tile, const burnish_geometry *geometry,
-                         const uint32_t *entries, size_t count, setup_block *block) {
-    const int32_t left = tile->x * BURNISH_SUBPIXELS, top = tile->y * BURNISH_SUBPIXELS;
+/* Loads corners and attributes of the triangles of a part of a list, `count` <= LANES. */
+BURNISH_INLINE void load_block(const burnish_visibility *tile, const burnish_geometry *geometry,
+                               const uint32_t *entries, size_t count, setup_block *block, vi x[3],
+                               vi y[3], vf depth[3]) {
+    const void *vertices[3][LANES], *first[3][LANES], *second[3][LANES];
+    const int has_second = tile->options.planes > BURNISH_PLANE_R;
     for (size_t lane = 0; lane < LANES; ++lane) {
-        const uint32_t *v = geometry->triangles[entries[lane < count ? lane : 0]].vertices;
+        block->corners[lane] = burnish_geometry_corners(geometry, entries[lane < count ? lane : 0]);
         for (int i = 0; i < 3; ++i) {
-            const burnish_screen_vertex *vertex = &geometry->vertices.items[v[i]];
-            block->x[i][lane] = vertex->x - left;
-            block->y[i][lane] = vertex->y - top;
-            block->depth[i][lane] = vertex->depth;
+            const size_t vertex = block->corners[lane].vertices[i];
+            vertices[i][lane] = &geometry->vertices.items[vertex];
+            first[i][lane] = &tile->attributes[0][vertex];
+            second[i][lane] = has_second ? &tile->attributes[1][vertex] : NULL;
+        }
+    }
+    /* 1 for triangles seen from their front, -1 from their back: exact */
+    float turn[LANES];
+    for (int lane = 0; lane < LANES; ++lane) {
+        turn[lane] = block->corners[lane].source & 1 ? -1.0f : 1.0f;
+    }
+    for (int i = 0; i < 3; ++i) {
+        vf at[4];
+        vf_load_records(vertices[i], at);
+        x[i] = vi_sub(vf_bits(at[0]), vi_set(tile->x * BURNISH_SUBPIXELS));
+        y[i] = vi_sub(vf_bits(at[1]), vi_set(tile->y * BURNISH_SUBPIXELS));
+        depth[i] = at[2];
+        vf_load_records(first[i], at);
+        for (int k = 0; k < 3; ++k) {
+            vf_store(block->attributes[i][k], vf_mul(at[k], vf_load(turn)));
+        }
+        vf_store(block->attributes[i][BURNISH_PLANE_W], at[3]);
+        if (has_second) {
+            vf_load_records(second[i], at);
+            for (int k = 0; k < 3; ++k) {
+                vf_store(block->attributes[i][BURNISH_PLANE_R + k], at[k]);
+            }
         }
     }
 }
 
-/* First and last pixel of the tile along one axis that [low, high] touches; with one sample those
- * whose centre lies in it. */
-BURNISH_INLINE void find_pixels(const burnish_visibility *tile, const vi at[3], vi *first,
-                                vi *last) {
-    const int to_first = tile->samples == 1 ? HALF_PIXEL - 1 : 0;
-    const int to_last = tile->samples == 1 ? HALF_PIXEL : 0;
-    vi low = vi_min(vi_min(at[0], at[1]), at[2]), high = vi_max(vi_max(at[0], at[1]), at[2]);
-    low = vi_right_signed(vi_add(low, vi_set(to_first)), 8);
-    high = vi_right_signed(vi_sub(high, vi_set(to_last)), 8);
-    *first = vi_max(low, vi_set(0));
-    *last = vi_min(high, vi_set(BURNISH_TILE_SIZE - 1));
-}
-
-BURNISH_INLINE vi magnitude(vi x) {
-    return vi_max(x, vi_sub(vi_set(0), x));
-}
-
 /* Bounds, edges and depth of a block. Numbers of triangles that are too large wrap round and are
  * not used. */
-static void set_up_block(const burnish_visibility *tile, setup_block *block) {
-    vi x[3], y[3], dx[3], dy[3], x0, y0, x1, y1, longest = vi_set(0);
-    for (int i = 0; i < 3; ++i) {
-        x[i] = vi_load(block->x[i]);
-        y[i] = vi_load(block->y[i]);
-    }
-    find_pixels(tile, x, &x0, &x1);
-    find_pixels(tile, y, &y0, &y1);
+BURNISH_INLINE void set_up_block(const burnish_visibility *tile, size_t count, const vi x[3],
+                                 const vi y[3], const vf depth[3], setup_block *block) {
+    const int samples = tile->options.samples;
+    vi dx[3], dy[3], x0, y0, x1, y1, longest = vi_set(0);
+    find_pixels(samples, x, tile->width, &x0, &x1);
+    find_pixels(samples, y, tile->height, &y0, &y1);
     vi_save(block->x0, x0);
     vi_save(block->y0, y0);
     vi_save(block->x1, x1);
     vi_save(block->y1, y1);
-    vi_save(block->empty, vi_or(vi_sub(x1, x0), vi_sub(y1, y0)));
-    const vi first = vi_left(vi_right(x0, LANE_BITS), LANE_BITS);
-    const vi at_x = vi_add(vi_left(first, 8), vi_set(HALF_PIXEL));
+    const vi wide = vi_sub(x1, x0), high = vi_sub(y1, y0);
+    const vi at_x = vi_add(vi_left(x0, 8), vi_set(HALF_PIXEL));
     const vi at_y = vi_add(vi_left(y0, 8), vi_set(HALF_PIXEL));
     for (int i = 0; i < 3; ++i) {
         const int a = i == 2 ? 0 : i + 1, b = i == 0 ? 2 : i - 1;
@@ -92,193 +97,414 @@ static void set_up_block(const burnish_visibility *tile, setup_block *block) {
         vi right = vi_right_signed(vi_sub(vi_set(0), dx[i]), 31);
         vi bias = vi_sub(vi_set(-1), vi_or(left, vi_and(level, right)));
         vi start = vi_sub(vi_mul(dx[i], vi_sub(at_y, y[a])), vi_mul(dy[i], vi_sub(at_x, x[a])));
+        vi_save(block->x[i], x[i]);
+        vi_save(block->y[i], y[i]);
         vi_save(block->dx[i], dx[i]);
         vi_save(block->dy[i], dy[i]);
         vi_save(block->bias[i], bias);
-        vi_save(block->start[i], vi_add(start, bias));
+        start = vi_add(start, bias);
+        vi_save(block->start[i], start);
+        start = vi_add(start, vi_left(vi_mul(dy[i], vi_and(x0, vi_set(UNIT_WIDTH - 1))), 8));
+        start = vi_sub(start, vi_left(vi_mul(dx[i], vi_and(y0, vi_set(UNIT_HEIGHT - 1))), 8));
+        vi_save(block->unit[i], start);
+        vi minus = vi_and(vi_sub(vi_set(0), dy[i]), vi_set(0xffff));
+        vi_save(block->slope[i], vi_or(minus, vi_left(dx[i], 16)));
     }
-    vi_save(block->longest, longest);
     vf area = vi_convert(vi_sub(vi_mul(dx[2], dy[0]), vi_mul(dy[2], dx[0])));
     vf_store(block->inverse_area, vf_div(vf_set(1.0f), area));
-    vf depth0 = vf_load(block->depth[0]), depth1 = vf_load(block->depth[1]),
-       depth2 = vf_load(block->depth[2]);
-    vf_store(block->nearest, vf_max(vf_max(depth0, depth1), depth2));
-    vf_store(block->depth[1], vf_sub(depth1, depth0));
-    vf_store(block->depth[2], vf_sub(depth2, depth0));
+    vf_store(block->depth[0], depth[0]);
+    vf_store(block->depth[1], vf_sub(depth[1], depth[0]));
+    vf_store(block->depth[2], vf_sub(depth[2], depth[0]));
+    const unsigned real = (unsigned)((1ull << count) - 1);
+    block->live = vm_bits(vi_not_negative(vi_or(wide, high))) & real;
+    block->small = vm_bits(vi_not_negative(vi_sub(vi_set(BURNISH_SMALL_EDGE), longest)));
+    block->tiny = block->live & block->small &
+                  vm_bits(vi_not_negative(vi_sub(vi_set(1), vi_max(wide, high))));
 }
 
-/* Whether everything that the triangle touches is nearer. Interpolated depths may pass the nearest
- * vertex by rounding: the factor is far more than that. */
-static int is_hidden(const burnish_visibility *tile, const setup_block *block, size_t lane) {
-    const float nearest = block->nearest[lane] * 1.00001f;
-    const int x0 = block->x0[lane] / BURNISH_TILE_BLOCK, x1 = block->x1[lane] / BURNISH_TILE_BLOCK;
-    const int y0 = block->y0[lane] / BURNISH_TILE_BLOCK, y1 = block->y1[lane] / BURNISH_TILE_BLOCK;
-    if (!(nearest > 0.0f)) {
-        return 0;
-    }
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
-            if (nearest >= tile->coarse[y][x]) {
-                return 0;
-            }
-        }
-    }
-    return 1;
-}
-
-/* One triangle of a block in the form that its rows are drawn from. */
-typedef struct row_constants {
+/* One triangle of a block in the form that its units are drawn from. */
+typedef struct unit_constants {
     vf inverse_area, depth[3];
     vi bias[3], owner;
-} row_constants;
+    vf attributes[3][BURNISH_PLANE_COUNT];
+} unit_constants;
 
-/* A vector of samples of a row, from `place` on: e_i are the edge functions with their bias. Keeps
- * the weights where a pixel has one sample. Returns 1 when one became the triangle's. */
-BURNISH_INLINE int draw_vector(const burnish_visibility *tile, const row_constants *constants,
-                               const vi e[3], int single, size_t place) {
+BURNISH_INLINE void load_constants(const setup_block *block, size_t lane, int planes, int32_t owner,
+                                   unit_constants *constants) {
+    constants->inverse_area = vf_set(block->inverse_area[lane]);
+    constants->owner = vi_set(owner);
+    for (int i = 0; i < 3; ++i) {
+        constants->depth[i] = vf_set(block->depth[i][lane]);
+        constants->bias[i] = vi_set(block->bias[i][lane]);
+        for (int k = 0; k < planes; ++k) {
+            constants->attributes[i][k] = vf_set(block->attributes[i][k][lane]);
+        }
+    }
+}
+
+BURNISH_INLINE vf depth_from(const vf depth[3], vf weight1, vf weight2) {
+    return vf_add(vf_add(depth[0], vf_mul(weight1, depth[1])), vf_mul(weight2, depth[2]));
+}
+
+/* Weights of vertices 1 and 2 from edge functions with their bias. */
+BURNISH_INLINE vf weight_from(const unit_constants *constants, const vi e[3], int i) {
+    return vf_mul(vi_convert(vi_sub(e[i], constants->bias[i])), constants->inverse_area);
+}
+
+/* Attributes of the pixels of a unit from `place` on that `mask` holds. */
+BURNISH_INLINE void interpolate_unit(const burnish_visibility *tile,
+                                     const unit_constants *constants, int planes, vm mask,
+                                     vf weight1, vf weight2, int place) {
+    vf weight0 = vf_sub(vf_sub(vf_set(1.0f), weight1), weight2);
+    for (int k = 0; k < planes; ++k) {
+        vf sum = vf_add(vf_mul(constants->attributes[0][k], weight0),
+                        vf_mul(constants->attributes[1][k], weight1));
+        sum = vf_add(sum, vf_mul(constants->attributes[2][k], weight2));
+        vf_store_where(mask, tile->planes[k] + place, sum);
+    }
+}
+
+/* A unit with one sample a pixel; e are the edge functions with their bias. Returns 1 when a pixel
+ * became the triangle's. */
+BURNISH_INLINE int draw_unit(const burnish_visibility *tile, const unit_constants *constants,
+                             int planes, int owners, const vi e[3], int place) {
     vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
     if (!vm_any(covered)) {
         return 0;
     }
-    vf weight1 = vf_mul(vi_convert(vi_sub(e[1], constants->bias[1])), constants->inverse_area);
-    vf weight2 = vf_mul(vi_convert(vi_sub(e[2], constants->bias[2])), constants->inverse_area);
-    vf depth = vf_add(vf_add(constants->depth[0], vf_mul(weight1, constants->depth[1])),
-                      vf_mul(weight2, constants->depth[2]));
-    vf before = vf_load(tile->depths + place);
-    vm nearer = vm_and(covered, vf_greater(depth, before));
+    vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
+    vf depth = depth_from(constants->depth, weight1, weight2);
+    vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->depths + place)));
     if (!vm_any(nearer)) {
         return 0;
     }
-    vf_store(tile->depths + place, vf_blend(nearer, depth, before));
-    vi_save(tile->owners + place,
-            vi_blend(nearer, constants->owner, vi_load(tile->owners + place)));
-    if (single) {
-        float *first = tile->weights[0] + place, *second = tile->weights[1] + place;
-        vf_store(first, vf_blend(nearer, weight1, vf_load(first)));
-        vf_store(second, vf_blend(nearer, weight2, vf_load(second)));
+    vf_store_where(nearer, tile->depths + place, depth);
+    if (owners) {
+        vi_save_where(nearer, tile->owners + place, constants->owner);
+    }
+    interpolate_unit(tile, constants, planes, nearer, weight1, weight2, place);
+    return 1;
+}
+
+/* A unit with several samples a pixel; e are the edge functions at the pixels' centres. */
+BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_constants *constants,
+                                int planes, const vi e[3],
+                                int32_t to_sample[3][BURNISH_MAX_SAMPLES], int place) {
+    const int samples = tile->options.samples;
+    vm whole = vi_not_negative(vi_set(0));
+    int drawn = 0, sample = burnish_sample_place(samples, place, 0);
+    for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
+        vi at[3];
+        for (int i = 0; i < 3; ++i) {
+            at[i] = vi_add(e[i], vi_set(to_sample[i][s]));
+        }
+        vm nearer = vi_not_negative(vi_or(vi_or(at[0], at[1]), at[2]));
+        if (!vm_any(nearer)) {
+            whole = nearer;
+            continue;
+        }
+        vf depth = depth_from(constants->depth, weight_from(constants, at, 1),
+                              weight_from(constants, at, 2));
+        nearer = vm_and(nearer, vf_greater(depth, vf_load(tile->depths + sample)));
+        whole = vm_and(whole, nearer);
+        vf_store_where(nearer, tile->depths + sample, depth);
+        vi_save_where(nearer, tile->owners + sample, constants->owner);
+        drawn |= vm_any(nearer);
+    }
+    if (vm_any(whole)) {
+        vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
+        if (tile->options.needs_place) {
+            vf_store_where(whole, tile->center_depths + place,
+                           depth_from(constants->depth, weight1, weight2));
+        }
+        interpolate_unit(tile, constants, planes, whole, weight1, weight2, place);
+    }
+    return drawn;
+}
+
+/* Where the pixels of a unit lie in it: x, and y in the upper half. */
+#define AT(x, y) ((x) | (y) << 16)
+static const int32_t UNIT_PLACES[16] = {AT(0, 0), AT(1, 0), AT(2, 0), AT(3, 0), AT(0, 1), AT(1, 1),
+                                        AT(2, 1), AT(3, 1), AT(0, 2), AT(1, 2), AT(2, 2), AT(3, 2),
+                                        AT(0, 3), AT(1, 3), AT(2, 3), AT(3, 3)};
+#undef AT
+
+/* Edge function i of a triangle over the first unit, and its steps to the next ones. Slopes fit 16
+ * bits. */
+BURNISH_INLINE vi edge_of_unit(const setup_block *block, size_t lane, int i, vi *across, vi *down) {
+    *across = vi_set(block->dy[i][lane] * (-BURNISH_SUBPIXELS * UNIT_WIDTH));
+    *down = vi_set(block->dx[i][lane] * (BURNISH_SUBPIXELS * UNIT_HEIGHT));
+    vi along = vi_dot16(vi_set(block->slope[i][lane]), vi_load(UNIT_PLACES));
+    return vi_add(vi_set(block->unit[i][lane]), vi_left(along, 8));
+}
+
+/* A triangle of up to 96 pixels. */
+BURNISH_INLINE int draw_small(burnish_visibility *tile, const setup_block *block, size_t lane,
+                              int single, int planes, int owners, int32_t owner,
+                              const int8_t (*offsets)[2]) {
+    const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
+    const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
+    unit_constants constants;
+    vi row[3], across[3], down[3];
+    int32_t to_sample[3][BURNISH_MAX_SAMPLES];
+    int drawn = 0;
+    load_constants(block, lane, planes, owner, &constants);
+    for (int i = 0; i < 3; ++i) {
+        row[i] = edge_of_unit(block, lane, i, &across[i], &down[i]);
+        for (int s = 0; s < tile->options.samples && !single; ++s) {
+            to_sample[i][s] =
+                16 * (block->dx[i][lane] * offsets[s][1] - block->dy[i][lane] * offsets[s][0]);
+        }
+    }
+    for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
+        vi e[3] = {row[0], row[1], row[2]};
+        unsigned touched = 0;
+        for (int x = x0; x <= x1; x += UNIT_WIDTH) {
+            const int place = burnish_tile_place(x, y);
+            const int hit = single ? draw_unit(tile, &constants, planes, owners, e, place)
+                                   : draw_samples(tile, &constants, planes, e, to_sample, place);
+            touched |= (unsigned)hit << x / BURNISH_BLOCK_SIZE;
+            for (int i = 0; i < 3; ++i) {
+                e[i] = vi_add(e[i], across[i]);
+            }
+        }
+        tile->touched[y / BURNISH_BLOCK_SIZE] |= (uint16_t)touched;
+        drawn |= touched != 0;
+        for (int i = 0; i < 3; ++i) {
+            row[i] = vi_add(row[i], down[i]);
+        }
+    }
+    return drawn;
+}
+
+/* The four pixels that triangles of at most 2 x 2 may cover. */
+typedef struct tiny_pixels {
+    unsigned covered[4];
+    float depth[4][LANES];
+    float planes[4][BURNISH_PLANE_COUNT][LANES];
+} tiny_pixels;
+
+/* Coverage, depth and attributes of the pixels of all tiny triangles of a block, which are right
+ * for those only. */
+BURNISH_INLINE void find_tiny(const setup_block *block, int planes, tiny_pixels *pixels) {
+    const vi wide = vi_sub(vi_load(block->x1), vi_load(block->x0));
+    const vi high = vi_sub(vi_load(block->y1), vi_load(block->y0));
+    const vf inverse_area = vf_load(block->inverse_area);
+    vi start[3], right[3], down[3];
+    for (int i = 0; i < 3; ++i) {
+        start[i] = vi_load(block->start[i]);
+        right[i] = vi_sub(vi_set(0), vi_left(vi_load(block->dy[i]), 8));
+        down[i] = vi_left(vi_load(block->dx[i]), 8);
+    }
+    for (int c = 0; c < 4; ++c) {
+        vi e[3], inside = vi_set(0);
+        for (int i = 0; i < 3; ++i) {
+            e[i] = c & 1 ? vi_add(start[i], right[i]) : start[i];
+            e[i] = c & 2 ? vi_add(e[i], down[i]) : e[i];
+            inside = vi_or(inside, e[i]);
+        }
+        inside = c & 1 ? vi_or(inside, vi_sub(wide, vi_set(1))) : inside;
+        inside = c & 2 ? vi_or(inside, vi_sub(high, vi_set(1))) : inside;
+        pixels->covered[c] = vm_bits(vi_not_negative(inside)) & block->tiny;
+        if (!pixels->covered[c]) {
+            continue;
+        }
+        const vf depth[3] = {vf_load(block->depth[0]), vf_load(block->depth[1]),
+                             vf_load(block->depth[2])};
+        vf weight1 = vf_mul(vi_convert(vi_sub(e[1], vi_load(block->bias[1]))), inverse_area);
+        vf weight2 = vf_mul(vi_convert(vi_sub(e[2], vi_load(block->bias[2]))), inverse_area);
+        vf weight0 = vf_sub(vf_sub(vf_set(1.0f), weight1), weight2);
+        vf_store(pixels->depth[c], depth_from(depth, weight1, weight2));
+        for (int k = 0; k < planes; ++k) {
+            vf sum = vf_add(vf_mul(vf_load(block->attributes[0][k]), weight0),
+                            vf_mul(vf_load(block->attributes[1][k]), weight1));
+            sum = vf_add(sum, vf_mul(vf_load(block->attributes[2][k]), weight2));
+            vf_store(pixels->planes[c][k], sum);
+        }
+    }
+}
+
+BURNISH_INLINE void draw_tiny(burnish_visibility *tile, const setup_block *block,
+                              const tiny_pixels *pixels, size_t lane, int planes, int owners,
+                              int32_t owner) {
+    for (int c = 0; c < 4; ++c) {
+        if (!(pixels->covered[c] >> lane & 1)) {
+            continue;
+        }
+        const int x = block->x0[lane] + (c & 1), y = block->y0[lane] + (c >> 1);
+        const int place = burnish_tile_place(x, y);
+        if (!(pixels->depth[c][lane] > tile->depths[place])) {
+            continue;
+        }
+        tile->depths[place] = pixels->depth[c][lane];
+        for (int k = 0; k < planes; ++k) {
+            tile->planes[k][place] = pixels->planes[c][k][lane];
+        }
+        if (owners) {
+            tile->owners[place] = owner;
+        }
+        tile->touched[y / BURNISH_BLOCK_SIZE] |= (uint16_t)(1u << x / BURNISH_BLOCK_SIZE);
+    }
+}
+
+/* A row of a tile while a large triangle is drawn. */
+typedef struct large_row {
+    int x0, x1;
+    double start[3], step[3], limit[3]; /* edge functions at the tile's left edge; covered where
+                                           they reach their limits */
+    int32_t nearer[BURNISH_TILE_SIZE], whole[BURNISH_TILE_SIZE];
+    float before[BURNISH_TILE_SIZE], values[BURNISH_TILE_SIZE];
+    float weight1[BURNISH_TILE_SIZE], weight2[BURNISH_TILE_SIZE];
+} large_row;
+
+/* Edge functions of row `line` at x and y in 1/256 pixel from a pixel's corner. Returns 0 when the
+ * row is outside. */
+static int start_row(const setup_block *block, size_t lane, int line, int64_t x, int64_t y,
+                     large_row *row) {
+    y += line * BURNISH_SUBPIXELS;
+    for (int i = 0; i < 3; ++i) {
+        const int a = i == 2 ? 0 : i + 1;
+        int64_t e = block->dx[i][lane] * (y - block->y[a][lane]) -
+                    block->dy[i][lane] * (x - block->x[a][lane]);
+        int64_t along = -(int64_t)block->dy[i][lane] * BURNISH_SUBPIXELS;
+        int64_t at0 = e + along * row->x0, at1 = e + along * row->x1;
+        if ((at0 > at1 ? at0 : at1) + block->bias[i][lane] < 0) {
+            return 0;
+        }
+        row->start[i] = (double)e;
+        row->step[i] = (double)along;
+        row->limit[i] = -block->bias[i][lane];
     }
     return 1;
 }
 
-/* A triangle of up to 96 pixels. */
-BURNISH_INLINE int draw_small(const burnish_visibility *tile, const setup_block *block, size_t lane,
-                              int32_t owner, int single, const int8_t (*offsets)[2]) {
-    const int first = block->x0[lane] & ~(LANES - 1), last = block->x1[lane];
-    const int y0 = block->y0[lane], y1 = block->y1[lane];
-    int drawn = 0;
-    row_constants constants;
-    vi ramp[3], next[3], down[3];
-    constants.inverse_area = vf_set(block->inverse_area[lane]);
-    constants.owner = vi_set(owner);
-    for (int i = 0; i < 3; ++i) {
-        const int32_t step = -block->dy[i][lane] * BURNISH_SUBPIXELS;
-        ramp[i] = vi_ramp(step);
-        next[i] = vi_set(step * LANES);
-        down[i] = vi_set(block->dx[i][lane] * BURNISH_SUBPIXELS);
-        constants.depth[i] = vf_set(block->depth[i][lane]);
-        constants.bias[i] = vi_set(block->bias[i][lane]);
+static void find_weights(large_row *row, float inverse_area) {
+    const double start1 = row->start[1], start2 = row->start[2];
+    const double step1 = row->step[1], step2 = row->step[2];
+    for (int x = row->x0; x <= row->x1; ++x) {
+        row->weight1[x] = (float)(start1 + step1 * x) * inverse_area;
+        row->weight2[x] = (float)(start2 + step2 * x) * inverse_area;
     }
-    for (int s = 0; s < (single ? 1 : tile->samples); ++s) {
-        size_t place = (size_t)s * BURNISH_TILE_PIXELS + (size_t)(y0 * BURNISH_TILE_SIZE);
-        vi row[3];
-        for (int i = 0; i < 3; ++i) {
-            int32_t start = block->start[i][lane];
-            if (!single) {
-                start +=
-                    16 * (block->dx[i][lane] * offsets[s][1] - block->dy[i][lane] * offsets[s][0]);
-            }
-            row[i] = vi_add(vi_set(start), ramp[i]);
-        }
-        for (int line = y0; line <= y1; ++line, place += BURNISH_TILE_SIZE) {
-            vi e[3] = {row[0], row[1], row[2]};
-            for (int column = first; column <= last; column += LANES) {
-                drawn |= draw_vector(tile, &constants, e, single, place + (size_t)column);
-                for (int i = 0; i < 3; ++i) {
-                    e[i] = vi_add(e[i], next[i]);
-                }
-            }
-            for (int i = 0; i < 3; ++i) {
-                row[i] = vi_add(row[i], down[i]);
-            }
+}
+
+/* Copies a row of the tile out of blocks `apart` numbers from one another, and back where mask
+ * holds. */
+static void take_row(const float *from, int apart, int x0, int x1, float *to) {
+    for (int block = x0 / 4; block <= x1 / 4; ++block) {
+        memcpy(to + 4 * block, from + block * apart, 4 * sizeof *to);
+    }
+}
+
+static void put_row(const float *from, const int32_t *mask, int apart, int x0, int x1, float *to) {
+    for (int x = x0; x <= x1; ++x) {
+        float *kept = to + x / 4 * apart + x % 4;
+        *kept = mask[x] ? from[x] : *kept;
+    }
+}
+
+/* One sample of a row's pixels; `place` is the sample's of the row's first pixel. */
+static int draw_row(const burnish_visibility *tile, const setup_block *block, size_t lane,
+                    int owners, int32_t owner, int place, large_row *row) {
+    const double start0 = row->start[0], step0 = row->step[0];
+    const double start1 = row->start[1], step1 = row->step[1];
+    const double start2 = row->start[2], step2 = row->step[2];
+    const float depth0 = block->depth[0][lane], depth1 = block->depth[1][lane],
+                depth2 = block->depth[2][lane];
+    const int apart = BURNISH_BLOCK_PIXELS * tile->options.samples;
+    int32_t drawn = 0;
+    find_weights(row, block->inverse_area[lane]);
+    take_row(tile->depths + place, apart, row->x0, row->x1, row->before);
+    for (int x = row->x0; x <= row->x1; ++x) {
+        const float depth = (depth0 + row->weight1[x] * depth1) + row->weight2[x] * depth2;
+        row->nearer[x] = (start0 + step0 * x >= row->limit[0]) &
+                         (start1 + step1 * x >= row->limit[1]) &
+                         (start2 + step2 * x >= row->limit[2]) & (depth > row->before[x]);
+        row->values[x] = depth;
+        row->whole[x] &= row->nearer[x];
+        drawn |= row->nearer[x];
+    }
+    if (drawn) {
+        put_row(row->values, row->nearer, apart, row->x0, row->x1, tile->depths + place);
+        for (int x = row->x0; x <= row->x1 && owners; ++x) {
+            int32_t *kept = tile->owners + place + x / 4 * apart + x % 4;
+            *kept = row->nearer[x] ? owner : *kept;
         }
     }
     return drawn;
 }
 
-/* One row of a large triangle from `place` on; start and step of each edge function are whole
- * numbers below 2^53. */
-static int draw_row(const burnish_visibility *tile, const setup_block *block, size_t lane,
-                    float area, const double start[3], const double step[3], int32_t owner,
-                    size_t place) {
-    const double limit0 = -block->bias[0][lane], limit1 = -block->bias[1][lane],
-                 limit2 = -block->bias[2][lane];
-    const double start0 = start[0], start1 = start[1], start2 = start[2];
-    const double step0 = step[0], step1 = step[1], step2 = step[2];
-    const float depth0 = block->depth[0][lane], depth1 = block->depth[1][lane],
-                depth2 = block->depth[2][lane];
-    const int x0 = block->x0[lane], x1 = block->x1[lane];
-    float weights[2][BURNISH_TILE_SIZE];
-    int32_t nearer[BURNISH_TILE_SIZE];
-    float *restrict depths = tile->depths + place;
-    int32_t *restrict owners = tile->owners + place;
-    int32_t drawn = 0;
-    for (int x = x0; x <= x1; ++x) {
-        const double e0 = start0 + step0 * x, e1 = start1 + step1 * x, e2 = start2 + step2 * x;
-        const float weight1 = (float)e1 * area, weight2 = (float)e2 * area;
-        const float depth = (depth0 + weight1 * depth1) + weight2 * depth2;
-        nearer[x] = (e0 >= limit0) & (e1 >= limit1) & (e2 >= limit2) & (depth > depths[x]);
-        depths[x] = nearer[x] ? depth : depths[x];
-        owners[x] = nearer[x] ? owner : owners[x];
-        weights[0][x] = weight1;
-        weights[1][x] = weight2;
-        drawn |= nearer[x];
+/* Attributes of a row's whole pixels. */
+static void interpolate_row(const burnish_visibility *tile, const setup_block *block, size_t lane,
+                            int place, large_row *row) {
+    const int samples = tile->options.samples;
+    if (samples > 1 && tile->options.needs_place) {
+        for (int x = row->x0; x <= row->x1; ++x) {
+            row->values[x] = (block->depth[0][lane] + row->weight1[x] * block->depth[1][lane]) +
+                             row->weight2[x] * block->depth[2][lane];
+        }
+        put_row(row->values, row->whole, BURNISH_BLOCK_PIXELS, row->x0, row->x1,
+                tile->center_depths + place);
     }
-    for (int k = 0; k < 2 && tile->weights[0] && drawn; ++k) {
-        float *restrict kept = tile->weights[k] + place;
-        for (int x = x0; x <= x1; ++x) {
-            kept[x] = nearer[x] ? weights[k][x] : kept[x];
+    for (int k = 0; k < tile->options.planes; ++k) {
+        const float a = block->attributes[0][k][lane], b = block->attributes[1][k][lane],
+                    c = block->attributes[2][k][lane];
+        for (int x = row->x0; x <= row->x1; ++x) {
+            const float weight0 = (1.0f - row->weight1[x]) - row->weight2[x];
+            row->values[x] = (a * weight0 + b * row->weight1[x]) + c * row->weight2[x];
+        }
+        put_row(row->values, row->whole, BURNISH_BLOCK_PIXELS, row->x0, row->x1,
+                tile->planes[k] + place);
+    }
+}
+
+static void touch_row(burnish_visibility *tile, const large_row *row, int line) {
+    for (int x = row->x0; x <= row->x1; ++x) {
+        if (row->nearer[x]) {
+            tile->touched[line / BURNISH_BLOCK_SIZE] |= (uint16_t)(1u << x / BURNISH_BLOCK_SIZE);
         }
     }
-    return drawn;
 }
 
 /* A triangle of any size: its edge functions are below 2^49. */
-static int draw_large(const burnish_visibility *tile, setup_block *block, size_t lane,
+static int draw_large(burnish_visibility *tile, setup_block *block, size_t lane, int owners,
                       int32_t owner, const int8_t (*offsets)[2]) {
     const int64_t area = (int64_t)block->dx[2][lane] * block->dy[0][lane] -
                          (int64_t)block->dy[2][lane] * block->dx[0][lane];
-    const float inverse_area = 1.0f / (float)area;
+    const int samples = tile->options.samples;
     int drawn = 0;
-    block->inverse_area[lane] = inverse_area;
-    for (int s = 0; s < tile->samples; ++s) {
-        const int64_t x = HALF_PIXEL + offsets[s][0] * 16;
-        for (int line = block->y0[lane]; line <= block->y1[lane]; ++line) {
-            const int64_t y = line * BURNISH_SUBPIXELS + HALF_PIXEL + offsets[s][1] * 16;
-            const size_t place =
-                (size_t)s * BURNISH_TILE_PIXELS + (size_t)(line * BURNISH_TILE_SIZE);
-            double start[3], step[3];
-            int outside = 0;
-            for (int i = 0; i < 3; ++i) {
-                const int a = i == 2 ? 0 : i + 1;
-                int64_t e = block->dx[i][lane] * (y - block->y[a][lane]) -
-                            block->dy[i][lane] * (x - block->x[a][lane]);
-                int64_t along = -(int64_t)block->dy[i][lane] * BURNISH_SUBPIXELS;
-                int64_t at0 = e + along * block->x0[lane], at1 = e + along * block->x1[lane];
-                outside |= (at0 > at1 ? at0 : at1) + block->bias[i][lane] < 0;
-                start[i] = (double)e;
-                step[i] = (double)along;
+    large_row row = {.x0 = block->x0[lane], .x1 = block->x1[lane]};
+    block->inverse_area[lane] = 1.0f / (float)area;
+    for (int line = block->y0[lane]; line <= block->y1[lane]; ++line) {
+        const int place = burnish_tile_place(0, line);
+        int whole = 1;
+        memset(row.whole, 0xff, sizeof row.whole);
+        for (int s = 0; s < samples; ++s) {
+            if (!start_row(block, lane, line, HALF_PIXEL + offsets[s][0] * 16,
+                           HALF_PIXEL + offsets[s][1] * 16, &row)) {
+                whole = 0;
+                continue;
             }
-            if (!outside) {
-                drawn |= draw_row(tile, block, lane, inverse_area, start, step, owner, place);
+            const int hit = draw_row(tile, block, lane, owners, owner,
+                                     burnish_sample_place(samples, place, s), &row);
+            if (hit) {
+                touch_row(tile, &row, line);
             }
+            whole &= hit;
+            drawn |= hit;
+        }
+        if (whole) {
+            if (samples > 1) {
+                start_row(block, lane, line, HALF_PIXEL, HALF_PIXEL, &row);
+                find_weights(&row, block->inverse_area[lane]);
+            }
+            interpolate_row(tile, block, lane, place, &row);
         }
     }
     return drawn;
 }
 
-/* What the tile's points will need of a triangle that owns a sample. */
-static void remember(burnish_visibility *tile, const setup_block *block, size_t lane,
-                     const burnish_setup_triangle *triangle) {
+/* What the points of shared pixels will need of a triangle that owns a sample. */
+static void remember(burnish_visibility *tile, const setup_block *block, size_t lane) {
     burnish_tile_triangle *made = &tile->triangles[tile->triangle_count++];
     for (int i = 0; i < 2; ++i) {
         const int a = i == 1 ? 0 : 2;
@@ -291,53 +517,120 @@ static void remember(burnish_visibility *tile, const setup_block *block, size_t 
     for (int i = 0; i < 3; ++i) {
         made->depth[i] = block->depth[i][lane];
     }
-    memcpy(made->corners.vertices, triangle->vertices, sizeof made->corners.vertices);
-    made->corners.source = triangle->source;
+    made->corners = block->corners[lane];
 }
 
 /* Lists are in the mesh's order, not in that of memory: asks for what comes after the next block.
  */
-static void look_ahead(const burnish_geometry *geometry, const uint32_t *entries, size_t from,
-                       size_t count) {
+static void look_ahead(const burnish_visibility *tile, const burnish_geometry *geometry,
+                       const uint32_t *entries, size_t from, size_t count) {
     for (size_t k = from; k < from + LANES && k < count; ++k) {
-        const uint32_t *v = geometry->triangles[entries[k]].vertices;
-        __builtin_prefetch(&geometry->vertices.items[v[0]]);
-        __builtin_prefetch(&geometry->vertices.items[v[1]]);
-        __builtin_prefetch(&geometry->vertices.items[v[2]]);
-        if (k + LANES < count) {
-            __builtin_prefetch(&geometry->triangles[entries[k + LANES]]);
+        const burnish_corners corners = burnish_geometry_corners(geometry, entries[k]);
+        for (int i = 0; i < 3; ++i) {
+            __builtin_prefetch(&geometry->vertices.items[corners.vertices[i]]);
+            __builtin_prefetch(&tile->attributes[0][corners.vertices[i]]);
         }
     }
 }
 
-void DRAW(burnish_visibility *visibility, const burnish_geometry *geometry, const uint32_t *entries,
-          size_t count, int covered) {
-    const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->samples);
+/* The triangles of a block, one sample a pixel. */
+BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, tiny_pixels *pixels,
+                                int planes, int owners) {
+    static const int8_t CENTER[1][2] = {{0, 0}};
+    unsigned tiny = block->tiny;
+    if (tiny & (tiny - 1)) { /* at least two */
+        find_tiny(block, planes, pixels);
+        block->live &= ~tiny | pixels->covered[0] | pixels->covered[1] | pixels->covered[2] |
+                       pixels->covered[3];
+    } else {
+        tiny = 0;
+    }
+    for (unsigned rest = block->live; rest; rest &= rest - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(rest);
+        const int32_t owner = (int32_t)block->corners[lane].source;
+        if (tiny >> lane & 1) {
+            draw_tiny(tile, block, pixels, lane, planes, owners, owner);
+        } else if (block->small >> lane & 1) {
+            draw_small(tile, block, lane, 1, planes, owners, owner, CENTER);
+        } else {
+            draw_large(tile, block, lane, owners, owner, CENTER);
+        }
+    }
+}
+
+static void draw_multiple(burnish_visibility *tile, setup_block *block) {
+    const int8_t(*offsets)[2] = burnish_sample_offsets(tile->options.samples);
+    for (unsigned rest = block->live; rest; rest &= rest - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(rest);
+        if (tile->triangle_count == tile->triangle_capacity) {
+            burnish_visibility_compact(tile);
+        }
+        const int32_t owner = (int32_t)tile->triangle_count;
+        const int planes = tile->options.planes;
+        int drawn;
+        if (!(block->small >> lane & 1)) {
+            drawn = draw_large(tile, block, lane, 1, owner, offsets);
+        } else if (planes == 3) {
+            drawn = draw_small(tile, block, lane, 0, 3, 1, owner, offsets);
+        } else {
+            drawn = draw_small(tile, block, lane, 0, planes, 1, owner, offsets);
+        }
+        if (drawn) {
+            remember(tile, block, lane);
+        }
+    }
+}
+
+static void draw_list(burnish_visibility *visibility, const burnish_geometry *geometry,
+                      const uint32_t *entries, size_t count) {
+    const burnish_visibility_options *options = &visibility->options;
     setup_block block;
+    tiny_pixels pixels = {0};
     for (size_t first = 0; first < count; first += LANES) {
         const size_t lanes = count - first < LANES ? count - first : LANES;
-        look_ahead(geometry, entries, first + LANES, count);
-        load_corners(visibility, geometry, entries + first, lanes, &block);
-        set_up_block(visibility, &block);
-        for (size_t lane = 0; lane < lanes; ++lane) {
-            if (block.empty[lane] < 0 || (covered && is_hidden(visibility, &block, lane))) {
-                continue;
+        vi x[3], y[3];
+        vf depth[3];
+        look_ahead(visibility, geometry, entries, first + LANES, count);
+        load_block(visibility, geometry, entries + first, lanes, &block, x, y, depth);
+        set_up_block(visibility, lanes, x, y, depth, &block);
+        if (options->samples > 1) {
+            draw_multiple(visibility, &block);
+        } else if (options->planes == 3 && !options->keep_owners) {
+            draw_single(visibility, &block, &pixels, 3, 0);
+        } else {
+            draw_single(visibility, &block, &pixels, options->planes, options->keep_owners);
+        }
+    }
+}
+
+/* A coarse block is four blocks of pixels: lane by lane, then over the lanes. */
+static void find_least(burnish_visibility *visibility) {
+    enum { PARTS = BURNISH_BLOCK_PIXELS / LANES };
+    const int samples = visibility->options.samples, size = samples * BURNISH_BLOCK_PIXELS;
+    for (int y = 0; y < BURNISH_TILE_BLOCKS; ++y) {
+        for (int x = 0; x < BURNISH_TILE_BLOCKS; ++x) {
+            const float *depths = visibility->depths + (2 * y * BURNISH_TILE_STRIPS + 2 * x) * size;
+            vf least[PARTS];
+            float lanes[BURNISH_BLOCK_PIXELS];
+            for (int part = 0; part < PARTS; ++part) {
+                least[part] = vf_load(depths + part * LANES);
             }
-            if (visibility->triangle_count == visibility->triangle_capacity) {
-                burnish_visibility_compact(visibility);
+            for (int row = 0; row < 2; ++row, depths += BURNISH_TILE_STRIPS * size) {
+                for (int i = 0; i < 2 * size; i += BURNISH_BLOCK_PIXELS) {
+                    for (int part = 0; part < PARTS; ++part) {
+                        least[part] = vf_min(vf_load(depths + i + part * LANES), least[part]);
+                    }
+                }
             }
-            const int32_t owner = (int32_t)visibility->triangle_count;
-            int drawn;
-            if (block.longest[lane] > SMALL_EDGE) {
-                drawn = draw_large(visibility, &block, lane, owner, offsets);
-            } else if (visibility->samples == 1) {
-                drawn = draw_small(visibility, &block, lane, owner, 1, offsets);
-            } else {
-                drawn = draw_small(visibility, &block, lane, owner, 0, offsets);
+            for (int part = 0; part < PARTS; ++part) {
+                vf_store(lanes + part * LANES, least[part]);
             }
-            if (drawn) {
-                remember(visibility, &block, lane, &geometry->triangles[entries[first + lane]]);
+            for (int half = BURNISH_BLOCK_PIXELS / 2; half > 0; half /= 2) {
+                for (int i = 0; i < half; ++i) {
+                    lanes[i] = lanes[half + i] < lanes[i] ? lanes[half + i] : lanes[i];
+                }
             }
+            visibility->coarse[0][y][x] = lanes[0];
         }
     }
 }

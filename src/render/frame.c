@@ -10,58 +10,68 @@
 #endif
 
 /* What one thread needs to draw tiles, and what it counted. */
-typedef struct tile_worker {
+struct burnish_tile_worker {
     burnish_visibility tile;
     burnish_fragments fragments;
     burnish_shaded shaded;
     burnish_shade_cache cache;
-    float sum[3][BURNISH_TILE_PIXELS];    /* linear light times samples */
-    uint8_t covered[BURNISH_TILE_PIXELS]; /* samples */
+    burnish_strip strip;
+    float sum[3][BURNISH_TILE_PIXELS];    /* of shared pixels: linear light times samples */
+    uint8_t covered[BURNISH_TILE_PIXELS]; /* of shared pixels: samples */
+    uint32_t pixels[BURNISH_STRIP_PIXELS];
     size_t covered_pixels;
     int bounds[4];
-    burnish_whole_row whole;
-    burnish_row row;
-} tile_worker;
+};
 
-static void add_fragments(tile_worker *worker) {
+static void add_fragments(burnish_tile_worker *worker) {
     const burnish_fragments *fragments = &worker->fragments;
     for (int i = 0; i < fragments->count; ++i) {
-        const int pixel = fragments->pixel[i];
+        const int place = fragments->place[i];
         const float weight = (float)fragments->weight[i];
         for (int channel = 0; channel < 3; ++channel) {
             const float value = worker->shaded.channel[channel][i];
-            worker->sum[channel][pixel] += weight * (value < 1.0f ? value : 1.0f);
+            worker->sum[channel][place] += weight * (value < 1.0f ? value : 1.0f);
         }
-        worker->covered[pixel] = (uint8_t)(worker->covered[pixel] + fragments->weight[i]);
+        worker->covered[place] = (uint8_t)(worker->covered[place] + fragments->weight[i]);
     }
 }
 
-/* Adds a row of the tile to the counts; returns 0 when nothing covers it. */
-static int count_row(tile_worker *worker, int y) {
+/* Counts the pixels of a strip that show something, and their bounds. */
+static void count_strip(burnish_tile_worker *worker, int number) {
     const burnish_visibility *tile = &worker->tile;
-    const uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
-    int count = 0, first = tile->width, end = 0;
-    for (int x = 0; x < tile->width; ++x) {
-        count += covered[x] != 0;
+    const uint8_t *covered = worker->covered + number * BURNISH_STRIP_PIXELS;
+    int counts[BURNISH_BLOCK_SIZE] = {0};
+    unsigned columns[2] = {0, 0}; /* bits of the tile's columns that show something */
+    for (int i = 0; i < BURNISH_STRIP_PIXELS; ++i) {
+        const int x = burnish_place_x(i);
+        const unsigned shows =
+            (unsigned)((worker->strip.whole[i] >= 0) | (covered[i] != 0)) & (x < tile->width);
+        columns[x / 32] |= shows << x % 32;
+        counts[burnish_place_y(i)] += (int)shows;
     }
-    if (count == 0) {
-        return 0;
+    const uint64_t all = columns[0] | (uint64_t)columns[1] << 32;
+    for (int y = 0; y < BURNISH_BLOCK_SIZE; ++y) {
+        const int line = number * BURNISH_BLOCK_SIZE + y;
+        int *bounds = worker->bounds;
+        if (counts[y] == 0 || line >= tile->height) {
+            continue;
+        }
+        const int row = tile->y + line;
+        if (worker->covered_pixels == 0) {
+            bounds[0] = bounds[2] = tile->x + __builtin_ctzll(all);
+            bounds[1] = row;
+            bounds[3] = row + 1;
+        }
+        worker->covered_pixels += (size_t)counts[y];
+        bounds[1] = row < bounds[1] ? row : bounds[1];
+        bounds[3] = row + 1 > bounds[3] ? row + 1 : bounds[3];
     }
-    for (first = 0; !covered[first]; ++first) {
+    if (all && worker->covered_pixels > 0) {
+        const int first = tile->x + __builtin_ctzll(all);
+        const int end = tile->x + 64 - __builtin_clzll(all);
+        worker->bounds[0] = first < worker->bounds[0] ? first : worker->bounds[0];
+        worker->bounds[2] = end > worker->bounds[2] ? end : worker->bounds[2];
     }
-    for (end = tile->width; !covered[end - 1]; --end) {
-    }
-    int *bounds = worker->bounds;
-    if (worker->covered_pixels == 0) {
-        bounds[0] = tile->x + first;
-        bounds[1] = tile->y + y;
-    }
-    worker->covered_pixels += (size_t)count;
-    bounds[0] = tile->x + first < bounds[0] ? tile->x + first : bounds[0];
-    bounds[1] = tile->y + y < bounds[1] ? tile->y + y : bounds[1];
-    bounds[2] = tile->x + end > bounds[2] ? tile->x + end : bounds[2];
-    bounds[3] = tile->y + y + 1 > bounds[3] ? tile->y + y + 1 : bounds[3];
-    return 1;
 }
 
 /* a where the owner is one (>= 0), b elsewhere; without a branch, since owners are hard to foresee.
@@ -75,48 +85,56 @@ static inline float pick(int32_t owner, float a, float b) {
     return a;
 }
 
-/* What a sum is multiplied with and how many samples the background fills, a pixel each. */
-static void find_shares(const uint8_t *covered, int samples, int transparent,
-                        float share[BURNISH_TILE_SIZE], float missing[BURNISH_TILE_SIZE]) {
-    const float all = 1.0f / (float)samples; /* a power of two */
-    for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-        share[x] = all;
-        missing[x] = (float)(samples - covered[x]);
-    }
-    for (int x = 0; x < BURNISH_TILE_SIZE && transparent; ++x) {
-        share[x] = covered[x] ? 1.0f / (float)covered[x] : 0.0f;
-    }
-}
-
-/* The light of a row: whole pixels as they are, the others' sums mixed with the background, or with
- * alpha the mean of their covered samples. Pixels that nothing covers get the background, whose
- * code comes back from its linear value. */
-static void mix_row(const burnish_frame *frame, const tile_worker *worker, int y,
-                    float rgb[3][BURNISH_TILE_SIZE]) {
-    const int first = y * BURNISH_TILE_SIZE, samples = frame->options->samples;
+/* With several samples, the light of a strip in place: whole pixels as they are, the others' sums
+ * mixed with the background, or with alpha the mean of their covered samples. Pixels that nothing
+ * covers get the background, whose code comes back from its linear value. */
+static void mix_strip(const burnish_frame *frame, burnish_tile_worker *worker, int number) {
+    const int base = number * BURNISH_STRIP_PIXELS, samples = frame->options->samples;
     const int transparent = frame->options->transparent;
-    const int32_t *owners = worker->whole.owners;
-    float share[BURNISH_TILE_SIZE], missing[BURNISH_TILE_SIZE];
-    if (samples > 1) {
-        find_shares(worker->covered + first, samples, transparent, share, missing);
-    }
+    const uint8_t *covered = worker->covered + base;
+    const float all = 1.0f / (float)samples; /* a power of two */
     for (int channel = 0; channel < 3; ++channel) {
         const float behind =
             transparent ? 0.0f : burnish_srgb_to_linear[frame->options->background[channel]];
-        const float *light = worker->row.rgb[channel];
-        if (samples == 1) {
-            for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-                const float value = light[x] < 1.0f ? light[x] : 1.0f;
-                rgb[channel][x] = pick(owners[x], value, behind);
+        const float *sum = worker->sum[channel] + base;
+        float *light = worker->strip.rgb[channel];
+        for (int i = 0; i < BURNISH_STRIP_PIXELS; ++i) {
+            const float missing = (float)(samples - covered[i]);
+            float mixed = (sum[i] + missing * behind) * all;
+            if (transparent) {
+                mixed = covered[i] ? sum[i] * (1.0f / (float)covered[i]) : 0.0f;
             }
-            continue;
+            const float value = light[i] < 1.0f ? light[i] : 1.0f;
+            light[i] = pick(worker->strip.whole[i], value, mixed);
         }
-        const float *sum = worker->sum[channel] + first;
-        for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-            const float value = light[x] < 1.0f ? light[x] : 1.0f;
-            const float mixed = (sum[x] + missing[x] * behind) * share[x];
-            rgb[channel][x] = pick(owners[x], value, mixed);
-        }
+    }
+}
+
+/* A pixel's code where nothing is. */
+static uint32_t code_behind(const burnish_render_options *options) {
+    const uint8_t *code = options->background;
+    return options->transparent
+               ? 0
+               : (uint32_t)code[0] | (uint32_t)code[1] << 8 | (uint32_t)code[2] << 16;
+}
+
+static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker, int number) {
+    const burnish_strip *strip = &worker->strip;
+    const float *const rgb[3] = {strip->rgb[0], strip->rgb[1], strip->rgb[2]};
+    const int samples = frame->options->samples;
+    const struct burnish_batch *batch = frame->shader->batch;
+    const uint32_t alpha = frame->options->transparent ? 0xff000000u : 0;
+    if (samples == 1) {
+        batch->encode(frame->encoder, BURNISH_STRIP_PIXELS, rgb, strip->whole, alpha,
+                      code_behind(frame->options), worker->pixels);
+        return;
+    }
+    mix_strip(frame, worker, number);
+    batch->encode(frame->encoder, BURNISH_STRIP_PIXELS, rgb, NULL, 0, 0, worker->pixels);
+    const uint8_t *covered = worker->covered + number * BURNISH_STRIP_PIXELS;
+    for (int i = 0; i < BURNISH_STRIP_PIXELS && alpha; ++i) {
+        const int count = strip->whole[i] >= 0 ? samples : covered[i];
+        worker->pixels[i] |= (uint32_t)((255 * count + samples / 2) / samples) << 24;
     }
 }
 
@@ -133,68 +151,65 @@ static void fill_row(const burnish_frame *frame, int width, uint8_t *out) {
     }
 }
 
-static void store_row(const burnish_frame *frame, const tile_worker *worker, int y,
-                      uint8_t pixels[4 * BURNISH_TILE_SIZE], uint8_t *out) {
-    const uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
-    const int width = worker->tile.width, samples = frame->options->samples;
+/* Row y of the strip's pixels into the image. */
+static void store_row(const burnish_frame *frame, const burnish_tile_worker *worker, int y,
+                      uint8_t *out) {
+    const uint32_t *pixels = worker->pixels + y * BURNISH_BLOCK_SIZE;
+    const int width = worker->tile.width;
     if (frame->options->transparent) {
         for (int x = 0; x < width; ++x) {
-            pixels[4 * x + 3] = (uint8_t)((255 * covered[x] + samples / 2) / samples);
+            const uint32_t pixel = pixels[x / 4 * BURNISH_BLOCK_PIXELS + x % 4];
+            for (int k = 0; k < 4; ++k) {
+                out[4 * x + k] = (uint8_t)(pixel >> 8 * k);
+            }
         }
-        memcpy(out, pixels, 4 * (size_t)width);
         return;
     }
-    for (int x = 0; x < width; ++x) {
-        memcpy(out + 3 * x, pixels + 4 * x, 3);
+    uint8_t bytes[3 * BURNISH_TILE_SIZE + 4];
+    frame->shader->batch->pack(BURNISH_TILE_SIZE / BURNISH_BLOCK_SIZE, pixels, BURNISH_BLOCK_PIXELS,
+                               bytes);
+    if (width == BURNISH_TILE_SIZE) {
+        memcpy(out, bytes, 3 * BURNISH_TILE_SIZE);
+    } else {
+        memcpy(out, bytes, 3 * (size_t)width);
     }
 }
 
-static void finish_row(const burnish_frame *frame, tile_worker *worker, int y, uint8_t *out) {
-    uint8_t *covered = worker->covered + y * BURNISH_TILE_SIZE;
-    const int samples = frame->options->samples;
-    float rgb[3][BURNISH_TILE_SIZE];
-    uint8_t pixels[4 * BURNISH_TILE_SIZE];
-    burnish_visibility_row(&worker->tile, y, &worker->whole);
-    (void)burnish_shade_row(frame->shader, &worker->cache, &worker->tile, &worker->whole,
-                            frame->view, y, &worker->row);
-    for (int x = 0; x < BURNISH_TILE_SIZE; ++x) {
-        /* a whole pixel has no other points: nothing was counted there */
-        covered[x] = (uint8_t)(covered[x] | (~(worker->whole.owners[x] >> 31) & samples));
-    }
-    if (!count_row(worker, y)) {
-        fill_row(frame, worker->tile.width, out);
-        return;
-    }
-    mix_row(frame, worker, y, rgb);
-    const float *const rows[3] = {rgb[0], rgb[1], rgb[2]};
-    frame->encode(frame->encoder, BURNISH_TILE_SIZE, rows, pixels);
-    store_row(frame, worker, y, pixels, out);
+static uint8_t *image_row(const burnish_frame *frame, const burnish_visibility *tile, int y) {
+    const size_t place = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
+    return frame->image->pixels + place * (size_t)frame->image->channels;
 }
 
-static void finish_tile(const burnish_frame *frame, tile_worker *worker, int is_empty) {
+static void finish_tile(const burnish_frame *frame, burnish_tile_worker *worker, int is_empty) {
     const burnish_visibility *tile = &worker->tile;
-    const size_t channels = (size_t)frame->image->channels;
     for (int y = 0; y < tile->height; ++y) {
-        size_t first = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
-        uint8_t *out = frame->image->pixels + first * channels;
-        if (is_empty) {
-            fill_row(frame, tile->width, out);
-        } else {
-            finish_row(frame, worker, y, out);
+        const int number = y / BURNISH_BLOCK_SIZE;
+        if (is_empty || !tile->touched[number]) {
+            fill_row(frame, tile->width, image_row(frame, tile, y));
+            continue;
         }
+        if (y % BURNISH_BLOCK_SIZE == 0) {
+            burnish_shade_strip(frame->shader, &worker->cache, tile, frame->view, number,
+                                &worker->strip);
+            if (frame->wants_counts) {
+                count_strip(worker, number);
+            }
+            encode_strip(frame, worker, number);
+        }
+        store_row(frame, worker, y % BURNISH_BLOCK_SIZE, image_row(frame, tile, y));
     }
 }
 
-static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile_worker *worker,
-                      int column, int row) {
+static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
+                      burnish_tile_worker *worker, int column, int row) {
     burnish_visibility *tile = &worker->tile;
-    if (!burnish_visibility_draw(tile, frame->visibility, frame->view, frame->geometry, bins,
-                                 column, row)) {
+    if (!burnish_visibility_draw(tile, frame->tier, frame->view, frame->geometry, bins, column,
+                                 row)) {
         finish_tile(frame, worker, 1);
         return;
     }
-    memset(worker->covered, 0, sizeof worker->covered);
     if (frame->options->samples > 1) {
+        memset(worker->covered, 0, sizeof worker->covered);
         memset(worker->sum, 0, sizeof worker->sum);
     }
     while (burnish_visibility_next(tile, frame->view, &worker->fragments)) {
@@ -215,33 +230,32 @@ static int thread_index(void) {
 #endif
 }
 
-static burnish_status draw_bands(const burnish_frame *frame, tile_worker *workers,
+static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tiles,
                                  burnish_error *error) {
-    burnish_bins bins;
-    burnish_bins_begin(&bins);
+    burnish_bins *bins = &tiles->bins;
     burnish_status status = BURNISH_STATUS_OK;
+    burnish_bins_begin(bins);
     do {
-        status = burnish_bin_tiles(&bins, frame->geometry, frame->view, frame->threads, error);
+        status = burnish_bin_tiles(bins, frame->geometry, frame->view, frame->threads, error);
         if (status != BURNISH_STATUS_OK) {
             break;
         }
-        int tiles = bins.columns * (bins.end_row - bins.first_row);
+        int count = bins->columns * (bins->end_row - bins->first_row);
 #pragma omp parallel for num_threads(frame->threads) schedule(dynamic)
-        for (int i = 0; i < tiles; ++i) {
-            draw_tile(frame, &bins, &workers[thread_index()], i % bins.columns,
-                      bins.first_row + i / bins.columns);
+        for (int i = 0; i < count; ++i) {
+            draw_tile(frame, bins, &tiles->workers[thread_index()], i % bins->columns,
+                      bins->first_row + i / bins->columns);
         }
-    } while (bins.end_row < bins.rows);
-    burnish_bins_destroy(&bins);
+    } while (bins->end_row < bins->rows);
     return status;
 }
 
 /* Counts are sums and bounds extremes: their order does not matter. */
-static void merge_counts(const tile_worker *workers, int threads, burnish_render_report *report) {
-    for (int i = 0; i < threads; ++i) {
-        const int *from = workers[i].bounds;
+static void merge_counts(const burnish_tiles *tiles, burnish_render_report *report) {
+    for (int i = 0; i < tiles->worker_count; ++i) {
+        const int *from = tiles->workers[i].bounds;
         int *to = report->bounds;
-        if (workers[i].covered_pixels == 0) {
+        if (tiles->workers[i].covered_pixels == 0) {
             continue;
         }
         if (report->covered_pixels == 0) {
@@ -251,33 +265,72 @@ static void merge_counts(const tile_worker *workers, int threads, burnish_render
         to[1] = from[1] < to[1] ? from[1] : to[1];
         to[2] = from[2] > to[2] ? from[2] : to[2];
         to[3] = from[3] > to[3] ? from[3] : to[3];
-        report->covered_pixels += workers[i].covered_pixels;
+        report->covered_pixels += tiles->workers[i].covered_pixels;
     }
 }
 
-burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_render_report *report,
-                                  burnish_error *error) {
-    tile_worker *workers;
-    burnish_status status = burnish_allocate((void **)&workers, (size_t)frame->threads,
-                                             sizeof *workers, "tiles", error);
+static void destroy_workers(burnish_tiles *tiles) {
+    for (int i = 0; i < tiles->worker_count; ++i) {
+        burnish_visibility_destroy(&tiles->workers[i].tile);
+    }
+    free(tiles->workers);
+    tiles->workers = NULL;
+    tiles->worker_count = 0;
+}
+
+static burnish_status create_workers(burnish_tiles *tiles, int count,
+                                     const burnish_visibility_options *options,
+                                     burnish_error *error) {
+    burnish_status status = burnish_allocate((void **)&tiles->workers, (size_t)count,
+                                             sizeof *tiles->workers, "tiles", error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    memset(workers, 0, (size_t)frame->threads * sizeof *workers);
-    for (int i = 0; i < frame->threads && status == BURNISH_STATUS_OK; ++i) {
-        workers[i].cache.material = -1;
-        status = burnish_visibility_create(&workers[i].tile, frame->options->samples, error);
-        workers[i].tile.needs_place = frame->shader->needs_place;
+    memset(tiles->workers, 0, (size_t)count * sizeof *tiles->workers);
+    tiles->worker_count = count;
+    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        status = burnish_visibility_create(&tiles->workers[i].tile, options, error);
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = draw_bands(frame, workers, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        merge_counts(workers, frame->threads, report);
-    }
-    for (int i = 0; i < frame->threads; ++i) {
-        burnish_visibility_destroy(&workers[i].tile);
-    }
-    free(workers);
     return status;
+}
+
+/* Workers that can draw the frame: those of the last one where they do. */
+static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles *tiles,
+                                      burnish_error *error) {
+    const burnish_shader *shader = frame->shader;
+    const burnish_visibility_options wanted = {.samples = frame->options->samples,
+                                               .planes = burnish_shade_planes(shader),
+                                               .keep_owners = shader->triangle_materials != NULL ||
+                                                              frame->drawn != NULL,
+                                               .needs_place = shader->needs_place};
+    burnish_status status = BURNISH_STATUS_OK;
+    if (tiles->worker_count != frame->threads ||
+        memcmp(&tiles->workers[0].tile.options, &wanted, sizeof wanted) != 0) {
+        destroy_workers(tiles);
+        status = create_workers(tiles, frame->threads, &wanted, error);
+    }
+    for (int i = 0; i < tiles->worker_count; ++i) {
+        tiles->workers[i].cache.material = -1;
+        tiles->workers[i].covered_pixels = 0;
+        tiles->workers[i].tile.attributes[0] = shader->attributes->normals;
+        tiles->workers[i].tile.attributes[1] = shader->attributes->colors;
+    }
+    return status;
+}
+
+burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_tiles *tiles,
+                                  burnish_render_report *report, burnish_error *error) {
+    burnish_status status = prepare_workers(frame, tiles, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_bands(frame, tiles, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        merge_counts(tiles, report);
+    }
+    return status;
+}
+
+void burnish_tiles_destroy(burnish_tiles *tiles) {
+    destroy_workers(tiles);
+    burnish_bins_destroy(&tiles->bins);
 }

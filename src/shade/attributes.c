@@ -33,7 +33,7 @@ static void fill_clipped(burnish_attributes *attributes, const burnish_geometry 
                 color += scaled_color(colors, vertex, clip->weights[k]);
             }
         }
-        float inverse_w = vertices->items[i].inverse_w;
+        float inverse_w = vertices->inverse_w[i];
         normal[3] = 1.0f;
         attributes->normals[i] = normal * inverse_w;
         if (colors) {
@@ -42,27 +42,27 @@ static void fill_clipped(burnish_attributes *attributes, const burnish_geometry 
     }
 }
 
-burnish_status burnish_attributes_create(burnish_attributes *attributes,
+burnish_status burnish_attributes_update(burnish_attributes *attributes,
                                          const burnish_geometry *geometry, const float *normals,
                                          const uint8_t *colors, const uint32_t *indices,
                                          int threads, burnish_error *error) {
     const burnish_screen_vertices *vertices = &geometry->vertices;
     (void)threads;
-    memset(attributes, 0, sizeof *attributes);
+    attributes->has_colors = colors != NULL;
     burnish_status status =
-        burnish_allocate((void **)&attributes->normals, vertices->count,
-                         sizeof *attributes->normals, "normals on the screen", error);
+        burnish_renew((void **)&attributes->normals, &attributes->normal_capacity, vertices->count,
+                      sizeof *attributes->normals, "normals on the screen", error);
     if (status == BURNISH_STATUS_OK && colors) {
-        status = burnish_allocate((void **)&attributes->colors, vertices->count,
-                                  sizeof *attributes->colors, "colours on the screen", error);
+        status = burnish_renew((void **)&attributes->colors, &attributes->color_capacity,
+                               vertices->count, sizeof *attributes->colors, "colours on the screen",
+                               error);
     }
     if (status != BURNISH_STATUS_OK) {
-        burnish_attributes_destroy(attributes);
         return status;
     }
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (size_t i = 0; i < vertices->mesh_count; ++i) {
-        float inverse_w = vertices->items[i].inverse_w;
+        float inverse_w = vertices->inverse_w[i];
         attributes->normals[i] = scaled_normal(normals, (uint32_t)i, inverse_w);
         if (colors) {
             attributes->colors[i] = scaled_color(colors, (uint32_t)i, inverse_w);

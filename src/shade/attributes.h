@@ -7,18 +7,18 @@
 
 #include "raster/raster.h"
 
-/* Four floats that are added and multiplied together: x, y, z or r, g, b, and a fourth. */
-typedef float burnish_float4 __attribute__((vector_size(16)));
-
-/* One item a screen vertex, those that clipping made included. Owned. */
+/* One item a screen vertex, those that clipping made included. Owned; all zero before the first
+ * frame, a later frame uses the arrays again. */
 typedef struct burnish_attributes {
     burnish_float4 *normals; /* (x, y, z, 1) / w */
-    burnish_float4 *colors;  /* linear (r, g, b, 0) / w, or NULL */
+    burnish_float4 *colors;  /* linear (r, g, b, 0) / w */
+    int has_colors;
+    size_t normal_capacity, color_capacity;
 } burnish_attributes;
 
 /* normals: 3 a vertex of the mesh; colors: 4 sRGB codes a vertex, or NULL; indices: the mesh's.
- * Errors: MEMORY; *attributes is then empty. */
-burnish_status burnish_attributes_create(burnish_attributes *attributes,
+ * Errors: MEMORY; destroy them all the same. */
+burnish_status burnish_attributes_update(burnish_attributes *attributes,
                                          const burnish_geometry *geometry, const float *normals,
                                          const uint8_t *colors, const uint32_t *indices,
                                          int threads, burnish_error *error);

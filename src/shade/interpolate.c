@@ -10,8 +10,8 @@ static burnish_float4 mix(const burnish_float4 *attributes, const uint32_t v[3],
 
 void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *fragments,
                          burnish_points *points) {
-    const burnish_attributes *attributes = &shader->attributes;
-    const int needs_w = attributes->colors || shader->lighting.lyon;
+    const burnish_attributes *attributes = shader->attributes;
+    const int needs_w = attributes->has_colors || shader->lighting.lyon;
     points->count = fragments->count;
     for (int i = 0; i < fragments->count; ++i) {
         const burnish_corners *corners = &fragments->corners[i];
@@ -21,7 +21,7 @@ void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *
         if (needs_w) {
             const float w = 1.0f / normal[3];
             scale = shader->lighting.lyon ? scale * w : scale;
-            if (attributes->colors) {
+            if (attributes->has_colors) {
                 burnish_float4 color =
                     mix(attributes->colors, corners->vertices, weight1, weight2) * w;
                 points->diffuse[0][i] = color[0];

@@ -77,7 +77,7 @@ void burnish_shade(const burnish_shader *shader, burnish_shade_cache *cache,
         float *rgb[3];
         for (int k = 0; k < 3; ++k) {
             run.normal[k] = points.normal[k] + first;
-            run.diffuse[k] = shader->attributes.colors ? points.diffuse[k] + first : NULL;
+            run.diffuse[k] = shader->attributes->has_colors ? points.diffuse[k] + first : NULL;
             run.position[k] = places.position[k] + first;
             rgb[k] = shaded->channel[k] + first;
         }

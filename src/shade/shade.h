@@ -33,7 +33,7 @@ typedef struct burnish_shader {
     burnish_batch_lighting lighting; /* lights, from the eye, and viewer; no material */
     const burnish_shade_material *materials;
     /* the mesh */
-    burnish_attributes attributes;
+    const burnish_attributes *attributes;
     const uint16_t *triangle_materials; /* or NULL */
     int needs_place; /* 1: a light or the viewer is near, points must have x, y and depth */
 } burnish_shader;

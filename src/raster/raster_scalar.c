@@ -1,0 +1,8 @@
+/* Rasterisation for scalar. Compiled with that instruction set's flags (cmake/tiers.cmake). */
+#define RASTER_TIER burnish_raster_scalar
+#include "raster/geometry_body.h"
+/* needs the vector type */
+#include "raster/visibility_body.h"
+
+const burnish_raster_tier RASTER_TIER = {transform_vertices, set_up_triangles, draw_list,
+                                         find_least};
