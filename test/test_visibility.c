@@ -213,7 +213,7 @@ static point take_point(const burnish_fragments *fragments, const burnish_shaded
 static int same_whole(const burnish_visibility *fast, const burnish_strip *strip,
                       const point *expected) {
     const int i = expected->place % BURNISH_STRIP_PIXELS;
-    if (strip->whole[i] < 0) {
+    if (strip->pixels.whole[i] < 0) {
         return 0;
     }
     const float got[4] = {fast->center_depths[expected->place], strip->rgb[0][i], strip->rgb[1][i],
@@ -222,13 +222,14 @@ static int same_whole(const burnish_visibility *fast, const burnish_strip *strip
                            expected->color[2]};
     return memcmp(got, want, sizeof got) == 0 &&
            burnish_visibility_source(fast, expected->place / BURNISH_STRIP_PIXELS, i,
-                                     strip->whole[i]) == expected->corners.source;
+                                     strip->pixels.whole[i]) == expected->corners.source;
 }
 
 /* All points of a tile by both paths; *points counts them. */
 static int compare_points(reference_tile *tile, burnish_visibility *fast,
-                          const burnish_raster_view *view, const burnish_geometry *geometry,
-                          const burnish_shader *shader, burnish_shade_cache *cache, int *points) {
+                          const burnish_raster_tier *tier, const burnish_raster_view *view,
+                          const burnish_geometry *geometry, const burnish_shader *shader,
+                          burnish_shade_cache *cache, int *points) {
     static point expected[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
     static burnish_fragments fragments;
     static burnish_shaded shaded;
@@ -244,7 +245,7 @@ static int compare_points(reference_tile *tile, burnish_visibility *fast,
     for (int i = 0; i < count; ++i) { /* whole pixels, a strip after another */
         const int number = expected[i].place / BURNISH_STRIP_PIXELS;
         if (number != known) {
-            burnish_shade_strip(shader, cache, fast, view, number, &strip);
+            burnish_shade_strip(shader, cache, tier, fast, view, number, &strip);
             known = number;
         }
         wrong += expected[i].weight == tile->samples && !same_whole(fast, &strip, &expected[i]);
@@ -334,7 +335,8 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
                     wrong = compare_owners(&tile, &fast, &geometry);
                     CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: %d owners differ", number,
                           samples, column, row, wrong);
-                    wrong = compare_points(&tile, &fast, &view, &geometry, &shader, &cache, points);
+                    wrong = compare_points(&tile, &fast, tier, &view, &geometry, &shader, &cache,
+                                           points);
                 }
                 CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: points or colours differ",
                       number, samples, column, row);

@@ -71,6 +71,9 @@ static inline vi vi_sub(vi a, vi b) {
 static inline vi vi_and(vi a, vi b) {
     return vandq_s32(a, b);
 }
+static inline vi vi_xor(vi a, vi b) {
+    return veorq_s32(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return vorrq_s32(a, b);
 }

@@ -75,6 +75,9 @@ static inline vi vi_sub(vi a, vi b) {
 static inline vi vi_and(vi a, vi b) {
     return a & b;
 }
+static inline vi vi_xor(vi a, vi b) {
+    return a ^ b;
+}
 static inline vi vi_or(vi a, vi b) {
     return a | b;
 }

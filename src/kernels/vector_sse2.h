@@ -71,6 +71,9 @@ static inline vi vi_sub(vi a, vi b) {
 static inline vi vi_and(vi a, vi b) {
     return _mm_and_si128(a, b);
 }
+static inline vi vi_xor(vi a, vi b) {
+    return _mm_xor_si128(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return _mm_or_si128(a, b);
 }

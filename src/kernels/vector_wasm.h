@@ -72,6 +72,9 @@ static inline vi vi_sub(vi a, vi b) {
 static inline vi vi_and(vi a, vi b) {
     return wasm_v128_and(a, b);
 }
+static inline vi vi_xor(vi a, vi b) {
+    return wasm_v128_xor(a, b);
+}
 static inline vi vi_or(vi a, vi b) {
     return wasm_v128_or(a, b);
 }

@@ -4,5 +4,9 @@
 /* needs the vector type */
 #include "raster/visibility_body.h"
 
-const burnish_raster_tier RASTER_TIER = {transform_vertices, set_up_triangles, draw_list,
-                                         find_least};
+const burnish_raster_tier RASTER_TIER = {.transform = transform_vertices,
+                                         .set_up = set_up_triangles,
+                                         .draw = draw_list,
+                                         .find_least = find_least,
+                                         .find_pixels = find_shown,
+                                         .mark = mark_drawn};

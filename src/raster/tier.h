@@ -1,4 +1,4 @@
-/* The functions of src/raster that are compiled for each instruction set. Not for other folders. */
+/* The functions of src/raster that are compiled for each instruction set. */
 #ifndef BURNISH_RASTER_TIER_H
 #define BURNISH_RASTER_TIER_H
 
@@ -28,11 +28,21 @@ typedef void burnish_draw_function(burnish_visibility *visibility, const burnish
 /* The least depth of each coarse block of a tile. */
 typedef void burnish_find_least_function(burnish_visibility *visibility);
 
+/* Finds what the pixels of a strip show. */
+typedef void burnish_find_pixels_function(const burnish_visibility *visibility, int strip,
+                                          burnish_strip_pixels *pixels);
+
+/* Sets drawn[t] to 1 for each of the mesh's triangles t that own a sample; needs owners. Threads
+ * may do so at the same time. */
+typedef void burnish_mark_function(const burnish_visibility *visibility, uint8_t *drawn);
+
 struct burnish_raster_tier {
     burnish_transform_function *transform;
     burnish_set_up_function *set_up;
     burnish_draw_function *draw;
     burnish_find_least_function *find_least;
+    burnish_find_pixels_function *find_pixels;
+    burnish_mark_function *mark;
 };
 
 extern const burnish_raster_tier burnish_raster_scalar;

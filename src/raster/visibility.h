@@ -91,10 +91,14 @@ int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments);
 
-/* The pixels of a strip, four rows of a tile: whole[i] >= 0 where pixel i of it is whole, -1 else.
- * With more than one sample that is the index of its triangle. */
-void burnish_visibility_whole(const burnish_visibility *visibility, int strip,
-                              int32_t whole[BURNISH_STRIP_PIXELS]);
+/* Which pixels of a strip, four rows of a tile, show what. */
+typedef struct burnish_strip_pixels {
+    /* >= 0 where the pixel is whole, -1 elsewhere; with more than one sample the index of its
+     * triangle */
+    int32_t whole[BURNISH_STRIP_PIXELS];
+    /* bit i of x: a sample of pixel i of block x shows a triangle */
+    uint16_t shown[BURNISH_TILE_STRIPS];
+} burnish_strip_pixels;
 
 /* burnish_corners.source of a whole pixel's triangle; needs owners. */
 static inline uint32_t burnish_visibility_source(const burnish_visibility *visibility, int strip,
@@ -103,9 +107,5 @@ static inline uint32_t burnish_visibility_source(const burnish_visibility *visib
                ? (uint32_t)visibility->owners[strip * BURNISH_STRIP_PIXELS + pixel]
                : visibility->triangles[whole].corners.source;
 }
-
-/* Sets drawn[t] to 1 for each of the mesh's triangles t that own a sample; needs owners. Threads
- * may do so at the same time. */
-void burnish_visibility_mark(const burnish_visibility *visibility, uint8_t *drawn);
 
 #endif

@@ -634,3 +634,75 @@ static void find_least(burnish_visibility *visibility) {
         }
     }
 }
+
+/* The vectors of a block: bits where a sample shows a triangle. */
+BURNISH_INLINE unsigned find_block(const burnish_visibility *tile, int block, int32_t *whole) {
+    const int samples = tile->options.samples, size = samples * BURNISH_BLOCK_PIXELS;
+    const vf farthest = vf_set(BURNISH_FARTHEST);
+    unsigned shown = 0;
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS; i += LANES) {
+        if (samples == 1) {
+            vm mask = vf_greater(vf_load(tile->depths + block * size + i), farthest);
+            vi_save(whole + i, vi_blend(mask, vi_set(0), vi_set(-1)));
+            shown |= vm_bits(mask) << i;
+            continue;
+        }
+        const int32_t *owners = tile->owners + block * size + i;
+        vi first = vi_load(owners), all = first, different = vi_set(0);
+        for (int s = 1; s < samples; ++s) {
+            vi owner = vi_load(owners + s * BURNISH_BLOCK_PIXELS);
+            all = vi_and(all, owner); /* -1, none, only where all are */
+            different = vi_or(different, vi_xor(owner, first));
+        }
+        /* all ones where there is a difference */
+        vi shared = vi_right_signed(vi_or(different, vi_sub(vi_set(0), different)), 31);
+        vi_save(whole + i, vi_or(first, shared));
+        shown |= vm_bits(vi_not_negative(all)) << i;
+    }
+    return shown;
+}
+
+static void find_shown(const burnish_visibility *visibility, int strip,
+                       burnish_strip_pixels *pixels) {
+    for (int x = 0; x < BURNISH_TILE_STRIPS; ++x) {
+        int32_t *whole = pixels->whole + x * BURNISH_BLOCK_PIXELS;
+        if (visibility->touched[strip] >> x & 1) {
+            pixels->shown[x] =
+                (uint16_t)find_block(visibility, strip * BURNISH_TILE_STRIPS + x, whole);
+        } else {
+            memset(whole, 0xff, BURNISH_BLOCK_PIXELS * sizeof *whole);
+            pixels->shown[x] = 0;
+        }
+    }
+}
+
+/* Neighbours mostly show the same triangle: only where the owner changes there is something to do.
+ */
+static void mark_block(const burnish_visibility *tile, int first, uint8_t *drawn) {
+    const int count = tile->options.samples * BURNISH_BLOCK_PIXELS;
+    int32_t owners[1 + BURNISH_MAX_SAMPLES * BURNISH_BLOCK_PIXELS];
+    owners[0] = ~tile->owners[first]; /* another one */
+    memcpy(owners + 1, tile->owners + first, (size_t)count * sizeof *owners);
+    for (int i = 0; i < count; i += LANES) {
+        vi change = vi_xor(vi_load(owners + 1 + i), vi_load(owners + i));
+        unsigned rest = bits_of_nonzero(change);
+        rest &= vm_bits(vf_greater(vf_load(tile->depths + first + i), vf_set(BURNISH_FARTHEST)));
+        for (; rest; rest &= rest - 1) {
+            const int32_t owner = owners[1 + i + __builtin_ctz(rest)];
+            const uint32_t source = tile->options.samples == 1
+                                        ? (uint32_t)owner
+                                        : tile->triangles[owner].corners.source;
+            __atomic_store_n(&drawn[source >> 1], 1, __ATOMIC_RELAXED);
+        }
+    }
+}
+
+static void mark_drawn(const burnish_visibility *visibility, uint8_t *drawn) {
+    const int size = visibility->options.samples * BURNISH_BLOCK_PIXELS;
+    for (int strip = 0; strip < BURNISH_TILE_STRIPS; ++strip) {
+        for (unsigned rest = visibility->touched[strip]; rest; rest &= rest - 1) {
+            const int block = strip * BURNISH_TILE_STRIPS + __builtin_ctz(rest);
+            mark_block(visibility, block * size, drawn);
+        }
+    }
+}

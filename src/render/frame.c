@@ -36,41 +36,37 @@ static void add_fragments(burnish_tile_worker *worker) {
     }
 }
 
+/* The bits of a strip's row y: its columns that show something. */
+static uint64_t row_bits(const burnish_tile_worker *worker, int y) {
+    const uint64_t all = ~0ull >> (BURNISH_TILE_SIZE - worker->tile.width);
+    uint64_t bits = 0;
+    for (int x = 0; x < BURNISH_TILE_STRIPS; ++x) {
+        bits |= (uint64_t)(worker->strip.pixels.shown[x] >> 4 * y & 15) << 4 * x;
+    }
+    return bits & all;
+}
+
 /* Counts the pixels of a strip that show something, and their bounds. */
 static void count_strip(burnish_tile_worker *worker, int number) {
     const burnish_visibility *tile = &worker->tile;
-    const uint8_t *covered = worker->covered + number * BURNISH_STRIP_PIXELS;
-    int counts[BURNISH_BLOCK_SIZE] = {0};
-    unsigned columns[2] = {0, 0}; /* bits of the tile's columns that show something */
-    for (int i = 0; i < BURNISH_STRIP_PIXELS; ++i) {
-        const int x = burnish_place_x(i);
-        const unsigned shows =
-            (unsigned)((worker->strip.whole[i] >= 0) | (covered[i] != 0)) & (x < tile->width);
-        columns[x / 32] |= shows << x % 32;
-        counts[burnish_place_y(i)] += (int)shows;
-    }
-    const uint64_t all = columns[0] | (uint64_t)columns[1] << 32;
+    int *bounds = worker->bounds;
     for (int y = 0; y < BURNISH_BLOCK_SIZE; ++y) {
-        const int line = number * BURNISH_BLOCK_SIZE + y;
-        int *bounds = worker->bounds;
-        if (counts[y] == 0 || line >= tile->height) {
+        const uint64_t bits = row_bits(worker, y);
+        const int row = tile->y + number * BURNISH_BLOCK_SIZE + y;
+        if (!bits || number * BURNISH_BLOCK_SIZE + y >= tile->height) {
             continue;
         }
-        const int row = tile->y + line;
+        const int first = tile->x + __builtin_ctzll(bits);
+        const int end = tile->x + BURNISH_TILE_SIZE - __builtin_clzll(bits);
         if (worker->covered_pixels == 0) {
-            bounds[0] = bounds[2] = tile->x + __builtin_ctzll(all);
+            bounds[0] = first;
             bounds[1] = row;
-            bounds[3] = row + 1;
         }
-        worker->covered_pixels += (size_t)counts[y];
+        worker->covered_pixels += (size_t)__builtin_popcountll(bits);
+        bounds[0] = first < bounds[0] ? first : bounds[0];
         bounds[1] = row < bounds[1] ? row : bounds[1];
+        bounds[2] = end > bounds[2] ? end : bounds[2];
         bounds[3] = row + 1 > bounds[3] ? row + 1 : bounds[3];
-    }
-    if (all && worker->covered_pixels > 0) {
-        const int first = tile->x + __builtin_ctzll(all);
-        const int end = tile->x + 64 - __builtin_clzll(all);
-        worker->bounds[0] = first < worker->bounds[0] ? first : worker->bounds[0];
-        worker->bounds[2] = end > worker->bounds[2] ? end : worker->bounds[2];
     }
 }
 
@@ -105,7 +101,7 @@ static void mix_strip(const burnish_frame *frame, burnish_tile_worker *worker, i
                 mixed = covered[i] ? sum[i] * (1.0f / (float)covered[i]) : 0.0f;
             }
             const float value = light[i] < 1.0f ? light[i] : 1.0f;
-            light[i] = pick(worker->strip.whole[i], value, mixed);
+            light[i] = pick(worker->strip.pixels.whole[i], value, mixed);
         }
     }
 }
@@ -125,7 +121,7 @@ static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker
     const struct burnish_batch *batch = frame->shader->batch;
     const uint32_t alpha = frame->options->transparent ? 0xff000000u : 0;
     if (samples == 1) {
-        batch->encode(frame->encoder, BURNISH_STRIP_PIXELS, rgb, strip->whole, alpha,
+        batch->encode(frame->encoder, BURNISH_STRIP_PIXELS, rgb, strip->pixels.whole, alpha,
                       code_behind(frame->options), worker->pixels);
         return;
     }
@@ -133,7 +129,7 @@ static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker
     batch->encode(frame->encoder, BURNISH_STRIP_PIXELS, rgb, NULL, 0, 0, worker->pixels);
     const uint8_t *covered = worker->covered + number * BURNISH_STRIP_PIXELS;
     for (int i = 0; i < BURNISH_STRIP_PIXELS && alpha; ++i) {
-        const int count = strip->whole[i] >= 0 ? samples : covered[i];
+        const int count = strip->pixels.whole[i] >= 0 ? samples : covered[i];
         worker->pixels[i] |= (uint32_t)((255 * count + samples / 2) / samples) << 24;
     }
 }
@@ -189,8 +185,8 @@ static void finish_tile(const burnish_frame *frame, burnish_tile_worker *worker,
             continue;
         }
         if (y % BURNISH_BLOCK_SIZE == 0) {
-            burnish_shade_strip(frame->shader, &worker->cache, tile, frame->view, number,
-                                &worker->strip);
+            burnish_shade_strip(frame->shader, &worker->cache, frame->tier, tile, frame->view,
+                                number, &worker->strip);
             if (frame->wants_counts) {
                 count_strip(worker, number);
             }
@@ -218,7 +214,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     }
     finish_tile(frame, worker, 0);
     if (frame->drawn) {
-        burnish_visibility_mark(tile, frame->drawn);
+        frame->tier->mark(tile, frame->drawn);
     }
 }
 
@@ -312,6 +308,7 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
     for (int i = 0; i < tiles->worker_count; ++i) {
         tiles->workers[i].cache.material = -1;
         tiles->workers[i].covered_pixels = 0;
+        memset(tiles->workers[i].bounds, 0, sizeof tiles->workers[i].bounds);
         tiles->workers[i].tile.attributes[0] = shader->attributes->normals;
         tiles->workers[i].tile.attributes[1] = shader->attributes->colors;
     }

@@ -74,8 +74,9 @@ static void find_materials(const burnish_shader *shader, const burnish_visibilit
                            int number, int first, int end, burnish_strip *strip) {
     uint16_t material = 0;
     for (int i = first; i < end; ++i) {
-        if (strip->whole[i] >= 0) {
-            uint32_t source = burnish_visibility_source(visibility, number, i, strip->whole[i]);
+        if (strip->pixels.whole[i] >= 0) {
+            uint32_t source =
+                burnish_visibility_source(visibility, number, i, strip->pixels.whole[i]);
             material = shader->triangle_materials[source >> 1];
         }
         strip->material[i] = material;
@@ -106,10 +107,10 @@ static void shade_blocks(const burnish_shader *shader, burnish_shade_cache *cach
 }
 
 void burnish_shade_strip(const burnish_shader *shader, burnish_shade_cache *cache,
-                         const burnish_visibility *visibility, const burnish_raster_view *view,
-                         int number, burnish_strip *strip) {
+                         const burnish_raster_tier *tier, const burnish_visibility *visibility,
+                         const burnish_raster_view *view, int number, burnish_strip *strip) {
     const unsigned touched = visibility->touched[number];
-    burnish_visibility_whole(visibility, number, strip->whole);
+    tier->find_pixels(visibility, number, &strip->pixels);
     for (int block = 0, end; block < BURNISH_TILE_STRIPS; block = end + 1) {
         for (end = block; end < BURNISH_TILE_STRIPS && touched >> end & 1; ++end) {
         }
