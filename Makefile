@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench format format-check golden figures install clean
+.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench bench-peers format format-check golden figures install clean
 
 PRESET ?= release
 FUZZ_SECONDS ?= 600
@@ -75,11 +75,20 @@ sweep: ## every lobe over all 2^32 floats (minutes)
 	@cmake --build --preset release -j $(JOBS) --target sweep_lobe
 	@build/release/test/sweep_lobe
 
-bench: ## time frames and whole processes (medians)
-	@$(DEPS) build demo
+bench: ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
+	@$(DEPS) build demo bench
 	@cmake --preset release -DBURNISH_BENCH=ON >/dev/null
 	@cmake --build --preset release -j $(JOBS)
 	@./bench/run build/release
+	@./scripts/performance build/release/kernels.csv >build/release/performance.md
+	@mv build/release/performance.md docs/performance.md
+
+bench-peers: ## time frames and whole processes against other renderers (minutes)
+	@$(DEPS) build demo
+	@$(DEPS) peers || echo "bench-peers: going on with the peers that are installed"
+	@cmake --preset release -DBURNISH_BENCH_PEERS=ON >/dev/null
+	@cmake --build --preset release -j $(JOBS) --target bench_peers_programs
+	@./bench/peers/run build/release
 
 format: ## format the sources with clang-format
 	@$(DEPS) test

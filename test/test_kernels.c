@@ -1,104 +1,750 @@
-/* The shading kernels: lobes by polynomials against libm, bounds for every float, vectors. */
+/* The kernels: every tier against the scalar one, bit for bit; lobes against burnish/lobe.h and
+ * libm; the lighting against the same equation in double precision; the choice of a tier.
+ *
+ * Needs nothing but src/kernels and src/base, so that it also runs on other processors. With
+ * --bench it then prints the time of every variant; `burnish bench` compares with others. */
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 
+#include "burnish/batch.h"
 #include "harness.h"
-#include "kernels/kernels.h"
-#include "kernels/power.h"
+#include "kernels/isa.h"
 
-enum { BLOCK = 4096 };
-
-/* What kernels/power.h states. */
+/* What kernels/vector_math.h states. */
 #define POWER_ERROR 1e-7
 #define GAUSSIAN_ERROR 1e-7
+#define INVERSE_SQRT_ERROR 1.04e-7
+
+enum { BLOCK = 4096, GUARD = 32, MOST_LANES = 16 };
 
 static const float EXPONENTS[] = {1, 2, 3.5f, 8, 18, 32, 100, 256, 1000, 4096, 65536};
 enum { EXPONENT_COUNT = sizeof EXPONENTS / sizeof EXPONENTS[0] };
 
-static void check_accuracy(void) {
-    double worst_power = 0, worst_gaussian = 0;
-    for (int e = 0; e < EXPONENT_COUNT; ++e) {
-        double n = EXPONENTS[e];
-        for (uint32_t i = 0; i <= 1u << 20; ++i) {
-            /* dense near 1, where the lobe lives: lambda from 0 to 40 / n, at most 1 */
-            double reach = 40 / n < 1 ? 40 / n : 1;
-            float c = (float)(1 - reach * i / (1u << 20));
-            double power = c > 0 ? pow((double)c, n) : 0;
-            double gaussian = exp(-(n + 0.775) * (1 - (double)c));
-            double error = fabs((double)burnish_kernel_power(c, EXPONENTS[e]) - power);
-            worst_power = error > worst_power ? error : worst_power;
-            error = fabs((double)burnish_kernel_gaussian(c, EXPONENTS[e]) - gaussian);
-            worst_gaussian = error > worst_gaussian ? error : worst_gaussian;
+static const burnish_batch *scalar(void) {
+    return burnish_batch_for(BURNISH_ISA_SCALAR);
+}
+
+static uint32_t bits_of(float x) {
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static float from_bits(uint32_t bits) {
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* xorshift; the seed is printed. */
+static uint32_t next_random(uint32_t *state) {
+    *state ^= *state << 13;
+    *state ^= *state >> 17;
+    *state ^= *state << 5;
+    return *state;
+}
+
+static float uniform(uint32_t *state, float low, float high) {
+    return low + (high - low) * (float)(next_random(state) >> 8) * 0x1p-24f;
+}
+
+/* Numbers that find differences: any bits, special ones, and cosines. */
+static float awkward(uint32_t *state) {
+    static const uint32_t special[] = {0,          0x80000000, 1,          0x80000001, 0x007fffff,
+                                       0x00800000, 0x3f800000, 0x3f7fffff, 0x3f800001, 0xbf800000,
+                                       0x7f800000, 0xff800000, 0x7fc00000, 0xffc12345, 0x7f7fffff};
+    uint32_t choice = next_random(state) % 8;
+    if (choice == 0) {
+        return from_bits(special[next_random(state) % (sizeof special / sizeof special[0])]);
+    }
+    return choice == 1 ? from_bits(next_random(state)) : uniform(state, -0.25f, 1.0f);
+}
+
+static burnish_batch_lobe make(int kind, int order, float exponent) {
+    burnish_batch_lobe lobe = {(burnish_batch_lobe_kind)kind, {0, 0}, exponent};
+    if (kind == BURNISH_BATCH_WHOLE_POWER) {
+        lobe.exponent = (float)(uint32_t)exponent;
+    }
+    burnish_lobe_create(&lobe.family, BURNISH_FIT_ENERGY,
+                        burnish_lobe_highest_order(order, exponent), exponent);
+    return lobe;
+}
+
+/* ---- Tiers ---- */
+
+/* One call on a misaligned array between guard bytes; `values` receives what was written. */
+static int run_lobe(const burnish_batch *batch, const burnish_batch_lobe *lobe, int lambda,
+                    const float *cosines, size_t count, size_t shift, float *values) {
+    static float buffer[BLOCK + 2 * GUARD + MOST_LANES];
+    int damaged = 0;
+    memset(buffer, 0xa5, sizeof buffer);
+    float *out = buffer + GUARD + shift;
+    burnish_status status =
+        lambda ? burnish_batch_lobe_of_lambdas(batch, lobe, count, cosines, out, NULL)
+               : burnish_batch_lobe_of_cosines(batch, lobe, count, cosines, out, NULL);
+    memcpy(values, out, count * sizeof *values);
+    memset(out, 0xa5, count * sizeof *out);
+    for (size_t i = 0; i < sizeof buffer / sizeof buffer[0]; ++i) {
+        damaged |= bits_of(buffer[i]) != 0xa5a5a5a5u;
+    }
+    return status == BURNISH_STATUS_OK && !damaged;
+}
+
+static void check_lobe_tier(const burnish_batch *batch, const burnish_batch_lobe *lobe,
+                            uint32_t *state) {
+    static float cosines[BLOCK + MOST_LANES], expected[BLOCK], values[BLOCK];
+    const char *name = burnish_isa_name(burnish_batch_isa(batch));
+    for (int lambda = 0; lambda < 2; ++lambda) {
+        for (size_t count = 0; count <= BLOCK; count = count < 50 ? count + 1 : count + 1349) {
+            size_t shift = next_random(state) % MOST_LANES;
+            float *in = cosines + next_random(state) % MOST_LANES;
+            for (size_t i = 0; i < count; ++i) {
+                in[i] = awkward(state);
+            }
+            int ok = run_lobe(scalar(), lobe, lambda, in, count, 0, expected) &&
+                     run_lobe(batch, lobe, lambda, in, count, shift, values);
+            size_t i = 0;
+            while (i < count && bits_of(values[i]) == bits_of(expected[i])) {
+                ++i;
+            }
+            CHECK(ok, "%s, kind %d, %zu cosines: wrote beside the array or failed", name,
+                  lobe->kind, count);
+            CHECK(i == count, "%s, kind %d, order %d, exponent %g: %.9g gives %.9g, not %.9g", name,
+                  lobe->kind, lobe->family.order, (double)lobe->exponent,
+                  i < count ? (double)in[i] : 0, i < count ? (double)values[i] : 0,
+                  i < count ? (double)expected[i] : 0);
         }
     }
-    printf("largest absolute error: power %.3g, gaussian %.3g\n", worst_power, worst_gaussian);
-    CHECK(worst_power <= POWER_ERROR, "power: %.3g", worst_power);
-    CHECK(worst_gaussian <= GAUSSIAN_ERROR, "gaussian: %.3g", worst_gaussian);
-    CHECK(burnish_kernel_power(1, 32) == 1, "power is 1 at the peak");
-    CHECK(burnish_kernel_gaussian(1, 32) == 1, "gaussian is 1 at the peak");
-    CHECK(burnish_kernel_power(0, 1) == 0, "power is 0 at cosine 0");
 }
 
-static burnish_lobe_kernel make(burnish_lobe_kernel_kind kind, float exponent) {
-    burnish_lobe_kernel kernel = {kind, {0, 2}, exponent};
-    burnish_lobe_create(&kernel.family, BURNISH_FIT_ENERGY, 2, exponent);
-    return kernel;
-}
-
-/* Every lobe kernel gives a finite value in [0, 1] for a stride over all floats, and the same as
- * one element at a time. */
-static void check_all_floats(void) {
-    float cosines[BLOCK], values[BLOCK], one;
-    for (int kind = BURNISH_LOBE_KERNEL_FAMILY; kind <= BURNISH_LOBE_KERNEL_GX; ++kind) {
+static void check_lobe_tiers(const burnish_batch *batch, uint32_t *state) {
+    for (int kind = 0; kind < BURNISH_BATCH_LOBE_KIND_COUNT; ++kind) {
         for (int e = 0; e < EXPONENT_COUNT; ++e) {
-            burnish_lobe_kernel kernel = make((burnish_lobe_kernel_kind)kind, EXPONENTS[e]);
-            uint64_t bits = 0;
+            for (int order = 2; order <= (kind == BURNISH_BATCH_FAMILY ? 32 : 2); order *= 2) {
+                burnish_batch_lobe lobe = make(kind, order, EXPONENTS[e]);
+                check_lobe_tier(batch, &lobe, state);
+            }
+        }
+    }
+}
+
+/* Arrays that are written past the caches: the same values, also in place. */
+static void check_streaming(const burnish_batch *batch) {
+    const size_t count = (8u << 20) / sizeof(float) + 37;
+    float *in = malloc((count + 3) * sizeof *in);
+    burnish_batch_lobe lobe = make(BURNISH_BATCH_FAMILY, 2, 32);
+    uint32_t state = 99;
+    size_t wrong = 0;
+    if (!CHECK(in, "memory for %zu floats", count)) {
+        return;
+    }
+    for (size_t i = 0; i < count + 3; ++i) {
+        in[i] = uniform(&state, 0, 1);
+    }
+    state = 99;
+    burnish_batch_lobe_of_cosines(batch, &lobe, count, in + 1, in + 1, NULL);
+    for (size_t i = 0; i < count + 3; ++i) {
+        float x = uniform(&state, 0, 1);
+        float want = i >= 1 && i < count + 1 ? burnish_lobe_at_cosine(lobe.family, x) : x;
+        wrong += bits_of(in[i]) != bits_of(want);
+    }
+    CHECK(wrong == 0, "%s: %zu of %zu streamed values differ",
+          burnish_isa_name(burnish_batch_isa(batch)), wrong, count);
+    free(in);
+}
+
+/* ---- Lighting ---- */
+
+typedef struct point_arrays {
+    float normal[3][BLOCK], position[3][BLOCK], diffuse[3][BLOCK], w[BLOCK];
+} point_arrays;
+
+/* Points near the unit sphere, normals of lengths near 1 and, unless tame, some that are awkward.
+ */
+static void make_points(point_arrays *arrays, size_t count, int tame, uint32_t *state) {
+    for (size_t i = 0; i < count; ++i) {
+        arrays->w[i] = uniform(state, 0.5f, 2.0f);
+        float length = tame ? uniform(state, 0.5f, 2.0f) : uniform(state, 0.0f, 1e3f);
+        for (int k = 0; k < 3; ++k) {
+            arrays->normal[k][i] = length * uniform(state, -1, 1);
+            arrays->position[k][i] = uniform(state, -1, 1);
+            arrays->diffuse[k][i] = uniform(state, 0, 1);
+        }
+        if (!tame && next_random(state) % 16 == 0) {
+            int k = (int)(next_random(state) % 3);
+            switch (next_random(state) % 3) {
+            case 0:
+                arrays->normal[k][i] = awkward(state);
+                break;
+            case 1:
+                arrays->position[k][i] = awkward(state);
+                break;
+            default:
+                arrays->diffuse[k][i] = awkward(state);
+                break;
+            }
+        }
+    }
+}
+
+static burnish_batch_points points_at(const point_arrays *arrays, size_t first, int with_diffuse,
+                                      int with_w) {
+    burnish_batch_points points = {.w = with_w ? arrays->w + first : NULL};
+    for (int k = 0; k < 3; ++k) {
+        points.normal[k] = arrays->normal[k] + first;
+        points.position[k] = arrays->position[k] + first;
+        points.diffuse[k] = with_diffuse ? arrays->diffuse[k] + first : NULL;
+    }
+    return points;
+}
+
+static void random_unit(uint32_t *state, float v[3]) {
+    double x = (double)uniform(state, -1, 1), y = (double)uniform(state, -1, 1), z = 0.3;
+    double length = sqrt(x * x + y * y + z * z);
+    v[0] = (float)(x / length);
+    v[1] = (float)(y / length);
+    v[2] = (float)(z / length);
+}
+
+/* A lighting with whatever there is. */
+static burnish_batch_lighting random_lighting(int kind, uint32_t *state) {
+    burnish_batch_lighting lighting = burnish_batch_lighting_default();
+    int order = 2 << next_random(state) % 5; /* one draw a statement: compilers order arguments */
+    lighting.lobe = make(kind, order, EXPONENTS[next_random(state) % EXPONENT_COUNT]);
+    lighting.light_count = (int)(next_random(state) % 4);
+    lighting.near_viewer = (int)(next_random(state) & 1);
+    lighting.highlight = next_random(state) % 4 ? BURNISH_BATCH_BLINN : BURNISH_BATCH_PHONG;
+    lighting.lyon = kind == BURNISH_BATCH_FAMILY && lighting.highlight == BURNISH_BATCH_BLINN &&
+                    next_random(state) % 4 == 0;
+    random_unit(state, lighting.viewer);
+    for (int k = 0; lighting.near_viewer && k < 3; ++k) {
+        lighting.viewer[k] *= 4;
+    }
+    for (int i = 0; i < lighting.light_count; ++i) {
+        burnish_batch_light *light = &lighting.lights[i];
+        random_unit(state, light->vector);
+        light->kind = next_random(state) % 3 ? BURNISH_BATCH_DIRECTIONAL : BURNISH_BATCH_POINT;
+        for (int k = 0; k < 3; ++k) {
+            light->color[k] = uniform(state, 0, 1);
+            light->vector[k] *= light->kind == BURNISH_BATCH_POINT ? 3.0f : 1.0f;
+        }
+    }
+    if (next_random(state) % 3 == 0) { /* all far: the kernel with constant half vectors */
+        lighting.near_viewer = lighting.lyon = 0;
+        lighting.highlight = BURNISH_BATCH_BLINN;
+        random_unit(state, lighting.viewer);
+        for (int i = 0; i < lighting.light_count; ++i) {
+            lighting.lights[i].kind = BURNISH_BATCH_DIRECTIONAL;
+            random_unit(state, lighting.lights[i].vector);
+        }
+    }
+    return lighting;
+}
+
+static void check_shade_tier(const burnish_batch *batch, uint32_t *state) {
+    static point_arrays arrays;
+    static uint8_t pixels[2][4 * (BLOCK + 1)];
+    static float colors[2][3][BLOCK + 1];
+    const char *name = burnish_isa_name(burnish_batch_isa(batch));
+    for (int trial = 0; trial < 1200; ++trial) {
+        int kind = trial % BURNISH_BATCH_LOBE_KIND_COUNT;
+        burnish_batch_lighting lighting = random_lighting(kind, state);
+        burnish_batch_shader shader;
+        burnish_error error;
+        size_t count = trial % 50 == 49 ? BLOCK - MOST_LANES : next_random(state) % 70;
+        int wrong = 0;
+        make_points(&arrays, BLOCK, trial & 1, state);
+        if (!CHECK(burnish_batch_prepare(&lighting, &shader, &error) == BURNISH_STATUS_OK,
+                   "prepare: %s", error.text)) {
+            continue;
+        }
+        burnish_batch_points points =
+            points_at(&arrays, next_random(state) % MOST_LANES, (int)(next_random(state) & 1),
+                      (int)(next_random(state) & 1));
+        memset(pixels, 0x5a, sizeof pixels);
+        memset(colors, 0x5a, sizeof colors);
+        for (int which = 0; which < 2; ++which) {
+            const burnish_batch *one = which ? batch : scalar();
+            float *const rgb[3] = {colors[which][0], colors[which][1], colors[which][2]};
+            wrong |= burnish_batch_shade_rgba8(one, &shader, &points, count, pixels[which], NULL) !=
+                     BURNISH_STATUS_OK;
+            wrong |= burnish_batch_shade_float(one, &shader, &points, count, rgb, NULL) !=
+                     BURNISH_STATUS_OK;
+        }
+        CHECK(!wrong, "%s: shading failed", name);
+        CHECK(memcmp(pixels[0], pixels[1], sizeof pixels[0]) == 0, "%s: trial %d, kind %d: pixels",
+              name, trial, kind);
+        CHECK(memcmp(colors[0], colors[1], sizeof colors[0]) == 0, "%s: trial %d, kind %d: colours",
+              name, trial, kind);
+        CHECK(pixels[1][4 * count] == 0x5a, "%s: wrote past the pixels", name);
+    }
+}
+
+static void check_normalize_tier(const burnish_batch *batch, uint32_t *state) {
+    static float in[3][100], out[2][3][100];
+    int different = 0;
+    for (size_t count = 0; count < 100; ++count) {
+        for (int k = 0; k < 3; ++k) {
+            for (size_t i = 0; i < count; ++i) {
+                in[k][i] = uniform(state, -1e3f, 1e3f);
+            }
+        }
+        const float *const from[3] = {in[0], in[1], in[2]};
+        memset(out, 0, sizeof out);
+        for (int which = 0; which < 2; ++which) {
+            float *const to[3] = {out[which][0], out[which][1], out[which][2]};
+            burnish_batch_normalize(which ? batch : scalar(), count, from, to);
+        }
+        different += memcmp(out[0], out[1], sizeof out[0]) != 0;
+    }
+    CHECK(different == 0, "%s: %d arrays are normalised differently",
+          burnish_isa_name(burnish_batch_isa(batch)), different);
+}
+
+static void check_tiers(void) {
+    uint32_t mask = burnish_isa_available(), state = 0x2545f491;
+    printf("seed %#x, tiers:", (unsigned)state);
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+        CHECK(!batch == !(mask >> isa & 1), "%s: a table where the tier is",
+              burnish_isa_name((burnish_isa)isa));
+        if (!batch) {
+            continue;
+        }
+        printf(" %s", burnish_isa_name((burnish_isa)isa));
+        CHECK((int)burnish_batch_isa(batch) == isa, "the table of %d", isa);
+        check_lobe_tiers(batch, &state);
+        check_streaming(batch);
+        check_shade_tier(batch, &state);
+        check_normalize_tier(batch, &state);
+    }
+    printf("\n");
+}
+
+/* ---- Processors ---- */
+
+/* FNV-1a over what the scalar kernels give for fixed input: the same on every processor, with every
+ * compiler. It changes with the kernels' arithmetic only; then pixels change too. */
+#define SCALAR_HASH 0xe6326f5623344afcu
+
+static uint64_t add_bytes(uint64_t hash, const void *data, size_t size) {
+    const uint8_t *bytes = data;
+    for (size_t i = 0; i < size; ++i) {
+        hash = (hash ^ bytes[i]) * 0x100000001b3u;
+    }
+    return hash;
+}
+
+static uint64_t add_floats(uint64_t hash, const float *values, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        uint32_t bits = bits_of(values[i]);
+        uint8_t bytes[4] = {(uint8_t)bits, (uint8_t)(bits >> 8), (uint8_t)(bits >> 16),
+                            (uint8_t)(bits >> 24)};
+        hash = add_bytes(hash, bytes, sizeof bytes);
+    }
+    return hash;
+}
+
+static void check_processors(void) {
+    static float in[BLOCK], out[BLOCK], colors[3][BLOCK];
+    static uint8_t pixels[4 * BLOCK];
+    static point_arrays arrays;
+    float *const rgb[3] = {colors[0], colors[1], colors[2]};
+    uint64_t hash = 0xcbf29ce484222325u;
+    uint32_t state = 1234567;
+    for (int kind = 0; kind < BURNISH_BATCH_LOBE_KIND_COUNT; ++kind) {
+        for (int e = 0; e < EXPONENT_COUNT; ++e) {
+            burnish_batch_lobe lobe = make(kind, 2 << e % 5, EXPONENTS[e]);
+            for (int i = 0; i < BLOCK; ++i) {
+                in[i] = awkward(&state);
+            }
+            burnish_batch_lobe_of_cosines(scalar(), &lobe, BLOCK, in, out, NULL);
+            hash = add_floats(hash, out, BLOCK);
+            burnish_batch_lobe_of_lambdas(scalar(), &lobe, BLOCK, in, out, NULL);
+            hash = add_floats(hash, out, BLOCK);
+        }
+    }
+    for (int trial = 0; trial < 80; ++trial) {
+        burnish_batch_lighting lighting =
+            random_lighting(trial % BURNISH_BATCH_LOBE_KIND_COUNT, &state);
+        burnish_batch_shader shader;
+        make_points(&arrays, BLOCK, trial & 1, &state);
+        burnish_batch_prepare(&lighting, &shader, NULL);
+        burnish_batch_points points = points_at(&arrays, 0, trial & 2, trial & 4);
+        burnish_batch_shade_float(scalar(), &shader, &points, BLOCK, rgb, NULL);
+        burnish_batch_shade_rgba8(scalar(), &shader, &points, BLOCK, pixels, NULL);
+        for (int k = 0; k < 3; ++k) {
+            hash = add_floats(hash, colors[k], BLOCK);
+        }
+        hash = add_bytes(hash, pixels, sizeof pixels);
+    }
+    CHECK(hash == SCALAR_HASH, "hash %#llx", (unsigned long long)hash);
+}
+
+/* ---- Values ---- */
+
+static double accurate_lobe(const burnish_batch_lobe *lobe, double c) {
+    double n = (double)lobe->exponent, u;
+    switch (lobe->kind) {
+    case BURNISH_BATCH_FAMILY:
+        u = 1 - (double)lobe->family.zeta * (1 - (c < 1 ? c : 1));
+        return u > 0 ? pow(u, lobe->family.order) : 0;
+    case BURNISH_BATCH_POWER:
+    case BURNISH_BATCH_WHOLE_POWER:
+        return c > 0 ? pow(c < 1 ? c : 1, n) : 0;
+    case BURNISH_BATCH_GAUSSIAN:
+        return exp(-(n + 0.775) * (1 - (c < 1 ? c : 1)));
+    case BURNISH_BATCH_SCHLICK:
+        return c > 0 ? c / (c + n * (1 - c)) : 0;
+    case BURNISH_BATCH_GX:
+        return c > 0 ? c * c / (c * c + n / 2 * (1 - c * c)) : 0;
+    default:
+        return 0;
+    }
+}
+
+static void check_power_accuracy(int kind, double bound) {
+    static float cosines[BLOCK], values[BLOCK];
+    double worst = 0;
+    for (int e = 0; e < EXPONENT_COUNT; ++e) {
+        burnish_batch_lobe lobe = make(kind, 2, EXPONENTS[e]);
+        /* dense near 1, where the lobe lives: lambda from 0 to 40 / n, at most 1 */
+        double reach = 40 / (double)EXPONENTS[e] < 1 ? 40 / (double)EXPONENTS[e] : 1;
+        for (int block = 0; block < 256; ++block) {
+            for (int i = 0; i < BLOCK; ++i) {
+                cosines[i] = (float)(1 - reach * (block * BLOCK + i) / (256 * BLOCK));
+            }
+            burnish_batch_lobe_of_cosines(scalar(), &lobe, BLOCK, cosines, values, NULL);
+            for (int i = 0; i < BLOCK; ++i) {
+                double error = fabs((double)values[i] - accurate_lobe(&lobe, (double)cosines[i]));
+                worst = error > worst ? error : worst;
+            }
+        }
+    }
+    printf("kind %d: largest absolute error %.3g\n", kind, worst);
+    CHECK(worst <= bound, "kind %d: %.3g", kind, worst);
+}
+
+/* The array forms of burnish/lobe.h are those, bit for bit, for a stride over all floats. */
+static float single(const burnish_batch_lobe *lobe, int lambda, float x) {
+    switch (lobe->kind) {
+    case BURNISH_BATCH_SCHLICK:
+        return burnish_schlick_at_cosine(lambda ? 1.0f - x : x, lobe->exponent);
+    case BURNISH_BATCH_GX:
+        return burnish_gx_at_cosine(lambda ? 1.0f - x : x, lobe->exponent);
+    default:
+        return lambda ? burnish_lobe_at_lambda(lobe->family, x)
+                      : burnish_lobe_at_cosine(lobe->family, x);
+    }
+}
+
+static void check_all_floats(int kind, int order, int has_single) {
+    static float in[BLOCK], values[BLOCK];
+    for (int e = 0; e < EXPONENT_COUNT; ++e) {
+        burnish_batch_lobe lobe = make(kind, order, EXPONENTS[e]);
+        for (int lambda = 0; lambda < 2; ++lambda) {
             int bad = 0, different = 0;
-            while (bits <= UINT32_MAX) {
+            for (uint64_t bits = 0; bits <= UINT32_MAX;) {
                 size_t count = 0;
-                for (; count < BLOCK && bits <= UINT32_MAX; ++count, bits += 16411) {
-                    cosines[count] = burnish_kernel_from_bits((uint32_t)bits);
+                for (; count < BLOCK && bits <= UINT32_MAX; ++count, bits += 65521) {
+                    in[count] = from_bits((uint32_t)bits);
                 }
-                burnish_kernel_lobe(&kernel, count, cosines, values);
+                run_lobe(scalar(), &lobe, lambda, in, count, 0, values);
                 for (size_t i = 0; i < count; ++i) {
                     bad += !(values[i] >= 0 && values[i] <= 1);
-                    burnish_kernel_lobe(&kernel, 1, cosines + i, &one);
-                    different += memcmp(&one, &values[i], sizeof one) != 0;
+                    bad += in[i] != in[i] && values[i] != 0;
+                    different +=
+                        has_single && bits_of(single(&lobe, lambda, in[i])) != bits_of(values[i]);
                 }
             }
             CHECK(bad == 0, "kind %d, exponent %g: %d values outside [0, 1]", kind,
                   (double)EXPONENTS[e], bad);
-            CHECK(different == 0, "kind %d, exponent %g: %d values differ alone and in an array",
+            CHECK(different == 0, "kind %d, exponent %g: %d values differ from burnish/lobe.h",
                   kind, (double)EXPONENTS[e], different);
         }
     }
 }
 
-static void check_vectors(void) {
-    float x[4] = {3, 0, 1e-10f, -2}, y[4] = {4, 0, 0, 1}, z[4] = {0, 0, 0, 2}, length[4];
-    burnish_kernel_normalize(4, x, y, z, length);
-    CHECK(x[0] == 0.6f && y[0] == 0.8f && length[0] == 5, "3-4-5: %g %g %g", (double)x[0],
-          (double)y[0], (double)length[0]);
-    CHECK(x[1] == 0 && y[1] == 0 && z[1] == 0 && length[1] == 0, "no direction stays zero");
-    CHECK(fabsf(x[2] - 1) < 1e-6f, "short vectors: %g", (double)x[2]);
-    CHECK(length[3] == 3, "length %g", (double)length[3]);
-    float one[1] = {0.5f}, v[1] = {0.25f}, l[1] = {0.125f}, out[1];
-    burnish_kernel_reflect(1, one, v, l, out);
-    CHECK(out[0] == 2 * 0.5f * 0.25f - 0.125f, "R.V %g", (double)out[0]);
+static void check_values(void) {
+    check_power_accuracy(BURNISH_BATCH_POWER, POWER_ERROR);
+    check_power_accuracy(BURNISH_BATCH_GAUSSIAN, GAUSSIAN_ERROR);
+    for (int order = 2; order <= 32; order *= 2) {
+        check_all_floats(BURNISH_BATCH_FAMILY, order, 1);
+    }
+    check_all_floats(BURNISH_BATCH_SCHLICK, 2, 1);
+    check_all_floats(BURNISH_BATCH_GX, 2, 1);
+    check_all_floats(BURNISH_BATCH_POWER, 2, 0);
+    check_all_floats(BURNISH_BATCH_WHOLE_POWER, 2, 0);
+    check_all_floats(BURNISH_BATCH_GAUSSIAN, 2, 0);
+    burnish_batch_lobe whole = make(BURNISH_BATCH_WHOLE_POWER, 2, 37);
+    float c[3] = {0.9f, 1, 0.5f}, values[3];
+    burnish_batch_lobe_of_cosines(scalar(), &whole, 3, c, values, NULL);
+    CHECK(fabs((double)values[0] - pow((double)0.9f, 37)) < 1e-8, "0.9^37: %g", (double)values[0]);
+    CHECK(values[1] == 1 && values[2] == 0x1p-37f, "1 and 2^-37: %g %g", (double)values[1],
+          (double)values[2]);
 }
 
-static void check_accumulate(void) {
-    float diffuse[3] = {0.5f, 0.5f, 0.5f}, n_dot_l[3] = {0.5f, 0, -0.5f}, lobe[3] = {0.5f, 1, 1};
-    float sum[3] = {0.25f, 0.25f, 0.25f};
-    burnish_kernel_accumulate(3, 2, diffuse, 0.5f, n_dot_l, lobe, sum);
-    CHECK(sum[0] == 0.25f + 2 * (0.25f + 0.25f), "lit: %g", (double)sum[0]);
-    CHECK(sum[1] == 0.25f && sum[2] == 0.25f, "no specular where N.L <= 0");
+/* The inverse root shows in normalised vectors along an axis: x / |x|, over two octaves. */
+static void check_normalize(void) {
+    static float in[3][BLOCK], out[3][BLOCK];
+    const float *const from[3] = {in[0], in[1], in[2]};
+    float *const to[3] = {out[0], out[1], out[2]};
+    double worst = 0;
+    for (uint32_t bits = 0x3f800000; bits < 0x40800000;) {
+        for (int i = 0; i < BLOCK; ++i, bits += 3) {
+            in[0][i] = from_bits(bits);
+        }
+        burnish_batch_normalize(scalar(), BLOCK, from, to);
+        for (int i = 0; i < BLOCK; ++i) {
+            double error = fabs((double)out[0][i] - 1);
+            worst = error > worst ? error : worst;
+        }
+    }
+    /* the square and the product are rounded too: half a unit each */
+    CHECK(worst <= INVERSE_SQRT_ERROR + 0x1p-24, "x / |x| is off by %.3g", worst);
+    in[0][0] = 3;
+    in[1][0] = 4;
+    in[0][1] = 0x1p-60f;
+    in[1][1] = -0x1p60f;
+    in[0][2] = in[1][2] = 0;
+    in[1][2] = 0;
+    burnish_batch_normalize(scalar(), 3, from, to);
+    CHECK(fabsf(out[0][0] - 0.6f) < 1.5e-7f && fabsf(out[1][0] - 0.8f) < 1.5e-7f,
+          "3-4-5: %.9g %.9g", (double)out[0][0], (double)out[1][0]);
+    CHECK(out[1][1] < -0.9999998f && out[1][1] > -1.0000002f, "a long one: %.9g",
+          (double)out[1][1]);
+    CHECK(out[0][2] == 0 && out[1][2] == 0 && out[2][2] == 0, "no direction stays zero");
 }
 
-int main(void) {
-    check_accuracy();
-    check_all_floats();
-    check_vectors();
-    check_accumulate();
+typedef struct vec {
+    double x, y, z;
+} vec;
+
+static vec scaled(vec a, double s) {
+    return (vec){a.x * s, a.y * s, a.z * s};
+}
+static double dot(vec a, vec b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+static vec sum(vec a, vec b) {
+    return (vec){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+static vec unit(vec a) {
+    return scaled(a, 1 / sqrt(dot(a, a)));
+}
+static vec load(const float v[3]) {
+    return (vec){(double)v[0], (double)v[1], (double)v[2]};
+}
+
+/* The equation of burnish/batch.h, as it stands there. */
+static void accurate_color(const burnish_batch_lighting *lighting, vec normal, vec place,
+                           const double diffuse[3], double color[3]) {
+    vec n = unit(normal), v = load(lighting->viewer);
+    double specular[3] = {0, 0, 0};
+    v = unit(lighting->near_viewer ? sum(v, scaled(place, -1)) : v);
+    for (int k = 0; k < 3; ++k) {
+        color[k] = (double)lighting->ambient[k];
+    }
+    for (int i = 0; i < lighting->light_count; ++i) {
+        const burnish_batch_light *light = &lighting->lights[i];
+        vec l = load(light->vector);
+        l = unit(light->kind == BURNISH_BATCH_POINT ? sum(l, scaled(place, -1)) : l);
+        double lit = dot(n, l), c = dot(n, unit(sum(l, v)));
+        if (lighting->highlight == BURNISH_BATCH_PHONG) {
+            c = 2 * lit * dot(n, v) - dot(l, v);
+        }
+        double lobe = lit > 0 ? accurate_lobe(&lighting->lobe, c) : 0;
+        for (int k = 0; k < 3; ++k) {
+            double brightness = (double)light->color[k];
+            color[k] += brightness * (double)lighting->diffuse[k] * (lit > 0 ? lit : 0);
+            specular[k] += brightness * (double)lighting->specular[k] * lobe;
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        color[k] = color[k] * diffuse[k] + specular[k];
+    }
+}
+
+static void check_equation(void) {
+    static point_arrays arrays;
+    static float colors[3][BLOCK];
+    static uint8_t pixels[4 * BLOCK];
+    float *const rgb[3] = {colors[0], colors[1], colors[2]};
+    uint32_t state = 77;
+    double worst = 0, slope_worst = 0;
+    int bright = 0, pixel_errors = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        burnish_batch_lighting lighting = random_lighting(trial % BURNISH_BATCH_DARK, &state);
+        burnish_batch_shader shader;
+        lighting.lyon = 0; /* has its own test */
+        make_points(&arrays, BLOCK, 1, &state);
+        burnish_batch_prepare(&lighting, &shader, NULL);
+        burnish_batch_points points = points_at(&arrays, 0, 1, 1);
+        burnish_batch_shade_float(scalar(), &shader, &points, BLOCK, rgb, NULL);
+        burnish_batch_shade_rgba8(scalar(), &shader, &points, BLOCK, pixels, NULL);
+        /* a cosine is off by 1e-7 at three lights, and the lobe by that times its slope */
+        double slope = lighting.lobe.kind == BURNISH_BATCH_FAMILY
+                           ? (double)lighting.lobe.family.zeta * lighting.lobe.family.order
+                           : (double)lighting.lobe.exponent + 1;
+        for (int i = 0; i < BLOCK; ++i) {
+            double w = (double)arrays.w[i], color[3], d[3];
+            vec normal = {(double)arrays.normal[0][i], (double)arrays.normal[1][i],
+                          (double)arrays.normal[2][i]};
+            vec place = {(double)arrays.position[0][i] / w, (double)arrays.position[1][i] / w,
+                         (double)arrays.position[2][i] / w};
+            for (int k = 0; k < 3; ++k) {
+                d[k] = (double)arrays.diffuse[k][i];
+            }
+            if (dot(normal, normal) < 0.01) {
+                continue;
+            }
+            accurate_color(&lighting, normal, place, d, color);
+            for (int k = 0; k < 3; ++k) {
+                double error = fabs((double)colors[k][i] - color[k]) / (4e-7 + 3e-7 * slope);
+                double level = color[k] < 1 ? color[k] * 255 : 255;
+                worst = error > worst ? error : worst;
+                slope_worst = slope > slope_worst ? slope : slope_worst;
+                bright += color[k] > 0.5;
+                pixel_errors += fabs(pixels[4 * i + k] - level) > 0.5 + 255 * (4e-7 + 3e-7 * slope);
+            }
+            pixel_errors += pixels[4 * i + 3] != 255;
+        }
+    }
+    printf("the equation: at most %.2f of the bound\n", worst);
+    CHECK(worst < 1, "the equation is off by %.3g of its bound", worst);
+    CHECK(bright > 10000, "only %d bright values: the test sees nothing", bright);
+    CHECK(pixel_errors == 0, "%d pixels are not the rounded colours", pixel_errors);
+}
+
+/* Lyon's lobe is burnish_lyon_at_vectors of the same vectors. */
+static void check_lyon(void) {
+    burnish_batch_lighting lighting = burnish_batch_lighting_default();
+    burnish_batch_shader shader;
+    uint32_t state = 5;
+    double worst = 0;
+    burnish_lobe_create(&lighting.lobe.family, BURNISH_FIT_TAYLOR, 4, 40);
+    lighting.lyon = 1;
+    for (int k = 0; k < 3; ++k) {
+        lighting.ambient[k] = lighting.diffuse[k] = 0;
+        lighting.specular[k] = 1;
+    }
+    burnish_batch_prepare(&lighting, &shader, NULL);
+    vec h = unit(sum(load(lighting.lights[0].vector), load(lighting.viewer)));
+    for (int i = 0; i < 2000; ++i) {
+        vec n = unit((vec){h.x + (double)uniform(&state, -0.3f, 0.3f),
+                           h.y + (double)uniform(&state, -0.3f, 0.3f), h.z});
+        n = scaled(n, (double)uniform(&state, 0.9f, 1.1f));
+        float normal[3] = {(float)n.x, (float)n.y, (float)n.z}, color[3];
+        float half[3] = {(float)h.x, (float)h.y, (float)h.z};
+        float *const rgb[3] = {&color[0], &color[1], &color[2]};
+        burnish_batch_points points = {.normal = {&normal[0], &normal[1], &normal[2]}};
+        burnish_batch_shade_float(scalar(), &shader, &points, 1, rgb, NULL);
+        double error =
+            fabs((double)color[0] - (double)burnish_lyon_at_vectors(normal, half, 40, 4));
+        worst = error > worst ? error : worst;
+    }
+    CHECK(worst < 1e-4, "Lyon's lobe is off by %.3g", worst);
+}
+
+/* ---- Arguments and tiers ---- */
+
+static void check_errors(void) {
+    burnish_batch_lighting good = burnish_batch_lighting_default(), bad;
+    burnish_batch_shader shader;
+    burnish_error error;
+    float value = 0.5f;
+    uint8_t pixel[4];
+    burnish_batch_lobe lobe = make(BURNISH_BATCH_WHOLE_POWER, 2, 3);
+    burnish_batch_points points = {.normal = {&value, &value, &value}};
+#define REFUSED(change)                                                                            \
+    do {                                                                                           \
+        bad = good;                                                                                \
+        change;                                                                                    \
+        error.text[0] = 0;                                                                         \
+        CHECK(burnish_batch_prepare(&bad, &shader, &error) == BURNISH_STATUS_ARGUMENT &&           \
+                  error.text[0],                                                                   \
+              "refused: " #change);                                                                \
+        CHECK(burnish_batch_shade_rgba8(scalar(), &shader, &points, 1, pixel, NULL) ==             \
+                  BURNISH_STATUS_ARGUMENT,                                                         \
+              "not prepared: " #change);                                                           \
+    } while (0)
+    REFUSED(bad.cookie = 0);
+    REFUSED(bad.ambient[1] = NAN);
+    REFUSED(bad.diffuse[2] = -1);
+    REFUSED(bad.specular[0] = 2e6f);
+    REFUSED(bad.light_count = BURNISH_BATCH_LIGHT_MAX + 1);
+    REFUSED(bad.light_count = -1);
+    REFUSED(bad.lights[0].vector[0] = 3);
+    REFUSED(bad.lights[0].color[0] = -1);
+    REFUSED(bad.viewer[2] = 0);
+    REFUSED((bad.near_viewer = 1, bad.viewer[0] = INFINITY));
+    REFUSED((bad.lobe.kind = BURNISH_BATCH_POWER, bad.lobe.exponent = 0.5f));
+    REFUSED((bad.lobe.kind = BURNISH_BATCH_WHOLE_POWER, bad.lobe.exponent = 2.5f));
+    REFUSED(bad.lobe.kind = BURNISH_BATCH_LOBE_KIND_COUNT);
+    REFUSED((bad.lyon = 1, bad.highlight = BURNISH_BATCH_PHONG));
+    REFUSED(bad.lobe.family.order = 3);
+#undef REFUSED
+    good.near_viewer = 1;
+    CHECK(burnish_batch_prepare(&good, &shader, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK(burnish_batch_shade_rgba8(scalar(), &shader, &points, 1, pixel, &error) ==
+              BURNISH_STATUS_ARGUMENT,
+          "a near viewer needs positions");
+    lobe.exponent = 70000;
+    CHECK(burnish_batch_lobe_of_cosines(scalar(), &lobe, 1, &value, &value, &error) ==
+                  BURNISH_STATUS_ARGUMENT &&
+              value == 0.5f,
+          "exponent 70000: %s", error.text);
+}
+
+static void check_choice(void) {
+    const uint32_t sse2 = 1u << 26, osxsave = 1u << 27, avx = 1u << 28, avx2 = 1u << 5;
+    const uint32_t avx512 = 1u << 16 | 1u << 17 | 1u << 30 | 1u << 31;
+    const struct {
+        burnish_cpuid cpuid;
+        burnish_isa best;
+    } cases[] = {
+        {{0, 0, 0, 0}, BURNISH_ISA_SCALAR},
+        {{0, sse2, avx2, 0xe7}, BURNISH_ISA_SSE2},
+        {{avx, sse2, avx2, 0xe7}, BURNISH_ISA_SSE2},        /* no OSXSAVE */
+        {{avx | osxsave, sse2, avx2, 1}, BURNISH_ISA_SSE2}, /* ymm not saved */
+        {{avx | osxsave, sse2, avx2, 2}, BURNISH_ISA_SSE2}, /* nor here */
+        {{avx | osxsave, sse2, 0, 0xe7}, BURNISH_ISA_SSE2}, /* AVX without AVX2 */
+        {{avx | osxsave, sse2, avx2, 7}, BURNISH_ISA_AVX2},
+        {{avx | osxsave, sse2, avx2 | avx512, 7}, BURNISH_ISA_AVX2}, /* zmm not saved */
+        {{avx | osxsave, sse2, avx2 | (avx512 & ~(1u << 31)), 0xe7}, BURNISH_ISA_AVX2},
+        {{avx | osxsave, sse2, avx2 | avx512, 0xe7}, BURNISH_ISA_AVX512},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        burnish_isa best = burnish_isa_best(burnish_isa_from_cpuid(&cases[i].cpuid));
+        CHECK(best == cases[i].best, "case %zu: %s", i, burnish_isa_name(best));
+    }
+    burnish_isa isa;
+    burnish_error error;
+    CHECK(burnish_isa_choose("scalar", &isa, &error) == BURNISH_STATUS_OK &&
+              isa == BURNISH_ISA_SCALAR,
+          "scalar is always there");
+    CHECK(burnish_isa_choose("mmx", &isa, &error) == BURNISH_STATUS_ARGUMENT &&
+              strstr(error.text, "\"mmx\" is not one of auto scalar"),
+          "mmx: %s", error.text);
+    CHECK(burnish_isa_name(BURNISH_ISA_COUNT)[0] == 'u' && burnish_isa_lanes((burnish_isa)-1) == 0,
+          "outside the list");
+    CHECK(burnish_isa_best(0) == BURNISH_ISA_SCALAR, "an empty mask");
+}
+
+#include "kernel_times.h"
+
+int main(int count, char **arguments) {
+    check_choice();
+    check_values();
+    check_normalize();
+    check_equation();
+    check_lyon();
+    check_errors();
+    check_tiers();
+    check_processors();
+    if (count > 1 && strcmp(arguments[1], "--bench") == 0) {
+        print_times();
+    }
     return test_end("kernels");
 }

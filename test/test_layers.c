@@ -11,19 +11,22 @@ static const struct layer {
 } LAYERS[] = {
     {"src/base", "public:file.h public:status.h"},
     {"src/theory", "base public:lobe.h public:theory.h"},
-    {"src/kernels", "base public:lobe.h"},
+    {"src/kernels", "base public:batch.h public:isa.h public:lobe.h"},
     {"src/scene", "base public:scene.h public:status.h"},
-    {"src/raster", "base"},
-    {"src/shade", "base kernels raster"},
+    {"src/raster", "base kernels public:isa.h"},
+    {"src/shade", "base raster public:batch.h"},
     {"src/image", "base public:image.h public:status.h"},
-    {"src/render", "base raster shade public:render.h public:theory.h public:status.h"},
+    {"src/render", "base kernels raster shade public:batch.h public:render.h public:theory.h "
+                   "public:status.h"},
     {"tools/burnish",
-     "public:file.h public:image.h public:lobe.h public:render.h public:scene.h public:status.h "
-     "public:theory.h"},
+     "public:batch.h public:file.h public:image.h public:isa.h public:lobe.h public:render.h "
+     "public:scene.h public:status.h public:theory.h bench"},
+    {"bench", "kernels public:batch.h public:lobe.h public:render.h"},
 };
 
 static int allowed(const struct layer *layer, const char *include) {
-    const char *own = strrchr(layer->folder, '/') + 1;
+    const char *slash_in_folder = strrchr(layer->folder, '/');
+    const char *own = slash_in_folder ? slash_in_folder + 1 : layer->folder;
     char word[128];
     if (strncmp(include, "burnish/", 8) == 0 && strncmp(layer->folder, "src/", 4) == 0) {
         snprintf(word, sizeof word, "public:%s", include + 8);

@@ -5,6 +5,7 @@
 
 #include "harness.h"
 #include "raster/raster.h"
+#include "reference_tile.h"
 
 enum { GRID = 12, SIZE = BURNISH_TILE_SIZE, MAX_TRIANGLES = 4096 };
 
@@ -76,34 +77,37 @@ static void make_plane(test_mesh *mesh, int snap, uint32_t seed) {
 /* How many triangles cover each sample of a one-tile image: drawn one at a time. */
 static void count_coverage(const burnish_raster_view *view, const burnish_geometry *geometry,
                            int *coverage) {
-    burnish_tile tile;
-    size_t offsets[2] = {0, 1};
+    reference_tile tile;
+    size_t offsets[3] = {0, 1, 1};
     uint32_t entry;
-    burnish_bins bins;
+    burnish_bins bins = {0};
     burnish_bins_begin(&bins);
     bins.columns = bins.rows = bins.end_row = 1;
     bins.offsets = offsets;
     bins.entries = &entry;
-    CHECK(burnish_tile_create(&tile, view->samples, NULL) == BURNISH_STATUS_OK, "tile");
-    for (entry = 0; entry < geometry->triangle_count; ++entry) {
-        burnish_draw_tile(&tile, view, geometry, &bins, 0, 0);
+    CHECK(reference_tile_create(&tile, view->samples, NULL) == BURNISH_STATUS_OK, "tile");
+    for (entry = 0; entry < geometry->whole_slots + geometry->piece_count; ++entry) {
+        if (!burnish_geometry_has(geometry, entry)) {
+            continue;
+        }
+        reference_draw_tile(&tile, view, geometry, &bins, 0, 0);
         for (int i = 0; i < BURNISH_TILE_PIXELS * view->samples; ++i) {
             coverage[i] += tile.triangles[i] == entry;
         }
     }
-    burnish_tile_destroy(&tile);
+    reference_tile_destroy(&tile);
 }
 
 /* Every sample of the SIZE x SIZE image is covered by exactly one triangle of the mesh. */
 static void check_each_sample_once(const char *name, const burnish_raster_view *view,
                                    const test_mesh *mesh) {
     static int coverage[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
-    burnish_geometry geometry;
+    burnish_geometry geometry = {0};
     memset(coverage, 0, sizeof coverage);
     burnish_error error;
-    if (!CHECK(burnish_geometry_create(&geometry, view, mesh->positions, mesh->vertex_count,
-                                       mesh->indices, mesh->triangle_count, 1,
-                                       &error) == BURNISH_STATUS_OK,
+    if (!CHECK(burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), view,
+                                       mesh->positions, mesh->vertex_count, mesh->indices,
+                                       mesh->triangle_count, 1, &error) == BURNISH_STATUS_OK,
                "%s", error.text)) {
         return;
     }
@@ -192,20 +196,25 @@ static void check_bins(void) {
         add_triangle(&mesh, 3 * (size_t)i, 3 * (size_t)i + 1, 3 * (size_t)i + 2);
     }
     burnish_raster_view view = parallel_view(300, 200, 4);
-    burnish_geometry geometry;
-    CHECK(burnish_geometry_create(&geometry, &view, mesh.positions, mesh.vertex_count, mesh.indices,
+    burnish_geometry geometry = {0};
+    CHECK(burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), &view,
+                                  mesh.positions, mesh.vertex_count, mesh.indices,
                                   mesh.triangle_count, 2, NULL) == BURNISH_STATUS_OK,
           "geometry");
     uint32_t all[MAX_TRIANGLES];
     size_t everything[64];
-    for (uint32_t i = 0; i < MAX_TRIANGLES; ++i) {
-        all[i] = i;
+    for (uint32_t back = 0, i = 0; back < 2; ++back) { /* fronts first, as the lists have them */
+        for (uint32_t k = 0; k < geometry.whole_slots + geometry.piece_count; ++k) {
+            if (burnish_geometry_has(&geometry, k) && (geometry.triangles[k].source & 1) == back) {
+                all[i++] = k;
+            }
+        }
     }
-    burnish_tile tile, expected;
-    burnish_tile_create(&tile, 4, NULL);
-    burnish_tile_create(&expected, 4, NULL);
+    reference_tile tile, expected;
+    reference_tile_create(&tile, 4, NULL);
+    reference_tile_create(&expected, 4, NULL);
     for (int run = 0; run < 9; ++run) {
-        burnish_bins bins;
+        burnish_bins bins = {0};
         burnish_bins_begin(&bins);
         bins.entry_budget = BUDGETS[run / 3];
         int tiles = 0, bands = 0, wrong = 0;
@@ -221,10 +230,10 @@ static void check_bins(void) {
                         (size_t)(row - bins.first_row) * (size_t)bins.columns + (size_t)column;
                     full.offsets = everything;
                     full.entries = all;
-                    everything[place] = 0;
-                    everything[place + 1] = geometry.triangle_count;
-                    burnish_draw_tile(&expected, &view, &geometry, &full, column, row);
-                    if (!burnish_draw_tile(&tile, &view, &geometry, &bins, column, row)) {
+                    everything[2 * place] = 0;
+                    everything[2 * place + 2] = geometry.triangle_count;
+                    reference_draw_tile(&expected, &view, &geometry, &full, column, row);
+                    if (!reference_draw_tile(&tile, &view, &geometry, &bins, column, row)) {
                         memset(tile.triangles, 0xff, sizeof(uint32_t) * BURNISH_TILE_PIXELS * 4);
                     }
                     wrong += memcmp(tile.triangles, expected.triangles,
@@ -238,8 +247,8 @@ static void check_bins(void) {
               BUDGETS[run / 3]);
         burnish_bins_destroy(&bins);
     }
-    burnish_tile_destroy(&tile);
-    burnish_tile_destroy(&expected);
+    reference_tile_destroy(&tile);
+    reference_tile_destroy(&expected);
     burnish_geometry_destroy(&geometry);
 }
 
@@ -266,20 +275,21 @@ static void check_fragments(void) {
     add_triangle(&mesh, 0, 1, 2);
     add_triangle(&mesh, 3, 4, 5);
     burnish_raster_view view = parallel_view(SIZE, SIZE, 4);
-    burnish_geometry geometry;
-    burnish_geometry_create(&geometry, &view, mesh.positions, 6, mesh.indices, 2, 1, NULL);
+    burnish_geometry geometry = {0};
+    burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), &view,
+                            mesh.positions, 6, mesh.indices, 2, 1, NULL);
     CHECK(geometry.triangle_count == 2 && geometry.triangles[0].source == 0, "two front faces");
-    burnish_bins bins;
+    burnish_bins bins = {0};
     burnish_bins_begin(&bins);
     burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
-    burnish_tile tile;
-    burnish_tile_create(&tile, 4, NULL);
-    burnish_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
+    reference_tile tile;
+    reference_tile_create(&tile, 4, NULL);
+    reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
     burnish_fragments fragments;
     int front = 0, samples = 0, wrong = 0;
-    while (burnish_next_fragments(&tile, &view, &geometry, &fragments)) {
+    while (reference_next_fragments(&tile, &view, &geometry, &fragments)) {
         for (int i = 0; i < fragments.count; ++i) {
-            const uint32_t *v = geometry.triangles[fragments.triangle[i]].vertices;
+            const uint32_t *v = fragments.corners[i].vertices;
             double w[3] = {1.0 - fragments.weight1[i] - fragments.weight2[i], fragments.weight1[i],
                            fragments.weight2[i]};
             double p[3] = {0, 0, 0};
@@ -291,13 +301,13 @@ static void check_fragments(void) {
             wrong += !(fabs(p[0] - fragments.x[i]) < 0.01 && fabs(p[1] - fragments.y[i]) < 0.01 &&
                        fabs(0.5 + 0.001 * p[2] - fragments.depth[i]) < 1e-6);
             samples += fragments.weight[i];
-            front += fragments.triangle[i] == 1 ? fragments.weight[i] : 0;
+            front += fragments.corners[i].source >> 1 == 1 ? fragments.weight[i] : 0;
         }
     }
     CHECK(wrong == 0, "%d fragments whose weights do not give their place", wrong);
     CHECK(abs(front - 4 * 800) <= 4, "the nearer triangle has area 800, got %d/4", front);
     CHECK(samples > front, "the farther one shows around it");
-    burnish_tile_destroy(&tile);
+    reference_tile_destroy(&tile);
     burnish_bins_destroy(&bins);
     burnish_geometry_destroy(&geometry);
 }

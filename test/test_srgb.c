@@ -4,6 +4,7 @@
 
 #include "base/srgb.h"
 #include "harness.h"
+#include "kernels/table.h"
 
 /* The nearest code by the encoding formula; the generator uses the decoding one. */
 static int exact_code(float linear) {
@@ -112,6 +113,85 @@ static void test_values_between(void) {
     CHECK(burnish_srgb_value_to_linear((float)INFINITY) == 1, "infinity");
 }
 
+/* Every tier's encoder gives the codes of burnish_linear_to_srgb: a stride over all floats, and
+ * both sides of every decision level. */
+static void test_encoders(void) {
+    enum { COUNT = 1024 };
+    static float values[3][COUNT];
+    static uint32_t pixels[COUNT];
+    const float *const rgb[3] = {values[0], values[1], values[2]};
+    burnish_srgb_encoder encoder;
+    burnish_srgb_encoder_make(&encoder);
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+        int wrong = 0;
+        for (uint64_t bits = 0; batch && bits <= UINT32_MAX;) {
+            for (int i = 0; i < COUNT; ++i) {
+                for (int k = 0; k < 3; ++k, bits += 4099) {
+                    uint32_t pattern = (uint32_t)bits;
+                    memcpy(&values[k][i], &pattern, sizeof pattern);
+                }
+                if (i < 255) {
+                    uint32_t level = float_bits((float)srgb_decode((i + 0.5L) / 255));
+                    for (uint32_t k = 0; k < 3; ++k) {
+                        values[k][i] = bits_float(level - 1 + k);
+                    }
+                }
+            }
+            batch->encode(&encoder, COUNT, rgb, NULL, 0, 0, pixels);
+            for (int i = 0; i < COUNT; ++i) {
+                for (int k = 0; k < 3; ++k) {
+                    wrong += (pixels[i] >> 8 * k & 255) != burnish_linear_to_srgb(values[k][i]);
+                }
+                wrong += pixels[i] >> 24 != 0;
+            }
+        }
+        CHECK(wrong == 0, "%s: %d codes differ", burnish_isa_name((burnish_isa)isa), wrong);
+    }
+}
+
+/* Hidden pixels, alpha, and the three bytes of each pixel in their order. */
+static void test_packing(void) {
+    enum { COUNT = 64 };
+    static float values[3][COUNT];
+    static int32_t shown[COUNT];
+    static uint32_t pixels[COUNT];
+    const float *const rgb[3] = {values[0], values[1], values[2]};
+    burnish_srgb_encoder encoder;
+    burnish_srgb_encoder_make(&encoder);
+    for (int i = 0; i < COUNT; ++i) {
+        values[0][i] = burnish_srgb_to_linear[i];
+        values[1][i] = burnish_srgb_to_linear[255 - i];
+        values[2][i] = burnish_srgb_to_linear[2 * i];
+        shown[i] = i % 3 == 0 ? -1 : i;
+    }
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+        uint8_t bytes[3 * COUNT + 4];
+        int wrong = 0;
+        if (!batch) {
+            continue;
+        }
+        batch->encode(&encoder, COUNT, rgb, shown, 0xff000000u, 0x00123456u, pixels);
+        for (uint32_t i = 0; i < COUNT; ++i) {
+            uint32_t code = i | (255 - i) << 8 | 2 * i << 16 | 0xff000000u;
+            wrong += pixels[i] != (i % 3 == 0 ? 0x00123456u : code);
+            pixels[i] &= 0xffffffu;
+        }
+        memset(bytes, 0xa5, sizeof bytes);
+        batch->pack(4, pixels + 4, 16, bytes); /* every fourth group */
+        for (int i = 0; i < 48; ++i) {
+            uint32_t pixel = pixels[4 + i / 12 * 16 + i / 3 % 4];
+            wrong += bytes[i] != (pixel >> 8 * (i % 3) & 255);
+        }
+        for (int i = 52; i < 3 * COUNT + 4; ++i) {
+            wrong += bytes[i] != 0xa5;
+        }
+        CHECK(wrong == 0, "%s: %d pixels or bytes differ", burnish_isa_name((burnish_isa)isa),
+              wrong);
+    }
+}
+
 int main(void) {
     test_generated();
     test_around_thresholds();
@@ -120,5 +200,7 @@ int main(void) {
     test_monotone();
     test_codes();
     test_values_between();
+    test_encoders();
+    test_packing();
     return test_end("srgb");
 }

@@ -13,6 +13,7 @@
 #ifndef BURNISH_RENDER_H
 #define BURNISH_RENDER_H
 
+#include "burnish/batch.h"
 #include "burnish/image.h"
 #include "burnish/lobe.h"
 #include "burnish/scene.h"
@@ -78,6 +79,8 @@ typedef struct burnish_render_options {
     int width, height; /* pixels, [1, BURNISH_IMAGE_MAX_SIZE] */
     int samples;       /* coverage samples a pixel: 1, 4, 8 or 16 */
     int threads;       /* [1, 1024]; 0: as many as the machine offers. Never changes the pixels */
+    const burnish_batch
+        *batch; /* the kernels; NULL: burnish_batch_best(). Never change the pixels */
     burnish_camera camera;
     burnish_lobe_choice lobe;
     burnish_equation equation;
@@ -88,6 +91,7 @@ typedef struct burnish_render_options {
     uint8_t background[3]; /* sRGB */
     int transparent;       /* 1: the image has alpha and no background */
     int ignore_colors;     /* 1: the mesh's vertex colours are not used */
+    int skip_counts;       /* 1: the report's triangles_drawn, covered_pixels and bounds stay 0 */
 } burnish_render_options;
 
 /* 1024x768, 4 samples, energy:2, Blinn, local viewer, the default rig (key, fill and rim light that
@@ -102,6 +106,7 @@ typedef struct burnish_render_report {
     size_t covered_pixels;  /* pixels with at least one covered sample */
     int bounds[4];          /* x0, y0, x1, y1 (exclusive) of the covered pixels; all 0 when blank */
     int threads;            /* used */
+    burnish_isa isa;        /* used */
     size_t lobe_fallbacks;  /* materials whose exponent is too low for the chosen order: drawn with
                                the highest order that fits */
     double seconds_transform; /* vertices, clipping, set-up, binning */
@@ -109,16 +114,35 @@ typedef struct burnish_render_report {
 } burnish_render_report;
 
 /* Draws the scene into a new image (RGB, or RGBA when transparent). report may be NULL.
- * Memory besides the image, at its peak: 17 bytes a vertex and 41 a triangle that may be seen (20
- * set up, 20 more while the tasks' lists are joined, 1 for the report; later tile lists of 4 bytes
- * an entry, about 128 MiB of them at most, stand in place of the second 20), and for each thread
- * 0.3 MB at 4 samples.
+ * Memory besides the image: 36 bytes a vertex (20 its place on the screen, 16 its normal), 16 more
+ * where the mesh has colours; 16 bytes a triangle and 1 for the report; tile lists of 4 bytes an
+ * entry, about 128 MiB of them at most unless a single row of tiles needs more; and for each thread
+ * 0.2 MB, with several samples 0.2 MB more and 0.6 MB a sample, of which only what is needed is
+ * touched.
  * Errors: ARGUMENT, MEMORY, LIMIT (also a mesh so small, below about 1e-33 across, or so much
  * enlarged that single precision can't hold it); the image is then empty. */
 BURNISH_API burnish_status burnish_render(const burnish_scene *scene,
                                           const burnish_render_options *options,
                                           burnish_image *image, burnish_render_report *report,
                                           burnish_error *error);
+
+/* What is worth keeping from one frame to the next: the memory that burnish_render would ask for
+ * and give back each time. One thread may use a renderer at a time. */
+typedef struct burnish_renderer burnish_renderer;
+
+/* Errors: ARGUMENT, MEMORY. Release it with burnish_renderer_destroy. */
+BURNISH_API burnish_status burnish_renderer_create(burnish_renderer **renderer,
+                                                   burnish_error *error);
+
+/* Like burnish_render, the same pixels, into an image that is empty ({0}) or was drawn before: its
+ * memory is used again where size and channels allow. Scenes and options may differ from frame to
+ * frame. Errors as there; the image is then empty. */
+BURNISH_API burnish_status burnish_renderer_draw(
+    burnish_renderer *renderer, const burnish_scene *scene, const burnish_render_options *options,
+    burnish_image *image, burnish_render_report *report, burnish_error *error);
+
+/* NULL is allowed. */
+BURNISH_API void burnish_renderer_destroy(burnish_renderer *renderer);
 
 #ifdef __cplusplus
 }

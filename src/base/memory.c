@@ -66,3 +66,17 @@ burnish_status burnish_grow(void **pointer, size_t *capacity, size_t needed, siz
     *capacity = next;
     return BURNISH_STATUS_OK;
 }
+
+burnish_status burnish_renew(void **pointer, size_t *capacity, size_t count, size_t size,
+                             const char *what, burnish_error *error) {
+    if (count <= *capacity) {
+        return BURNISH_STATUS_OK;
+    }
+    free(*pointer);
+    *capacity = 0;
+    burnish_status status = burnish_allocate(pointer, count, size, what, error);
+    if (status == BURNISH_STATUS_OK) {
+        *capacity = count;
+    }
+    return status;
+}

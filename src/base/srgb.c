@@ -29,6 +29,21 @@ uint8_t burnish_linear_to_srgb(float linear) {
     return (uint8_t)(code + (x >= next_threshold[code]));
 }
 
+_Static_assert((int)BURNISH_SRGB_BUCKETS == SRGB_BUCKETS && SRGB_BUCKET_SHIFT == 16 &&
+                   BURNISH_SRGB_FIRST_BITS == SRGB_FIRST_BITS &&
+                   BURNISH_SRGB_LAST_BITS == SRGB_LAST_BITS,
+               "the packed table is that of srgb_table.h");
+
+void burnish_srgb_encoder_make(burnish_srgb_encoder *encoder) {
+    for (int i = 0; i < SRGB_BUCKETS; ++i) {
+        uint32_t bits, first = SRGB_FIRST_BITS + ((uint32_t)i << SRGB_BUCKET_SHIFT);
+        memcpy(&bits, &next_threshold[bucket_code[i]], sizeof bits);
+        uint32_t threshold = bits - first; /* beyond the bucket where it has none */
+        threshold = threshold < 1u << SRGB_BUCKET_SHIFT ? threshold : 1u << SRGB_BUCKET_SHIFT;
+        encoder->entries[i] = (int32_t)((uint32_t)bucket_code[i] << 17 | threshold);
+    }
+}
+
 float burnish_srgb_value_to_linear(float value) {
     if (!(value > 0)) {
         return 0;

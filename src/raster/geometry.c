@@ -1,28 +1,21 @@
-/* Vertices to the screen, triangles to oriented, clipped, culled set-up triangles. */
+/* Vertices to the screen, triangles to oriented, clipped, culled set-up triangles: by the tiers, a
+ * chunk after another; clipped and large triangles are set up here, one at a time. */
 #include <string.h>
 
 #include "base/memory.h"
-#include "raster/raster.h"
+#include "raster/tier.h"
 
-/* Triangles that one task handles; fixed, so that the result does not depend on threads. */
-enum { CHUNK = 1 << 15 };
+/* A piece of a clipped triangle; vertices count from the chunk's own clipped ones. */
+typedef struct clipped_piece {
+    burnish_setup_triangle triangle;
+    burnish_corners corners;
+} clipped_piece;
 
-enum {
-    OUT_LEFT = 1,
-    OUT_RIGHT = 2,
-    OUT_BOTTOM = 4,
-    OUT_TOP = 8,
-    OUT_NEAR = 16,
-    OUT_GUARD = 32,
-    OUT_REJECT = OUT_LEFT | OUT_RIGHT | OUT_BOTTOM | OUT_TOP | OUT_NEAR,
-    OUT_CLIP = OUT_NEAR | OUT_GUARD
-};
-
-/* What a chunk of triangles became; vertex indices of clipped vertices count from the chunk's own.
- */
+/* What a chunk of triangles became besides its slots. */
 typedef struct chunk_output {
-    burnish_setup_triangle *triangles;
-    size_t triangle_count, triangle_capacity;
+    size_t triangle_count, tile_entries;
+    clipped_piece *pieces;
+    size_t piece_count, piece_capacity;
     burnish_clip_vertex *clips;
     burnish_clip_corner *corners; /* parallel to clips */
     size_t clip_count, clip_capacity, corner_capacity;
@@ -31,6 +24,7 @@ typedef struct chunk_output {
 } chunk_output;
 
 typedef struct setup_context {
+    const burnish_raster_tier *tier;
     const burnish_raster_view *view;
     const burnish_screen_vertices *vertices;
     const float *positions;
@@ -51,42 +45,27 @@ static void to_clip_space(const burnish_raster_view *view, const float p[3], flo
     }
 }
 
-static uint8_t outcode(const burnish_raster_view *view, const float clip[4]) {
-    float half_width = (float)view->width * 0.5f * clip[3];
-    float half_height = (float)view->height * 0.5f * clip[3];
-    float guard = BURNISH_GUARD_BAND * clip[3];
-    unsigned code = 0;
-    code |= clip[0] < -half_width ? OUT_LEFT : 0;
-    code |= clip[0] > half_width ? OUT_RIGHT : 0;
-    code |= clip[1] < -half_height ? OUT_BOTTOM : 0;
-    code |= clip[1] > half_height ? OUT_TOP : 0;
-    code |= clip[2] > clip[3] ? OUT_NEAR : 0;
-    code |=
-        clip[0] < -guard || clip[0] > guard || clip[1] < -guard || clip[1] > guard ? OUT_GUARD : 0;
-    return (uint8_t)code;
-}
-
 /* The perspective division of a point that needs no clipping. */
-static void project(const burnish_raster_view *view, const float clip[4],
-                    burnish_screen_vertices *vertices, size_t i) {
-    float inverse_w = 1.0f / clip[3];
-    vertices->x[i] = burnish_to_fixed(clip[0] * inverse_w) + view->width * (BURNISH_SUBPIXELS / 2);
-    vertices->y[i] = view->height * (BURNISH_SUBPIXELS / 2) - burnish_to_fixed(clip[1] * inverse_w);
-    vertices->depth[i] = clip[2] * inverse_w;
-    vertices->inverse_w[i] = inverse_w;
+static burnish_screen_vertex project(const burnish_raster_view *view, const float clip[4],
+                                     float *inverse_w) {
+    burnish_screen_vertex vertex;
+    *inverse_w = 1.0f / clip[3];
+    vertex.x = burnish_to_fixed(clip[0] * *inverse_w) + view->width * (BURNISH_SUBPIXELS / 2);
+    vertex.y = view->height * (BURNISH_SUBPIXELS / 2) - burnish_to_fixed(clip[1] * *inverse_w);
+    vertex.depth = clip[2] * *inverse_w;
+    vertex.outcode = 0;
+    return vertex;
 }
 
-static void transform_vertices(burnish_screen_vertices *vertices, const burnish_raster_view *view,
-                               const float *positions, int threads) {
+static void transform(burnish_screen_vertices *vertices, const burnish_raster_tier *tier,
+                      const burnish_raster_view *view, const float *positions, int threads) {
+    const size_t tasks = (vertices->mesh_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK;
     (void)threads;
 #pragma omp parallel for num_threads(threads) schedule(static)
-    for (size_t i = 0; i < vertices->mesh_count; ++i) {
-        float clip[4];
-        to_clip_space(view, positions + 3 * i, clip);
-        vertices->outcodes[i] = outcode(view, clip);
-        if (!(vertices->outcodes[i] & OUT_CLIP)) {
-            project(view, clip, vertices, i);
-        }
+    for (size_t i = 0; i < tasks; ++i) {
+        size_t end = (i + 1) * BURNISH_CHUNK;
+        tier->transform(vertices, view, positions, i * BURNISH_CHUNK,
+                        end < vertices->mesh_count ? end : vertices->mesh_count);
     }
 }
 
@@ -108,16 +87,19 @@ static void pixel_range(int64_t low, int64_t high, int samples, int64_t *first, 
     *last = (high - to_last) >> 8;
 }
 
-/* Orients the triangle and finds its tiles; returns 0 when it can't cover a sample. */
-static int set_up(const burnish_raster_view *view, const int32_t x[3], const int32_t y[3],
+/* Finds the side that is seen and the coarse blocks; returns 0 when it can't cover a sample. */
+static int set_up(const burnish_raster_view *view, const burnish_screen_vertex v[3],
                   uint32_t source, burnish_setup_triangle *triangle) {
-    int64_t area = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) - (int64_t)(x[2] - x[0]) * (y[1] - y[0]);
+    int64_t area = (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
+                   (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
     if (area == 0) {
         return 0;
     }
     int64_t x0, x1, y0, y1;
-    pixel_range(min3(x[0], x[1], x[2]), max3(x[0], x[1], x[2]), view->samples, &x0, &x1);
-    pixel_range(min3(y[0], y[1], y[2]), max3(y[0], y[1], y[2]), view->samples, &y0, &y1);
+    pixel_range(min3(v[0].x, v[1].x, v[2].x), max3(v[0].x, v[1].x, v[2].x), view->samples, &x0,
+                &x1);
+    pixel_range(min3(v[0].y, v[1].y, v[2].y), max3(v[0].y, v[1].y, v[2].y), view->samples, &y0,
+                &y1);
     x0 = x0 < 0 ? 0 : x0;
     y0 = y0 < 0 ? 0 : y0;
     x1 = x1 >= view->width ? view->width - 1 : x1;
@@ -125,32 +107,36 @@ static int set_up(const burnish_raster_view *view, const int32_t x[3], const int
     if (x0 > x1 || y0 > y1) {
         return 0;
     }
+    float nearest = v[0].depth > v[1].depth ? v[0].depth : v[1].depth;
+    triangle->nearest = nearest > v[2].depth ? nearest : v[2].depth;
     triangle->source = source * 2 + (area > 0);
-    if (area < 0) { /* y points down: this is a front face */
-        uint32_t swap = triangle->vertices[1];
-        triangle->vertices[1] = triangle->vertices[2];
-        triangle->vertices[2] = swap;
-    }
-    triangle->tiles[0] = (uint8_t)(x0 / BURNISH_TILE_SIZE);
-    triangle->tiles[1] = (uint8_t)(y0 / BURNISH_TILE_SIZE);
-    triangle->tiles[2] = (uint8_t)(x1 / BURNISH_TILE_SIZE);
-    triangle->tiles[3] = (uint8_t)(y1 / BURNISH_TILE_SIZE);
+    triangle->blocks[0] = (uint16_t)(x0 / BURNISH_COARSE_BLOCK);
+    triangle->blocks[1] = (uint16_t)(y0 / BURNISH_COARSE_BLOCK);
+    triangle->blocks[2] = (uint16_t)(x1 / BURNISH_COARSE_BLOCK);
+    triangle->blocks[3] = (uint16_t)(y1 / BURNISH_COARSE_BLOCK);
     return 1;
 }
 
-static burnish_status append_triangle(chunk_output *output,
-                                      const burnish_setup_triangle *triangle) {
-    burnish_status status = burnish_grow((void **)&output->triangles, &output->triangle_capacity,
-                                         output->triangle_count + 1, sizeof *triangle,
-                                         "visible triangles", &output->error);
+static size_t tile_entries(const burnish_setup_triangle *triangle) {
+    enum { BLOCKS = BURNISH_TILE_SIZE / BURNISH_COARSE_BLOCK };
+    const uint16_t *b = triangle->blocks;
+    return (size_t)(b[2] / BLOCKS - b[0] / BLOCKS + 1) *
+           (size_t)(b[3] / BLOCKS - b[1] / BLOCKS + 1);
+}
+
+static burnish_status append_piece(chunk_output *output, const clipped_piece *piece) {
+    burnish_status status =
+        burnish_grow((void **)&output->pieces, &output->piece_capacity, output->piece_count + 1,
+                     sizeof *piece, "clipped triangles", &output->error);
     if (status == BURNISH_STATUS_OK) {
-        output->triangles[output->triangle_count++] = *triangle;
+        output->pieces[output->piece_count++] = *piece;
+        output->tile_entries += tile_entries(&piece->triangle);
     }
     return status;
 }
 
 /* Cuts the triangle and appends what is left as a fan. The new vertices are numbered from
- * mesh_count + the chunk's own count; burnish_geometry_create adds the chunk's place. */
+ * mesh_count + the chunk's own count; join_pieces adds the chunk's place. */
 static burnish_status append_clipped(const setup_context *context, uint32_t source,
                                      chunk_output *output) {
     burnish_clip_corner corners[BURNISH_CLIP_MAX];
@@ -176,11 +162,10 @@ static burnish_status append_clipped(const setup_context *context, uint32_t sour
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    int32_t x[BURNISH_CLIP_MAX], y[BURNISH_CLIP_MAX];
+    burnish_screen_vertex at[BURNISH_CLIP_MAX];
     for (int i = 0; i < count; ++i) {
-        float depth, inverse_w;
-        burnish_screen_vertices one = {&x[i], &y[i], &depth, &inverse_w, NULL, 0, 0};
-        project(context->view, corners[i].position, &one, 0);
+        float inverse_w;
+        at[i] = project(context->view, corners[i].position, &inverse_w);
         burnish_clip_vertex clip = {source, {0}};
         memcpy(clip.weights, corners[i].weights, sizeof clip.weights);
         output->clips[first + i] = clip;
@@ -188,150 +173,193 @@ static burnish_status append_clipped(const setup_context *context, uint32_t sour
     }
     output->clip_count = first + count;
     for (int i = 1; i + 1 < count && status == BURNISH_STATUS_OK; ++i) {
-        uint32_t base = (uint32_t)(context->vertices->mesh_count + first);
-        burnish_setup_triangle triangle = {
-            {base, base + (uint32_t)i, base + (uint32_t)i + 1}, 0, {0}};
-        const int32_t tx[3] = {x[0], x[i], x[i + 1]}, ty[3] = {y[0], y[i], y[i + 1]};
-        if (set_up(context->view, tx, ty, source, &triangle)) {
-            status = append_triangle(output, &triangle);
+        const uint32_t base = (uint32_t)(context->vertices->mesh_count + first), a = base + i;
+        const burnish_screen_vertex v[3] = {at[0], at[i], at[i + 1]};
+        clipped_piece piece = {{0}, {{0}, 0}};
+        if (set_up(context->view, v, source, &piece.triangle)) {
+            const uint32_t back = piece.triangle.source & 1;
+            piece.corners =
+                (burnish_corners){{base, a + 1 - back, a + back}, piece.triangle.source};
+            status = append_piece(output, &piece);
         }
     }
     return status;
 }
 
+/* A triangle that the tier leaves to us: clipped or large. Returns 1 in *kept when it is whole. */
+static burnish_status set_up_other(const setup_context *context, size_t triangle,
+                                   burnish_setup_triangle *made, int *kept, chunk_output *output) {
+    burnish_screen_vertex v[3];
+    unsigned outcodes = 0;
+    *kept = 0;
+    for (size_t i = 0; i < 3; ++i) {
+        v[i] = context->vertices->items[context->indices[3 * triangle + i]];
+        outcodes |= v[i].outcode;
+    }
+    if (outcodes & BURNISH_OUT_CLIP) {
+        return append_clipped(context, (uint32_t)triangle, output);
+    }
+    *kept = set_up(context->view, v, (uint32_t)triangle, made);
+    return BURNISH_STATUS_OK;
+}
+
+/* Sets up the mesh's triangles [first, end) into the slots from `first` on. */
 static burnish_status set_up_chunk(const setup_context *context, size_t first, size_t end,
-                                   chunk_output *output) {
-    const burnish_screen_vertices *vertices = context->vertices;
-    burnish_status status = BURNISH_STATUS_OK;
-    for (size_t i = first; i < end && status == BURNISH_STATUS_OK; ++i) {
-        burnish_setup_triangle triangle = {{0}, 0, {0}};
-        memcpy(triangle.vertices, context->indices + 3 * i, sizeof triangle.vertices);
-        const uint32_t *v = triangle.vertices;
-        unsigned a = vertices->outcodes[v[0]], b = vertices->outcodes[v[1]],
-                 c = vertices->outcodes[v[2]];
-        if (a & b & c & OUT_REJECT) {
-            continue;
-        }
-        if ((a | b | c) & OUT_CLIP) {
-            status = append_clipped(context, (uint32_t)i, output);
-            continue;
-        }
-        const int32_t x[3] = {vertices->x[v[0]], vertices->x[v[1]], vertices->x[v[2]]};
-        const int32_t y[3] = {vertices->y[v[0]], vertices->y[v[1]], vertices->y[v[2]]};
-        if (set_up(context->view, x, y, (uint32_t)i, &triangle)) {
-            status = append_triangle(output, &triangle);
-        }
-    }
-    return status;
-}
-
-static burnish_status grow_vertices(burnish_screen_vertices *vertices, size_t extra,
-                                    burnish_error *error) {
-    size_t count = vertices->mesh_count + extra;
-    size_t capacities[4] = {vertices->mesh_count, vertices->mesh_count, vertices->mesh_count,
-                            vertices->mesh_count};
-    void **arrays[4] = {(void **)&vertices->x, (void **)&vertices->y, (void **)&vertices->depth,
-                        (void **)&vertices->inverse_w};
-    if (count >= BURNISH_NO_TRIANGLE) {
-        return burnish_fail(error, BURNISH_STATUS_LIMIT,
-                            "clipping makes more than 2^32 vertices; split the mesh");
-    }
-    for (int i = 0; i < 4; ++i) {
-        burnish_status status =
-            burnish_grow(arrays[i], &capacities[i], count, 4, "screen vertices", error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
+                                   burnish_setup_triangle *slots, chunk_output *output) {
+    burnish_setup_triangle block[BURNISH_SETUP_BLOCK];
+    for (size_t at = first; at < end; at += BURNISH_SETUP_BLOCK) {
+        const size_t count = end - at < BURNISH_SETUP_BLOCK ? end - at : BURNISH_SETUP_BLOCK;
+        unsigned others, kept = context->tier->set_up(context->vertices, context->view,
+                                                      context->indices, at, count, block, &others);
+        for (unsigned rest = kept | others; rest; rest &= rest - 1) {
+            const unsigned i = (unsigned)__builtin_ctz(rest);
+            if (others >> i & 1) {
+                int whole;
+                burnish_status status = set_up_other(context, at + i, &block[i], &whole, output);
+                if (status != BURNISH_STATUS_OK) {
+                    return status;
+                }
+                if (!whole) {
+                    continue;
+                }
+            }
+            slots[output->triangle_count++] = block[i];
+            output->tile_entries += tile_entries(&block[i]);
         }
     }
     return BURNISH_STATUS_OK;
 }
 
-/* Joins the chunks in their order; the clipped vertices move behind the mesh's. */
-static burnish_status join_chunks(burnish_geometry *geometry, const burnish_raster_view *view,
-                                  const chunk_output *chunks, size_t chunk_count,
-                                  burnish_error *error) {
-    size_t triangles = 0, clips = 0;
-    for (size_t i = 0; i < chunk_count; ++i) {
-        triangles += chunks[i].triangle_count;
-        clips += chunks[i].clip_count;
+/* Makes room behind the mesh's vertices; all of them are there already. */
+static burnish_status grow_vertices(burnish_screen_vertices *vertices, size_t extra,
+                                    burnish_error *error) {
+    size_t count = vertices->mesh_count + extra;
+    if (count >= BURNISH_NO_TRIANGLE) {
+        return burnish_fail(error, BURNISH_STATUS_LIMIT,
+                            "clipping makes more than 2^32 vertices; split the mesh");
     }
+    burnish_status status = burnish_grow((void **)&vertices->items, &vertices->item_capacity, count,
+                                         sizeof *vertices->items, "screen vertices", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_grow((void **)&vertices->inverse_w, &vertices->inverse_capacity, count,
+                              sizeof *vertices->inverse_w, "screen vertices", error);
+    }
+    vertices->count = count;
+    return status;
+}
+
+/* Appends the pieces of clipped triangles and their vertices in the order of the chunks. */
+static burnish_status join_pieces(burnish_geometry *geometry, const burnish_raster_view *view,
+                                  const chunk_output *chunks, size_t pieces, size_t clips,
+                                  burnish_error *error) {
     burnish_screen_vertices *vertices = &geometry->vertices;
-    burnish_status status = burnish_allocate((void **)&geometry->triangles, triangles,
-                                             sizeof *geometry->triangles, "triangles", error);
-    if (status == BURNISH_STATUS_OK && clips > 0) {
-        status = burnish_allocate((void **)&geometry->clip_vertices, clips,
-                                  sizeof *geometry->clip_vertices, "clipped vertices", error);
-        if (status == BURNISH_STATUS_OK) {
-            status = grow_vertices(vertices, clips, error);
-        }
+    burnish_status status = burnish_grow(
+        (void **)&geometry->triangles, &geometry->triangle_capacity, geometry->whole_slots + pieces,
+        sizeof *geometry->triangles, "triangles", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renew((void **)&geometry->pieces, &geometry->piece_capacity, pieces,
+                               sizeof *geometry->pieces, "clipped triangles", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renew((void **)&geometry->clip_vertices, &geometry->clip_capacity, clips,
+                               sizeof *geometry->clip_vertices, "clipped vertices", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = grow_vertices(vertices, clips, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     size_t clip_base = 0;
-    for (size_t i = 0; i < chunk_count; ++i) {
+    for (size_t i = 0; i < geometry->chunk_count; ++i) {
         const chunk_output *chunk = &chunks[i];
-        for (size_t j = 0; j < chunk->triangle_count; ++j) {
-            burnish_setup_triangle triangle = chunk->triangles[j];
-            if (triangle.vertices[0] >= vertices->mesh_count) {
-                for (int k = 0; k < 3; ++k) {
-                    triangle.vertices[k] += (uint32_t)clip_base;
-                }
-            }
-            geometry->triangles[geometry->triangle_count++] = triangle;
-        }
         for (size_t j = 0; j < chunk->clip_count; ++j) {
-            size_t place = clip_base + j;
+            const size_t place = clip_base + j, vertex = vertices->mesh_count + place;
             geometry->clip_vertices[place] = chunk->clips[j];
-            project(view, chunk->corners[j].position, vertices, vertices->mesh_count + place);
+            vertices->items[vertex] =
+                project(view, chunk->corners[j].position, &vertices->inverse_w[vertex]);
+        }
+        for (size_t j = 0; j < chunk->piece_count; ++j) {
+            burnish_corners corners = chunk->pieces[j].corners;
+            for (int k = 0; k < 3; ++k) {
+                corners.vertices[k] += (uint32_t)clip_base;
+            }
+            geometry->triangles[geometry->whole_slots + geometry->piece_count] =
+                chunk->pieces[j].triangle;
+            geometry->pieces[geometry->piece_count++] = corners;
         }
         clip_base += chunk->clip_count;
     }
-    vertices->count = vertices->mesh_count + clip_base;
+    geometry->triangle_count += geometry->piece_count;
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status allocate_vertices(burnish_screen_vertices *vertices, size_t count,
-                                        burnish_error *error) {
-    void **arrays[5] = {(void **)&vertices->x, (void **)&vertices->y, (void **)&vertices->depth,
-                        (void **)&vertices->inverse_w, (void **)&vertices->outcodes};
-    vertices->mesh_count = vertices->count = count;
-    for (int i = 0; i < 5; ++i) {
-        burnish_status status =
-            burnish_allocate(arrays[i], count, i < 4 ? 4 : 1, "screen vertices", error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
+static burnish_status join_chunks(burnish_geometry *geometry, const burnish_raster_view *view,
+                                  const chunk_output *chunks, burnish_error *error) {
+    size_t pieces = 0, clips = 0;
+    for (size_t i = 0; i < geometry->chunk_count; ++i) {
+        if (chunks[i].status != BURNISH_STATUS_OK) {
+            if (error) {
+                *error = chunks[i].error;
+            }
+            return chunks[i].status;
         }
+        geometry->chunk_counts[i] = (uint32_t)chunks[i].triangle_count;
+        geometry->triangle_count += chunks[i].triangle_count;
+        geometry->tile_entries += chunks[i].tile_entries;
+        pieces += chunks[i].piece_count;
+        clips += chunks[i].clip_count;
     }
-    return BURNISH_STATUS_OK;
+    return clips > 0 ? join_pieces(geometry, view, chunks, pieces, clips, error)
+                     : BURNISH_STATUS_OK;
 }
 
-static burnish_status set_up_triangles(burnish_geometry *geometry, const setup_context *context,
-                                       size_t triangle_count, int threads, burnish_error *error) {
-    (void)threads;
-    size_t chunk_count = (triangle_count + CHUNK - 1) / CHUNK;
-    chunk_output *chunks = calloc(chunk_count ? chunk_count : 1, sizeof *chunks);
-    if (!chunks) {
-        return burnish_fail_memory(error, "triangle chunks", chunk_count * sizeof *chunks);
-    }
-#pragma omp parallel for num_threads(threads) schedule(dynamic)
-    for (size_t i = 0; i < chunk_count; ++i) {
-        size_t end = (i + 1) * CHUNK;
-        chunks[i].status = set_up_chunk(context, i * CHUNK,
-                                        end < triangle_count ? end : triangle_count, &chunks[i]);
-    }
-    burnish_status status = BURNISH_STATUS_OK;
-    for (size_t i = 0; i < chunk_count && status == BURNISH_STATUS_OK; ++i) {
-        status = chunks[i].status;
-        if (status != BURNISH_STATUS_OK && error) {
-            *error = chunks[i].error;
-        }
+static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
+                               size_t triangle_count, burnish_error *error) {
+    burnish_screen_vertices *vertices = &geometry->vertices;
+    vertices->mesh_count = vertices->count = vertex_count;
+    geometry->whole_slots = triangle_count;
+    geometry->chunk_count = (triangle_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK;
+    geometry->piece_count = geometry->triangle_count = geometry->tile_entries = 0;
+    burnish_status status =
+        burnish_renew((void **)&vertices->items, &vertices->item_capacity, vertex_count,
+                      sizeof *vertices->items, "screen vertices", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renew((void **)&vertices->inverse_w, &vertices->inverse_capacity,
+                               vertex_count, sizeof *vertices->inverse_w, "screen vertices", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = join_chunks(geometry, context->view, chunks, chunk_count, error);
+        status = burnish_renew((void **)&geometry->triangles, &geometry->triangle_capacity,
+                               triangle_count, sizeof *geometry->triangles, "triangles", error);
     }
-    for (size_t i = 0; i < chunk_count; ++i) {
-        free(chunks[i].triangles);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renew((void **)&geometry->chunk_counts, &geometry->chunk_capacity,
+                               geometry->chunk_count, sizeof *geometry->chunk_counts,
+                               "triangle chunks", error);
+    }
+    return status;
+}
+
+static burnish_status set_up_all(burnish_geometry *geometry, const setup_context *context,
+                                 int threads, burnish_error *error) {
+    (void)threads;
+    const size_t end = geometry->whole_slots;
+    chunk_output *chunks =
+        calloc(geometry->chunk_count ? geometry->chunk_count : 1, sizeof *chunks);
+    if (!chunks) {
+        return burnish_fail_memory(error, "triangle chunks",
+                                   geometry->chunk_count * sizeof *chunks);
+    }
+#pragma omp parallel for num_threads(threads) schedule(dynamic)
+    for (size_t i = 0; i < geometry->chunk_count; ++i) {
+        const size_t first = i * BURNISH_CHUNK;
+        chunks[i].status =
+            set_up_chunk(context, first, end - first < BURNISH_CHUNK ? end : first + BURNISH_CHUNK,
+                         geometry->triangles + first, &chunks[i]);
+    }
+    burnish_status status = join_chunks(geometry, context->view, chunks, error);
+    for (size_t i = 0; i < geometry->chunk_count; ++i) {
+        free(chunks[i].pieces);
         free(chunks[i].clips);
         free(chunks[i].corners);
     }
@@ -339,30 +367,26 @@ static burnish_status set_up_triangles(burnish_geometry *geometry, const setup_c
     return status;
 }
 
-burnish_status burnish_geometry_create(burnish_geometry *geometry, const burnish_raster_view *view,
-                                       const float *positions, size_t vertex_count,
-                                       const uint32_t *indices, size_t triangle_count, int threads,
-                                       burnish_error *error) {
-    memset(geometry, 0, sizeof *geometry);
-    burnish_status status = allocate_vertices(&geometry->vertices, vertex_count, error);
+burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_tier *tier,
+                                       const burnish_raster_view *view, const float *positions,
+                                       size_t vertex_count, const uint32_t *indices,
+                                       size_t triangle_count, int threads, burnish_error *error) {
+    burnish_status status = allocate(geometry, vertex_count, triangle_count, error);
     if (status == BURNISH_STATUS_OK) {
-        setup_context context = {view, &geometry->vertices, positions, indices};
-        transform_vertices(&geometry->vertices, view, positions, threads);
-        status = set_up_triangles(geometry, &context, triangle_count, threads, error);
-    }
-    if (status != BURNISH_STATUS_OK) {
-        burnish_geometry_destroy(geometry);
+        setup_context context = {tier, view, &geometry->vertices, positions, indices};
+        geometry->indices = indices;
+        transform(&geometry->vertices, tier, view, positions, threads);
+        status = set_up_all(geometry, &context, threads, error);
     }
     return status;
 }
 
 void burnish_geometry_destroy(burnish_geometry *geometry) {
-    free(geometry->vertices.x);
-    free(geometry->vertices.y);
-    free(geometry->vertices.depth);
+    free(geometry->vertices.items);
     free(geometry->vertices.inverse_w);
-    free(geometry->vertices.outcodes);
     free(geometry->clip_vertices);
     free(geometry->triangles);
+    free(geometry->pieces);
+    free(geometry->chunk_counts);
     memset(geometry, 0, sizeof *geometry);
 }

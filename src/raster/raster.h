@@ -1,11 +1,13 @@
 /* Rasterisation: triangles in, visible points out. Knows nothing of light, materials or files.
  *
  * Data flow:
- *   positions -> burnish_transform_vertices -> screen vertices (fixed point, 1/w, depth)
- *             -> burnish_setup_triangles    -> oriented, clipped, culled triangles
- *             -> burnish_bin_tiles          -> triangle lists per tile, one band of tiles at a time
- *             -> burnish_draw_tile          -> nearest triangle of every sample of a tile
- *             -> burnish_next_fragments     -> visible points, ready to be shaded
+ *   positions -> burnish_geometry_update -> screen vertices (fixed point, 1/w, depth);
+ *                                           oriented, clipped, culled triangles
+ *             -> burnish_bin_tiles       -> triangle lists per tile, one band of tiles at a time
+ *             -> burnish_visibility_draw -> depth and attributes of a tile's pixels (visibility.h)
+ *
+ * Transform, set-up and drawing run by vectors: src/raster's bodies, compiled for each instruction
+ * set into a burnish_raster_tier.
  *
  * Screen space: x right, y down, 1/256 pixel, the origin at the image's top left corner; depth
  * grows toward the viewer. Coverage is integer and exact: a sample on a shared edge belongs to one
@@ -18,13 +20,15 @@
 #include <stdint.h>
 
 #include "base/error.h"
+#include "burnish/isa.h"
 
 enum {
     BURNISH_SUBPIXELS = 256, /* fixed-point steps a pixel */
     BURNISH_TILE_SIZE = 64,  /* pixels along a tile's edge */
     BURNISH_TILE_PIXELS = BURNISH_TILE_SIZE * BURNISH_TILE_SIZE,
     BURNISH_MAX_SAMPLES = 16,    /* coverage samples a pixel */
-    BURNISH_MAX_TILES = 256,     /* along an image's edge: a tile's index fits 8 bits */
+    BURNISH_MAX_TILES = 256,     /* along an image's edge */
+    BURNISH_COARSE_BLOCK = 8,    /* pixels along the edge of a block of the coarse depth */
     BURNISH_FRAGMENT_BLOCK = 256 /* visible points handed over at once: their arrays stay in L1 */
 };
 
@@ -40,14 +44,36 @@ typedef struct burnish_raster_view {
     float rows[4][4]; /* x, y, z, w */
 } burnish_raster_view;
 
-/* Where the vertices fell: one entry a vertex of the mesh, then the vertices that clipping made. */
+/* Four floats that are added and multiplied together: x, y, z or r, g, b, and a fourth. */
+typedef float burnish_float4 __attribute__((vector_size(16)));
+
+/* Where a vertex fell: 16 bytes, loaded as one vector. */
+typedef struct burnish_screen_vertex {
+    int32_t x, y;     /* 1/256 pixel */
+    float depth;      /* z / w, nearer is larger */
+    uint32_t outcode; /* which planes it lies beyond: BURNISH_OUT_... */
+} burnish_screen_vertex;
+
+enum {
+    BURNISH_OUT_LEFT = 1,
+    BURNISH_OUT_RIGHT = 2,
+    BURNISH_OUT_BOTTOM = 4,
+    BURNISH_OUT_TOP = 8,
+    BURNISH_OUT_NEAR = 16,
+    BURNISH_OUT_GUARD = 32,
+    /* a triangle is out of sight when all its vertices share one of these, cut when one has one of
+       those */
+    BURNISH_OUT_REJECT = 31,
+    BURNISH_OUT_CLIP = BURNISH_OUT_NEAR | BURNISH_OUT_GUARD
+};
+
+/* One item a vertex of the mesh, then the vertices that clipping made. */
 typedef struct burnish_screen_vertices {
-    int32_t *x, *y;    /* 1/256 pixel */
-    float *depth;      /* z / w, nearer is larger */
-    float *inverse_w;  /* 1 / w */
-    uint8_t *outcodes; /* which planes each vertex of the mesh lies beyond */
+    burnish_screen_vertex *items;
+    float *inverse_w;  /* 1 / w; 0 for a vertex of the mesh that only clipped triangles use */
     size_t mesh_count; /* vertices of the mesh */
     size_t count;      /* with the clipped ones */
+    size_t item_capacity, inverse_capacity;
 } burnish_screen_vertices;
 
 /* A vertex that clipping made: its weights in the mesh's triangle. */
@@ -56,27 +82,70 @@ typedef struct burnish_clip_vertex {
     float weights[3];
 } burnish_clip_vertex;
 
-/* One triangle that may be visible; its area on the screen is positive. */
-typedef struct burnish_setup_triangle {
+/* The corners of a triangle, its area on the screen positive. */
+typedef struct burnish_corners {
     uint32_t vertices[3]; /* into burnish_screen_vertices */
     uint32_t source;      /* the mesh's triangle * 2, + 1 when seen from its back */
-    uint8_t tiles[4];     /* x0, y0, x1, y1 (inclusive) of the tiles its bounds touch */
+} burnish_corners;
+
+/* One triangle that may be visible: 16 bytes, stored as one vector. */
+typedef struct burnish_setup_triangle {
+    uint32_t source;    /* as in burnish_corners */
+    float nearest;      /* depth of its nearest vertex */
+    uint16_t blocks[4]; /* x0, y0, x1, y1 (inclusive): the coarse blocks that its bounds touch */
 } burnish_setup_triangle;
 
-/* A frame's geometry; every array is owned. */
+enum { BURNISH_CHUNK = 4096 }; /* triangles or vertices of the mesh that one task handles */
+
+/* A frame's geometry; every array but the indices is owned. All zero before the first frame; a
+ * later frame uses the arrays again. Triangle i of the mesh's c-th chunk has a slot in the chunk's
+ * part of `triangles`, so that threads need not wait for one another; those that may be seen come
+ * first there. The pieces of clipped triangles follow all chunks. */
 typedef struct burnish_geometry {
     burnish_screen_vertices vertices;
     burnish_clip_vertex *clip_vertices; /* vertices.count - vertices.mesh_count of them */
-    burnish_setup_triangle *triangles;
-    size_t triangle_count;
+    burnish_setup_triangle *triangles;  /* slots: whole_slots, then piece_count */
+    burnish_corners *pieces;            /* piece_count */
+    uint32_t *chunk_counts;             /* slots in use, a chunk each */
+    const uint32_t *indices;            /* the mesh's */
+    size_t whole_slots, piece_count, chunk_count;
+    size_t triangle_count; /* slots in use */
+    size_t tile_entries;   /* sum over the triangles of the tiles that their bounds touch */
+    size_t triangle_capacity, piece_capacity, clip_capacity, chunk_capacity;
 } burnish_geometry;
 
-/* Transforms, clips, culls. positions: 3 floats a vertex; indices: 3 a triangle. threads: >= 1.
- * Errors: MEMORY, LIMIT. */
-burnish_status burnish_geometry_create(burnish_geometry *geometry, const burnish_raster_view *view,
-                                       const float *positions, size_t vertex_count,
-                                       const uint32_t *indices, size_t triangle_count, int threads,
-                                       burnish_error *error);
+/* Whether a slot below whole_slots + piece_count is in use. */
+static inline int burnish_geometry_has(const burnish_geometry *geometry, size_t slot) {
+    return slot >= geometry->whole_slots ||
+           slot % BURNISH_CHUNK < geometry->chunk_counts[slot / BURNISH_CHUNK];
+}
+
+/* The corners of the triangle in a slot. A front face's winding turns round on the screen, where y
+ * points down. */
+static inline burnish_corners burnish_geometry_corners(const burnish_geometry *geometry,
+                                                       size_t slot) {
+    if (slot >= geometry->whole_slots) {
+        return geometry->pieces[slot - geometry->whole_slots];
+    }
+    const uint32_t source = geometry->triangles[slot].source;
+    const uint32_t *v = geometry->indices + 3 * (size_t)(source >> 1);
+    const unsigned back = source & 1;
+    return (burnish_corners){{v[0], v[2 - back], v[1 + back]}, source};
+}
+
+/* What is compiled for each instruction set; see the bodies. */
+typedef struct burnish_raster_tier burnish_raster_tier;
+
+/* The tier of an instruction set; the scalar one where there is no other. */
+const burnish_raster_tier *burnish_raster_tier_of(burnish_isa isa);
+
+/* Transforms, clips, culls. positions: 3 floats a vertex; indices: 3 a triangle, which must outlive
+ * the geometry's use. threads: >= 1; the result does not depend on them or the tier.
+ * Errors: MEMORY, LIMIT; destroy it all the same. */
+burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_tier *tier,
+                                       const burnish_raster_view *view, const float *positions,
+                                       size_t vertex_count, const uint32_t *indices,
+                                       size_t triangle_count, int threads, burnish_error *error);
 void burnish_geometry_destroy(burnish_geometry *geometry);
 
 /* Rounds to 1/256 pixel, halves to even, so that mirrored scenes stay mirrored; abs(pixels) <
@@ -100,18 +169,20 @@ enum { BURNISH_CLIP_MAX = 8 }; /* corners of a triangle cut by five planes */
  * two triangles share comes out with the same bits for both. */
 int burnish_clip_triangle(burnish_clip_corner *corners);
 
-/* Triangle lists of a band of tile rows. */
+/* Triangle lists of a band of tile rows: two a tile, of the triangles seen from their front, then
+ * of those seen from their back. Where two triangles have the same depth, the first one drawn
+ * stays. */
 typedef struct burnish_bins {
     int columns, rows; /* tiles of the whole image */
     int first_row, end_row;
-    size_t *offsets;   /* columns * (end_row - first_row) + 1 */
-    uint32_t *entries; /* ascending triangle indices, tile after tile */
+    size_t *offsets;   /* 2 * columns * (end_row - first_row) + 1 */
+    uint32_t *entries; /* ascending slots of triangles, list after list */
     size_t offset_capacity, entry_capacity, count_capacity;
     size_t *counts;      /* scratch */
     size_t entry_budget; /* entries that a band of several rows may hold */
 } burnish_bins;
 
-/* Bins before the first band. */
+/* Bins before a frame's first band; all zero before the first frame. */
 void burnish_bins_begin(burnish_bins *bins);
 
 /* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries under
@@ -121,44 +192,39 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geo
                                  burnish_error *error);
 void burnish_bins_destroy(burnish_bins *bins);
 
-/* Visibility of one tile: sample s of the tile's pixel p is entry p * samples + s. */
-typedef struct burnish_tile {
-    int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
-    int samples;
-    uint32_t *triangles; /* nearest triangle or BURNISH_NO_TRIANGLE */
-    float *depths;
-    int next_pixel; /* where burnish_next_fragments goes on */
-} burnish_tile;
-
-burnish_status burnish_tile_create(burnish_tile *tile, int samples, burnish_error *error);
-void burnish_tile_destroy(burnish_tile *tile);
-
-/* Makes the tile (column, row) current and draws its triangles; the first of two triangles at the
- * same depth stays. Returns 0 when no triangle's bounds touch it: the buffers are then not written.
- */
-int burnish_draw_tile(burnish_tile *tile, const burnish_raster_view *view,
-                      const burnish_geometry *geometry, const burnish_bins *bins, int column,
-                      int row);
+/* Pixels of a tile lie in memory as blocks of 4 x 4, row of blocks after row of blocks, so that 4,
+ * 8 or 16 neighbours of a block are one vector. */
+enum {
+    BURNISH_BLOCK_SIZE = 4,
+    BURNISH_BLOCK_PIXELS = BURNISH_BLOCK_SIZE * BURNISH_BLOCK_SIZE,
+    BURNISH_STRIP_PIXELS = BURNISH_TILE_SIZE * BURNISH_BLOCK_SIZE, /* in a row of blocks */
+    BURNISH_TILE_STRIPS = BURNISH_TILE_SIZE / BURNISH_BLOCK_SIZE
+};
+static inline int burnish_tile_place(int x, int y) {
+    return (y >> 2) << 8 | (x >> 2) << 4 | (y & 3) << 2 | (x & 3);
+}
+static inline int burnish_place_x(int place) {
+    return (place >> 4 & 15) << 2 | (place & 3);
+}
+static inline int burnish_place_y(int place) {
+    return (place >> 8) << 2 | (place >> 2 & 3);
+}
 
 /* Visible points: all samples of a pixel that show the same triangle are one point, at the pixel's
  * centre when that is the whole pixel and else at the mean of the samples, which lies inside the
  * triangle. */
 typedef struct burnish_fragments {
     int count;
-    uint16_t pixel[BURNISH_FRAGMENT_BLOCK];    /* x + y * BURNISH_TILE_SIZE, in the tile */
-    uint8_t weight[BURNISH_FRAGMENT_BLOCK];    /* samples */
-    uint32_t triangle[BURNISH_FRAGMENT_BLOCK]; /* setup triangle */
-    float x[BURNISH_FRAGMENT_BLOCK];           /* pixels from the image's centre, right */
-    float y[BURNISH_FRAGMENT_BLOCK];           /* up */
+    uint16_t place[BURNISH_FRAGMENT_BLOCK]; /* of the pixel in the tile */
+    uint8_t weight[BURNISH_FRAGMENT_BLOCK]; /* samples */
+    burnish_corners corners[BURNISH_FRAGMENT_BLOCK];
+    float x[BURNISH_FRAGMENT_BLOCK]; /* pixels from the image's centre, right */
+    float y[BURNISH_FRAGMENT_BLOCK]; /* up */
     float depth[BURNISH_FRAGMENT_BLOCK];
     float
         weight1[BURNISH_FRAGMENT_BLOCK]; /* screen-space barycentric weights of vertices 1 and 2 */
     float weight2[BURNISH_FRAGMENT_BLOCK];
 } burnish_fragments;
-
-/* The next block of the tile's visible points in pixel order; returns 0 when there is none left. */
-int burnish_next_fragments(burnish_tile *tile, const burnish_raster_view *view,
-                           const burnish_geometry *geometry, burnish_fragments *fragments);
 
 /* Sample positions in 1/16 pixel from the pixel's centre: (x, y) pairs. */
 const int8_t (*burnish_sample_offsets(int samples))[2];

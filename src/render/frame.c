@@ -10,100 +10,212 @@
 #endif
 
 /* What one thread needs to draw tiles, and what it counted. */
-typedef struct tile_worker {
-    burnish_tile tile;
+struct burnish_tile_worker {
+    burnish_visibility tile;
     burnish_fragments fragments;
     burnish_shaded shaded;
-    float sum[3][BURNISH_TILE_PIXELS];    /* linear light times samples */
-    uint8_t covered[BURNISH_TILE_PIXELS]; /* samples */
+    burnish_shade_cache cache;
+    burnish_strip strip;
+    float sum[3][BURNISH_TILE_PIXELS];    /* of shared pixels: linear light times samples */
+    uint8_t covered[BURNISH_TILE_PIXELS]; /* of shared pixels: samples */
+    uint32_t pixels[BURNISH_STRIP_PIXELS];
     size_t covered_pixels;
     int bounds[4];
-} tile_worker;
+};
 
-static void add_fragments(const burnish_frame *frame, tile_worker *worker) {
+static void add_fragments(burnish_tile_worker *worker) {
     const burnish_fragments *fragments = &worker->fragments;
     for (int i = 0; i < fragments->count; ++i) {
-        int pixel = fragments->pixel[i];
-        float weight = (float)fragments->weight[i];
+        const int place = fragments->place[i];
+        const float weight = (float)fragments->weight[i];
         for (int channel = 0; channel < 3; ++channel) {
-            float value = worker->shaded.channel[channel][i];
-            worker->sum[channel][pixel] += weight * (value < 1.0f ? value : 1.0f);
+            const float value = worker->shaded.channel[channel][i];
+            worker->sum[channel][place] += weight * (value < 1.0f ? value : 1.0f);
         }
-        worker->covered[pixel] = (uint8_t)(worker->covered[pixel] + fragments->weight[i]);
-        if (frame->drawn) {
-            uint32_t source = frame->geometry->triangles[fragments->triangle[i]].source >> 1;
-            __atomic_store_n(&frame->drawn[source], 1, __ATOMIC_RELAXED);
-        }
+        worker->covered[place] = (uint8_t)(worker->covered[place] + fragments->weight[i]);
     }
 }
 
-static void count_pixel(tile_worker *worker, int x, int y) {
+/* The bits of a strip's row y: its columns that show something. */
+static uint64_t row_bits(const burnish_tile_worker *worker, int y) {
+    const uint64_t all = ~0ull >> (BURNISH_TILE_SIZE - worker->tile.width);
+    uint64_t bits = 0;
+    for (int x = 0; x < BURNISH_TILE_STRIPS; ++x) {
+        bits |= (uint64_t)(worker->strip.pixels.shown[x] >> 4 * y & 15) << 4 * x;
+    }
+    return bits & all;
+}
+
+/* Counts the pixels of a strip that show something, and their bounds. */
+static void count_strip(burnish_tile_worker *worker, int number) {
+    const burnish_visibility *tile = &worker->tile;
     int *bounds = worker->bounds;
-    if (worker->covered_pixels++ == 0) {
-        bounds[0] = x;
-        bounds[1] = y;
-        bounds[2] = x + 1;
-        bounds[3] = y + 1;
+    for (int y = 0; y < BURNISH_BLOCK_SIZE; ++y) {
+        const uint64_t bits = row_bits(worker, y);
+        const int row = tile->y + number * BURNISH_BLOCK_SIZE + y;
+        if (!bits || number * BURNISH_BLOCK_SIZE + y >= tile->height) {
+            continue;
+        }
+        const int first = tile->x + __builtin_ctzll(bits);
+        const int end = tile->x + BURNISH_TILE_SIZE - __builtin_clzll(bits);
+        if (worker->covered_pixels == 0) {
+            bounds[0] = first;
+            bounds[1] = row;
+        }
+        worker->covered_pixels += (size_t)__builtin_popcountll(bits);
+        bounds[0] = first < bounds[0] ? first : bounds[0];
+        bounds[1] = row < bounds[1] ? row : bounds[1];
+        bounds[2] = end > bounds[2] ? end : bounds[2];
+        bounds[3] = row + 1 > bounds[3] ? row + 1 : bounds[3];
     }
-    bounds[0] = x < bounds[0] ? x : bounds[0];
-    bounds[1] = y < bounds[1] ? y : bounds[1];
-    bounds[2] = x >= bounds[2] ? x + 1 : bounds[2];
-    bounds[3] = y >= bounds[3] ? y + 1 : bounds[3];
 }
 
-/* Mixes a pixel with the background in linear light and encodes it. */
-static void resolve_pixel(const burnish_frame *frame, const tile_worker *worker, int pixel,
-                          uint8_t *out) {
-    int samples = frame->options->samples, covered = worker->covered[pixel];
+/* a where the owner is one (>= 0), b elsewhere; without a branch, since owners are hard to foresee.
+ */
+static inline float pick(int32_t owner, float a, float b) {
+    uint32_t none = (uint32_t)(owner >> 31), a_bits, b_bits;
+    memcpy(&a_bits, &a, sizeof a_bits);
+    memcpy(&b_bits, &b, sizeof b_bits);
+    a_bits = (a_bits & ~none) | (b_bits & none);
+    memcpy(&a, &a_bits, sizeof a);
+    return a;
+}
+
+/* With several samples, the light of a strip in place: whole pixels as they are, the others' sums
+ * mixed with the background, or with alpha the mean of their covered samples. Pixels that nothing
+ * covers get the background, whose code comes back from its linear value. */
+static void mix_strip(const burnish_frame *frame, burnish_tile_worker *worker, int number) {
+    const int base = number * BURNISH_STRIP_PIXELS, samples = frame->options->samples;
+    const int transparent = frame->options->transparent;
+    const uint8_t *covered = worker->covered + base;
+    const float all = 1.0f / (float)samples; /* a power of two */
+    for (int channel = 0; channel < 3; ++channel) {
+        const float behind =
+            transparent ? 0.0f : burnish_srgb_to_linear[frame->options->background[channel]];
+        const float *sum = worker->sum[channel] + base;
+        float *light = worker->strip.rgb[channel];
+        for (int i = 0; i < BURNISH_STRIP_PIXELS; ++i) {
+            const float missing = (float)(samples - covered[i]);
+            float mixed = (sum[i] + missing * behind) * all;
+            if (transparent) {
+                mixed = covered[i] ? sum[i] * (1.0f / (float)covered[i]) : 0.0f;
+            }
+            const float value = light[i] < 1.0f ? light[i] : 1.0f;
+            light[i] = pick(worker->strip.pixels.whole[i], value, mixed);
+        }
+    }
+}
+
+/* A pixel's code where nothing is. */
+static uint32_t code_behind(const burnish_render_options *options) {
+    const uint8_t *code = options->background;
+    return options->transparent
+               ? 0
+               : (uint32_t)code[0] | (uint32_t)code[1] << 8 | (uint32_t)code[2] << 16;
+}
+
+static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker, int number) {
+    const burnish_strip *strip = &worker->strip;
+    const float *const rgb[3] = {strip->rgb[0], strip->rgb[1], strip->rgb[2]};
+    const int samples = frame->options->samples;
+    const struct burnish_batch *batch = frame->shader->batch;
+    const uint32_t alpha = frame->options->transparent ? 0xff000000u : 0;
+    if (samples == 1) {
+        batch->encode(frame->encoder, BURNISH_STRIP_PIXELS, rgb, strip->pixels.whole, alpha,
+                      code_behind(frame->options), worker->pixels);
+        return;
+    }
+    mix_strip(frame, worker, number);
+    batch->encode(frame->encoder, BURNISH_STRIP_PIXELS, rgb, NULL, 0, 0, worker->pixels);
+    const uint8_t *covered = worker->covered + number * BURNISH_STRIP_PIXELS;
+    for (int i = 0; i < BURNISH_STRIP_PIXELS && alpha; ++i) {
+        const int count = strip->pixels.whole[i] >= 0 ? samples : covered[i];
+        worker->pixels[i] |= (uint32_t)((255 * count + samples / 2) / samples) << 24;
+    }
+}
+
+static void fill_row(const burnish_frame *frame, int width, uint8_t *out) {
     const uint8_t *background = frame->options->background;
-    if (covered == 0) {
-        for (int channel = 0; channel < frame->image->channels; ++channel) {
-            out[channel] = frame->options->transparent ? 0 : background[channel];
+    if (frame->options->transparent) {
+        memset(out, 0, 4 * (size_t)width);
+    } else if (background[0] == background[1] && background[0] == background[2]) {
+        memset(out, background[0], 3 * (size_t)width);
+    } else {
+        for (int x = 0; x < width; ++x) {
+            memcpy(out + 3 * x, background, 3);
+        }
+    }
+}
+
+/* Row y of the strip's pixels into the image. */
+static void store_row(const burnish_frame *frame, const burnish_tile_worker *worker, int y,
+                      uint8_t *out) {
+    const uint32_t *pixels = worker->pixels + y * BURNISH_BLOCK_SIZE;
+    const int width = worker->tile.width;
+    if (frame->options->transparent) {
+        for (int x = 0; x < width; ++x) {
+            const uint32_t pixel = pixels[x / 4 * BURNISH_BLOCK_PIXELS + x % 4];
+            for (int k = 0; k < 4; ++k) {
+                out[4 * x + k] = (uint8_t)(pixel >> 8 * k);
+            }
         }
         return;
     }
-    float share = 1.0f / (float)(frame->options->transparent ? covered : samples);
-    for (int channel = 0; channel < 3; ++channel) {
-        float sum = worker->sum[channel][pixel];
-        if (!frame->options->transparent) {
-            float behind = burnish_srgb_to_linear[background[channel]];
-            sum += (float)(samples - covered) * behind;
-        }
-        out[channel] = burnish_linear_to_srgb(sum * share);
-    }
-    if (frame->options->transparent) {
-        out[3] = (uint8_t)((255 * covered + samples / 2) / samples);
+    uint8_t bytes[3 * BURNISH_TILE_SIZE + 4];
+    frame->shader->batch->pack(BURNISH_TILE_SIZE / BURNISH_BLOCK_SIZE, pixels, BURNISH_BLOCK_PIXELS,
+                               bytes);
+    if (width == BURNISH_TILE_SIZE) {
+        memcpy(out, bytes, 3 * BURNISH_TILE_SIZE);
+    } else {
+        memcpy(out, bytes, 3 * (size_t)width);
     }
 }
 
-static void resolve_tile(const burnish_frame *frame, tile_worker *worker) {
-    const burnish_tile *tile = &worker->tile;
-    size_t channels = (size_t)frame->image->channels;
+static uint8_t *image_row(const burnish_frame *frame, const burnish_visibility *tile, int y) {
+    const size_t place = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
+    return frame->image->pixels + place * (size_t)frame->image->channels;
+}
+
+static void finish_tile(const burnish_frame *frame, burnish_tile_worker *worker, int is_empty) {
+    const burnish_visibility *tile = &worker->tile;
     for (int y = 0; y < tile->height; ++y) {
-        size_t first = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
-        uint8_t *out = frame->image->pixels + first * channels;
-        for (int x = 0; x < tile->width; ++x, out += channels) {
-            int pixel = y * BURNISH_TILE_SIZE + x;
-            if (worker->covered[pixel]) {
-                count_pixel(worker, tile->x + x, tile->y + y);
-            }
-            resolve_pixel(frame, worker, pixel, out);
+        const int number = y / BURNISH_BLOCK_SIZE;
+        if (is_empty || !tile->touched[number]) {
+            fill_row(frame, tile->width, image_row(frame, tile, y));
+            continue;
         }
+        if (y % BURNISH_BLOCK_SIZE == 0) {
+            burnish_shade_strip(frame->shader, &worker->cache, frame->tier, tile, frame->view,
+                                number, &worker->strip);
+            if (frame->wants_counts) {
+                count_strip(worker, number);
+            }
+            encode_strip(frame, worker, number);
+        }
+        store_row(frame, worker, y % BURNISH_BLOCK_SIZE, image_row(frame, tile, y));
     }
 }
 
-static void draw_tile(const burnish_frame *frame, const burnish_bins *bins, tile_worker *worker,
-                      int column, int row) {
-    memset(worker->covered, 0, sizeof worker->covered);
-    if (burnish_draw_tile(&worker->tile, frame->view, frame->geometry, bins, column, row)) {
-        memset(worker->sum, 0, sizeof worker->sum);
-        while (burnish_next_fragments(&worker->tile, frame->view, frame->geometry,
-                                      &worker->fragments)) {
-            burnish_shade(frame->shader, &worker->fragments, &worker->shaded);
-            add_fragments(frame, worker);
-        }
+static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
+                      burnish_tile_worker *worker, int column, int row) {
+    burnish_visibility *tile = &worker->tile;
+    if (!burnish_visibility_draw(tile, frame->tier, frame->view, frame->geometry, bins, column,
+                                 row)) {
+        finish_tile(frame, worker, 1);
+        return;
     }
-    resolve_tile(frame, worker);
+    if (frame->options->samples > 1) {
+        memset(worker->covered, 0, sizeof worker->covered);
+        memset(worker->sum, 0, sizeof worker->sum);
+    }
+    while (burnish_visibility_next(tile, frame->view, &worker->fragments)) {
+        burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
+        add_fragments(worker);
+    }
+    finish_tile(frame, worker, 0);
+    if (frame->drawn) {
+        frame->tier->mark(tile, frame->drawn);
+    }
 }
 
 static int thread_index(void) {
@@ -114,33 +226,32 @@ static int thread_index(void) {
 #endif
 }
 
-static burnish_status draw_bands(const burnish_frame *frame, tile_worker *workers,
+static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tiles,
                                  burnish_error *error) {
-    burnish_bins bins;
-    burnish_bins_begin(&bins);
+    burnish_bins *bins = &tiles->bins;
     burnish_status status = BURNISH_STATUS_OK;
+    burnish_bins_begin(bins);
     do {
-        status = burnish_bin_tiles(&bins, frame->geometry, frame->view, frame->threads, error);
+        status = burnish_bin_tiles(bins, frame->geometry, frame->view, frame->threads, error);
         if (status != BURNISH_STATUS_OK) {
             break;
         }
-        int tiles = bins.columns * (bins.end_row - bins.first_row);
+        int count = bins->columns * (bins->end_row - bins->first_row);
 #pragma omp parallel for num_threads(frame->threads) schedule(dynamic)
-        for (int i = 0; i < tiles; ++i) {
-            draw_tile(frame, &bins, &workers[thread_index()], i % bins.columns,
-                      bins.first_row + i / bins.columns);
+        for (int i = 0; i < count; ++i) {
+            draw_tile(frame, bins, &tiles->workers[thread_index()], i % bins->columns,
+                      bins->first_row + i / bins->columns);
         }
-    } while (bins.end_row < bins.rows);
-    burnish_bins_destroy(&bins);
+    } while (bins->end_row < bins->rows);
     return status;
 }
 
 /* Counts are sums and bounds extremes: their order does not matter. */
-static void merge_counts(const tile_worker *workers, int threads, burnish_render_report *report) {
-    for (int i = 0; i < threads; ++i) {
-        const int *from = workers[i].bounds;
+static void merge_counts(const burnish_tiles *tiles, burnish_render_report *report) {
+    for (int i = 0; i < tiles->worker_count; ++i) {
+        const int *from = tiles->workers[i].bounds;
         int *to = report->bounds;
-        if (workers[i].covered_pixels == 0) {
+        if (tiles->workers[i].covered_pixels == 0) {
             continue;
         }
         if (report->covered_pixels == 0) {
@@ -150,31 +261,73 @@ static void merge_counts(const tile_worker *workers, int threads, burnish_render
         to[1] = from[1] < to[1] ? from[1] : to[1];
         to[2] = from[2] > to[2] ? from[2] : to[2];
         to[3] = from[3] > to[3] ? from[3] : to[3];
-        report->covered_pixels += workers[i].covered_pixels;
+        report->covered_pixels += tiles->workers[i].covered_pixels;
     }
 }
 
-burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_render_report *report,
-                                  burnish_error *error) {
-    tile_worker *workers;
-    burnish_status status = burnish_allocate((void **)&workers, (size_t)frame->threads,
-                                             sizeof *workers, "tiles", error);
+static void destroy_workers(burnish_tiles *tiles) {
+    for (int i = 0; i < tiles->worker_count; ++i) {
+        burnish_visibility_destroy(&tiles->workers[i].tile);
+    }
+    free(tiles->workers);
+    tiles->workers = NULL;
+    tiles->worker_count = 0;
+}
+
+static burnish_status create_workers(burnish_tiles *tiles, int count,
+                                     const burnish_visibility_options *options,
+                                     burnish_error *error) {
+    burnish_status status = burnish_allocate((void **)&tiles->workers, (size_t)count,
+                                             sizeof *tiles->workers, "tiles", error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    memset(workers, 0, (size_t)frame->threads * sizeof *workers);
-    for (int i = 0; i < frame->threads && status == BURNISH_STATUS_OK; ++i) {
-        status = burnish_tile_create(&workers[i].tile, frame->options->samples, error);
+    memset(tiles->workers, 0, (size_t)count * sizeof *tiles->workers);
+    tiles->worker_count = count;
+    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        status = burnish_visibility_create(&tiles->workers[i].tile, options, error);
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = draw_bands(frame, workers, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        merge_counts(workers, frame->threads, report);
-    }
-    for (int i = 0; i < frame->threads; ++i) {
-        burnish_tile_destroy(&workers[i].tile);
-    }
-    free(workers);
     return status;
+}
+
+/* Workers that can draw the frame: those of the last one where they do. */
+static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles *tiles,
+                                      burnish_error *error) {
+    const burnish_shader *shader = frame->shader;
+    const burnish_visibility_options wanted = {.samples = frame->options->samples,
+                                               .planes = burnish_shade_planes(shader),
+                                               .keep_owners = shader->triangle_materials != NULL ||
+                                                              frame->drawn != NULL,
+                                               .needs_place = shader->needs_place};
+    burnish_status status = BURNISH_STATUS_OK;
+    if (tiles->worker_count != frame->threads ||
+        memcmp(&tiles->workers[0].tile.options, &wanted, sizeof wanted) != 0) {
+        destroy_workers(tiles);
+        status = create_workers(tiles, frame->threads, &wanted, error);
+    }
+    for (int i = 0; i < tiles->worker_count; ++i) {
+        tiles->workers[i].cache.material = -1;
+        tiles->workers[i].covered_pixels = 0;
+        memset(tiles->workers[i].bounds, 0, sizeof tiles->workers[i].bounds);
+        tiles->workers[i].tile.attributes[0] = shader->attributes->normals;
+        tiles->workers[i].tile.attributes[1] = shader->attributes->colors;
+    }
+    return status;
+}
+
+burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_tiles *tiles,
+                                  burnish_render_report *report, burnish_error *error) {
+    burnish_status status = prepare_workers(frame, tiles, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_bands(frame, tiles, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        merge_counts(tiles, report);
+    }
+    return status;
+}
+
+void burnish_tiles_destroy(burnish_tiles *tiles) {
+    destroy_workers(tiles);
+    burnish_bins_destroy(&tiles->bins);
 }

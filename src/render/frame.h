@@ -3,21 +3,34 @@
 #define BURNISH_RENDER_FRAME_H
 
 #include "burnish/render.h"
-#include "raster/raster.h"
-#include "shade/shade.h"
+#include "kernels/table.h"
+#include "raster/visibility.h"
+#include "shade/strip.h"
 
 typedef struct burnish_frame {
     const burnish_raster_view *view;
+    const burnish_raster_tier *tier;
     const burnish_geometry *geometry;
+    const burnish_srgb_encoder *encoder;
     const burnish_shader *shader;
     const burnish_render_options *options;
     burnish_image *image; /* allocated; every pixel is written */
     int threads;
+    int wants_counts; /* 1: covered pixels and their bounds are wanted */
     uint8_t *drawn; /* a byte a triangle of the mesh, set when it owns a sample; NULL: not wanted */
 } burnish_frame;
 
-/* Draws every tile. report gets covered_pixels and bounds. Errors: MEMORY. */
-burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_render_report *report,
-                                  burnish_error *error);
+/* What threads draw tiles with; kept from frame to frame. All zero before the first. */
+typedef struct burnish_tile_worker burnish_tile_worker;
+typedef struct burnish_tiles {
+    burnish_bins bins;
+    burnish_tile_worker *workers;
+    int worker_count;
+} burnish_tiles;
+
+/* Draws every tile. report gets covered_pixels and bounds where they are wanted. Errors: MEMORY. */
+burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_tiles *tiles,
+                                  burnish_render_report *report, burnish_error *error);
+void burnish_tiles_destroy(burnish_tiles *tiles);
 
 #endif

@@ -19,31 +19,31 @@ static burnish_lobe family_lobe(const burnish_lobe_choice *choice, burnish_fit f
     return lobe;
 }
 
-static burnish_lobe_kernel lobe_kernel(const burnish_lobe_choice *choice, float exponent,
-                                       size_t *fallbacks) {
-    burnish_lobe_kernel kernel = {BURNISH_LOBE_KERNEL_FAMILY, {0, 2}, exponent};
+static burnish_batch_lobe batch_lobe(const burnish_lobe_choice *choice, float exponent,
+                                     size_t *fallbacks) {
+    burnish_batch_lobe lobe = {BURNISH_BATCH_FAMILY, {0, 2}, exponent};
     switch (choice->kind) {
     case BURNISH_LOBE_LYON:
-        kernel.family = family_lobe(choice, BURNISH_FIT_TAYLOR, exponent, fallbacks);
+        lobe.family = family_lobe(choice, BURNISH_FIT_TAYLOR, exponent, fallbacks);
         break;
     case BURNISH_LOBE_POWER:
-        kernel.kind = BURNISH_LOBE_KERNEL_POWER;
+        lobe.kind = BURNISH_BATCH_POWER;
         break;
     case BURNISH_LOBE_SCHLICK:
-        kernel.kind = BURNISH_LOBE_KERNEL_SCHLICK;
+        lobe.kind = BURNISH_BATCH_SCHLICK;
         break;
     case BURNISH_LOBE_GAUSSIAN:
-        kernel.kind = BURNISH_LOBE_KERNEL_GAUSSIAN;
+        lobe.kind = BURNISH_BATCH_GAUSSIAN;
         break;
     case BURNISH_LOBE_GX:
-        kernel.kind = BURNISH_LOBE_KERNEL_GX;
+        lobe.kind = BURNISH_BATCH_GX;
         break;
     case BURNISH_LOBE_FAMILY:
     case BURNISH_LOBE_KIND_COUNT:
-        kernel.family = family_lobe(choice, choice->fit, exponent, fallbacks);
+        lobe.family = family_lobe(choice, choice->fit, exponent, fallbacks);
         break;
     }
-    return kernel;
+    return lobe;
 }
 
 /* Vertex colours take the place of burnish's grey, and multiply a colour that the file gave. */
@@ -73,8 +73,7 @@ burnish_status burnish_materials_create(const burnish_scene *scene,
         const burnish_material *material = burnish_scene_material(scene, i);
         size_t lower = 0;
         set_colors(material, has_colors, options->ambient_light, &(*materials)[i]);
-        (*materials)[i].lobe = lobe_kernel(&options->lobe, material->exponent, &lower);
-        (*materials)[i].lyon = options->lobe.kind == BURNISH_LOBE_LYON;
+        (*materials)[i].lobe = batch_lobe(&options->lobe, material->exponent, &lower);
         *fallbacks += lower;
     }
     return BURNISH_STATUS_OK;

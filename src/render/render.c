@@ -1,6 +1,7 @@
 /* burnish_render: checks the options and leads the data through raster, shade and image. */
 #include "burnish/render.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -159,86 +160,182 @@ static size_t count_drawn(const uint8_t *drawn, size_t count) {
     return sum;
 }
 
-/* Everything after the checks; *image is allocated. */
-static burnish_status draw(const burnish_scene *scene, const burnish_render_options *options,
+static int needs_place(const burnish_batch_lighting *lighting) {
+    int needs = lighting->near_viewer;
+    for (int i = 0; i < lighting->light_count; ++i) {
+        needs |= lighting->lights[i].kind == BURNISH_BATCH_POINT;
+    }
+    return needs;
+}
+
+/* What is kept from frame to frame. */
+struct burnish_renderer {
+    burnish_geometry geometry;
+    burnish_attributes attributes;
+    burnish_tiles tiles;
+    burnish_srgb_encoder encoder;
+    uint8_t *drawn; /* a byte a triangle */
+    size_t drawn_capacity;
+};
+
+burnish_status burnish_renderer_create(burnish_renderer **renderer, burnish_error *error) {
+    if (!renderer) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "renderer: NULL; pass the place of a pointer");
+    }
+    *renderer = calloc(1, sizeof **renderer);
+    if (!*renderer) {
+        return burnish_fail_memory(error, "a renderer", sizeof **renderer);
+    }
+    burnish_srgb_encoder_make(&(*renderer)->encoder);
+    return BURNISH_STATUS_OK;
+}
+
+void burnish_renderer_destroy(burnish_renderer *renderer) {
+    if (renderer) {
+        burnish_tiles_destroy(&renderer->tiles);
+        burnish_attributes_destroy(&renderer->attributes);
+        burnish_geometry_destroy(&renderer->geometry);
+        free(renderer->drawn);
+        free(renderer);
+    }
+}
+
+/* Vertices to the screen, triangles to their chunks. */
+static burnish_status transform(burnish_renderer *renderer, const burnish_mesh *mesh,
+                                const burnish_render_options *options,
+                                const burnish_raster_tier *tier, const burnish_raster_view *view,
+                                int threads, burnish_error *error) {
+    burnish_status status = burnish_geometry_update(
+        &renderer->geometry, tier, view, mesh->positions, mesh->vertex_count, mesh->indices,
+        mesh->triangle_count, threads, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_attributes_update(
+            &renderer->attributes, &renderer->geometry, mesh->normals,
+            options->ignore_colors ? NULL : mesh->colors, mesh->indices, threads, error);
+    }
+    return status;
+}
+
+/* Everything after the checks but for the materials; *image is allocated. */
+static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scene,
+                           const burnish_render_options *options, burnish_shader *shader,
                            burnish_image *image, burnish_render_report *report, uint8_t *drawn,
                            burnish_error *error) {
     const burnish_mesh *mesh = burnish_scene_mesh(scene);
-    burnish_raster_view raster_view;
-    burnish_shader shader;
-    burnish_shade_light lights[BURNISH_LIGHT_MAX];
-    burnish_geometry geometry;
-    burnish_shade_material *materials;
-    double start = seconds_now();
-    memset(&shader, 0, sizeof shader);
+    burnish_raster_view view;
+    const double start = seconds_now();
     burnish_status status =
-        burnish_view_create(mesh, options, &raster_view, &shader.view, lights, error);
+        burnish_view_create(mesh, options, &view, &shader->view, &shader->lighting, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    status = burnish_materials_create(scene, options, &materials, &report->lobe_fallbacks, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    status = burnish_geometry_create(&geometry, &raster_view, mesh->positions, mesh->vertex_count,
-                                     mesh->indices, mesh->triangle_count, report->threads, error);
+    shader->batch = options->batch ? options->batch : burnish_batch_best();
+    shader->attributes = &renderer->attributes;
+    shader->triangle_materials = mesh->triangle_materials;
+    shader->needs_place = needs_place(&shader->lighting);
+    report->isa = burnish_batch_isa(shader->batch);
+    const burnish_raster_tier *tier = burnish_raster_tier_of(report->isa);
+    status = burnish_shader_check(shader, burnish_scene_material_count(scene), error);
     if (status == BURNISH_STATUS_OK) {
+        status = transform(renderer, mesh, options, tier, &view, report->threads, error);
         report->seconds_transform = seconds_now() - start;
-        shader.materials = materials;
-        shader.lights = lights;
-        shader.light_count = options->light_count;
-        shader.normals = mesh->normals;
-        shader.colors = options->ignore_colors ? NULL : mesh->colors;
-        shader.triangle_materials = mesh->triangle_materials;
-        shader.indices = mesh->indices;
-        shader.geometry = &geometry;
-        burnish_frame frame = {&raster_view, &geometry,       &shader, options,
-                               image,        report->threads, drawn};
-        status = burnish_frame_draw(&frame, report, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        const burnish_frame frame = {.view = &view,
+                                     .tier = tier,
+                                     .geometry = &renderer->geometry,
+                                     .encoder = &renderer->encoder,
+                                     .shader = shader,
+                                     .options = options,
+                                     .image = image,
+                                     .threads = report->threads,
+                                     .wants_counts = !options->skip_counts,
+                                     .drawn = drawn};
+        status = burnish_frame_draw(&frame, &renderer->tiles, report, error);
         report->seconds_draw = seconds_now() - start - report->seconds_transform;
-        burnish_geometry_destroy(&geometry);
+    }
+    return status;
+}
+
+/* The bytes where drawn triangles are marked, all 0. */
+static burnish_status prepare_drawn(burnish_renderer *renderer, size_t triangles,
+                                    burnish_error *error) {
+    burnish_status status = burnish_renew((void **)&renderer->drawn, &renderer->drawn_capacity,
+                                          triangles, 1, "drawn triangles", error);
+    if (status == BURNISH_STATUS_OK && triangles > 0) {
+        memset(renderer->drawn, 0, triangles);
+    }
+    return status;
+}
+
+/* An image of the options' size: the one that is there if it fits. */
+static burnish_status prepare_image(burnish_image *image, const burnish_render_options *options,
+                                    burnish_error *error) {
+    const int channels = options->transparent ? 4 : 3;
+    if (image->pixels && image->width == options->width && image->height == options->height &&
+        image->channels == channels) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_image_destroy(image);
+    return burnish_image_create(image, options->width, options->height, channels, error);
+}
+
+burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_scene *scene,
+                                     const burnish_render_options *options, burnish_image *image,
+                                     burnish_render_report *report, burnish_error *error) {
+    burnish_render_report own;
+    burnish_shader shader;
+    burnish_shade_material *materials = NULL;
+    if (!renderer || !image || !scene) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "draw: the %s is NULL; create one first",
+                            !renderer ? "renderer"
+                            : !image  ? "image"
+                                      : "scene");
+    }
+    memset(&own, 0, sizeof own);
+    memset(&shader, 0, sizeof shader);
+    burnish_status status = check_options(options, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = prepare_image(image, options, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    const int marks = report && !options->skip_counts;
+    own.triangles = burnish_scene_mesh(scene)->triangle_count;
+    own.threads = thread_count(options);
+    status = burnish_materials_create(scene, options, &materials, &own.lobe_fallbacks, error);
+    shader.materials = materials;
+    if (status == BURNISH_STATUS_OK && marks) {
+        status = prepare_drawn(renderer, own.triangles, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = draw(renderer, scene, options, &shader, image, &own,
+                      marks ? renderer->drawn : NULL, error);
     }
     free(materials);
+    if (status != BURNISH_STATUS_OK) {
+        burnish_image_destroy(image);
+    } else if (report) {
+        own.triangles_drawn = marks ? count_drawn(renderer->drawn, own.triangles) : 0;
+        *report = own;
+    }
     return status;
 }
 
 burnish_status burnish_render(const burnish_scene *scene, const burnish_render_options *options,
                               burnish_image *image, burnish_render_report *report,
                               burnish_error *error) {
-    burnish_render_report own;
-    if (!image) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "image: NULL; pass a burnish_image");
+    burnish_renderer *renderer;
+    if (image) {
+        memset(image, 0, sizeof *image);
     }
-    memset(image, 0, sizeof *image);
-    if (!scene) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "scene: NULL; load one first");
-    }
-    burnish_status status = check_options(options, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    uint8_t *drawn = NULL;
-    memset(&own, 0, sizeof own);
-    own.triangles = burnish_scene_mesh(scene)->triangle_count;
-    own.threads = thread_count(options);
-    if (report) {
-        status = burnish_allocate((void **)&drawn, own.triangles, 1, "drawn triangles", error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-        memset(drawn, 0, own.triangles);
-    }
-    status = burnish_image_create(image, options->width, options->height,
-                                  options->transparent ? 4 : 3, error);
+    burnish_status status = burnish_renderer_create(&renderer, error);
     if (status == BURNISH_STATUS_OK) {
-        status = draw(scene, options, image, &own, drawn, error);
+        status = burnish_renderer_draw(renderer, scene, options, image, report, error);
+        burnish_renderer_destroy(renderer);
     }
-    if (status != BURNISH_STATUS_OK) {
-        burnish_image_destroy(image);
-    } else if (report) {
-        own.triangles_drawn = count_drawn(drawn, own.triangles);
-        *report = own;
-    }
-    free(drawn);
     return status;
 }

@@ -138,35 +138,73 @@ static burnish_vec3 from_camera_space(const camera_frame *frame, burnish_vec3 v)
     return burnish_vec3_sub(sum, burnish_vec3_scale(frame->forward, v.z));
 }
 
-static burnish_shade_light make_light(const camera_frame *frame, const burnish_mesh *mesh,
-                                      const burnish_camera *camera, const burnish_light *light) {
-    burnish_shade_light made;
+/* Beyond this many scene sizes a point light's rays are parallel to the last bit of a float. */
+#define POINT_REACH 0x1p40
+
+/* Where a light stands from the eye, or in which direction. */
+static burnish_vec3 light_vector(const camera_frame *frame, const burnish_mesh *mesh,
+                                 const burnish_camera *camera, const burnish_light *light) {
+    const int is_point = light->kind == BURNISH_LIGHT_POINT;
     burnish_vec3 v = burnish_vec3_load(light->vector);
-    memset(&made, 0, sizeof made);
-    made.point = light->kind == BURNISH_LIGHT_POINT;
-    memcpy(made.color, light->color, sizeof made.color);
     if (light->follows_camera) {
         burnish_vec3 reach = burnish_vec3_sub(burnish_vec3_load(camera->focal_point),
                                               burnish_vec3_load(camera->position));
-        double unit = made.point ? burnish_vec3_length(reach) * frame->scale : 1;
-        v = burnish_vec3_scale(from_camera_space(frame, v), unit);
-    } else if (made.point) {
-        v = burnish_vec3_scale(burnish_vec3_sub(v, bounds_center(mesh)), frame->scale);
-        v = burnish_vec3_sub(v, frame->eye);
+        double unit = is_point ? burnish_vec3_length(reach) * frame->scale : 1;
+        return burnish_vec3_scale(from_camera_space(frame, v), unit);
     }
-    if (!made.point) {
-        v = burnish_vec3_normalize(v);
-        burnish_vec3 to_viewer = burnish_vec3_scale(frame->forward, -1);
-        store(burnish_vec3_normalize(burnish_vec3_add(v, to_viewer)), made.half);
+    if (is_point) {
+        v = burnish_vec3_scale(burnish_vec3_sub(v, bounds_center(mesh)), frame->scale);
+        return burnish_vec3_sub(v, frame->eye);
+    }
+    return v;
+}
+
+static double largest_component(burnish_vec3 v) {
+    double x = v.x < 0 ? -v.x : v.x, y = v.y < 0 ? -v.y : v.y, z = v.z < 0 ? -v.z : v.z;
+    double largest = x > y ? x : y;
+    return largest > z ? largest : z;
+}
+
+static burnish_batch_light make_light(const camera_frame *frame, const burnish_mesh *mesh,
+                                      const burnish_camera *camera, const burnish_light *light) {
+    burnish_batch_light made;
+    burnish_vec3 v = light_vector(frame, mesh, camera, light);
+    double largest = largest_component(v);
+    memset(&made, 0, sizeof made);
+    memcpy(made.color, light->color, sizeof made.color);
+    made.kind = light->kind == BURNISH_LIGHT_POINT && largest < POINT_REACH
+                    ? BURNISH_BATCH_POINT
+                    : BURNISH_BATCH_DIRECTIONAL;
+    if (made.kind == BURNISH_BATCH_DIRECTIONAL) {
+        v = burnish_vec3_normalize(burnish_vec3_scale(v, 1 / largest));
     }
     store(v, made.vector);
     return made;
 }
 
+static void make_lighting(const camera_frame *frame, const burnish_mesh *mesh,
+                          const burnish_render_options *options, burnish_batch_lighting *lighting) {
+    const burnish_camera *camera = &options->camera;
+    *lighting = burnish_batch_lighting_default();
+    lighting->highlight =
+        options->equation == BURNISH_EQUATION_PHONG ? BURNISH_BATCH_PHONG : BURNISH_BATCH_BLINN;
+    lighting->lyon =
+        options->lobe.kind == BURNISH_LOBE_LYON && lighting->highlight == BURNISH_BATCH_BLINN;
+    lighting->near_viewer =
+        options->viewer == BURNISH_VIEWER_LOCAL && !(camera->orthographic_height > 0);
+    memset(lighting->viewer, 0, sizeof lighting->viewer); /* places count from the eye */
+    if (!lighting->near_viewer) {
+        store(burnish_vec3_scale(frame->forward, -1), lighting->viewer);
+    }
+    lighting->light_count = options->light_count;
+    for (int i = 0; i < options->light_count; ++i) {
+        lighting->lights[i] = make_light(frame, mesh, camera, &options->lights[i]);
+    }
+}
+
 burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
                                    burnish_raster_view *raster, burnish_shade_view *shade,
-                                   burnish_shade_light lights[BURNISH_LIGHT_MAX],
-                                   burnish_error *error) {
+                                   burnish_batch_lighting *lighting, burnish_error *error) {
     camera_frame frame;
     const burnish_camera *camera = &options->camera;
     burnish_status status = make_frame(mesh, camera, &frame, error);
@@ -183,15 +221,8 @@ burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_rende
         make_perspective(&frame, camera->view_angle, options->height, raster, shade);
     }
     status = check_rows(&frame, raster, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    if (status == BURNISH_STATUS_OK) {
+        make_lighting(&frame, mesh, options, lighting);
     }
-    store(burnish_vec3_scale(frame.forward, -1), shade->to_viewer);
-    shade->local_viewer =
-        options->viewer == BURNISH_VIEWER_LOCAL && !(camera->orthographic_height > 0);
-    shade->phong = options->equation == BURNISH_EQUATION_PHONG;
-    for (int i = 0; i < options->light_count; ++i) {
-        lights[i] = make_light(&frame, mesh, camera, &options->lights[i]);
-    }
-    return BURNISH_STATUS_OK;
+    return status;
 }

@@ -10,7 +10,6 @@
  */
 burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
                                    burnish_raster_view *raster, burnish_shade_view *shade,
-                                   burnish_shade_light lights[BURNISH_LIGHT_MAX],
-                                   burnish_error *error);
+                                   burnish_batch_lighting *lighting, burnish_error *error);
 
 #endif

@@ -108,6 +108,7 @@ static size_t weld_corners(builder *b, const uint32_t *remap) {
     const uint32_t *corners = b->source->corner_positions;
     size_t count = b->source->triangle_count, with_area = 0;
     int threads = burnish_thread_count(b->threads, count, SHARE);
+    (void)threads; /* without OpenMP */
 #pragma omp parallel for num_threads(threads) reduction(+ : with_area) if (threads > 1)
     for (size_t i = 0; i < count; ++i) {
         for (size_t k = 3 * i; k < 3 * i + 3; ++k) {
@@ -166,6 +167,7 @@ static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
 static void prepare_normals(builder *b) {
     burnish_source *source = b->source;
     int threads = burnish_thread_count(b->threads, source->normal_count, SHARE);
+    (void)threads; /* without OpenMP */
 #pragma omp parallel for num_threads(threads) if (threads > 1)
     for (size_t i = 0; i < source->normal_count; ++i) {
         burnish_store_unit(burnish_vec3_loadf(source->normals + 3 * i), source->normals + 3 * i);
@@ -195,6 +197,7 @@ static void orient(builder *b) {
     burnish_source *source = b->source;
     size_t count = source->corner_normals ? b->triangle_count : 0;
     int threads = burnish_thread_count(b->threads, count, SHARE);
+    (void)threads; /* without OpenMP */
 #pragma omp parallel for num_threads(threads) if (threads > 1)
     for (size_t i = 0; i < count; ++i) {
         burnish_vec3 sum = {0, 0, 0};
@@ -515,6 +518,7 @@ static void write_vertices(builder *b) {
     for (int i = 0; i < b->maker_count; ++i) {
         const vertex_maker *maker = &b->makers[i];
         int threads = burnish_thread_count(b->threads, maker->count, SHARE);
+        (void)threads; /* without OpenMP */
 #pragma omp parallel for num_threads(threads) if (threads > 1)
         for (size_t k = 0; k < maker->count; ++k) {
             const built_vertex *vertex = &maker->vertices[k];

@@ -2,80 +2,38 @@
  * the screen; a normal's length is of no interest, so its interpolation needs no division. */
 #include "shade/interpolate.h"
 
-#include "base/srgb.h"
-
-/* The mesh's vertices and their weights at a point: up to three vertices. */
-typedef struct corner_weights {
-    uint32_t vertices[3];
-    float weights[3]; /* times 1/w, not normalised */
-} corner_weights;
-
-static corner_weights weights_at(const burnish_shader *shader, const burnish_fragments *fragments,
-                                 int i) {
-    const burnish_screen_vertices *screen = &shader->geometry->vertices;
-    const burnish_setup_triangle *triangle = &shader->geometry->triangles[fragments->triangle[i]];
-    const uint32_t *v = triangle->vertices;
-    float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
-    float weight0 = (1.0f - weight1) - weight2;
-    corner_weights corners = {{v[0], v[1], v[2]},
-                              {weight0 * screen->inverse_w[v[0]], weight1 * screen->inverse_w[v[1]],
-                               weight2 * screen->inverse_w[v[2]]}};
-    if (v[0] < screen->mesh_count) {
-        return corners;
-    }
-    /* A clipped triangle: go on to the weights of the mesh's triangle that it is part of. */
-    const burnish_clip_vertex *clips = shader->geometry->clip_vertices;
-    corner_weights whole = {{0}, {0}};
-    for (int k = 0; k < 3; ++k) {
-        const burnish_clip_vertex *clip = &clips[v[k] - screen->mesh_count];
-        whole.vertices[k] = shader->indices[3 * (size_t)clip->triangle + (size_t)k];
-        for (int j = 0; j < 3; ++j) {
-            whole.weights[j] += corners.weights[k] * clip->weights[j];
-        }
-    }
-    return whole;
-}
-
-static void interpolate_color(const uint8_t *colors, const corner_weights *corners, float inverse,
-                              burnish_points *points, int i) {
-    for (int channel = 0; channel < 3; ++channel) {
-        float sum = 0;
-        for (int k = 0; k < 3; ++k) {
-            uint8_t code = colors[4 * (size_t)corners->vertices[k] + (size_t)channel];
-            sum += corners->weights[k] * burnish_srgb_to_linear[code];
-        }
-        points->diffuse[channel][i] = sum * inverse;
-    }
+static burnish_float4 mix(const burnish_float4 *attributes, const uint32_t v[3], float weight1,
+                          float weight2) {
+    const float weight0 = (1.0f - weight1) - weight2;
+    return (attributes[v[0]] * weight0 + attributes[v[1]] * weight1) + attributes[v[2]] * weight2;
 }
 
 void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *fragments,
                          burnish_points *points) {
+    const burnish_attributes *attributes = shader->attributes;
+    const int needs_w = attributes->has_colors || shader->lighting.lyon;
     points->count = fragments->count;
-    float inverse_sums[BURNISH_FRAGMENT_BLOCK];
     for (int i = 0; i < fragments->count; ++i) {
-        corner_weights corners = weights_at(shader, fragments, i);
-        uint32_t source = shader->geometry->triangles[fragments->triangle[i]].source;
-        float side = source & 1 ? -1.0f : 1.0f;
-        for (int axis = 0; axis < 3; ++axis) {
-            float sum = 0;
-            for (int k = 0; k < 3; ++k) {
-                sum += corners.weights[k] *
-                       shader->normals[3 * (size_t)corners.vertices[k] + (size_t)axis];
+        const burnish_corners *corners = &fragments->corners[i];
+        const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
+        burnish_float4 normal = mix(attributes->normals, corners->vertices, weight1, weight2);
+        float scale = corners->source & 1 ? -1.0f : 1.0f;
+        if (needs_w) {
+            const float w = 1.0f / normal[3];
+            scale = shader->lighting.lyon ? scale * w : scale;
+            if (attributes->has_colors) {
+                burnish_float4 color =
+                    mix(attributes->colors, corners->vertices, weight1, weight2) * w;
+                points->diffuse[0][i] = color[0];
+                points->diffuse[1][i] = color[1];
+                points->diffuse[2][i] = color[2];
             }
-            points->normal[axis][i] = sum * side;
         }
-        inverse_sums[i] = 1.0f / ((corners.weights[0] + corners.weights[1]) + corners.weights[2]);
-        if (shader->colors) {
-            interpolate_color(shader->colors, &corners, inverse_sums[i], points, i);
-        } else {
-            points->diffuse[0][i] = points->diffuse[1][i] = points->diffuse[2][i] = 1.0f;
-        }
+        normal *= scale;
+        points->normal[0][i] = normal[0];
+        points->normal[1][i] = normal[1];
+        points->normal[2][i] = normal[2];
         points->material[i] =
-            shader->triangle_materials ? shader->triangle_materials[source >> 1] : 0;
-    }
-    burnish_kernel_normalize((size_t)points->count, points->normal[0], points->normal[1],
-                             points->normal[2], points->length);
-    for (int i = 0; i < points->count; ++i) {
-        points->length[i] *= inverse_sums[i];
+            shader->triangle_materials ? shader->triangle_materials[corners->source >> 1] : 0;
     }
 }

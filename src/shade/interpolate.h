@@ -7,13 +7,13 @@
 /* A block of points while it is shaded. */
 typedef struct burnish_points {
     int count;
-    float normal[3][BURNISH_FRAGMENT_BLOCK];  /* unit, turned toward the viewer's side */
-    float length[BURNISH_FRAGMENT_BLOCK];     /* of the normal before it was normalised, near 1 */
+    float normal[3][BURNISH_FRAGMENT_BLOCK];  /* turned toward the viewer's side; times 1/w, for
+                                                 Lyon's lobe as interpolated, near unit length */
     float diffuse[3][BURNISH_FRAGMENT_BLOCK]; /* colour of the surface at the vertices, 1 without */
     uint16_t material[BURNISH_FRAGMENT_BLOCK];
 } burnish_points;
 
-/* Normals, their lengths, vertex colours and materials of a block. */
+/* Normals, vertex colours (where the mesh has any) and materials of a block. */
 void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *fragments,
                          burnish_points *points);
 

@@ -7,24 +7,17 @@
 
 #include <stdint.h>
 
-#include "kernels/kernels.h"
+#include "burnish/batch.h"
 #include "raster/raster.h"
+#include "shade/attributes.h"
 
-/* A material, ready for the kernels. */
+/* A material, before it is folded with the lights. */
 typedef struct burnish_shade_material {
     float ambient[3];  /* Ia ka */
     float diffuse[3];  /* kd */
     float specular[3]; /* ks */
-    burnish_lobe_kernel lobe;
-    int lyon; /* 1: lambda by chord and Lyon's three-term normalisation */
+    burnish_batch_lobe lobe;
 } burnish_shade_material;
-
-typedef struct burnish_shade_light {
-    int point;       /* 0: directional */
-    float vector[3]; /* directional: unit, toward the light; point: from the eye to the light */
-    float half[3];   /* directional with a distant viewer: the unit half vector */
-    float color[3];
-} burnish_shade_light;
 
 /* How a pixel's place becomes a place in space. A visible point lies, from the eye, at
  *   (ray + x ray_x + y ray_y + (1 - depth) ray_depth) / q,   x, y in pixels from the centre,
@@ -32,22 +25,17 @@ typedef struct burnish_shade_light {
 typedef struct burnish_shade_view {
     float ray[3], ray_x[3], ray_y[3], ray_depth[3];
     float q_per_depth, q_constant;
-    float to_viewer[3]; /* unit; V where the viewer is distant */
-    int local_viewer;   /* V from each point */
-    int phong;          /* c = R.V instead of N.H */
 } burnish_shade_view;
 
 typedef struct burnish_shader {
     burnish_shade_view view;
+    const burnish_batch *batch;
+    burnish_batch_lighting lighting; /* lights, from the eye, and viewer; no material */
     const burnish_shade_material *materials;
-    const burnish_shade_light *lights;
-    int light_count;
     /* the mesh */
-    const float *normals;               /* 3 a vertex */
-    const uint8_t *colors;              /* 4 a vertex or NULL */
+    const burnish_attributes *attributes;
     const uint16_t *triangle_materials; /* or NULL */
-    const uint32_t *indices;
-    const burnish_geometry *geometry;
+    int needs_place; /* 1: a light or the viewer is near, points must have x, y and depth */
 } burnish_shader;
 
 /* Colours of a block of visible points, each channel >= 0, not yet clamped. */
@@ -55,7 +43,20 @@ typedef struct burnish_shaded {
     float channel[3][BURNISH_FRAGMENT_BLOCK];
 } burnish_shaded;
 
-void burnish_shade(const burnish_shader *shader, const burnish_fragments *fragments,
-                   burnish_shaded *shaded);
+/* The material that a thread shaded last, folded with the lights. */
+typedef struct burnish_shade_cache {
+    int material; /* -1: none yet */
+    burnish_batch_shader prepared;
+} burnish_shade_cache;
+
+/* Makes `material` the cache's. */
+void burnish_shade_prepare(const burnish_shader *shader, int material, burnish_shade_cache *cache);
+
+/* Whether every material and light can be shaded. Errors: ARGUMENT. */
+burnish_status burnish_shader_check(const burnish_shader *shader, size_t material_count,
+                                    burnish_error *error);
+
+void burnish_shade(const burnish_shader *shader, burnish_shade_cache *cache,
+                   const burnish_fragments *fragments, burnish_shaded *shaded);
 
 #endif

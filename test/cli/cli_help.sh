@@ -7,7 +7,7 @@
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
 
 lobe="table claims choose fit boundary sample plot"
-screens="--help;-h;help;render --help;render -h;help render;help --help;lobe --help;lobe -h;help lobe"
+screens="--help;-h;help;render --help;render -h;help render;help --help;lobe --help;lobe -h;help lobe;bench --help"
 for part in $lobe; do
     screens="$screens;lobe $part --help;help lobe $part"
 done
@@ -27,7 +27,7 @@ for part in $lobe; do
 done
 run --help
 cp "$out" main.txt
-for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'help \[COMMAND\]'; do
+for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'bench ' 'help \[COMMAND\]'; do
     check "burnish --help lacks '$code_text'" grep -q -- "  $code_text" main.txt
 done
 run render --help
@@ -52,9 +52,9 @@ done <flags.txt
 sed -n '/^.TP/{n;s/^.*fB\(--[a-z-]*\)fR.*$/\1/p}' page.txt | grep '^--' | sort -u >described.txt
 check "the man page describes no flags" [ -s described.txt ]
 while read -r flag; do
-    check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt lobe.txt || '$burnish' help --help | grep -q -- $flag"
+    check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt lobe.txt || '$burnish' help --help | grep -q -- $flag || '$burnish' bench --help | grep -q -- $flag"
 done <described.txt
-for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE '"LOBE TABLE"' '"LOBE FIT"' COLOURS MATERIALS \
+for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE BENCH '"LOBE TABLE"' '"LOBE FIT"' COLOURS MATERIALS \
     LOBES METRICS LIGHTS '"JSON OUTPUT"' \
     '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
     check "the man page lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish.1

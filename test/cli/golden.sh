@@ -1,6 +1,7 @@
 #!/bin/sh
-# The pixels of known pictures, by hash, with 1, 2 and 7 threads. A change of pixels is deliberate: rewrite
-# the list with `make golden` and say it in CHANGELOG.md. Usage: golden.sh BURNISH SCRATCH [--update]
+# The pixels of known pictures, by hash, with 1, 2 and 7 threads and by every instruction set that runs
+# here. A change of pixels is deliberate: rewrite the list with `make golden` and say it in CHANGELOG.md.
+# Usage: golden.sh BURNISH SCRATCH [--update]
 set -u
 mkdir -p "$2"
 burnish=$(realpath "$1")
@@ -13,13 +14,13 @@ checks=0
 # prints the hash of one picture
 picture() {
     # shellcheck disable=SC2086
-    (cd "$here/data" && "$burnish" render $1 --threads="$2" --json -o "$scratch/golden.png") |
+    (cd "$here/data" && "$burnish" render $1 --threads="$2" --isa="$3" --json -o "$scratch/golden.png") |
         sed -n 's/.*"hash":[[:space:]]*"\([0-9a-f]\{16\}\)".*/\1/p' | tail -n 1
 }
 
 if [ "${3:-}" = --update ]; then
     cut -d' ' -f2- "$list" | while read -r arguments; do
-        hash=$(picture "$arguments" 2)
+        hash=$(picture "$arguments" 2 auto)
         echo "${hash:-none} $arguments"
     done >"$scratch/pixels.txt"
     if grep -n '^none' "$scratch/pixels.txt"; then
@@ -30,16 +31,20 @@ if [ "${3:-}" = --update ]; then
     exit
 fi
 
+sets=
+for isa in scalar sse2 avx2 avx512 neon; do
+    "$burnish" render :sphere --size=16 --isa=$isa -o "$scratch/golden.png" 2>/dev/null && sets="$sets $isa"
+done
 while read -r expected arguments; do
-    for threads in 1 2 7; do
+    for how in 1:auto 2:auto 7:auto $(echo "$sets" | sed 's/ / 1:/g'); do
         checks=$((checks + 1))
-        got=$(picture "$arguments" $threads)
+        got=$(picture "$arguments" "${how%:*}" "${how#*:}")
         if [ "$got" != "$expected" ]; then
-            echo "FAIL: $arguments --threads=$threads: pixels hash to '$got', expected $expected"
+            echo "FAIL: $arguments --threads=${how%:*} --isa=${how#*:}: pixels hash to '$got', expected $expected"
             failures=$((failures + 1))
         fi
     done
 done <"$list"
 rm -f "$scratch/golden.png"
-echo "golden: $checks checks, $failures failed"
+echo "golden: $checks checks, $failures failed; instruction sets:$sets"
 [ "$checks" -ge 30 ] && [ "$failures" -eq 0 ]

@@ -11,6 +11,7 @@
 const burnish_cli_command *const burnish_cli_commands[] = {
     &burnish_cli_render_command,
     &burnish_cli_lobe_command,
+    &burnish_cli_bench_command,
     &burnish_cli_help_command,
     NULL,
 };
@@ -174,7 +175,7 @@ int burnish_cli_print_command_help(const burnish_cli_command *command) {
            *command->operand ? " " : "", command->summary);
     if (*command->operand) {
         printf("  %s  %s\n", command->operand, command->operand_help);
-    } else if (command->operand_help) {
+    } else if (command->operand_help && *command->operand_help) {
         printf("  %s\n", command->operand_help);
     }
     for (size_t i = 0; i < command->flag_count; i += row_length(command, i)) {

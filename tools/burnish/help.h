@@ -44,7 +44,8 @@ int burnish_cli_finish_output(void);
 /* Commands that consist of subcommands: finds and runs one. */
 int burnish_cli_run_part(const burnish_cli_command *whole, int argc, char **argv);
 
-/* The subcommand `help`. */
+/* The subcommands `help` and `bench`. */
 extern const burnish_cli_command burnish_cli_help_command;
+extern const burnish_cli_command burnish_cli_bench_command;
 
 #endif

@@ -354,7 +354,7 @@ static const burnish_cli_flag flags[] = {
      TARGET(quiet)},
     {.name = "threads",
      .value = "N",
-     .help = "never changes the picture",
+     .help = "never change the picture",
      .initial = "0",
      .low = 0,
      .high = 1024,
@@ -364,6 +364,15 @@ static const burnish_cli_flag flags[] = {
          "same for every number.",
      .handler = burnish_cli_flag_integer,
      TARGET(threads)},
+    {.name = "isa",
+     .value = "NAME",
+     .initial = "auto",
+     .manual =
+         "The instruction set of the kernels: *auto* for the fastest that the processor has, "
+         "*scalar*, *sse2*, *avx2*, *avx512* or *neon*. *auto* follows the environment variable "
+         "*BURNISH_ISA* where it is set. The picture's bytes are the same for every one.",
+     .handler = burnish_cli_flag_isa,
+     TARGET(isa)},
     {.name = "fail-on-blank",
      .help = "nothing to see: exit code 8, no file; this screen",
      .manual =

@@ -252,6 +252,7 @@ static void add_run(cJSON *root, const burnish_cli_result *result, int *failed) 
     add(root, "samples", cJSON_CreateNumber(options->samples), failed);
     add(root, "threads", cJSON_CreateNumber(result->cells[0].report.threads), failed);
     add(times, "start", duration(seconds->start), failed);
+    add(root, "isa", cJSON_CreateString(burnish_isa_name(result->cells[0].report.isa)), failed);
     add(times, "load", duration(seconds->load), failed);
     add(times, "read", duration(seconds->read), failed);
     add(times, "build", duration(seconds->build), failed);

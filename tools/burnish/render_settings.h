@@ -63,6 +63,7 @@ typedef struct burnish_cli_render {
     int size[2];
     int samples;
     int threads;
+    burnish_isa isa;
     burnish_cli_background background;
     burnish_cli_views views;
     int columns;        /* 0: chosen by the number of cells */

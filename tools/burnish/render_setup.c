@@ -178,6 +178,7 @@ burnish_render_options burnish_cli_render_options(const burnish_cli_render *sett
     options.height = settings->size[1];
     options.samples = settings->samples;
     options.threads = settings->threads;
+    options.batch = burnish_batch_for(settings->isa);
     options.equation = (burnish_equation)settings->equation;
     options.viewer = (burnish_viewer)settings->viewer;
     options.ignore_colors = settings->color.given;

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "burnish/isa.h"
+
 const char burnish_cli_color_forms[] = "a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name";
 
 typedef struct named_color {
@@ -319,4 +321,17 @@ burnish_status burnish_cli_flag_color(const burnish_cli_flag *flag, const char *
 
 uint8_t burnish_cli_color_code(float srgb) {
     return (uint8_t)(srgb * 255.0F + 0.5F);
+}
+
+burnish_status burnish_cli_flag_isa(const burnish_cli_flag *flag, const char *text, void *target,
+                                    burnish_error *error) {
+    burnish_error reason;
+    burnish_status status = burnish_isa_choose(text, target, &reason);
+    if (status == BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (strncmp(reason.text, BURNISH_ISA_VARIABLE, strlen(BURNISH_ISA_VARIABLE)) == 0) {
+        return burnish_cli_fail(error, status, "%s", reason.text);
+    }
+    return burnish_cli_fail(error, status, "--%s: %s", flag->name, reason.text);
 }

@@ -32,6 +32,7 @@ burnish_cli_handler burnish_cli_flag_vector;  /* burnish_cli_vector */
 burnish_cli_handler burnish_cli_flag_nonzero; /* the same, not 0,0,0 */
 burnish_cli_handler burnish_cli_flag_word;    /* int: value of one of flag->words */
 burnish_cli_handler burnish_cli_flag_color;   /* burnish_cli_color */
+burnish_cli_handler burnish_cli_flag_isa;     /* burnish_isa */
 
 /* The whole text as a finite decimal number. Returns 0 when it is none. */
 int burnish_cli_read_real(const char *text, size_t length, double *value);

@@ -1,8 +1,27 @@
-/* Visibility of one tile, and the visible points that come of it. */
+/* The reference renderer of a tile, kept plain: what src/raster/visibility does fast must come out
+ * as it comes out here, bit for bit. Included by tests.
+ *
+ * The rules. A sample belongs to the triangle that is nearest there; of two at the same depth to
+ * the one seen from its front, then to the first. All samples of a pixel that show one triangle are
+ * one point, at the pixel's centre when that is the whole pixel, else at the mean of the samples.
+ */
+#ifndef BURNISH_TEST_REFERENCE_TILE_H
+#define BURNISH_TEST_REFERENCE_TILE_H
+
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "raster/raster.h"
+
+/* Visibility of one tile: sample s of the tile's pixel p is entry p * samples + s. */
+typedef struct reference_tile {
+    int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
+    int samples;
+    uint32_t *triangles; /* slot of the nearest triangle or BURNISH_NO_TRIANGLE */
+    float *depths;
+    int next_place; /* where reference_next_fragments goes on: in the order of burnish_tile_place */
+} reference_tile;
 
 /* Steps of 1/256 pixel in 1/16 pixel, the unit of sample positions. */
 enum { SAMPLE_STEP = BURNISH_SUBPIXELS / 16 };
@@ -19,22 +38,24 @@ typedef struct triangle_edges {
 } triangle_edges;
 
 static void load_edges(const burnish_geometry *geometry, uint32_t triangle, triangle_edges *edges) {
-    const burnish_screen_vertices *vertices = &geometry->vertices;
-    const uint32_t *v = geometry->triangles[triangle].vertices;
+    const burnish_screen_vertex *items = geometry->vertices.items;
+    const burnish_corners corners = burnish_geometry_corners(geometry, triangle);
+    const uint32_t *v = corners.vertices;
     for (int i = 0; i < 3; ++i) {
-        uint32_t a = v[i == 2 ? 0 : i + 1], b = v[i == 0 ? 2 : i - 1];
-        edges->x[i] = vertices->x[a];
-        edges->y[i] = vertices->y[a];
-        edges->dx[i] = (int64_t)vertices->x[b] - vertices->x[a];
-        edges->dy[i] = (int64_t)vertices->y[b] - vertices->y[a];
+        const burnish_screen_vertex *a = &items[v[i == 2 ? 0 : i + 1]];
+        const burnish_screen_vertex *b = &items[v[i == 0 ? 2 : i - 1]];
+        edges->x[i] = a->x;
+        edges->y[i] = a->y;
+        edges->dx[i] = (int64_t)b->x - a->x;
+        edges->dy[i] = (int64_t)b->y - a->y;
         int top_or_left = edges->dy[i] < 0 || (edges->dy[i] == 0 && edges->dx[i] > 0);
         edges->bias[i] = top_or_left ? 0 : -1;
     }
     int64_t area = edges->dx[2] * edges->dy[0] - edges->dy[2] * edges->dx[0];
     edges->inverse_area = 1.0f / (float)area;
-    edges->depth0 = vertices->depth[v[0]];
-    edges->depth1 = vertices->depth[v[1]] - edges->depth0;
-    edges->depth2 = vertices->depth[v[2]] - edges->depth0;
+    edges->depth0 = items[v[0]].depth;
+    edges->depth1 = items[v[1]].depth - edges->depth0;
+    edges->depth2 = items[v[2]].depth - edges->depth0;
 }
 
 static int64_t edge_at(const triangle_edges *edges, int i, int64_t x, int64_t y) {
@@ -46,7 +67,7 @@ static float depth_at(const triangle_edges *edges, float weight1, float weight2)
 }
 
 /* Pixels of the tile that the triangle's bounds touch; end is exclusive. */
-static void pixel_bounds(const triangle_edges *edges, const burnish_tile *tile, int *x0, int *y0,
+static void pixel_bounds(const triangle_edges *edges, const reference_tile *tile, int *x0, int *y0,
                          int *x1, int *y1) {
     int64_t low_x = edges->x[0], high_x = low_x, low_y = edges->y[0], high_y = low_y;
     for (int i = 1; i < 3; ++i) {
@@ -65,7 +86,8 @@ static void pixel_bounds(const triangle_edges *edges, const burnish_tile *tile, 
     *y1 = high_y > tile->height ? tile->height : (int)high_y;
 }
 
-static void draw_triangle(burnish_tile *tile, const burnish_geometry *geometry, uint32_t triangle) {
+static void draw_triangle(reference_tile *tile, const burnish_geometry *geometry,
+                          uint32_t triangle) {
     triangle_edges edges;
     load_edges(geometry, triangle, &edges);
     int x0, y0, x1, y1;
@@ -108,7 +130,14 @@ static void draw_triangle(burnish_tile *tile, const burnish_geometry *geometry, 
     }
 }
 
-burnish_status burnish_tile_create(burnish_tile *tile, int samples, burnish_error *error) {
+static void reference_tile_destroy(reference_tile *tile) {
+    free(tile->triangles);
+    free(tile->depths);
+    memset(tile, 0, sizeof *tile);
+}
+
+static burnish_status reference_tile_create(reference_tile *tile, int samples,
+                                            burnish_error *error) {
     memset(tile, 0, sizeof *tile);
     tile->samples = samples;
     size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)samples;
@@ -119,28 +148,22 @@ burnish_status burnish_tile_create(burnish_tile *tile, int samples, burnish_erro
             burnish_allocate((void **)&tile->depths, count, sizeof *tile->depths, "a tile", error);
     }
     if (status != BURNISH_STATUS_OK) {
-        burnish_tile_destroy(tile);
+        reference_tile_destroy(tile);
     }
     return status;
 }
 
-void burnish_tile_destroy(burnish_tile *tile) {
-    free(tile->triangles);
-    free(tile->depths);
-    memset(tile, 0, sizeof *tile);
-}
-
-int burnish_draw_tile(burnish_tile *tile, const burnish_raster_view *view,
-                      const burnish_geometry *geometry, const burnish_bins *bins, int column,
-                      int row) {
+static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *view,
+                               const burnish_geometry *geometry, const burnish_bins *bins,
+                               int column, int row) {
     size_t index = (size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column;
-    size_t first = bins->offsets[index], end = bins->offsets[index + 1];
+    size_t first = bins->offsets[2 * index], end = bins->offsets[2 * index + 2];
     tile->x = column * BURNISH_TILE_SIZE;
     tile->y = row * BURNISH_TILE_SIZE;
     int right = view->width - tile->x, below = view->height - tile->y;
     tile->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
     tile->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
-    tile->next_pixel = 0;
+    tile->next_place = 0;
     if (first == end) {
         return 0;
     }
@@ -156,7 +179,7 @@ int burnish_draw_tile(burnish_tile *tile, const burnish_raster_view *view,
 }
 
 /* Appends the point of `weight` samples whose offsets add up to (sum_x, sum_y) in 1/16 pixel. */
-static void append_fragment(const burnish_tile *tile, const burnish_raster_view *view,
+static void append_fragment(const reference_tile *tile, const burnish_raster_view *view,
                             const burnish_geometry *geometry, int pixel, uint32_t triangle,
                             int weight, int sum_x, int sum_y, burnish_fragments *fragments) {
     int dx = 0, dy = 0;
@@ -173,9 +196,10 @@ static void append_fragment(const burnish_tile *tile, const burnish_raster_view 
     float weight1 = (float)edge_at(&edges, 1, x, y) * edges.inverse_area;
     float weight2 = (float)edge_at(&edges, 2, x, y) * edges.inverse_area;
     int i = fragments->count++;
-    fragments->pixel[i] = (uint16_t)pixel;
+    fragments->place[i] =
+        (uint16_t)burnish_tile_place(pixel % BURNISH_TILE_SIZE, pixel / BURNISH_TILE_SIZE);
     fragments->weight[i] = (uint8_t)weight;
-    fragments->triangle[i] = triangle;
+    fragments->corners[i] = burnish_geometry_corners(geometry, triangle);
     fragments->x[i] = (float)(x - view->width * (BURNISH_SUBPIXELS / 2)) / BURNISH_SUBPIXELS;
     fragments->y[i] = (float)(view->height * (BURNISH_SUBPIXELS / 2) - y) / BURNISH_SUBPIXELS;
     fragments->depth[i] = depth_at(&edges, weight1, weight2);
@@ -184,7 +208,7 @@ static void append_fragment(const burnish_tile *tile, const burnish_raster_view 
 }
 
 /* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
-static void append_pixel(const burnish_tile *tile, const burnish_raster_view *view,
+static void append_pixel(const reference_tile *tile, const burnish_raster_view *view,
                          const burnish_geometry *geometry, int pixel,
                          burnish_fragments *fragments) {
     const uint32_t *triangles = tile->triangles + (size_t)pixel * (size_t)tile->samples;
@@ -207,12 +231,18 @@ static void append_pixel(const burnish_tile *tile, const burnish_raster_view *vi
     }
 }
 
-int burnish_next_fragments(burnish_tile *tile, const burnish_raster_view *view,
-                           const burnish_geometry *geometry, burnish_fragments *fragments) {
+static int reference_next_fragments(reference_tile *tile, const burnish_raster_view *view,
+                                    const burnish_geometry *geometry,
+                                    burnish_fragments *fragments) {
     fragments->count = 0;
-    while (tile->next_pixel < BURNISH_TILE_PIXELS &&
+    while (tile->next_place < BURNISH_TILE_PIXELS &&
            fragments->count + tile->samples <= BURNISH_FRAGMENT_BLOCK) {
-        append_pixel(tile, view, geometry, tile->next_pixel++, fragments);
+        const int place = tile->next_place++;
+        append_pixel(tile, view, geometry,
+                     burnish_place_y(place) * BURNISH_TILE_SIZE + burnish_place_x(place),
+                     fragments);
     }
     return fragments->count > 0;
 }
+
+#endif

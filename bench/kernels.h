@@ -1,0 +1,77 @@
+/* The library's kernels timed against what else there is, side by side in one run.
+ *
+ * Contenders take turns: a round runs each for about a millisecond, and what is reported is the
+ * median over rounds of a contender's time divided by the lobe's in the same round, which other
+ * work on the machine disturbs least. No thread is pinned to a core. */
+#ifndef BURNISH_BENCH_KERNELS_H
+#define BURNISH_BENCH_KERNELS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "burnish/batch.h"
+
+enum {
+    BURNISH_BENCH_POINTS = 2048, /* in a block: cosines and values stay in the first cache */
+    BURNISH_BENCH_EXPONENT = 32,
+    BURNISH_BENCH_ROWS_MAX = 48
+};
+
+typedef struct burnish_bench_settings {
+    uint32_t tiers; /* a mask of 1 << burnish_isa */
+    int quick;      /* fewer and shorter rounds, smaller arrays in memory */
+} burnish_bench_settings;
+
+/* One contender in one section. */
+typedef struct burnish_bench_row {
+    const char *section; /* "lobe.l1" */
+    const char *name;    /* "schlick" */
+    const char *label;   /* for people */
+    int is_copy;         /* 1: ratio is the lobe's time over this one's, the key over_NAME */
+    double nanoseconds;  /* an element; NaN where missing */
+    double cycles;       /* of the time-stamp counter; NaN where that is not asked or known */
+    double ratio;        /* this one's time over the lobe's, or see is_copy; NaN where missing */
+    const char *missing; /* why there is no number; NULL where there is one */
+} burnish_bench_row;
+
+typedef struct burnish_bench_table {
+    int count;
+    burnish_bench_row rows[BURNISH_BENCH_ROWS_MAX];
+} burnish_bench_table;
+
+typedef struct burnish_bench_machine {
+    char processor[96];
+    char compiler[96];
+    size_t cache_bytes[3]; /* data caches of level 1 to 3, 0 where unknown */
+    size_t free_bytes;     /* memory that can be had, 0 where unknown */
+} burnish_bench_machine;
+
+typedef struct burnish_bench_report {
+    burnish_bench_machine machine;
+    int rounds;
+    size_t array_bytes; /* of each array in memory; 0: there was no room for them */
+    double tsc_hertz;   /* time-stamp counter; 0 where there is none */
+    int has_tier[BURNISH_ISA_COUNT];
+    burnish_bench_table tiers[BURNISH_ISA_COUNT];
+    burnish_bench_table scalar; /* code that takes one value at a time, no tier */
+} burnish_bench_report;
+
+/* Measures. Takes some seconds a tier, and the memory of two arrays.
+ * Errors: MEMORY, with a line. */
+burnish_status burnish_bench_run(const burnish_bench_settings *settings,
+                                 burnish_bench_report *report, burnish_error *error);
+
+/* 1 for the tiers that can be measured here. */
+int burnish_bench_has(burnish_isa isa);
+
+/* Largest error of each of a tier's lobes in lobe.l1 against max(0, c)^32 by libm in double, over
+ * BURNISH_BENCH_POINTS cosines in [0, 1]: rows' `nanoseconds` is the absolute error and `ratio` the
+ * relative one where the power is at least 1e-6. For the tests. The same for the inverse square
+ * roots in section "root.l1". */
+burnish_status burnish_bench_errors(burnish_isa isa, burnish_bench_table *errors,
+                                    burnish_error *error);
+
+/* The row's key: "lobe.l1.schlick_over", "lobe.l1.over_copy". */
+void burnish_bench_key(const burnish_bench_row *row, char *key, size_t size);
+
+#endif

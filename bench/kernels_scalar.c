@@ -1,0 +1,114 @@
+/* Lobes one value at a time. Compiled without vectorisation (CMakeLists.txt). */
+#include "bench/kernels_scalar.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#define INLINE static inline __attribute__((always_inline))
+
+/* `next`, but not before `value` is there: two bit operations with a zero that the compiler does
+ * not know. */
+INLINE float after(float value, float next, float zero) {
+#if defined(__SSE2__)
+    __asm__("andps %1, %0" : "+x"(value) : "x"(zero));
+    __asm__("orps %1, %0" : "+x"(next) : "x"(value));
+#else
+    uint32_t bits, mask, wanted;
+    memcpy(&bits, &value, sizeof bits);
+    memcpy(&mask, &zero, sizeof mask);
+    memcpy(&wanted, &next, sizeof wanted);
+    wanted |= bits & mask;
+    memcpy(&next, &wanted, sizeof next);
+#endif
+    return next;
+}
+
+/* max(0, x) without the branch that compilers like to make of it, which a lobe that is dark for
+ * most cosines would be measured by. */
+INLINE float positive(float x) {
+#if defined(__SSE2__)
+    __asm__("maxss %1, %0" : "+x"(x) : "x"(0.0f));
+    return x;
+#else
+    return x > 0.0f ? x : 0.0f;
+#endif
+}
+
+/* The paper's form: max(0, c zeta + (1 - zeta))^2, two constants a material. */
+INLINE float folded(const burnish_bench_scalar_lobe *lobe, float c) {
+    float u = c * lobe->family.zeta + lobe->offset;
+    u = positive(u);
+    return u * u;
+}
+
+INLINE float nothing(const burnish_bench_scalar_lobe *lobe, float c) {
+    (void)lobe;
+    return c;
+}
+
+/* burnish/lobe.h at order 2. */
+INLINE float header(const burnish_bench_scalar_lobe *lobe, float c) {
+    burnish_lobe family = {lobe->family.zeta, 2};
+    return burnish_lobe_at_cosine(family, c);
+}
+
+INLINE float schlick_folded(const burnish_bench_scalar_lobe *lobe, float c) {
+    c = positive(c);
+    return c / (lobe->exponent - (lobe->exponent - 1.0f) * c);
+}
+
+INLINE float schlick_unfolded(const burnish_bench_scalar_lobe *lobe, float c) {
+    c = positive(c);
+    return c / (lobe->exponent - lobe->exponent * c + c);
+}
+
+INLINE float schlick_header(const burnish_bench_scalar_lobe *lobe, float c) {
+    return burnish_schlick_at_cosine(c, lobe->exponent);
+}
+
+INLINE float library(const burnish_bench_scalar_lobe *lobe, float c) {
+    return powf(positive(c), lobe->exponent);
+}
+
+#define LOOPS(name)                                                                                \
+    static float name##_through(const burnish_bench_scalar_lobe *given, size_t count,              \
+                                const float *in, float *out) {                                     \
+        const burnish_bench_scalar_lobe lobe = *given;                                             \
+        for (size_t i = 0; i < count; ++i) {                                                       \
+            out[i] = name(&lobe, in[i]);                                                           \
+        }                                                                                          \
+        return out[count - 1];                                                                     \
+    }                                                                                              \
+    static float name##_chain(const burnish_bench_scalar_lobe *given, size_t count,                \
+                              const float *in, float *out) {                                       \
+        const burnish_bench_scalar_lobe lobe = *given;                                             \
+        const volatile float unknown = 0.0f;                                                       \
+        const float zero = unknown;                                                                \
+        float value = zero;                                                                        \
+        for (size_t i = 0; i < count; ++i) {                                                       \
+            value = name(&lobe, after(value, in[i], zero));                                        \
+        }                                                                                          \
+        *out = value;                                                                              \
+        return value;                                                                              \
+    }
+
+LOOPS(folded)
+LOOPS(nothing)
+LOOPS(header)
+LOOPS(schlick_folded)
+LOOPS(schlick_unfolded)
+LOOPS(schlick_header)
+LOOPS(library)
+
+const burnish_bench_scalar burnish_bench_scalars[] = {
+    {"lobe", "max(0, c zeta + (1 - zeta))^2", folded_through, folded_chain},
+    {"loop", "the loop alone (taken off the latencies)", nothing_through, nothing_chain},
+    {"schlick", "c / (n - n c + c), as published", schlick_unfolded_through,
+     schlick_unfolded_chain},
+    {"schlick_folded", "c / (n - (n - 1) c)", schlick_folded_through, schlick_folded_chain},
+    {"lobe_h", "burnish_lobe_at_cosine", header_through, header_chain},
+    {"schlick_h", "burnish_schlick_at_cosine", schlick_header_through, schlick_header_chain},
+    {"powf", "powf", library_through, library_chain},
+    {NULL, NULL, NULL, NULL},
+};

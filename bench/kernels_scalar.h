@@ -1,0 +1,28 @@
+/* Lobes one value at a time: how long one takes, and how many fit into a second. */
+#ifndef BURNISH_BENCH_KERNELS_SCALAR_H
+#define BURNISH_BENCH_KERNELS_SCALAR_H
+
+#include <stddef.h>
+
+#include "burnish/lobe.h"
+
+/* What the scalar lobes read. */
+typedef struct burnish_bench_scalar_lobe {
+    burnish_lobe family;
+    float exponent, offset; /* n, 1 - zeta */
+} burnish_bench_scalar_lobe;
+
+/* A lobe in two loops: `through` has independent values, out[i] = lobe(in[i]); in `chain` each
+ * cosine waits for the value before it. Returns the last value. */
+typedef float burnish_bench_scalar_function(const burnish_bench_scalar_lobe *lobe, size_t count,
+                                            const float *in, float *out);
+
+typedef struct burnish_bench_scalar {
+    const char *name, *label;
+    burnish_bench_scalar_function *through, *chain;
+} burnish_bench_scalar;
+
+/* The first is the lobe, the second the loops alone, a NULL name ends the list. */
+extern const burnish_bench_scalar burnish_bench_scalars[];
+
+#endif

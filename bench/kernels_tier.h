@@ -1,0 +1,86 @@
+/* The contenders of one instruction set: what the library's kernels are timed against. They are
+ * compiled for each tier like the kernels themselves, but may use what those may not: fused
+ * multiply-adds, gathers, other libraries. */
+#ifndef BURNISH_BENCH_KERNELS_TIER_H
+#define BURNISH_BENCH_KERNELS_TIER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "burnish/batch.h"
+
+/* The lobes that the library does not have; max(0, c)^n unless the line says otherwise. Values
+ * begin above those of the library's bodies, beside which the lighting kernel switches. */
+typedef enum burnish_bench_lobe {
+    BURNISH_BENCH_SCHLICK = 100,   /* c / (n - (n - 1) c): one clamp, one division */
+    BURNISH_BENCH_SQUARINGS,       /* c^32 by five squarings, n = 32 only; never subnormal */
+    BURNISH_BENCH_SQUARINGS_PLAIN, /* the same of max(0, c) */
+    BURNISH_BENCH_TABLE,           /* the nearest of 1,024 entries */
+    BURNISH_BENCH_VECTOR_POW,      /* exp2 and log2 by polynomials, 1.2e-4 relative at n = 32 */
+    BURNISH_BENCH_LIBRARY,         /* another library's vector powf */
+    BURNISH_BENCH_LIBM,            /* powf, one at a time */
+    BURNISH_BENCH_COPY,            /* c itself */
+    BURNISH_BENCH_STREAM_COPY,     /* c itself, stored past the caches */
+    BURNISH_BENCH_LOBE_END
+} burnish_bench_lobe;
+
+enum { BURNISH_BENCH_TABLE_SIZE = 1024 };
+
+/* Inverse square roots. */
+typedef enum burnish_bench_root {
+    BURNISH_BENCH_ROOT_OURS,   /* the library's: a tuned Newton step and one of third order */
+    BURNISH_BENCH_ROOT_IEEE,   /* IEEE square root and division */
+    BURNISH_BENCH_ROOT_TUNED,  /* two tuned Newton steps */
+    BURNISH_BENCH_ROOT_NEWTON, /* three plain Newton steps */
+    BURNISH_BENCH_ROOT_COUNT
+} burnish_bench_root;
+
+/* A powf over this tier's vectors; its real type takes and gives vectors. */
+typedef void burnish_bench_library(void);
+
+/* What a contender reads. The shader comes first: a lobe inside the lighting kernel finds the rest
+ * through it. */
+typedef struct burnish_bench_shader {
+    burnish_batch_shader shader;
+    const float *table;             /* BURNISH_BENCH_TABLE_SIZE entries and one of padding */
+    burnish_bench_library *library; /* for BURNISH_BENCH_LIBRARY */
+} burnish_bench_shader;
+
+/* out[i] = lobe(in[i]); count is a multiple of 64, out aligned to 64 bytes. */
+typedef void burnish_bench_lobe_function(const burnish_bench_shader *shader, size_t count,
+                                         const float *in, float *out);
+
+/* The library's lighting kernel with another lobe; RGBA8. */
+typedef void burnish_bench_shade_function(const burnish_bench_shader *shader,
+                                          const burnish_batch_points *points, size_t count,
+                                          uint8_t *rgba);
+
+/* out[i] = 1 / sqrt(in[i]); count is a multiple of 64. */
+typedef void burnish_bench_root_function(size_t count, const float *in, float *out);
+
+#define BURNISH_BENCH_INDEX(lobe) ((int)(lobe) - (int)BURNISH_BENCH_SCHLICK)
+enum { BURNISH_BENCH_LOBE_COUNT = (int)BURNISH_BENCH_LOBE_END - (int)BURNISH_BENCH_SCHLICK };
+
+typedef struct burnish_bench_tier {
+    burnish_isa isa;
+    const char *libmvec, *sleef; /* names of the tier's powf there; NULL: there is none */
+    burnish_bench_lobe_function *lobe[BURNISH_BENCH_LOBE_COUNT];
+    burnish_bench_shade_function *shade[BURNISH_BENCH_LOBE_COUNT][2]; /* distant, general */
+    burnish_bench_root_function *root[BURNISH_BENCH_ROOT_COUNT];
+} burnish_bench_tier;
+
+/* The tables; those of other processors are not in the build. */
+extern const burnish_bench_tier burnish_bench_tier_scalar;
+#if defined(__SSE2__)
+extern const burnish_bench_tier burnish_bench_tier_sse2;
+extern const burnish_bench_tier burnish_bench_tier_avx2;
+extern const burnish_bench_tier burnish_bench_tier_avx512;
+#endif
+#if defined(__aarch64__)
+extern const burnish_bench_tier burnish_bench_tier_neon;
+#endif
+
+/* The contenders of a tier that runs here; NULL where this build or processor lacks them. */
+const burnish_bench_tier *burnish_bench_tier_for(burnish_isa isa);
+
+#endif

@@ -1,0 +1,170 @@
+/* burnish as a contestant: one call of burnish_render a frame, with all that it does: the image
+ * allocated and encoded in sRGB. Its lobes are those of the public interface, and libm's powf. */
+#include <malloc.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "libm_lobe.h"
+#include "worker.h"
+
+typedef struct renderer {
+    const burnish_peers_job *job;
+    burnish_render_options options;
+    const burnish_batch *best;
+    struct burnish_batch libm;
+    int libm_works; /* the renderer shades by the table that it is given */
+} renderer;
+
+/* Whether the renderer calls the kernels of libm_lobe.h: with black ones the picture is black. */
+static int shades_by_table(const burnish_peers_job *job, const burnish_batch *best) {
+    const struct burnish_batch dark = burnish_peers_dark_batch(best);
+    burnish_render_options options = job->options;
+    burnish_image image;
+    burnish_error error;
+    options.batch = &dark;
+    options.lobe.kind = BURNISH_LOBE_POWER;
+    if (burnish_render(job->scene, &options, &image, NULL, &error) != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    size_t bright = 0;
+    for (size_t i = 0; i < (size_t)BURNISH_PEERS_PIXELS * 3; ++i) {
+        bright += image.pixels[i] != 0;
+    }
+    burnish_image_destroy(&image);
+    return bright == 0;
+}
+
+static int open_renderer(void **state, const burnish_peers_job *job, int threads, char *note) {
+    renderer *made = calloc(1, sizeof *made);
+    if (!made) {
+        return 0;
+    }
+    /* As a program would that draws frame after frame: freed memory is kept for the next one. */
+    mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    made->job = job;
+    made->options = job->options;
+    made->best = burnish_batch_best();
+    made->libm = burnish_peers_libm_batch(made->best);
+    made->libm_works = shades_by_table(job, made->best);
+    snprintf(note, BURNISH_PEERS_NOTE, "burnish, %s kernels, %d thread%s, %zu triangles",
+             burnish_isa_name(burnish_batch_isa(made->best)), threads, threads == 1 ? "" : "s",
+             burnish_scene_mesh(job->scene)->triangle_count);
+    *state = made;
+    return 1;
+}
+
+static int choose(renderer *r, const char *variant) {
+    static const struct {
+        const char *variant, *lobe;
+    } LOBES[] = {
+        {"family", "energy:2"}, {"power", "power"}, {"schlick", "schlick"}, {"libm", "power"}};
+    burnish_error error;
+    for (size_t i = 0; i < sizeof LOBES / sizeof *LOBES; ++i) {
+        if (strcmp(variant, LOBES[i].variant) == 0) {
+            int is_libm = strcmp(variant, "libm") == 0;
+            if (is_libm && !r->libm_works) {
+                return 0;
+            }
+            r->options.batch = is_libm ? &r->libm : r->best;
+            return burnish_lobe_choice_parse(LOBES[i].lobe, &r->options.lobe, &error) ==
+                   BURNISH_STATUS_OK;
+        }
+    }
+    return 0;
+}
+
+static int frame(void *state, const char *variant, double *milliseconds) {
+    renderer *r = state;
+    burnish_image image;
+    burnish_error error;
+    if (!choose(r, variant)) {
+        return 0;
+    }
+    double start = burnish_peers_now();
+    burnish_status status = burnish_render(r->job->scene, &r->options, &image, NULL, &error);
+    *milliseconds = burnish_peers_now() - start;
+    burnish_image_destroy(&image);
+    return status == BURNISH_STATUS_OK;
+}
+
+static int picture(void *state, const char *variant, uint8_t *rgb) {
+    renderer *r = state;
+    burnish_image image;
+    burnish_error error;
+    if (!choose(r, variant) ||
+        burnish_render(r->job->scene, &r->options, &image, NULL, &error) != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    memcpy(rgb, image.pixels, (size_t)BURNISH_PEERS_PIXELS * 3);
+    burnish_image_destroy(&image);
+    return 1;
+}
+
+/* The mesh with no vertex shared, each triangle in the colour of its number + 1. */
+static burnish_status numbered_scene(const burnish_mesh *mesh, burnish_scene **scene,
+                                     burnish_error *error) {
+    size_t corners = 3 * mesh->triangle_count;
+    burnish_load_options load = burnish_load_options_default();
+    float *positions = malloc(3 * corners * sizeof *positions);
+    float *normals = malloc(3 * corners * sizeof *normals);
+    uint8_t *colors = malloc(4 * corners);
+    uint32_t *indices = malloc(corners * sizeof *indices);
+    burnish_status status = BURNISH_STATUS_MEMORY;
+    if (positions && normals && colors && indices) {
+        for (size_t i = 0; i < corners; ++i) {
+            size_t number = i / 3 + 1, vertex = mesh->indices[i];
+            memcpy(positions + 3 * i, mesh->positions + 3 * vertex, 3 * sizeof(float));
+            memcpy(normals + 3 * i, mesh->normals + 3 * vertex, 3 * sizeof(float));
+            const uint8_t color[4] = {(uint8_t)(number >> 16), (uint8_t)(number >> 8),
+                                      (uint8_t)number, 255};
+            memcpy(colors + 4 * i, color, sizeof color);
+            indices[i] = (uint32_t)i;
+        }
+        status = burnish_scene_create(positions, normals, colors, corners, indices,
+                                      mesh->triangle_count, &load, scene, error);
+    }
+    free(positions);
+    free(normals);
+    free(colors);
+    free(indices);
+    return status;
+}
+
+/* Draws the triangles' numbers as colours, lit by ambient light alone. */
+static int triangles(void *state, uint32_t *numbers) {
+    renderer *r = state;
+    burnish_scene *scene = NULL;
+    burnish_image image;
+    burnish_error error;
+    burnish_render_options options = r->job->options;
+    burnish_material material = burnish_material_default();
+    const float white[3] = {1, 1, 1};
+    if (burnish_scene_mesh(r->job->scene)->triangle_count >= 1 << 24 ||
+        numbered_scene(burnish_scene_mesh(r->job->scene), &scene, &error) != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    options.light_count = 0;
+    memcpy(options.ambient_light, white, sizeof white);
+    memcpy(material.ambient, white, sizeof white);
+    memcpy(material.diffuse, white, sizeof white);
+    memset(material.specular, 0, sizeof material.specular);
+    material.has_diffuse = 1;
+    int done = burnish_scene_set_material(scene, 0, &material, &error) == BURNISH_STATUS_OK &&
+               burnish_render(scene, &options, &image, NULL, &error) == BURNISH_STATUS_OK;
+    for (size_t i = 0; done && i < BURNISH_PEERS_PIXELS; ++i) {
+        const uint8_t *p = image.pixels + 3 * i;
+        numbers[i] = ((uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]) - 1;
+    }
+    if (done) {
+        burnish_image_destroy(&image);
+    }
+    burnish_scene_destroy(scene);
+    return done;
+}
+
+int main(int count, char **arguments) {
+    const burnish_peers_contestant contestant = {open_renderer, frame, picture, triangles, free};
+    return burnish_peers_serve(&contestant, count, arguments);
+}

@@ -1,0 +1,253 @@
+/* Embree as a contestant: a ray a pixel in packets of 16, the normal interpolated, shaded by
+ * burnish's kernels into RGBA8. The hierarchy is built once and not timed. */
+#include <embree3/rtcore.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "worker.h"
+
+enum { TILE = 32, TILE_PIXELS = TILE * TILE, LANES = 16, SIDE = 4 };
+
+enum {
+    COLUMNS = (BURNISH_PEERS_WIDTH + TILE - 1) / TILE,
+    ROWS = (BURNISH_PEERS_HEIGHT + TILE - 1) / TILE
+};
+
+typedef struct tracer {
+    const burnish_peers_job *job;
+    const burnish_mesh *mesh;
+    RTCDevice device;
+    RTCScene scene;
+    const burnish_batch *batch;
+    uint8_t *rgba;
+    uint32_t *numbers; /* NULL while frames are timed */
+    uint8_t *encoded;  /* NULL while frames are timed; 3 a pixel */
+    int threads;
+} tracer;
+
+/* Points of a tile that rays hit. */
+typedef struct tile_points {
+    float normal[3][TILE_PIXELS];
+    uint32_t pixel[TILE_PIXELS];
+    int count;
+} tile_points;
+
+static void build(tracer *t) {
+    const burnish_mesh *mesh = t->mesh;
+    RTCGeometry geometry = rtcNewGeometry(t->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    float *positions =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                3 * sizeof *positions, mesh->vertex_count);
+    uint32_t *indices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof *indices, mesh->triangle_count);
+    if (positions && indices) {
+        memcpy(positions, mesh->positions, 3 * mesh->vertex_count * sizeof *positions);
+        memcpy(indices, mesh->indices, 3 * mesh->triangle_count * sizeof *indices);
+    }
+    t->scene = rtcNewScene(t->device);
+    rtcSetSceneBuildQuality(t->scene, RTC_BUILD_QUALITY_HIGH);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(t->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(t->scene);
+}
+
+static void close_tracer(void *state) {
+    tracer *t = state;
+    if (t->device) {
+        rtcReleaseScene(t->scene);
+        rtcReleaseDevice(t->device);
+    }
+    free(t->rgba);
+    free(t);
+}
+
+static int open_tracer(void **state, const burnish_peers_job *job, int threads, char *note) {
+    tracer *t = calloc(1, sizeof *t);
+    if (!t) {
+        return 0;
+    }
+    t->job = job;
+    t->mesh = burnish_scene_mesh(job->scene);
+    t->rgba = calloc(BURNISH_PEERS_PIXELS, 4);
+    t->threads = threads;
+    t->batch = burnish_batch_best();
+    t->device = rtcNewDevice(threads == 1 ? "threads=1" : "threads=2");
+    if (t->device) {
+        build(t);
+    }
+    if (!t->device || !t->rgba || rtcGetDeviceError(t->device) != RTC_ERROR_NONE) {
+        snprintf(note, BURNISH_PEERS_NOTE, "Embree: the scene can't be built");
+        close_tracer(t);
+        return 0;
+    }
+    snprintf(note, BURNISH_PEERS_NOTE, "Embree %s, packets of 16, %d thread%s", RTC_VERSION_STRING,
+             threads, threads == 1 ? "" : "s");
+    *state = t;
+    return 1;
+}
+
+/* The rays through the pixels of a square; valid is 0 for those outside the picture. */
+static void aim(const burnish_peers_job *job, int x0, int y0, struct RTCRayHit16 *rays,
+                int valid[LANES]) {
+    const float far = (float)job->farthest * 2;
+    for (int i = 0; i < LANES; ++i) {
+        int x = x0 + i % SIDE, y = y0 + i / SIDE;
+        float right = (float)(x - BURNISH_PEERS_WIDTH / 2) + 0.5f;
+        float up = (float)(BURNISH_PEERS_HEIGHT / 2 - y) - 0.5f;
+        const float inverse = 1.0f / (float)job->pixels;
+        float direction[3];
+        for (int k = 0; k < 3; ++k) {
+            direction[k] = (float)job->forward[k] +
+                           inverse * (right * (float)job->right[k] + up * (float)job->up[k]);
+        }
+        rays->ray.org_x[i] = (float)job->eye[0];
+        rays->ray.org_y[i] = (float)job->eye[1];
+        rays->ray.org_z[i] = (float)job->eye[2];
+        rays->ray.dir_x[i] = direction[0];
+        rays->ray.dir_y[i] = direction[1];
+        rays->ray.dir_z[i] = direction[2];
+        rays->ray.tnear[i] = 0;
+        rays->ray.tfar[i] = far;
+        rays->ray.time[i] = 0;
+        rays->ray.mask[i] = UINT32_MAX;
+        rays->ray.flags[i] = 0;
+        rays->hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        valid[i] = x < BURNISH_PEERS_WIDTH && y < BURNISH_PEERS_HEIGHT ? -1 : 0;
+    }
+}
+
+static void collect(const tracer *t, const struct RTCRayHit16 *rays, int x0, int y0,
+                    tile_points *points) {
+    for (int i = 0; i < LANES; ++i) {
+        if (rays->hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
+            continue;
+        }
+        const uint32_t *v = t->mesh->indices + 3 * (size_t)rays->hit.primID[i];
+        const float *n0 = t->mesh->normals + 3 * (size_t)v[0];
+        const float *n1 = t->mesh->normals + 3 * (size_t)v[1];
+        const float *n2 = t->mesh->normals + 3 * (size_t)v[2];
+        float b1 = rays->hit.u[i], b2 = rays->hit.v[i], b0 = 1 - b1 - b2;
+        float away = rays->hit.Ng_x[i] * rays->ray.dir_x[i] +
+                     rays->hit.Ng_y[i] * rays->ray.dir_y[i] +
+                     rays->hit.Ng_z[i] * rays->ray.dir_z[i];
+        float sign = away > 0 ? -1.0f : 1.0f;
+        uint32_t pixel = (uint32_t)((y0 + i / SIDE) * BURNISH_PEERS_WIDTH + x0 + i % SIDE);
+        for (int k = 0; k < 3; ++k) {
+            points->normal[k][points->count] = sign * (b0 * n0[k] + b1 * n1[k] + b2 * n2[k]);
+        }
+        points->pixel[points->count++] = pixel;
+        if (t->numbers) {
+            t->numbers[pixel] = rays->hit.primID[i];
+        }
+    }
+}
+
+static void shade(const tracer *t, const burnish_batch_shader *shader, const tile_points *points) {
+    uint32_t colors[TILE_PIXELS];
+    float linear[3][TILE_PIXELS];
+    float *const rgb[3] = {linear[0], linear[1], linear[2]};
+    const burnish_batch_points arrays = {
+        .normal = {points->normal[0], points->normal[1], points->normal[2]}};
+    const size_t count = (size_t)points->count;
+    (void)burnish_batch_shade_rgba8(t->batch, shader, &arrays, count, (uint8_t *)colors, NULL);
+    for (size_t i = 0; i < count; ++i) {
+        memcpy(t->rgba + 4 * (size_t)points->pixel[i], &colors[i], 4);
+    }
+    if (t->encoded) {
+        (void)burnish_batch_shade_float(t->batch, shader, &arrays, count, rgb, NULL);
+        for (size_t i = 0; i < count; ++i) {
+            for (size_t k = 0; k < 3; ++k) {
+                t->encoded[3 * (size_t)points->pixel[i] + k] =
+                    burnish_peers_srgb((double)linear[k][i]);
+            }
+        }
+    }
+}
+
+static void draw_tile(const tracer *t, const burnish_batch_shader *shader, int column, int row) {
+    tile_points points;
+    struct RTCRayHit16 rays;
+    struct RTCIntersectContext context;
+    int valid[LANES];
+    points.count = 0;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    for (int y = row * TILE; y < (row + 1) * TILE && y < BURNISH_PEERS_HEIGHT; y += SIDE) {
+        for (int x = column * TILE; x < (column + 1) * TILE; x += SIDE) {
+            aim(t->job, x, y, &rays, valid);
+            rtcIntersect16(valid, t->scene, &context, &rays);
+            collect(t, &rays, x, y, &points);
+        }
+    }
+    shade(t, shader, &points);
+}
+
+static int make_shader(const tracer *t, const char *variant, burnish_batch_shader *shader) {
+    burnish_batch_lighting lighting = burnish_batch_lighting_default();
+    const burnish_peers_job *job = t->job;
+    for (int k = 0; k < 3; ++k) {
+        lighting.ambient[k] = job->ambient;
+        lighting.diffuse[k] = job->diffuse;
+        lighting.specular[k] = job->specular;
+        lighting.viewer[k] = job->viewer[k];
+        lighting.lights[0].vector[k] = job->light[k];
+        lighting.lights[0].color[k] = 1;
+    }
+    lighting.lobe.exponent = job->exponent;
+    if (strcmp(variant, "power") == 0) {
+        lighting.lobe.kind = BURNISH_BATCH_POWER;
+    } else if (strcmp(variant, "family") == 0) {
+        lighting.lobe.kind = BURNISH_BATCH_FAMILY;
+        burnish_lobe_create(&lighting.lobe.family, BURNISH_FIT_ENERGY, 2, job->exponent);
+    } else {
+        return 0;
+    }
+    return burnish_batch_prepare(&lighting, shader, NULL) == BURNISH_STATUS_OK;
+}
+
+static int draw(const tracer *t, const char *variant) {
+    burnish_batch_shader shader;
+    if (!make_shader(t, variant, &shader)) {
+        return 0;
+    }
+    memset(t->rgba, 0, (size_t)BURNISH_PEERS_PIXELS * 4);
+#pragma omp parallel for num_threads(t->threads) schedule(dynamic)
+    for (int tile = 0; tile < COLUMNS * ROWS; ++tile) {
+        draw_tile(t, &shader, tile % COLUMNS, tile / COLUMNS);
+    }
+    return 1;
+}
+
+static int frame(void *state, const char *variant, double *milliseconds) {
+    double start = burnish_peers_now();
+    int done = draw(state, variant);
+    *milliseconds = burnish_peers_now() - start;
+    return done;
+}
+
+static int picture(void *state, const char *variant, uint8_t *rgb) {
+    tracer *t = state;
+    t->encoded = rgb;
+    int done = draw(t, variant);
+    t->encoded = NULL;
+    return done;
+}
+
+static int triangles(void *state, uint32_t *numbers) {
+    tracer *t = state;
+    memset(numbers, 0xff, (size_t)BURNISH_PEERS_PIXELS * sizeof *numbers);
+    t->numbers = numbers;
+    int done = draw(t, "family");
+    t->numbers = NULL;
+    return done;
+}
+
+int main(int count, char **arguments) {
+    const burnish_peers_contestant contestant = {open_tracer, frame, picture, triangles,
+                                                 close_tracer};
+    return burnish_peers_serve(&contestant, count, arguments);
+}

@@ -1,0 +1,157 @@
+/* The common picture's mesh, camera, light and material. */
+#include "job.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#include "subdivide.h"
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+    for (int k = 0; k < 3; ++k) {
+        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    }
+}
+
+static void normalize(double v[3]) {
+    double length = sqrt(dot(v, v));
+    for (int k = 0; k < 3; ++k) {
+        v[k] /= length;
+    }
+}
+
+/* Depths of the nearest and farthest vertex, and a little more. */
+static void find_range(burnish_peers_job *job) {
+    const burnish_mesh *mesh = burnish_scene_mesh(job->scene);
+    job->nearest = INFINITY;
+    job->farthest = 0;
+    for (size_t i = 0; i < mesh->vertex_count; ++i) {
+        double from_eye[3];
+        for (size_t k = 0; k < 3; ++k) {
+            from_eye[k] = mesh->positions[3 * i + k] - job->eye[k];
+        }
+        double depth = dot(from_eye, job->forward);
+        job->nearest = fmin(job->nearest, depth);
+        job->farthest = fmax(job->farthest, depth);
+    }
+    job->nearest *= 0.99;
+    job->farthest *= 1.01;
+}
+
+static void make_camera(burnish_peers_job *job) {
+    const burnish_camera *camera = &job->options.camera;
+    const double pi = 3.14159265358979323846;
+    for (int k = 0; k < 3; ++k) {
+        job->eye[k] = camera->position[k];
+        job->forward[k] = camera->focal_point[k] - camera->position[k];
+    }
+    normalize(job->forward);
+    cross(job->forward, camera->view_up, job->right);
+    normalize(job->right);
+    cross(job->right, job->forward, job->up);
+    job->pixels = BURNISH_PEERS_HEIGHT / 2.0 / tan(camera->view_angle * pi / 360);
+    find_range(job);
+}
+
+static void make_light(burnish_peers_job *job) {
+    burnish_light *light = &job->options.lights[0];
+    double half[3];
+    memset(light, 0, sizeof *light);
+    light->kind = BURNISH_LIGHT_DIRECTIONAL;
+    for (int k = 0; k < 3; ++k) {
+        light->vector[k] = -0.48 * job->right[k] + 0.6 * job->up[k] - 0.64 * job->forward[k];
+        light->color[k] = 1;
+        half[k] = light->vector[k] - job->forward[k];
+    }
+    normalize(half);
+    for (int k = 0; k < 3; ++k) {
+        job->light[k] = (float)light->vector[k];
+        job->half[k] = (float)half[k];
+        job->viewer[k] = (float)-job->forward[k];
+    }
+    job->options.light_count = 1;
+}
+
+static burnish_status make_material(burnish_peers_job *job, burnish_error *error) {
+    burnish_material material = burnish_material_default();
+    burnish_lobe lobe;
+    job->ambient = 0.05f;
+    job->diffuse = 0.6f;
+    job->specular = 0.35f;
+    job->exponent = 32;
+    burnish_lobe_create(&lobe, BURNISH_FIT_ENERGY, 2, job->exponent);
+    job->zeta = (float)lobe.zeta;
+    for (int k = 0; k < 3; ++k) {
+        material.ambient[k] = job->ambient;
+        material.diffuse[k] = job->diffuse;
+        material.specular[k] = job->specular;
+        job->options.ambient_light[k] = 1;
+    }
+    material.exponent = job->exponent;
+    return burnish_scene_set_material(job->scene, 0, &material, error);
+}
+
+static burnish_status load(burnish_peers_job *job, const char *input, int levels,
+                           burnish_error *error) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_scene *coarse;
+    burnish_status status = burnish_scene_load(input, &options, &coarse, error);
+    if (status != BURNISH_STATUS_OK || levels == 0) {
+        job->scene = coarse;
+        return status;
+    }
+    status = burnish_peers_subdivide(coarse, levels, &job->scene, error);
+    burnish_scene_destroy(coarse);
+    return status;
+}
+
+int burnish_peers_job_open(burnish_peers_job *job, const char *input, int levels, int threads) {
+    burnish_error error;
+    burnish_fit_options fit = burnish_fit_options_default();
+    memset(job, 0, sizeof *job);
+    job->options = burnish_render_options_default();
+    job->options.width = BURNISH_PEERS_WIDTH;
+    job->options.height = BURNISH_PEERS_HEIGHT;
+    job->options.samples = 1;
+    job->options.threads = threads;
+    job->options.viewer = BURNISH_VIEWER_DISTANT;
+    memset(job->options.background, 0, sizeof job->options.background);
+    fit.aspect = (double)BURNISH_PEERS_WIDTH / BURNISH_PEERS_HEIGHT;
+    burnish_status status = load(job, input, levels, &error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_camera_fit(job->scene, &fit, &job->options.camera, &error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = make_material(job, &error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        printf("error %s\n", error.text);
+        burnish_peers_job_close(job);
+        return 0;
+    }
+    make_camera(job);
+    make_light(job);
+    return 1;
+}
+
+void burnish_peers_job_close(burnish_peers_job *job) {
+    burnish_scene_destroy(job->scene);
+    job->scene = NULL;
+}
+
+uint8_t burnish_peers_srgb(double linear) {
+    double x = fmin(fmax(linear, 0), 1);
+    double code = x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
+    return (uint8_t)lrint(255 * code);
+}
+
+double burnish_peers_now(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}

@@ -1,0 +1,37 @@
+/* The picture that every contestant draws: mesh, camera, light and material, one for all. */
+#ifndef BURNISH_BENCH_PEERS_JOB_H
+#define BURNISH_BENCH_PEERS_JOB_H
+
+#include "burnish/render.h"
+
+enum { BURNISH_PEERS_WIDTH = 1920, BURNISH_PEERS_HEIGHT = 1080 };
+
+/* Marks a pixel without a triangle in the pictures of triangle numbers. */
+#define BURNISH_PEERS_NOTHING UINT32_MAX
+
+/* One white directional light, a distant viewer, Blinn's cosine, black background, one sample a
+ * pixel; colour = ambient + diffuse max(0, N.L) + specular lobe(N.H) where N.L > 0, in linear
+ * light, and back faces lit from their own side. */
+typedef struct burnish_peers_job {
+    burnish_scene *scene;
+    burnish_render_options options;
+    float ambient, diffuse, specular, exponent; /* grey */
+    float zeta;                                 /* of energy:2 for that exponent */
+    /* for contestants that have their own camera; world space, unit vectors */
+    double eye[3], right[3], up[3], forward[3];
+    double pixels; /* a length of 1 at distance 1, in pixels */
+    double nearest, farthest;
+    float light[3], half[3], viewer[3];
+} burnish_peers_job;
+
+/* Loads input and subdivides it `levels` times. Prints one line and returns 0 on error. */
+int burnish_peers_job_open(burnish_peers_job *job, const char *input, int levels, int threads);
+void burnish_peers_job_close(burnish_peers_job *job);
+
+/* The 8-bit sRGB code of a linear value, by IEC 61966-2-1 in double precision. */
+uint8_t burnish_peers_srgb(double linear);
+
+/* Milliseconds from any fixed moment. */
+double burnish_peers_now(void);
+
+#endif

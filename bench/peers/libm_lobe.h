@@ -1,0 +1,14 @@
+/* The renderer's kernels with libm's powf as the power lobe. */
+#ifndef BURNISH_BENCH_PEERS_LIBM_LOBE_H
+#define BURNISH_BENCH_PEERS_LIBM_LOBE_H
+
+#include "kernels/table.h"
+
+/* Copies batch and replaces its power kernels, for directional lights and a distant viewer, by
+ * loops over arrays around one powf a lit point. */
+struct burnish_batch burnish_peers_libm_batch(const burnish_batch *batch);
+
+/* The same with kernels that shade everything black: shows whether a renderer calls them. */
+struct burnish_batch burnish_peers_dark_batch(const burnish_batch *batch);
+
+#endif

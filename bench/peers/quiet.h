@@ -1,0 +1,9 @@
+/* Waiting until no other program uses the machine. */
+#ifndef BURNISH_BENCH_PEERS_QUIET_H
+#define BURNISH_BENCH_PEERS_QUIET_H
+
+/* Waits until the processors were idle for a tenth of a second, at most *budget seconds, which it
+ * counts down. Returns 0 when they still are not; 1 also where that can't be told. */
+int burnish_peers_wait_until_quiet(double *budget);
+
+#endif

@@ -1,0 +1,33 @@
+/* What the contestants share: each is a program that draws frames when it is asked to.
+ *
+ * Started as PROGRAM INPUT LEVELS THREADS it loads the job and answers each line of standard input
+ * by one line of standard output:
+ *   (start)               ready TEXT      the text says what was found, for the report
+ *   frame VARIANT COUNT   ok MS ...       COUNT frames after one that is not timed
+ *   picture VARIANT FILE  ok              8-bit sRGB, 3 bytes a pixel, rows from the top
+ *   triangles FILE        ok              the triangle each pixel shows, 32 bits
+ * or "error TEXT". It ends at the end of its input.
+ */
+#ifndef BURNISH_BENCH_PEERS_WORKER_H
+#define BURNISH_BENCH_PEERS_WORKER_H
+
+#include "job.h"
+
+enum {
+    BURNISH_PEERS_PIXELS = BURNISH_PEERS_WIDTH * BURNISH_PEERS_HEIGHT,
+    BURNISH_PEERS_NOTE = 160 /* bytes of a contestant's description */
+};
+
+/* One contestant. Every function returns 0 when it failed or does not know the variant. */
+typedef struct burnish_peers_contestant {
+    int (*open)(void **state, const burnish_peers_job *job, int threads, char *note);
+    int (*frame)(void *state, const char *variant, double *milliseconds);
+    int (*picture)(void *state, const char *variant, uint8_t *rgb);
+    int (*triangles)(void *state, uint32_t *numbers);
+    void (*close)(void *state);
+} burnish_peers_contestant;
+
+/* The contestant's main function. */
+int burnish_peers_serve(const burnish_peers_contestant *contestant, int count, char **arguments);
+
+#endif

@@ -1,0 +1,36 @@
+# BURNISH_TIERS and BURNISH_BENCH_TIERS: the sources of the vector tiers that the target's processors
+# may have, of the kernels and of their contenders, each with its instruction set's flags. Which of
+# them runs is found out at run time.
+include(CheckCSourceCompiles)
+check_c_source_compiles("#if !defined(__SSE2__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_SSE2)
+check_c_source_compiles("#if !defined(__aarch64__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_NEON)
+set(BURNISH_TIER_NAMES scalar)
+set(scalar_flags)
+set(avx2_flags -mavx2)
+set(avx512_flags -mavx512f -mavx512dq -mavx512bw -mavx512vl -mprefer-vector-width=512)
+if(BURNISH_HAS_SSE2)
+  list(APPEND BURNISH_TIER_NAMES sse2 avx2 avx512)
+elseif(BURNISH_HAS_NEON)
+  list(APPEND BURNISH_TIER_NAMES neon)
+endif()
+if(BURNISH_HAS_SSE2 OR BURNISH_HAS_NEON)
+  # Where there is a vector tier the scalar one is scalar: the reference, and what its name says.
+  set(scalar_flags -fno-tree-vectorize -fno-tree-slp-vectorize)
+endif()
+set(BURNISH_TIERS)
+set(BURNISH_BENCH_TIERS)
+foreach(tier ${BURNISH_TIER_NAMES})
+  set(sources src/kernels/tier_${tier}.c src/raster/raster_${tier}.c)
+  list(APPEND BURNISH_TIERS ${sources})
+  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${${tier}_flags}")
+  # the contenders need not keep bits: they may fuse
+  list(APPEND BURNISH_BENCH_TIERS bench/kernels_tier_${tier}.c)
+  set(bench_flags ${${tier}_flags})
+  if(tier STREQUAL avx2)
+    list(APPEND bench_flags -mfma)
+  endif()
+  set_source_files_properties(bench/kernels_tier_${tier}.c PROPERTIES COMPILE_OPTIONS "${bench_flags}")
+endforeach()
+# Its code must take one value at a time.
+set_source_files_properties(bench/kernels_scalar.c PROPERTIES COMPILE_OPTIONS
+  "-fno-tree-vectorize;-fno-tree-slp-vectorize;-funroll-loops")

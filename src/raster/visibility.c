@@ -1,0 +1,337 @@
+/* A tile from its lists of triangles to whole pixels and blocks of visible points; the drawing
+ * itself is in visibility_body.h. */
+#include "raster/visibility.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "raster/tier.h"
+
+static burnish_status allocate_floats(float **array, size_t count, burnish_error *error) {
+    burnish_status status =
+        burnish_allocate((void **)array, count, sizeof **array, "a tile", error);
+    if (status == BURNISH_STATUS_OK) {
+        memset(*array, 0, count * sizeof **array); /* what no triangle covers may be shaded too */
+    }
+    return status;
+}
+
+burnish_status burnish_visibility_create(burnish_visibility *visibility,
+                                         const burnish_visibility_options *options,
+                                         burnish_error *error) {
+    const int samples = options->samples;
+    const size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)samples;
+    memset(visibility, 0, sizeof *visibility);
+    visibility->options = *options;
+    burnish_status status = allocate_floats(&visibility->depths, count, error);
+    for (int k = 0; k < options->planes && status == BURNISH_STATUS_OK; ++k) {
+        status = allocate_floats(&visibility->planes[k], BURNISH_TILE_PIXELS, error);
+    }
+    if (samples == 1) {
+        visibility->center_depths = visibility->depths;
+    } else if (status == BURNISH_STATUS_OK) {
+        status = allocate_floats(&visibility->center_depths, BURNISH_TILE_PIXELS, error);
+    }
+    if (status == BURNISH_STATUS_OK && (samples > 1 || options->keep_owners)) {
+        status = burnish_allocate((void **)&visibility->owners, count, sizeof *visibility->owners,
+                                  "a tile", error);
+    }
+    if (status == BURNISH_STATUS_OK && samples > 1) {
+        visibility->triangle_capacity = (size_t)BURNISH_TILE_TRIANGLES * (size_t)samples;
+        status = burnish_allocate((void **)&visibility->triangles, visibility->triangle_capacity,
+                                  sizeof *visibility->triangles, "a tile's triangles", error);
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_allocate((void **)&visibility->places, visibility->triangle_capacity,
+                                      sizeof *visibility->places, "a tile's triangles", error);
+        }
+    }
+    return status;
+}
+
+void burnish_visibility_destroy(burnish_visibility *visibility) {
+    if (visibility->center_depths != visibility->depths) {
+        free(visibility->center_depths);
+    }
+    free(visibility->depths);
+    for (int k = 0; k < BURNISH_PLANE_COUNT; ++k) {
+        free(visibility->planes[k]);
+    }
+    free(visibility->owners);
+    free(visibility->triangles);
+    free(visibility->places);
+    memset(visibility, 0, sizeof *visibility);
+}
+
+/* Samples own at most half of the triangles that the tile can remember, so that half are free
+ * afterwards. Triangles keep their order. */
+void burnish_visibility_compact(burnish_visibility *visibility) {
+    const size_t samples = (size_t)BURNISH_TILE_PIXELS * (size_t)visibility->options.samples;
+    burnish_tile_triangle *triangles = visibility->triangles;
+    int32_t *places = visibility->places, kept = 0;
+    memset(places, 0, visibility->triangle_count * sizeof *places);
+    for (size_t i = 0; i < samples; ++i) {
+        if (visibility->owners[i] >= 0) {
+            places[visibility->owners[i]] = 1;
+        }
+    }
+    for (size_t i = 0; i < visibility->triangle_count; ++i) {
+        if (places[i]) {
+            triangles[kept] = triangles[i];
+            places[i] = kept++;
+        }
+    }
+    for (size_t i = 0; i < samples; ++i) {
+        if (visibility->owners[i] >= 0) {
+            visibility->owners[i] = places[visibility->owners[i]];
+        }
+    }
+    visibility->triangle_count = (size_t)kept;
+}
+
+/* Finds the coarse depth. */
+static void find_coarse(burnish_visibility *visibility, const burnish_raster_tier *tier) {
+    enum { LAST = BURNISH_TILE_BLOCKS - 1 };
+    tier->find_least(visibility);
+    for (int y = 0; y <= LAST; ++y) {
+        const float *row = visibility->coarse[0][y],
+                    *below = visibility->coarse[0][y < LAST ? y + 1 : y];
+        for (int x = 0; x <= LAST; ++x) {
+            const int next = x < LAST ? x + 1 : x;
+            const float first = row[x] < row[next] ? row[x] : row[next];
+            const float second = below[x] < below[next] ? below[x] : below[next];
+            visibility->coarse[1][y][x] = first < second ? first : second;
+        }
+    }
+}
+
+/* Whether everything that the triangle touches is nearer. Interpolated depths may pass the nearest
+ * vertex by rounding: the factor is far more than that. */
+static int is_hidden(const burnish_visibility *visibility, const burnish_setup_triangle *triangle) {
+    const float nearest = triangle->nearest * 1.00001f;
+    const int left = visibility->x / BURNISH_COARSE_BLOCK,
+              top = visibility->y / BURNISH_COARSE_BLOCK;
+    int x0 = triangle->blocks[0] - left, x1 = triangle->blocks[2] - left;
+    int y0 = triangle->blocks[1] - top, y1 = triangle->blocks[3] - top;
+    if (!(nearest > 0.0f)) { /* the factor would make it farther */
+        return 0;
+    }
+    x0 = x0 < 0 ? 0 : x0;
+    y0 = y0 < 0 ? 0 : y0;
+    x1 = x1 >= BURNISH_TILE_BLOCKS ? BURNISH_TILE_BLOCKS - 1 : x1;
+    y1 = y1 >= BURNISH_TILE_BLOCKS ? BURNISH_TILE_BLOCKS - 1 : y1;
+    const int more = (x1 - x0) | (y1 - y0);
+    if (more <= 1) { /* nearly all */
+        return nearest < visibility->coarse[more][y0][x0];
+    }
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            if (nearest >= visibility->coarse[0][y][x]) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+enum {
+    LIST_PART = 512, /* triangles tested against the coarse depth at once */
+    /* triangles drawn before the coarse depth is found again: as much work as a few of them */
+    COARSE_AGE = 2048
+};
+
+/* Draws those of a list that may be seen over what is there. */
+static void draw_over(burnish_visibility *visibility, const burnish_raster_tier *tier,
+                      const burnish_geometry *geometry, const uint32_t *entries, size_t count) {
+    uint32_t seen[LIST_PART];
+    size_t drawn = COARSE_AGE;
+    for (size_t first = 0; first < count; first += LIST_PART) {
+        const size_t part = count - first < LIST_PART ? count - first : LIST_PART;
+        size_t kept = 0;
+        if (drawn >= COARSE_AGE) {
+            find_coarse(visibility, tier);
+            drawn = 0;
+        }
+        for (size_t i = 0; i < part; ++i) {
+            seen[kept] = entries[first + i];
+            kept += !is_hidden(visibility, &geometry->triangles[entries[first + i]]);
+        }
+        tier->draw(visibility, geometry, seen, kept);
+        drawn += kept;
+    }
+}
+
+/* Vectors may have drawn beyond the image's right and lower edge. */
+static void clear_outside(burnish_visibility *visibility) {
+    const int samples = visibility->options.samples;
+    for (int place = 0; place < BURNISH_TILE_PIXELS; ++place) {
+        if (burnish_place_x(place) < visibility->width &&
+            burnish_place_y(place) < visibility->height) {
+            continue;
+        }
+        for (int s = 0; s < samples; ++s) {
+            const int sample = burnish_sample_place(samples, place, s);
+            visibility->depths[sample] = BURNISH_FARTHEST;
+            if (samples > 1) {
+                visibility->owners[sample] = -1;
+            }
+        }
+    }
+}
+
+int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster_tier *tier,
+                            const burnish_raster_view *view, const burnish_geometry *geometry,
+                            const burnish_bins *bins, int column, int row) {
+    size_t list = 2 * ((size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column);
+    const size_t *offsets = bins->offsets + list;
+    const size_t fronts = offsets[1] - offsets[0];
+    visibility->x = column * BURNISH_TILE_SIZE;
+    visibility->y = row * BURNISH_TILE_SIZE;
+    int right = view->width - visibility->x, below = view->height - visibility->y;
+    visibility->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
+    visibility->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
+    visibility->next_place = 0;
+    visibility->triangle_count = 0;
+    if (offsets[0] == offsets[2]) {
+        return 0;
+    }
+    const size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)visibility->options.samples;
+    for (size_t i = 0; i < count; ++i) {
+        visibility->depths[i] = BURNISH_FARTHEST;
+    }
+    if (visibility->options.samples > 1) {
+        memset(visibility->owners, 0xff, count * sizeof *visibility->owners);
+    }
+    memset(visibility->touched, 0, sizeof visibility->touched);
+    const size_t plain = fronts < COARSE_AGE ? fronts : COARSE_AGE;
+    tier->draw(visibility, geometry, bins->entries + offsets[0], plain);
+    draw_over(visibility, tier, geometry, bins->entries + offsets[0] + plain, fronts - plain);
+    draw_over(visibility, tier, geometry, bins->entries + offsets[1], offsets[2] - offsets[1]);
+    if (visibility->width % BURNISH_BLOCK_SIZE || visibility->height % BURNISH_BLOCK_SIZE) {
+        clear_outside(visibility);
+    }
+    if (visibility->options.samples > 1) {
+        memset(visibility->places, 0, visibility->triangle_count * sizeof *visibility->places);
+    }
+    return 1;
+}
+
+/* 1/256 pixel from the tile's edge to a pixel's centre. */
+static int center_of(int pixel) {
+    return pixel * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
+}
+
+/* Weights of a triangle's vertices 1 and 2 at (x, y) in 1/256 pixel from the tile's corner. */
+static void weights_at(const burnish_tile_triangle *triangle, int x, int y, float *weight1,
+                       float *weight2) {
+    const int64_t edge1 = (int64_t)triangle->dx[0] * y - (int64_t)triangle->dy[0] * x;
+    const int64_t edge2 = (int64_t)triangle->dx[1] * y - (int64_t)triangle->dy[1] * x;
+    *weight1 = (float)(edge1 + triangle->constant[0]) * triangle->inverse_area;
+    *weight2 = (float)(edge2 + triangle->constant[1]) * triangle->inverse_area;
+}
+
+static float depth_at(const burnish_tile_triangle *triangle, float weight1, float weight2) {
+    return (triangle->depth[0] + weight1 * triangle->depth[1]) + weight2 * triangle->depth[2];
+}
+
+/* Appends the point at (x, y) in 1/256 pixel from the tile's corner. */
+static void append_point(const burnish_visibility *visibility, const burnish_raster_view *view,
+                         int place, int32_t owner, int weight, int x, int y,
+                         burnish_fragments *fragments) {
+    const burnish_tile_triangle *triangle = &visibility->triangles[owner];
+    const int i = fragments->count++;
+    float weight1, weight2;
+    weights_at(triangle, x, y, &weight1, &weight2);
+    visibility->places[owner] = 1;
+    fragments->place[i] = (uint16_t)place;
+    fragments->weight[i] = (uint8_t)weight;
+    fragments->corners[i] = triangle->corners;
+    fragments->weight1[i] = weight1;
+    fragments->weight2[i] = weight2;
+    if (visibility->options.needs_place) {
+        x += visibility->x * BURNISH_SUBPIXELS - view->width * (BURNISH_SUBPIXELS / 2);
+        y += visibility->y * BURNISH_SUBPIXELS - view->height * (BURNISH_SUBPIXELS / 2);
+        fragments->x[i] = (float)x / BURNISH_SUBPIXELS;
+        fragments->y[i] = (float)-y / BURNISH_SUBPIXELS;
+        fragments->depth[i] = depth_at(triangle, weight1, weight2);
+    }
+}
+
+/* sum / count, towards 0, for abs(sum) <= 4096 and count in [1, 16]: the factor is 65536 / count
+ * rounded up, so that the product is too large by less than 1/16. */
+static int mean_of(int sum, int count) {
+    static const int32_t factors[BURNISH_MAX_SAMPLES + 1] = {
+        0,    65536, 32768, 21846, 16384, 13108, 10923, 9363, 8192,
+        7282, 6554,  5958,  5462,  5042,  4682,  4370,  4096};
+    return sum < 0 ? -(-sum * factors[count] >> 16) : sum * factors[count] >> 16;
+}
+
+/* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
+static void append_samples(const burnish_visibility *visibility, const burnish_raster_view *view,
+                           int place, const int32_t *owners, burnish_fragments *fragments) {
+    const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->options.samples);
+    const int samples = visibility->options.samples, step = BURNISH_SUBPIXELS / 16;
+    const int x = center_of(burnish_place_x(place)), y = center_of(burnish_place_y(place));
+    unsigned taken = 0;
+    for (int s = 0; s < samples; ++s) {
+        if ((taken >> s & 1) || owners[s] < 0) {
+            continue;
+        }
+        int weight = 0, sum_x = 0, sum_y = 0;
+        for (int other = s; other < samples; ++other) {
+            if (owners[other] == owners[s]) {
+                taken |= 1u << other;
+                weight += 1;
+                sum_x += offsets[other][0];
+                sum_y += offsets[other][1];
+            }
+        }
+        append_point(visibility, view, place, owners[s], weight, x + mean_of(sum_x * step, weight),
+                     y + mean_of(sum_y * step, weight), fragments);
+    }
+}
+
+/* Differences between the samples' owners of each pixel of a block: 0 where one has them all. */
+static void find_differences(const burnish_visibility *visibility, int block,
+                             int32_t different[BURNISH_BLOCK_PIXELS]) {
+    const int samples = visibility->options.samples;
+    const int32_t *first = visibility->owners + block * BURNISH_BLOCK_PIXELS * samples;
+    memset(different, 0, BURNISH_BLOCK_PIXELS * sizeof *different);
+    for (int s = 1; s < samples; ++s) {
+        const int32_t *owners = first + s * BURNISH_BLOCK_PIXELS;
+        for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+            different[i] |= owners[i] ^ first[i];
+        }
+    }
+}
+
+int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
+                            burnish_fragments *fragments) {
+    const int samples = visibility->options.samples;
+    int32_t different[BURNISH_BLOCK_PIXELS], owners[BURNISH_MAX_SAMPLES];
+    int place = visibility->next_place, known = -1;
+    fragments->count = 0;
+    while (samples > 1 && place < BURNISH_TILE_PIXELS) {
+        const int block = place / BURNISH_BLOCK_PIXELS, pixel = place % BURNISH_BLOCK_PIXELS;
+        if (!(visibility->touched[block / BURNISH_TILE_STRIPS] >> block % BURNISH_TILE_STRIPS &
+              1)) {
+            place += BURNISH_BLOCK_PIXELS - pixel;
+            continue;
+        }
+        if (block != known) {
+            find_differences(visibility, block, different);
+            known = block;
+        }
+        if (different[pixel]) {
+            if (fragments->count + samples > BURNISH_FRAGMENT_BLOCK) {
+                break;
+            }
+            for (int s = 0; s < samples; ++s) {
+                owners[s] = visibility->owners[burnish_sample_place(samples, place, s)];
+            }
+            append_samples(visibility, view, place, owners, fragments);
+        }
+        ++place;
+    }
+    visibility->next_place = place;
+    return fragments->count > 0;
+}

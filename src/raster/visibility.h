@@ -1,0 +1,111 @@
+/* A tile from its lists of triangles to depth and attributes of every pixel. What comes out is, bit
+ * for bit, what test/reference_tile.h computes in the plainest way, for every instruction set.
+ *
+ * A sample belongs to the triangle that is nearest there; of two at the same depth to the one seen
+ * from its front, then to the first. A pixel whose samples all are one triangle's is whole: its
+ * attributes are interpolated at its centre while the triangle is drawn. The others are shared:
+ * all samples of such a pixel that show one triangle become one point (burnish_visibility_next). */
+#ifndef BURNISH_RASTER_VISIBILITY_H
+#define BURNISH_RASTER_VISIBILITY_H
+
+#include "raster/raster.h"
+
+/* A triangle that owns, or owned, a sample of the tile. Coordinates are 1/256 pixel from the tile's
+ * corner; edge function i at (x, y) is dx[i - 1] y - dy[i - 1] x + constant[i - 1], i = 1, 2. */
+typedef struct burnish_tile_triangle {
+    int64_t constant[2];
+    int32_t dx[2], dy[2];
+    float inverse_area;
+    float depth[3]; /* of vertex 0; of 1 and 2 minus that */
+    burnish_corners corners;
+} burnish_tile_triangle;
+
+enum {
+    /* Triangles that a tile remembers before it forgets those that own nothing any more. */
+    BURNISH_TILE_TRIANGLES = 2 * BURNISH_TILE_PIXELS,
+    BURNISH_TILE_BLOCKS = BURNISH_TILE_SIZE / BURNISH_COARSE_BLOCK
+};
+
+/* Interpolated numbers of a pixel. */
+enum {
+    BURNISH_PLANE_X, /* the first attribute, turned round for triangles seen from their back */
+    BURNISH_PLANE_Y,
+    BURNISH_PLANE_Z,
+    BURNISH_PLANE_W, /* its fourth number */
+    BURNISH_PLANE_R, /* the second attribute */
+    BURNISH_PLANE_G,
+    BURNISH_PLANE_B,
+    BURNISH_PLANE_COUNT
+};
+
+/* What is wanted of a tile. */
+typedef struct burnish_visibility_options {
+    int samples;
+    int planes;      /* interpolated: 3, 4 or BURNISH_PLANE_COUNT */
+    int keep_owners; /* 1: owners are wanted, also with one sample */
+    int needs_place; /* 1: points get places: x, y and depth */
+} burnish_visibility_options;
+
+/* A tile while it is drawn. Pixels lie as burnish_tile_place says; of the samples of a block of
+ * pixels, sample s comes s blocks after sample 0 (burnish_sample_place). */
+typedef struct burnish_visibility {
+    int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
+    burnish_visibility_options options;
+    const burnish_float4 *attributes[2]; /* one item a screen vertex each; the second or NULL */
+    float *depths;                       /* a sample each */
+    float *planes[BURNISH_PLANE_COUNT];  /* of whole pixels at their centre */
+    float *center_depths;                /* of whole pixels; with one sample these are depths */
+    /* with one sample, where wanted, burnish_corners.source; else a sample each an index into
+     * triangles, -1 for none */
+    int32_t *owners;
+    uint16_t touched[BURNISH_TILE_STRIPS]; /* bit x of y: block (x, y) shows a triangle */
+    burnish_tile_triangle *triangles;      /* with more than one sample */
+    int32_t *places; /* one a triangle: scratch while drawing, then 1 where it has a point */
+    size_t triangle_count, triangle_capacity;
+    /* least depth of each coarse block, and of it, the next one, and the two below */
+    float coarse[2][BURNISH_TILE_BLOCKS][BURNISH_TILE_BLOCKS];
+    int next_place; /* where burnish_visibility_next goes on */
+} burnish_visibility;
+
+/* Where sample s of the pixel at `place` lies in depths and owners. */
+static inline int burnish_sample_place(int samples, int place, int s) {
+    return (place & ~(BURNISH_BLOCK_PIXELS - 1)) * samples + s * BURNISH_BLOCK_PIXELS +
+           (place & (BURNISH_BLOCK_PIXELS - 1));
+}
+
+/* Attributes are the caller's to set. Errors: MEMORY; destroy it all the same. */
+burnish_status burnish_visibility_create(burnish_visibility *visibility,
+                                         const burnish_visibility_options *options,
+                                         burnish_error *error);
+void burnish_visibility_destroy(burnish_visibility *visibility);
+
+/* Makes the tile (column, row) current and draws its triangles. Returns 0 when no triangle's bounds
+ * touch it. */
+int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster_tier *tier,
+                            const burnish_raster_view *view, const burnish_geometry *geometry,
+                            const burnish_bins *bins, int column, int row);
+
+/* The next block of the visible points of shared pixels: all samples of a pixel that show the same
+ * triangle are one point, at the mean of the samples, which lies inside the triangle. Returns 0
+ * when there is none left; with one sample a pixel there are none. */
+int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
+                            burnish_fragments *fragments);
+
+/* Which pixels of a strip, four rows of a tile, show what. */
+typedef struct burnish_strip_pixels {
+    /* >= 0 where the pixel is whole, -1 elsewhere; with more than one sample the index of its
+     * triangle */
+    int32_t whole[BURNISH_STRIP_PIXELS];
+    /* bit i of x: a sample of pixel i of block x shows a triangle */
+    uint16_t shown[BURNISH_TILE_STRIPS];
+} burnish_strip_pixels;
+
+/* burnish_corners.source of a whole pixel's triangle; needs owners. */
+static inline uint32_t burnish_visibility_source(const burnish_visibility *visibility, int strip,
+                                                 int pixel, int32_t whole) {
+    return visibility->options.samples == 1
+               ? (uint32_t)visibility->owners[strip * BURNISH_STRIP_PIXELS + pixel]
+               : visibility->triangles[whole].corners.source;
+}
+
+#endif

@@ -1,0 +1,708 @@
+/* Drawing triangles into a tile by vectors. Included by the tiers after geometry_body.h.
+ *
+ * Edge functions are whole numbers and exact: 32-bit ones for triangles up to 96 pixels, doubles,
+ * which hold all of them, for larger ones. What is computed from them keeps one order of
+ * operations, that of test/reference_tile.h.
+ *
+ * As many triangles as a vector has lanes are set up at once. Then each is drawn by units, the part
+ * of a block of pixels that is one vector; or, where several are small, their pixels are found for
+ * all of them at once. */
+
+enum { HALF_PIXEL = BURNISH_SUBPIXELS / 2 };
+
+/* Pixels of a unit: 4 x 4, 4 x 2, 4 x 1 or one. */
+enum { UNIT_WIDTH = LANES >= 4 ? 4 : 1, UNIT_HEIGHT = LANES / UNIT_WIDTH };
+
+/* As many triangles as a vector has lanes, relative to the tile. */
+typedef struct setup_block {
+    int32_t x[3][LANES], y[3][LANES];   /* vertices */
+    int32_t dx[3][LANES], dy[3][LANES]; /* edge i runs from vertex i + 1 to vertex i + 2 */
+    int32_t bias[3][LANES];             /* -1 where the top-left rule leaves the edge out */
+    int32_t start[3][LANES];            /* edge functions with bias at the centre of (x0, y0) */
+    int32_t unit[3][LANES];             /* the same at the first pixel of its unit */
+    int32_t slope[3][LANES];            /* -dy in the lower half, dx in the upper one */
+    int32_t x0[LANES], y0[LANES], x1[LANES], y1[LANES]; /* pixels of the tile that the bounds touch;
+                                                           x1, y1 inclusive */
+    float depth[3][LANES];                              /* of vertex 0; of 1 and 2 minus that */
+    float inverse_area[LANES]; /* of triangles whose edge functions fit 32 bits */
+    float attributes[3][BURNISH_PLANE_COUNT][LANES];
+    burnish_corners corners[LANES];
+    unsigned live, small, tiny; /* bits: touch a pixel; have 32-bit edge functions; have at most
+                                   2 x 2 pixels */
+} setup_block;
+
+/* Loads corners and attributes of the triangles of a part of a list, `count` <= LANES. */
+BURNISH_INLINE void load_block(const burnish_visibility *tile, const burnish_geometry *geometry,
+                               const uint32_t *entries, size_t count, setup_block *block, vi x[3],
+                               vi y[3], vf depth[3]) {
+    const void *vertices[3][LANES], *first[3][LANES], *second[3][LANES];
+    const int has_second = tile->options.planes > BURNISH_PLANE_R;
+    for (size_t lane = 0; lane < LANES; ++lane) {
+        block->corners[lane] = burnish_geometry_corners(geometry, entries[lane < count ? lane : 0]);
+        for (int i = 0; i < 3; ++i) {
+            const size_t vertex = block->corners[lane].vertices[i];
+            vertices[i][lane] = &geometry->vertices.items[vertex];
+            first[i][lane] = &tile->attributes[0][vertex];
+            second[i][lane] = has_second ? &tile->attributes[1][vertex] : NULL;
+        }
+    }
+    /* 1 for triangles seen from their front, -1 from their back: exact */
+    float turn[LANES];
+    for (int lane = 0; lane < LANES; ++lane) {
+        turn[lane] = block->corners[lane].source & 1 ? -1.0f : 1.0f;
+    }
+    for (int i = 0; i < 3; ++i) {
+        vf at[4];
+        vf_load_records(vertices[i], at);
+        x[i] = vi_sub(vf_bits(at[0]), vi_set(tile->x * BURNISH_SUBPIXELS));
+        y[i] = vi_sub(vf_bits(at[1]), vi_set(tile->y * BURNISH_SUBPIXELS));
+        depth[i] = at[2];
+        vf_load_records(first[i], at);
+        for (int k = 0; k < 3; ++k) {
+            vf_store(block->attributes[i][k], vf_mul(at[k], vf_load(turn)));
+        }
+        vf_store(block->attributes[i][BURNISH_PLANE_W], at[3]);
+        if (has_second) {
+            vf_load_records(second[i], at);
+            for (int k = 0; k < 3; ++k) {
+                vf_store(block->attributes[i][BURNISH_PLANE_R + k], at[k]);
+            }
+        }
+    }
+}
+
+/* Bounds, edges and depth of a block. Numbers of triangles that are too large wrap round and are
+ * not used. */
+BURNISH_INLINE void set_up_block(const burnish_visibility *tile, size_t count, const vi x[3],
+                                 const vi y[3], const vf depth[3], setup_block *block) {
+    const int samples = tile->options.samples;
+    vi dx[3], dy[3], x0, y0, x1, y1, longest = vi_set(0);
+    find_pixels(samples, x, tile->width, &x0, &x1);
+    find_pixels(samples, y, tile->height, &y0, &y1);
+    vi_save(block->x0, x0);
+    vi_save(block->y0, y0);
+    vi_save(block->x1, x1);
+    vi_save(block->y1, y1);
+    const vi wide = vi_sub(x1, x0), high = vi_sub(y1, y0);
+    const vi at_x = vi_add(vi_left(x0, 8), vi_set(HALF_PIXEL));
+    const vi at_y = vi_add(vi_left(y0, 8), vi_set(HALF_PIXEL));
+    for (int i = 0; i < 3; ++i) {
+        const int a = i == 2 ? 0 : i + 1, b = i == 0 ? 2 : i - 1;
+        dx[i] = vi_sub(x[b], x[a]);
+        dy[i] = vi_sub(y[b], y[a]);
+        longest = vi_max(longest, vi_max(magnitude(dx[i]), magnitude(dy[i])));
+        /* top or left: dy < 0, or dy = 0 and dx > 0; as signs of whole numbers */
+        vi left = vi_right_signed(dy[i], 31);
+        vi level = vi_right_signed(vi_sub(magnitude(dy[i]), vi_set(1)), 31);
+        vi right = vi_right_signed(vi_sub(vi_set(0), dx[i]), 31);
+        vi bias = vi_sub(vi_set(-1), vi_or(left, vi_and(level, right)));
+        vi start = vi_sub(vi_mul(dx[i], vi_sub(at_y, y[a])), vi_mul(dy[i], vi_sub(at_x, x[a])));
+        vi_save(block->x[i], x[i]);
+        vi_save(block->y[i], y[i]);
+        vi_save(block->dx[i], dx[i]);
+        vi_save(block->dy[i], dy[i]);
+        vi_save(block->bias[i], bias);
+        start = vi_add(start, bias);
+        vi_save(block->start[i], start);
+        start = vi_add(start, vi_left(vi_mul(dy[i], vi_and(x0, vi_set(UNIT_WIDTH - 1))), 8));
+        start = vi_sub(start, vi_left(vi_mul(dx[i], vi_and(y0, vi_set(UNIT_HEIGHT - 1))), 8));
+        vi_save(block->unit[i], start);
+        vi minus = vi_and(vi_sub(vi_set(0), dy[i]), vi_set(0xffff));
+        vi_save(block->slope[i], vi_or(minus, vi_left(dx[i], 16)));
+    }
+    vf area = vi_convert(vi_sub(vi_mul(dx[2], dy[0]), vi_mul(dy[2], dx[0])));
+    vf_store(block->inverse_area, vf_div(vf_set(1.0f), area));
+    vf_store(block->depth[0], depth[0]);
+    vf_store(block->depth[1], vf_sub(depth[1], depth[0]));
+    vf_store(block->depth[2], vf_sub(depth[2], depth[0]));
+    const unsigned real = (unsigned)((1ull << count) - 1);
+    block->live = vm_bits(vi_not_negative(vi_or(wide, high))) & real;
+    block->small = vm_bits(vi_not_negative(vi_sub(vi_set(BURNISH_SMALL_EDGE), longest)));
+    block->tiny = block->live & block->small &
+                  vm_bits(vi_not_negative(vi_sub(vi_set(1), vi_max(wide, high))));
+}
+
+/* One triangle of a block in the form that its units are drawn from. */
+typedef struct unit_constants {
+    vf inverse_area, depth[3];
+    vi bias[3], owner;
+    vf attributes[3][BURNISH_PLANE_COUNT];
+} unit_constants;
+
+BURNISH_INLINE void load_constants(const setup_block *block, size_t lane, int planes, int32_t owner,
+                                   unit_constants *constants) {
+    constants->inverse_area = vf_set(block->inverse_area[lane]);
+    constants->owner = vi_set(owner);
+    for (int i = 0; i < 3; ++i) {
+        constants->depth[i] = vf_set(block->depth[i][lane]);
+        constants->bias[i] = vi_set(block->bias[i][lane]);
+        for (int k = 0; k < planes; ++k) {
+            constants->attributes[i][k] = vf_set(block->attributes[i][k][lane]);
+        }
+    }
+}
+
+BURNISH_INLINE vf depth_from(const vf depth[3], vf weight1, vf weight2) {
+    return vf_add(vf_add(depth[0], vf_mul(weight1, depth[1])), vf_mul(weight2, depth[2]));
+}
+
+/* Weights of vertices 1 and 2 from edge functions with their bias. */
+BURNISH_INLINE vf weight_from(const unit_constants *constants, const vi e[3], int i) {
+    return vf_mul(vi_convert(vi_sub(e[i], constants->bias[i])), constants->inverse_area);
+}
+
+/* Attributes of the pixels of a unit from `place` on that `mask` holds. */
+BURNISH_INLINE void interpolate_unit(const burnish_visibility *tile,
+                                     const unit_constants *constants, int planes, vm mask,
+                                     vf weight1, vf weight2, int place) {
+    vf weight0 = vf_sub(vf_sub(vf_set(1.0f), weight1), weight2);
+    for (int k = 0; k < planes; ++k) {
+        vf sum = vf_add(vf_mul(constants->attributes[0][k], weight0),
+                        vf_mul(constants->attributes[1][k], weight1));
+        sum = vf_add(sum, vf_mul(constants->attributes[2][k], weight2));
+        vf_store_where(mask, tile->planes[k] + place, sum);
+    }
+}
+
+/* A unit with one sample a pixel; e are the edge functions with their bias. Returns 1 when a pixel
+ * became the triangle's. */
+BURNISH_INLINE int draw_unit(const burnish_visibility *tile, const unit_constants *constants,
+                             int planes, int owners, const vi e[3], int place) {
+    vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
+    if (!vm_any(covered)) {
+        return 0;
+    }
+    vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
+    vf depth = depth_from(constants->depth, weight1, weight2);
+    vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->depths + place)));
+    if (!vm_any(nearer)) {
+        return 0;
+    }
+    vf_store_where(nearer, tile->depths + place, depth);
+    if (owners) {
+        vi_save_where(nearer, tile->owners + place, constants->owner);
+    }
+    interpolate_unit(tile, constants, planes, nearer, weight1, weight2, place);
+    return 1;
+}
+
+/* A unit with several samples a pixel; e are the edge functions at the pixels' centres. */
+BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_constants *constants,
+                                int planes, const vi e[3],
+                                int32_t to_sample[3][BURNISH_MAX_SAMPLES], int place) {
+    const int samples = tile->options.samples;
+    vm whole = vi_not_negative(vi_set(0));
+    int drawn = 0, sample = burnish_sample_place(samples, place, 0);
+    for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
+        vi at[3];
+        for (int i = 0; i < 3; ++i) {
+            at[i] = vi_add(e[i], vi_set(to_sample[i][s]));
+        }
+        vm nearer = vi_not_negative(vi_or(vi_or(at[0], at[1]), at[2]));
+        if (!vm_any(nearer)) {
+            whole = nearer;
+            continue;
+        }
+        vf depth = depth_from(constants->depth, weight_from(constants, at, 1),
+                              weight_from(constants, at, 2));
+        nearer = vm_and(nearer, vf_greater(depth, vf_load(tile->depths + sample)));
+        whole = vm_and(whole, nearer);
+        vf_store_where(nearer, tile->depths + sample, depth);
+        vi_save_where(nearer, tile->owners + sample, constants->owner);
+        drawn |= vm_any(nearer);
+    }
+    if (vm_any(whole)) {
+        vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
+        if (tile->options.needs_place) {
+            vf_store_where(whole, tile->center_depths + place,
+                           depth_from(constants->depth, weight1, weight2));
+        }
+        interpolate_unit(tile, constants, planes, whole, weight1, weight2, place);
+    }
+    return drawn;
+}
+
+/* Where the pixels of a unit lie in it: x, and y in the upper half. */
+#define AT(x, y) ((x) | (y) << 16)
+static const int32_t UNIT_PLACES[16] = {AT(0, 0), AT(1, 0), AT(2, 0), AT(3, 0), AT(0, 1), AT(1, 1),
+                                        AT(2, 1), AT(3, 1), AT(0, 2), AT(1, 2), AT(2, 2), AT(3, 2),
+                                        AT(0, 3), AT(1, 3), AT(2, 3), AT(3, 3)};
+#undef AT
+
+/* Edge function i of a triangle over the first unit, and its steps to the next ones. Slopes fit 16
+ * bits. */
+BURNISH_INLINE vi edge_of_unit(const setup_block *block, size_t lane, int i, vi *across, vi *down) {
+    *across = vi_set(block->dy[i][lane] * (-BURNISH_SUBPIXELS * UNIT_WIDTH));
+    *down = vi_set(block->dx[i][lane] * (BURNISH_SUBPIXELS * UNIT_HEIGHT));
+    vi along = vi_dot16(vi_set(block->slope[i][lane]), vi_load(UNIT_PLACES));
+    return vi_add(vi_set(block->unit[i][lane]), vi_left(along, 8));
+}
+
+/* A triangle of up to 96 pixels. */
+BURNISH_INLINE int draw_small(burnish_visibility *tile, const setup_block *block, size_t lane,
+                              int single, int planes, int owners, int32_t owner,
+                              const int8_t (*offsets)[2]) {
+    const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
+    const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
+    unit_constants constants;
+    vi row[3], across[3], down[3];
+    int32_t to_sample[3][BURNISH_MAX_SAMPLES];
+    int drawn = 0;
+    load_constants(block, lane, planes, owner, &constants);
+    for (int i = 0; i < 3; ++i) {
+        row[i] = edge_of_unit(block, lane, i, &across[i], &down[i]);
+        for (int s = 0; s < tile->options.samples && !single; ++s) {
+            to_sample[i][s] =
+                16 * (block->dx[i][lane] * offsets[s][1] - block->dy[i][lane] * offsets[s][0]);
+        }
+    }
+    for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
+        vi e[3] = {row[0], row[1], row[2]};
+        unsigned touched = 0;
+        for (int x = x0; x <= x1; x += UNIT_WIDTH) {
+            const int place = burnish_tile_place(x, y);
+            const int hit = single ? draw_unit(tile, &constants, planes, owners, e, place)
+                                   : draw_samples(tile, &constants, planes, e, to_sample, place);
+            touched |= (unsigned)hit << x / BURNISH_BLOCK_SIZE;
+            for (int i = 0; i < 3; ++i) {
+                e[i] = vi_add(e[i], across[i]);
+            }
+        }
+        tile->touched[y / BURNISH_BLOCK_SIZE] |= (uint16_t)touched;
+        drawn |= touched != 0;
+        for (int i = 0; i < 3; ++i) {
+            row[i] = vi_add(row[i], down[i]);
+        }
+    }
+    return drawn;
+}
+
+/* The four pixels that triangles of at most 2 x 2 may cover. */
+typedef struct tiny_pixels {
+    unsigned covered[4];
+    float depth[4][LANES];
+    float planes[4][BURNISH_PLANE_COUNT][LANES];
+} tiny_pixels;
+
+/* Coverage, depth and attributes of the pixels of all tiny triangles of a block, which are right
+ * for those only. */
+BURNISH_INLINE void find_tiny(const setup_block *block, int planes, tiny_pixels *pixels) {
+    const vi wide = vi_sub(vi_load(block->x1), vi_load(block->x0));
+    const vi high = vi_sub(vi_load(block->y1), vi_load(block->y0));
+    const vf inverse_area = vf_load(block->inverse_area);
+    vi start[3], right[3], down[3];
+    for (int i = 0; i < 3; ++i) {
+        start[i] = vi_load(block->start[i]);
+        right[i] = vi_sub(vi_set(0), vi_left(vi_load(block->dy[i]), 8));
+        down[i] = vi_left(vi_load(block->dx[i]), 8);
+    }
+    for (int c = 0; c < 4; ++c) {
+        vi e[3], inside = vi_set(0);
+        for (int i = 0; i < 3; ++i) {
+            e[i] = c & 1 ? vi_add(start[i], right[i]) : start[i];
+            e[i] = c & 2 ? vi_add(e[i], down[i]) : e[i];
+            inside = vi_or(inside, e[i]);
+        }
+        inside = c & 1 ? vi_or(inside, vi_sub(wide, vi_set(1))) : inside;
+        inside = c & 2 ? vi_or(inside, vi_sub(high, vi_set(1))) : inside;
+        pixels->covered[c] = vm_bits(vi_not_negative(inside)) & block->tiny;
+        if (!pixels->covered[c]) {
+            continue;
+        }
+        const vf depth[3] = {vf_load(block->depth[0]), vf_load(block->depth[1]),
+                             vf_load(block->depth[2])};
+        vf weight1 = vf_mul(vi_convert(vi_sub(e[1], vi_load(block->bias[1]))), inverse_area);
+        vf weight2 = vf_mul(vi_convert(vi_sub(e[2], vi_load(block->bias[2]))), inverse_area);
+        vf weight0 = vf_sub(vf_sub(vf_set(1.0f), weight1), weight2);
+        vf_store(pixels->depth[c], depth_from(depth, weight1, weight2));
+        for (int k = 0; k < planes; ++k) {
+            vf sum = vf_add(vf_mul(vf_load(block->attributes[0][k]), weight0),
+                            vf_mul(vf_load(block->attributes[1][k]), weight1));
+            sum = vf_add(sum, vf_mul(vf_load(block->attributes[2][k]), weight2));
+            vf_store(pixels->planes[c][k], sum);
+        }
+    }
+}
+
+BURNISH_INLINE void draw_tiny(burnish_visibility *tile, const setup_block *block,
+                              const tiny_pixels *pixels, size_t lane, int planes, int owners,
+                              int32_t owner) {
+    for (int c = 0; c < 4; ++c) {
+        if (!(pixels->covered[c] >> lane & 1)) {
+            continue;
+        }
+        const int x = block->x0[lane] + (c & 1), y = block->y0[lane] + (c >> 1);
+        const int place = burnish_tile_place(x, y);
+        if (!(pixels->depth[c][lane] > tile->depths[place])) {
+            continue;
+        }
+        tile->depths[place] = pixels->depth[c][lane];
+        for (int k = 0; k < planes; ++k) {
+            tile->planes[k][place] = pixels->planes[c][k][lane];
+        }
+        if (owners) {
+            tile->owners[place] = owner;
+        }
+        tile->touched[y / BURNISH_BLOCK_SIZE] |= (uint16_t)(1u << x / BURNISH_BLOCK_SIZE);
+    }
+}
+
+/* A row of a tile while a large triangle is drawn. */
+typedef struct large_row {
+    int x0, x1;
+    double start[3], step[3], limit[3]; /* edge functions at the tile's left edge; covered where
+                                           they reach their limits */
+    int32_t nearer[BURNISH_TILE_SIZE], whole[BURNISH_TILE_SIZE];
+    float before[BURNISH_TILE_SIZE], values[BURNISH_TILE_SIZE];
+    float weight1[BURNISH_TILE_SIZE], weight2[BURNISH_TILE_SIZE];
+} large_row;
+
+/* Edge functions of row `line` at x and y in 1/256 pixel from a pixel's corner. Returns 0 when the
+ * row is outside. */
+static int start_row(const setup_block *block, size_t lane, int line, int64_t x, int64_t y,
+                     large_row *row) {
+    y += line * BURNISH_SUBPIXELS;
+    for (int i = 0; i < 3; ++i) {
+        const int a = i == 2 ? 0 : i + 1;
+        int64_t e = block->dx[i][lane] * (y - block->y[a][lane]) -
+                    block->dy[i][lane] * (x - block->x[a][lane]);
+        int64_t along = -(int64_t)block->dy[i][lane] * BURNISH_SUBPIXELS;
+        int64_t at0 = e + along * row->x0, at1 = e + along * row->x1;
+        if ((at0 > at1 ? at0 : at1) + block->bias[i][lane] < 0) {
+            return 0;
+        }
+        row->start[i] = (double)e;
+        row->step[i] = (double)along;
+        row->limit[i] = -block->bias[i][lane];
+    }
+    return 1;
+}
+
+static void find_weights(large_row *row, float inverse_area) {
+    const double start1 = row->start[1], start2 = row->start[2];
+    const double step1 = row->step[1], step2 = row->step[2];
+    for (int x = row->x0; x <= row->x1; ++x) {
+        row->weight1[x] = (float)(start1 + step1 * x) * inverse_area;
+        row->weight2[x] = (float)(start2 + step2 * x) * inverse_area;
+    }
+}
+
+/* Copies a row of the tile out of blocks `apart` numbers from one another, and back where mask
+ * holds. */
+static void take_row(const float *from, int apart, int x0, int x1, float *to) {
+    for (int block = x0 / 4; block <= x1 / 4; ++block) {
+        memcpy(to + 4 * block, from + block * apart, 4 * sizeof *to);
+    }
+}
+
+static void put_row(const float *from, const int32_t *mask, int apart, int x0, int x1, float *to) {
+    for (int x = x0; x <= x1; ++x) {
+        float *kept = to + x / 4 * apart + x % 4;
+        *kept = mask[x] ? from[x] : *kept;
+    }
+}
+
+/* One sample of a row's pixels; `place` is the sample's of the row's first pixel. */
+static int draw_row(const burnish_visibility *tile, const setup_block *block, size_t lane,
+                    int owners, int32_t owner, int place, large_row *row) {
+    const double start0 = row->start[0], step0 = row->step[0];
+    const double start1 = row->start[1], step1 = row->step[1];
+    const double start2 = row->start[2], step2 = row->step[2];
+    const float depth0 = block->depth[0][lane], depth1 = block->depth[1][lane],
+                depth2 = block->depth[2][lane];
+    const int apart = BURNISH_BLOCK_PIXELS * tile->options.samples;
+    int32_t drawn = 0;
+    find_weights(row, block->inverse_area[lane]);
+    take_row(tile->depths + place, apart, row->x0, row->x1, row->before);
+    for (int x = row->x0; x <= row->x1; ++x) {
+        const float depth = (depth0 + row->weight1[x] * depth1) + row->weight2[x] * depth2;
+        row->nearer[x] = (start0 + step0 * x >= row->limit[0]) &
+                         (start1 + step1 * x >= row->limit[1]) &
+                         (start2 + step2 * x >= row->limit[2]) & (depth > row->before[x]);
+        row->values[x] = depth;
+        row->whole[x] &= row->nearer[x];
+        drawn |= row->nearer[x];
+    }
+    if (drawn) {
+        put_row(row->values, row->nearer, apart, row->x0, row->x1, tile->depths + place);
+        for (int x = row->x0; x <= row->x1 && owners; ++x) {
+            int32_t *kept = tile->owners + place + x / 4 * apart + x % 4;
+            *kept = row->nearer[x] ? owner : *kept;
+        }
+    }
+    return drawn;
+}
+
+/* Attributes of a row's whole pixels. */
+static void interpolate_row(const burnish_visibility *tile, const setup_block *block, size_t lane,
+                            int place, large_row *row) {
+    const int samples = tile->options.samples;
+    if (samples > 1 && tile->options.needs_place) {
+        for (int x = row->x0; x <= row->x1; ++x) {
+            row->values[x] = (block->depth[0][lane] + row->weight1[x] * block->depth[1][lane]) +
+                             row->weight2[x] * block->depth[2][lane];
+        }
+        put_row(row->values, row->whole, BURNISH_BLOCK_PIXELS, row->x0, row->x1,
+                tile->center_depths + place);
+    }
+    for (int k = 0; k < tile->options.planes; ++k) {
+        const float a = block->attributes[0][k][lane], b = block->attributes[1][k][lane],
+                    c = block->attributes[2][k][lane];
+        for (int x = row->x0; x <= row->x1; ++x) {
+            const float weight0 = (1.0f - row->weight1[x]) - row->weight2[x];
+            row->values[x] = (a * weight0 + b * row->weight1[x]) + c * row->weight2[x];
+        }
+        put_row(row->values, row->whole, BURNISH_BLOCK_PIXELS, row->x0, row->x1,
+                tile->planes[k] + place);
+    }
+}
+
+static void touch_row(burnish_visibility *tile, const large_row *row, int line) {
+    for (int x = row->x0; x <= row->x1; ++x) {
+        if (row->nearer[x]) {
+            tile->touched[line / BURNISH_BLOCK_SIZE] |= (uint16_t)(1u << x / BURNISH_BLOCK_SIZE);
+        }
+    }
+}
+
+/* A triangle of any size: its edge functions are below 2^49. */
+static int draw_large(burnish_visibility *tile, setup_block *block, size_t lane, int owners,
+                      int32_t owner, const int8_t (*offsets)[2]) {
+    const int64_t area = (int64_t)block->dx[2][lane] * block->dy[0][lane] -
+                         (int64_t)block->dy[2][lane] * block->dx[0][lane];
+    const int samples = tile->options.samples;
+    int drawn = 0;
+    large_row row = {.x0 = block->x0[lane], .x1 = block->x1[lane]};
+    block->inverse_area[lane] = 1.0f / (float)area;
+    for (int line = block->y0[lane]; line <= block->y1[lane]; ++line) {
+        const int place = burnish_tile_place(0, line);
+        int whole = 1;
+        memset(row.whole, 0xff, sizeof row.whole);
+        for (int s = 0; s < samples; ++s) {
+            if (!start_row(block, lane, line, HALF_PIXEL + offsets[s][0] * 16,
+                           HALF_PIXEL + offsets[s][1] * 16, &row)) {
+                whole = 0;
+                continue;
+            }
+            const int hit = draw_row(tile, block, lane, owners, owner,
+                                     burnish_sample_place(samples, place, s), &row);
+            if (hit) {
+                touch_row(tile, &row, line);
+            }
+            whole &= hit;
+            drawn |= hit;
+        }
+        if (whole) {
+            if (samples > 1) {
+                start_row(block, lane, line, HALF_PIXEL, HALF_PIXEL, &row);
+                find_weights(&row, block->inverse_area[lane]);
+            }
+            interpolate_row(tile, block, lane, place, &row);
+        }
+    }
+    return drawn;
+}
+
+/* What the points of shared pixels will need of a triangle that owns a sample. */
+static void remember(burnish_visibility *tile, const setup_block *block, size_t lane) {
+    burnish_tile_triangle *made = &tile->triangles[tile->triangle_count++];
+    for (int i = 0; i < 2; ++i) {
+        const int a = i == 1 ? 0 : 2;
+        made->dx[i] = block->dx[i + 1][lane];
+        made->dy[i] = block->dy[i + 1][lane];
+        made->constant[i] =
+            (int64_t)made->dy[i] * block->x[a][lane] - (int64_t)made->dx[i] * block->y[a][lane];
+    }
+    made->inverse_area = block->inverse_area[lane];
+    for (int i = 0; i < 3; ++i) {
+        made->depth[i] = block->depth[i][lane];
+    }
+    made->corners = block->corners[lane];
+}
+
+/* Lists are in the mesh's order, not in that of memory: asks for what comes after the next block.
+ */
+static void look_ahead(const burnish_visibility *tile, const burnish_geometry *geometry,
+                       const uint32_t *entries, size_t from, size_t count) {
+    for (size_t k = from; k < from + LANES && k < count; ++k) {
+        const burnish_corners corners = burnish_geometry_corners(geometry, entries[k]);
+        for (int i = 0; i < 3; ++i) {
+            __builtin_prefetch(&geometry->vertices.items[corners.vertices[i]]);
+            __builtin_prefetch(&tile->attributes[0][corners.vertices[i]]);
+        }
+    }
+}
+
+/* The triangles of a block, one sample a pixel. */
+BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, tiny_pixels *pixels,
+                                int planes, int owners) {
+    static const int8_t CENTER[1][2] = {{0, 0}};
+    unsigned tiny = block->tiny;
+    if (tiny & (tiny - 1)) { /* at least two */
+        find_tiny(block, planes, pixels);
+        block->live &= ~tiny | pixels->covered[0] | pixels->covered[1] | pixels->covered[2] |
+                       pixels->covered[3];
+    } else {
+        tiny = 0;
+    }
+    for (unsigned rest = block->live; rest; rest &= rest - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(rest);
+        const int32_t owner = (int32_t)block->corners[lane].source;
+        if (tiny >> lane & 1) {
+            draw_tiny(tile, block, pixels, lane, planes, owners, owner);
+        } else if (block->small >> lane & 1) {
+            draw_small(tile, block, lane, 1, planes, owners, owner, CENTER);
+        } else {
+            draw_large(tile, block, lane, owners, owner, CENTER);
+        }
+    }
+}
+
+static void draw_multiple(burnish_visibility *tile, setup_block *block) {
+    const int8_t(*offsets)[2] = burnish_sample_offsets(tile->options.samples);
+    for (unsigned rest = block->live; rest; rest &= rest - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(rest);
+        if (tile->triangle_count == tile->triangle_capacity) {
+            burnish_visibility_compact(tile);
+        }
+        const int32_t owner = (int32_t)tile->triangle_count;
+        const int planes = tile->options.planes;
+        int drawn;
+        if (!(block->small >> lane & 1)) {
+            drawn = draw_large(tile, block, lane, 1, owner, offsets);
+        } else if (planes == 3) {
+            drawn = draw_small(tile, block, lane, 0, 3, 1, owner, offsets);
+        } else {
+            drawn = draw_small(tile, block, lane, 0, planes, 1, owner, offsets);
+        }
+        if (drawn) {
+            remember(tile, block, lane);
+        }
+    }
+}
+
+static void draw_list(burnish_visibility *visibility, const burnish_geometry *geometry,
+                      const uint32_t *entries, size_t count) {
+    const burnish_visibility_options *options = &visibility->options;
+    setup_block block;
+    tiny_pixels pixels = {0};
+    for (size_t first = 0; first < count; first += LANES) {
+        const size_t lanes = count - first < LANES ? count - first : LANES;
+        vi x[3], y[3];
+        vf depth[3];
+        look_ahead(visibility, geometry, entries, first + LANES, count);
+        load_block(visibility, geometry, entries + first, lanes, &block, x, y, depth);
+        set_up_block(visibility, lanes, x, y, depth, &block);
+        if (options->samples > 1) {
+            draw_multiple(visibility, &block);
+        } else if (options->planes == 3 && !options->keep_owners) {
+            draw_single(visibility, &block, &pixels, 3, 0);
+        } else {
+            draw_single(visibility, &block, &pixels, options->planes, options->keep_owners);
+        }
+    }
+}
+
+/* A coarse block is four blocks of pixels: lane by lane, then over the lanes. */
+static void find_least(burnish_visibility *visibility) {
+    enum { PARTS = BURNISH_BLOCK_PIXELS / LANES };
+    const int samples = visibility->options.samples, size = samples * BURNISH_BLOCK_PIXELS;
+    for (int y = 0; y < BURNISH_TILE_BLOCKS; ++y) {
+        for (int x = 0; x < BURNISH_TILE_BLOCKS; ++x) {
+            const float *depths = visibility->depths + (2 * y * BURNISH_TILE_STRIPS + 2 * x) * size;
+            vf least[PARTS];
+            float lanes[BURNISH_BLOCK_PIXELS];
+            for (int part = 0; part < PARTS; ++part) {
+                least[part] = vf_load(depths + part * LANES);
+            }
+            for (int row = 0; row < 2; ++row, depths += BURNISH_TILE_STRIPS * size) {
+                for (int i = 0; i < 2 * size; i += BURNISH_BLOCK_PIXELS) {
+                    for (int part = 0; part < PARTS; ++part) {
+                        least[part] = vf_min(vf_load(depths + i + part * LANES), least[part]);
+                    }
+                }
+            }
+            for (int part = 0; part < PARTS; ++part) {
+                vf_store(lanes + part * LANES, least[part]);
+            }
+            for (int half = BURNISH_BLOCK_PIXELS / 2; half > 0; half /= 2) {
+                for (int i = 0; i < half; ++i) {
+                    lanes[i] = lanes[half + i] < lanes[i] ? lanes[half + i] : lanes[i];
+                }
+            }
+            visibility->coarse[0][y][x] = lanes[0];
+        }
+    }
+}
+
+/* The vectors of a block: bits where a sample shows a triangle. */
+BURNISH_INLINE unsigned find_block(const burnish_visibility *tile, int block, int32_t *whole) {
+    const int samples = tile->options.samples, size = samples * BURNISH_BLOCK_PIXELS;
+    const vf farthest = vf_set(BURNISH_FARTHEST);
+    unsigned shown = 0;
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS; i += LANES) {
+        if (samples == 1) {
+            vm mask = vf_greater(vf_load(tile->depths + block * size + i), farthest);
+            vi_save(whole + i, vi_blend(mask, vi_set(0), vi_set(-1)));
+            shown |= vm_bits(mask) << i;
+            continue;
+        }
+        const int32_t *owners = tile->owners + block * size + i;
+        vi first = vi_load(owners), all = first, different = vi_set(0);
+        for (int s = 1; s < samples; ++s) {
+            vi owner = vi_load(owners + s * BURNISH_BLOCK_PIXELS);
+            all = vi_and(all, owner); /* -1, none, only where all are */
+            different = vi_or(different, vi_xor(owner, first));
+        }
+        /* all ones where there is a difference */
+        vi shared = vi_right_signed(vi_or(different, vi_sub(vi_set(0), different)), 31);
+        vi_save(whole + i, vi_or(first, shared));
+        shown |= vm_bits(vi_not_negative(all)) << i;
+    }
+    return shown;
+}
+
+static void find_shown(const burnish_visibility *visibility, int strip,
+                       burnish_strip_pixels *pixels) {
+    for (int x = 0; x < BURNISH_TILE_STRIPS; ++x) {
+        int32_t *whole = pixels->whole + x * BURNISH_BLOCK_PIXELS;
+        if (visibility->touched[strip] >> x & 1) {
+            pixels->shown[x] =
+                (uint16_t)find_block(visibility, strip * BURNISH_TILE_STRIPS + x, whole);
+        } else {
+            memset(whole, 0xff, BURNISH_BLOCK_PIXELS * sizeof *whole);
+            pixels->shown[x] = 0;
+        }
+    }
+}
+
+/* Neighbours mostly show the same triangle: only where the owner changes there is something to do.
+ */
+static void mark_block(const burnish_visibility *tile, int first, uint8_t *drawn) {
+    const int count = tile->options.samples * BURNISH_BLOCK_PIXELS;
+    int32_t owners[1 + BURNISH_MAX_SAMPLES * BURNISH_BLOCK_PIXELS];
+    owners[0] = ~tile->owners[first]; /* another one */
+    memcpy(owners + 1, tile->owners + first, (size_t)count * sizeof *owners);
+    for (int i = 0; i < count; i += LANES) {
+        vi change = vi_xor(vi_load(owners + 1 + i), vi_load(owners + i));
+        unsigned rest = bits_of_nonzero(change);
+        rest &= vm_bits(vf_greater(vf_load(tile->depths + first + i), vf_set(BURNISH_FARTHEST)));
+        for (; rest; rest &= rest - 1) {
+            const int32_t owner = owners[1 + i + __builtin_ctz(rest)];
+            const uint32_t source = tile->options.samples == 1
+                                        ? (uint32_t)owner
+                                        : tile->triangles[owner].corners.source;
+            __atomic_store_n(&drawn[source >> 1], 1, __ATOMIC_RELAXED);
+        }
+    }
+}
+
+static void mark_drawn(const burnish_visibility *visibility, uint8_t *drawn) {
+    const int size = visibility->options.samples * BURNISH_BLOCK_PIXELS;
+    for (int strip = 0; strip < BURNISH_TILE_STRIPS; ++strip) {
+        for (unsigned rest = visibility->touched[strip]; rest; rest &= rest - 1) {
+            const int block = strip * BURNISH_TILE_STRIPS + __builtin_ctz(rest);
+            mark_block(visibility, block * size, drawn);
+        }
+    }
+}

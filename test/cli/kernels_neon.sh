@@ -1,0 +1,18 @@
+#!/bin/sh
+# AArch64, cross-compiled, under emulation: test_kernels (NEON against scalar, and the scalar bits against
+# those of every other processor) and test_visibility on some scenes. Skipped (77) without the cross compiler.
+# Usage: kernels_neon.sh SOURCE_DIR SCRATCH
+set -eu
+compiler=aarch64-linux-gnu-gcc
+for tool in $compiler qemu-aarch64; do
+    command -v "$tool" >/dev/null || { echo "skipped: no $tool; scripts/install-deps test"; exit 77; }
+done
+. "$(dirname "$0")/kernels_sources.sh"
+mkdir -p "$2"
+# shellcheck disable=SC2046,SC2086
+$compiler $flags -static $(sources "$1" neon) -lm -o "$2/test_kernels_neon"
+qemu-aarch64 "$2/test_kernels_neon" | tee "$2/neon.txt"
+grep -q 'tiers: scalar neon' "$2/neon.txt"
+# shellcheck disable=SC2046,SC2086
+$compiler $flags -static $(renderer_sources "$1" neon) -lm -o "$2/test_visibility_neon"
+qemu-aarch64 "$2/test_visibility_neon" 100

@@ -1,0 +1,24 @@
+# Sourced: what test_kernels and test_visibility are made of on a processor that this build is not for.
+# shellcheck disable=SC2034
+flags="-std=c17 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror -D_GNU_SOURCE"
+
+# sources SOURCE_DIR TIER
+sources() {
+    echo "-I$1/include -I$1/src -I$1/test -DBURNISH_VERSION=\"0\" $1/test/test_kernels.c"
+    for file in kernels/isa kernels/batch kernels/prepare kernels/tier_scalar "kernels/tier_$2" base/elementary base/error; do
+        echo "$1/src/$file.c"
+    done
+}
+
+# renderer_sources SOURCE_DIR TIER
+renderer_sources() {
+    echo "-I$1/include -I$1/src -I$1/test -DBURNISH_VERSION=\"0\" -Wno-unknown-pragmas $1/test/test_visibility.c"
+    for file in kernels/isa kernels/batch kernels/prepare base/elementary base/error base/memory base/srgb \
+        raster/bin raster/clip raster/geometry raster/samples raster/visibility \
+        shade/attributes shade/interpolate shade/row shade/shade; do
+        echo "$1/src/$file.c"
+    done
+    for tier in scalar "$2"; do
+        echo "$1/src/kernels/tier_$tier.c $1/src/raster/visibility_$tier.c"
+    done
+}

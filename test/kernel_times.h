@@ -1,0 +1,64 @@
+/* The times of every variant, for test_kernels --bench; part of test_kernels.c, whose inputs it
+ * uses. */
+#include <time.h>
+
+static double nanoseconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e9 + (double)now.tv_nsec;
+}
+
+enum { BENCH_POINTS = 2048, BENCH_CALLS = 200, BENCH_ROUNDS = 11 };
+
+static int compare_doubles(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Nanoseconds a point: the median of some rounds. */
+static double time_variant(const burnish_batch *batch, int kind, int shading) {
+    static point_arrays arrays;
+    static float cosines[BENCH_POINTS], values[BENCH_POINTS];
+    static uint8_t pixels[4 * BENCH_POINTS];
+    double times[BENCH_ROUNDS];
+    uint32_t state = 3;
+    burnish_batch_lighting lighting = burnish_batch_lighting_default();
+    burnish_batch_shader shader;
+    lighting.lobe = make(kind, 2, 32);
+    burnish_batch_prepare(&lighting, &shader, NULL);
+    make_points(&arrays, BENCH_POINTS, 1, &state);
+    for (int i = 0; i < BENCH_POINTS; ++i) {
+        cosines[i] = uniform(&state, 0.1f, 1);
+    }
+    burnish_batch_points points = points_at(&arrays, 0, 0, 0);
+    for (int round = 0; round < BENCH_ROUNDS; ++round) {
+        double start = nanoseconds();
+        for (int call = 0; call < BENCH_CALLS; ++call) {
+            if (shading) {
+                burnish_batch_shade_rgba8(batch, &shader, &points, BENCH_POINTS, pixels, NULL);
+            } else {
+                burnish_batch_lobe_of_cosines(batch, &lighting.lobe, BENCH_POINTS, cosines, values,
+                                              NULL);
+            }
+        }
+        times[round] = (nanoseconds() - start) / ((double)BENCH_CALLS * BENCH_POINTS);
+    }
+    qsort(times, BENCH_ROUNDS, sizeof *times, compare_doubles);
+    return times[BENCH_ROUNDS / 2];
+}
+
+static void print_times(void) {
+    static const char *const names[] = {"family:2", "power",    "whole power", "schlick",
+                                        "gaussian", "gamecube", "dark"};
+    printf("\n%-12s %-8s %10s %10s   ns a point\n", "lobe", "tier", "lobe", "lighting");
+    for (int kind = 0; kind < BURNISH_BATCH_LOBE_KIND_COUNT; ++kind) {
+        for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+            const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+            if (batch) {
+                printf("%-12s %-8s %10.3f %10.3f\n", names[kind],
+                       burnish_isa_name((burnish_isa)isa), time_variant(batch, kind, 0),
+                       time_variant(batch, kind, 1));
+            }
+        }
+    }
+}

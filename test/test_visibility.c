@@ -1,0 +1,410 @@
+/* The fast renderer against the reference: thousands of random scenes, every tier and number of
+ * samples; the same owner of every sample, the same visible points, the same colours, bit for bit.
+ */
+#include <stdint.h>
+
+#include "harness.h"
+#include "raster/visibility.h"
+#include "reference_geometry.h"
+#include "reference_tile.h"
+#include "shade/strip.h"
+
+enum { MOST_VERTICES = 1200, MOST_TRIANGLES = 400, SCENES = 2000 };
+
+typedef struct random_scene {
+    float positions[3 * MOST_VERTICES], normals[3 * MOST_VERTICES];
+    uint8_t colors[4 * MOST_VERTICES];
+    uint32_t indices[3 * MOST_TRIANGLES];
+    uint16_t materials[MOST_TRIANGLES];
+    size_t vertex_count, triangle_count;
+} random_scene;
+
+static uint32_t next_random(uint32_t *state) {
+    *state ^= *state << 13;
+    *state ^= *state >> 17;
+    *state ^= *state << 5;
+    return *state;
+}
+
+static float uniform(uint32_t *state, float low, float high) {
+    return low + (high - low) * (float)(next_random(state) >> 8) * 0x1p-24f;
+}
+
+static void add_vertex(random_scene *scene, const float p[3], uint32_t *state) {
+    size_t i = scene->vertex_count++;
+    for (int k = 0; k < 3; ++k) {
+        scene->positions[3 * i + (size_t)k] = p[k];
+        scene->normals[3 * i + (size_t)k] = uniform(state, -1, 1);
+    }
+    for (int k = 0; k < 4; ++k) {
+        scene->colors[4 * i + (size_t)k] = (uint8_t)next_random(state);
+    }
+}
+
+/* Triangles around random places, from a fraction of a pixel to far larger than the picture; some
+ * share vertices, some lie exactly on one another, seen from either side. */
+static void make_scene(random_scene *scene, uint32_t *state) {
+    static const float sizes[] = {0.3f, 1.5f, 4, 12, 40, 300, 4000, 60000};
+    scene->vertex_count = scene->triangle_count = 0;
+    size_t count = 1 + next_random(state) % (MOST_TRIANGLES - 1);
+    float size = sizes[next_random(state) % 8];
+    while (scene->triangle_count < count) {
+        uint32_t *corners = scene->indices + 3 * scene->triangle_count;
+        uint32_t base = (uint32_t)scene->vertex_count;
+        float center[3];
+        if (next_random(state) % 16 == 0) {
+            size = sizes[next_random(state) % 8];
+        }
+        for (int k = 0; k < 3; ++k) {
+            center[k] = uniform(state, -90, 90);
+        }
+        for (uint32_t i = 0; i < 3; ++i) {
+            float p[3];
+            for (int k = 0; k < 3; ++k) {
+                p[k] = center[k] + uniform(state, -size, size);
+                if (next_random(state) % 4 == 0) { /* on the grid of samples */
+                    p[k] = (float)(int)p[k] + 0.5f;
+                }
+            }
+            corners[i] = base + i;
+            add_vertex(scene, p, state);
+        }
+        if (scene->triangle_count > 0 && next_random(state) % 3 == 0) { /* share an edge */
+            const uint32_t *before = corners - 3;
+            corners[0] = before[1];
+            corners[1] = before[0];
+            corners[2] = next_random(state) % 4 ? corners[2] : before[2];
+        }
+        scene->materials[scene->triangle_count++] = (uint16_t)(next_random(state) % 3);
+    }
+}
+
+/* A pixel a unit, or in perspective with the eye in the midst of the scene. */
+static burnish_raster_view make_view(int width, int height, int samples, uint32_t *state) {
+    burnish_raster_view view;
+    memset(&view, 0, sizeof view);
+    view.width = width;
+    view.height = height;
+    view.samples = samples;
+    view.rows[0][0] = view.rows[1][1] = 1;
+    if (next_random(state) % 2) {
+        view.rows[0][0] = view.rows[1][1] = uniform(state, 50, 400);
+        view.rows[2][3] = 0x1p-14f;
+        view.rows[3][2] = -1;
+        view.rows[3][3] = uniform(state, -50, 200);
+    } else {
+        view.rows[2][2] = 0.002f;
+        view.rows[2][3] = 0.5f;
+        view.rows[3][3] = 1;
+    }
+    return view;
+}
+
+static burnish_isa pick_isa(uint32_t *state) {
+    static const burnish_isa isas[] = {
+        BURNISH_ISA_SCALAR,
+#if defined(__SSE2__)
+        BURNISH_ISA_SSE2,
+        BURNISH_ISA_AVX2,
+        BURNISH_ISA_AVX512
+#elif defined(__aarch64__)
+        BURNISH_ISA_NEON
+#endif
+    };
+    uint32_t available = burnish_isa_available(), i;
+    do {
+        i = next_random(state) % (sizeof isas / sizeof isas[0]);
+    } while (!(available >> isas[i] & 1));
+    return isas[i];
+}
+
+/* Vertices and set-up triangles against the plain ones; pieces of clipped triangles come out of
+ * their pictures. */
+static void check_geometry(const random_scene *scene, const burnish_raster_view *view,
+                           const burnish_geometry *geometry, int number) {
+    int wrong = 0;
+    size_t slot = 0;
+    for (size_t i = 0; i < scene->vertex_count; ++i) {
+        float inverse_w;
+        burnish_screen_vertex v = reference_vertex(view, scene->positions + 3 * i, &inverse_w);
+        wrong += memcmp(&v, &geometry->vertices.items[i], sizeof v) != 0;
+        wrong += inverse_w != geometry->vertices.inverse_w[i];
+    }
+    CHECK(wrong == 0, "scene %d: %d vertices differ", number, wrong);
+    for (uint32_t i = 0; i < scene->triangle_count; ++i) {
+        burnish_screen_vertex v[3];
+        burnish_setup_triangle made;
+        for (size_t k = 0; k < 3; ++k) {
+            v[k] = geometry->vertices.items[scene->indices[3 * i + k]];
+        }
+        if (((v[0].outcode | v[1].outcode | v[2].outcode) & BURNISH_OUT_CLIP) == 0 &&
+            reference_set_up(view, v, i, &made)) {
+            wrong += !burnish_geometry_has(geometry, slot) ||
+                     memcmp(&made, &geometry->triangles[slot], sizeof made) != 0;
+            ++slot;
+        }
+    }
+    wrong += slot + geometry->piece_count != geometry->triangle_count;
+    CHECK(wrong == 0, "scene %d: %d triangles differ", number, wrong);
+}
+
+static int same_corners(const burnish_corners *a, const burnish_corners *b) {
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
+/* The owner of a sample in the fast tile: its corners' source, and with several samples its
+ * corners; 0 when it is not the expected triangle. */
+static int same_owner(const burnish_visibility *fast, const burnish_geometry *geometry, int place,
+                      int s, uint32_t triangle) {
+    const int samples = fast->options.samples, at = burnish_sample_place(samples, place, s);
+    const int is_none = fast->depths[at] == -1e30f;
+    if (triangle == BURNISH_NO_TRIANGLE || is_none) {
+        return triangle == BURNISH_NO_TRIANGLE && is_none &&
+               (samples == 1 || fast->owners[at] == -1);
+    }
+    const burnish_corners corners = burnish_geometry_corners(geometry, triangle);
+    return samples == 1 ? (uint32_t)fast->owners[at] == corners.source
+                        : same_corners(&fast->triangles[fast->owners[at]].corners, &corners);
+}
+
+/* Samples of the tile whose owners or depths differ. */
+static int compare_owners(const reference_tile *tile, const burnish_visibility *fast,
+                          const burnish_geometry *geometry) {
+    int wrong = 0;
+    for (int y = 0; y < tile->height; ++y) {
+        for (int x = 0; x < tile->width; ++x) {
+            const int pixel = y * BURNISH_TILE_SIZE + x, place = burnish_tile_place(x, y);
+            for (int s = 0; s < tile->samples; ++s) {
+                const int entry = pixel * tile->samples + s;
+                wrong += !same_owner(fast, geometry, place, s, tile->triangles[entry]);
+                wrong += tile->depths[entry] !=
+                         fast->depths[burnish_sample_place(tile->samples, place, s)];
+            }
+        }
+    }
+    return wrong;
+}
+
+/* A visible point by the reference, with its colour. */
+typedef struct point {
+    int place, weight;
+    burnish_corners corners;
+    float x, y, depth, weights[2], color[3];
+} point;
+
+static point take_point(const burnish_fragments *fragments, const burnish_shaded *shaded, int i) {
+    point made;
+    memset(&made, 0, sizeof made);
+    made.place = fragments->place[i];
+    made.weight = fragments->weight[i];
+    made.corners = fragments->corners[i];
+    made.x = fragments->x[i];
+    made.y = fragments->y[i];
+    made.depth = fragments->depth[i];
+    made.weights[0] = fragments->weight1[i];
+    made.weights[1] = fragments->weight2[i];
+    for (int k = 0; k < 3; ++k) {
+        made.color[k] = shaded->channel[k][i];
+    }
+    return made;
+}
+
+/* What the fast renderer makes of a pixel that is one triangle's alone. */
+static int same_whole(const burnish_visibility *fast, const burnish_strip *strip,
+                      const point *expected) {
+    const int i = expected->place % BURNISH_STRIP_PIXELS;
+    if (strip->pixels.whole[i] < 0) {
+        return 0;
+    }
+    const float got[4] = {fast->center_depths[expected->place], strip->rgb[0][i], strip->rgb[1][i],
+                          strip->rgb[2][i]};
+    const float want[4] = {expected->depth, expected->color[0], expected->color[1],
+                           expected->color[2]};
+    return memcmp(got, want, sizeof got) == 0 &&
+           burnish_visibility_source(fast, expected->place / BURNISH_STRIP_PIXELS, i,
+                                     strip->pixels.whole[i]) == expected->corners.source;
+}
+
+/* All points of a tile by both paths; *points counts them. */
+static int compare_points(reference_tile *tile, burnish_visibility *fast,
+                          const burnish_raster_tier *tier, const burnish_raster_view *view,
+                          const burnish_geometry *geometry, const burnish_shader *shader,
+                          burnish_shade_cache *cache, int *points) {
+    static point expected[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
+    static burnish_fragments fragments;
+    static burnish_shaded shaded;
+    static burnish_strip strip;
+    int count = 0, wrong = 0, at = 0, known = -1;
+    while (reference_next_fragments(tile, view, geometry, &fragments)) {
+        burnish_shade(shader, cache, &fragments, &shaded);
+        for (int i = 0; i < fragments.count; ++i) {
+            expected[count++] = take_point(&fragments, &shaded, i);
+        }
+    }
+    *points += count;
+    for (int i = 0; i < count; ++i) { /* whole pixels, a strip after another */
+        const int number = expected[i].place / BURNISH_STRIP_PIXELS;
+        if (number != known) {
+            burnish_shade_strip(shader, cache, tier, fast, view, number, &strip);
+            known = number;
+        }
+        wrong += expected[i].weight == tile->samples && !same_whole(fast, &strip, &expected[i]);
+    }
+    while (burnish_visibility_next(fast, view, &fragments)) {
+        burnish_shade(shader, cache, &fragments, &shaded);
+        for (int i = 0; i < fragments.count; ++i, ++at) {
+            while (at < count && expected[at].weight == tile->samples) {
+                ++at;
+            }
+            point got = take_point(&fragments, &shaded, i);
+            wrong += at >= count || memcmp(&got, &expected[at], sizeof got) != 0;
+        }
+    }
+    while (at < count && expected[at].weight == tile->samples) {
+        ++at;
+    }
+    return wrong + (at != count);
+}
+
+static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
+                        burnish_shade_material materials[3], const random_scene *scene,
+                        const burnish_geometry *geometry, uint32_t *state) {
+    memset(shader, 0, sizeof *shader);
+    shader->batch = burnish_batch_best();
+    shader->lighting = burnish_batch_lighting_default();
+    shader->lighting.near_viewer = (int)(next_random(state) & 1);
+    shader->lighting.viewer[2] = shader->lighting.near_viewer ? 0 : 1;
+    shader->lighting.lyon = next_random(state) % 4 == 0;
+    shader->needs_place = 1; /* the reference always gives places */
+    shader->view.q_per_depth = 0x1p14f;
+    shader->view.ray[2] = -1;
+    shader->view.ray_x[0] = shader->view.ray_y[1] = 0.01f;
+    for (int i = 0; i < 3; ++i) {
+        memset(&materials[i], 0, sizeof materials[i]);
+        materials[i].lobe = shader->lighting.lobe;
+        materials[i].diffuse[i] = 0.75f;
+        materials[i].specular[2 - i] = 0.5f;
+    }
+    shader->materials = materials;
+    shader->triangle_materials = next_random(state) & 1 ? scene->materials : NULL;
+    shader->attributes = attributes;
+    burnish_attributes_update(attributes, geometry, scene->normals,
+                              next_random(state) & 1 ? scene->colors : NULL, scene->indices, 1,
+                              NULL);
+}
+
+static void check_scene(const random_scene *scene, int number, uint32_t *state, int *points) {
+    static const int counts[] = {1, 4, 1, 8, 1, 16};
+    const int samples = counts[number % 6];
+    burnish_raster_view view = make_view(65 + (int)(next_random(state) % 90),
+                                         1 + (int)(next_random(state) % 130), samples, state);
+    static burnish_geometry geometry; /* kept, as a renderer keeps them */
+    static burnish_attributes attributes;
+    static burnish_bins bins;
+    reference_tile tile;
+    burnish_visibility fast;
+    burnish_shader shader;
+    burnish_shade_material materials[3];
+    burnish_shade_cache cache = {.material = -1};
+    const burnish_raster_tier *tier = burnish_raster_tier_of(pick_isa(state));
+    burnish_geometry_update(&geometry, tier, &view, scene->positions, scene->vertex_count,
+                            scene->indices, scene->triangle_count, 1, NULL);
+    check_geometry(scene, &view, &geometry, number);
+    make_shader(&shader, &attributes, materials, scene, &geometry, state);
+    reference_tile_create(&tile, samples, NULL);
+    const burnish_visibility_options options = {.samples = samples,
+                                                .planes = burnish_shade_planes(&shader),
+                                                .keep_owners = 1,
+                                                .needs_place = 1};
+    burnish_visibility_create(&fast, &options, NULL);
+    fast.attributes[0] = attributes.normals;
+    fast.attributes[1] = attributes.colors;
+    if (samples > 1 && next_random(state) % 4 == 0) { /* forget triangles often */
+        size_t least = 2 * (size_t)BURNISH_TILE_PIXELS * (size_t)samples; /* own at most half */
+        fast.triangle_capacity = least < fast.triangle_capacity ? least : fast.triangle_capacity;
+    }
+    burnish_bins_begin(&bins);
+    do {
+        burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
+        for (int row = bins.first_row; row < bins.end_row; ++row) {
+            for (int column = 0; column < bins.columns; ++column) {
+                int drawn = reference_draw_tile(&tile, &view, &geometry, &bins, column, row);
+                int wrong = burnish_visibility_draw(&fast, tier, &view, &geometry, &bins, column,
+                                                    row) != drawn;
+                if (drawn && !wrong) {
+                    wrong = compare_owners(&tile, &fast, &geometry);
+                    CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: %d owners differ", number,
+                          samples, column, row, wrong);
+                    wrong = compare_points(&tile, &fast, tier, &view, &geometry, &shader, &cache,
+                                           points);
+                }
+                CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: points or colours differ",
+                      number, samples, column, row);
+            }
+        }
+    } while (bins.end_row < bins.rows);
+    burnish_visibility_destroy(&fast);
+    reference_tile_destroy(&tile);
+}
+
+/* More triangles than a tile remembers, each nearer than the last: old ones must be forgotten. */
+static void check_forgetting(void) {
+    enum { SAMPLES = 4, LAYERS = 3 * BURNISH_TILE_TRIANGLES * SAMPLES };
+    static float positions[9 * LAYERS], normals[9 * LAYERS];
+    static uint32_t indices[3 * LAYERS];
+    for (uint32_t i = 0; i < LAYERS; ++i) {
+        const float z = (float)i * (200.0f / LAYERS), x = (float)(i % 61) - 30;
+        const float p[9] = {x - 3, -3, z, x + 3, -3, z, x, 3, z};
+        memcpy(positions + 9 * i, p, sizeof p);
+        for (uint32_t k = 0; k < 3; ++k) {
+            indices[3 * i + k] = 3 * i + k;
+        }
+    }
+    burnish_raster_view view;
+    memset(&view, 0, sizeof view);
+    view.width = view.height = BURNISH_TILE_SIZE;
+    view.samples = SAMPLES;
+    view.rows[0][0] = view.rows[1][1] = view.rows[3][3] = 1;
+    view.rows[2][2] = 0.004f;
+    burnish_geometry geometry = {0};
+    burnish_attributes attributes = {0};
+    burnish_bins bins = {0};
+    reference_tile tile;
+    burnish_visibility fast;
+    const burnish_raster_tier *tier = burnish_raster_tier_of(BURNISH_ISA_SCALAR);
+    const burnish_visibility_options options = {.samples = SAMPLES, .planes = 3};
+    burnish_geometry_update(&geometry, tier, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS,
+                            1, NULL);
+    burnish_attributes_update(&attributes, &geometry, normals, NULL, indices, 1, NULL);
+    burnish_bins_begin(&bins);
+    burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
+    reference_tile_create(&tile, SAMPLES, NULL);
+    burnish_visibility_create(&fast, &options, NULL);
+    fast.attributes[0] = attributes.normals;
+    reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
+    burnish_visibility_draw(&fast, tier, &view, &geometry, &bins, 0, 0);
+    CHECK(geometry.triangle_count == LAYERS, "all may be seen: %zu", geometry.triangle_count);
+    CHECK(fast.triangle_count < LAYERS, "forgot some: %zu", fast.triangle_count);
+    CHECK(compare_owners(&tile, &fast, &geometry) == 0, "owners after forgetting");
+    burnish_visibility_destroy(&fast);
+    reference_tile_destroy(&tile);
+    burnish_attributes_destroy(&attributes);
+    burnish_bins_destroy(&bins);
+    burnish_geometry_destroy(&geometry);
+}
+
+/* An argument: how many scenes, for slow machines. */
+int main(int count, char **arguments) {
+    static random_scene scene;
+    const int scenes = count > 1 ? atoi(arguments[1]) : SCENES;
+    uint32_t state = 0x9e3779b9;
+    int points = 0;
+    for (int i = 0; i < scenes; ++i) {
+        make_scene(&scene, &state);
+        check_scene(&scene, i, &state, &points);
+    }
+    printf("%d scenes, %d points\n", scenes, points);
+    CHECK(points > 2500 * scenes && scenes > 0, "the scenes show something: %d points", points);
+    check_forgetting();
+    return test_end("visibility");
+}

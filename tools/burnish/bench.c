@@ -1,0 +1,320 @@
+/* `burnish bench`: the kernels against what else there is, on this machine. */
+#include <cjson/cJSON.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/kernels.h"
+#include "help.h"
+#include "values.h"
+
+typedef struct bench_settings {
+    burnish_isa isa; /* BURNISH_ISA_COUNT: all of them */
+    int quick, json, help;
+    const char *csv;
+} bench_settings;
+
+static int bench_main(int argc, char **argv);
+
+static const burnish_cli_flag flags[] = {
+    {.group = "Options",
+     .name = "isa",
+     .value = "NAME",
+     .help = "one instruction set: auto, scalar, sse2, avx2, avx512, neon",
+     .shown = "all",
+     .manual = "Measures the kernels of one instruction set: *auto* for the fastest, *scalar*, "
+               "*sse2*, *avx2*, *avx512* or *neon*.",
+     .handler = burnish_cli_flag_isa,
+     .offset = offsetof(bench_settings, isa)},
+    {.name = "quick",
+     .help = "fewer rounds, smaller arrays: seconds, and noisier",
+     .manual = "Fewer and shorter rounds, and arrays of 128 MiB in memory instead of 512 MiB.",
+     .handler = burnish_cli_flag_switch,
+     .offset = offsetof(bench_settings, quick)},
+    {.name = "json",
+     .help = "one JSON object on standard output",
+     .manual = "Prints the ratios as one JSON object instead of tables.",
+     .handler = burnish_cli_flag_switch,
+     .offset = offsetof(bench_settings, json)},
+    {.name = "csv",
+     .value = "FILE",
+     .help = "write every row into a file as well",
+     .manual = "Writes every row also into _FILE_ as comma-separated values.",
+     .handler = burnish_cli_flag_text,
+     .offset = offsetof(bench_settings, csv)},
+    {.name = "help",
+     .letter = 'h',
+     .help = "this screen",
+     .manual = "Prints the flags on one screen.",
+     .handler = burnish_cli_flag_switch,
+     .offset = offsetof(bench_settings, help)},
+};
+
+const burnish_cli_command burnish_cli_bench_command = {
+    .name = "bench",
+    .operand = "",
+    .summary = "time the kernels against pow, Schlick, tables and copies",
+    .operand_help = "",
+    .manual =
+        "Times the m = 2 lobe of the kernels and what it is compared with, taking turns in one "
+        "run: a copy, m = 4, Schlick with a true division, squarings, a table, a tuned vector "
+        "pow, SLEEF's and libmvec's powf (opened when they are installed) and libm's; over 2,048 "
+        "floats in the first cache, from memory, and inside the whole lighting equation. Numbers "
+        "are medians; no thread is pinned to a core.\n"
+        "In the JSON object *tiers* has an object for each instruction set, with the keys "
+        "*lobe.l1.X_over*, *shade.directional.X_over*, *shade.point.X_over* and "
+        "*root.l1.X_over*: X's time divided by the lobe's, larger being better for the lobe; "
+        "*lobe.l1.over_copy* and *lobe.memory.over_nt_copy* are the lobe's time divided by the "
+        "copy's. *SECTION.X_ns* is the time of one element in nanoseconds. The object *scalar* has "
+        "*scalar.latency.X_over* and *scalar.throughput.X_over* of code that takes one value at a "
+        "time. What could not be measured is null, and *missing* says why. *machine*, *compiler*, "
+        "*rounds* and *array_bytes* (of each array in memory) name the circumstances.",
+    .operands_max = 0,
+    .flags = flags,
+    .flag_count = sizeof flags / sizeof *flags,
+    .run = bench_main,
+};
+
+/* The row that others are compared with has no ratio, nor has the bare loop. */
+static int has_ratio(const burnish_bench_table *table, int i) {
+    const burnish_bench_row *row = &table->rows[i];
+    int is_first = i == 0 || strcmp(table->rows[i - 1].section, row->section) != 0;
+    return !is_first && strcmp(row->name, "loop") != 0;
+}
+
+static void print_table(const burnish_bench_table *table) {
+    static const struct {
+        const char *section, *text;
+    } TITLES[] = {{"lobe.l1", "lobes, 2,048 floats in the first cache, n = 32"},
+                  {"lobe.memory", "lobes, arrays in memory"},
+                  {"shade.directional", "whole lighting, directional light, distant viewer"},
+                  {"shade.point", "whole lighting, point light, near viewer"},
+                  {"root.l1", "inverse square roots, 2,048 floats in the first cache"},
+                  {"scalar.latency", "one value at a time: latency"},
+                  {"scalar.throughput", "one value at a time: throughput"}};
+    for (int i = 0; i < table->count; ++i) {
+        const burnish_bench_row *row = &table->rows[i];
+        int has_cycles = strncmp(row->section, "scalar", 6) == 0;
+        if (i == 0 || strcmp(table->rows[i - 1].section, row->section) != 0) {
+            const char *title = row->section;
+            for (size_t k = 0; k < sizeof TITLES / sizeof *TITLES; ++k) {
+                title = strcmp(TITLES[k].section, row->section) == 0 ? TITLES[k].text : title;
+            }
+            printf("  %-50s %8s %8s%s\n", title, "ns", "x lobe", has_cycles ? "   cycles" : "");
+        }
+        if (row->missing) {
+            printf("    %-48s %8s %8s\n", row->label, "-", "-");
+            continue;
+        }
+        /* a copy's ratio is the other way round */
+        double over = row->is_copy ? 1 / row->ratio : row->ratio;
+        printf("    %-48s %8.4f %8.2f", row->label, row->nanoseconds, over);
+        printf(has_cycles && row->cycles == row->cycles ? " %8.2f\n" : "\n", row->cycles);
+    }
+}
+
+static void print_missing(const burnish_bench_report *report) {
+    const char *said[8];
+    int count = 0;
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        const burnish_bench_table *table = &report->tiers[isa];
+        for (int i = 0; report->has_tier[isa] && i < table->count; ++i) {
+            const char *reason = table->rows[i].missing;
+            int known = !reason || count == 8;
+            for (int k = 0; !known && k < count; ++k) {
+                known = strcmp(said[k], reason) == 0;
+            }
+            if (!known) {
+                printf("-: %s\n", reason);
+                said[count++] = reason;
+            }
+        }
+    }
+}
+
+static void print_text(const burnish_bench_report *report) {
+    const burnish_bench_machine *machine = &report->machine;
+    printf("%s; caches %zu KiB, %zu KiB, %zu KiB; %s\n", machine->processor,
+           machine->cache_bytes[0] / 1024, machine->cache_bytes[1] / 1024,
+           machine->cache_bytes[2] / 1024, machine->compiler);
+    printf("Medians of %d rounds in which all take turns; arrays in memory %zu MiB each; no thread "
+           "is pinned.\n",
+           report->rounds, report->array_bytes >> 20);
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        if (report->has_tier[isa]) {
+            printf("\n%s\n", burnish_isa_name((burnish_isa)isa));
+            print_table(&report->tiers[isa]);
+        }
+    }
+    printf("\nscalar code (the paper, on a Pentium M: schlick / lobe 2.3 and 1.69)\n");
+    print_table(&report->scalar);
+    print_missing(report);
+}
+
+/* Adds an item to an object; out of memory makes *failed 1. */
+static void add(cJSON *object, const char *key, cJSON *item, int *failed) {
+    if (!item || !cJSON_AddItemToObject(object, key, item)) {
+        cJSON_Delete(item);
+        *failed = 1;
+    }
+}
+
+static cJSON *number(double value) {
+    char text[32];
+    snprintf(text, sizeof text, "%.5g", value);
+    return value - value == 0 ? cJSON_CreateRaw(text) : cJSON_CreateNull();
+}
+
+static cJSON *size_number(size_t value) {
+    char text[32];
+    snprintf(text, sizeof text, "%zu", value);
+    return cJSON_CreateRaw(text);
+}
+
+static cJSON *table_object(const burnish_bench_table *table, cJSON *missing, int *failed) {
+    cJSON *object = cJSON_CreateObject();
+    for (int i = 0; object && i < table->count; ++i) {
+        const burnish_bench_row *row = &table->rows[i];
+        char key[96];
+        if (has_ratio(table, i)) {
+            burnish_bench_key(row, key, sizeof key);
+            add(object, key, number(row->ratio), failed);
+            if (row->missing && !cJSON_GetObjectItemCaseSensitive(missing, key)) {
+                add(missing, key, cJSON_CreateString(row->missing), failed);
+            }
+        }
+        snprintf(key, sizeof key, "%s.%s_ns", row->section, row->name);
+        add(object, key, number(row->nanoseconds), failed);
+        if (row->cycles == row->cycles) {
+            snprintf(key, sizeof key, "%s.%s_cycles", row->section, row->name);
+            add(object, key, number(row->cycles), failed);
+        }
+    }
+    return object;
+}
+
+static cJSON *machine_object(const burnish_bench_machine *machine, int *failed) {
+    static const char *const KEYS[] = {"cache_l1_bytes", "cache_l2_bytes", "cache_l3_bytes"};
+    cJSON *object = cJSON_CreateObject();
+    add(object, "processor", cJSON_CreateString(machine->processor), failed);
+    for (int i = 0; i < 3; ++i) {
+        add(object, KEYS[i], size_number(machine->cache_bytes[i]), failed);
+    }
+    return object;
+}
+
+static int print_json(const burnish_bench_report *report) {
+    int failed = 0;
+    cJSON *root = cJSON_CreateObject(), *tiers = cJSON_CreateObject();
+    cJSON *missing = cJSON_CreateObject();
+    add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    add(root, "machine", machine_object(&report->machine, &failed), &failed);
+    add(root, "compiler", cJSON_CreateString(report->machine.compiler), &failed);
+    add(root, "rounds", cJSON_CreateNumber(report->rounds), &failed);
+    add(root, "array_bytes", size_number(report->array_bytes), &failed);
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        if (report->has_tier[isa]) {
+            add(tiers, burnish_isa_name((burnish_isa)isa),
+                table_object(&report->tiers[isa], missing, &failed), &failed);
+        }
+    }
+    add(root, "tiers", tiers, &failed);
+    add(root, "scalar", table_object(&report->scalar, missing, &failed), &failed);
+    add(root, "missing", missing, &failed);
+    char *text = failed ? NULL : cJSON_Print(root);
+    cJSON_Delete(root);
+    if (!text) {
+        burnish_error error;
+        burnish_cli_fail(&error, BURNISH_STATUS_MEMORY, "bench: out of memory");
+        return burnish_cli_report_error(&error);
+    }
+    puts(text);
+    cJSON_free(text);
+    return burnish_cli_finish_output();
+}
+
+static void write_rows(FILE *file, const char *tier, const burnish_bench_table *table) {
+    for (int i = 0; i < table->count; ++i) {
+        const burnish_bench_row *row = &table->rows[i];
+        char key[96], numbers[3][32];
+        const double values[3] = {row->nanoseconds, row->cycles, row->ratio};
+        burnish_bench_key(row, key, sizeof key);
+        for (int k = 0; k < 3; ++k) {
+            numbers[k][0] = 0;
+            if (values[k] == values[k]) {
+                snprintf(numbers[k], sizeof numbers[k], "%.5g", values[k]);
+            }
+        }
+        fprintf(file, "%s,%s,%s,\"%s\",%s,%s,%s\n", tier, row->section, row->name, row->label,
+                numbers[0], numbers[1], has_ratio(table, i) ? numbers[2] : "");
+    }
+}
+
+static burnish_status write_csv(const burnish_bench_report *report, const char *path,
+                                burnish_error *error) {
+    const burnish_bench_machine *machine = &report->machine;
+    FILE *file = fopen(path, "w");
+    if (!file) {
+        return burnish_cli_fail(error, BURNISH_STATUS_WRITE, "%s: %s", path, strerror(errno));
+    }
+    fprintf(file, "tier,section,name,label,nanoseconds,cycles,ratio\n");
+    fprintf(file, "run,machine,processor,\"%s\",,,\n", machine->processor);
+    fprintf(file, "run,machine,compiler,\"%s\",,,\n", machine->compiler);
+    for (int i = 0; i < 3; ++i) {
+        fprintf(file, "run,machine,cache_l%d,\"%zu KiB\",,,\n", i + 1,
+                machine->cache_bytes[i] / 1024);
+    }
+    fprintf(file, "run,machine,rounds,\"%d\",,,\n", report->rounds);
+    fprintf(file, "run,machine,array,\"%zu MiB\",,,\n", report->array_bytes >> 20);
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        if (report->has_tier[isa]) {
+            write_rows(file, burnish_isa_name((burnish_isa)isa), &report->tiers[isa]);
+        }
+    }
+    write_rows(file, "code", &report->scalar);
+    int failed = ferror(file) != 0;
+    failed |= fclose(file) != 0;
+    if (failed) {
+        burnish_cli_fail(error, BURNISH_STATUS_WRITE, "%s: %s", path, strerror(errno));
+        remove(path);
+        return BURNISH_STATUS_WRITE;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static int bench_main(int argc, char **argv) {
+    bench_settings settings = {.isa = BURNISH_ISA_COUNT};
+    burnish_cli_operands operands;
+    burnish_error error;
+    if (burnish_cli_parse(&burnish_cli_bench_command, argc, argv, &settings, &operands, &error) !=
+        BURNISH_STATUS_OK) {
+        return burnish_cli_report_error(&error);
+    }
+    if (operands.help) {
+        return burnish_cli_print_command_help(&burnish_cli_bench_command);
+    }
+    burnish_bench_report *report = malloc(sizeof *report);
+    burnish_bench_settings bench = {.quick = settings.quick};
+    bench.tiers = settings.isa == BURNISH_ISA_COUNT ? ~0u : 1u << settings.isa;
+    burnish_status status = BURNISH_STATUS_MEMORY;
+    burnish_cli_fail(&error, status, "bench: out of memory");
+    if (report) {
+        status = burnish_bench_run(&bench, report, &error);
+    }
+    if (status == BURNISH_STATUS_OK && settings.csv) {
+        status = write_csv(report, settings.csv, &error);
+    }
+    int code = EXIT_SUCCESS;
+    if (status != BURNISH_STATUS_OK) {
+        code = burnish_cli_report_error(&error);
+    } else if (settings.json) {
+        code = print_json(report);
+    } else {
+        print_text(report);
+        code = burnish_cli_finish_output();
+    }
+    free(report);
+    return code;
+}
