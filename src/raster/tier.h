@@ -25,6 +25,12 @@ typedef unsigned burnish_set_up_function(const burnish_screen_vertices *vertices
 typedef void burnish_draw_function(burnish_visibility *visibility, const burnish_geometry *geometry,
                                    const uint32_t *entries, size_t count);
 
+/* Leaves out of a list those triangles that are behind the coarse depth wherever they touch the
+ * tile; returns how many are left. */
+typedef size_t burnish_find_seen_function(const burnish_visibility *visibility,
+                                          const burnish_geometry *geometry, uint32_t *entries,
+                                          size_t count);
+
 /* The least depth of each coarse block of a tile. */
 typedef void burnish_find_least_function(burnish_visibility *visibility);
 
@@ -40,6 +46,7 @@ struct burnish_raster_tier {
     burnish_transform_function *transform;
     burnish_set_up_function *set_up;
     burnish_draw_function *draw;
+    burnish_find_seen_function *find_seen;
     burnish_find_least_function *find_least;
     burnish_find_pixels_function *find_pixels;
     burnish_mark_function *mark;

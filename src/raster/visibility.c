@@ -104,60 +104,34 @@ static void find_coarse(burnish_visibility *visibility, const burnish_raster_tie
     }
 }
 
-/* Whether everything that the triangle touches is nearer. Interpolated depths may pass the nearest
- * vertex by rounding: the factor is far more than that. */
-static int is_hidden(const burnish_visibility *visibility, const burnish_setup_triangle *triangle) {
-    const float nearest = triangle->nearest * 1.00001f;
-    const int left = visibility->x / BURNISH_COARSE_BLOCK,
-              top = visibility->y / BURNISH_COARSE_BLOCK;
-    int x0 = triangle->blocks[0] - left, x1 = triangle->blocks[2] - left;
-    int y0 = triangle->blocks[1] - top, y1 = triangle->blocks[3] - top;
-    if (!(nearest > 0.0f)) { /* the factor would make it farther */
-        return 0;
-    }
-    x0 = x0 < 0 ? 0 : x0;
-    y0 = y0 < 0 ? 0 : y0;
-    x1 = x1 >= BURNISH_TILE_BLOCKS ? BURNISH_TILE_BLOCKS - 1 : x1;
-    y1 = y1 >= BURNISH_TILE_BLOCKS ? BURNISH_TILE_BLOCKS - 1 : y1;
-    const int more = (x1 - x0) | (y1 - y0);
-    if (more <= 1) { /* nearly all */
-        return nearest < visibility->coarse[more][y0][x0];
-    }
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
-            if (nearest >= visibility->coarse[0][y][x]) {
-                return 0;
-            }
-        }
-    }
-    return 1;
-}
-
 enum {
-    LIST_PART = 512, /* triangles tested against the coarse depth at once */
+    LIST_PART = 1024, /* triangles read at once */
     /* triangles drawn before the coarse depth is found again: as much work as a few of them */
     COARSE_AGE = 2048
 };
 
-/* Draws those of a list that may be seen over what is there. */
-static void draw_over(burnish_visibility *visibility, const burnish_raster_tier *tier,
-                      const burnish_geometry *geometry, const uint32_t *entries, size_t count) {
-    uint32_t seen[LIST_PART];
-    size_t drawn = COARSE_AGE;
-    for (size_t first = 0; first < count; first += LIST_PART) {
-        const size_t part = count - first < LIST_PART ? count - first : LIST_PART;
-        size_t kept = 0;
-        if (drawn >= COARSE_AGE) {
+/* Draws a list; returns how many triangles. Those that the coarse depth hides are left out, over
+ * `drawn` others that have been drawn before. */
+static size_t draw_list(burnish_visibility *visibility, const burnish_raster_tier *tier,
+                        const burnish_geometry *geometry, burnish_list_reader reader,
+                        size_t before) {
+    uint32_t part[LIST_PART];
+    size_t age = before ? COARSE_AGE : 0, all = 0, count;
+    int is_coarse = 0;
+    while ((count = burnish_list_read(&reader, part, LIST_PART)) > 0) {
+        all += count;
+        if (age >= COARSE_AGE) {
             find_coarse(visibility, tier);
-            drawn = 0;
+            is_coarse = 1;
+            age = 0;
         }
-        for (size_t i = 0; i < part; ++i) {
-            seen[kept] = entries[first + i];
-            kept += !is_hidden(visibility, &geometry->triangles[entries[first + i]]);
+        if (is_coarse) {
+            count = tier->find_seen(visibility, geometry, part, count);
         }
-        tier->draw(visibility, geometry, seen, kept);
-        drawn += kept;
+        tier->draw(visibility, geometry, part, count);
+        age += count;
     }
+    return all;
 }
 
 /* Vectors may have drawn beyond the image's right and lower edge. */
@@ -181,9 +155,8 @@ static void clear_outside(burnish_visibility *visibility) {
 int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster_tier *tier,
                             const burnish_raster_view *view, const burnish_geometry *geometry,
                             const burnish_bins *bins, int column, int row) {
-    size_t list = 2 * ((size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column);
-    const size_t *offsets = bins->offsets + list;
-    const size_t fronts = offsets[1] - offsets[0];
+    const burnish_list_reader fronts = burnish_list_begin(bins, column, row, 0);
+    const burnish_list_reader backs = burnish_list_begin(bins, column, row, 1);
     visibility->x = column * BURNISH_TILE_SIZE;
     visibility->y = row * BURNISH_TILE_SIZE;
     int right = view->width - visibility->x, below = view->height - visibility->y;
@@ -191,7 +164,7 @@ int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster
     visibility->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
     visibility->next_place = 0;
     visibility->triangle_count = 0;
-    if (offsets[0] == offsets[2]) {
+    if (burnish_list_is_empty(fronts) && burnish_list_is_empty(backs)) {
         return 0;
     }
     const size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)visibility->options.samples;
@@ -202,10 +175,8 @@ int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster
         memset(visibility->owners, 0xff, count * sizeof *visibility->owners);
     }
     memset(visibility->touched, 0, sizeof visibility->touched);
-    const size_t plain = fronts < COARSE_AGE ? fronts : COARSE_AGE;
-    tier->draw(visibility, geometry, bins->entries + offsets[0], plain);
-    draw_over(visibility, tier, geometry, bins->entries + offsets[0] + plain, fronts - plain);
-    draw_over(visibility, tier, geometry, bins->entries + offsets[1], offsets[2] - offsets[1]);
+    const size_t before = draw_list(visibility, tier, geometry, fronts, 0);
+    draw_list(visibility, tier, geometry, backs, before);
     if (visibility->width % BURNISH_BLOCK_SIZE || visibility->height % BURNISH_BLOCK_SIZE) {
         clear_outside(visibility);
     }

@@ -397,13 +397,20 @@ BURNISH_INLINE void find_tiny(const setup_block *block, int planes, tiny_pixels 
     }
 }
 
+/* Bit i to bit 4 i. */
+BURNISH_INLINE uint64_t spread(unsigned bits) {
+    uint64_t x = bits;
+    x = (x | x << 24) & 0x000000ff000000ffull;
+    x = (x | x << 12) & 0x000f000f000f000full;
+    x = (x | x << 6) & 0x0303030303030303ull;
+    return (x | x << 3) & 0x1111111111111111ull;
+}
+
+/* Draws covered pixels: bit 4 lane + c of `hits`. */
 BURNISH_INLINE void draw_tiny(burnish_visibility *tile, const setup_block *block,
-                              const tiny_pixels *pixels, size_t lane, int planes, int owners,
-                              int32_t owner) {
-    for (int c = 0; c < 4; ++c) {
-        if (!(pixels->covered[c] >> lane & 1)) {
-            continue;
-        }
+                              const tiny_pixels *pixels, uint64_t hits, int planes, int owners) {
+    for (; hits; hits &= hits - 1) {
+        const int hit = __builtin_ctzll(hits), lane = hit >> 2, c = hit & 3;
         const int x = block->x0[lane] + (c & 1), y = block->y0[lane] + (c >> 1);
         const int place = burnish_tile_place(x, y);
         if (!(pixels->depth[c][lane] > tile->depths[place])) {
@@ -414,7 +421,7 @@ BURNISH_INLINE void draw_tiny(burnish_visibility *tile, const setup_block *block
             tile->planes[k][place] = pixels->planes[c][k][lane];
         }
         if (owners) {
-            tile->owners[place] = owner;
+            tile->owners[place] = (int32_t)block->corners.source[lane];
         }
         tile->touched[y / BURNISH_BLOCK_SIZE] |= (uint16_t)(1u << x / BURNISH_BLOCK_SIZE);
     }
@@ -600,26 +607,28 @@ static void remember(burnish_visibility *tile, const setup_block *block, size_t 
 BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, tiny_pixels *pixels,
                                 int planes, int owners) {
     static const int8_t CENTER[1][2] = {{0, 0}};
-    unsigned tiny = block->tiny;
+    unsigned others = block->live;
+    uint64_t hits = 0;
     unit_list list;
-    if (tiny & (tiny - 1)) { /* at least two */
+    if (block->tiny & (block->tiny - 1)) { /* at least two */
         find_tiny(block, planes, pixels);
-        block->live &= ~tiny | pixels->covered[0] | pixels->covered[1] | pixels->covered[2] |
-                       pixels->covered[3];
-    } else {
-        tiny = 0;
+        others &= ~block->tiny;
+        hits = spread(pixels->covered[0]) | spread(pixels->covered[1]) << 1 |
+               spread(pixels->covered[2]) << 2 | spread(pixels->covered[3]) << 3;
     }
-    for (unsigned rest = block->live; rest; rest &= rest - 1) {
-        const unsigned lane = (unsigned)__builtin_ctz(rest);
+    for (; others; others &= others - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(others);
         const int32_t owner = (int32_t)block->corners.source[lane];
-        if (tiny >> lane & 1) {
-            draw_tiny(tile, block, pixels, lane, planes, owners, owner);
-        } else if (block->small >> lane & 1) {
+        const uint64_t before = hits & ((1ull << 4 * lane) - 1);
+        draw_tiny(tile, block, pixels, before, planes, owners);
+        hits ^= before;
+        if (block->small >> lane & 1) {
             draw_small(tile, block, lane, planes, owners, owner, &list);
         } else {
             draw_large(tile, block, lane, owners, owner, CENTER);
         }
     }
+    draw_tiny(tile, block, pixels, hits, planes, owners);
 }
 
 static void draw_multiple(burnish_visibility *tile, setup_block *block) {
@@ -669,6 +678,76 @@ static void draw_list(burnish_visibility *visibility, const burnish_geometry *ge
             draw_single(visibility, &block, &pixels, options->planes, options->keep_owners);
         }
     }
+}
+
+/* Interpolated depths may pass the nearest vertex by rounding: the factor is far more than that. It
+ * would make depths below 0 farther, so those are always seen. */
+static int is_hidden(const burnish_visibility *tile, float nearest, int x0, int y0, int x1,
+                     int y1) {
+    nearest *= 1.00001f;
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            if (nearest >= tile->coarse[0][y][x]) {
+                return 0;
+            }
+        }
+    }
+    return nearest > 0.0f;
+}
+
+/* LANES triangles: bits of those that may be seen. All but large ones touch at most 2 x 2 coarse
+ * blocks. */
+BURNISH_INLINE unsigned find_seen_vector(const burnish_visibility *tile,
+                                         const void *triangles[LANES]) {
+    const vi last = vi_set(BURNISH_TILE_BLOCKS - 1), zero = vi_set(0), low = vi_set(0xffff);
+    const vi left = vi_set(tile->x / BURNISH_COARSE_BLOCK);
+    const vi top = vi_set(tile->y / BURNISH_COARSE_BLOCK);
+    vf records[4];
+    vf_load_records(triangles, records);
+    const vi first = vf_bits(records[2]), end = vf_bits(records[3]);
+    vi x0 = vi_max(vi_sub(vi_and(first, low), left), zero);
+    vi y0 = vi_max(vi_sub(vi_right(first, 16), top), zero);
+    vi x1 = vi_min(vi_sub(vi_and(end, low), left), last);
+    vi y1 = vi_min(vi_sub(vi_right(end, 16), top), last);
+    vi place = vi_or(vi_left(y0, 3), x0);
+    vf coarse = vi_float(vi_gather((const int32_t *)(const void *)tile->coarse[1], place));
+    vf nearest = vf_mul(records[1], vf_set(1.00001f));
+    unsigned hidden =
+        vm_bits(vm_and(vf_greater(coarse, nearest), vf_greater(nearest, vf_set(0.0f))));
+    unsigned large =
+        ~vm_bits(vi_not_negative(vi_sub(vi_set(1), vi_max(vi_sub(x1, x0), vi_sub(y1, y0)))));
+    large &= (unsigned)((1ull << LANES) - 1);
+    for (unsigned rest = large; rest; rest &= rest - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(rest);
+        int32_t at[4][LANES];
+        vi_save(at[0], x0);
+        vi_save(at[1], y0);
+        vi_save(at[2], x1);
+        vi_save(at[3], y1);
+        const burnish_setup_triangle *triangle = triangles[lane];
+        const int is =
+            is_hidden(tile, triangle->nearest, at[0][lane], at[1][lane], at[2][lane], at[3][lane]);
+        hidden = (hidden & ~(1u << lane)) | (unsigned)is << lane;
+    }
+    return ~hidden;
+}
+
+static size_t find_seen(const burnish_visibility *visibility, const burnish_geometry *geometry,
+                        uint32_t *entries, size_t count) {
+    size_t kept = 0;
+    for (size_t first = 0; first < count; first += LANES) {
+        const void *triangles[LANES];
+        for (size_t lane = 0; lane < LANES; ++lane) {
+            const size_t i = first + lane < count ? first + lane : first;
+            triangles[lane] = &geometry->triangles[entries[i]];
+        }
+        unsigned seen = find_seen_vector(visibility, triangles);
+        seen &= (unsigned)((1ull << (count - first < LANES ? count - first : LANES)) - 1);
+        for (; seen; seen &= seen - 1) {
+            entries[kept++] = entries[first + (size_t)__builtin_ctz(seen)];
+        }
+    }
+    return kept;
 }
 
 /* A coarse block is four blocks of pixels: lane by lane, then over the lanes. */
