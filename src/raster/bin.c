@@ -78,26 +78,36 @@ static burnish_status start_piece(burnish_bin_slice *slice, burnish_list_chain *
     return status;
 }
 
-/* A slot into the lists of all tiles of the band that its triangle touches. */
-static burnish_status add_slot(const burnish_bins *bins, burnish_bin_slice *slice,
-                               const burnish_setup_triangle *triangle, size_t slot) {
-    const uint16_t *b = triangle->blocks;
-    const int column0 = b[0] >> BLOCK_BITS, column1 = b[2] >> BLOCK_BITS;
-    int row0 = b[1] >> BLOCK_BITS, row1 = b[3] >> BLOCK_BITS;
-    row0 = row0 < bins->first_row ? bins->first_row : row0;
-    row1 = row1 >= bins->end_row ? bins->end_row - 1 : row1;
-    for (int row = row0; row <= row1; ++row) {
-        const size_t line = (size_t)(row - bins->first_row) * (size_t)bins->columns;
-        burnish_list_chain *chains = slice->chains + 2 * line + (triangle->source & 1);
-        for (int column = column0; column <= column1; ++column) {
-            burnish_list_chain *chain = &chains[2 * column];
-            if (chain->next % BURNISH_LIST_PIECE == 0) { /* full, or not begun */
-                burnish_status status = start_piece(slice, chain);
-                if (status != BURNISH_STATUS_OK) {
-                    return status;
+/* Slots of a run into the lists of all tiles of the band that their triangles touch. Stops early
+ * where that is more pieces than the limit. */
+static burnish_status add_run(const burnish_bins *bins, burnish_bin_slice *slice, slot_run run,
+                              size_t limit) {
+    burnish_list_chain *const all = slice->chains;
+    const size_t columns = (size_t)bins->columns;
+    uint32_t *entries = slice->entries;
+    for (size_t i = 0; i < run.count; ++i) {
+        const burnish_setup_triangle triangle = run.triangles[i];
+        const int column0 = triangle.blocks[0] >> BLOCK_BITS,
+                  column1 = triangle.blocks[2] >> BLOCK_BITS;
+        int row0 = triangle.blocks[1] >> BLOCK_BITS, row1 = triangle.blocks[3] >> BLOCK_BITS;
+        row0 = (row0 < bins->first_row ? bins->first_row : row0) - bins->first_row;
+        row1 = (row1 >= bins->end_row ? bins->end_row - 1 : row1) - bins->first_row;
+        for (int row = row0; row <= row1; ++row) {
+            burnish_list_chain *line = all + 2 * (size_t)row * columns + (triangle.source & 1);
+            for (int column = column0; column <= column1; ++column) {
+                burnish_list_chain *chain = &line[2 * column];
+                uint32_t next = chain->next;
+                if (next % BURNISH_LIST_PIECE == 0) { /* full, or not begun */
+                    burnish_status status = start_piece(slice, chain);
+                    if (status != BURNISH_STATUS_OK || slice->piece_count > limit) {
+                        return status;
+                    }
+                    entries = slice->entries;
+                    next = chain->next;
                 }
+                entries[next] = (uint32_t)(run.first + i);
+                chain->next = next + 1;
             }
-            slice->entries[chain->next++] = (uint32_t)slot;
         }
     }
     return BURNISH_STATUS_OK;
@@ -116,16 +126,9 @@ static void fill_slice(const burnish_bins *bins, const burnish_geometry *geometr
         memset(slice->chains, 0, lists * sizeof *slice->chains);
     }
     const size_t end = runs * (number + 1) / bins->slice_count;
-    for (size_t i = runs * number / bins->slice_count; i < end; ++i) {
-        const slot_run run = run_at(geometry, i);
-        for (size_t k = 0;
-             k < run.count && slice->status == BURNISH_STATUS_OK && slice->piece_count <= limit;
-             ++k) {
-            slice->status = add_slot(bins, slice, &run.triangles[k], run.first + k);
-        }
-        if (slice->status != BURNISH_STATUS_OK || slice->piece_count > limit) {
-            return;
-        }
+    size_t i = runs * number / bins->slice_count;
+    for (; i < end && slice->status == BURNISH_STATUS_OK && slice->piece_count <= limit; ++i) {
+        slice->status = add_run(bins, slice, run_at(geometry, i), limit);
     }
 }
 

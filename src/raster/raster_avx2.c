@@ -11,4 +11,5 @@ const burnish_raster_tier RASTER_TIER = {.transform = transform_vertices,
                                          .find_seen = find_seen,
                                          .find_least = find_least,
                                          .find_pixels = find_shown,
+                                         .find_shared = find_shared,
                                          .mark = mark_drawn};

@@ -38,6 +38,16 @@ typedef void burnish_find_least_function(burnish_visibility *visibility);
 typedef void burnish_find_pixels_function(const burnish_visibility *visibility, int strip,
                                           burnish_strip_pixels *pixels);
 
+/* The points of a block's shared pixels: pixel after pixel of its samples. */
+typedef struct burnish_shared_points {
+    int count;
+    uint8_t pixel[BURNISH_FRAGMENT_BLOCK];
+    uint16_t samples[BURNISH_FRAGMENT_BLOCK]; /* bits of those that show the triangle */
+    int32_t owner[BURNISH_FRAGMENT_BLOCK];
+} burnish_shared_points;
+typedef void burnish_find_shared_function(const burnish_visibility *visibility, int block,
+                                          burnish_shared_points *points);
+
 /* Sets drawn[t] to 1 for each of the mesh's triangles t that own a sample; needs owners. Threads
  * may do so at the same time. */
 typedef void burnish_mark_function(const burnish_visibility *visibility, uint8_t *drawn);
@@ -49,6 +59,7 @@ struct burnish_raster_tier {
     burnish_find_seen_function *find_seen;
     burnish_find_least_function *find_least;
     burnish_find_pixels_function *find_pixels;
+    burnish_find_shared_function *find_shared;
     burnish_mark_function *mark;
 };
 

@@ -16,6 +16,18 @@ static burnish_status allocate_floats(float **array, size_t count, burnish_error
     return status;
 }
 
+/* The table of offset_sums. */
+static void add_offsets(burnish_visibility *visibility) {
+    const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->options.samples);
+    for (int s = 0; s < visibility->options.samples; ++s) {
+        for (int bits = 0; bits < 256; ++bits) {
+            int8_t *sum = visibility->offset_sums[s / 8][bits];
+            sum[0] = (int8_t)(sum[0] + (bits >> s % 8 & 1) * offsets[s][0]);
+            sum[1] = (int8_t)(sum[1] + (bits >> s % 8 & 1) * offsets[s][1]);
+        }
+    }
+}
+
 burnish_status burnish_visibility_create(burnish_visibility *visibility,
                                          const burnish_visibility_options *options,
                                          burnish_error *error) {
@@ -37,6 +49,7 @@ burnish_status burnish_visibility_create(burnish_visibility *visibility,
                                   "a tile", error);
     }
     if (status == BURNISH_STATUS_OK && samples > 1) {
+        add_offsets(visibility);
         visibility->triangle_capacity = (size_t)BURNISH_TILE_TRIANGLES * (size_t)samples;
         status = burnish_allocate((void **)&visibility->triangles, visibility->triangle_capacity,
                                   sizeof *visibility->triangles, "a tile's triangles", error);
@@ -162,7 +175,8 @@ int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster
     int right = view->width - visibility->x, below = view->height - visibility->y;
     visibility->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
     visibility->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
-    visibility->next_place = 0;
+    visibility->next_block = 0;
+    visibility->tier = tier;
     visibility->triangle_count = 0;
     if (burnish_list_is_empty(fronts) && burnish_list_is_empty(backs)) {
         return 0;
@@ -179,9 +193,6 @@ int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster
     draw_list(visibility, tier, geometry, backs, before);
     if (visibility->width % BURNISH_BLOCK_SIZE || visibility->height % BURNISH_BLOCK_SIZE) {
         clear_outside(visibility);
-    }
-    if (visibility->options.samples > 1) {
-        memset(visibility->places, 0, visibility->triangle_count * sizeof *visibility->places);
     }
     return 1;
 }
@@ -212,7 +223,6 @@ static void append_point(const burnish_visibility *visibility, const burnish_ras
     const int i = fragments->count++;
     float weight1, weight2;
     weights_at(triangle, x, y, &weight1, &weight2);
-    visibility->places[owner] = 1;
     fragments->place[i] = (uint16_t)place;
     fragments->weight[i] = (uint8_t)weight;
     fragments->corners[i] = triangle->corners;
@@ -236,73 +246,39 @@ static int mean_of(int sum, int count) {
     return sum < 0 ? -(-sum * factors[count] >> 16) : sum * factors[count] >> 16;
 }
 
-/* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
+/* The point of some samples of a pixel that show one triangle. */
 static void append_samples(const burnish_visibility *visibility, const burnish_raster_view *view,
-                           int place, const int32_t *owners, burnish_fragments *fragments) {
-    const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->options.samples);
-    const int samples = visibility->options.samples, step = BURNISH_SUBPIXELS / 16;
-    const int x = center_of(burnish_place_x(place)), y = center_of(burnish_place_y(place));
-    unsigned taken = 0;
-    for (int s = 0; s < samples; ++s) {
-        if ((taken >> s & 1) || owners[s] < 0) {
-            continue;
-        }
-        int weight = 0, sum_x = 0, sum_y = 0;
-        for (int other = s; other < samples; ++other) {
-            if (owners[other] == owners[s]) {
-                taken |= 1u << other;
-                weight += 1;
-                sum_x += offsets[other][0];
-                sum_y += offsets[other][1];
-            }
-        }
-        append_point(visibility, view, place, owners[s], weight, x + mean_of(sum_x * step, weight),
-                     y + mean_of(sum_y * step, weight), fragments);
-    }
-}
-
-/* Differences between the samples' owners of each pixel of a block: 0 where one has them all. */
-static void find_differences(const burnish_visibility *visibility, int block,
-                             int32_t different[BURNISH_BLOCK_PIXELS]) {
-    const int samples = visibility->options.samples;
-    const int32_t *first = visibility->owners + block * BURNISH_BLOCK_PIXELS * samples;
-    memset(different, 0, BURNISH_BLOCK_PIXELS * sizeof *different);
-    for (int s = 1; s < samples; ++s) {
-        const int32_t *owners = first + s * BURNISH_BLOCK_PIXELS;
-        for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
-            different[i] |= owners[i] ^ first[i];
-        }
-    }
+                           int place, unsigned samples, int32_t owner,
+                           burnish_fragments *fragments) {
+    const int step = BURNISH_SUBPIXELS / 16, weight = __builtin_popcount(samples);
+    const int8_t *first = visibility->offset_sums[0][samples & 255],
+                 *last = visibility->offset_sums[1][samples >> 8];
+    const int x = mean_of((first[0] + last[0]) * step, weight);
+    const int y = mean_of((first[1] + last[1]) * step, weight);
+    append_point(visibility, view, place, owner, weight, center_of(burnish_place_x(place)) + x,
+                 center_of(burnish_place_y(place)) + y, fragments);
 }
 
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments) {
-    const int samples = visibility->options.samples;
-    int32_t different[BURNISH_BLOCK_PIXELS], owners[BURNISH_MAX_SAMPLES];
-    int place = visibility->next_place, known = -1;
+    burnish_shared_points points;
+    int block = visibility->next_block;
     fragments->count = 0;
-    while (samples > 1 && place < BURNISH_TILE_PIXELS) {
-        const int block = place / BURNISH_BLOCK_PIXELS, pixel = place % BURNISH_BLOCK_PIXELS;
+    for (; visibility->options.samples > 1 && block < BURNISH_TILE_PIXELS / BURNISH_BLOCK_PIXELS;
+         ++block) {
         if (!(visibility->touched[block / BURNISH_TILE_STRIPS] >> block % BURNISH_TILE_STRIPS &
               1)) {
-            place += BURNISH_BLOCK_PIXELS - pixel;
             continue;
         }
-        if (block != known) {
-            find_differences(visibility, block, different);
-            known = block;
+        visibility->tier->find_shared(visibility, block, &points);
+        if (fragments->count + points.count > BURNISH_FRAGMENT_BLOCK) {
+            break;
         }
-        if (different[pixel]) {
-            if (fragments->count + samples > BURNISH_FRAGMENT_BLOCK) {
-                break;
-            }
-            for (int s = 0; s < samples; ++s) {
-                owners[s] = visibility->owners[burnish_sample_place(samples, place, s)];
-            }
-            append_samples(visibility, view, place, owners, fragments);
+        for (int i = 0; i < points.count; ++i) {
+            append_samples(visibility, view, block * BURNISH_BLOCK_PIXELS + points.pixel[i],
+                           points.samples[i], points.owner[i], fragments);
         }
-        ++place;
     }
-    visibility->next_place = place;
+    visibility->next_block = block;
     return fragments->count > 0;
 }

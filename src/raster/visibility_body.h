@@ -196,28 +196,24 @@ BURNISH_INLINE void interpolate_unit(const burnish_visibility *tile,
 
 /* A unit with several samples a pixel; e are the edge functions at the pixels' centres. */
 BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_constants *constants,
-                                int planes, const vi e[3],
+                                int samples, int planes, const vi e[3],
                                 int32_t to_sample[3][BURNISH_MAX_SAMPLES], int place) {
-    const int samples = tile->options.samples;
     vm whole = vi_not_negative(vi_set(0));
-    int drawn = 0, sample = burnish_sample_place(samples, place, 0);
+    unsigned drawn = 0;
+    int sample = burnish_sample_place(samples, place, 0);
     for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
         vi at[3];
         for (int i = 0; i < 3; ++i) {
             at[i] = vi_add(e[i], vi_set(to_sample[i][s]));
         }
-        vm nearer = vi_not_negative(vi_or(vi_or(at[0], at[1]), at[2]));
-        if (!vm_any(nearer)) {
-            whole = nearer;
-            continue;
-        }
+        vm covered = vi_not_negative(vi_or(vi_or(at[0], at[1]), at[2]));
         vf depth = depth_from(constants->depth, weight_from(constants, at, 1),
                               weight_from(constants, at, 2));
-        nearer = vm_and(nearer, vf_greater(depth, vf_load(tile->depths + sample)));
+        vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->depths + sample)));
         whole = vm_and(whole, nearer);
         vf_store_where(nearer, tile->depths + sample, depth);
         vi_save_where(nearer, tile->owners + sample, constants->owner);
-        drawn |= vm_any(nearer);
+        drawn |= vm_bits(nearer);
     }
     if (vm_any(whole)) {
         vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
@@ -227,7 +223,7 @@ BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_const
         }
         interpolate_unit(tile, constants, planes, whole, weight1, weight2, place);
     }
-    return drawn;
+    return drawn != 0;
 }
 
 /* Where the pixels of a unit lie in it: x, and y in the upper half. */
@@ -314,29 +310,39 @@ BURNISH_INLINE void draw_small(burnish_visibility *tile, const setup_block *bloc
 
 /* The same with several samples a pixel. Returns 1 when a sample became the triangle's. */
 BURNISH_INLINE int draw_small_samples(burnish_visibility *tile, const setup_block *block,
-                                      size_t lane, int planes, int32_t owner,
+                                      size_t lane, int samples, int planes, int32_t owner,
                                       const int8_t (*offsets)[2]) {
     const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
     const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
     unit_constants constants;
-    vi row[3], across[3], down[3];
+    vi row[3], across[3], down[3], farthest[3];
     int32_t to_sample[3][BURNISH_MAX_SAMPLES];
     int drawn = 0;
     load_constants(block, lane, planes, owner, &constants);
     for (int i = 0; i < 3; ++i) {
         row[i] = edge_of_unit(block, lane, i, &across[i], &down[i]);
-        for (int s = 0; s < tile->options.samples; ++s) {
+        int32_t most = INT32_MIN;
+        for (int s = 0; s < samples; ++s) {
             to_sample[i][s] =
                 16 * (block->dx[i][lane] * offsets[s][1] - block->dy[i][lane] * offsets[s][0]);
+            most = to_sample[i][s] > most ? to_sample[i][s] : most;
         }
+        farthest[i] = vi_set(most);
     }
     for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
         vi e[3] = {row[0], row[1], row[2]};
         unsigned touched = 0;
         for (int x = x0; x <= x1; x += UNIT_WIDTH) {
-            const int hit =
-                draw_samples(tile, &constants, planes, e, to_sample, burnish_tile_place(x, y));
-            touched |= (unsigned)hit << x / BURNISH_BLOCK_SIZE;
+            /* no sample is farther inside an edge than this */
+            vi inside = vi_set(0);
+            for (int i = 0; i < 3; ++i) {
+                inside = vi_or(inside, vi_add(e[i], farthest[i]));
+            }
+            if (vm_any(vi_not_negative(inside))) {
+                const int hit = draw_samples(tile, &constants, samples, planes, e, to_sample,
+                                             burnish_tile_place(x, y));
+                touched |= (unsigned)hit << x / BURNISH_BLOCK_SIZE;
+            }
             for (int i = 0; i < 3; ++i) {
                 e[i] = vi_add(e[i], across[i]);
             }
@@ -643,10 +649,11 @@ static void draw_multiple(burnish_visibility *tile, setup_block *block) {
         int drawn;
         if (!(block->small >> lane & 1)) {
             drawn = draw_large(tile, block, lane, 1, owner, offsets);
-        } else if (planes == 3) {
-            drawn = draw_small_samples(tile, block, lane, 3, owner, offsets);
+        } else if (planes == 3 && tile->options.samples == 4) {
+            drawn = draw_small_samples(tile, block, lane, 4, 3, owner, offsets);
         } else {
-            drawn = draw_small_samples(tile, block, lane, planes, owner, offsets);
+            drawn = draw_small_samples(tile, block, lane, tile->options.samples, planes, owner,
+                                       offsets);
         }
         if (drawn) {
             remember(tile, block, lane);
@@ -807,6 +814,55 @@ BURNISH_INLINE unsigned find_block(const burnish_visibility *tile, int block, in
         shown |= vm_bits(vi_not_negative(all)) << i;
     }
     return shown;
+}
+
+/* The samples of LANES pixels of a block, from pixel `first` on: bit t of group[s] is set where
+ * sample t shows the same triangle as sample s. */
+BURNISH_INLINE void find_points(const burnish_visibility *tile, int samples, int block, int first,
+                                burnish_shared_points *points) {
+    const int32_t *owners = tile->owners + block * samples * BURNISH_BLOCK_PIXELS + first;
+    vi owner[BURNISH_MAX_SAMPLES], group[BURNISH_MAX_SAMPLES], different = vi_set(0);
+    for (int s = 0; s < samples; ++s) {
+        owner[s] = vi_load(owners + s * BURNISH_BLOCK_PIXELS);
+        group[s] = vi_set(1 << s);
+        different = vi_or(different, vi_xor(owner[s], owner[0]));
+    }
+    const unsigned shared = bits_of_nonzero(different);
+    if (!(shared & ((1ull << LANES) - 1))) {
+        return;
+    }
+    for (int s = 0; s < samples; ++s) {
+        for (int t = s + 1; t < samples; ++t) {
+            vi x = vi_xor(owner[s], owner[t]);
+            vi same = vi_sub(vi_set(-1), vi_right_signed(vi_or(x, vi_sub(vi_set(0), x)), 31));
+            group[s] = vi_or(group[s], vi_and(same, vi_set(1 << t)));
+            group[t] = vi_or(group[t], vi_and(same, vi_set(1 << s)));
+        }
+    }
+    for (int s = 0; s < samples; ++s) { /* the first sample of a group stands for it */
+        int32_t groups[LANES];
+        unsigned rest = vm_bits(vi_not_negative(owner[s])) & shared &
+                        ~bits_of_nonzero(vi_and(group[s], vi_set((1 << s) - 1)));
+        vi_save(groups, group[s]);
+        for (; rest; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest), i = points->count++;
+            points->pixel[i] = (uint8_t)(first + lane);
+            points->samples[i] = (uint16_t)groups[lane];
+            points->owner[i] = owners[s * BURNISH_BLOCK_PIXELS + lane];
+        }
+    }
+}
+
+static void find_shared(const burnish_visibility *visibility, int block,
+                        burnish_shared_points *points) {
+    points->count = 0;
+    for (int first = 0; first < BURNISH_BLOCK_PIXELS; first += LANES) {
+        if (visibility->options.samples == 4) {
+            find_points(visibility, 4, block, first, points);
+        } else {
+            find_points(visibility, visibility->options.samples, block, first, points);
+        }
+    }
 }
 
 static void find_shown(const burnish_visibility *visibility, int strip,
