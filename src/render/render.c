@@ -290,6 +290,7 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_s
     burnish_shader shader;
     burnish_shade_material *materials = NULL;
     if (!renderer || !image || !scene) {
+        burnish_image_destroy(image);
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "draw: the %s is NULL; create one first",
                             !renderer ? "renderer"
@@ -303,6 +304,7 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_s
         status = prepare_image(image, options, error);
     }
     if (status != BURNISH_STATUS_OK) {
+        burnish_image_destroy(image);
         return status;
     }
     const int marks = report && !options->skip_counts;
