@@ -18,6 +18,8 @@ static int bench_lobe(const burnish_scene *scene, const char *name, const char *
     burnish_error error;
     burnish_fit_options fit = burnish_fit_options_default();
     burnish_render_options options = burnish_render_options_default();
+    burnish_renderer *renderer;
+    burnish_image image = {0};
     double milliseconds[FRAMES];
     size_t covered = 0;
     options.width = 1920;
@@ -26,21 +28,24 @@ static int bench_lobe(const burnish_scene *scene, const char *name, const char *
     options.threads = threads;
     fit.aspect = 1920.0 / 1080;
     if (burnish_lobe_choice_parse(lobe, &options.lobe, &error) != BURNISH_STATUS_OK ||
-        burnish_camera_fit(scene, &fit, &options.camera, &error) != BURNISH_STATUS_OK) {
+        burnish_camera_fit(scene, &fit, &options.camera, &error) != BURNISH_STATUS_OK ||
+        burnish_renderer_create(&renderer, &error) != BURNISH_STATUS_OK) {
         fprintf(stderr, "frame: %s\n", error.text);
         return EXIT_FAILURE;
     }
     for (int i = 0; i < FRAMES; ++i) {
-        burnish_image image;
         burnish_render_report report;
-        if (burnish_render(scene, &options, &image, &report, &error) != BURNISH_STATUS_OK) {
+        if (burnish_renderer_draw(renderer, scene, &options, &image, &report, &error) !=
+            BURNISH_STATUS_OK) {
+            burnish_renderer_destroy(renderer);
             fprintf(stderr, "frame: %s\n", error.text);
             return EXIT_FAILURE;
         }
         milliseconds[i] = (report.seconds_transform + report.seconds_draw) * 1e3;
         covered = report.covered_pixels;
-        burnish_image_destroy(&image);
     }
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
     qsort(milliseconds, FRAMES, sizeof *milliseconds, compare_doubles);
     printf("%-28s %9zu %8zu  %-10s %7d %8.2f %8.2f %8.2f\n", name,
            burnish_scene_mesh(scene)->triangle_count, covered, lobe, threads,

@@ -153,18 +153,19 @@ static burnish_status reference_tile_create(reference_tile *tile, int samples,
     return status;
 }
 
-static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *view,
-                               const burnish_geometry *geometry, const burnish_bins *bins,
-                               int column, int row) {
-    size_t index = (size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column;
-    size_t first = bins->offsets[2 * index], end = bins->offsets[2 * index + 2];
+/* Makes the tile (column, row) current and draws the triangles of some slots; 0 when there are
+ * none.
+ */
+static int reference_draw_slots(reference_tile *tile, const burnish_raster_view *view,
+                                const burnish_geometry *geometry, int column, int row,
+                                const uint32_t *slots, size_t slot_count) {
     tile->x = column * BURNISH_TILE_SIZE;
     tile->y = row * BURNISH_TILE_SIZE;
     int right = view->width - tile->x, below = view->height - tile->y;
     tile->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
     tile->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
     tile->next_place = 0;
-    if (first == end) {
+    if (slot_count == 0) {
         return 0;
     }
     size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)tile->samples;
@@ -172,10 +173,28 @@ static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *
         tile->triangles[i] = BURNISH_NO_TRIANGLE;
         tile->depths[i] = -1e30f;
     }
-    for (size_t i = first; i < end; ++i) {
-        draw_triangle(tile, geometry, bins->entries[i]);
+    for (size_t i = 0; i < slot_count; ++i) {
+        draw_triangle(tile, geometry, slots[i]);
     }
     return 1;
+}
+
+/* The same with the triangles of the tile's lists. */
+static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *view,
+                               const burnish_geometry *geometry, const burnish_bins *bins,
+                               int column, int row) {
+    const size_t most = geometry->whole_slots + geometry->piece_count + BURNISH_LIST_PIECE;
+    uint32_t *slots = malloc(most * sizeof *slots);
+    size_t count = 0, more;
+    for (int back = 0; back < 2; ++back) {
+        burnish_list_reader reader = burnish_list_begin(bins, column, row, back);
+        while ((more = burnish_list_read(&reader, slots + count, most - count)) > 0) {
+            count += more;
+        }
+    }
+    const int drawn = reference_draw_slots(tile, view, geometry, column, row, slots, count);
+    free(slots);
+    return drawn;
 }
 
 /* Appends the point of `weight` samples whose offsets add up to (sum_x, sum_y) in 1/16 pixel. */

@@ -78,19 +78,13 @@ static void make_plane(test_mesh *mesh, int snap, uint32_t seed) {
 static void count_coverage(const burnish_raster_view *view, const burnish_geometry *geometry,
                            int *coverage) {
     reference_tile tile;
-    size_t offsets[3] = {0, 1, 1};
     uint32_t entry;
-    burnish_bins bins = {0};
-    burnish_bins_begin(&bins);
-    bins.columns = bins.rows = bins.end_row = 1;
-    bins.offsets = offsets;
-    bins.entries = &entry;
     CHECK(reference_tile_create(&tile, view->samples, NULL) == BURNISH_STATUS_OK, "tile");
     for (entry = 0; entry < geometry->whole_slots + geometry->piece_count; ++entry) {
         if (!burnish_geometry_has(geometry, entry)) {
             continue;
         }
-        reference_draw_tile(&tile, view, geometry, &bins, 0, 0);
+        reference_draw_slots(&tile, view, geometry, 0, 0, &entry, 1);
         for (int i = 0; i < BURNISH_TILE_PIXELS * view->samples; ++i) {
             coverage[i] += tile.triangles[i] == entry;
         }
@@ -202,7 +196,6 @@ static void check_bins(void) {
                                   mesh.triangle_count, 2, NULL) == BURNISH_STATUS_OK,
           "geometry");
     uint32_t all[MAX_TRIANGLES];
-    size_t everything[64];
     for (uint32_t back = 0, i = 0; back < 2; ++back) { /* fronts first, as the lists have them */
         for (uint32_t k = 0; k < geometry.whole_slots + geometry.piece_count; ++k) {
             if (burnish_geometry_has(&geometry, k) && (geometry.triangles[k].source & 1) == back) {
@@ -225,14 +218,8 @@ static void check_bins(void) {
             ++bands;
             for (int row = bins.first_row; row < bins.end_row; ++row) {
                 for (int column = 0; column < bins.columns; ++column, ++tiles) {
-                    burnish_bins full = bins;
-                    size_t place =
-                        (size_t)(row - bins.first_row) * (size_t)bins.columns + (size_t)column;
-                    full.offsets = everything;
-                    full.entries = all;
-                    everything[2 * place] = 0;
-                    everything[2 * place + 2] = geometry.triangle_count;
-                    reference_draw_tile(&expected, &view, &geometry, &full, column, row);
+                    reference_draw_slots(&expected, &view, &geometry, column, row, all,
+                                         geometry.triangle_count);
                     if (!reference_draw_tile(&tile, &view, &geometry, &bins, column, row)) {
                         memset(tile.triangles, 0xff, sizeof(uint32_t) * BURNISH_TILE_PIXELS * 4);
                     }

@@ -416,6 +416,49 @@ static void check_threads(void) {
     burnish_scene_destroy(scene);
 }
 
+/* A renderer draws what burnish_render draws, whatever it drew before: other meshes, sizes,
+ * samples, threads, lobes, with and without colours and alpha. */
+static void check_renderer(burnish_scene *sphere) {
+    burnish_scene *const scenes[] = {load(":knot", 16), sphere, make_surface(0, 0)};
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    CHECK(burnish_renderer_create(&renderer, NULL) == BURNISH_STATUS_OK, "a renderer");
+    for (int i = 0; i < 36; ++i) {
+        static const int SAMPLES[] = {1, 4, 1, 16, 8}, SIZES[] = {131, 64, 200, 64};
+        burnish_render_options options = front_options(SIZES[i % 4], SIZES[i / 2 % 4], 0);
+        burnish_image expected;
+        burnish_render_report report, own;
+        options.samples = SAMPLES[i % 5];
+        options.threads = 1 + i % 3;
+        options.transparent = i % 7 == 3;
+        options.skip_counts = i % 4 == 1;
+        options.ignore_colors = i % 6 == 2;
+        options.lobe.kind = i % 5 == 4 ? BURNISH_LOBE_LYON : BURNISH_LOBE_FAMILY;
+        render(scenes[i % 3], &options, &expected, &own);
+        CHECK(burnish_renderer_draw(renderer, scenes[i % 3], &options, &image, &report, NULL) ==
+                  BURNISH_STATUS_OK,
+              "frame %d", i);
+        CHECK(burnish_image_hash(&image) == burnish_image_hash(&expected) &&
+                  image.channels == expected.channels && image.width == expected.width,
+              "frame %d: other pixels", i);
+        CHECK(report.covered_pixels == own.covered_pixels &&
+                  report.triangles_drawn == own.triangles_drawn &&
+                  memcmp(report.bounds, own.bounds, sizeof own.bounds) == 0,
+              "frame %d: other counts", i);
+        CHECK((report.covered_pixels > 0) == !options.skip_counts, "frame %d: counts", i);
+        burnish_image_destroy(&expected);
+    }
+    burnish_render_options wrong = front_options(64, 64, 2.2);
+    wrong.samples = 3;
+    CHECK(burnish_renderer_draw(renderer, sphere, &wrong, &image, NULL, NULL) ==
+                  BURNISH_STATUS_ARGUMENT &&
+              !image.pixels,
+          "an error empties the image");
+    burnish_renderer_destroy(renderer);
+    burnish_scene_destroy(scenes[0]);
+    burnish_scene_destroy(scenes[2]);
+}
+
 static void check_blank(burnish_scene *sphere) {
     burnish_render_options options = front_options(64, 64, 0);
     burnish_image image;
@@ -527,6 +570,7 @@ int main(void) {
         check_symmetry(1, 0, samples);
     }
     check_threads();
+    check_renderer(sphere);
     check_blank(sphere);
     check_lobe_words();
     check_fallback(sphere);

@@ -187,7 +187,7 @@ static int compare_owners(const reference_tile *tile, const burnish_visibility *
 
 /* A visible point by the reference, with its colour. */
 typedef struct point {
-    int place, weight;
+    int place, weight, number;
     burnish_corners corners;
     float x, y, depth, weights[2], color[3];
 } point;
@@ -207,6 +207,12 @@ static point take_point(const burnish_fragments *fragments, const burnish_shaded
         made.color[k] = shaded->channel[k][i];
     }
     return made;
+}
+
+static int compare_places(const void *a, const void *b) {
+    const point *first = a, *second = b;
+    return first->place != second->place ? first->place - second->place
+                                         : first->number - second->number;
 }
 
 /* What the fast renderer makes of a pixel that is one triangle's alone. */
@@ -250,15 +256,24 @@ static int compare_points(reference_tile *tile, burnish_visibility *fast,
         }
         wrong += expected[i].weight == tile->samples && !same_whole(fast, &strip, &expected[i]);
     }
+    static point got[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
+    int got_count = 0;
     while (burnish_visibility_next(fast, view, &fragments)) {
         burnish_shade(shader, cache, &fragments, &shaded);
-        for (int i = 0; i < fragments.count; ++i, ++at) {
-            while (at < count && expected[at].weight == tile->samples) {
-                ++at;
-            }
-            point got = take_point(&fragments, &shaded, i);
-            wrong += at >= count || memcmp(&got, &expected[at], sizeof got) != 0;
+        for (int i = 0; i < fragments.count; ++i) {
+            got[got_count] = take_point(&fragments, &shaded, i);
+            got[got_count].number = got_count;
+            ++got_count;
         }
+    }
+    /* the order of a pixel's points matters, that of pixels does not */
+    qsort(got, (size_t)got_count, sizeof *got, compare_places);
+    for (int i = 0; i < got_count; ++i, ++at) {
+        while (at < count && expected[at].weight == tile->samples) {
+            ++at;
+        }
+        got[i].number = 0;
+        wrong += at >= count || memcmp(&got[i], &expected[at], sizeof *got) != 0;
     }
     while (at < count && expected[at].weight == tile->samples) {
         ++at;

@@ -1,6 +1,6 @@
-/* burnish as a contestant: one call of burnish_render a frame, with all that it does: the image
- * allocated and encoded in sRGB. Its lobes are those of the public interface, and libm's powf. */
-#include <malloc.h>
+/* burnish as a contestant: one call of burnish_renderer_draw a frame, which keeps its memory from
+ * frame to frame, into the same image, encoded in sRGB. Its lobes are those of the public
+ * interface, and libm's powf. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,13 +8,15 @@
 #include "libm_lobe.h"
 #include "worker.h"
 
-typedef struct renderer {
+typedef struct contestant {
     const burnish_peers_job *job;
+    burnish_renderer *renderer;
+    burnish_image image;
     burnish_render_options options;
     const burnish_batch *best;
     struct burnish_batch libm;
     int libm_works; /* the renderer shades by the table that it is given */
-} renderer;
+} contestant;
 
 /* Whether the renderer calls the kernels of libm_lobe.h: with black ones the picture is black. */
 static int shades_by_table(const burnish_peers_job *job, const burnish_batch *best) {
@@ -36,13 +38,12 @@ static int shades_by_table(const burnish_peers_job *job, const burnish_batch *be
 }
 
 static int open_renderer(void **state, const burnish_peers_job *job, int threads, char *note) {
-    renderer *made = calloc(1, sizeof *made);
-    if (!made) {
+    contestant *made = calloc(1, sizeof *made);
+    burnish_error error;
+    if (!made || burnish_renderer_create(&made->renderer, &error) != BURNISH_STATUS_OK) {
+        free(made);
         return 0;
     }
-    /* As a program would that draws frame after frame: freed memory is kept for the next one. */
-    mallopt(M_MMAP_THRESHOLD, 1 << 30);
-    mallopt(M_TRIM_THRESHOLD, 1 << 30);
     made->job = job;
     made->options = job->options;
     made->best = burnish_batch_best();
@@ -55,7 +56,7 @@ static int open_renderer(void **state, const burnish_peers_job *job, int threads
     return 1;
 }
 
-static int choose(renderer *r, const char *variant) {
+static int choose(contestant *r, const char *variant) {
     static const struct {
         const char *variant, *lobe;
     } LOBES[] = {
@@ -75,31 +76,37 @@ static int choose(renderer *r, const char *variant) {
     return 0;
 }
 
-static int frame(void *state, const char *variant, double *milliseconds) {
-    renderer *r = state;
-    burnish_image image;
+static int draw(contestant *r) {
     burnish_error error;
+    return burnish_renderer_draw(r->renderer, r->job->scene, &r->options, &r->image, NULL,
+                                 &error) == BURNISH_STATUS_OK;
+}
+
+static int frame(void *state, const char *variant, double *milliseconds) {
+    contestant *r = state;
     if (!choose(r, variant)) {
         return 0;
     }
     double start = burnish_peers_now();
-    burnish_status status = burnish_render(r->job->scene, &r->options, &image, NULL, &error);
+    int drawn = draw(r);
     *milliseconds = burnish_peers_now() - start;
-    burnish_image_destroy(&image);
-    return status == BURNISH_STATUS_OK;
+    return drawn;
 }
 
 static int picture(void *state, const char *variant, uint8_t *rgb) {
-    renderer *r = state;
-    burnish_image image;
-    burnish_error error;
-    if (!choose(r, variant) ||
-        burnish_render(r->job->scene, &r->options, &image, NULL, &error) != BURNISH_STATUS_OK) {
+    contestant *r = state;
+    if (!choose(r, variant) || !draw(r)) {
         return 0;
     }
-    memcpy(rgb, image.pixels, (size_t)BURNISH_PEERS_PIXELS * 3);
-    burnish_image_destroy(&image);
+    memcpy(rgb, r->image.pixels, (size_t)BURNISH_PEERS_PIXELS * 3);
     return 1;
+}
+
+static void close_renderer(void *state) {
+    contestant *r = state;
+    burnish_renderer_destroy(r->renderer);
+    burnish_image_destroy(&r->image);
+    free(r);
 }
 
 /* The mesh with no vertex shared, each triangle in the colour of its number + 1. */
@@ -134,7 +141,7 @@ static burnish_status numbered_scene(const burnish_mesh *mesh, burnish_scene **s
 
 /* Draws the triangles' numbers as colours, lit by ambient light alone. */
 static int triangles(void *state, uint32_t *numbers) {
-    renderer *r = state;
+    contestant *r = state;
     burnish_scene *scene = NULL;
     burnish_image image;
     burnish_error error;
@@ -165,6 +172,7 @@ static int triangles(void *state, uint32_t *numbers) {
 }
 
 int main(int count, char **arguments) {
-    const burnish_peers_contestant contestant = {open_renderer, frame, picture, triangles, free};
-    return burnish_peers_serve(&contestant, count, arguments);
+    const burnish_peers_contestant burnish = {open_renderer, frame, picture, triangles,
+                                              close_renderer};
+    return burnish_peers_serve(&burnish, count, arguments);
 }

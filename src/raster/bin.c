@@ -7,6 +7,9 @@
 /* Entries that a band of several tile rows may hold: 128 MiB. One row alone may need more. */
 #define ENTRY_BUDGET ((size_t)1 << 25)
 
+/* Slices a thread: so many that the last of them to finish is not waited for long. */
+enum { SLICES_A_THREAD = 4 };
+
 /* log2 of coarse blocks along a tile's edge. */
 enum { BLOCK_BITS = 3 };
 _Static_assert(BURNISH_COARSE_BLOCK << BLOCK_BITS == BURNISH_TILE_SIZE, "blocks fill a tile");
@@ -38,11 +41,9 @@ static void count_rows(const burnish_geometry *geometry, int first_row, size_t *
     }
 }
 
+/* As many rows as fit for certain. */
 static int choose_end_row(const burnish_bins *bins, const burnish_geometry *geometry) {
     size_t row_entries[BURNISH_MAX_TILES] = {0};
-    if (geometry->tile_entries <= bins->entry_budget) {
-        return bins->rows; /* all fit */
-    }
     count_rows(geometry, bins->first_row, row_entries);
     size_t total = row_entries[bins->first_row];
     int row = bins->first_row + 1;
@@ -52,68 +53,124 @@ static int choose_end_row(const burnish_bins *bins, const burnish_geometry *geom
     return row;
 }
 
-/* Counts an entry, or writes it where the count says. */
-static inline void add_entry(size_t *place, size_t slot, uint32_t *entries) {
-    if (entries) {
-        entries[*place] = (uint32_t)slot;
+/* Starts another piece of a chain, whose last one is full. */
+static burnish_status start_piece(burnish_bin_slice *slice, burnish_list_chain *chain) {
+    const size_t piece = ++slice->piece_count;
+    if (piece >= UINT32_MAX / BURNISH_LIST_PIECE) {
+        return burnish_fail(&slice->error, BURNISH_STATUS_LIMIT,
+                            "tile lists: more than 2^32 entries; draw a part of the mesh");
     }
-    ++*place;
+    burnish_status status = burnish_grow((void **)&slice->entries, &slice->entry_capacity,
+                                         (piece + 1) * BURNISH_LIST_PIECE, sizeof *slice->entries,
+                                         "tile lists", &slice->error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_grow((void **)&slice->links, &slice->link_capacity, piece + 1,
+                              sizeof *slice->links, "tile lists", &slice->error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        if (chain->first) {
+            slice->links[chain->next / BURNISH_LIST_PIECE - 1] = (uint32_t)piece;
+        } else {
+            chain->first = (uint32_t)piece;
+        }
+        chain->next = (uint32_t)(piece * BURNISH_LIST_PIECE);
+    }
+    return status;
 }
 
-/* For both lists of every tile of the band that the triangles of a run touch: with entries NULL
- * counts them, else writes them at the places that counts has become. */
-static inline void walk_run(const burnish_bins *bins, slot_run run, size_t *counts,
-                            uint32_t *entries) {
+/* Slots of a run into the lists of all tiles of the band that their triangles touch. Stops early
+ * where that is more pieces than the limit. */
+static burnish_status add_run(const burnish_bins *bins, burnish_bin_slice *slice, slot_run run,
+                              size_t limit) {
+    burnish_list_chain *const all = slice->chains;
     const size_t columns = (size_t)bins->columns;
+    uint32_t *entries = slice->entries;
     for (size_t i = 0; i < run.count; ++i) {
-        const uint16_t *b = run.triangles[i].blocks;
-        size_t *lists = counts + (run.triangles[i].source & 1);
-        int column0 = b[0] >> BLOCK_BITS, column1 = b[2] >> BLOCK_BITS;
-        int row0 = b[1] >> BLOCK_BITS, row1 = b[3] >> BLOCK_BITS;
-        row0 = row0 < bins->first_row ? bins->first_row : row0;
-        row1 = row1 >= bins->end_row ? bins->end_row - 1 : row1;
+        const burnish_setup_triangle triangle = run.triangles[i];
+        const int column0 = triangle.blocks[0] >> BLOCK_BITS,
+                  column1 = triangle.blocks[2] >> BLOCK_BITS;
+        int row0 = triangle.blocks[1] >> BLOCK_BITS, row1 = triangle.blocks[3] >> BLOCK_BITS;
+        row0 = (row0 < bins->first_row ? bins->first_row : row0) - bins->first_row;
+        row1 = (row1 >= bins->end_row ? bins->end_row - 1 : row1) - bins->first_row;
         for (int row = row0; row <= row1; ++row) {
-            size_t *line = lists + 2 * (size_t)(row - bins->first_row) * columns;
+            burnish_list_chain *line = all + 2 * (size_t)row * columns + (triangle.source & 1);
             for (int column = column0; column <= column1; ++column) {
-                add_entry(&line[2 * column], run.first + i, entries);
+                burnish_list_chain *chain = &line[2 * column];
+                uint32_t next = chain->next;
+                if (next % BURNISH_LIST_PIECE == 0) { /* full, or not begun */
+                    burnish_status status = start_piece(slice, chain);
+                    if (status != BURNISH_STATUS_OK || slice->piece_count > limit) {
+                        return status;
+                    }
+                    entries = slice->entries;
+                    next = chain->next;
+                }
+                entries[next] = (uint32_t)(run.first + i);
+                chain->next = next + 1;
             }
         }
     }
+    return BURNISH_STATUS_OK;
 }
 
-/* A slice of the runs. */
-static void walk(const burnish_bins *bins, const burnish_geometry *geometry, size_t slice,
-                 size_t slices, size_t *counts, uint32_t *entries) {
+/* Fills the lists of a slice of the runs. Stops early where that is more than the limit. */
+static void fill_slice(const burnish_bins *bins, const burnish_geometry *geometry, size_t number,
+                       size_t limit) {
+    burnish_bin_slice *slice = &bins->slices[number];
     const size_t runs = geometry->chunk_count + 1;
-    for (size_t i = runs * slice / slices; i < runs * (slice + 1) / slices; ++i) {
-        if (entries) {
-            walk_run(bins, run_at(geometry, i), counts, entries);
-        } else {
-            walk_run(bins, run_at(geometry, i), counts, NULL);
-        }
+    const size_t lists = 2 * (size_t)bins->columns * (size_t)(bins->end_row - bins->first_row);
+    slice->piece_count = 0;
+    slice->status = burnish_renew((void **)&slice->chains, &slice->chain_capacity, lists,
+                                  sizeof *slice->chains, "tile lists", &slice->error);
+    if (slice->status == BURNISH_STATUS_OK) {
+        memset(slice->chains, 0, lists * sizeof *slice->chains);
+    }
+    const size_t end = runs * (number + 1) / bins->slice_count;
+    size_t i = runs * number / bins->slice_count;
+    for (; i < end && slice->status == BURNISH_STATUS_OK && slice->piece_count <= limit; ++i) {
+        slice->status = add_run(bins, slice, run_at(geometry, i), limit);
     }
 }
 
-/* Turns the slices' counts into the places where each slice writes, tile after tile, slice after
- * slice within a tile: the order that one slice alone would give. Returns the number of entries. */
-static size_t place_entries(burnish_bins *bins, size_t lists, int slices) {
-    size_t total = 0;
-    for (size_t list = 0; list < lists; ++list) {
-        bins->offsets[list] = total;
-        for (int slice = 0; slice < slices; ++slice) {
-            size_t *count = &bins->counts[(size_t)slice * lists + list];
-            size_t entries = *count;
-            *count = total;
-            total += entries;
-        }
+/* Fills the band; *fits becomes 0 where the slices had to stop. */
+static burnish_status fill(burnish_bins *bins, const burnish_geometry *geometry, size_t limit,
+                           int threads, int *fits, burnish_error *error) {
+    (void)threads;
+#pragma omp parallel for num_threads(threads) schedule(dynamic)
+    for (size_t i = 0; i < bins->slice_count; ++i) {
+        fill_slice(bins, geometry, i, limit / bins->slice_count);
     }
-    bins->offsets[lists] = total;
-    return total;
+    *fits = 1;
+    for (size_t i = 0; i < bins->slice_count; ++i) {
+        const burnish_bin_slice *slice = &bins->slices[i];
+        if (slice->status != BURNISH_STATUS_OK) {
+            if (error) {
+                *error = slice->error;
+            }
+            return slice->status;
+        }
+        *fits &= slice->piece_count <= limit / bins->slice_count;
+    }
+    return BURNISH_STATUS_OK;
 }
 
 void burnish_bins_begin(burnish_bins *bins) {
     bins->first_row = bins->end_row = 0;
     bins->entry_budget = ENTRY_BUDGET;
+}
+
+static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *geometry, int threads,
+                                  burnish_error *error) {
+    size_t wanted = threads > 1 ? SLICES_A_THREAD * (size_t)threads : 1;
+    wanted = wanted > geometry->chunk_count + 1 ? geometry->chunk_count + 1 : wanted;
+    const size_t before = bins->slice_capacity;
+    bins->slice_count = wanted;
+    burnish_status status = burnish_grow((void **)&bins->slices, &bins->slice_capacity, wanted,
+                                         sizeof *bins->slices, "tile lists", error);
+    if (status == BURNISH_STATUS_OK && bins->slice_capacity > before) {
+        memset(bins->slices + before, 0, (bins->slice_capacity - before) * sizeof *bins->slices);
+    }
+    return status;
 }
 
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,
@@ -122,39 +179,63 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geo
     bins->columns = (view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->rows = (view->height + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->first_row = bins->end_row;
-    bins->end_row = choose_end_row(bins, geometry);
-    size_t lists = 2 * (size_t)bins->columns * (size_t)(bins->end_row - bins->first_row);
-    burnish_status status = burnish_grow((void **)&bins->offsets, &bins->offset_capacity, lists + 1,
-                                         sizeof *bins->offsets, "tile lists", error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_grow((void **)&bins->counts, &bins->count_capacity,
-                              lists * (size_t)threads, sizeof *bins->counts, "tile lists", error);
-    }
+    burnish_status status = make_slices(bins, geometry, threads, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const size_t slices = (size_t)threads;
-    memset(bins->counts, 0, lists * slices * sizeof *bins->counts);
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (size_t s = 0; s < slices; ++s) {
-        walk(bins, geometry, s, slices, bins->counts + s * lists, NULL);
+    /* all rows that are left, if they fit; then as many as do for certain */
+    int fits;
+    bins->end_row = bins->rows;
+    status = fill(bins, geometry, bins->entry_budget / BURNISH_LIST_PIECE, threads, &fits, error);
+    if (status == BURNISH_STATUS_OK && !fits) {
+        bins->end_row = choose_end_row(bins, geometry);
+        status = fill(bins, geometry, SIZE_MAX, threads, &fits, error);
     }
-    size_t total = place_entries(bins, lists, threads);
-    status = burnish_renew((void **)&bins->entries, &bins->entry_capacity, total,
-                           sizeof *bins->entries, "tile lists", error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    return status;
+}
+
+burnish_list_reader burnish_list_begin(const burnish_bins *bins, int column, int row, int back) {
+    const size_t tile = (size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column;
+    burnish_list_reader reader = {bins, 2 * tile + (size_t)back, 0, 0};
+    reader.piece = bins->slices[0].chains[reader.list].first;
+    return reader;
+}
+
+size_t burnish_list_read(burnish_list_reader *reader, uint32_t *entries, size_t capacity) {
+    size_t count = 0;
+    while (reader->slice < reader->bins->slice_count) {
+        const burnish_bin_slice *slice = &reader->bins->slices[reader->slice];
+        if (!reader->piece) {
+            if (++reader->slice < reader->bins->slice_count) {
+                reader->piece = slice[1].chains[reader->list].first;
+            }
+            continue;
+        }
+        const size_t first = (size_t)reader->piece * BURNISH_LIST_PIECE;
+        const size_t next = slice->chains[reader->list].next;
+        const int is_last = next > first && next - first <= BURNISH_LIST_PIECE;
+        const size_t size = is_last ? next - first : BURNISH_LIST_PIECE;
+        if (count + size > capacity) {
+            break;
+        }
+        memcpy(entries + count, slice->entries + first, size * sizeof *entries);
+        count += size;
+        reader->piece = is_last ? 0 : slice->links[reader->piece];
     }
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (size_t s = 0; s < slices; ++s) {
-        walk(bins, geometry, s, slices, bins->counts + s * lists, bins->entries);
-    }
-    return BURNISH_STATUS_OK;
+    return count;
+}
+
+int burnish_list_is_empty(burnish_list_reader reader) {
+    uint32_t entries[BURNISH_LIST_PIECE];
+    return burnish_list_read(&reader, entries, BURNISH_LIST_PIECE) == 0;
 }
 
 void burnish_bins_destroy(burnish_bins *bins) {
-    free(bins->offsets);
-    free(bins->entries);
-    free(bins->counts);
+    for (size_t i = 0; i < bins->slice_capacity; ++i) {
+        free(bins->slices[i].chains);
+        free(bins->slices[i].entries);
+        free(bins->slices[i].links);
+    }
+    free(bins->slices);
     memset(bins, 0, sizeof *bins);
 }

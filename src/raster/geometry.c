@@ -13,7 +13,7 @@ typedef struct clipped_piece {
 
 /* What a chunk of triangles became besides its slots. */
 typedef struct chunk_output {
-    size_t triangle_count, tile_entries;
+    size_t triangle_count;
     clipped_piece *pieces;
     size_t piece_count, piece_capacity;
     burnish_clip_vertex *clips;
@@ -117,20 +117,12 @@ static int set_up(const burnish_raster_view *view, const burnish_screen_vertex v
     return 1;
 }
 
-static size_t tile_entries(const burnish_setup_triangle *triangle) {
-    enum { BLOCKS = BURNISH_TILE_SIZE / BURNISH_COARSE_BLOCK };
-    const uint16_t *b = triangle->blocks;
-    return (size_t)(b[2] / BLOCKS - b[0] / BLOCKS + 1) *
-           (size_t)(b[3] / BLOCKS - b[1] / BLOCKS + 1);
-}
-
 static burnish_status append_piece(chunk_output *output, const clipped_piece *piece) {
     burnish_status status =
         burnish_grow((void **)&output->pieces, &output->piece_capacity, output->piece_count + 1,
                      sizeof *piece, "clipped triangles", &output->error);
     if (status == BURNISH_STATUS_OK) {
         output->pieces[output->piece_count++] = *piece;
-        output->tile_entries += tile_entries(&piece->triangle);
     }
     return status;
 }
@@ -211,20 +203,17 @@ static burnish_status set_up_chunk(const setup_context *context, size_t first, s
         const size_t count = end - at < BURNISH_SETUP_BLOCK ? end - at : BURNISH_SETUP_BLOCK;
         unsigned others, kept = context->tier->set_up(context->vertices, context->view,
                                                       context->indices, at, count, block, &others);
-        for (unsigned rest = kept | others; rest; rest &= rest - 1) {
-            const unsigned i = (unsigned)__builtin_ctz(rest);
-            if (others >> i & 1) {
+        for (unsigned i = 0; i < count; ++i) {
+            if (others >> i & 1) { /* hardly ever */
                 int whole;
                 burnish_status status = set_up_other(context, at + i, &block[i], &whole, output);
                 if (status != BURNISH_STATUS_OK) {
                     return status;
                 }
-                if (!whole) {
-                    continue;
-                }
+                kept |= (unsigned)whole << i;
             }
-            slots[output->triangle_count++] = block[i];
-            output->tile_entries += tile_entries(&block[i]);
+            slots[output->triangle_count] = block[i]; /* no more slots than triangles so far */
+            output->triangle_count += kept >> i & 1;
         }
     }
     return BURNISH_STATUS_OK;
@@ -306,7 +295,6 @@ static burnish_status join_chunks(burnish_geometry *geometry, const burnish_rast
         }
         geometry->chunk_counts[i] = (uint32_t)chunks[i].triangle_count;
         geometry->triangle_count += chunks[i].triangle_count;
-        geometry->tile_entries += chunks[i].tile_entries;
         pieces += chunks[i].piece_count;
         clips += chunks[i].clip_count;
     }
@@ -320,7 +308,7 @@ static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
     vertices->mesh_count = vertices->count = vertex_count;
     geometry->whole_slots = triangle_count;
     geometry->chunk_count = (triangle_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK;
-    geometry->piece_count = geometry->triangle_count = geometry->tile_entries = 0;
+    geometry->piece_count = geometry->triangle_count = 0;
     burnish_status status =
         burnish_renew((void **)&vertices->items, &vertices->item_capacity, vertex_count,
                       sizeof *vertices->items, "screen vertices", error);

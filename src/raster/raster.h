@@ -110,7 +110,6 @@ typedef struct burnish_geometry {
     const uint32_t *indices;            /* the mesh's */
     size_t whole_slots, piece_count, chunk_count;
     size_t triangle_count; /* slots in use */
-    size_t tile_entries;   /* sum over the triangles of the tiles that their bounds touch */
     size_t triangle_capacity, piece_capacity, clip_capacity, chunk_capacity;
 } burnish_geometry;
 
@@ -171,14 +170,30 @@ int burnish_clip_triangle(burnish_clip_corner *corners);
 
 /* Triangle lists of a band of tile rows: two a tile, of the triangles seen from their front, then
  * of those seen from their back. Where two triangles have the same depth, the first one drawn
- * stays. */
+ * stays. A list is a chain of fixed pieces, so that one look at each triangle fills all lists; each
+ * slice of the triangles has its own chains, which follow one another. */
+enum { BURNISH_LIST_PIECE = 32 }; /* entries */
+
+/* Where a chain begins, and its next entry goes; 0: it is empty. Pieces count from 1. */
+typedef struct burnish_list_chain {
+    uint32_t first, next; /* a piece; a place in entries */
+} burnish_list_chain;
+
+typedef struct burnish_bin_slice {
+    burnish_list_chain *chains; /* a list each */
+    uint32_t *entries; /* slots of triangles, ascending in a chain; a piece after another */
+    uint32_t *links;   /* the piece after each piece of a chain */
+    size_t piece_count;
+    size_t chain_capacity, entry_capacity, link_capacity;
+    burnish_status status;
+    burnish_error error;
+} burnish_bin_slice;
+
 typedef struct burnish_bins {
     int columns, rows; /* tiles of the whole image */
     int first_row, end_row;
-    size_t *offsets;   /* 2 * columns * (end_row - first_row) + 1 */
-    uint32_t *entries; /* ascending slots of triangles, list after list */
-    size_t offset_capacity, entry_capacity, count_capacity;
-    size_t *counts;      /* scratch */
+    burnish_bin_slice *slices;
+    size_t slice_count, slice_capacity;
     size_t entry_budget; /* entries that a band of several rows may hold */
 } burnish_bins;
 
@@ -190,6 +205,19 @@ void burnish_bins_begin(burnish_bins *bins);
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,
                                  const burnish_raster_view *view, int threads,
                                  burnish_error *error);
+
+/* Reads a list in order. */
+typedef struct burnish_list_reader {
+    const burnish_bins *bins;
+    size_t list, slice;
+    uint32_t piece;
+} burnish_list_reader;
+burnish_list_reader burnish_list_begin(const burnish_bins *bins, int column, int row, int back);
+
+int burnish_list_is_empty(burnish_list_reader reader);
+
+/* Copies as many of the next entries as fit capacity >= BURNISH_LIST_PIECE; 0 at the end. */
+size_t burnish_list_read(burnish_list_reader *reader, uint32_t *entries, size_t capacity);
 void burnish_bins_destroy(burnish_bins *bins);
 
 /* Pixels of a tile lie in memory as blocks of 4 x 4, row of blocks after row of blocks, so that 4,

@@ -8,6 +8,8 @@
 const burnish_raster_tier RASTER_TIER = {.transform = transform_vertices,
                                          .set_up = set_up_triangles,
                                          .draw = draw_list,
+                                         .find_seen = find_seen,
                                          .find_least = find_least,
                                          .find_pixels = find_shown,
+                                         .find_shared = find_shared,
                                          .mark = mark_drawn};

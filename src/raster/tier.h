@@ -25,12 +25,28 @@ typedef unsigned burnish_set_up_function(const burnish_screen_vertices *vertices
 typedef void burnish_draw_function(burnish_visibility *visibility, const burnish_geometry *geometry,
                                    const uint32_t *entries, size_t count);
 
+/* Leaves out of a list those triangles that are behind the coarse depth wherever they touch the
+ * tile; returns how many are left. */
+typedef size_t burnish_find_seen_function(const burnish_visibility *visibility,
+                                          const burnish_geometry *geometry, uint32_t *entries,
+                                          size_t count);
+
 /* The least depth of each coarse block of a tile. */
 typedef void burnish_find_least_function(burnish_visibility *visibility);
 
 /* Finds what the pixels of a strip show. */
 typedef void burnish_find_pixels_function(const burnish_visibility *visibility, int strip,
                                           burnish_strip_pixels *pixels);
+
+/* The points of a block's shared pixels: pixel after pixel of its samples. */
+typedef struct burnish_shared_points {
+    int count;
+    uint8_t pixel[BURNISH_FRAGMENT_BLOCK];
+    uint16_t samples[BURNISH_FRAGMENT_BLOCK]; /* bits of those that show the triangle */
+    int32_t owner[BURNISH_FRAGMENT_BLOCK];
+} burnish_shared_points;
+typedef void burnish_find_shared_function(const burnish_visibility *visibility, int block,
+                                          burnish_shared_points *points);
 
 /* Sets drawn[t] to 1 for each of the mesh's triangles t that own a sample; needs owners. Threads
  * may do so at the same time. */
@@ -40,8 +56,10 @@ struct burnish_raster_tier {
     burnish_transform_function *transform;
     burnish_set_up_function *set_up;
     burnish_draw_function *draw;
+    burnish_find_seen_function *find_seen;
     burnish_find_least_function *find_least;
     burnish_find_pixels_function *find_pixels;
+    burnish_find_shared_function *find_shared;
     burnish_mark_function *mark;
 };
 

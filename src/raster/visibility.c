@@ -16,6 +16,18 @@ static burnish_status allocate_floats(float **array, size_t count, burnish_error
     return status;
 }
 
+/* The table of offset_sums. */
+static void add_offsets(burnish_visibility *visibility) {
+    const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->options.samples);
+    for (int s = 0; s < visibility->options.samples; ++s) {
+        for (int bits = 0; bits < 256; ++bits) {
+            int8_t *sum = visibility->offset_sums[s / 8][bits];
+            sum[0] = (int8_t)(sum[0] + (bits >> s % 8 & 1) * offsets[s][0]);
+            sum[1] = (int8_t)(sum[1] + (bits >> s % 8 & 1) * offsets[s][1]);
+        }
+    }
+}
+
 burnish_status burnish_visibility_create(burnish_visibility *visibility,
                                          const burnish_visibility_options *options,
                                          burnish_error *error) {
@@ -37,6 +49,7 @@ burnish_status burnish_visibility_create(burnish_visibility *visibility,
                                   "a tile", error);
     }
     if (status == BURNISH_STATUS_OK && samples > 1) {
+        add_offsets(visibility);
         visibility->triangle_capacity = (size_t)BURNISH_TILE_TRIANGLES * (size_t)samples;
         status = burnish_allocate((void **)&visibility->triangles, visibility->triangle_capacity,
                                   sizeof *visibility->triangles, "a tile's triangles", error);
@@ -104,60 +117,34 @@ static void find_coarse(burnish_visibility *visibility, const burnish_raster_tie
     }
 }
 
-/* Whether everything that the triangle touches is nearer. Interpolated depths may pass the nearest
- * vertex by rounding: the factor is far more than that. */
-static int is_hidden(const burnish_visibility *visibility, const burnish_setup_triangle *triangle) {
-    const float nearest = triangle->nearest * 1.00001f;
-    const int left = visibility->x / BURNISH_COARSE_BLOCK,
-              top = visibility->y / BURNISH_COARSE_BLOCK;
-    int x0 = triangle->blocks[0] - left, x1 = triangle->blocks[2] - left;
-    int y0 = triangle->blocks[1] - top, y1 = triangle->blocks[3] - top;
-    if (!(nearest > 0.0f)) { /* the factor would make it farther */
-        return 0;
-    }
-    x0 = x0 < 0 ? 0 : x0;
-    y0 = y0 < 0 ? 0 : y0;
-    x1 = x1 >= BURNISH_TILE_BLOCKS ? BURNISH_TILE_BLOCKS - 1 : x1;
-    y1 = y1 >= BURNISH_TILE_BLOCKS ? BURNISH_TILE_BLOCKS - 1 : y1;
-    const int more = (x1 - x0) | (y1 - y0);
-    if (more <= 1) { /* nearly all */
-        return nearest < visibility->coarse[more][y0][x0];
-    }
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
-            if (nearest >= visibility->coarse[0][y][x]) {
-                return 0;
-            }
-        }
-    }
-    return 1;
-}
-
 enum {
-    LIST_PART = 512, /* triangles tested against the coarse depth at once */
+    LIST_PART = 1024, /* triangles read at once */
     /* triangles drawn before the coarse depth is found again: as much work as a few of them */
     COARSE_AGE = 2048
 };
 
-/* Draws those of a list that may be seen over what is there. */
-static void draw_over(burnish_visibility *visibility, const burnish_raster_tier *tier,
-                      const burnish_geometry *geometry, const uint32_t *entries, size_t count) {
-    uint32_t seen[LIST_PART];
-    size_t drawn = COARSE_AGE;
-    for (size_t first = 0; first < count; first += LIST_PART) {
-        const size_t part = count - first < LIST_PART ? count - first : LIST_PART;
-        size_t kept = 0;
-        if (drawn >= COARSE_AGE) {
+/* Draws a list; returns how many triangles. Those that the coarse depth hides are left out, over
+ * `drawn` others that have been drawn before. */
+static size_t draw_list(burnish_visibility *visibility, const burnish_raster_tier *tier,
+                        const burnish_geometry *geometry, burnish_list_reader reader,
+                        size_t before) {
+    uint32_t part[LIST_PART];
+    size_t age = before ? COARSE_AGE : 0, all = 0, count;
+    int is_coarse = 0;
+    while ((count = burnish_list_read(&reader, part, LIST_PART)) > 0) {
+        all += count;
+        if (age >= COARSE_AGE) {
             find_coarse(visibility, tier);
-            drawn = 0;
+            is_coarse = 1;
+            age = 0;
         }
-        for (size_t i = 0; i < part; ++i) {
-            seen[kept] = entries[first + i];
-            kept += !is_hidden(visibility, &geometry->triangles[entries[first + i]]);
+        if (is_coarse) {
+            count = tier->find_seen(visibility, geometry, part, count);
         }
-        tier->draw(visibility, geometry, seen, kept);
-        drawn += kept;
+        tier->draw(visibility, geometry, part, count);
+        age += count;
     }
+    return all;
 }
 
 /* Vectors may have drawn beyond the image's right and lower edge. */
@@ -181,17 +168,17 @@ static void clear_outside(burnish_visibility *visibility) {
 int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster_tier *tier,
                             const burnish_raster_view *view, const burnish_geometry *geometry,
                             const burnish_bins *bins, int column, int row) {
-    size_t list = 2 * ((size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column);
-    const size_t *offsets = bins->offsets + list;
-    const size_t fronts = offsets[1] - offsets[0];
+    const burnish_list_reader fronts = burnish_list_begin(bins, column, row, 0);
+    const burnish_list_reader backs = burnish_list_begin(bins, column, row, 1);
     visibility->x = column * BURNISH_TILE_SIZE;
     visibility->y = row * BURNISH_TILE_SIZE;
     int right = view->width - visibility->x, below = view->height - visibility->y;
     visibility->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
     visibility->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
-    visibility->next_place = 0;
+    visibility->next_block = 0;
+    visibility->tier = tier;
     visibility->triangle_count = 0;
-    if (offsets[0] == offsets[2]) {
+    if (burnish_list_is_empty(fronts) && burnish_list_is_empty(backs)) {
         return 0;
     }
     const size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)visibility->options.samples;
@@ -202,15 +189,10 @@ int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster
         memset(visibility->owners, 0xff, count * sizeof *visibility->owners);
     }
     memset(visibility->touched, 0, sizeof visibility->touched);
-    const size_t plain = fronts < COARSE_AGE ? fronts : COARSE_AGE;
-    tier->draw(visibility, geometry, bins->entries + offsets[0], plain);
-    draw_over(visibility, tier, geometry, bins->entries + offsets[0] + plain, fronts - plain);
-    draw_over(visibility, tier, geometry, bins->entries + offsets[1], offsets[2] - offsets[1]);
+    const size_t before = draw_list(visibility, tier, geometry, fronts, 0);
+    draw_list(visibility, tier, geometry, backs, before);
     if (visibility->width % BURNISH_BLOCK_SIZE || visibility->height % BURNISH_BLOCK_SIZE) {
         clear_outside(visibility);
-    }
-    if (visibility->options.samples > 1) {
-        memset(visibility->places, 0, visibility->triangle_count * sizeof *visibility->places);
     }
     return 1;
 }
@@ -241,7 +223,6 @@ static void append_point(const burnish_visibility *visibility, const burnish_ras
     const int i = fragments->count++;
     float weight1, weight2;
     weights_at(triangle, x, y, &weight1, &weight2);
-    visibility->places[owner] = 1;
     fragments->place[i] = (uint16_t)place;
     fragments->weight[i] = (uint8_t)weight;
     fragments->corners[i] = triangle->corners;
@@ -265,73 +246,39 @@ static int mean_of(int sum, int count) {
     return sum < 0 ? -(-sum * factors[count] >> 16) : sum * factors[count] >> 16;
 }
 
-/* Groups a pixel's samples by triangle, in the order of each triangle's first sample. */
+/* The point of some samples of a pixel that show one triangle. */
 static void append_samples(const burnish_visibility *visibility, const burnish_raster_view *view,
-                           int place, const int32_t *owners, burnish_fragments *fragments) {
-    const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->options.samples);
-    const int samples = visibility->options.samples, step = BURNISH_SUBPIXELS / 16;
-    const int x = center_of(burnish_place_x(place)), y = center_of(burnish_place_y(place));
-    unsigned taken = 0;
-    for (int s = 0; s < samples; ++s) {
-        if ((taken >> s & 1) || owners[s] < 0) {
-            continue;
-        }
-        int weight = 0, sum_x = 0, sum_y = 0;
-        for (int other = s; other < samples; ++other) {
-            if (owners[other] == owners[s]) {
-                taken |= 1u << other;
-                weight += 1;
-                sum_x += offsets[other][0];
-                sum_y += offsets[other][1];
-            }
-        }
-        append_point(visibility, view, place, owners[s], weight, x + mean_of(sum_x * step, weight),
-                     y + mean_of(sum_y * step, weight), fragments);
-    }
-}
-
-/* Differences between the samples' owners of each pixel of a block: 0 where one has them all. */
-static void find_differences(const burnish_visibility *visibility, int block,
-                             int32_t different[BURNISH_BLOCK_PIXELS]) {
-    const int samples = visibility->options.samples;
-    const int32_t *first = visibility->owners + block * BURNISH_BLOCK_PIXELS * samples;
-    memset(different, 0, BURNISH_BLOCK_PIXELS * sizeof *different);
-    for (int s = 1; s < samples; ++s) {
-        const int32_t *owners = first + s * BURNISH_BLOCK_PIXELS;
-        for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
-            different[i] |= owners[i] ^ first[i];
-        }
-    }
+                           int place, unsigned samples, int32_t owner,
+                           burnish_fragments *fragments) {
+    const int step = BURNISH_SUBPIXELS / 16, weight = __builtin_popcount(samples);
+    const int8_t *first = visibility->offset_sums[0][samples & 255],
+                 *last = visibility->offset_sums[1][samples >> 8];
+    const int x = mean_of((first[0] + last[0]) * step, weight);
+    const int y = mean_of((first[1] + last[1]) * step, weight);
+    append_point(visibility, view, place, owner, weight, center_of(burnish_place_x(place)) + x,
+                 center_of(burnish_place_y(place)) + y, fragments);
 }
 
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments) {
-    const int samples = visibility->options.samples;
-    int32_t different[BURNISH_BLOCK_PIXELS], owners[BURNISH_MAX_SAMPLES];
-    int place = visibility->next_place, known = -1;
+    burnish_shared_points points;
+    int block = visibility->next_block;
     fragments->count = 0;
-    while (samples > 1 && place < BURNISH_TILE_PIXELS) {
-        const int block = place / BURNISH_BLOCK_PIXELS, pixel = place % BURNISH_BLOCK_PIXELS;
+    for (; visibility->options.samples > 1 && block < BURNISH_TILE_PIXELS / BURNISH_BLOCK_PIXELS;
+         ++block) {
         if (!(visibility->touched[block / BURNISH_TILE_STRIPS] >> block % BURNISH_TILE_STRIPS &
               1)) {
-            place += BURNISH_BLOCK_PIXELS - pixel;
             continue;
         }
-        if (block != known) {
-            find_differences(visibility, block, different);
-            known = block;
+        visibility->tier->find_shared(visibility, block, &points);
+        if (fragments->count + points.count > BURNISH_FRAGMENT_BLOCK) {
+            break;
         }
-        if (different[pixel]) {
-            if (fragments->count + samples > BURNISH_FRAGMENT_BLOCK) {
-                break;
-            }
-            for (int s = 0; s < samples; ++s) {
-                owners[s] = visibility->owners[burnish_sample_place(samples, place, s)];
-            }
-            append_samples(visibility, view, place, owners, fragments);
+        for (int i = 0; i < points.count; ++i) {
+            append_samples(visibility, view, block * BURNISH_BLOCK_PIXELS + points.pixel[i],
+                           points.samples[i], points.owner[i], fragments);
         }
-        ++place;
     }
-    visibility->next_place = place;
+    visibility->next_block = block;
     return fragments->count > 0;
 }

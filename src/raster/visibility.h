@@ -60,11 +60,14 @@ typedef struct burnish_visibility {
     int32_t *owners;
     uint16_t touched[BURNISH_TILE_STRIPS]; /* bit x of y: block (x, y) shows a triangle */
     burnish_tile_triangle *triangles;      /* with more than one sample */
-    int32_t *places; /* one a triangle: scratch while drawing, then 1 where it has a point */
+    int32_t *places; /* one a triangle: scratch while triangles are forgotten */
     size_t triangle_count, triangle_capacity;
     /* least depth of each coarse block, and of it, the next one, and the two below */
     float coarse[2][BURNISH_TILE_BLOCKS][BURNISH_TILE_BLOCKS];
-    int next_place; /* where burnish_visibility_next goes on */
+    int next_block;                  /* where burnish_visibility_next goes on */
+    const burnish_raster_tier *tier; /* that drew the tile */
+    /* by the bits of eight samples, the first or the last: their offsets' sum in 1/16 pixel */
+    int8_t offset_sums[2][256][2];
 } burnish_visibility;
 
 /* Where sample s of the pixel at `place` lies in depths and owners. */

@@ -13,6 +13,11 @@ enum { HALF_PIXEL = BURNISH_SUBPIXELS / 2 };
 /* Pixels of a unit: 4 x 4, 4 x 2, 4 x 1 or one. */
 enum { UNIT_WIDTH = LANES >= 4 ? 4 : 1, UNIT_HEIGHT = LANES / UNIT_WIDTH };
 
+/* Corners of as many triangles as a vector has lanes. */
+typedef struct corner_block {
+    uint32_t vertices[3][LANES], source[LANES];
+} corner_block;
+
 /* As many triangles as a vector has lanes, relative to the tile. */
 typedef struct setup_block {
     int32_t x[3][LANES], y[3][LANES];   /* vertices */
@@ -26,47 +31,72 @@ typedef struct setup_block {
     float depth[3][LANES];                              /* of vertex 0; of 1 and 2 minus that */
     float inverse_area[LANES]; /* of triangles whose edge functions fit 32 bits */
     float attributes[3][BURNISH_PLANE_COUNT][LANES];
-    burnish_corners corners[LANES];
+    corner_block corners;
     unsigned live, small, tiny; /* bits: touch a pixel; have 32-bit edge functions; have at most
                                    2 x 2 pixels */
 } setup_block;
 
-/* Loads corners and attributes of the triangles of a part of a list, `count` <= LANES. */
-BURNISH_INLINE void load_block(const burnish_visibility *tile, const burnish_geometry *geometry,
-                               const uint32_t *entries, size_t count, setup_block *block, vi x[3],
-                               vi y[3], vf depth[3]) {
-    const void *vertices[3][LANES], *first[3][LANES], *second[3][LANES];
-    const int has_second = tile->options.planes > BURNISH_PLANE_R;
-    for (size_t lane = 0; lane < LANES; ++lane) {
-        block->corners[lane] = burnish_geometry_corners(geometry, entries[lane < count ? lane : 0]);
+/* Finds the corners of a part of a list, `count` <= LANES, and asks for what will be loaded of
+ * them: lists are in the mesh's order, not in that of memory. */
+BURNISH_INLINE void find_corners(const burnish_visibility *tile, const burnish_geometry *geometry,
+                                 const uint32_t *entries, size_t count, corner_block *corners) {
+    for (size_t lane = 0; lane < LANES && count > 0; ++lane) {
+        const uint32_t slot = entries[lane < count ? lane : 0];
+        uint32_t source = geometry->triangles[slot].source;
+        const unsigned back = source & 1;
+        const uint32_t *v = geometry->indices + 3 * (size_t)(source >> 1);
+        uint32_t a = 0, b = 2 - back, c = 1 + back;
+        if (slot >= geometry->whole_slots) { /* a piece: its own corners, in their order */
+            v = geometry->pieces[slot - geometry->whole_slots].vertices;
+            b = 1;
+            c = 2;
+        }
+        corners->source[lane] = source;
+        corners->vertices[0][lane] = v[a];
+        corners->vertices[1][lane] = v[b];
+        corners->vertices[2][lane] = v[c];
         for (int i = 0; i < 3; ++i) {
-            const size_t vertex = block->corners[lane].vertices[i];
-            vertices[i][lane] = &geometry->vertices.items[vertex];
-            first[i][lane] = &tile->attributes[0][vertex];
-            second[i][lane] = has_second ? &tile->attributes[1][vertex] : NULL;
+            const size_t vertex = corners->vertices[i][lane];
+            __builtin_prefetch(&geometry->vertices.items[vertex]);
+            __builtin_prefetch(&tile->attributes[0][vertex]);
         }
     }
+}
+
+/* Loads corners and attributes of a block. */
+BURNISH_INLINE void load_block(const burnish_visibility *tile, const burnish_geometry *geometry,
+                               setup_block *block, vi x[3], vi y[3], vf depth[3]) {
+    const corner_block *corners = &block->corners;
     /* 1 for triangles seen from their front, -1 from their back: exact */
-    float turn[LANES];
-    for (int lane = 0; lane < LANES; ++lane) {
-        turn[lane] = block->corners[lane].source & 1 ? -1.0f : 1.0f;
-    }
+    const vi sign = vi_left(vi_load((const int32_t *)corners->source), 31);
+    const vf turn = vi_float(vi_or(sign, vi_set(0x3f800000)));
     for (int i = 0; i < 3; ++i) {
+        const void *from[LANES];
         vf at[4];
-        vf_load_records(vertices[i], at);
+        for (int lane = 0; lane < LANES; ++lane) {
+            from[lane] = &geometry->vertices.items[corners->vertices[i][lane]];
+        }
+        vf_load_records(from, at);
         x[i] = vi_sub(vf_bits(at[0]), vi_set(tile->x * BURNISH_SUBPIXELS));
         y[i] = vi_sub(vf_bits(at[1]), vi_set(tile->y * BURNISH_SUBPIXELS));
         depth[i] = at[2];
-        vf_load_records(first[i], at);
+        for (int lane = 0; lane < LANES; ++lane) {
+            from[lane] = &tile->attributes[0][corners->vertices[i][lane]];
+        }
+        vf_load_records(from, at);
         for (int k = 0; k < 3; ++k) {
-            vf_store(block->attributes[i][k], vf_mul(at[k], vf_load(turn)));
+            vf_store(block->attributes[i][k], vf_mul(at[k], turn));
         }
         vf_store(block->attributes[i][BURNISH_PLANE_W], at[3]);
-        if (has_second) {
-            vf_load_records(second[i], at);
-            for (int k = 0; k < 3; ++k) {
-                vf_store(block->attributes[i][BURNISH_PLANE_R + k], at[k]);
-            }
+        if (tile->options.planes <= BURNISH_PLANE_R) {
+            continue;
+        }
+        for (int lane = 0; lane < LANES; ++lane) {
+            from[lane] = &tile->attributes[1][corners->vertices[i][lane]];
+        }
+        vf_load_records(from, at);
+        for (int k = 0; k < 3; ++k) {
+            vf_store(block->attributes[i][BURNISH_PLANE_R + k], at[k]);
         }
     }
 }
@@ -164,52 +194,26 @@ BURNISH_INLINE void interpolate_unit(const burnish_visibility *tile,
     }
 }
 
-/* A unit with one sample a pixel; e are the edge functions with their bias. Returns 1 when a pixel
- * became the triangle's. */
-BURNISH_INLINE int draw_unit(const burnish_visibility *tile, const unit_constants *constants,
-                             int planes, int owners, const vi e[3], int place) {
-    vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
-    if (!vm_any(covered)) {
-        return 0;
-    }
-    vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
-    vf depth = depth_from(constants->depth, weight1, weight2);
-    vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->depths + place)));
-    if (!vm_any(nearer)) {
-        return 0;
-    }
-    vf_store_where(nearer, tile->depths + place, depth);
-    if (owners) {
-        vi_save_where(nearer, tile->owners + place, constants->owner);
-    }
-    interpolate_unit(tile, constants, planes, nearer, weight1, weight2, place);
-    return 1;
-}
-
 /* A unit with several samples a pixel; e are the edge functions at the pixels' centres. */
 BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_constants *constants,
-                                int planes, const vi e[3],
+                                int samples, int planes, const vi e[3],
                                 int32_t to_sample[3][BURNISH_MAX_SAMPLES], int place) {
-    const int samples = tile->options.samples;
     vm whole = vi_not_negative(vi_set(0));
-    int drawn = 0, sample = burnish_sample_place(samples, place, 0);
+    unsigned drawn = 0;
+    int sample = burnish_sample_place(samples, place, 0);
     for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
         vi at[3];
         for (int i = 0; i < 3; ++i) {
             at[i] = vi_add(e[i], vi_set(to_sample[i][s]));
         }
-        vm nearer = vi_not_negative(vi_or(vi_or(at[0], at[1]), at[2]));
-        if (!vm_any(nearer)) {
-            whole = nearer;
-            continue;
-        }
+        vm covered = vi_not_negative(vi_or(vi_or(at[0], at[1]), at[2]));
         vf depth = depth_from(constants->depth, weight_from(constants, at, 1),
                               weight_from(constants, at, 2));
-        nearer = vm_and(nearer, vf_greater(depth, vf_load(tile->depths + sample)));
+        vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->depths + sample)));
         whole = vm_and(whole, nearer);
         vf_store_where(nearer, tile->depths + sample, depth);
         vi_save_where(nearer, tile->owners + sample, constants->owner);
-        drawn |= vm_any(nearer);
+        drawn |= vm_bits(nearer);
     }
     if (vm_any(whole)) {
         vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
@@ -219,7 +223,7 @@ BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_const
         }
         interpolate_unit(tile, constants, planes, whole, weight1, weight2, place);
     }
-    return drawn;
+    return drawn != 0;
 }
 
 /* Where the pixels of a unit lie in it: x, and y in the upper half. */
@@ -238,32 +242,107 @@ BURNISH_INLINE vi edge_of_unit(const setup_block *block, size_t lane, int i, vi 
     return vi_add(vi_set(block->unit[i][lane]), vi_left(along, 8));
 }
 
-/* A triangle of up to 96 pixels. */
-BURNISH_INLINE int draw_small(burnish_visibility *tile, const setup_block *block, size_t lane,
-                              int single, int planes, int owners, int32_t owner,
-                              const int8_t (*offsets)[2]) {
+/* Units of a triangle that cover a pixel. */
+enum { UNIT_LIST = 2 * BURNISH_TILE_SIZE / UNIT_WIDTH };
+typedef struct unit_list {
+    vm covered[UNIT_LIST];
+    vi e[2][UNIT_LIST]; /* edge functions 1 and 2 */
+    int32_t place[UNIT_LIST];
+    int count;
+} unit_list;
+
+/* Draws the units of a list, one sample a pixel. Whether one is nearer is too hard to foresee for a
+ * branch. */
+BURNISH_INLINE void draw_units(burnish_visibility *tile, const unit_constants *constants,
+                               int planes, int owners, const unit_list *list) {
+    for (int i = 0; i < list->count; ++i) {
+        const vi e[3] = {list->e[0][i], list->e[0][i], list->e[1][i]};
+        const int place = list->place[i];
+        vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
+        vf depth = depth_from(constants->depth, weight1, weight2);
+        vm nearer = vm_and(list->covered[i], vf_greater(depth, vf_load(tile->depths + place)));
+        vf_store_where(nearer, tile->depths + place, depth);
+        if (owners) {
+            vi_save_where(nearer, tile->owners + place, constants->owner);
+        }
+        interpolate_unit(tile, constants, planes, nearer, weight1, weight2, place);
+        tile->touched[place / BURNISH_STRIP_PIXELS] |=
+            (uint16_t)(vm_any(nearer) << (place / BURNISH_BLOCK_PIXELS) % BURNISH_TILE_STRIPS);
+    }
+}
+
+/* A triangle of up to 96 pixels, one sample a pixel: first finds the units that cover a pixel,
+ * which is as hard to foresee, then draws them. */
+BURNISH_INLINE void draw_small(burnish_visibility *tile, const setup_block *block, size_t lane,
+                               int planes, int owners, int32_t owner, unit_list *list) {
     const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
     const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
     unit_constants constants;
     vi row[3], across[3], down[3];
+    load_constants(block, lane, planes, owner, &constants);
+    for (int i = 0; i < 3; ++i) {
+        row[i] = edge_of_unit(block, lane, i, &across[i], &down[i]);
+    }
+    list->count = 0;
+    for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
+        vi e[3] = {row[0], row[1], row[2]};
+        for (int x = x0; x <= x1; x += UNIT_WIDTH) {
+            const vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
+            list->covered[list->count] = covered;
+            list->e[0][list->count] = e[1];
+            list->e[1][list->count] = e[2];
+            list->place[list->count] = burnish_tile_place(x, y);
+            list->count += vm_any(covered);
+            for (int i = 0; i < 3; ++i) {
+                e[i] = vi_add(e[i], across[i]);
+            }
+        }
+        if (list->count >= UNIT_LIST / 2) { /* another row may not fit */
+            draw_units(tile, &constants, planes, owners, list);
+            list->count = 0;
+        }
+        for (int i = 0; i < 3; ++i) {
+            row[i] = vi_add(row[i], down[i]);
+        }
+    }
+    draw_units(tile, &constants, planes, owners, list);
+}
+
+/* The same with several samples a pixel. Returns 1 when a sample became the triangle's. */
+BURNISH_INLINE int draw_small_samples(burnish_visibility *tile, const setup_block *block,
+                                      size_t lane, int samples, int planes, int32_t owner,
+                                      const int8_t (*offsets)[2]) {
+    const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
+    const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
+    unit_constants constants;
+    vi row[3], across[3], down[3], farthest[3];
     int32_t to_sample[3][BURNISH_MAX_SAMPLES];
     int drawn = 0;
     load_constants(block, lane, planes, owner, &constants);
     for (int i = 0; i < 3; ++i) {
         row[i] = edge_of_unit(block, lane, i, &across[i], &down[i]);
-        for (int s = 0; s < tile->options.samples && !single; ++s) {
+        int32_t most = INT32_MIN;
+        for (int s = 0; s < samples; ++s) {
             to_sample[i][s] =
                 16 * (block->dx[i][lane] * offsets[s][1] - block->dy[i][lane] * offsets[s][0]);
+            most = to_sample[i][s] > most ? to_sample[i][s] : most;
         }
+        farthest[i] = vi_set(most);
     }
     for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
         vi e[3] = {row[0], row[1], row[2]};
         unsigned touched = 0;
         for (int x = x0; x <= x1; x += UNIT_WIDTH) {
-            const int place = burnish_tile_place(x, y);
-            const int hit = single ? draw_unit(tile, &constants, planes, owners, e, place)
-                                   : draw_samples(tile, &constants, planes, e, to_sample, place);
-            touched |= (unsigned)hit << x / BURNISH_BLOCK_SIZE;
+            /* no sample is farther inside an edge than this */
+            vi inside = vi_set(0);
+            for (int i = 0; i < 3; ++i) {
+                inside = vi_or(inside, vi_add(e[i], farthest[i]));
+            }
+            if (vm_any(vi_not_negative(inside))) {
+                const int hit = draw_samples(tile, &constants, samples, planes, e, to_sample,
+                                             burnish_tile_place(x, y));
+                touched |= (unsigned)hit << x / BURNISH_BLOCK_SIZE;
+            }
             for (int i = 0; i < 3; ++i) {
                 e[i] = vi_add(e[i], across[i]);
             }
@@ -324,13 +403,20 @@ BURNISH_INLINE void find_tiny(const setup_block *block, int planes, tiny_pixels 
     }
 }
 
+/* Bit i to bit 4 i. */
+BURNISH_INLINE uint64_t spread(unsigned bits) {
+    uint64_t x = bits;
+    x = (x | x << 24) & 0x000000ff000000ffull;
+    x = (x | x << 12) & 0x000f000f000f000full;
+    x = (x | x << 6) & 0x0303030303030303ull;
+    return (x | x << 3) & 0x1111111111111111ull;
+}
+
+/* Draws covered pixels: bit 4 lane + c of `hits`. */
 BURNISH_INLINE void draw_tiny(burnish_visibility *tile, const setup_block *block,
-                              const tiny_pixels *pixels, size_t lane, int planes, int owners,
-                              int32_t owner) {
-    for (int c = 0; c < 4; ++c) {
-        if (!(pixels->covered[c] >> lane & 1)) {
-            continue;
-        }
+                              const tiny_pixels *pixels, uint64_t hits, int planes, int owners) {
+    for (; hits; hits &= hits - 1) {
+        const int hit = __builtin_ctzll(hits), lane = hit >> 2, c = hit & 3;
         const int x = block->x0[lane] + (c & 1), y = block->y0[lane] + (c >> 1);
         const int place = burnish_tile_place(x, y);
         if (!(pixels->depth[c][lane] > tile->depths[place])) {
@@ -341,7 +427,7 @@ BURNISH_INLINE void draw_tiny(burnish_visibility *tile, const setup_block *block
             tile->planes[k][place] = pixels->planes[c][k][lane];
         }
         if (owners) {
-            tile->owners[place] = owner;
+            tile->owners[place] = (int32_t)block->corners.source[lane];
         }
         tile->touched[y / BURNISH_BLOCK_SIZE] |= (uint16_t)(1u << x / BURNISH_BLOCK_SIZE);
     }
@@ -517,45 +603,38 @@ static void remember(burnish_visibility *tile, const setup_block *block, size_t 
     for (int i = 0; i < 3; ++i) {
         made->depth[i] = block->depth[i][lane];
     }
-    made->corners = block->corners[lane];
-}
-
-/* Lists are in the mesh's order, not in that of memory: asks for what comes after the next block.
- */
-static void look_ahead(const burnish_visibility *tile, const burnish_geometry *geometry,
-                       const uint32_t *entries, size_t from, size_t count) {
-    for (size_t k = from; k < from + LANES && k < count; ++k) {
-        const burnish_corners corners = burnish_geometry_corners(geometry, entries[k]);
-        for (int i = 0; i < 3; ++i) {
-            __builtin_prefetch(&geometry->vertices.items[corners.vertices[i]]);
-            __builtin_prefetch(&tile->attributes[0][corners.vertices[i]]);
-        }
+    for (int i = 0; i < 3; ++i) {
+        made->corners.vertices[i] = block->corners.vertices[i][lane];
     }
+    made->corners.source = block->corners.source[lane];
 }
 
 /* The triangles of a block, one sample a pixel. */
 BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, tiny_pixels *pixels,
                                 int planes, int owners) {
     static const int8_t CENTER[1][2] = {{0, 0}};
-    unsigned tiny = block->tiny;
-    if (tiny & (tiny - 1)) { /* at least two */
+    unsigned others = block->live;
+    uint64_t hits = 0;
+    unit_list list;
+    if (block->tiny & (block->tiny - 1)) { /* at least two */
         find_tiny(block, planes, pixels);
-        block->live &= ~tiny | pixels->covered[0] | pixels->covered[1] | pixels->covered[2] |
-                       pixels->covered[3];
-    } else {
-        tiny = 0;
+        others &= ~block->tiny;
+        hits = spread(pixels->covered[0]) | spread(pixels->covered[1]) << 1 |
+               spread(pixels->covered[2]) << 2 | spread(pixels->covered[3]) << 3;
     }
-    for (unsigned rest = block->live; rest; rest &= rest - 1) {
-        const unsigned lane = (unsigned)__builtin_ctz(rest);
-        const int32_t owner = (int32_t)block->corners[lane].source;
-        if (tiny >> lane & 1) {
-            draw_tiny(tile, block, pixels, lane, planes, owners, owner);
-        } else if (block->small >> lane & 1) {
-            draw_small(tile, block, lane, 1, planes, owners, owner, CENTER);
+    for (; others; others &= others - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(others);
+        const int32_t owner = (int32_t)block->corners.source[lane];
+        const uint64_t before = hits & ((1ull << 4 * lane) - 1);
+        draw_tiny(tile, block, pixels, before, planes, owners);
+        hits ^= before;
+        if (block->small >> lane & 1) {
+            draw_small(tile, block, lane, planes, owners, owner, &list);
         } else {
             draw_large(tile, block, lane, owners, owner, CENTER);
         }
     }
+    draw_tiny(tile, block, pixels, hits, planes, owners);
 }
 
 static void draw_multiple(burnish_visibility *tile, setup_block *block) {
@@ -570,10 +649,11 @@ static void draw_multiple(burnish_visibility *tile, setup_block *block) {
         int drawn;
         if (!(block->small >> lane & 1)) {
             drawn = draw_large(tile, block, lane, 1, owner, offsets);
-        } else if (planes == 3) {
-            drawn = draw_small(tile, block, lane, 0, 3, 1, owner, offsets);
+        } else if (planes == 3 && tile->options.samples == 4) {
+            drawn = draw_small_samples(tile, block, lane, 4, 3, owner, offsets);
         } else {
-            drawn = draw_small(tile, block, lane, 0, planes, 1, owner, offsets);
+            drawn = draw_small_samples(tile, block, lane, tile->options.samples, planes, owner,
+                                       offsets);
         }
         if (drawn) {
             remember(tile, block, lane);
@@ -586,12 +666,16 @@ static void draw_list(burnish_visibility *visibility, const burnish_geometry *ge
     const burnish_visibility_options *options = &visibility->options;
     setup_block block;
     tiny_pixels pixels = {0};
+    corner_block next;
+    find_corners(visibility, geometry, entries, count < LANES ? count : LANES, &next);
     for (size_t first = 0; first < count; first += LANES) {
         const size_t lanes = count - first < LANES ? count - first : LANES;
+        const size_t after = first + lanes, ahead = count - after < LANES ? count - after : LANES;
         vi x[3], y[3];
         vf depth[3];
-        look_ahead(visibility, geometry, entries, first + LANES, count);
-        load_block(visibility, geometry, entries + first, lanes, &block, x, y, depth);
+        block.corners = next;
+        find_corners(visibility, geometry, entries + after, ahead, &next);
+        load_block(visibility, geometry, &block, x, y, depth);
         set_up_block(visibility, lanes, x, y, depth, &block);
         if (options->samples > 1) {
             draw_multiple(visibility, &block);
@@ -601,6 +685,76 @@ static void draw_list(burnish_visibility *visibility, const burnish_geometry *ge
             draw_single(visibility, &block, &pixels, options->planes, options->keep_owners);
         }
     }
+}
+
+/* Interpolated depths may pass the nearest vertex by rounding: the factor is far more than that. It
+ * would make depths below 0 farther, so those are always seen. */
+static int is_hidden(const burnish_visibility *tile, float nearest, int x0, int y0, int x1,
+                     int y1) {
+    nearest *= 1.00001f;
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            if (nearest >= tile->coarse[0][y][x]) {
+                return 0;
+            }
+        }
+    }
+    return nearest > 0.0f;
+}
+
+/* LANES triangles: bits of those that may be seen. All but large ones touch at most 2 x 2 coarse
+ * blocks. */
+BURNISH_INLINE unsigned find_seen_vector(const burnish_visibility *tile,
+                                         const void *triangles[LANES]) {
+    const vi last = vi_set(BURNISH_TILE_BLOCKS - 1), zero = vi_set(0), low = vi_set(0xffff);
+    const vi left = vi_set(tile->x / BURNISH_COARSE_BLOCK);
+    const vi top = vi_set(tile->y / BURNISH_COARSE_BLOCK);
+    vf records[4];
+    vf_load_records(triangles, records);
+    const vi first = vf_bits(records[2]), end = vf_bits(records[3]);
+    vi x0 = vi_max(vi_sub(vi_and(first, low), left), zero);
+    vi y0 = vi_max(vi_sub(vi_right(first, 16), top), zero);
+    vi x1 = vi_min(vi_sub(vi_and(end, low), left), last);
+    vi y1 = vi_min(vi_sub(vi_right(end, 16), top), last);
+    vi place = vi_or(vi_left(y0, 3), x0);
+    vf coarse = vi_float(vi_gather((const int32_t *)(const void *)tile->coarse[1], place));
+    vf nearest = vf_mul(records[1], vf_set(1.00001f));
+    unsigned hidden =
+        vm_bits(vm_and(vf_greater(coarse, nearest), vf_greater(nearest, vf_set(0.0f))));
+    unsigned large =
+        ~vm_bits(vi_not_negative(vi_sub(vi_set(1), vi_max(vi_sub(x1, x0), vi_sub(y1, y0)))));
+    large &= (unsigned)((1ull << LANES) - 1);
+    for (unsigned rest = large; rest; rest &= rest - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(rest);
+        int32_t at[4][LANES];
+        vi_save(at[0], x0);
+        vi_save(at[1], y0);
+        vi_save(at[2], x1);
+        vi_save(at[3], y1);
+        const burnish_setup_triangle *triangle = triangles[lane];
+        const int is =
+            is_hidden(tile, triangle->nearest, at[0][lane], at[1][lane], at[2][lane], at[3][lane]);
+        hidden = (hidden & ~(1u << lane)) | (unsigned)is << lane;
+    }
+    return ~hidden;
+}
+
+static size_t find_seen(const burnish_visibility *visibility, const burnish_geometry *geometry,
+                        uint32_t *entries, size_t count) {
+    size_t kept = 0;
+    for (size_t first = 0; first < count; first += LANES) {
+        const void *triangles[LANES];
+        for (size_t lane = 0; lane < LANES; ++lane) {
+            const size_t i = first + lane < count ? first + lane : first;
+            triangles[lane] = &geometry->triangles[entries[i]];
+        }
+        unsigned seen = find_seen_vector(visibility, triangles);
+        seen &= (unsigned)((1ull << (count - first < LANES ? count - first : LANES)) - 1);
+        for (; seen; seen &= seen - 1) {
+            entries[kept++] = entries[first + (size_t)__builtin_ctz(seen)];
+        }
+    }
+    return kept;
 }
 
 /* A coarse block is four blocks of pixels: lane by lane, then over the lanes. */
@@ -660,6 +814,55 @@ BURNISH_INLINE unsigned find_block(const burnish_visibility *tile, int block, in
         shown |= vm_bits(vi_not_negative(all)) << i;
     }
     return shown;
+}
+
+/* The samples of LANES pixels of a block, from pixel `first` on: bit t of group[s] is set where
+ * sample t shows the same triangle as sample s. */
+BURNISH_INLINE void find_points(const burnish_visibility *tile, int samples, int block, int first,
+                                burnish_shared_points *points) {
+    const int32_t *owners = tile->owners + block * samples * BURNISH_BLOCK_PIXELS + first;
+    vi owner[BURNISH_MAX_SAMPLES], group[BURNISH_MAX_SAMPLES], different = vi_set(0);
+    for (int s = 0; s < samples; ++s) {
+        owner[s] = vi_load(owners + s * BURNISH_BLOCK_PIXELS);
+        group[s] = vi_set(1 << s);
+        different = vi_or(different, vi_xor(owner[s], owner[0]));
+    }
+    const unsigned shared = bits_of_nonzero(different);
+    if (!(shared & ((1ull << LANES) - 1))) {
+        return;
+    }
+    for (int s = 0; s < samples; ++s) {
+        for (int t = s + 1; t < samples; ++t) {
+            vi x = vi_xor(owner[s], owner[t]);
+            vi same = vi_sub(vi_set(-1), vi_right_signed(vi_or(x, vi_sub(vi_set(0), x)), 31));
+            group[s] = vi_or(group[s], vi_and(same, vi_set(1 << t)));
+            group[t] = vi_or(group[t], vi_and(same, vi_set(1 << s)));
+        }
+    }
+    for (int s = 0; s < samples; ++s) { /* the first sample of a group stands for it */
+        int32_t groups[LANES];
+        unsigned rest = vm_bits(vi_not_negative(owner[s])) & shared &
+                        ~bits_of_nonzero(vi_and(group[s], vi_set((1 << s) - 1)));
+        vi_save(groups, group[s]);
+        for (; rest; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest), i = points->count++;
+            points->pixel[i] = (uint8_t)(first + lane);
+            points->samples[i] = (uint16_t)groups[lane];
+            points->owner[i] = owners[s * BURNISH_BLOCK_PIXELS + lane];
+        }
+    }
+}
+
+static void find_shared(const burnish_visibility *visibility, int block,
+                        burnish_shared_points *points) {
+    points->count = 0;
+    for (int first = 0; first < BURNISH_BLOCK_PIXELS; first += LANES) {
+        if (visibility->options.samples == 4) {
+            find_points(visibility, 4, block, first, points);
+        } else {
+            find_points(visibility, visibility->options.samples, block, first, points);
+        }
+    }
 }
 
 static void find_shown(const burnish_visibility *visibility, int strip,

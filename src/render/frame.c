@@ -114,6 +114,28 @@ static uint32_t code_behind(const burnish_render_options *options) {
                : (uint32_t)code[0] | (uint32_t)code[1] << 8 | (uint32_t)code[2] << 16;
 }
 
+/* With one sample a pixel: the blocks that show a triangle, the others are background. */
+static void encode_blocks(const burnish_frame *frame, burnish_tile_worker *worker, int number,
+                          uint32_t alpha) {
+    const burnish_strip *strip = &worker->strip;
+    const uint32_t behind = code_behind(frame->options);
+    const unsigned touched = worker->tile.touched[number];
+    for (int block = 0; block < BURNISH_TILE_STRIPS; ++block) {
+        const int first = block * BURNISH_BLOCK_PIXELS;
+        uint32_t *pixels = worker->pixels + first;
+        if (touched >> block & 1) {
+            const float *const rgb[3] = {strip->rgb[0] + first, strip->rgb[1] + first,
+                                         strip->rgb[2] + first};
+            frame->shader->batch->encode(frame->encoder, BURNISH_BLOCK_PIXELS, rgb,
+                                         strip->pixels.whole + first, alpha, behind, pixels);
+        } else {
+            for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+                pixels[i] = behind;
+            }
+        }
+    }
+}
+
 static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker, int number) {
     const burnish_strip *strip = &worker->strip;
     const float *const rgb[3] = {strip->rgb[0], strip->rgb[1], strip->rgb[2]};
@@ -121,8 +143,7 @@ static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker
     const struct burnish_batch *batch = frame->shader->batch;
     const uint32_t alpha = frame->options->transparent ? 0xff000000u : 0;
     if (samples == 1) {
-        batch->encode(frame->encoder, BURNISH_STRIP_PIXELS, rgb, strip->pixels.whole, alpha,
-                      code_behind(frame->options), worker->pixels);
+        encode_blocks(frame, worker, number, alpha);
         return;
     }
     mix_strip(frame, worker, number);

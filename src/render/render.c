@@ -174,7 +174,8 @@ struct burnish_renderer {
     burnish_attributes attributes;
     burnish_tiles tiles;
     burnish_srgb_encoder encoder;
-    uint8_t *drawn; /* a byte a triangle */
+    const burnish_batch *best; /* to ask the processor takes as long as a tile */
+    uint8_t *drawn;            /* a byte a triangle */
     size_t drawn_capacity;
 };
 
@@ -188,6 +189,7 @@ burnish_status burnish_renderer_create(burnish_renderer **renderer, burnish_erro
         return burnish_fail_memory(error, "a renderer", sizeof **renderer);
     }
     burnish_srgb_encoder_make(&(*renderer)->encoder);
+    (*renderer)->best = burnish_batch_best();
     return BURNISH_STATUS_OK;
 }
 
@@ -230,7 +232,7 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scen
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    shader->batch = options->batch ? options->batch : burnish_batch_best();
+    shader->batch = options->batch ? options->batch : renderer->best;
     shader->attributes = &renderer->attributes;
     shader->triangle_materials = mesh->triangle_materials;
     shader->needs_place = needs_place(&shader->lighting);
@@ -288,6 +290,7 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_s
     burnish_shader shader;
     burnish_shade_material *materials = NULL;
     if (!renderer || !image || !scene) {
+        burnish_image_destroy(image);
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "draw: the %s is NULL; create one first",
                             !renderer ? "renderer"
@@ -301,6 +304,7 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_s
         status = prepare_image(image, options, error);
     }
     if (status != BURNISH_STATUS_OK) {
+        burnish_image_destroy(image);
         return status;
     }
     const int marks = report && !options->skip_counts;

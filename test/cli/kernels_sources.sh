@@ -14,11 +14,11 @@ sources() {
 renderer_sources() {
     echo "-I$1/include -I$1/src -I$1/test -DBURNISH_VERSION=\"0\" -Wno-unknown-pragmas $1/test/test_visibility.c"
     for file in kernels/isa kernels/batch kernels/prepare base/elementary base/error base/memory base/srgb \
-        raster/bin raster/clip raster/geometry raster/samples raster/visibility \
-        shade/attributes shade/interpolate shade/row shade/shade; do
+        raster/bin raster/clip raster/geometry raster/samples raster/tier raster/visibility \
+        shade/attributes shade/interpolate shade/strip shade/shade; do
         echo "$1/src/$file.c"
     done
     for tier in scalar "$2"; do
-        echo "$1/src/kernels/tier_$tier.c $1/src/raster/visibility_$tier.c"
+        echo "$1/src/kernels/tier_$tier.c $1/src/raster/raster_$tier.c"
     done
 }
