@@ -2,7 +2,6 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <libdeflate.h>
 #include <png.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -13,7 +12,6 @@
 #include "base/output.h"
 #include "burnish/image.h"
 #include "harness.h"
-#include "image/deflate.h"
 
 #define CHECK_STATUS(call, expected) CHECK((call) == (expected), "not the expected status")
 
@@ -73,8 +71,8 @@ static void test_decoding(void) {
     }
 }
 
-/* Filtered rows of noise (stored), of next to nothing, and of symbols so unlike in frequency that
- * their Huffman tree must be cut down. */
+/* Filtered rows of noise (which nothing can shorten), of next to nothing, and of symbols very
+ * unlike in frequency. */
 static burnish_image make_kind(int width, int height, int channels, int kind) {
     burnish_image image = make(width, height, channels);
     size_t stride = (size_t)width * (size_t)channels, size = stride * (size_t)height;
@@ -132,40 +130,6 @@ static void test_bands(void) {
             }
         }
     }
-}
-
-/* Bands of every small size, repetitions of every length up to two pieces, the four ways a band can
- * end; a stored block in front and behind, so that a wrong boundary does not go unnoticed. */
-static void test_deflate(void) {
-    enum { MOST = 700 };
-    static uint8_t bytes[MOST], out[2 * MOST + 400], back[3 * MOST];
-    burnish_deflate_sequence sequences[MOST];
-    struct libdeflate_decompressor *decompressor = libdeflate_alloc_decompressor();
-    uint32_t seed = 7;
-    CHECK(burnish_deflate_sequence_bound(MOST) <= MOST, "room");
-    for (size_t size = 0; size < MOST; ++size) {
-        for (int kind = 0; kind < 4; ++kind) {
-            size_t distance = 3 + size % 2, used = 0, got = 0;
-            for (size_t i = 0; i < size; ++i) {
-                seed = seed * 1664525U + 1013904223U;
-                int copied = kind == 1 ? i > 9 : kind == 2 ? seed >> 24 < 200 : kind == 3;
-                bytes[i] = copied && i >= distance ? bytes[i - distance]
-                                                   : (uint8_t)(seed >> (kind == 2 ? 29 : 24));
-            }
-            for (int part = 0; part < 2; ++part) {
-                size_t packed =
-                    burnish_deflate_band(bytes, size, distance, part == 1, sequences, out + used);
-                CHECK(packed + 8 <= burnish_deflate_bound(size), "%zu of %zu bytes", packed, size);
-                used += packed;
-            }
-            enum libdeflate_result result =
-                libdeflate_deflate_decompress(decompressor, out, used, back, sizeof back, &got);
-            CHECK(result == LIBDEFLATE_SUCCESS && got == 2 * size &&
-                      memcmp(back, bytes, size) == 0 && memcmp(back + size, bytes, size) == 0,
-                  "%zu bytes of kind %d do not come back", size, kind);
-        }
-    }
-    libdeflate_free_decompressor(decompressor);
 }
 
 /* Signature and chunks, byte by byte up to the image data; libpng checks the CRC of the header. */
@@ -447,7 +411,6 @@ int main(void) {
     }
     test_decoding();
     test_bands();
-    test_deflate();
     test_chunks();
     test_new_and_existing_file();
     test_link();
