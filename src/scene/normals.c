@@ -4,6 +4,7 @@
 #include <float.h>
 
 #include "base/memory.h"
+#include "base/wide.h"
 
 #define DEGREE (3.14159265358979323846 / 180)
 
@@ -98,6 +99,22 @@ void burnish_fan_destroy(burnish_fan *fan) {
 
 /* ---- faces ---- */
 
+/* From squared lengths to lengths, and unit normals by them. Area makes the length positive: the
+ * square of the smallest product does not underflow. */
+BURNISH_ALWAYS_INLINE void unitise_body(double *lengths, double *x, double *y, double *z,
+                                        size_t count) {
+#pragma omp simd
+    for (size_t i = 0; i < count; ++i) {
+        double length = __builtin_sqrt(lengths[i]), scale = 1 / length;
+        lengths[i] = length;
+        x[i] = x[i] * scale;
+        y[i] = y[i] * scale;
+        z[i] = z[i] * scale;
+    }
+}
+BURNISH_WIDE(static, unitise, (double *lengths, double *x, double *y, double *z, size_t count),
+             (lengths, x, y, z, count))
+
 void burnish_fan_measure(burnish_fan *fan, const float *positions, const uint32_t *corner_vertices,
                          const uint32_t *corners, size_t count) {
     static const uint8_t after[5] = {0, 1, 2, 0, 1};
@@ -118,14 +135,7 @@ void burnish_fan_measure(burnish_fan *fan, const float *positions, const uint32_
         fan->next[i] = next;
         fan->previous[i] = previous;
     }
-    for (size_t i = 0; i < count; ++i) {
-        /* Area makes the length positive: the square of the smallest product does not underflow. */
-        double length = __builtin_sqrt(fan->lengths[i]), scale = 1 / length;
-        fan->lengths[i] = length;
-        fan->x[i] = fan->x[i] * scale;
-        fan->y[i] = fan->y[i] * scale;
-        fan->z[i] = fan->z[i] * scale;
-    }
+    unitise(fan->lengths, fan->x, fan->y, fan->z, count);
     if (!fan->flat) {
         burnish_atan2_array(fan->lengths, fan->dots, fan->angles, count);
     }
