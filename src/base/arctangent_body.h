@@ -48,9 +48,10 @@ ARCTANGENT_TARGET static inline ARCTANGENT(vector)
     return ARCTANGENT(select)(y < 0, -angle, angle);
 }
 
-ARCTANGENT_TARGET static void ARCTANGENT(array)(const double *y, const double *x, double *angles,
-                                                size_t count) {
-    size_t i = 0;
+/* From `first` on as many as fill whole vectors; returns where it stopped. */
+ARCTANGENT_TARGET static size_t ARCTANGENT(array)(const double *y, const double *x, double *angles,
+                                                  size_t first, size_t count) {
+    size_t i = first;
     for (; i + ARCTANGENT_LANES <= count; i += ARCTANGENT_LANES) {
         ARCTANGENT(vector) at_y, at_x, angle;
         memcpy(&at_y, y + i, sizeof at_y);
@@ -58,9 +59,7 @@ ARCTANGENT_TARGET static void ARCTANGENT(array)(const double *y, const double *x
         angle = ARCTANGENT(angle)(at_y, at_x);
         memcpy(angles + i, &angle, sizeof angle);
     }
-    for (; i < count; ++i) {
-        angles[i] = burnish_atan2(y[i], x[i]);
-    }
+    return i;
 }
 
 #undef ARCTANGENT_LANES

@@ -177,13 +177,16 @@ double burnish_atan2(double y, double x) {
 #endif
 
 void burnish_atan2_array(const double *y, const double *x, double *angles, size_t count) {
+    size_t i = 0;
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx2")) {
-        four_array(y, x, angles, count);
-        return;
+        i = four_array(y, x, angles, i, count);
     }
 #endif
-    pair_array(y, x, angles, count);
+    i = pair_array(y, x, angles, i, count);
+    for (; i < count; ++i) {
+        angles[i] = burnish_atan2(y[i], x[i]);
+    }
 }
 
 double burnish_acos(double x) {

@@ -618,6 +618,11 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
         status = keep_triangles(b, remap);
     }
     free(remap);
+    if (!b->has_colors) { /* corner_vertices tell all that is still needed */
+        free(b->source->corner_positions);
+        b->source->corner_positions = NULL;
+        b->source->corner_capacity = 0;
+    }
     if (status == BURNISH_STATUS_OK) {
         prepare_normals(b);
         orient(b);
