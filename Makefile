@@ -83,12 +83,13 @@ bench: ## time kernels, frames and whole processes (medians); rewrites docs/perf
 	@./scripts/performance build/release/kernels.csv >build/release/performance.md
 	@mv build/release/performance.md docs/performance.md
 
-bench-peers: ## time frames and whole processes against other renderers (minutes)
+bench-peers: ## time frames and whole processes against other renderers (minutes); fills docs/frames.md
 	@$(DEPS) build demo
 	@$(DEPS) peers || echo "bench-peers: going on with the peers that are installed"
 	@cmake --preset release -DBURNISH_BENCH_PEERS=ON >/dev/null
 	@cmake --build --preset release -j $(JOBS) --target bench_peers_programs
 	@./bench/peers/run build/release
+	@./scripts/frames-tables build/release/bench-peers.json docs/frames.md
 
 format: ## format the sources with clang-format
 	@$(DEPS) test
