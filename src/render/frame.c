@@ -247,6 +247,14 @@ static int thread_index(void) {
 #endif
 }
 
+/* Neighbouring tiles share cache lines of the image, so a thread takes some of them at once; but so
+ * few that the last ones are not waited for. */
+static int tiles_at_once(int count, int threads) {
+    enum { MOST = 8, TURNS = 32 };
+    const int share = count / (threads * TURNS);
+    return share < 1 ? 1 : share > MOST ? MOST : share;
+}
+
 static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tiles,
                                  burnish_error *error) {
     burnish_bins *bins = &tiles->bins;
@@ -257,8 +265,10 @@ static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tile
         if (status != BURNISH_STATUS_OK) {
             break;
         }
-        int count = bins->columns * (bins->end_row - bins->first_row);
-#pragma omp parallel for num_threads(frame->threads) schedule(dynamic)
+        const int count = bins->columns * (bins->end_row - bins->first_row);
+        const int part = tiles_at_once(count, frame->threads);
+        (void)part;
+#pragma omp parallel for num_threads(frame->threads) schedule(dynamic, part)
         for (int i = 0; i < count; ++i) {
             draw_tile(frame, bins, &tiles->workers[thread_index()], i % bins->columns,
                       bins->first_row + i / bins->columns);
