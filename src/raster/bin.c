@@ -78,39 +78,52 @@ static burnish_status start_piece(burnish_bin_slice *slice, burnish_list_chain *
     return status;
 }
 
+/* An entry at the end of a chain; 0 when there is no room. */
+static inline int add_entry(burnish_bin_slice *slice, burnish_list_chain *chain, size_t slot) {
+    uint32_t next = chain->next;
+    if (next % BURNISH_LIST_PIECE == 0) { /* full, or not begun */
+        slice->status = start_piece(slice, chain);
+        if (slice->status != BURNISH_STATUS_OK) {
+            return 0;
+        }
+        next = chain->next;
+    }
+    slice->entries[next] = (uint32_t)slot;
+    chain->next = next + 1;
+    return 1;
+}
+
 /* Slots of a run into the lists of all tiles of the band that their triangles touch. Stops early
  * where that is more pieces than the limit. */
-static burnish_status add_run(const burnish_bins *bins, burnish_bin_slice *slice, slot_run run,
-                              size_t limit) {
+static void add_run(const burnish_bins *bins, burnish_bin_slice *slice, slot_run run,
+                    size_t limit) {
     burnish_list_chain *const all = slice->chains;
     const size_t columns = (size_t)bins->columns;
-    uint32_t *entries = slice->entries;
-    for (size_t i = 0; i < run.count; ++i) {
-        const burnish_setup_triangle triangle = run.triangles[i];
-        const int column0 = triangle.blocks[0] >> BLOCK_BITS,
-                  column1 = triangle.blocks[2] >> BLOCK_BITS;
-        int row0 = triangle.blocks[1] >> BLOCK_BITS, row1 = triangle.blocks[3] >> BLOCK_BITS;
-        row0 = (row0 < bins->first_row ? bins->first_row : row0) - bins->first_row;
-        row1 = (row1 >= bins->end_row ? bins->end_row - 1 : row1) - bins->first_row;
+    const int first_row = bins->first_row, row_count = bins->end_row - first_row;
+    for (size_t i = 0; i < run.count && slice->piece_count <= limit; ++i) {
+        const burnish_setup_triangle *triangle = &run.triangles[i];
+        const uint16_t *b = triangle->blocks;
+        const int column0 = b[0] >> BLOCK_BITS, column1 = b[2] >> BLOCK_BITS;
+        int row0 = (b[1] >> BLOCK_BITS) - first_row, row1 = (b[3] >> BLOCK_BITS) - first_row;
+        burnish_list_chain *lists = all + (triangle->source & 1);
+        row0 = row0 < 0 ? 0 : row0;
+        row1 = row1 >= row_count ? row_count - 1 : row1;
+        if (row0 == row1 && column0 == column1) { /* most are in one tile */
+            const size_t tile = (size_t)row0 * columns + (size_t)column0;
+            if (!add_entry(slice, &lists[2 * tile], run.first + i)) {
+                return;
+            }
+            continue;
+        }
         for (int row = row0; row <= row1; ++row) {
-            burnish_list_chain *line = all + 2 * (size_t)row * columns + (triangle.source & 1);
             for (int column = column0; column <= column1; ++column) {
-                burnish_list_chain *chain = &line[2 * column];
-                uint32_t next = chain->next;
-                if (next % BURNISH_LIST_PIECE == 0) { /* full, or not begun */
-                    burnish_status status = start_piece(slice, chain);
-                    if (status != BURNISH_STATUS_OK || slice->piece_count > limit) {
-                        return status;
-                    }
-                    entries = slice->entries;
-                    next = chain->next;
+                const size_t tile = (size_t)row * columns + (size_t)column;
+                if (!add_entry(slice, &lists[2 * tile], run.first + i)) {
+                    return;
                 }
-                entries[next] = (uint32_t)(run.first + i);
-                chain->next = next + 1;
             }
         }
     }
-    return BURNISH_STATUS_OK;
 }
 
 /* Fills the lists of a slice of the runs. Stops early where that is more than the limit. */
@@ -128,7 +141,7 @@ static void fill_slice(const burnish_bins *bins, const burnish_geometry *geometr
     const size_t end = runs * (number + 1) / bins->slice_count;
     size_t i = runs * number / bins->slice_count;
     for (; i < end && slice->status == BURNISH_STATUS_OK && slice->piece_count <= limit; ++i) {
-        slice->status = add_run(bins, slice, run_at(geometry, i), limit);
+        add_run(bins, slice, run_at(geometry, i), limit);
     }
 }
 
