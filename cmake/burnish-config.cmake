@@ -2,6 +2,5 @@
 include(CMakeFindDependencyMacro)
 find_dependency(PkgConfig)
 find_dependency(OpenMP COMPONENTS C)
-pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
-pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(ISAL REQUIRED IMPORTED_TARGET libisal)
 include(${CMAKE_CURRENT_LIST_DIR}/burnish-targets.cmake)

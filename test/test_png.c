@@ -71,6 +71,67 @@ static void test_decoding(void) {
     }
 }
 
+/* Filtered rows of noise (which nothing can shorten), of next to nothing, and of symbols very
+ * unlike in frequency. */
+static burnish_image make_kind(int width, int height, int channels, int kind) {
+    burnish_image image = make(width, height, channels);
+    size_t stride = (size_t)width * (size_t)channels, size = stride * (size_t)height;
+    uint32_t seed = 1;
+    size_t fibonacci[24] = {1, 1}, sum = 0, symbol = 0, left = 0;
+    for (int i = 2; i < 24; ++i) {
+        fibonacci[i] = fibonacci[i - 1] + fibonacci[i - 2];
+    }
+    for (size_t i = 0; i < size; ++i) {
+        seed = seed * 1664525U + 1013904223U;
+        if (left == 0) {
+            symbol = (symbol + 1) % 24;
+            left = fibonacci[symbol];
+        }
+        --left;
+        uint8_t above = i >= stride ? image.pixels[i - stride] : 0;
+        uint8_t rare = (uint8_t)(symbol + (i % 5 == 0 ? 100 * (i % 2) : 0));
+        image.pixels[i] = (uint8_t)(above + (kind == 0   ? seed >> 24
+                                             : kind == 1 ? (i % 4000 == 0)
+                                             : kind == 2 ? 0
+                                                         : rare));
+        sum += image.pixels[i];
+    }
+    CHECK(size < 1000 || kind == 2 || sum > 0, "an empty picture");
+    return image;
+}
+
+/* Sizes on both sides of every change in the number of bands, every kind of content, and the same
+ * file from any number of threads. */
+static void test_bands(void) {
+    enum { BAND = 1 << 17 };
+    static const int widths[] = {1, 2, 5, 341, 10922, 16384};
+    for (size_t w = 0; w < sizeof widths / sizeof *widths; ++w) {
+        for (int channels = 3; channels <= 4; ++channels) {
+            int row = widths[w] * channels + 1, most = row < 64 ? 8192 : 3 * BAND / row + 2;
+            for (int height = 1; height <= most; height += height < 20 ? 1 : most / 9 + 1) {
+                int near = BAND / row + height % 3 - 1; /* a band less one row, full, and more */
+                int chosen = height % 2 && near > 0 && near <= 16384 ? near : height;
+                burnish_image image = make_kind(widths[w], chosen, channels, height % 4);
+                uint8_t *bytes, *again;
+                size_t size, again_size;
+                CHECK_STATUS(burnish_image_encode_png_threads(&image, 1, &bytes, &size, NULL),
+                             BURNISH_STATUS_OK);
+                check_decoded(&image, bytes, size);
+                for (int threads = 2; threads <= 7; threads += 5) {
+                    CHECK_STATUS(burnish_image_encode_png_threads(&image, threads, &again,
+                                                                  &again_size, NULL),
+                                 BURNISH_STATUS_OK);
+                    CHECK(size == again_size && memcmp(bytes, again, size) == 0,
+                          "%d x %d: %d threads make another file", widths[w], chosen, threads);
+                    free(again);
+                }
+                free(bytes);
+                burnish_image_destroy(&image);
+            }
+        }
+    }
+}
+
 /* Signature and chunks, byte by byte up to the image data; libpng checks the CRC of the header. */
 static void test_chunks(void) {
     static const uint8_t start[] = {137, 'P', 'N', 'G', 13,  10, 26,   10,   0,    0,   0, 13,
@@ -349,6 +410,7 @@ int main(void) {
         return EXIT_FAILURE;
     }
     test_decoding();
+    test_bands();
     test_chunks();
     test_new_and_existing_file();
     test_link();

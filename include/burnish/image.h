@@ -40,9 +40,14 @@ BURNISH_API void burnish_image_destroy(burnish_image *image);
 BURNISH_API uint64_t burnish_image_hash(const burnish_image *image);
 
 /* Encodes as PNG (8-bit RGB or RGBA, sRGB chunk). *bytes is allocated, release it with free().
- * The bytes depend on the pixels and the version of the compression library only. */
+ * The bytes depend on the pixels only. */
 BURNISH_API burnish_status burnish_image_encode_png(const burnish_image *image, uint8_t **bytes,
                                                     size_t *size, burnish_error *error);
+
+/* The same with a bound on the threads: 0 for one a processor. The bytes do not depend on it. */
+BURNISH_API burnish_status burnish_image_encode_png_threads(const burnish_image *image, int threads,
+                                                            uint8_t **bytes, size_t *size,
+                                                            burnish_error *error);
 
 /* Writes a PNG file; "-" is standard output. A file appears whole or not at all: the bytes go to
  * a temporary in the same folder, which is renamed over path. Errors: ARGUMENT, MEMORY, WRITE. */

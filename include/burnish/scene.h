@@ -119,6 +119,11 @@ BURNISH_API burnish_material burnish_material_default(void);
 /* The format that was read: OBJ, PLY, STL, or AUTO for a built-in object or the caller's arrays. */
 BURNISH_API burnish_format burnish_scene_format(const burnish_scene *scene);
 
+/* Wall time of loading: reading (opening, parsing) and building (welding, making normals). 0 for a
+ * scene from arrays. scene may be NULL. */
+BURNISH_API void burnish_scene_load_seconds(const burnish_scene *scene, double *read,
+                                            double *build);
+
 /* Where the picture is taken from. Right-handed world; the picture's up is view_up's projection. */
 typedef struct burnish_camera {
     double position[3];

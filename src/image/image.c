@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#define XXH_INLINE_ALL /* one function: no library to load for it */
 #include <xxhash.h>
 
 #include "base/memory.h"

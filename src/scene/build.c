@@ -282,23 +282,14 @@ static void append_vertex(vertex_maker *maker, uint32_t position,
 
 /* Gives each corner of one position its vertex: corners with equal normal and colour share one. In
  * the scene's indices stands the first corner of that vertex for now. */
-static void number_corners(builder *b, vertex_maker *maker, uint32_t position, size_t normal_step) {
+static void number_corners(builder *b, vertex_maker *maker, uint32_t position) {
     enum { FEW = 16 };
     const uint32_t *corners = b->corners + b->first_corner[position];
     size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
     burnish_weld_record *records = maker->records;
     uint32_t *indices = b->scene->indices;
-    size_t different = 0;
     for (size_t i = 0; i < count; ++i) {
-        describe_corner(b, corners[i], maker->normals + normal_step * i, &records[i]);
-        different += i > 0 && !same_vertex(&records[i], &records[0]);
-    }
-    if (different == 0) {
-        append_vertex(maker, position, &records[0]);
-        for (size_t i = 0; i < count; ++i) {
-            indices[corners[i]] = corners[0];
-        }
-        return;
+        describe_corner(b, corners[i], maker->normals + 3 * i, &records[i]);
     }
     if (count > FEW) {
         burnish_weld_sort(records, count);
@@ -315,12 +306,23 @@ static void number_corners(builder *b, vertex_maker *maker, uint32_t position, s
     }
 }
 
+/* All corners of a position have one normal, the first in maker, and no colour. */
+static void share_vertex(builder *b, vertex_maker *maker, uint32_t position) {
+    const uint32_t *corners = b->corners + b->first_corner[position];
+    const uint32_t *end = b->corners + b->first_corner[position + (size_t)1];
+    burnish_weld_record record = {{0}, *corners};
+    memcpy(record.key, maker->normals, 3 * sizeof(float));
+    append_vertex(maker, position, &record);
+    for (const uint32_t *corner = corners; corner < end; ++corner) {
+        b->scene->indices[*corner] = *corners;
+    }
+}
+
 /* The vertices of one position; measured: whether its corners stand in the fan, from `first` on. */
 static void make_position(builder *b, vertex_maker *maker, uint32_t position, int measured,
                           size_t first) {
     const uint32_t *corners = b->corners + b->first_corner[position];
     size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
-    size_t step = 3;
     maker->status = burnish_grow((void **)&maker->vertices, &maker->capacity, maker->count + count,
                                  sizeof *maker->vertices, "vertices", &maker->error);
     if (maker->status != BURNISH_STATUS_OK) {
@@ -328,12 +330,12 @@ static void make_position(builder *b, vertex_maker *maker, uint32_t position, in
     }
     if (measured && needs_normal(b, corners, count) &&
         burnish_fan_normals(&maker->fan, first, count, maker->normals)) {
-        step = 0;
-        if (b->source->corner_normals) {
-            for (size_t i = 1; i < count; ++i) {
-                memcpy(maker->normals + 3 * i, maker->normals, 3 * sizeof(float));
-            }
-            step = 3;
+        if (!b->source->corner_normals && !b->has_colors) {
+            share_vertex(b, maker, position);
+            return;
+        }
+        for (size_t i = 1; i < count; ++i) {
+            memcpy(maker->normals + 3 * i, maker->normals, 3 * sizeof(float));
         }
     }
     for (size_t i = 0; i < count && b->source->corner_normals; ++i) {
@@ -342,7 +344,7 @@ static void make_position(builder *b, vertex_maker *maker, uint32_t position, in
             memcpy(maker->normals + 3 * i, given, 3 * sizeof(float));
         }
     }
-    number_corners(b, maker, position, step);
+    number_corners(b, maker, position);
 }
 
 /* The vertices of positions [first, end), whose corners fit the fan; the first one may not. */

@@ -162,19 +162,53 @@ static int join(burnish_fan *fan, size_t first, uint32_t i, uint32_t j) {
     return i != j;
 }
 
-/* Every edge by comparing all pairs of faces. Returns how often two sets became one. */
-static size_t join_few(burnish_fan *fan, size_t first, size_t count) {
+/* For each face of a few the set of those that it shares a smooth edge with, as bits. Without
+ * branches: what a face shares with another can't be predicted. */
+static void find_neighbours(const burnish_fan *fan, size_t first, size_t count,
+                            uint32_t neighbours[PAIRWISE_MAX]) {
     const uint32_t *next = fan->next + first, *previous = fan->previous + first;
-    size_t joined = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        for (uint32_t j = i + 1; j < count; ++j) {
-            if ((next[i] == previous[j]) | (previous[i] == next[j]) | (next[i] == next[j]) |
-                (previous[i] == previous[j])) {
-                joined += (size_t)join(fan, first, i, j);
-            }
+    for (size_t i = 0; i < count; ++i) {
+        neighbours[i] = 0;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        burnish_vec3 normal = face_normal(fan, first + i);
+        for (size_t j = i + 1; j < count; ++j) {
+            int edge = (next[i] == previous[j]) | (previous[i] == next[j]) | (next[i] == next[j]) |
+                       (previous[i] == previous[j]);
+            double cosine = burnish_vec3_dot(normal, face_normal(fan, first + j));
+            uint32_t joined = (uint32_t)(edge & (cosine > fan->crease_cosine));
+            neighbours[i] |= joined << j;
+            neighbours[j] |= joined << i;
         }
     }
-    return joined;
+}
+
+/* Sets of joined faces among a few; returns 1 when they are one, and leaves parents alone then. */
+static int join_few(burnish_fan *fan, size_t first, size_t count) {
+    uint32_t neighbours[PAIRWISE_MAX], all = (1U << count) - 1, left = all;
+    find_neighbours(fan, first, count, neighbours);
+    for (uint32_t root = 0; left != 0; ++root) {
+        uint32_t set = 1U << root, before;
+        if (!(left & set)) {
+            continue;
+        }
+        do {
+            before = set;
+            for (size_t i = 0; i < count; ++i) {
+                set |= neighbours[i] & (0U - (set >> i & 1));
+            }
+        } while (set != before);
+        if (set == all) {
+            return 1;
+        }
+        for (size_t i = 0; i < count; ++i) {
+            if (set >> i & 1) {
+                fan->parents[i] = root;
+            }
+        }
+        left &= ~set;
+    }
+    return 0;
 }
 
 static void sift_down(uint64_t *heap, size_t root, size_t count) {
@@ -212,11 +246,12 @@ static void sort_edges(uint64_t *edges, size_t count) {
     }
 }
 
-/* The same by sorting the edges by their other end, then by face. */
-static size_t join_many(burnish_fan *fan, size_t first, size_t count) {
+/* The same for any number, by sorting the edges by their other end, then by face. */
+static int join_many(burnish_fan *fan, size_t first, size_t count) {
     uint64_t *edges = fan->edges;
     size_t joined = 0;
     for (size_t i = 0; i < count; ++i) {
+        fan->parents[i] = (uint32_t)i;
         edges[2 * i] = (uint64_t)fan->next[first + i] << 32 | i;
         edges[2 * i + 1] = (uint64_t)fan->previous[first + i] << 32 | i;
     }
@@ -231,7 +266,7 @@ static size_t join_many(burnish_fan *fan, size_t first, size_t count) {
             }
         }
     }
-    return joined;
+    return joined + 1 == count;
 }
 
 /* ---- normals ---- */
@@ -268,13 +303,12 @@ int burnish_fan_normals(burnish_fan *fan, size_t first, size_t count, float *nor
         }
         return 0;
     }
-    for (size_t i = 0; i < count; ++i) {
-        fan->parents[i] = (uint32_t)i;
-    }
-    size_t joined =
-        count <= PAIRWISE_MAX ? join_few(fan, first, count) : join_many(fan, first, count);
-    if (joined + 1 == count && store_common(fan, first, count, normals)) {
+    int one = count <= PAIRWISE_MAX ? join_few(fan, first, count) : join_many(fan, first, count);
+    if (one && store_common(fan, first, count, normals)) {
         return 1;
+    }
+    for (size_t i = 0; i < count && one; ++i) {
+        fan->parents[i] = 0;
     }
     for (size_t i = 0; i < count; ++i) {
         fan->sums[i] = (burnish_vec3){0, 0, 0};

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "scene/reader.h"
@@ -10,6 +11,12 @@
 #include "scene/text.h"
 
 enum { FIRST_CHUNK = 1 << 16, LARGEST_READ = 1 << 30 };
+
+static double seconds_now(void) {
+    struct timespec now = {0};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
 
 static burnish_status fail_errno(burnish_error *error, const char *name, const char *what,
                                  int code) {
@@ -48,6 +55,7 @@ static burnish_status read_sized(int descriptor, const char *name, size_t size, 
     if (!memory) {
         return burnish_fail_memory(error, name, size);
     }
+    burnish_advise_large(memory, size);
     int code = read_fully(descriptor, memory, size, got);
     if (code != 0) {
         free(memory);
@@ -169,15 +177,29 @@ static burnish_status read_format(const burnish_reader_input *input, burnish_for
                            "format");
 }
 
-/* Reads and builds; releases *owned, the bytes of a file, as soon as they have been read. */
-static burnish_status load(const burnish_reader_input *input, uint8_t *owned, burnish_scene **scene,
-                           burnish_error *error) {
+/* Builds; start: when reading began. */
+static burnish_status build(burnish_source *source, const char *name,
+                            const burnish_load_options *options, burnish_format format,
+                            double start, burnish_scene **scene, burnish_error *error) {
+    double read = seconds_now();
+    burnish_status status = burnish_scene_build(source, name, options, format, scene, error);
+    if (status == BURNISH_STATUS_OK) {
+        (*scene)->seconds_read = read - start;
+        (*scene)->seconds_build = seconds_now() - read;
+    }
+    return status;
+}
+
+/* Reads and builds; releases *owned, the bytes of a file, as soon as it has been read. start: when
+ * it was opened. */
+static burnish_status load(const burnish_reader_input *input, uint8_t *owned, double start,
+                           burnish_scene **scene, burnish_error *error) {
     burnish_source source = {0};
     burnish_format format;
     burnish_status status = read_format(input, &format, &source, error);
     free(owned);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_scene_build(&source, input->name, input->options, format, scene, error);
+        status = build(&source, input->name, input->options, format, start, scene, error);
     }
     burnish_source_destroy(&source);
     return status;
@@ -186,9 +208,10 @@ static burnish_status load(const burnish_reader_input *input, uint8_t *owned, bu
 static burnish_status load_builtin(const char *name, const burnish_load_options *options,
                                    burnish_scene **scene, burnish_error *error) {
     burnish_source source = {0};
+    double start = seconds_now();
     burnish_status status = burnish_make_builtin(name + 1, options, &source, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_scene_build(&source, name, options, BURNISH_FORMAT_AUTO, scene, error);
+        status = build(&source, name, options, BURNISH_FORMAT_AUTO, start, scene, error);
     }
     burnish_source_destroy(&source);
     return status;
@@ -222,6 +245,7 @@ burnish_status burnish_scene_load(const char *path, const burnish_load_options *
                                   .options = options,
                                   .open_beside = from_input ? NULL : open_beside};
     uint8_t *bytes = NULL;
+    double start = seconds_now();
     status = from_input
                  ? read_descriptor(STDIN_FILENO, input.name, 0, options->max_input_bytes, &bytes,
                                    &input.size, error)
@@ -230,7 +254,7 @@ burnish_status burnish_scene_load(const char *path, const burnish_load_options *
         return status;
     }
     input.bytes = bytes;
-    return load(&input, bytes, scene, error);
+    return load(&input, bytes, start, scene, error);
 }
 
 burnish_status burnish_scene_load_memory(const void *bytes, size_t size, const char *name,
@@ -247,5 +271,5 @@ burnish_status burnish_scene_load_memory(const void *bytes, size_t size, const c
     }
     burnish_reader_input input = {
         .bytes = given, .size = size, .name = name ? name : "memory", .options = options};
-    return load(&input, NULL, scene, error);
+    return load(&input, NULL, seconds_now(), scene, error);
 }

@@ -7,6 +7,7 @@
 
 #include "scene/append.h"
 #include "scene/ply.h"
+#include "scene/ply_rows.h"
 
 typedef struct ply_body {
     const burnish_reader_input *input;
@@ -376,10 +377,41 @@ static burnish_status begin_vertices(ply_body *ply) {
     return BURNISH_STATUS_OK;
 }
 
+/* Tries to convert all rows of a binary element at once; *done: whether that was possible. */
+static burnish_status read_rows(ply_body *ply, int *done) {
+    const burnish_ply_element *element = ply->element;
+    burnish_ply_rows rows = {.bytes = ply->text.next,
+                             .size = bytes_left(ply),
+                             .count = (size_t)element->count,
+                             .big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN,
+                             .threads = ply->input->options->threads,
+                             .properties = ply->header.properties + element->first_property,
+                             .property_count = element->property_count};
+    size_t used = 0;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (is_ascii(ply) || element->count == 0 || element->kind == BURNISH_PLY_ELEMENT_STRIPS) {
+        *done = 0;
+        return BURNISH_STATUS_OK;
+    }
+    status = element->kind == BURNISH_PLY_ELEMENT_VERTEX
+                 ? burnish_ply_vertex_rows(&rows, ply->source, &used, ply->error)
+                 : burnish_ply_triangle_rows(&rows, ply->vertex_count, ply->input->options,
+                                             ply->source, &used, ply->error);
+    ply->text.next += used;
+    *done = used > 0;
+    return status;
+}
+
 static burnish_status read_element(ply_body *ply) {
     const burnish_ply_element *element = ply->element;
-    int is_vertex = element->kind == BURNISH_PLY_ELEMENT_VERTEX;
+    int is_vertex = element->kind == BURNISH_PLY_ELEMENT_VERTEX, done = 0;
     burnish_status status = is_vertex ? begin_vertices(ply) : BURNISH_STATUS_OK;
+    if (status == BURNISH_STATUS_OK) {
+        status = read_rows(ply, &done);
+    }
+    if (status != BURNISH_STATUS_OK || done) {
+        return status;
+    }
     int has_normals = is_vertex && has_roles(ply, BURNISH_PLY_NX, BURNISH_PLY_NZ);
     int has_colors = is_vertex && has_roles(ply, BURNISH_PLY_RED, BURNISH_PLY_BLUE);
     for (ply->row = 0; ply->row < element->count && status == BURNISH_STATUS_OK; ++ply->row) {

@@ -237,3 +237,8 @@ burnish_material burnish_material_default(void) {
 burnish_format burnish_scene_format(const burnish_scene *scene) {
     return scene ? scene->format : BURNISH_FORMAT_AUTO;
 }
+
+void burnish_scene_load_seconds(const burnish_scene *scene, double *read, double *build) {
+    *read = scene ? scene->seconds_read : 0;
+    *build = scene ? scene->seconds_build : 0;
+}

@@ -27,6 +27,7 @@ struct burnish_scene {
     size_t warning_count;
 
     burnish_format format;
+    double seconds_read, seconds_build;
 };
 
 /* Errors: ARGUMENT (NULL, not started from burnish_load_options_default(), a field out of range).

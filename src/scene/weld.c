@@ -16,7 +16,7 @@
 enum {
     BUCKET_TARGET = 2048, /* positions a bucket: its table stays in the first-level cache */
     BUCKET_BITS_MAX = 12, /* more streams than that scatter badly */
-    SHARE = 16384,        /* positions that are worth a thread */
+    SHARE = 1 << 15,      /* positions that are worth a thread */
     BUCKET_MANY = 16,     /* a bucket so many times as large as on average is sorted at once */
     PROBES = 8            /* a position, on average, before a bucket counts as hostile */
 };

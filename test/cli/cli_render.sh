@@ -107,7 +107,7 @@ if iconv --version >/dev/null 2>&1; then
     check "JSON with an odd file name is UTF-8" iconv -f UTF-8 -t UTF-16 "$out"
 fi
 run render :sphere --size=16 --timing -o t.png
-check "--timing" grep -qx 'burnish: load [0-9.]* ms, transform [0-9.]* ms, draw [0-9.]* ms, encode and write [0-9.]* ms, total [0-9.]* ms' "$err"
+check "--timing" grep -qx 'burnish: start [0-9.]* ms, read [0-9.]* ms, build [0-9.]* ms, transform [0-9.]* ms, draw [0-9.]* ms, encode [0-9.]* ms, write [0-9.]* ms, total [0-9.]* ms' "$err"
 check "--timing leaves standard output alone" [ ! -s "$out" ]
 
 # Flags that must not change the picture, and flags that must.

@@ -226,7 +226,9 @@ static void print_json(void) {
         {"camera", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* (0: "
                    "perspective)"},
         {"lobe, equation, viewer, lights, samples, threads", "as used"},
-        {"seconds", "*load*, *transform*, *draw*, *encode* (with writing), *total*"},
+        {"seconds", "*start* (processor time before loading), *load* (of which *read* and "
+                    "*build*), *transform*, "
+                    "*draw*, *encode*, *write*, *total* (from *load* on)"},
         {"hash, hash_algorithm",
          "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
         {"blank", "true when the picture, or a cell, shows nothing"},

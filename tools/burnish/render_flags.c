@@ -343,7 +343,9 @@ static const burnish_cli_flag flags[] = {
      .handler = burnish_cli_flag_switch,
      TARGET(json)},
     {.name = "timing",
-     .manual = "Prints the milliseconds of each phase on standard error.",
+     .manual =
+         "Prints the milliseconds of each phase on standard error: *start* is the processor time "
+         "before loading, *total* begins behind it.",
      .handler = burnish_cli_flag_switch,
      TARGET(timing)},
     {.name = "quiet",

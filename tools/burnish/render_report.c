@@ -251,11 +251,15 @@ static void add_run(cJSON *root, const burnish_cli_result *result, int *failed) 
     add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
     add(root, "samples", cJSON_CreateNumber(options->samples), failed);
     add(root, "threads", cJSON_CreateNumber(result->cells[0].report.threads), failed);
+    add(times, "start", duration(seconds->start), failed);
     add(root, "isa", cJSON_CreateString(burnish_isa_name(result->cells[0].report.isa)), failed);
     add(times, "load", duration(seconds->load), failed);
+    add(times, "read", duration(seconds->read), failed);
+    add(times, "build", duration(seconds->build), failed);
     add(times, "transform", duration(seconds->transform), failed);
     add(times, "draw", duration(seconds->draw), failed);
     add(times, "encode", duration(seconds->encode), failed);
+    add(times, "write", duration(seconds->write), failed);
     add(times, "total", duration(seconds->total), failed);
     add(root, "seconds", times, failed);
     add(root, "hash", hash_text(result->hash), failed);
@@ -294,9 +298,16 @@ burnish_status burnish_cli_print_json(const burnish_cli_result *result, burnish_
 }
 
 void burnish_cli_print_timing(const burnish_cli_seconds *seconds) {
-    fprintf(stderr,
-            "burnish: load %.2f ms, transform %.2f ms, draw %.2f ms, encode and write %.2f ms, "
-            "total %.2f ms\n",
-            seconds->load * 1e3, seconds->transform * 1e3, seconds->draw * 1e3,
-            seconds->encode * 1e3, seconds->total * 1e3);
+    const struct {
+        const char *name;
+        double seconds;
+    } phases[] = {{"start", seconds->start}, {"read", seconds->read},
+                  {"build", seconds->build}, {"transform", seconds->transform},
+                  {"draw", seconds->draw},   {"encode", seconds->encode},
+                  {"write", seconds->write}, {"total", seconds->total}};
+    for (size_t i = 0; i < sizeof phases / sizeof *phases; ++i) {
+        fprintf(stderr, "%s%s %.2f ms", i == 0 ? "burnish: " : ", ", phases[i].name,
+                phases[i].seconds * 1e3);
+    }
+    fprintf(stderr, "\n");
 }

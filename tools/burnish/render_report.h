@@ -15,8 +15,10 @@ typedef struct burnish_cli_cell {
     char label[96];
 } burnish_cli_cell;
 
+/* Wall time of the phases, but for start: the processor time of the program before it loads. Load
+ * is read and build together; total begins with load. */
 typedef struct burnish_cli_seconds {
-    double load, transform, draw, encode, total;
+    double start, load, read, build, transform, draw, encode, write, total;
 } burnish_cli_seconds;
 
 /* Everything that a run has found out. */
