@@ -145,14 +145,24 @@ static void fill_slice(const burnish_bins *bins, const burnish_geometry *geometr
     }
 }
 
+/* What the tasks of a band share. */
+typedef struct fill_context {
+    const burnish_bins *bins;
+    const burnish_geometry *geometry;
+    size_t limit; /* pieces a slice */
+} fill_context;
+
+static void fill_task(void *of, size_t index, int thread) {
+    const fill_context *context = of;
+    (void)thread;
+    fill_slice(context->bins, context->geometry, index, context->limit);
+}
+
 /* Fills the band; *fits becomes 0 where the slices had to stop. */
 static burnish_status fill(burnish_bins *bins, const burnish_geometry *geometry, size_t limit,
-                           int threads, int *fits, burnish_error *error) {
-    (void)threads;
-#pragma omp parallel for num_threads(threads) schedule(dynamic)
-    for (size_t i = 0; i < bins->slice_count; ++i) {
-        fill_slice(bins, geometry, i, limit / bins->slice_count);
-    }
+                           burnish_pool *pool, int *fits, burnish_error *error) {
+    fill_context context = {bins, geometry, limit / bins->slice_count};
+    burnish_pool_run(pool, bins->slice_count, 1, 1, fill_task, &context);
     *fits = 1;
     for (size_t i = 0; i < bins->slice_count; ++i) {
         const burnish_bin_slice *slice = &bins->slices[i];
@@ -162,7 +172,7 @@ static burnish_status fill(burnish_bins *bins, const burnish_geometry *geometry,
             }
             return slice->status;
         }
-        *fits &= slice->piece_count <= limit / bins->slice_count;
+        *fits &= slice->piece_count <= context.limit;
     }
     return BURNISH_STATUS_OK;
 }
@@ -187,22 +197,22 @@ static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *ge
 }
 
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,
-                                 const burnish_raster_view *view, int threads,
+                                 const burnish_raster_view *view, burnish_pool *pool,
                                  burnish_error *error) {
     bins->columns = (view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->rows = (view->height + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->first_row = bins->end_row;
-    burnish_status status = make_slices(bins, geometry, threads, error);
+    burnish_status status = make_slices(bins, geometry, burnish_pool_threads(pool), error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     /* all rows that are left, if they fit; then as many as do for certain */
     int fits;
     bins->end_row = bins->rows;
-    status = fill(bins, geometry, bins->entry_budget / BURNISH_LIST_PIECE, threads, &fits, error);
+    status = fill(bins, geometry, bins->entry_budget / BURNISH_LIST_PIECE, pool, &fits, error);
     if (status == BURNISH_STATUS_OK && !fits) {
         bins->end_row = choose_end_row(bins, geometry);
-        status = fill(bins, geometry, SIZE_MAX, threads, &fits, error);
+        status = fill(bins, geometry, SIZE_MAX, pool, &fits, error);
     }
     return status;
 }
