@@ -90,12 +90,13 @@ bench-scale: ## time and memory up to MOST=100000000 triangles and 16384x16384 p
 	@cmake --build --preset release -j $(JOBS)
 	@./scripts/scale-tables build/release/bench_scale build/release/burnish build/release docs/performance.md $(MOST)
 
-bench-peers: ## time frames and whole processes against other renderers (minutes)
+bench-peers: ## time frames and whole processes against other renderers (minutes); fills docs/frames.md
 	@$(DEPS) build demo
 	@$(DEPS) peers || echo "bench-peers: going on with the peers that are installed"
 	@cmake --preset release -DBURNISH_BENCH_PEERS=ON >/dev/null
 	@cmake --build --preset release -j $(JOBS) --target bench_peers_programs
 	@./bench/peers/run build/release
+	@./scripts/frames-tables build/release/bench-peers.json docs/frames.md
 
 format: ## format the sources with clang-format
 	@$(DEPS) test

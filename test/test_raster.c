@@ -101,7 +101,7 @@ static void check_each_sample_once(const char *name, const burnish_raster_view *
     burnish_error error;
     if (!CHECK(burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), view,
                                        mesh->positions, mesh->vertex_count, mesh->indices,
-                                       mesh->triangle_count, 1, &error) == BURNISH_STATUS_OK,
+                                       mesh->triangle_count, NULL, &error) == BURNISH_STATUS_OK,
                "%s", error.text)) {
         return;
     }
@@ -193,7 +193,7 @@ static void check_bins(void) {
     burnish_geometry geometry = {0};
     CHECK(burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), &view,
                                   mesh.positions, mesh.vertex_count, mesh.indices,
-                                  mesh.triangle_count, 2, NULL) == BURNISH_STATUS_OK,
+                                  mesh.triangle_count, NULL, NULL) == BURNISH_STATUS_OK,
           "geometry");
     uint32_t all[MAX_TRIANGLES];
     for (uint32_t back = 0, i = 0; back < 2; ++back) { /* fronts first, as the lists have them */
@@ -207,13 +207,13 @@ static void check_bins(void) {
     reference_tile_create(&tile, 4, NULL);
     reference_tile_create(&expected, 4, NULL);
     for (int run = 0; run < 9; ++run) {
+        burnish_pool *pool = burnish_pool_create(THREADS[run % 3]);
         burnish_bins bins = {0};
         burnish_bins_begin(&bins);
         bins.entry_budget = BUDGETS[run / 3];
         int tiles = 0, bands = 0, wrong = 0;
         do {
-            CHECK(burnish_bin_tiles(&bins, &geometry, &view, THREADS[run % 3], NULL) ==
-                      BURNISH_STATUS_OK,
+            CHECK(burnish_bin_tiles(&bins, &geometry, &view, pool, NULL) == BURNISH_STATUS_OK,
                   "bins");
             ++bands;
             for (int row = bins.first_row; row < bins.end_row; ++row) {
@@ -233,6 +233,7 @@ static void check_bins(void) {
         CHECK(wrong == 0, "%d tiles differ with %d threads, budget %zu", wrong, THREADS[run % 3],
               BUDGETS[run / 3]);
         burnish_bins_destroy(&bins);
+        burnish_pool_destroy(pool);
     }
     reference_tile_destroy(&tile);
     reference_tile_destroy(&expected);
@@ -264,11 +265,11 @@ static void check_fragments(void) {
     burnish_raster_view view = parallel_view(SIZE, SIZE, 4);
     burnish_geometry geometry = {0};
     burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), &view,
-                            mesh.positions, 6, mesh.indices, 2, 1, NULL);
+                            mesh.positions, 6, mesh.indices, 2, NULL, NULL);
     CHECK(geometry.triangle_count == 2 && geometry.triangles[0].source == 0, "two front faces");
     burnish_bins bins = {0};
     burnish_bins_begin(&bins);
-    burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
+    burnish_bin_tiles(&bins, &geometry, &view, NULL, NULL);
     reference_tile tile;
     reference_tile_create(&tile, 4, NULL);
     reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);

@@ -304,7 +304,7 @@ static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
     shader->triangle_materials = next_random(state) & 1 ? scene->materials : NULL;
     shader->attributes = attributes;
     burnish_attributes_update(attributes, geometry, scene->normals,
-                              next_random(state) & 1 ? scene->colors : NULL, scene->indices, 1,
+                              next_random(state) & 1 ? scene->colors : NULL, scene->indices, NULL,
                               NULL);
 }
 
@@ -323,7 +323,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
     burnish_shade_cache cache = {.material = -1};
     const burnish_raster_tier *tier = burnish_raster_tier_of(pick_isa(state));
     burnish_geometry_update(&geometry, tier, &view, scene->positions, scene->vertex_count,
-                            scene->indices, scene->triangle_count, 1, NULL);
+                            scene->indices, scene->triangle_count, NULL, NULL);
     check_geometry(scene, &view, &geometry, number);
     make_shader(&shader, &attributes, materials, scene, &geometry, state);
     reference_tile_create(&tile, samples, NULL);
@@ -340,7 +340,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
     }
     burnish_bins_begin(&bins);
     do {
-        burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
+        burnish_bin_tiles(&bins, &geometry, &view, NULL, NULL);
         for (int row = bins.first_row; row < bins.end_row; ++row) {
             for (int column = 0; column < bins.columns; ++column) {
                 int drawn = reference_draw_tile(&tile, &view, &geometry, &bins, column, row);
@@ -389,10 +389,10 @@ static void check_forgetting(void) {
     const burnish_raster_tier *tier = burnish_raster_tier_of(BURNISH_ISA_SCALAR);
     const burnish_visibility_options options = {.samples = SAMPLES, .planes = 3};
     burnish_geometry_update(&geometry, tier, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS,
-                            1, NULL);
-    burnish_attributes_update(&attributes, &geometry, normals, NULL, indices, 1, NULL);
+                            NULL, NULL);
+    burnish_attributes_update(&attributes, &geometry, normals, NULL, indices, NULL, NULL);
     burnish_bins_begin(&bins);
-    burnish_bin_tiles(&bins, &geometry, &view, 1, NULL);
+    burnish_bin_tiles(&bins, &geometry, &view, NULL, NULL);
     reference_tile_create(&tile, SAMPLES, NULL);
     burnish_visibility_create(&fast, &options, NULL);
     fast.attributes[0] = attributes.normals;

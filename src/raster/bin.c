@@ -78,39 +78,52 @@ static burnish_status start_piece(burnish_bin_slice *slice, burnish_list_chain *
     return status;
 }
 
+/* An entry at the end of a chain; 0 when there is no room. */
+static inline int add_entry(burnish_bin_slice *slice, burnish_list_chain *chain, size_t slot) {
+    uint32_t next = chain->next;
+    if (next % BURNISH_LIST_PIECE == 0) { /* full, or not begun */
+        slice->status = start_piece(slice, chain);
+        if (slice->status != BURNISH_STATUS_OK) {
+            return 0;
+        }
+        next = chain->next;
+    }
+    slice->entries[next] = (uint32_t)slot;
+    chain->next = next + 1;
+    return 1;
+}
+
 /* Slots of a run into the lists of all tiles of the band that their triangles touch. Stops early
  * where that is more pieces than the limit. */
-static burnish_status add_run(const burnish_bins *bins, burnish_bin_slice *slice, slot_run run,
-                              size_t limit) {
+static void add_run(const burnish_bins *bins, burnish_bin_slice *slice, slot_run run,
+                    size_t limit) {
     burnish_list_chain *const all = slice->chains;
     const size_t columns = (size_t)bins->columns;
-    uint32_t *entries = slice->entries;
-    for (size_t i = 0; i < run.count; ++i) {
-        const burnish_setup_triangle triangle = run.triangles[i];
-        const int column0 = triangle.blocks[0] >> BLOCK_BITS,
-                  column1 = triangle.blocks[2] >> BLOCK_BITS;
-        int row0 = triangle.blocks[1] >> BLOCK_BITS, row1 = triangle.blocks[3] >> BLOCK_BITS;
-        row0 = (row0 < bins->first_row ? bins->first_row : row0) - bins->first_row;
-        row1 = (row1 >= bins->end_row ? bins->end_row - 1 : row1) - bins->first_row;
+    const int first_row = bins->first_row, row_count = bins->end_row - first_row;
+    for (size_t i = 0; i < run.count && slice->piece_count <= limit; ++i) {
+        const burnish_setup_triangle *triangle = &run.triangles[i];
+        const uint16_t *b = triangle->blocks;
+        const int column0 = b[0] >> BLOCK_BITS, column1 = b[2] >> BLOCK_BITS;
+        int row0 = (b[1] >> BLOCK_BITS) - first_row, row1 = (b[3] >> BLOCK_BITS) - first_row;
+        burnish_list_chain *lists = all + (triangle->source & 1);
+        row0 = row0 < 0 ? 0 : row0;
+        row1 = row1 >= row_count ? row_count - 1 : row1;
+        if (row0 == row1 && column0 == column1) { /* most are in one tile */
+            const size_t tile = (size_t)row0 * columns + (size_t)column0;
+            if (!add_entry(slice, &lists[2 * tile], run.first + i)) {
+                return;
+            }
+            continue;
+        }
         for (int row = row0; row <= row1; ++row) {
-            burnish_list_chain *line = all + 2 * (size_t)row * columns + (triangle.source & 1);
             for (int column = column0; column <= column1; ++column) {
-                burnish_list_chain *chain = &line[2 * column];
-                uint32_t next = chain->next;
-                if (next % BURNISH_LIST_PIECE == 0) { /* full, or not begun */
-                    burnish_status status = start_piece(slice, chain);
-                    if (status != BURNISH_STATUS_OK || slice->piece_count > limit) {
-                        return status;
-                    }
-                    entries = slice->entries;
-                    next = chain->next;
+                const size_t tile = (size_t)row * columns + (size_t)column;
+                if (!add_entry(slice, &lists[2 * tile], run.first + i)) {
+                    return;
                 }
-                entries[next] = (uint32_t)(run.first + i);
-                chain->next = next + 1;
             }
         }
     }
-    return BURNISH_STATUS_OK;
 }
 
 /* Fills the lists of a slice of the runs. Stops early where that is more than the limit. */
@@ -128,18 +141,28 @@ static void fill_slice(const burnish_bins *bins, const burnish_geometry *geometr
     const size_t end = runs * (number + 1) / bins->slice_count;
     size_t i = runs * number / bins->slice_count;
     for (; i < end && slice->status == BURNISH_STATUS_OK && slice->piece_count <= limit; ++i) {
-        slice->status = add_run(bins, slice, run_at(geometry, i), limit);
+        add_run(bins, slice, run_at(geometry, i), limit);
     }
+}
+
+/* What the tasks of a band share. */
+typedef struct fill_context {
+    const burnish_bins *bins;
+    const burnish_geometry *geometry;
+    size_t limit; /* pieces a slice */
+} fill_context;
+
+static void fill_task(void *of, size_t index, int thread) {
+    const fill_context *context = of;
+    (void)thread;
+    fill_slice(context->bins, context->geometry, index, context->limit);
 }
 
 /* Fills the band; *fits becomes 0 where the slices had to stop. */
 static burnish_status fill(burnish_bins *bins, const burnish_geometry *geometry, size_t limit,
-                           int threads, int *fits, burnish_error *error) {
-    (void)threads;
-#pragma omp parallel for num_threads(threads) schedule(dynamic)
-    for (size_t i = 0; i < bins->slice_count; ++i) {
-        fill_slice(bins, geometry, i, limit / bins->slice_count);
-    }
+                           burnish_pool *pool, int *fits, burnish_error *error) {
+    fill_context context = {bins, geometry, limit / bins->slice_count};
+    burnish_pool_run(pool, bins->slice_count, 1, 1, fill_task, &context);
     *fits = 1;
     for (size_t i = 0; i < bins->slice_count; ++i) {
         const burnish_bin_slice *slice = &bins->slices[i];
@@ -149,7 +172,7 @@ static burnish_status fill(burnish_bins *bins, const burnish_geometry *geometry,
             }
             return slice->status;
         }
-        *fits &= slice->piece_count <= limit / bins->slice_count;
+        *fits &= slice->piece_count <= context.limit;
     }
     return BURNISH_STATUS_OK;
 }
@@ -174,22 +197,22 @@ static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *ge
 }
 
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,
-                                 const burnish_raster_view *view, int threads,
+                                 const burnish_raster_view *view, burnish_pool *pool,
                                  burnish_error *error) {
     bins->columns = (view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->rows = (view->height + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->first_row = bins->end_row;
-    burnish_status status = make_slices(bins, geometry, threads, error);
+    burnish_status status = make_slices(bins, geometry, burnish_pool_threads(pool), error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     /* all rows that are left, if they fit; then as many as do for certain */
     int fits;
     bins->end_row = bins->rows;
-    status = fill(bins, geometry, bins->entry_budget / BURNISH_LIST_PIECE, threads, &fits, error);
+    status = fill(bins, geometry, bins->entry_budget / BURNISH_LIST_PIECE, pool, &fits, error);
     if (status == BURNISH_STATUS_OK && !fits) {
         bins->end_row = choose_end_row(bins, geometry);
-        status = fill(bins, geometry, SIZE_MAX, threads, &fits, error);
+        status = fill(bins, geometry, SIZE_MAX, pool, &fits, error);
     }
     return status;
 }

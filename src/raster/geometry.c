@@ -23,14 +23,6 @@ typedef struct chunk_output {
     burnish_error error;
 } chunk_output;
 
-typedef struct setup_context {
-    const burnish_raster_tier *tier;
-    const burnish_raster_view *view;
-    const burnish_screen_vertices *vertices;
-    const float *positions;
-    const uint32_t *indices;
-} setup_context;
-
 int32_t burnish_to_fixed(float pixels) {
     const float rounder = 12582912.0f; /* 1.5 * 2^23: adding it leaves no fraction bits */
     float sum = pixels * (float)BURNISH_SUBPIXELS + rounder;
@@ -57,16 +49,22 @@ static burnish_screen_vertex project(const burnish_raster_view *view, const floa
     return vertex;
 }
 
-static void transform(burnish_screen_vertices *vertices, const burnish_raster_tier *tier,
-                      const burnish_raster_view *view, const float *positions, int threads) {
-    const size_t tasks = (vertices->mesh_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK;
-    (void)threads;
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (size_t i = 0; i < tasks; ++i) {
-        size_t end = (i + 1) * BURNISH_CHUNK;
-        tier->transform(vertices, view, positions, i * BURNISH_CHUNK,
-                        end < vertices->mesh_count ? end : vertices->mesh_count);
-    }
+/* What the tasks of burnish_geometry_update share. */
+typedef struct chunk_context {
+    burnish_geometry *geometry;
+    const burnish_raster_tier *tier;
+    const burnish_raster_view *view;
+    const float *positions;
+    struct chunk_output *chunks;
+} chunk_context;
+
+static void transform_chunk(void *of, size_t index, int thread) {
+    const chunk_context *context = of;
+    burnish_screen_vertices *vertices = &context->geometry->vertices;
+    const size_t first = index * BURNISH_CHUNK, end = first + BURNISH_CHUNK;
+    (void)thread;
+    context->tier->transform(vertices, context->view, context->positions, first,
+                             end < vertices->mesh_count ? end : vertices->mesh_count);
 }
 
 static int64_t min3(int64_t a, int64_t b, int64_t c) {
@@ -129,11 +127,11 @@ static burnish_status append_piece(chunk_output *output, const clipped_piece *pi
 
 /* Cuts the triangle and appends what is left as a fan. The new vertices are numbered from
  * mesh_count + the chunk's own count; join_pieces adds the chunk's place. */
-static burnish_status append_clipped(const setup_context *context, uint32_t source,
+static burnish_status append_clipped(const chunk_context *context, uint32_t source,
                                      chunk_output *output) {
     burnish_clip_corner corners[BURNISH_CLIP_MAX];
     for (int i = 0; i < 3; ++i) {
-        uint32_t vertex = context->indices[3 * (size_t)source + i];
+        uint32_t vertex = context->geometry->indices[3 * (size_t)source + i];
         to_clip_space(context->view, context->positions + 3 * (size_t)vertex, corners[i].position);
         for (int j = 0; j < 3; ++j) {
             corners[i].weights[j] = i == j;
@@ -165,7 +163,8 @@ static burnish_status append_clipped(const setup_context *context, uint32_t sour
     }
     output->clip_count = first + count;
     for (int i = 1; i + 1 < count && status == BURNISH_STATUS_OK; ++i) {
-        const uint32_t base = (uint32_t)(context->vertices->mesh_count + first), a = base + i;
+        const uint32_t base = (uint32_t)(context->geometry->vertices.mesh_count + first),
+                       a = base + i;
         const burnish_screen_vertex v[3] = {at[0], at[i], at[i + 1]};
         clipped_piece piece = {{0}, {{0}, 0}};
         if (set_up(context->view, v, source, &piece.triangle)) {
@@ -179,13 +178,13 @@ static burnish_status append_clipped(const setup_context *context, uint32_t sour
 }
 
 /* A triangle that the tier leaves to us: clipped or large. Returns 1 in *kept when it is whole. */
-static burnish_status set_up_other(const setup_context *context, size_t triangle,
+static burnish_status set_up_other(const chunk_context *context, size_t triangle,
                                    burnish_setup_triangle *made, int *kept, chunk_output *output) {
     burnish_screen_vertex v[3];
     unsigned outcodes = 0;
     *kept = 0;
     for (size_t i = 0; i < 3; ++i) {
-        v[i] = context->vertices->items[context->indices[3 * triangle + i]];
+        v[i] = context->geometry->vertices.items[context->geometry->indices[3 * triangle + i]];
         outcodes |= v[i].outcode;
     }
     if (outcodes & BURNISH_OUT_CLIP) {
@@ -196,13 +195,14 @@ static burnish_status set_up_other(const setup_context *context, size_t triangle
 }
 
 /* Sets up the mesh's triangles [first, end) into the slots from `first` on. */
-static burnish_status set_up_chunk(const setup_context *context, size_t first, size_t end,
+static burnish_status set_up_chunk(const chunk_context *context, size_t first, size_t end,
                                    burnish_setup_triangle *slots, chunk_output *output) {
     burnish_setup_triangle block[BURNISH_SETUP_BLOCK];
     for (size_t at = first; at < end; at += BURNISH_SETUP_BLOCK) {
         const size_t count = end - at < BURNISH_SETUP_BLOCK ? end - at : BURNISH_SETUP_BLOCK;
-        unsigned others, kept = context->tier->set_up(context->vertices, context->view,
-                                                      context->indices, at, count, block, &others);
+        unsigned others,
+            kept = context->tier->set_up(&context->geometry->vertices, context->view,
+                                         context->geometry->indices, at, count, block, &others);
         for (unsigned i = 0; i < count; ++i) {
             if (others >> i & 1) { /* hardly ever */
                 int whole;
@@ -328,25 +328,28 @@ static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
     return status;
 }
 
-static burnish_status set_up_all(burnish_geometry *geometry, const setup_context *context,
-                                 int threads, burnish_error *error) {
-    (void)threads;
-    const size_t end = geometry->whole_slots;
-    chunk_output *chunks =
-        calloc(geometry->chunk_count ? geometry->chunk_count : 1, sizeof *chunks);
+static void set_up_task(void *of, size_t index, int thread) {
+    const chunk_context *context = of;
+    burnish_geometry *geometry = context->geometry;
+    const size_t first = index * BURNISH_CHUNK, rest = geometry->whole_slots - first;
+    chunk_output *output = &context->chunks[index];
+    (void)thread;
+    output->status =
+        set_up_chunk(context, first, first + (rest < BURNISH_CHUNK ? rest : BURNISH_CHUNK),
+                     geometry->triangles + first, output);
+}
+
+static burnish_status set_up_all(chunk_context *context, burnish_pool *pool, burnish_error *error) {
+    burnish_geometry *geometry = context->geometry;
+    const size_t count = geometry->chunk_count;
+    chunk_output *chunks = calloc(count ? count : 1, sizeof *chunks);
     if (!chunks) {
-        return burnish_fail_memory(error, "triangle chunks",
-                                   geometry->chunk_count * sizeof *chunks);
+        return burnish_fail_memory(error, "triangle chunks", count * sizeof *chunks);
     }
-#pragma omp parallel for num_threads(threads) schedule(dynamic)
-    for (size_t i = 0; i < geometry->chunk_count; ++i) {
-        const size_t first = i * BURNISH_CHUNK;
-        chunks[i].status =
-            set_up_chunk(context, first, end - first < BURNISH_CHUNK ? end : first + BURNISH_CHUNK,
-                         geometry->triangles + first, &chunks[i]);
-    }
+    context->chunks = chunks;
+    burnish_pool_run(pool, count, 1, 1, set_up_task, context);
     burnish_status status = join_chunks(geometry, context->view, chunks, error);
-    for (size_t i = 0; i < geometry->chunk_count; ++i) {
+    for (size_t i = 0; i < count; ++i) {
         free(chunks[i].pieces);
         free(chunks[i].clips);
         free(chunks[i].corners);
@@ -358,13 +361,15 @@ static burnish_status set_up_all(burnish_geometry *geometry, const setup_context
 burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_tier *tier,
                                        const burnish_raster_view *view, const float *positions,
                                        size_t vertex_count, const uint32_t *indices,
-                                       size_t triangle_count, int threads, burnish_error *error) {
+                                       size_t triangle_count, burnish_pool *pool,
+                                       burnish_error *error) {
     burnish_status status = allocate(geometry, vertex_count, triangle_count, error);
     if (status == BURNISH_STATUS_OK) {
-        setup_context context = {tier, view, &geometry->vertices, positions, indices};
+        chunk_context context = {geometry, tier, view, positions, NULL};
         geometry->indices = indices;
-        transform(&geometry->vertices, tier, view, positions, threads);
-        status = set_up_all(geometry, &context, threads, error);
+        burnish_pool_run(pool, (vertex_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 1,
+                         transform_chunk, &context);
+        status = set_up_all(&context, pool, error);
     }
     return status;
 }

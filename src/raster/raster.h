@@ -20,6 +20,7 @@
 #include <stdint.h>
 
 #include "base/error.h"
+#include "base/pool.h"
 #include "burnish/isa.h"
 
 enum {
@@ -139,12 +140,13 @@ typedef struct burnish_raster_tier burnish_raster_tier;
 const burnish_raster_tier *burnish_raster_tier_of(burnish_isa isa);
 
 /* Transforms, clips, culls. positions: 3 floats a vertex; indices: 3 a triangle, which must outlive
- * the geometry's use. threads: >= 1; the result does not depend on them or the tier.
+ * the geometry's use. The result does not depend on the pool or the tier.
  * Errors: MEMORY, LIMIT; destroy it all the same. */
 burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_tier *tier,
                                        const burnish_raster_view *view, const float *positions,
                                        size_t vertex_count, const uint32_t *indices,
-                                       size_t triangle_count, int threads, burnish_error *error);
+                                       size_t triangle_count, burnish_pool *pool,
+                                       burnish_error *error);
 void burnish_geometry_destroy(burnish_geometry *geometry);
 
 /* Rounds to 1/256 pixel, halves to even, so that mirrored scenes stay mirrored; abs(pixels) <
@@ -201,9 +203,9 @@ typedef struct burnish_bins {
 void burnish_bins_begin(burnish_bins *bins);
 
 /* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries under
- * the budget, at least one. The lists do not depend on threads. */
+ * the budget, at least one. The lists do not depend on the pool. */
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,
-                                 const burnish_raster_view *view, int threads,
+                                 const burnish_raster_view *view, burnish_pool *pool,
                                  burnish_error *error);
 
 /* Reads a list in order. */

@@ -5,10 +5,6 @@
 #include "base/memory.h"
 #include "base/srgb.h"
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 /* What one thread needs to draw tiles, and what it counted. */
 struct burnish_tile_worker {
     burnish_visibility tile;
@@ -239,12 +235,26 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     }
 }
 
-static int thread_index(void) {
-#ifdef _OPENMP
-    return omp_get_thread_num();
-#else
-    return 0;
-#endif
+/* What the tasks of a band share. */
+typedef struct band_context {
+    const burnish_frame *frame;
+    const burnish_bins *bins;
+    burnish_tile_worker *workers;
+} band_context;
+
+static void draw_task(void *of, size_t index, int thread) {
+    const band_context *context = of;
+    const burnish_bins *bins = context->bins;
+    draw_tile(context->frame, bins, &context->workers[thread], (int)index % bins->columns,
+              bins->first_row + (int)index / bins->columns);
+}
+
+/* Neighbouring tiles share cache lines of the image, so a thread takes some of them at once; but so
+ * few that the last ones are not waited for. */
+static size_t tiles_at_once(int count, int threads) {
+    enum { MOST = 8, TURNS = 32 };
+    const int share = count / (threads * TURNS);
+    return (size_t)(share < 1 ? 1 : share > MOST ? MOST : share);
 }
 
 static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tiles,
@@ -253,16 +263,14 @@ static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tile
     burnish_status status = BURNISH_STATUS_OK;
     burnish_bins_begin(bins);
     do {
-        status = burnish_bin_tiles(bins, frame->geometry, frame->view, frame->threads, error);
+        status = burnish_bin_tiles(bins, frame->geometry, frame->view, frame->pool, error);
         if (status != BURNISH_STATUS_OK) {
             break;
         }
-        int count = bins->columns * (bins->end_row - bins->first_row);
-#pragma omp parallel for num_threads(frame->threads) schedule(dynamic)
-        for (int i = 0; i < count; ++i) {
-            draw_tile(frame, bins, &tiles->workers[thread_index()], i % bins->columns,
-                      bins->first_row + i / bins->columns);
-        }
+        const int count = bins->columns * (bins->end_row - bins->first_row);
+        band_context context = {frame, bins, tiles->workers};
+        burnish_pool_run(frame->pool, (size_t)count, tiles_at_once(count, tiles->worker_count), 1,
+                         draw_task, &context);
     } while (bins->end_row < bins->rows);
     return status;
 }
@@ -311,6 +319,14 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
     return status;
 }
 
+/* A worker a thread, but no more than there are tiles. */
+static int worker_count(const burnish_frame *frame) {
+    const int columns = (frame->view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
+    const int rows = (frame->view->height + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
+    const int threads = burnish_pool_threads(frame->pool);
+    return threads < columns * rows ? threads : columns * rows;
+}
+
 /* Workers that can draw the frame: those of the last one where they do. */
 static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles *tiles,
                                       burnish_error *error) {
@@ -321,10 +337,11 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
                                                               frame->drawn != NULL,
                                                .needs_place = shader->needs_place};
     burnish_status status = BURNISH_STATUS_OK;
-    if (tiles->worker_count != frame->threads ||
+    const int threads = worker_count(frame);
+    if (tiles->worker_count != threads ||
         memcmp(&tiles->workers[0].tile.options, &wanted, sizeof wanted) != 0) {
         destroy_workers(tiles);
-        status = create_workers(tiles, frame->threads, &wanted, error);
+        status = create_workers(tiles, threads, &wanted, error);
     }
     for (int i = 0; i < tiles->worker_count; ++i) {
         tiles->workers[i].cache.material = -1;

@@ -6,15 +6,10 @@
 #include <time.h>
 
 #include "base/memory.h"
+#include "base/pool.h"
 #include "render/frame.h"
 #include "render/materials.h"
 #include "render/view.h"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
-enum { MAX_THREADS = 1024 };
 
 /* Marks options that burnish_render_options_default() made. */
 #define RENDER_COOKIE 0x62726e64u
@@ -124,26 +119,15 @@ static burnish_status check_options(const burnish_render_options *options, burni
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "samples: %d is not 1, 4, 8 or 16",
                             options->samples);
     }
-    if (options->threads < 0 || options->threads > MAX_THREADS) {
+    if (options->threads < 0 || options->threads > BURNISH_THREADS_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "threads: %d is not in [0, %d]",
-                            options->threads, MAX_THREADS);
+                            options->threads, BURNISH_THREADS_MAX);
     }
     burnish_status status = burnish_lobe_choice_check(&options->lobe, error);
     if (status == BURNISH_STATUS_OK) {
         status = check_camera(&options->camera, error);
     }
     return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
-}
-
-static int thread_count(const burnish_render_options *options) {
-#ifdef _OPENMP
-    int available = omp_get_num_procs();
-    int wanted = options->threads > 0 ? options->threads : available;
-    return wanted < MAX_THREADS ? wanted : MAX_THREADS;
-#else
-    (void)options;
-    return 1;
-#endif
 }
 
 static double seconds_now(void) {
@@ -170,6 +154,8 @@ static int needs_place(const burnish_batch_lighting *lighting) {
 
 /* What is kept from frame to frame. */
 struct burnish_renderer {
+    burnish_pool *pool;
+    int pool_threads; /* that the pool was made for */
     burnish_geometry geometry;
     burnish_attributes attributes;
     burnish_tiles tiles;
@@ -195,6 +181,7 @@ burnish_status burnish_renderer_create(burnish_renderer **renderer, burnish_erro
 
 void burnish_renderer_destroy(burnish_renderer *renderer) {
     if (renderer) {
+        burnish_pool_destroy(renderer->pool);
         burnish_tiles_destroy(&renderer->tiles);
         burnish_attributes_destroy(&renderer->attributes);
         burnish_geometry_destroy(&renderer->geometry);
@@ -207,14 +194,14 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
 static burnish_status transform(burnish_renderer *renderer, const burnish_mesh *mesh,
                                 const burnish_render_options *options,
                                 const burnish_raster_tier *tier, const burnish_raster_view *view,
-                                int threads, burnish_error *error) {
+                                burnish_error *error) {
     burnish_status status = burnish_geometry_update(
         &renderer->geometry, tier, view, mesh->positions, mesh->vertex_count, mesh->indices,
-        mesh->triangle_count, threads, error);
+        mesh->triangle_count, renderer->pool, error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_attributes_update(
             &renderer->attributes, &renderer->geometry, mesh->normals,
-            options->ignore_colors ? NULL : mesh->colors, mesh->indices, threads, error);
+            options->ignore_colors ? NULL : mesh->colors, mesh->indices, renderer->pool, error);
     }
     return status;
 }
@@ -240,7 +227,7 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scen
     const burnish_raster_tier *tier = burnish_raster_tier_of(report->isa);
     status = burnish_shader_check(shader, burnish_scene_material_count(scene), error);
     if (status == BURNISH_STATUS_OK) {
-        status = transform(renderer, mesh, options, tier, &view, report->threads, error);
+        status = transform(renderer, mesh, options, tier, &view, error);
         report->seconds_transform = seconds_now() - start;
     }
     if (status == BURNISH_STATUS_OK) {
@@ -251,13 +238,23 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scen
                                      .shader = shader,
                                      .options = options,
                                      .image = image,
-                                     .threads = report->threads,
+                                     .pool = renderer->pool,
                                      .wants_counts = !options->skip_counts,
                                      .drawn = drawn};
         status = burnish_frame_draw(&frame, &renderer->tiles, report, error);
         report->seconds_draw = seconds_now() - start - report->seconds_transform;
     }
     return status;
+}
+
+/* The pool for so many threads, 0 for one a processor: that of the last frame if it fits. */
+static void prepare_pool(burnish_renderer *renderer, int threads) {
+    threads = threads > 0 ? threads : burnish_processor_count();
+    if (renderer->pool_threads != threads) {
+        burnish_pool_destroy(renderer->pool);
+        renderer->pool = burnish_pool_create(threads);
+        renderer->pool_threads = threads;
+    }
 }
 
 /* The bytes where drawn triangles are marked, all 0. */
@@ -309,7 +306,8 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_s
     }
     const int marks = report && !options->skip_counts;
     own.triangles = burnish_scene_mesh(scene)->triangle_count;
-    own.threads = thread_count(options);
+    prepare_pool(renderer, options->threads);
+    own.threads = burnish_pool_threads(renderer->pool);
     status = burnish_materials_create(scene, options, &materials, &own.lobe_fallbacks, error);
     shader.materials = materials;
     if (status == BURNISH_STATUS_OK && marks) {

@@ -106,9 +106,9 @@ void burnish_fan_destroy(burnish_fan *fan) {
 
 /* From squared lengths to lengths, and unit normals by them. Area makes the length positive: the
  * square of the smallest product does not underflow. */
-static inline __attribute__((always_inline)) void unitise(double *lengths, double *x, double *y,
-                                                          double *z, size_t count) {
-#pragma omp simd
+static inline __attribute__((always_inline)) void unitise(double *restrict lengths,
+                                                          double *restrict x, double *restrict y,
+                                                          double *restrict z, size_t count) {
     for (size_t i = 0; i < count; ++i) {
         double length = __builtin_sqrt(lengths[i]), scale = 1 / length;
         lengths[i] = length;

@@ -42,12 +42,33 @@ static void fill_clipped(burnish_attributes *attributes, const burnish_geometry 
     }
 }
 
+/* What the tasks of burnish_attributes_update share. */
+typedef struct fill_context {
+    burnish_attributes *attributes;
+    const burnish_screen_vertices *vertices;
+    const float *normals;
+    const uint8_t *colors;
+} fill_context;
+
+static void fill_chunk(void *of, size_t index, int thread) {
+    const fill_context *context = of;
+    const size_t first = index * BURNISH_CHUNK, rest = context->vertices->mesh_count - first;
+    const size_t end = first + (rest < BURNISH_CHUNK ? rest : BURNISH_CHUNK);
+    (void)thread;
+    for (size_t i = first; i < end; ++i) {
+        float inverse_w = context->vertices->inverse_w[i];
+        context->attributes->normals[i] = scaled_normal(context->normals, (uint32_t)i, inverse_w);
+        if (context->colors) {
+            context->attributes->colors[i] = scaled_color(context->colors, (uint32_t)i, inverse_w);
+        }
+    }
+}
+
 burnish_status burnish_attributes_update(burnish_attributes *attributes,
                                          const burnish_geometry *geometry, const float *normals,
                                          const uint8_t *colors, const uint32_t *indices,
-                                         int threads, burnish_error *error) {
+                                         burnish_pool *pool, burnish_error *error) {
     const burnish_screen_vertices *vertices = &geometry->vertices;
-    (void)threads;
     attributes->has_colors = colors != NULL;
     burnish_status status =
         burnish_renew((void **)&attributes->normals, &attributes->normal_capacity, vertices->count,
@@ -60,14 +81,9 @@ burnish_status burnish_attributes_update(burnish_attributes *attributes,
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (size_t i = 0; i < vertices->mesh_count; ++i) {
-        float inverse_w = vertices->inverse_w[i];
-        attributes->normals[i] = scaled_normal(normals, (uint32_t)i, inverse_w);
-        if (colors) {
-            attributes->colors[i] = scaled_color(colors, (uint32_t)i, inverse_w);
-        }
-    }
+    fill_context context = {attributes, vertices, normals, colors};
+    burnish_pool_run(pool, (vertices->mesh_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 1,
+                     fill_chunk, &context);
     fill_clipped(attributes, geometry, normals, colors, indices);
     return BURNISH_STATUS_OK;
 }
