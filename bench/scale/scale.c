@@ -15,6 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "bench/peers/quiet.h"
+
 enum { ROUNDS = 5, ROW_SIZE = 13, PATH_SIZE = 4096, LINE_SIZE = 512 };
 
 /* One process, as its --timing and the kernel tell it. Times in ms, `processor` of all threads. */
@@ -26,6 +28,7 @@ typedef struct run {
 typedef struct bench {
     const char *burnish;
     char mesh[PATH_SIZE], picture[PATH_SIZE];
+    double patience; /* seconds left to wait until nothing else runs */
 } bench;
 
 static void fail(const char *what) {
@@ -116,11 +119,12 @@ static void read_line(int descriptor, char *line) {
     line[used] = '\0';
 }
 
-static run render(const bench *b, const char *resolution) {
+static run render(bench *b, const char *resolution) {
     int ends[2], status;
     struct rusage usage;
     char line[LINE_SIZE];
     run r;
+    burnish_peers_wait_until_quiet(&b->patience);
     if (pipe(ends) != 0) {
         fail("pipe");
     }
@@ -159,7 +163,7 @@ static int compare_totals(const void *a, const void *b) {
 }
 
 /* The run with the median of the total. */
-static run median(const bench *b, const char *resolution, int rounds) {
+static run median(bench *b, const char *resolution, int rounds) {
     run runs[ROUNDS];
     for (int i = 0; i < rounds; ++i) {
         runs[i] = render(b, resolution);
@@ -180,7 +184,7 @@ static void print_head(const char *work, const char *of) {
            work, of, of);
 }
 
-static void bench_triangles(const bench *b, uint64_t most) {
+static void bench_triangles(bench *b, uint64_t most) {
     printf("### Triangles\n\nA wavy torus without normals as binary PLY, 1920x1080, one sample a "
            "pixel.\n\n");
     print_head("triangles", "a triangle");
@@ -195,7 +199,7 @@ static void bench_triangles(const bench *b, uint64_t most) {
     }
 }
 
-static void bench_pixels(const bench *b) {
+static void bench_pixels(bench *b) {
     printf("\n### Pixels\n\nThe torus of about 100,000 triangles.\n\n");
     print_head("pixels", "a pixel");
     write_mesh(b->mesh, 100000);
@@ -211,7 +215,7 @@ static void bench_pixels(const bench *b) {
 }
 
 int main(int count, char **arguments) {
-    bench b;
+    bench b = {.patience = 90};
     if (count < 3) {
         fprintf(stderr, "usage: bench_scale BURNISH FOLDER [MOST_TRIANGLES]\n");
         return 2;
