@@ -40,7 +40,9 @@ BURNISH_API void burnish_image_destroy(burnish_image *image);
 BURNISH_API uint64_t burnish_image_hash(const burnish_image *image);
 
 /* Encodes as PNG (8-bit RGB or RGBA, sRGB chunk). *bytes is allocated, release it with free().
- * The bytes depend on the pixels only. */
+ * The bytes depend on the pixels and on no thread or option; on x86-64 processors without SSE4.2
+ * and on other families the compressor may find other matches, so compare pixels or their hash
+ * across machines, not files. */
 BURNISH_API burnish_status burnish_image_encode_png(const burnish_image *image, uint8_t **bytes,
                                                     size_t *size, burnish_error *error);
 
