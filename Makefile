@@ -81,7 +81,14 @@ bench: ## time kernels, frames and whole processes (medians); rewrites docs/perf
 	@cmake --build --preset release -j $(JOBS)
 	@./bench/run build/release
 	@./scripts/performance build/release/kernels.csv >build/release/performance.md
+	@sed -n '/^## Scale/,$$p' docs/performance.md >>build/release/performance.md
 	@mv build/release/performance.md docs/performance.md
+
+bench-scale: ## time and memory up to MOST=100000000 triangles and 16384x16384 pixels; rewrites their tables
+	@$(DEPS) build
+	@cmake --preset release -DBURNISH_BENCH=ON >/dev/null
+	@cmake --build --preset release -j $(JOBS)
+	@./scripts/scale-tables build/release/bench_scale build/release/burnish build/release docs/performance.md $(MOST)
 
 bench-peers: ## time frames and whole processes against other renderers (minutes); fills docs/frames.md
 	@$(DEPS) build demo

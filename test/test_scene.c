@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "burnish/scene.h"
 #include "harness.h"
+#include "scene/normals.h"
 #include "scene/source.h"
 #include "scene/weld.h"
 
@@ -628,10 +629,53 @@ static void test_out_of_memory(void) {
     CHECK(failures > 15 && failures < 100, "%ld allocations", failures);
 }
 
+/* The bits of normals do not depend on how many faces are compared at once: fans with and without
+ * gaps, flat and jagged, of every size that is compared pairwise. */
+static void test_wide_fans(void) {
+    enum { MOST = 10, ROUNDS = 20000 };
+    burnish_fan fan;
+    int different = 0, apart = 0;
+    if (!CHECK_THAT(burnish_fan_create(&fan, MOST, 60, NULL) == BURNISH_STATUS_OK)) {
+        return;
+    }
+    int wide = fan.wide;
+    for (int round = 0; round < ROUNDS; ++round) {
+        size_t faces = 1 + random_bits() % MOST;
+        float positions[3 * (MOST + 2)], normals[2][3 * MOST];
+        uint32_t triangles[3 * MOST], corners[MOST];
+        int common[2];
+        for (size_t i = 0; i < 3 * (MOST + 2); ++i) {
+            positions[i] = (float)(random_bits() % 2001) / 1000 - 1;
+            positions[i] *= i % 3 == 2 && round % 2 ? 0.1f : 1;
+        }
+        for (size_t i = 0; i < faces; ++i) {
+            uint32_t at = random_bits() % 3, first = 1 + (uint32_t)i, second = 2 + (uint32_t)i;
+            second = i + 1 == faces && round % 3 ? 1 : second; /* closed, or an edge is free */
+            triangles[3 * i + at] = 0;
+            triangles[3 * i + (at + 1) % 3] = random_bits() % 8 ? first : 1;
+            triangles[3 * i + (at + 2) % 3] = second == first ? MOST + 1 : second;
+            corners[i] = (uint32_t)(3 * i) + at;
+        }
+        memset(normals, 0, sizeof normals);
+        for (int k = 0; k < 2; ++k) {
+            fan.wide = k ? wide : 0;
+            burnish_fan_measure(&fan, positions, triangles, corners, faces);
+            common[k] = burnish_fan_normals(&fan, 0, faces, normals[k]);
+        }
+        different += common[0] != common[1] || memcmp(normals[0], normals[1], sizeof *normals) != 0;
+        apart += !common[0];
+    }
+    CHECK(different == 0, "%d of %d fans have other normals", different, ROUNDS);
+    CHECK(apart > ROUNDS / 10 && apart < ROUNDS - ROUNDS / 10, "%d of %d fans are apart", apart,
+          ROUNDS);
+    burnish_fan_destroy(&fan);
+}
+
 int main(void) {
     test_cube();
     test_cylinder();
     test_large_fan();
+    test_wide_fans();
     test_double_sided();
     test_weld();
     test_weld_sort();

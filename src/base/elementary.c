@@ -164,57 +164,27 @@ double burnish_atan2(double y, double x) {
     return y < 0 ? -angle : angle;
 }
 
-/* Two numbers, and two masks of all bits or none. */
-typedef double pair __attribute__((vector_size(16)));
-typedef int64_t pair_mask __attribute__((vector_size(16)));
+#define ARCTANGENT_LANES 2
+#define ARCTANGENT_TARGET
+#define ARCTANGENT(name) pair_##name
+#include "base/arctangent_body.h"
 
-static inline pair select_pair(pair_mask mask, pair yes, pair no) {
-    return (pair)((mask & (pair_mask)yes) | (~mask & (pair_mask)no));
-}
-
-static inline pair absolute_pair(pair x) {
-    const pair_mask sign = {INT64_MIN, INT64_MIN};
-    return (pair)((pair_mask)x & ~sign);
-}
-
-/* burnish_atan2() of two finite points, the operations in the same order. */
-static inline pair arctangent_pair(pair y, pair x) {
-    pair width = absolute_pair(x), height = absolute_pair(y);
-    pair_mask steep = height > width, left = x < 0;
-    pair larger = select_pair(steep, height, width);
-    pair q = select_pair(steep, width, height) / select_pair(larger > 0, larger, larger + 1);
-    const double *first = arctangent_row(q[0]), *second = arctangent_row(q[1]);
-    pair centre = {first[0], second[0]};
-    pair head = {first[1], second[1]};
-    pair rest = {first[2], second[2]};
-    pair t = (q - centre) / (1 + q * centre);
-    pair z = t * t;
-    pair sum = arctangent_series[10] - (pair){0, 0};
-    for (int i = 9; i >= 0; --i) {
-        sum = sum * z + arctangent_series[i];
-    }
-    pair tail = t * (z * sum);
-    pair_mask near_zero = centre == 0;
-    pair high = select_pair(near_zero, t, head);
-    pair low = select_pair(near_zero, tail, t + (tail + rest));
-    pair before_pi = 2 * half_pi[0] - (high + (low - 2 * half_pi[1]));
-    pair before_half = half_pi[0] - (high + (low - half_pi[1]));
-    pair after_half = half_pi[0] + (high + (low + half_pi[1]));
-    pair angle = select_pair(steep, select_pair(left, after_half, before_half),
-                             select_pair(left, before_pi, high + low));
-    return select_pair(y < 0, -angle, angle);
-}
+#if defined(__x86_64__)
+#define ARCTANGENT_LANES 4
+#define ARCTANGENT_TARGET __attribute__((target("avx2")))
+#define ARCTANGENT(name) four_##name
+#include "base/arctangent_body.h"
+#endif
 
 void burnish_atan2_array(const double *y, const double *x, double *angles, size_t count) {
     size_t i = 0;
-    for (; i + 2 <= count; i += 2) {
-        pair at_y, at_x, angle;
-        memcpy(&at_y, y + i, sizeof at_y);
-        memcpy(&at_x, x + i, sizeof at_x);
-        angle = arctangent_pair(at_y, at_x);
-        memcpy(angles + i, &angle, sizeof angle);
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2")) {
+        i = four_array(y, x, angles, i, count);
     }
-    if (i < count) {
+#endif
+    i = pair_array(y, x, angles, i, count);
+    for (; i < count; ++i) {
         angles[i] = burnish_atan2(y[i], x[i]);
     }
 }

@@ -30,7 +30,7 @@ static inline burnish_vec3 burnish_vec3_cross(burnish_vec3 a, burnish_vec3 b) {
     return (burnish_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 static inline double burnish_vec3_length(burnish_vec3 a) {
-    return burnish_sqrt(burnish_vec3_dot(a, a));
+    return __builtin_sqrt(burnish_vec3_dot(a, a)); /* burnish_sqrt, without the call */
 }
 /* Unit vector along a, or zero when a has no direction. */
 static inline burnish_vec3 burnish_vec3_normalize(burnish_vec3 a) {

@@ -53,6 +53,7 @@ typedef struct builder {
     uint32_t *corners;      /* ... all corners, by position */
     size_t max_faces;       /* around one position */
     int has_colors;
+    int normals_complete; /* every corner has a normal of the file's */
 
     vertex_maker *makers;
     int maker_count;
@@ -176,16 +177,34 @@ static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
     return BURNISH_STATUS_OK;
 }
 
+/* What the tasks of prepare_normals share. */
+typedef struct unit_context {
+    float *normals;
+    atomic_size_t missing;
+} unit_context;
+
 static void unit_range(void *of, size_t first, size_t end) {
-    float *normals = of;
+    unit_context *context = of;
+    size_t missing = 0;
     for (size_t i = first; i < end; ++i) {
-        burnish_store_unit(burnish_vec3_loadf(normals + 3 * i), normals + 3 * i);
+        float *n = context->normals + 3 * i;
+        burnish_store_unit(burnish_vec3_loadf(n), n);
+        missing += n[0] == 0 && n[1] == 0 && n[2] == 0;
     }
+    atomic_fetch_add(&context->missing, missing);
 }
 
 /* Makes the file's normals unit vectors; those without a direction become 0: to be made. */
 static void prepare_normals(builder *b) {
-    burnish_pool_ranges(b->pool, b->source->normal_count, SHARE, unit_range, b->source->normals);
+    const uint32_t *corners = b->source->corner_normals;
+    const size_t corner_count = corners ? 3 * b->triangle_count : 0;
+    unit_context context = {.normals = b->source->normals};
+    burnish_pool_ranges(b->pool, b->source->normal_count, SHARE, unit_range, &context);
+    size_t missing = atomic_load(&context.missing);
+    for (size_t i = 0; i < corner_count; ++i) {
+        missing += corners[i] == BURNISH_SOURCE_NONE;
+    }
+    b->normals_complete = corners && missing == 0;
 }
 
 /* The file's normal of a corner, or NULL when one must be made. */
@@ -264,7 +283,7 @@ static burnish_status list_corners(builder *b) {
 /* ---- vertices ---- */
 
 static int needs_normal(const builder *b, const uint32_t *corners, size_t count) {
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count && !b->normals_complete; ++i) {
         if (!file_normal(b->source, corners[i])) {
             return 1;
         }
@@ -334,6 +353,17 @@ static void share_vertex(builder *b, vertex_maker *maker, uint32_t position) {
     }
 }
 
+/* Whether corners that have normals of the file's have the same one. */
+static int have_one_normal(const builder *b, const uint32_t *corners, size_t count) {
+    const uint32_t *normals = b->source->corner_normals;
+    for (size_t i = 1; i < count; ++i) {
+        if (normals[corners[i]] != normals[corners[0]]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* The vertices of one position; measured: whether its corners stand in the fan, from `first` on. */
 static void make_position(builder *b, vertex_maker *maker, uint32_t position, int measured,
                           size_t first) {
@@ -342,6 +372,11 @@ static void make_position(builder *b, vertex_maker *maker, uint32_t position, in
     maker->status = burnish_grow((void **)&maker->vertices, &maker->capacity, maker->count + count,
                                  sizeof *maker->vertices, "vertices", &maker->error);
     if (maker->status != BURNISH_STATUS_OK) {
+        return;
+    }
+    if (b->normals_complete && !b->has_colors && have_one_normal(b, corners, count)) {
+        memcpy(maker->normals, file_normal(b->source, corners[0]), 3 * sizeof(float));
+        share_vertex(b, maker, position);
         return;
     }
     if (measured && needs_normal(b, corners, count) &&
@@ -646,6 +681,11 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
         status = keep_triangles(b, remap);
     }
     free(remap);
+    if (!b->has_colors) { /* corner_vertices tell all that is still needed */
+        free(b->source->corner_positions);
+        b->source->corner_positions = NULL;
+        b->source->corner_capacity = 0;
+    }
     if (status == BURNISH_STATUS_OK) {
         prepare_normals(b);
         orient(b);

@@ -2,6 +2,9 @@
 #include "scene/normals.h"
 
 #include <float.h>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 #include "base/memory.h"
 
@@ -57,15 +60,18 @@ burnish_status burnish_fan_create(burnish_fan *fan, size_t capacity, double crea
                                   burnish_error *error) {
     double sine;
     *fan = (burnish_fan){.flat = crease_angle <= 0, .capacity = capacity};
+#if defined(__x86_64__)
+    fan->wide = __builtin_cpu_supports("avx2") != 0;
+#endif
     burnish_sincos(crease_angle * DEGREE, &sine, &fan->crease_cosine);
     double **doubles[] = {&fan->x, &fan->y, &fan->z, &fan->lengths, &fan->dots, &fan->angles};
     uint32_t **numbers[] = {&fan->next, &fan->previous, &fan->parents};
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < 6 && status == BURNISH_STATUS_OK; ++i) {
-        status = allocate_doubles(doubles[i], capacity, error);
+        status = allocate_doubles(doubles[i], capacity + PAIRWISE_MAX, error);
     }
     for (size_t i = 0; i < 3 && status == BURNISH_STATUS_OK; ++i) {
-        status = allocate_numbers(numbers[i], capacity, error);
+        status = allocate_numbers(numbers[i], capacity + PAIRWISE_MAX, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_allocate((void **)&fan->sums, capacity, sizeof *fan->sums,
@@ -98,33 +104,53 @@ void burnish_fan_destroy(burnish_fan *fan) {
 
 /* ---- faces ---- */
 
+/* From squared lengths to lengths, and unit normals by them. Area makes the length positive: the
+ * square of the smallest product does not underflow. */
+static inline __attribute__((always_inline)) void unitise(double *restrict lengths,
+                                                          double *restrict x, double *restrict y,
+                                                          double *restrict z, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        double length = __builtin_sqrt(lengths[i]), scale = 1 / length;
+        lengths[i] = length;
+        x[i] = x[i] * scale;
+        y[i] = y[i] * scale;
+        z[i] = z[i] * scale;
+    }
+}
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) static void unitise_avx2(const burnish_fan *fan, size_t count) {
+    unitise(fan->lengths, fan->x, fan->y, fan->z, count);
+}
+#endif
+
 void burnish_fan_measure(burnish_fan *fan, const float *positions, const uint32_t *corner_vertices,
                          const uint32_t *corners, size_t count) {
     static const uint8_t after[5] = {0, 1, 2, 0, 1};
     for (size_t i = 0; i < count; ++i) {
         const uint32_t *face = corner_vertices + corners[i] / 3 * (size_t)3;
-        uint32_t at = corners[i] % 3;
-        uint32_t next = face[after[at + 1]], previous = face[after[at + 2]];
-        burnish_vec3 origin = burnish_vec3_loadf(positions + 3 * (size_t)face[at]);
-        burnish_vec3 a = burnish_vec3_sub(burnish_vec3_loadf(positions + 3 * (size_t)next), origin);
-        burnish_vec3 b =
-            burnish_vec3_sub(burnish_vec3_loadf(positions + 3 * (size_t)previous), origin);
-        burnish_vec3 cross = burnish_face_cross(positions, face);
+        uint32_t at = corners[i] % 3, second = after[at + 1], third = after[at + 2];
+        const burnish_vec3 points[3] = {burnish_vec3_loadf(positions + 3 * (size_t)face[0]),
+                                        burnish_vec3_loadf(positions + 3 * (size_t)face[1]),
+                                        burnish_vec3_loadf(positions + 3 * (size_t)face[2])};
+        burnish_vec3 a = burnish_vec3_sub(points[second], points[at]);
+        burnish_vec3 b = burnish_vec3_sub(points[third], points[at]);
+        burnish_vec3 cross = burnish_vec3_cross(burnish_vec3_sub(points[1], points[0]),
+                                                burnish_vec3_sub(points[2], points[0]));
         fan->x[i] = cross.x;
         fan->y[i] = cross.y;
         fan->z[i] = cross.z;
         fan->lengths[i] = burnish_vec3_dot(cross, cross);
         fan->dots[i] = burnish_vec3_dot(a, b);
-        fan->next[i] = next;
-        fan->previous[i] = previous;
+        fan->next[i] = face[second];
+        fan->previous[i] = face[third];
     }
-    for (size_t i = 0; i < count; ++i) {
-        /* Area makes the length positive: the square of the smallest product does not underflow. */
-        double length = __builtin_sqrt(fan->lengths[i]), scale = 1 / length;
-        fan->lengths[i] = length;
-        fan->x[i] = fan->x[i] * scale;
-        fan->y[i] = fan->y[i] * scale;
-        fan->z[i] = fan->z[i] * scale;
+#if defined(__x86_64__)
+    if (fan->wide) {
+        unitise_avx2(fan, count);
+    } else
+#endif
+    {
+        unitise(fan->lengths, fan->x, fan->y, fan->z, count);
     }
     if (!fan->flat) {
         burnish_atan2_array(fan->lengths, fan->dots, fan->angles, count);
@@ -183,10 +209,50 @@ static void find_neighbours(const burnish_fan *fan, size_t first, size_t count,
     }
 }
 
+#if defined(__x86_64__)
+/* The same, all of the others at once: the dot product has the same bits from either side. Reads
+ * PAIRWISE_MAX entries from `first` on. */
+__attribute__((target("avx2"))) static void
+find_neighbours_avx2(const burnish_fan *fan, size_t first, size_t count,
+                     uint32_t neighbours[PAIRWISE_MAX]) {
+    const double *x = fan->x + first, *y = fan->y + first, *z = fan->z + first;
+    __m256d crease = _mm256_set1_pd(fan->crease_cosine);
+    __m256i next = _mm256_loadu_si256((const __m256i *)(fan->next + first));
+    __m256i previous = _mm256_loadu_si256((const __m256i *)(fan->previous + first));
+    for (size_t i = 0; i < count; ++i) {
+        __m256d at_x = _mm256_set1_pd(x[i]), at_y = _mm256_set1_pd(y[i]);
+        __m256d at_z = _mm256_set1_pd(z[i]);
+        int smooth = 0;
+        for (int half = 0; half < PAIRWISE_MAX; half += 4) {
+            __m256d cosine =
+                _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(at_x, _mm256_loadu_pd(x + half)),
+                                            _mm256_mul_pd(at_y, _mm256_loadu_pd(y + half))),
+                              _mm256_mul_pd(at_z, _mm256_loadu_pd(z + half)));
+            smooth |= _mm256_movemask_pd(_mm256_cmp_pd(cosine, crease, _CMP_GT_OQ)) << half;
+        }
+        __m256i at_next = _mm256_set1_epi32((int)fan->next[first + i]);
+        __m256i at_previous = _mm256_set1_epi32((int)fan->previous[first + i]);
+        __m256i edge = _mm256_or_si256(_mm256_or_si256(_mm256_cmpeq_epi32(at_next, previous),
+                                                       _mm256_cmpeq_epi32(at_previous, next)),
+                                       _mm256_or_si256(_mm256_cmpeq_epi32(at_next, next),
+                                                       _mm256_cmpeq_epi32(at_previous, previous)));
+        uint32_t joined = (uint32_t)(smooth & _mm256_movemask_ps(_mm256_castsi256_ps(edge)));
+        neighbours[i] = joined & ((1U << count) - 1) & ~(1U << i);
+    }
+}
+#endif
+
 /* Sets of joined faces among a few; returns 1 when they are one, and leaves parents alone then. */
 static int join_few(burnish_fan *fan, size_t first, size_t count) {
     uint32_t neighbours[PAIRWISE_MAX], all = (1U << count) - 1, left = all;
-    find_neighbours(fan, first, count, neighbours);
+#if defined(__x86_64__)
+    if (fan->wide) {
+        find_neighbours_avx2(fan, first, count, neighbours);
+    } else
+#endif
+    {
+        find_neighbours(fan, first, count, neighbours);
+    }
     for (uint32_t root = 0; left != 0; ++root) {
         uint32_t set = 1U << root, before;
         if (!(left & set)) {

@@ -13,7 +13,9 @@
 typedef struct burnish_fan {
     double crease_cosine;
     int flat; /* crease angle 0: no edge is smooth */
+    int wide; /* the processor compares eight faces at once */
     size_t capacity;
+    /* arrays of `capacity` and eight more, so that eight can be read from anywhere */
     double *x, *y, *z;         /* unit normals of the corners' faces */
     double *lengths, *dots;    /* |a x b| and a . b of the edges at the corner */
     double *angles;            /* between them */
