@@ -1,0 +1,551 @@
+/* burnish/lobe_q15.h: the family of specular lobes in integers, for processors without floating
+ * point.
+ *
+ * What it is. In place of cos(angle)^n, the highlight of Phong and Blinn, this header computes
+ *
+ *     S(c) = t^m,   t = max(0, 1 - zeta (1 - c)),   m = 2, 4, 8 or 16,
+ *
+ * from a cosine c in 16 bits (or 1 - c in 24) with two multiplications of 16 bits by 16, a shift
+ * and a complement; each further order is one more multiplication. No division, no table, no 64
+ * bits.
+ *
+ * How to use it.
+ *   1. Copy this file; it includes <stdint.h> and nothing else.
+ *   2. One lobe, nothing to set up:
+ *          specular = burnish_taylor_q15(n, cosine);
+ *   3. Any lobe, made once a material; a status other than BURNISH_Q15_OK leaves a dark lobe:
+ *          burnish_lobe_q15 lobe;
+ *          status = burnish_lobe_q15_create(&lobe, BURNISH_Q15_ENERGY, 2, 32);
+ *          specular = burnish_lobe_q15_fast(&lobe, cosine);
+ *
+ * Formats.
+ *     cosine   UQ1.15  0x8000 is 1; what is larger counts as 1. A negative cosine is 0.
+ *     lambda   UQ0.24  1 - cosine, for narrow lobes; at most 0xFFFFFF
+ *     result   UQ0.16  v stands for v / 65536; 1 is limited to 0xFFFF
+ *     result8  UQ0.8   v stands for v / 256; 1 is limited to 0xFF
+ *     slope    2 zeta = slope / 2^shift
+ *
+ * What is computed, in whole numbers, >> being the floor of a division by a power of two:
+ *
+ *     u = 0x8000 - min(cosine, 0x8000)                                   UQ1.15, exact
+ *     w = slope u                     of a cosine,                       below 2^31
+ *     w = ((slope (lambda >> 16)) << 7) + ((slope (lambda & 0xFFFF)) >> 9)   of a lambda; this is
+ *                                     floor(slope lambda / 2^9), below 2^32
+ *     a = w >> shift                  zeta (1 - c) in 2^-16; the result is 0 where a > 0xFFFF
+ *     t = 0xFFFF - a                  the complement of a's 16 bits
+ *
+ *     fast    x = (t t) >> 16, then again x = (x x) >> 16 for each further order
+ *     near    x = (t t + t + 0x8000) >> 16, then x = (x x + 0x8000) >> 16
+ *     fast8   fast up to order m/2 (order 2: t itself), then of its top 9 bits y = x >> 7:
+ *             (y (y + 1) + 511) >> 10
+ *     exact   T = 1 - zeta (1 - c) in UQ0.32 without an error where shift <= 16 (a cosine) or 7
+ *             (a lambda), else with its floor of a; x = floor(T T / 2^32) per order; at last
+ *             rounded to 16 bits, halves up
+ *     exact8  the same, rounded to 8 bits
+ *
+ * Slopes. taylor n / 2^(log2 m - 1), shift7 7n / 2^3, shift3 3n / 2^2 are exact. energy and a zeta
+ * of your own are rounded to 16 significant bits.
+ *
+ * What it promises. Every result is defined bit by bit for every input; a result never decreases as
+ * the cosine grows. Errors against the exact real lobe in units of the result's last place, over
+ * all cosines and n = 1 .. 1023 (`make prove-q15` proves them and prints them with more digits):
+ *
+ *     BURNISH_TABLE
+ *
+ * What it does not do. It does not shade: see shade_q15.h. It does not know cos^n: how far the
+ * family is from that, see docs/theory.md. The rounding of a cosine to 15 bits costs a narrow lobe
+ * n/256 steps of an 8-bit result: from n = 128 on prefer the functions that take lambda.
+ *
+ * Sources. See lobe.h; the shift by 7/16 and the boundary memory are those of the paper that
+ * burnish implements (docs/theory.md).
+ *
+ * SPDX-License-Identifier: MIT
+ * Copyright (c) the burnish authors
+ */
+#ifndef BURNISH_LOBE_Q15_H
+#define BURNISH_LOBE_Q15_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The cosine 1, and the largest 1 - cosine. */
+#define BURNISH_Q15_ONE 0x8000u
+#define BURNISH_Q15_LAMBDA_MAX 0xFFFFFFul
+
+/* The exponents for which lobes exist, and the largest zeta in UQ16.16. */
+#define BURNISH_Q15_EXPONENT_MAX 1023u
+#define BURNISH_Q15_ZETA_MAX 0x7FFF0000ul
+
+typedef enum burnish_q15_status {
+    BURNISH_Q15_OK,
+    BURNISH_Q15_ERROR_EXPONENT,           /* the exponent must be from 1 to 1023 */
+    BURNISH_Q15_ERROR_ORDER,              /* the order must be 2, 4, 8, 16; shift7, shift3: 2 */
+    BURNISH_Q15_ERROR_ORDER_FOR_EXPONENT, /* an order above 2 must not be above the exponent */
+    BURNISH_Q15_ERROR_FIT,                /* the fit is not one of burnish_q15_fit */
+    BURNISH_Q15_ERROR_ZETA                /* zeta must be from 1/65536 to 32767 */
+} burnish_q15_status;
+
+/* How zeta follows from the exponent n and the order m. */
+typedef enum burnish_q15_fit {
+    BURNISH_Q15_TAYLOR, /* n/m */
+    BURNISH_Q15_ENERGY, /* (n+1)/(m+1) */
+    BURNISH_Q15_SHIFT7, /* 7n/16, m = 2 */
+    BURNISH_Q15_SHIFT3  /* 3n/8, m = 2 */
+} burnish_q15_fit;
+
+/* One lobe, ready to be evaluated; make it with burnish_lobe_q15_create or a sibling. lit_from is
+ * the boundary memory's word: below it nothing is computed. All zero but lit_from = 0xFFFF is the
+ * dark lobe. */
+typedef struct burnish_lobe_q15 {
+    uint16_t slope;    /* 2 zeta 2^shift */
+    uint16_t lit_from; /* UQ1.15: the smallest cosine at which the lobe is above 0 */
+    uint8_t shift;     /* 0 .. 15 */
+    uint8_t squarings; /* log2 m: 1 .. 4 */
+} burnish_lobe_q15;
+
+/* ---- Steps --------------------------------------------------------------------------------------
+ *
+ * What the functions below are made of; the hardware in rtl/ has a module for each. */
+
+/* 1 - cosine in UQ1.15.  cosine  any; above 0x8000 counts as 1 */
+static inline uint16_t burnish_q15_lambda(uint16_t cosine) {
+    return cosine > BURNISH_Q15_ONE ? (uint16_t)0 : (uint16_t)(BURNISH_Q15_ONE - cosine);
+}
+
+/* The product of two 16-bit numbers in 32 bits, for processors whose int has 16 or 32. */
+static inline uint32_t burnish_q15_multiply(uint16_t a, uint16_t b) {
+    return (uint32_t)a * b;
+}
+
+/* w of a cosine: zeta (1 - c) in 2^-(16 + shift), exact.  lambda  UQ1.15, at most 0x8000 */
+static inline uint32_t burnish_q15_product(uint16_t slope, uint16_t lambda) {
+    return burnish_q15_multiply(slope, lambda);
+}
+
+/* w of a 1 - cosine: zeta lambda in 2^-(16 + shift), floor.  lambda  UQ0.24, at most 0xFFFFFF */
+static inline uint32_t burnish_q15_product_lambda(uint16_t slope, uint32_t lambda) {
+    return (burnish_q15_multiply(slope, (uint16_t)(lambda >> 16)) << 7) +
+           (burnish_q15_multiply(slope, (uint16_t)lambda) >> 9);
+}
+
+/* floor(x^2 / 2^16) of x in UQ0.16. */
+static inline uint16_t burnish_q15_square(uint16_t x) {
+    return (uint16_t)(burnish_q15_multiply(x, x) >> 16);
+}
+
+/* x^2 of x in UQ0.16, rounded, halves up; 0xFFFF^2 + 0x8000 still fits. */
+static inline uint16_t burnish_q15_square_rounded(uint16_t x) {
+    return (uint16_t)((burnish_q15_multiply(x, x) + 0x8000u) >> 16);
+}
+
+/* (x + 1/2)^2 of x in UQ0.16, rounded: x stands for the middle of what was cut to it. */
+static inline uint16_t burnish_q15_square_middle(uint16_t x) {
+    return (uint16_t)((burnish_q15_multiply(x, x) + x + 0x8000u) >> 16);
+}
+
+/* (y + 1/2)^2 of y = x >> 7, the top 9 bits of x in UQ0.16, rounded to 8 bits:
+ * (y (y + 1) + 511) >> 10, in 16 bits and with two products of 8 bits. */
+static inline uint8_t burnish_q15_square8(uint16_t x) {
+    const uint8_t high = (uint8_t)(x >> 8);
+    const uint8_t low = (uint8_t)((x >> 7) & 1u); /* y = 2 high + low */
+    uint16_t sum = (uint16_t)((uint16_t)high * high);
+    if (low) {
+        sum = (uint16_t)(sum + high);
+    }
+    return (uint8_t)((uint16_t)(sum + (uint16_t)((uint16_t)(high + low + 255u) >> 1)) >> 8);
+}
+
+/* floor(x^2 / 2^32) of x in UQ0.32, from products of 16 bits. */
+static inline uint32_t burnish_q15_square_wide(uint32_t x) {
+    const uint16_t high = (uint16_t)(x >> 16), low = (uint16_t)x;
+    const uint32_t cross = burnish_q15_multiply(high, low); /* twice, at 2^16 */
+    const uint32_t carry = burnish_q15_multiply(low, low) >> 17;
+    return burnish_q15_multiply(high, high) + ((cross + carry) >> 15);
+}
+
+/* UQ0.32 rounded to UQ0.16, halves up, 1 limited to 0xFFFF. */
+static inline uint16_t burnish_q15_round(uint32_t x) {
+    return x >= 0xFFFF8000ul ? (uint16_t)0xFFFFu : (uint16_t)((x + 0x8000u) >> 16);
+}
+
+/* UQ0.32 rounded to UQ0.8, halves up, 1 limited to 0xFF. */
+static inline uint8_t burnish_q15_round8(uint32_t x) {
+    return x >= 0xFF800000ul ? (uint8_t)0xFFu : (uint8_t)((x + 0x800000ul) >> 24);
+}
+
+/* The lobe from w, with no more than 16 bits kept. Error at most 2m - 1 steps (for an exact slope),
+ * never above the real lobe by more than 0: it is a floor of a floor.
+ *   w          from burnish_q15_product or burnish_q15_product_lambda
+ *   shift      0 .. 15
+ *   squarings  1 .. 4 */
+static inline uint16_t burnish_q15_fast_of(uint32_t w, uint8_t shift, uint8_t squarings) {
+    const uint32_t a = w >> shift;
+    uint16_t x;
+    if (a > 0xFFFFu) {
+        return 0;
+    }
+    x = (uint16_t)~a;
+    do {
+        x = burnish_q15_square(x);
+    } while (--squarings);
+    return x;
+}
+
+/* The same with rounding at every step and the half bit that the complement loses put back. */
+static inline uint16_t burnish_q15_near_of(uint32_t w, uint8_t shift, uint8_t squarings) {
+    const uint32_t a = w >> shift;
+    uint16_t x;
+    if (a > 0xFFFFu) {
+        return 0;
+    }
+    x = burnish_q15_square_middle((uint16_t)~a);
+    while (--squarings) {
+        x = burnish_q15_square_rounded(x);
+    }
+    return x;
+}
+
+/* The same to 8 bits: the last square from 9 bits. */
+static inline uint8_t burnish_q15_fast8_of(uint32_t w, uint8_t shift, uint8_t squarings) {
+    const uint32_t a = w >> shift;
+    uint16_t x;
+    if (a > 0xFFFFu) {
+        return 0;
+    }
+    x = (uint16_t)~a;
+    while (--squarings) {
+        x = burnish_q15_square(x);
+    }
+    return burnish_q15_square8(x);
+}
+
+/* zeta lambda below 1 as a fraction in UQ0.32: exact where shift <= 7, else its floor. What passes
+ * 1 is lost: ask w first.  lambda  UQ0.24 */
+static inline uint32_t burnish_q15_fraction(uint16_t slope, uint8_t shift, uint32_t lambda) {
+    const uint32_t high = burnish_q15_multiply(slope, (uint16_t)(lambda >> 16));
+    const uint32_t low = burnish_q15_multiply(slope, (uint16_t)lambda);
+    return (high << (23 - shift)) + (shift <= 7 ? low << (7 - shift) : low >> (shift - 7));
+}
+
+/* (1 - fraction)^m in UQ0.32, 1 limited to 0xFFFFFFFF; error below 2m - 2 units of 2^-32.
+ *   fraction  UQ0.32 */
+static inline uint32_t burnish_q15_wide_of(uint32_t fraction, uint8_t squarings) {
+    uint32_t x = (uint32_t)(0u - fraction);
+    if (fraction == 0) {
+        return 0xFFFFFFFFul;
+    }
+    do {
+        x = burnish_q15_square_wide(x);
+    } while (--squarings);
+    return x;
+}
+
+/* ---- Lobes with nothing to set up ---------------------------------------------------------------
+ *
+ * Order 2, the zero found from the top bits of the product. Form fast.
+ *   exponent  n: 0 .. 1023 (8191 where 7n and 3n must fit); 0 gives 0xFFFE everywhere
+ *   cosine    UQ1.15
+ * Returns UQ0.16, at most 0xFFFE. */
+
+/* zeta = n/2, the paper's W: p = n u is zeta (1 - c) in 2^-16 as it is. */
+static inline uint16_t burnish_taylor_q15(uint16_t exponent, uint16_t cosine) {
+    return burnish_q15_fast_of(burnish_q15_product(exponent, burnish_q15_lambda(cosine)), 0, 1);
+}
+
+/* zeta = 7n/16, the paper's W_0.5: 7n = 8n - n. */
+static inline uint16_t burnish_shift7_q15(uint16_t exponent, uint16_t cosine) {
+    const uint16_t slope = (uint16_t)((uint16_t)(exponent << 3) - exponent);
+    return burnish_q15_fast_of(burnish_q15_product(slope, burnish_q15_lambda(cosine)), 3, 1);
+}
+
+/* zeta = 3n/8: 3n = 2n + n. */
+static inline uint16_t burnish_shift3_q15(uint16_t exponent, uint16_t cosine) {
+    const uint16_t slope = (uint16_t)((uint16_t)(exponent << 1) + exponent);
+    return burnish_q15_fast_of(burnish_q15_product(slope, burnish_q15_lambda(cosine)), 2, 1);
+}
+
+/* zeta = n/2 to 8 bits.  exponent  n: 0 .. 255.  Returns UQ0.8. Form fast8. */
+static inline uint8_t burnish_taylor8_q15(uint8_t exponent, uint16_t cosine) {
+    return burnish_q15_fast8_of(burnish_q15_product(exponent, burnish_q15_lambda(cosine)), 0, 1);
+}
+
+/* ---- Lobes made once ----------------------------------------------------------------------------
+ */
+
+/* The dark lobe, which is 0 everywhere, c = 1 included. */
+static inline void burnish_lobe_q15_darken(burnish_lobe_q15 *lobe) {
+    lobe->slope = 0;
+    lobe->lit_from = 0xFFFFu;
+    lobe->shift = 0;
+    lobe->squarings = 1;
+}
+
+/* log2 of an order: 1 .. 4; 0 for what is no order. */
+static inline uint8_t burnish_q15_squarings(uint16_t order) {
+    switch (order) {
+    case 2:
+        return 1;
+    case 4:
+        return 2;
+    case 8:
+        return 3;
+    case 16:
+        return 4;
+    default:
+        return 0;
+    }
+}
+
+/* The smallest cosine at which a is below 1, that is slope u < 2^(16 + shift); 0 where that holds
+ * down to c = 0.  slope  not 0 */
+static inline uint16_t burnish_q15_lit_from(uint16_t slope, uint8_t shift) {
+    const uint32_t largest = (((uint32_t)0x10000ul << shift) - 1u) / slope; /* lambda still lit */
+    return largest >= BURNISH_Q15_ONE ? (uint16_t)0 : (uint16_t)(BURNISH_Q15_ONE - largest);
+}
+
+/* Takes a word of the boundary memory, as `burnish lobe boundary --format-word=UQ0.15` writes it,
+ * in place of the lobe's own cutoff: cosines up to the word give 0. With --bits=0 of the same lobe
+ * no result changes; with a threshold, highlights dimmer than that are cut, and less is computed.
+ *   lobe  not NULL
+ *   word  UQ0.15; 0 stands for no boundary */
+static inline void burnish_lobe_q15_set_boundary(burnish_lobe_q15 *lobe, uint16_t word) {
+    lobe->lit_from = word == 0 ? (uint16_t)0 : (uint16_t)(word + 1u);
+}
+
+/* Makes the lobe of a slope as it is: 2 zeta = slope / 2^shift, for slopes that were computed
+ * ahead. One division, for the boundary. lobe   becomes the lobe, on error the dark one; not NULL
+ *   slope  1 .. 65535
+ *   shift  0 .. 15; 8 means a slope in UQ8.8, which costs an 8-bit processor no shift at all
+ *   order  2, 4, 8 or 16
+ * Errors: ERROR_ORDER; ERROR_ZETA for a slope of 0 or a shift above 15. */
+static inline burnish_q15_status burnish_lobe_q15_from_slope(burnish_lobe_q15 *lobe, uint16_t slope,
+                                                             uint8_t shift, uint16_t order) {
+    const uint8_t squarings = burnish_q15_squarings(order);
+    burnish_lobe_q15_darken(lobe);
+    if (squarings == 0) {
+        return BURNISH_Q15_ERROR_ORDER;
+    }
+    if (slope == 0 || shift > 15) {
+        return BURNISH_Q15_ERROR_ZETA;
+    }
+    lobe->slope = slope;
+    lobe->shift = shift;
+    lobe->squarings = squarings;
+    lobe->lit_from = burnish_q15_lit_from(slope, shift);
+    return BURNISH_Q15_OK;
+}
+
+/* Makes the lobe of a zeta, rounded to 16 significant bits (halves up); below 1 to 2^-16.
+ *   lobe      becomes the lobe, on error the dark one; not NULL
+ *   zeta_q16  UQ16.16: 1 .. 0x7FFF0000
+ *   order     2, 4, 8 or 16
+ * Errors: ERROR_ORDER, ERROR_ZETA. */
+static inline burnish_q15_status burnish_lobe_q15_from_zeta(burnish_lobe_q15 *lobe,
+                                                            uint32_t zeta_q16, uint16_t order) {
+    uint8_t shift = 15; /* 2 zeta 2^15 is zeta_q16 itself */
+    uint32_t slope = zeta_q16;
+    burnish_lobe_q15_darken(lobe);
+    if (zeta_q16 == 0 || zeta_q16 > BURNISH_Q15_ZETA_MAX) {
+        return burnish_q15_squarings(order) ? BURNISH_Q15_ERROR_ZETA : BURNISH_Q15_ERROR_ORDER;
+    }
+    while (slope > 0xFFFFu) {
+        --shift;
+        slope = (zeta_q16 + ((uint32_t)0x4000ul >> shift)) >> (15 - shift);
+    }
+    return burnish_lobe_q15_from_slope(lobe, (uint16_t)slope, shift, order);
+}
+
+/* 2 zeta 2^shift of the energy fit with 16 significant bits, rounded, halves up.
+ *   exponent  1 .. 1023
+ *   order     2 .. 16
+ *   shift     receives 0 .. 15 */
+static inline uint16_t burnish_q15_energy_slope(uint16_t exponent, uint16_t order, uint8_t *shift) {
+    const uint16_t whole = (uint16_t)(order + 1u);
+    uint32_t scaled = (uint32_t)(exponent + 1u) << 1; /* 2 (n+1) 2^shift */
+    *shift = 0;
+    while (*shift < 15 && scaled < (uint32_t)0x8000ul * whole) { /* until the slope has 16 bits */
+        scaled <<= 1;
+        ++*shift;
+    }
+    return (uint16_t)((scaled + whole / 2u) / whole);
+}
+
+/* Makes the lobe that stands for cos^exponent.
+ *   lobe      becomes the lobe, on error the dark one; not NULL
+ *   fit       see burnish_q15_fit
+ *   order     2, 4, 8 or 16, above 2 at most the exponent; SHIFT7 and SHIFT3: 2
+ *   exponent  n: 1 .. 1023
+ * Errors: ERROR_FIT, ERROR_ORDER, ERROR_EXPONENT, ERROR_ORDER_FOR_EXPONENT. */
+static inline burnish_q15_status burnish_lobe_q15_create(burnish_lobe_q15 *lobe,
+                                                         burnish_q15_fit fit, uint16_t order,
+                                                         uint16_t exponent) {
+    const uint8_t squarings = burnish_q15_squarings(order);
+    uint16_t slope;
+    uint8_t shift;
+    burnish_lobe_q15_darken(lobe);
+    if (squarings == 0 ||
+        ((fit == BURNISH_Q15_SHIFT7 || fit == BURNISH_Q15_SHIFT3) && order != 2)) {
+        return BURNISH_Q15_ERROR_ORDER;
+    }
+    if (exponent == 0 || exponent > BURNISH_Q15_EXPONENT_MAX) {
+        return BURNISH_Q15_ERROR_EXPONENT;
+    }
+    if (order > 2 && exponent < order) {
+        return BURNISH_Q15_ERROR_ORDER_FOR_EXPONENT;
+    }
+    switch (fit) {
+    case BURNISH_Q15_TAYLOR:
+        slope = exponent;
+        shift = (uint8_t)(squarings - 1);
+        break;
+    case BURNISH_Q15_ENERGY:
+        slope = burnish_q15_energy_slope(exponent, order, &shift);
+        break;
+    case BURNISH_Q15_SHIFT7:
+        slope = (uint16_t)(7u * exponent);
+        shift = 3;
+        break;
+    case BURNISH_Q15_SHIFT3:
+        slope = (uint16_t)(3u * exponent);
+        shift = 2;
+        break;
+    default:
+        return BURNISH_Q15_ERROR_FIT;
+    }
+    return burnish_lobe_q15_from_slope(lobe, slope, shift, order);
+}
+
+/* Rewrites a lobe's slope in UQ8.8, rounded, so that the shift is a whole byte: what an 8-bit
+ * processor wants. zeta moves by at most 2^-10.
+ *   lobe  not NULL, zeta below 127.99
+ * Errors: ERROR_ZETA for a larger zeta or one that rounds to 0; the lobe is then unchanged. */
+static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) {
+    uint32_t slope = lobe->slope;
+    if (lobe->shift > 8) {
+        slope = (slope + ((uint32_t)1 << (lobe->shift - 9))) >> (lobe->shift - 8);
+    } else {
+        slope <<= 8 - lobe->shift;
+    }
+    if (slope == 0 || slope > 0xFFFFu) {
+        return BURNISH_Q15_ERROR_ZETA;
+    }
+    lobe->slope = (uint16_t)slope;
+    lobe->shift = 8;
+    lobe->lit_from = burnish_q15_lit_from(lobe->slope, 8);
+    return BURNISH_Q15_OK;
+}
+
+/* ---- Lobes at a cosine
+ * ---------------------------------------------------------------------------
+ *
+ *   lobe    not NULL
+ *   cosine  UQ1.15; below lobe->lit_from the result is 0 at once
+ * Forms and errors: see the top of this file. */
+
+static inline uint16_t burnish_lobe_q15_fast(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    if (cosine < lobe->lit_from) {
+        return 0;
+    }
+    return burnish_q15_fast_of(burnish_q15_product(lobe->slope, burnish_q15_lambda(cosine)),
+                               lobe->shift, lobe->squarings);
+}
+
+static inline uint16_t burnish_lobe_q15_near(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    if (cosine < lobe->lit_from) {
+        return 0;
+    }
+    return burnish_q15_near_of(burnish_q15_product(lobe->slope, burnish_q15_lambda(cosine)),
+                               lobe->shift, lobe->squarings);
+}
+
+static inline uint8_t burnish_lobe_q15_fast8(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    if (cosine < lobe->lit_from) {
+        return 0;
+    }
+    return burnish_q15_fast8_of(burnish_q15_product(lobe->slope, burnish_q15_lambda(cosine)),
+                                lobe->shift, lobe->squarings);
+}
+
+/* The lobe in UQ0.32: what exact and exact8 round. Error below 2m - 2 units of 2^-32 for an exact
+ * slope, 1 limited to 0xFFFFFFFF. */
+static inline uint32_t burnish_lobe_q15_wide(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    if (cosine < lobe->lit_from) {
+        return 0;
+    }
+    return burnish_q15_wide_of(burnish_q15_product(lobe->slope, burnish_q15_lambda(cosine))
+                                   << (16 - lobe->shift),
+                               lobe->squarings);
+}
+
+static inline uint16_t burnish_lobe_q15_exact(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    return burnish_q15_round(burnish_lobe_q15_wide(lobe, cosine));
+}
+
+static inline uint8_t burnish_lobe_q15_exact8(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    return burnish_q15_round8(burnish_lobe_q15_wide(lobe, cosine));
+}
+
+/* ---- Lobes at 1 - cosine
+ * -------------------------------------------------------------------------
+ *
+ * For exponents whose highlight is a few steps of a 15-bit cosine wide. The boundary is found from
+ * the product; lit_from is asked only of the dark lobe.
+ *   lobe    not NULL
+ *   lambda  1 - cosine in UQ0.24; above 0xFFFFFF counts as that */
+
+/* lambda limited to 24 bits. */
+static inline uint32_t burnish_q15_limit_lambda(uint32_t lambda) {
+    return lambda > BURNISH_Q15_LAMBDA_MAX ? (uint32_t)BURNISH_Q15_LAMBDA_MAX : lambda;
+}
+
+/* w for a lobe, past every bound for the dark lobe. */
+static inline uint32_t burnish_lobe_q15_product_lambda(const burnish_lobe_q15 *lobe,
+                                                       uint32_t lambda) {
+    return lobe->slope == 0
+               ? 0xFFFFFFFFul
+               : burnish_q15_product_lambda(lobe->slope, burnish_q15_limit_lambda(lambda));
+}
+
+static inline uint16_t burnish_lobe_q15_fast_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    return burnish_q15_fast_of(burnish_lobe_q15_product_lambda(lobe, lambda), lobe->shift,
+                               lobe->squarings);
+}
+
+static inline uint16_t burnish_lobe_q15_near_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    return burnish_q15_near_of(burnish_lobe_q15_product_lambda(lobe, lambda), lobe->shift,
+                               lobe->squarings);
+}
+
+static inline uint8_t burnish_lobe_q15_fast8_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    return burnish_q15_fast8_of(burnish_lobe_q15_product_lambda(lobe, lambda), lobe->shift,
+                                lobe->squarings);
+}
+
+/* The lobe in UQ0.32; error as burnish_lobe_q15_wide, and 1 to m more where shift > 7. */
+static inline uint32_t burnish_lobe_q15_wide_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    if (burnish_lobe_q15_product_lambda(lobe, lambda) >> lobe->shift > 0xFFFFu) {
+        return 0;
+    }
+    return burnish_q15_wide_of(
+        burnish_q15_fraction(lobe->slope, lobe->shift, burnish_q15_limit_lambda(lambda)),
+        lobe->squarings);
+}
+
+static inline uint16_t burnish_lobe_q15_exact_lambda(const burnish_lobe_q15 *lobe,
+                                                     uint32_t lambda) {
+    return burnish_q15_round(burnish_lobe_q15_wide_lambda(lobe, lambda));
+}
+
+static inline uint8_t burnish_lobe_q15_exact8_lambda(const burnish_lobe_q15 *lobe,
+                                                     uint32_t lambda) {
+    return burnish_q15_round8(burnish_lobe_q15_wide_lambda(lobe, lambda));
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
