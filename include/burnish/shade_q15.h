@@ -222,7 +222,7 @@ static inline uint16_t burnish_q15_accumulate(uint16_t sum, uint16_t factor, uin
 
 /* A cosine as a weight: UQ1.15, at most 0x8000, to UQ0.16, 1 limited to 0xFFFF. */
 static inline uint16_t burnish_q15_weight(uint16_t cosine) {
-    return cosine >= BURNISH_Q15_ONE ? (uint16_t)0xFFFFu : (uint16_t)(cosine << 1);
+    return cosine >= BURNISH_Q15_ONE ? (uint16_t)0xFFFFu : (uint16_t)(2u * cosine);
 }
 
 /* An intensity in UQ1.15 to a code of 0 .. largest, rounded, halves up, limited.
