@@ -1,0 +1,15 @@
+/* The firmware: draws the frames and sends each as a PPM over the serial line. */
+#include "picture.h"
+#include "target.h"
+
+static picture frame;
+
+int main(void) {
+    uint8_t i;
+    for (i = 0; i < PICTURE_FRAMES; ++i) {
+        picture_draw(&frame, i);
+        picture_write(&frame, target_put);
+    }
+    target_end();
+    return 0;
+}
