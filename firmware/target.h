@@ -7,6 +7,9 @@
 /* Sends a byte over the serial line. */
 void target_put(uint8_t byte);
 
+/* A moment that the cycle counter of the simulator sees. */
+void target_mark(void);
+
 /* Ends the run: what the simulator waits for. */
 void target_end(void);
 

@@ -1,5 +1,5 @@
-/* Runs an AVR program in simavr: what it sends goes to standard output. Where the program writes a
- * number to GPIOR0, a line "mark NUMBER CYCLE" goes to standard error: exact cycles.
+/* Runs an AVR program in simavr: what it sends goes to standard output. Where the program writes to
+ * GPIOR0, a line "mark CYCLE" goes to standard error: exact cycles.
  * Usage: simulate PROGRAM.elf */
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ static void sent(struct avr_irq_t *irq, uint32_t value, void *unused) {
 static void marked(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *unused) {
     (void)unused;
     avr->data[address] = value;
-    fprintf(stderr, "mark %u %llu\n", value, (unsigned long long)avr->cycle);
+    fprintf(stderr, "mark %llu\n", (unsigned long long)avr->cycle);
 }
 
 static void quiet(avr_t *avr, const int level, const char *format, va_list arguments) {

@@ -12,6 +12,10 @@ void target_put(uint8_t byte) {
     UDR0 = byte;
 }
 
+void target_mark(void) {
+    GPIOR0 = 1;
+}
+
 void target_end(void) {
     cli();
     sleep_enable();

@@ -16,7 +16,13 @@ __asm__(".section .text.start\n"
         "    j start_in_c\n"
         ".previous");
 
-void target_put(uint8_t byte) { UART_TRANSMIT = byte; }
+void target_put(uint8_t byte) {
+    UART_TRANSMIT = byte;
+}
+
+__attribute__((noinline)) void target_mark(void) {
+    __asm__ volatile("" ::: "memory");
+}
 
 void target_end(void) {
     TEST_DEVICE = 0x5555; /* pass */

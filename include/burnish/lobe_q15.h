@@ -96,14 +96,14 @@ typedef enum burnish_q15_fit {
     BURNISH_Q15_SHIFT3  /* 3n/8, m = 2 */
 } burnish_q15_fit;
 
-/* One lobe, ready to be evaluated; make it with burnish_lobe_q15_create or a sibling. lit_from is
- * the boundary memory's word: below it nothing is computed. All zero but lit_from = 0xFFFF is the
- * dark lobe. */
+/* One lobe, ready to be evaluated; make it with burnish_lobe_q15_create or a sibling. reach is the
+ * boundary memory's word: beyond it nothing is computed. All zero is the dark lobe, whose endless
+ * squarings leave nothing. */
 typedef struct burnish_lobe_q15 {
     uint16_t slope;    /* 2 zeta 2^shift */
-    uint16_t lit_from; /* UQ1.15: the smallest cosine at which the lobe is above 0 */
+    uint16_t reach;    /* UQ1.15: the largest 1 - cosine at which the lobe is above 0 */
     uint8_t shift;     /* 0 .. 15 */
-    uint8_t squarings; /* log2 m: 1 .. 4 */
+    uint8_t squarings; /* log2 m: 1 .. 4; 0 in the dark lobe */
 } burnish_lobe_q15;
 
 /* ---- Steps --------------------------------------------------------------------------------------
@@ -115,9 +115,37 @@ static inline uint16_t burnish_q15_lambda(uint16_t cosine) {
     return cosine > BURNISH_Q15_ONE ? (uint16_t)0 : (uint16_t)(BURNISH_Q15_ONE - cosine);
 }
 
-/* The product of two 16-bit numbers in 32 bits, for processors whose int has 16 or 32. */
+/* AVR with a multiplier: products in assembly, a third of what the compiler's own calls take. The
+ * firmware's tests compare them with the C below. */
+#if defined(__AVR_HAVE_MUL__) && defined(__GNUC__) && !defined(BURNISH_Q15_PLAIN_C)
+#define BURNISH_Q15_AVR 1
+#endif
+
+/* The product of two 16-bit numbers in 32 bits. */
 static inline uint32_t burnish_q15_multiply(uint16_t a, uint16_t b) {
+#ifdef BURNISH_Q15_AVR
+    uint32_t product;
+    uint8_t zero;
+    __asm__("mul %A2, %A3\n\t"
+            "movw %A0, r0\n\t"
+            "mul %B2, %B3\n\t"
+            "movw %C0, r0\n\t"
+            "clr %1\n\t"
+            "mul %B2, %A3\n\t"
+            "add %B0, r0\n\t"
+            "adc %C0, r1\n\t"
+            "adc %D0, %1\n\t"
+            "mul %A2, %B3\n\t"
+            "add %B0, r0\n\t"
+            "adc %C0, r1\n\t"
+            "adc %D0, %1\n\t"
+            "clr r1"
+            : "=&r"(product), "=&r"(zero)
+            : "r"(a), "r"(b));
+    return product;
+#else
     return (uint32_t)a * b;
+#endif
 }
 
 /* w of a cosine: zeta (1 - c) in 2^-(16 + shift), exact.  lambda  UQ1.15, at most 0x8000 */
@@ -133,7 +161,28 @@ static inline uint32_t burnish_q15_product_lambda(uint16_t slope, uint32_t lambd
 
 /* floor(x^2 / 2^16) of x in UQ0.16. */
 static inline uint16_t burnish_q15_square(uint16_t x) {
+#ifdef BURNISH_Q15_AVR
+    uint16_t square;
+    uint8_t low, zero;
+    __asm__("mul %A3, %A3\n\t"
+            "mov %1, r1\n\t"
+            "mul %B3, %B3\n\t"
+            "movw %A0, r0\n\t"
+            "clr %2\n\t"
+            "mul %A3, %B3\n\t"
+            "add %1, r0\n\t"
+            "adc %A0, r1\n\t"
+            "adc %B0, %2\n\t"
+            "add %1, r0\n\t"
+            "adc %A0, r1\n\t"
+            "adc %B0, %2\n\t"
+            "clr r1"
+            : "=&r"(square), "=&r"(low), "=&r"(zero)
+            : "r"(x));
+    return square;
+#else
     return (uint16_t)(burnish_q15_multiply(x, x) >> 16);
+#endif
 }
 
 /* x^2 of x in UQ0.16, rounded, halves up; 0xFFFF^2 + 0x8000 still fits. */
@@ -180,7 +229,7 @@ static inline uint8_t burnish_q15_round8(uint32_t x) {
  * never above the real lobe by more than 0: it is a floor of a floor.
  *   w          from burnish_q15_product or burnish_q15_product_lambda
  *   shift      0 .. 15
- *   squarings  1 .. 4 */
+ *   squarings  1 .. 4; 0, the dark lobe's, gives 0 */
 static inline uint16_t burnish_q15_fast_of(uint32_t w, uint8_t shift, uint8_t squarings) {
     const uint32_t a = w >> shift;
     uint16_t x;
@@ -235,7 +284,7 @@ static inline uint32_t burnish_q15_fraction(uint16_t slope, uint8_t shift, uint3
 static inline uint32_t burnish_q15_wide_of(uint32_t fraction, uint8_t squarings) {
     uint32_t x = (uint32_t)(0u - fraction);
     if (fraction == 0) {
-        return 0xFFFFFFFFul;
+        return squarings ? 0xFFFFFFFFul : 0;
     }
     do {
         x = burnish_q15_square_wide(x);
@@ -250,26 +299,52 @@ static inline uint32_t burnish_q15_wide_of(uint32_t fraction, uint8_t squarings)
  *   cosine    UQ1.15
  * Returns UQ0.16, at most 0xFFFE. */
 
+/* Form fast, order 2, of any slope. Above 1 the difference wraps, w passes 2^31 and the one test
+ * that finds the cutoff finds it too. */
+static inline uint16_t burnish_slope_q15(uint16_t slope, uint8_t shift, uint16_t cosine) {
+#ifdef __AVR__ /* 16 bits are cheaper there, and don't tell */
+    return burnish_q15_fast_of(burnish_q15_product(slope, burnish_q15_lambda(cosine)), shift, 1);
+#else
+    const uint32_t a = (slope * (BURNISH_Q15_ONE - (uint32_t)cosine)) >> shift;
+    if (a > 0xFFFFu) {
+        return cosine > BURNISH_Q15_ONE ? (uint16_t)0xFFFEu : (uint16_t)0;
+    }
+    return burnish_q15_square((uint16_t)(0xFFFFu - a));
+#endif
+}
+
 /* zeta = n/2, the paper's W: p = n u is zeta (1 - c) in 2^-16 as it is. */
 static inline uint16_t burnish_taylor_q15(uint16_t exponent, uint16_t cosine) {
-    return burnish_q15_fast_of(burnish_q15_product(exponent, burnish_q15_lambda(cosine)), 0, 1);
+    return burnish_slope_q15(exponent, 0, cosine);
 }
 
 /* zeta = 7n/16, the paper's W_0.5: 7n = 8n - n. */
 static inline uint16_t burnish_shift7_q15(uint16_t exponent, uint16_t cosine) {
-    const uint16_t slope = (uint16_t)((uint16_t)(exponent << 3) - exponent);
-    return burnish_q15_fast_of(burnish_q15_product(slope, burnish_q15_lambda(cosine)), 3, 1);
+    return burnish_slope_q15((uint16_t)((uint16_t)(exponent << 3) - exponent), 3, cosine);
 }
 
 /* zeta = 3n/8: 3n = 2n + n. */
 static inline uint16_t burnish_shift3_q15(uint16_t exponent, uint16_t cosine) {
-    const uint16_t slope = (uint16_t)((uint16_t)(exponent << 1) + exponent);
-    return burnish_q15_fast_of(burnish_q15_product(slope, burnish_q15_lambda(cosine)), 2, 1);
+    return burnish_slope_q15((uint16_t)((uint16_t)(exponent << 1) + exponent), 2, cosine);
 }
 
 /* zeta = n/2 to 8 bits.  exponent  n: 0 .. 255.  Returns UQ0.8. Form fast8. */
 static inline uint8_t burnish_taylor8_q15(uint8_t exponent, uint16_t cosine) {
-    return burnish_q15_fast8_of(burnish_q15_product(exponent, burnish_q15_lambda(cosine)), 0, 1);
+#ifdef __AVR__ /* two products of 8 bits */
+    const uint16_t u = burnish_q15_lambda(cosine);
+    const uint16_t low = (uint16_t)((uint16_t)exponent * (uint8_t)u);
+    const uint16_t high = (uint16_t)((uint16_t)exponent * (uint8_t)(u >> 8) + (uint8_t)(low >> 8));
+    if (high > 0xFFu) {
+        return 0;
+    }
+    return burnish_q15_square8((uint16_t) ~(uint16_t)((uint16_t)(high << 8) | (uint8_t)low));
+#else
+    const uint32_t a = exponent * (BURNISH_Q15_ONE - (uint32_t)cosine);
+    if (a > 0xFFFFu) {
+        return cosine > BURNISH_Q15_ONE ? (uint8_t)0xFFu : (uint8_t)0;
+    }
+    return burnish_q15_square8((uint16_t)(0xFFFFu - a));
+#endif
 }
 
 /* ---- Lobes made once ----------------------------------------------------------------------------
@@ -278,9 +353,9 @@ static inline uint8_t burnish_taylor8_q15(uint8_t exponent, uint16_t cosine) {
 /* The dark lobe, which is 0 everywhere, c = 1 included. */
 static inline void burnish_lobe_q15_darken(burnish_lobe_q15 *lobe) {
     lobe->slope = 0;
-    lobe->lit_from = 0xFFFFu;
+    lobe->reach = 0;
     lobe->shift = 0;
-    lobe->squarings = 1;
+    lobe->squarings = 0;
 }
 
 /* log2 of an order: 1 .. 4; 0 for what is no order. */
@@ -299,20 +374,25 @@ static inline uint8_t burnish_q15_squarings(uint16_t order) {
     }
 }
 
-/* The smallest cosine at which a is below 1, that is slope u < 2^(16 + shift); 0 where that holds
- * down to c = 0.  slope  not 0 */
-static inline uint16_t burnish_q15_lit_from(uint16_t slope, uint8_t shift) {
-    const uint32_t largest = (((uint32_t)0x10000ul << shift) - 1u) / slope; /* lambda still lit */
-    return largest >= BURNISH_Q15_ONE ? (uint16_t)0 : (uint16_t)(BURNISH_Q15_ONE - largest);
+/* The largest 1 - cosine at which a is below 1, that is slope u < 2^(16 + shift); at most 1.
+ *   slope  not 0 */
+static inline uint16_t burnish_q15_reach(uint16_t slope, uint8_t shift) {
+    const uint32_t largest = (((uint32_t)0x10000ul << shift) - 1u) / slope;
+    return largest >= BURNISH_Q15_ONE ? (uint16_t)BURNISH_Q15_ONE : (uint16_t)largest;
 }
 
-/* Takes a word of the boundary memory, as `burnish lobe boundary --format-word=UQ0.15` writes it,
- * in place of the lobe's own cutoff: cosines up to the word give 0. With --bits=0 of the same lobe
- * no result changes; with a threshold, highlights dimmer than that are cut, and less is computed.
+/* Takes a word of the boundary memory, as `burnish lobe boundary --format-word=UQ0.15` writes it:
+ * cosines up to the word give 0. With --bits=0 of the same lobe no result changes; with a
+ * threshold, highlights dimmer than that are cut, and less is computed. A word below the lobe's own
+ * cutoff changes nothing.
  *   lobe  not NULL
  *   word  UQ0.15; 0 stands for no boundary */
 static inline void burnish_lobe_q15_set_boundary(burnish_lobe_q15 *lobe, uint16_t word) {
-    lobe->lit_from = word == 0 ? (uint16_t)0 : (uint16_t)(word + 1u);
+    const uint16_t reach =
+        word < BURNISH_Q15_ONE ? (uint16_t)(BURNISH_Q15_ONE - 1u - word) : (uint16_t)0;
+    if (word != 0 && reach < lobe->reach) {
+        lobe->reach = reach;
+    }
 }
 
 /* Makes the lobe of a slope as it is: 2 zeta = slope / 2^shift, for slopes that were computed
@@ -334,7 +414,7 @@ static inline burnish_q15_status burnish_lobe_q15_from_slope(burnish_lobe_q15 *l
     lobe->slope = slope;
     lobe->shift = shift;
     lobe->squarings = squarings;
-    lobe->lit_from = burnish_q15_lit_from(slope, shift);
+    lobe->reach = burnish_q15_reach(slope, shift);
     return BURNISH_Q15_OK;
 }
 
@@ -434,7 +514,7 @@ static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) 
     }
     lobe->slope = (uint16_t)slope;
     lobe->shift = 8;
-    lobe->lit_from = burnish_q15_lit_from(lobe->slope, 8);
+    lobe->reach = burnish_q15_reach(lobe->slope, 8);
     return BURNISH_Q15_OK;
 }
 
@@ -442,41 +522,59 @@ static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) 
  * ---------------------------------------------------------------------------
  *
  *   lobe    not NULL
- *   cosine  UQ1.15; below lobe->lit_from the result is 0 at once
+ *   cosine  UQ1.15; where 1 - cosine is beyond lobe->reach the result is 0 at once
  * Forms and errors: see the top of this file. */
 
-static inline uint16_t burnish_lobe_q15_fast(const burnish_lobe_q15 *lobe, uint16_t cosine) {
-    if (cosine < lobe->lit_from) {
+/* Whether there is anything to compute. 1 - cosine wraps above 1 and is then beyond every reach.
+ *   lambda  receives 1 - cosine in UQ1.15 */
+static inline uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint16_t cosine,
+                                              uint16_t *lambda) {
+    *lambda = (uint16_t)(BURNISH_Q15_ONE - cosine);
+    if (*lambda <= lobe->reach) {
+        return 1;
+    }
+    if (cosine <= BURNISH_Q15_ONE) {
         return 0;
     }
-    return burnish_q15_fast_of(burnish_q15_product(lobe->slope, burnish_q15_lambda(cosine)),
-                               lobe->shift, lobe->squarings);
+    *lambda = 0;
+    return 1;
+}
+
+static inline uint16_t burnish_lobe_q15_fast(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    uint16_t lambda;
+    if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
+        return 0;
+    }
+    return burnish_q15_fast_of(burnish_q15_product(lobe->slope, lambda), lobe->shift,
+                               lobe->squarings);
 }
 
 static inline uint16_t burnish_lobe_q15_near(const burnish_lobe_q15 *lobe, uint16_t cosine) {
-    if (cosine < lobe->lit_from) {
+    uint16_t lambda;
+    if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
         return 0;
     }
-    return burnish_q15_near_of(burnish_q15_product(lobe->slope, burnish_q15_lambda(cosine)),
-                               lobe->shift, lobe->squarings);
+    return burnish_q15_near_of(burnish_q15_product(lobe->slope, lambda), lobe->shift,
+                               lobe->squarings);
 }
 
 static inline uint8_t burnish_lobe_q15_fast8(const burnish_lobe_q15 *lobe, uint16_t cosine) {
-    if (cosine < lobe->lit_from) {
+    uint16_t lambda;
+    if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
         return 0;
     }
-    return burnish_q15_fast8_of(burnish_q15_product(lobe->slope, burnish_q15_lambda(cosine)),
-                                lobe->shift, lobe->squarings);
+    return burnish_q15_fast8_of(burnish_q15_product(lobe->slope, lambda), lobe->shift,
+                                lobe->squarings);
 }
 
 /* The lobe in UQ0.32: what exact and exact8 round. Error below 2m - 2 units of 2^-32 for an exact
  * slope, 1 limited to 0xFFFFFFFF. */
 static inline uint32_t burnish_lobe_q15_wide(const burnish_lobe_q15 *lobe, uint16_t cosine) {
-    if (cosine < lobe->lit_from) {
+    uint16_t lambda;
+    if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
         return 0;
     }
-    return burnish_q15_wide_of(burnish_q15_product(lobe->slope, burnish_q15_lambda(cosine))
-                                   << (16 - lobe->shift),
+    return burnish_q15_wide_of(burnish_q15_product(lobe->slope, lambda) << (16 - lobe->shift),
                                lobe->squarings);
 }
 
@@ -492,7 +590,7 @@ static inline uint8_t burnish_lobe_q15_exact8(const burnish_lobe_q15 *lobe, uint
  * -------------------------------------------------------------------------
  *
  * For exponents whose highlight is a few steps of a 15-bit cosine wide. The boundary is found from
- * the product; lit_from is asked only of the dark lobe.
+ * the product; reach is not asked.
  *   lobe    not NULL
  *   lambda  1 - cosine in UQ0.24; above 0xFFFFFF counts as that */
 
@@ -501,12 +599,10 @@ static inline uint32_t burnish_q15_limit_lambda(uint32_t lambda) {
     return lambda > BURNISH_Q15_LAMBDA_MAX ? (uint32_t)BURNISH_Q15_LAMBDA_MAX : lambda;
 }
 
-/* w for a lobe, past every bound for the dark lobe. */
+/* w for a lobe. */
 static inline uint32_t burnish_lobe_q15_product_lambda(const burnish_lobe_q15 *lobe,
                                                        uint32_t lambda) {
-    return lobe->slope == 0
-               ? 0xFFFFFFFFul
-               : burnish_q15_product_lambda(lobe->slope, burnish_q15_limit_lambda(lambda));
+    return burnish_q15_product_lambda(lobe->slope, burnish_q15_limit_lambda(lambda));
 }
 
 static inline uint16_t burnish_lobe_q15_fast_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
