@@ -53,7 +53,8 @@ static inline uint8_t schlick8(uint8_t exponent, uint16_t cosine) {
         quotient |= (uint8_t)(bit);                                                                \
     }
     STEP(128)
-    STEP(64) STEP(32) STEP(16) STEP(8) STEP(4) STEP(2) STEP(1)
+    STEP(64)
+    STEP(32) STEP(16) STEP(8) STEP(4) STEP(2) STEP(1)
 #undef STEP
         return quotient;
 }

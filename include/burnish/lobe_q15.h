@@ -112,7 +112,15 @@ typedef struct burnish_lobe_q15 {
 
 /* 1 - cosine in UQ1.15.  cosine  any; above 0x8000 counts as 1 */
 static inline uint16_t burnish_q15_lambda(uint16_t cosine) {
+#ifdef __AVR__ /* two cycles where the comparison takes six */
+    uint16_t lambda = (uint16_t)(BURNISH_Q15_ONE - cosine);
+    if ((uint8_t)(lambda >> 8) & 0x80u) {
+        lambda = cosine == 0 ? lambda : 0;
+    }
+    return lambda;
+#else
     return cosine > BURNISH_Q15_ONE ? (uint16_t)0 : (uint16_t)(BURNISH_Q15_ONE - cosine);
+#endif
 }
 
 /* AVR with a multiplier: products in assembly, a third of what the compiler's own calls take. The
@@ -149,8 +157,12 @@ static inline uint32_t burnish_q15_multiply(uint16_t a, uint16_t b) {
 }
 
 /* w of a cosine: zeta (1 - c) in 2^-(16 + shift), exact.  lambda  UQ1.15, at most 0x8000 */
-static inline uint32_t burnish_q15_product(uint16_t slope, uint16_t lambda) {
+static inline uint32_t burnish_q15_product(uint16_t slope, uint_fast16_t lambda) {
+#ifdef BURNISH_Q15_AVR
     return burnish_q15_multiply(slope, lambda);
+#else
+    return (uint32_t)slope * (uint32_t)lambda;
+#endif
 }
 
 /* w of a 1 - cosine: zeta lambda in 2^-(16 + shift), floor.  lambda  UQ0.24, at most 0xFFFFFF */
@@ -160,7 +172,7 @@ static inline uint32_t burnish_q15_product_lambda(uint16_t slope, uint32_t lambd
 }
 
 /* floor(x^2 / 2^16) of x in UQ0.16. */
-static inline uint16_t burnish_q15_square(uint16_t x) {
+static inline uint16_t burnish_q15_square(uint_fast16_t x) {
 #ifdef BURNISH_Q15_AVR
     uint16_t square;
     uint8_t low, zero;
@@ -181,7 +193,7 @@ static inline uint16_t burnish_q15_square(uint16_t x) {
             : "r"(x));
     return square;
 #else
-    return (uint16_t)(burnish_q15_multiply(x, x) >> 16);
+    return (uint16_t)(((uint32_t)x * (uint32_t)x) >> 16);
 #endif
 }
 
@@ -196,15 +208,30 @@ static inline uint16_t burnish_q15_square_middle(uint16_t x) {
 }
 
 /* (y + 1/2)^2 of y = x >> 7, the top 9 bits of x in UQ0.16, rounded to 8 bits:
- * (y (y + 1) + 511) >> 10, in 16 bits and with two products of 8 bits. */
-static inline uint8_t burnish_q15_square8(uint16_t x) {
-    const uint8_t high = (uint8_t)(x >> 8);
-    const uint8_t low = (uint8_t)((x >> 7) & 1u); /* y = 2 high + low */
-    uint16_t sum = (uint16_t)((uint16_t)high * high);
-    if (low) {
-        sum = (uint16_t)(sum + high);
-    }
-    return (uint8_t)((uint16_t)(sum + (uint16_t)((uint16_t)(high + low + 255u) >> 1)) >> 8);
+ * (y (y + 1) + 511) >> 10. With y = 2 h + b that is (h h + b h + ((h + b + 255) >> 1)) >> 8, which
+ * needs one product of 8 bits and fits in 16. */
+static inline uint8_t burnish_q15_square8(uint_fast16_t x) {
+#ifdef BURNISH_Q15_AVR
+    uint8_t result = 255, zero, some;
+    __asm__("mul %B3, %B3\n\t"
+            "clr %1\n\t"
+            "lsl %A3\n\t" /* carry: b */
+            "sbc %2, %2\n\t"
+            "and %2, %B3\n\t" /* b h */
+            "adc %0, %B3\n\t"
+            "ror %0\n\t" /* (h + b + 255) >> 1 */
+            "add r0, %2\n\t"
+            "adc r1, %1\n\t"
+            "add r0, %0\n\t"
+            "adc r1, %1\n\t"
+            "mov %0, r1\n\t"
+            "clr r1"
+            : "+&r"(result), "=&r"(zero), "=&r"(some), "+r"(x));
+    return result;
+#else
+    const uint32_t y = (uint32_t)x >> 7;
+    return (uint8_t)((y * y + y + 511u) >> 10);
+#endif
 }
 
 /* floor(x^2 / 2^32) of x in UQ0.32, from products of 16 bits. */
@@ -225,32 +252,21 @@ static inline uint8_t burnish_q15_round8(uint32_t x) {
     return x >= 0xFF800000ul ? (uint8_t)0xFFu : (uint8_t)((x + 0x800000ul) >> 24);
 }
 
-/* The lobe from w, with no more than 16 bits kept. Error at most 2m - 1 steps (for an exact slope),
- * never above the real lobe by more than 0: it is a floor of a floor.
- *   w          from burnish_q15_product or burnish_q15_product_lambda
- *   shift      0 .. 15
+/* The lobe from a, zeta (1 - c) in 2^-16 and below 1, with no more than 16 bits kept: a floor of
+ * floors, at most 2m - 1 steps below the lobe.
+ *   a          0 .. 0xFFFF
  *   squarings  1 .. 4; 0, the dark lobe's, gives 0 */
-static inline uint16_t burnish_q15_fast_of(uint32_t w, uint8_t shift, uint8_t squarings) {
-    const uint32_t a = w >> shift;
-    uint16_t x;
-    if (a > 0xFFFFu) {
-        return 0;
-    }
-    x = (uint16_t)~a;
-    do {
+static inline uint16_t burnish_q15_fast_at(uint_fast16_t a, uint8_t squarings) {
+    uint16_t x = burnish_q15_square(0xFFFFu - a);
+    while (--squarings) {
         x = burnish_q15_square(x);
-    } while (--squarings);
+    }
     return x;
 }
 
 /* The same with rounding at every step and the half bit that the complement loses put back. */
-static inline uint16_t burnish_q15_near_of(uint32_t w, uint8_t shift, uint8_t squarings) {
-    const uint32_t a = w >> shift;
-    uint16_t x;
-    if (a > 0xFFFFu) {
-        return 0;
-    }
-    x = burnish_q15_square_middle((uint16_t)~a);
+static inline uint16_t burnish_q15_near_at(uint_fast16_t a, uint8_t squarings) {
+    uint16_t x = burnish_q15_square_middle((uint16_t)(0xFFFFu - a));
     while (--squarings) {
         x = burnish_q15_square_rounded(x);
     }
@@ -258,13 +274,8 @@ static inline uint16_t burnish_q15_near_of(uint32_t w, uint8_t shift, uint8_t sq
 }
 
 /* The same to 8 bits: the last square from 9 bits. */
-static inline uint8_t burnish_q15_fast8_of(uint32_t w, uint8_t shift, uint8_t squarings) {
-    const uint32_t a = w >> shift;
-    uint16_t x;
-    if (a > 0xFFFFu) {
-        return 0;
-    }
-    x = (uint16_t)~a;
+static inline uint8_t burnish_q15_fast8_at(uint_fast16_t a, uint8_t squarings) {
+    uint_fast16_t x = 0xFFFFu - a;
     while (--squarings) {
         x = burnish_q15_square(x);
     }
@@ -303,13 +314,14 @@ static inline uint32_t burnish_q15_wide_of(uint32_t fraction, uint8_t squarings)
  * that finds the cutoff finds it too. */
 static inline uint16_t burnish_slope_q15(uint16_t slope, uint8_t shift, uint16_t cosine) {
 #ifdef __AVR__ /* 16 bits are cheaper there, and don't tell */
-    return burnish_q15_fast_of(burnish_q15_product(slope, burnish_q15_lambda(cosine)), shift, 1);
+    const uint32_t a = burnish_q15_product(slope, burnish_q15_lambda(cosine)) >> shift;
+    return a > 0xFFFFu ? (uint16_t)0 : burnish_q15_square((uint16_t)~a);
 #else
     const uint32_t a = (slope * (BURNISH_Q15_ONE - (uint32_t)cosine)) >> shift;
     if (a > 0xFFFFu) {
         return cosine > BURNISH_Q15_ONE ? (uint16_t)0xFFFEu : (uint16_t)0;
     }
-    return burnish_q15_square((uint16_t)(0xFFFFu - a));
+    return burnish_q15_square(0xFFFFu - a);
 #endif
 }
 
@@ -330,20 +342,26 @@ static inline uint16_t burnish_shift3_q15(uint16_t exponent, uint16_t cosine) {
 
 /* zeta = n/2 to 8 bits.  exponent  n: 0 .. 255.  Returns UQ0.8. Form fast8. */
 static inline uint8_t burnish_taylor8_q15(uint8_t exponent, uint16_t cosine) {
-#ifdef __AVR__ /* two products of 8 bits */
+#ifdef BURNISH_Q15_AVR /* two products of 8 bits */
     const uint16_t u = burnish_q15_lambda(cosine);
-    const uint16_t low = (uint16_t)((uint16_t)exponent * (uint8_t)u);
-    const uint16_t high = (uint16_t)((uint16_t)exponent * (uint8_t)(u >> 8) + (uint8_t)(low >> 8));
-    if (high > 0xFFu) {
-        return 0;
-    }
-    return burnish_q15_square8((uint16_t) ~(uint16_t)((uint16_t)(high << 8) | (uint8_t)low));
+    uint16_t a;
+    uint8_t above;
+    __asm__("mul %2, %A3\n\t"
+            "movw %A0, r0\n\t"
+            "mul %2, %B3\n\t"
+            "clr %1\n\t"
+            "add %B0, r0\n\t"
+            "adc %1, r1\n\t"
+            "clr r1"
+            : "=&r"(a), "=&r"(above)
+            : "r"(exponent), "r"(u));
+    return above ? (uint8_t)0 : burnish_q15_square8((uint16_t)~a);
 #else
     const uint32_t a = exponent * (BURNISH_Q15_ONE - (uint32_t)cosine);
     if (a > 0xFFFFu) {
         return cosine > BURNISH_Q15_ONE ? (uint8_t)0xFFu : (uint8_t)0;
     }
-    return burnish_q15_square8((uint16_t)(0xFFFFu - a));
+    return burnish_q15_square8(0xFFFFu - a);
 #endif
 }
 
@@ -528,8 +546,8 @@ static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) 
 /* Whether there is anything to compute. 1 - cosine wraps above 1 and is then beyond every reach.
  *   lambda  receives 1 - cosine in UQ1.15 */
 static inline uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint16_t cosine,
-                                              uint16_t *lambda) {
-    *lambda = (uint16_t)(BURNISH_Q15_ONE - cosine);
+                                              uint_fast16_t *lambda) {
+    *lambda = (uint_fast16_t)(BURNISH_Q15_ONE - cosine);
     if (*lambda <= lobe->reach) {
         return 1;
     }
@@ -540,37 +558,39 @@ static inline uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint
     return 1;
 }
 
+/* a at such a 1 - cosine: below 1, since reach is at most the lobe's own. */
+static inline uint_fast16_t burnish_lobe_q15_a(const burnish_lobe_q15 *lobe, uint_fast16_t lambda) {
+    return (uint_fast16_t)(burnish_q15_product(lobe->slope, lambda) >> lobe->shift);
+}
+
 static inline uint16_t burnish_lobe_q15_fast(const burnish_lobe_q15 *lobe, uint16_t cosine) {
-    uint16_t lambda;
+    uint_fast16_t lambda;
     if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
         return 0;
     }
-    return burnish_q15_fast_of(burnish_q15_product(lobe->slope, lambda), lobe->shift,
-                               lobe->squarings);
+    return burnish_q15_fast_at(burnish_lobe_q15_a(lobe, lambda), lobe->squarings);
 }
 
 static inline uint16_t burnish_lobe_q15_near(const burnish_lobe_q15 *lobe, uint16_t cosine) {
-    uint16_t lambda;
+    uint_fast16_t lambda;
     if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
         return 0;
     }
-    return burnish_q15_near_of(burnish_q15_product(lobe->slope, lambda), lobe->shift,
-                               lobe->squarings);
+    return burnish_q15_near_at(burnish_lobe_q15_a(lobe, lambda), lobe->squarings);
 }
 
 static inline uint8_t burnish_lobe_q15_fast8(const burnish_lobe_q15 *lobe, uint16_t cosine) {
-    uint16_t lambda;
+    uint_fast16_t lambda;
     if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
         return 0;
     }
-    return burnish_q15_fast8_of(burnish_q15_product(lobe->slope, lambda), lobe->shift,
-                                lobe->squarings);
+    return burnish_q15_fast8_at(burnish_lobe_q15_a(lobe, lambda), lobe->squarings);
 }
 
 /* The lobe in UQ0.32: what exact and exact8 round. Error below 2m - 2 units of 2^-32 for an exact
  * slope, 1 limited to 0xFFFFFFFF. */
 static inline uint32_t burnish_lobe_q15_wide(const burnish_lobe_q15 *lobe, uint16_t cosine) {
-    uint16_t lambda;
+    uint_fast16_t lambda;
     if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
         return 0;
     }
@@ -599,30 +619,29 @@ static inline uint32_t burnish_q15_limit_lambda(uint32_t lambda) {
     return lambda > BURNISH_Q15_LAMBDA_MAX ? (uint32_t)BURNISH_Q15_LAMBDA_MAX : lambda;
 }
 
-/* w for a lobe. */
-static inline uint32_t burnish_lobe_q15_product_lambda(const burnish_lobe_q15 *lobe,
-                                                       uint32_t lambda) {
-    return burnish_q15_product_lambda(lobe->slope, burnish_q15_limit_lambda(lambda));
+/* a at a 1 - cosine, 0x10000 or more where the lobe is 0. */
+static inline uint32_t burnish_lobe_q15_a_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    return burnish_q15_product_lambda(lobe->slope, burnish_q15_limit_lambda(lambda)) >> lobe->shift;
 }
 
 static inline uint16_t burnish_lobe_q15_fast_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
-    return burnish_q15_fast_of(burnish_lobe_q15_product_lambda(lobe, lambda), lobe->shift,
-                               lobe->squarings);
+    const uint32_t a = burnish_lobe_q15_a_lambda(lobe, lambda);
+    return a > 0xFFFFu ? (uint16_t)0 : burnish_q15_fast_at((uint_fast16_t)a, lobe->squarings);
 }
 
 static inline uint16_t burnish_lobe_q15_near_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
-    return burnish_q15_near_of(burnish_lobe_q15_product_lambda(lobe, lambda), lobe->shift,
-                               lobe->squarings);
+    const uint32_t a = burnish_lobe_q15_a_lambda(lobe, lambda);
+    return a > 0xFFFFu ? (uint16_t)0 : burnish_q15_near_at((uint_fast16_t)a, lobe->squarings);
 }
 
 static inline uint8_t burnish_lobe_q15_fast8_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
-    return burnish_q15_fast8_of(burnish_lobe_q15_product_lambda(lobe, lambda), lobe->shift,
-                                lobe->squarings);
+    const uint32_t a = burnish_lobe_q15_a_lambda(lobe, lambda);
+    return a > 0xFFFFu ? (uint8_t)0 : burnish_q15_fast8_at((uint_fast16_t)a, lobe->squarings);
 }
 
 /* The lobe in UQ0.32; error as burnish_lobe_q15_wide, and 1 to m more where shift > 7. */
 static inline uint32_t burnish_lobe_q15_wide_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
-    if (burnish_lobe_q15_product_lambda(lobe, lambda) >> lobe->shift > 0xFFFFu) {
+    if (burnish_lobe_q15_a_lambda(lobe, lambda) > 0xFFFFu) {
         return 0;
     }
     return burnish_q15_wide_of(
