@@ -1,8 +1,12 @@
-/* Every proof of q15_proof.h over every exponent, n = 1 .. 1023; a minute, so `make
- * prove-q15` and not ctest runs it. Prints the table of docs/firmware.md. Usage: prove_q15
- * [--markdown] */
+/* Every proof of q15_proof.h over every exponent, n = 1 .. 1023, every cosine and every lambda up
+ * to past the cutoff: two minutes, so `make prove-q15` and not ctest runs it. Usage: prove_q15
+ * [--markdown|--inputs]
+ *   --markdown  the table of errors of docs/firmware.md
+ *   --inputs    the table of what input formats cost */
+#include <math.h>
 #include <stdlib.h>
 
+#include "burnish/shade_q15.h"
 #include "q15_proof.h"
 
 /* Adds what another thread found. */
@@ -27,7 +31,7 @@ static q15_result all(const q15_case *c, int of_lambdas) {
     for (int n = 1; n <= 1023; ++n) {
         q15_result found = {0};
         if (of_lambdas) {
-            q15_prove_lambdas(c, (uint32_t)n, 7, &found);
+            q15_prove_lambdas(c, (uint32_t)n, 1, &found);
         } else {
             q15_prove_cosines(c, (uint32_t)n, &found);
         }
@@ -54,13 +58,72 @@ static void print_markdown(const q15_result results[Q15_CASES]) {
     }
 }
 
+/* A number in [-1, 1). */
+static double uniform(uint64_t *state) {
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(int64_t)(*state & ~(uint64_t)2047) / 9223372036854775808.0;
+}
+
+static void unit(double v[3]) {
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int k = 0; k < 3; ++k) {
+        v[k] /= length;
+    }
+}
+
+static int16_t to_q15(double x) {
+    return (int16_t)lrint(fmin(32767, fmax(-32767, x * 32768)));
+}
+
+/* What the input's format costs, apart from the lobe's own rounding: the largest error in steps of
+ * an 8-bit result, over random pairs of unit vectors inside the lobe. */
+static void print_inputs(void) {
+    printf(
+        "| exponent | exact cosine rounded to UQ1.15 | N.H of vectors in Q15 | chord of vectors in "
+        "Q15 | exact 1 - cosine in UQ0.24 |\n| ---: | ---: | ---: | ---: | ---: |\n");
+    for (uint16_t n = 8; n < 1024; n = n < 512 ? (uint16_t)(2 * n) : n == 512 ? 1023 : 1024) {
+        uint64_t state = n;
+        double worst[4] = {0};
+        burnish_lobe_q15 lobe;
+        burnish_lobe_q15_create(&lobe, BURNISH_Q15_TAYLOR, 2, n);
+        for (int i = 0; i < 1000000; ++i) {
+            double a[3] = {uniform(&state), uniform(&state), uniform(&state)}, b[3], lambda = 0;
+            int16_t x[3], y[3];
+            unit(a);
+            for (int k = 0; k < 3; ++k) {
+                b[k] = a[k] + uniform(&state) * sqrt(2.0 / n);
+            }
+            unit(b);
+            for (int k = 0; k < 3; ++k) {
+                lambda += (a[k] - b[k]) * (a[k] - b[k]) / 2;
+                x[k] = to_q15(a[k]);
+                y[k] = to_q15(b[k]);
+            }
+            const double t = fmax(0, 1 - n * lambda / 2), real = t * t * 256;
+            const uint32_t found[4] = {
+                burnish_lobe_q15_wide(&lobe, (uint16_t)lrint((1 - lambda) * 32768)),
+                burnish_lobe_q15_wide(&lobe, burnish_q15_cosine(burnish_q15_dot(x, y))),
+                burnish_lobe_q15_wide_lambda(&lobe, burnish_q15_chord(x, y)),
+                burnish_lobe_q15_wide_lambda(&lobe, (uint32_t)lrint(lambda * 16777216))};
+            for (int k = 0; k < 4; ++k) {
+                worst[k] = fmax(worst[k], fabs(found[k] / 16777216.0 - real));
+            }
+        }
+        printf("| %d | %.2f | %.2f | %.2f | %.3f |\n", n, worst[0], worst[1], worst[2], worst[3]);
+    }
+}
+
 int main(int argc, char **argv) {
     const int markdown = argc == 2 && strcmp(argv[1], "--markdown") == 0;
     q15_result cosines[Q15_CASES];
     int bad = 0;
+    if (argc == 2 && strcmp(argv[1], "--inputs") == 0) {
+        print_inputs();
+        return EXIT_SUCCESS;
+    }
     if (argc > 2 || (argc == 2 && !markdown)) {
-        fprintf(stderr, "prove_q15: the only argument is --markdown\n");
-        return 2;
+        fprintf(stderr, "prove_q15: use --markdown, --inputs or nothing\n");
+        return EXIT_FAILURE;
     }
     if (markdown) {
         for (int i = 0; i < Q15_CASES; ++i) {
