@@ -1,10 +1,11 @@
-/* Times lobes on a target: each variant over two sets of cosines, between marks that the
- * simulator's cycle counter sees. Prints the sums of the integer variants, which must be the
- * host's.
+/* Times lobes and whole pixels on a target: each variant over two sets of cosines or normals,
+ * between marks that the simulator's cycle counter sees. Prints the sums of the integer variants,
+ * which must be the host's.
  *
  * A variant's cycles are those of its loop less those of the loop `empty`, which only adds the
  * cosines, by the number of cosines. Set-up (the lobe's slope, the tables) is not timed. */
-#include "burnish/lobe_q15.h"
+#include "burnish/shade_q15.h"
+
 #include "target.h"
 
 #ifdef WITH_FLOAT
@@ -18,7 +19,11 @@ typedef struct input {
     uint16_t cosines[COSINES];
     uint16_t exponent;
     burnish_lobe_q15 taylor, energy, aligned, order4, order8, order16;
-    uint16_t table[257]; /* cos^n at 256ths, UQ0.16 */
+    uint16_t table[257];         /* cos^n at 256ths, UQ0.16 */
+    int16_t normals[COSINES][3]; /* Q15, 2 % too short, as interpolation leaves them */
+    int32_t lengths[COSINES][3]; /* the same of any length */
+    burnish_q15_shader shader;
+    burnish_q15_light light;
 } input;
 
 /* ---- The rivals ---------------------------------------------------------------------------------
@@ -54,7 +59,10 @@ static inline uint8_t schlick8(uint8_t exponent, uint16_t cosine) {
     }
     STEP(128)
     STEP(64)
-    STEP(32) STEP(16) STEP(8) STEP(4) STEP(2) STEP(1)
+    STEP(32)
+    STEP(16)
+    STEP(8)
+    STEP(4) STEP(2) STEP(1)
 #undef STEP
         return quotient;
 }
@@ -80,6 +88,32 @@ static inline uint16_t float_power(float exponent, uint16_t cosine) {
     return (uint16_t)(powf((float)cosine * (1.0f / 32768.0f), exponent) * 65535.0f);
 }
 #endif
+
+/* ---- A pixel ------------------------------------------------------------------------------------
+ */
+
+/* One light on an interpolated normal, to RGB565, with a lobe of choice. The branches are those of
+ * burnish_q15_shade, the tables' and Schlick's included. */
+#define PIXEL(in, at, lobe)                                                                        \
+    int16_t normal[3];                                                                             \
+    uint16_t color[3], n_dot_l, weight, c;                                                         \
+    uint8_t k;                                                                                     \
+    burnish_q15_normalize_near((in)->normals[at], normal);                                         \
+    n_dot_l = burnish_q15_cosine(burnish_q15_dot(normal, (in)->light.direction));                  \
+    weight = burnish_q15_weight(n_dot_l);                                                          \
+    for (k = 0; k < 3; ++k) {                                                                      \
+        color[k] =                                                                                 \
+            burnish_q15_accumulate((in)->shader.ambient[k], (in)->light.diffuse[k], weight);       \
+    }                                                                                              \
+    c = burnish_q15_cosine(burnish_q15_dot(normal, (in)->light.half));                             \
+    weight = n_dot_l ? (lobe) : 0;                                                                 \
+    if (weight) {                                                                                  \
+        for (k = 0; k < 3; ++k) {                                                                  \
+            color[k] = burnish_q15_accumulate(color[k], (in)->light.specular[k], weight);          \
+        }                                                                                          \
+    }                                                                                              \
+    (void)c;                                                                                       \
+    result = burnish_q15_rgb565(color);
 
 /* ---- The loops
  * ----------------------------------------------------------------------------------- */
@@ -137,6 +171,43 @@ static inline uint16_t stored(uint16_t slope, uint16_t reach, uint8_t shift, uin
 INTEGER_VARIANTS(LOOP)
 FLOAT_VARIANTS(LOOP)
 
+/* X(NAME, TYPE of the exponent, STATEMENTS that set result from the i-th normal) */
+#define INTEGER_PIXELS(X)                                                                          \
+    X(normalize_near, uint16_t, int16_t normal[3];                                                 \
+      burnish_q15_normalize_near(in->normals[i], normal);                                          \
+      result = (uint16_t)(normal[0] ^ normal[1] ^ normal[2]);)                                     \
+    X(normalize, uint16_t, int16_t normal[3]; burnish_q15_normalize(in->lengths[i], normal);       \
+      result = (uint16_t)(normal[0] ^ normal[1] ^ normal[2]);)                                     \
+    X(pixel_none, uint16_t, PIXEL(in, i, 0))                                                       \
+    X(pixel_taylor, uint16_t, PIXEL(in, i, burnish_taylor_q15(n, c)))                              \
+    X(pixel_shift7, uint16_t, PIXEL(in, i, burnish_shift7_q15(n, c)))                              \
+    X(pixel_aligned_stored, uint16_t,                                                              \
+      PIXEL(in, i, stored(in->aligned.slope, in->aligned.reach, 8, c)))                            \
+    X(pixel_schlick16, uint16_t, PIXEL(in, i, schlick16(n, c)))                                    \
+    X(pixel_table_nearest, uint16_t, PIXEL(in, i, table_nearest(in->table, c)))                    \
+    X(pixel_table_between, uint16_t, PIXEL(in, i, table_between(in->table, c)))
+#ifdef WITH_FLOAT
+#define FLOAT_PIXELS(X) X(pixel_float_power, float, PIXEL(in, i, float_power(n, c)))
+#else
+#define FLOAT_PIXELS(X)
+#endif
+
+#define PIXEL_LOOP(name, type, statements)                                                         \
+    uint16_t time_##name(const input *in);                                                         \
+    __attribute__((noinline)) uint16_t time_##name(const input *in) {                              \
+        const type n = (type)in->exponent;                                                         \
+        uint16_t sum = 0;                                                                          \
+        uint8_t i;                                                                                 \
+        (void)n;                                                                                   \
+        for (i = 0; i < COSINES; ++i) {                                                            \
+            uint16_t result;                                                                       \
+            statements sum = (uint16_t)(sum + result);                                             \
+        }                                                                                          \
+        return sum;                                                                                \
+    }
+INTEGER_PIXELS(PIXEL_LOOP)
+FLOAT_PIXELS(PIXEL_LOOP)
+
 /* ---- The program
  * --------------------------------------------------------------------------------- */
 
@@ -187,6 +258,32 @@ static void fill_table(uint16_t table[257]) {
     }
 }
 
+/* Normals about the half vector: all within the lobe, or all over the lit side. */
+static void fill_normals(input *in, uint16_t reach) {
+    static const burnish_q15_material surface = {
+        {0x1000, 0x1000, 0x1000}, {0x5000, 0x4000, 0x3000}, {0x4000, 0x4000, 0x4000}};
+    static const uint16_t white[3] = {0x8000, 0x8000, 0x8000}, dim[3] = {0x2000, 0x2000, 0x2000};
+    static const int16_t to_light[3] = {-12000, 16000, 26000}, to_viewer[3] = {0, 0, 0x7FFF};
+    const int16_t spread = reach == 0x8000u ? 30000 : 4500;
+    uint8_t i, k;
+    burnish_q15_shader_create(&in->shader, BURNISH_Q15_TAYLOR, 2, EXPONENT, &surface, dim);
+    burnish_q15_light_create(&in->light, to_light, to_viewer, white, &surface);
+    for (i = 0; i < COSINES; ++i) {
+        int16_t unit[3];
+        int32_t v[3];
+        for (k = 0; k < 3; ++k) {
+            const int8_t place =
+                (int8_t)((uint8_t)(i * (37u + 30u * k) + 11u) % COSINES - COSINES / 2);
+            v[k] = in->light.half[k] + (int32_t)spread * place / (COSINES / 2);
+        }
+        burnish_q15_normalize(v, unit);
+        for (k = 0; k < 3; ++k) {
+            in->normals[i][k] = (int16_t)(unit[k] - unit[k] / 50);
+            in->lengths[i][k] = v[k];
+        }
+    }
+}
+
 /* Cosines spread evenly over [1 - reach, 1), in an order that a branch can't guess. */
 static void fill(input *in, uint16_t reach) {
     uint8_t i;
@@ -198,12 +295,13 @@ static void fill(input *in, uint16_t reach) {
     in->exponent = EXPONENT;
     burnish_lobe_q15_create(&in->taylor, BURNISH_Q15_TAYLOR, 2, EXPONENT);
     burnish_lobe_q15_create(&in->energy, BURNISH_Q15_ENERGY, 2, EXPONENT);
-    in->aligned = in->energy;
+    burnish_lobe_q15_create(&in->aligned, BURNISH_Q15_ENERGY, 2, EXPONENT);
     burnish_lobe_q15_align(&in->aligned);
     burnish_lobe_q15_create(&in->order4, BURNISH_Q15_TAYLOR, 4, EXPONENT);
     burnish_lobe_q15_create(&in->order8, BURNISH_Q15_TAYLOR, 8, EXPONENT);
     burnish_lobe_q15_create(&in->order16, BURNISH_Q15_TAYLOR, 16, EXPONENT);
     fill_table(in->table);
+    fill_normals(in, reach);
 }
 
 int main(void) {
@@ -214,6 +312,8 @@ int main(void) {
 #define RUN_FLOAT(name, type, expression) run(#name, time_##name, sets, 0);
     INTEGER_VARIANTS(RUN_EXACT)
     FLOAT_VARIANTS(RUN_FLOAT)
+    INTEGER_PIXELS(RUN_EXACT)
+    FLOAT_PIXELS(RUN_FLOAT)
     target_end();
     return 0;
 }

@@ -31,11 +31,11 @@ static const char *const q15_form_names[Q15_FORMS] = {"fast", "near", "exact", "
 /* The table of lobe_q15.h. */
 static const q15_case q15_cases[Q15_CASES] = {
     {"taylor", BURNISH_Q15_TAYLOR, 2, {3, 1.5, .5, 1, .5}},
-    {"taylor", BURNISH_Q15_TAYLOR, 4, {7, 3.4, .5003, 1, .5}},
-    {"taylor", BURNISH_Q15_TAYLOR, 8, {15, 6.9, .5003, 1, .5}},
-    {"taylor", BURNISH_Q15_TAYLOR, 16, {29, 13.3, .5003, 1.04, .5}},
+    {"taylor", BURNISH_Q15_TAYLOR, 4, {7, 3.4, .5003, 1, .50001}},
+    {"taylor", BURNISH_Q15_TAYLOR, 8, {15, 6.9, .5003, 1, .50001}},
+    {"taylor", BURNISH_Q15_TAYLOR, 16, {29, 13.3, .5003, 1.04, .50001}},
     {"energy", BURNISH_Q15_ENERGY, 2, {3, 1.6, .86, 1, .502}},
-    {"energy", BURNISH_Q15_ENERGY, 4, {7, 3.4, .86, 1, .502}},
+    {"energy", BURNISH_Q15_ENERGY, 4, {7, 3.5, .86, 1, .502}},
     {"energy", BURNISH_Q15_ENERGY, 8, {15, 6.9, .86, 1, .502}},
     {"energy", BURNISH_Q15_ENERGY, 16, {29, 13.3, .86, 1.04, .502}},
     {"shift7", BURNISH_Q15_SHIFT7, 2, {3, 1.5, .5, 1, .5}},

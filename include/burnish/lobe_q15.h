@@ -52,8 +52,8 @@
  *
  *                        fast            near              exact        fast8         exact8
  *     order              2  4  8  16    2   4   8    16    all          2 .. 8  16    all
- *     exact slopes       3  7  15 29    1.5 3.4 6.9  13.3  .5003        1       1.04  .5
- *     energy             3  7  15 29    1.6 3.4 6.9  13.3  .86          1       1.04  .502
+ *     exact slopes       3  7  15 29    1.5 3.4 6.9  13.3  .5003        1       1.04  .50001
+ *     energy             3  7  15 29    1.6 3.5 6.9  13.3  .86          1       1.04  .502
  *
  * What it does not do. It does not shade: see shade_q15.h. It does not know cos^n: how far the
  * family is from that, see docs/theory.md. The rounding of a cosine to 15 bits costs a narrow lobe
