@@ -39,6 +39,7 @@ static void take_products(void) {
         a = (uint16_t)(i < 256 ? (i & 15u) * 0x1111u : a * 25173u + 13849u);
         b = (uint16_t)(i < 256 ? (i >> 4) * 0x1111u : b * 26125u + a);
         take(burnish_q15_multiply(a, b));
+        take((uint32_t)burnish_q15_multiply_signed((int16_t)a, (int16_t)b));
         take(burnish_q15_square_wide((uint32_t)a << 16 | b));
     }
     put_sum('p');

@@ -51,11 +51,50 @@ extern "C" {
 /* ---- Vectors ------------------------------------------------------------------------------------
  */
 
+/* The product of two Q15 numbers in Q30. */
+static inline int32_t burnish_q15_multiply_signed(int16_t a, int16_t b) {
+#ifdef BURNISH_Q15_AVR
+    int32_t product;
+    uint8_t zero;
+    __asm__("muls %B2, %B3\n\t"
+            "movw %C0, r0\n\t"
+            "mul %A2, %A3\n\t"
+            "movw %A0, r0\n\t"
+            "clr %1\n\t"
+            "mulsu %B2, %A3\n\t"
+            "sbc %D0, %1\n\t"
+            "add %B0, r0\n\t"
+            "adc %C0, r1\n\t"
+            "adc %D0, %1\n\t"
+            "mulsu %B3, %A2\n\t"
+            "sbc %D0, %1\n\t"
+            "add %B0, r0\n\t"
+            "adc %C0, r1\n\t"
+            "adc %D0, %1\n\t"
+            "clr r1"
+            : "=&r"(product), "=&r"(zero)
+            : "a"(a), "a"(b));
+    return product;
+#else
+    return (int32_t)a * b;
+#endif
+}
+
 /* The dot product of two Q15 vectors in Q30, modulo 2^32: right while it is below 2 in magnitude,
  * which vectors up to 1.4 long can't pass. */
 static inline int32_t burnish_q15_dot(const int16_t a[3], const int16_t b[3]) {
-    return (int32_t)((uint32_t)((int32_t)a[0] * b[0]) + (uint32_t)((int32_t)a[1] * b[1]) +
-                     (uint32_t)((int32_t)a[2] * b[2]));
+    return (int32_t)((uint32_t)burnish_q15_multiply_signed(a[0], b[0]) +
+                     (uint32_t)burnish_q15_multiply_signed(a[1], b[1]) +
+                     (uint32_t)burnish_q15_multiply_signed(a[2], b[2]));
+}
+
+/* floor(x / 2^15) of x below 2^31. By whole bytes on AVR, which shifts one bit at a time. */
+static inline uint16_t burnish_q15_shift15(uint32_t x) {
+#ifdef __AVR__
+    return (uint16_t)((x + x) >> 16);
+#else
+    return (uint16_t)(x >> 15);
+#endif
 }
 
 /* A dot product as a cosine: max(0, dot) in UQ1.15, rounded, halves up, 1 at most.  dot  Q30 */
@@ -64,7 +103,7 @@ static inline uint16_t burnish_q15_cosine(int32_t dot) {
         return 0;
     }
     return dot >= 0x3FFFC000l ? (uint16_t)BURNISH_Q15_ONE
-                              : (uint16_t)(((uint32_t)dot + 0x4000u) >> 15);
+                              : burnish_q15_shift15((uint32_t)dot + 0x4000u);
 }
 
 /* 1 - a.b of two unit vectors as |a - b|^2 / 2: the form for narrow lobes, since it does not feel
@@ -107,14 +146,17 @@ static inline uint16_t burnish_q15_reflect_cosine(uint16_t n_dot_l, uint16_t n_d
  * [.9, 1.1]; components err by no more.
  * Source: Lyon 1993. */
 static inline void burnish_q15_normalize_near(const int16_t v[3], int16_t unit[3]) {
-    const int32_t excess = (int32_t)((uint32_t)burnish_q15_dot(v, v) - 0x40000000ul); /* -e, Q30 */
-    const int32_t e = (0x2000 - excess) >> 14;                                        /* Q16 */
-    const int16_t limited = (int16_t)(e > 0x7FFF ? 0x7FFF : e < -0x7FFF ? -0x7FFF : e);
-    const int32_t squared = ((int32_t)limited * limited) >> 16;
-    const int16_t gain = (int16_t)((limited + ((3 * squared) >> 2) + 1) >> 1); /* Q16 */
+    const int32_t wide = (int32_t)(0x40002000ul - (uint32_t)burnish_q15_dot(v, v)); /* e, Q30 */
+    const int16_t limited = (int16_t)(wide >= 0x20000000l   ? 0x7FFF
+                                      : wide < -0x1FFFC000l ? -0x7FFF
+                                                            : (wide * 4) >> 16); /* Q16 */
+    const uint16_t squared = (uint16_t)(burnish_q15_multiply_signed(limited, limited) >> 16);
+    const int16_t gain =
+        (int16_t)((limited + (int32_t)((uint16_t)(3u * squared) >> 2) + 1) >> 1); /* Q16 */
     uint8_t i;
     for (i = 0; i < 3; ++i) {
-        const int32_t x = v[i] + (((int32_t)v[i] * gain + (int32_t)0x8000l) >> 16);
+        const int32_t x =
+            v[i] + ((burnish_q15_multiply_signed(v[i], gain) + (int32_t)0x8000l) >> 16);
         unit[i] = (int16_t)(x > 0x7FFF ? 0x7FFF : x < -0x7FFF ? -0x7FFF : x);
     }
 }
@@ -130,10 +172,10 @@ static inline uint16_t burnish_q15_inverse_root(uint32_t x) {
     const uint32_t product = burnish_q15_multiply((uint16_t)(x >> 16), square) +
                              (burnish_q15_multiply((uint16_t)x, square) >> 16); /* UQ2.30 */
     const int16_t e =
-        (int16_t)(((int32_t)0x40000000l - (int32_t)product) >> 11);   /* Q19, |e| < .06 */
-    const int16_t third = (int16_t)(12288 + (((int32_t)e * 5) >> 8)); /* Q15 */
-    const int16_t second = (int16_t)(16384 + (((int32_t)e * third) >> 19));
-    const int16_t gain = (int16_t)(((int32_t)e * second) >> 15); /* Q19 */
+        (int16_t)(((int32_t)0x40000000l - (int32_t)product) >> 11); /* Q19, |e| < .06 */
+    const int16_t third = (int16_t)(12288 + (burnish_q15_multiply_signed(e, 5) >> 8)); /* Q15 */
+    const int16_t second = (int16_t)(16384 + (burnish_q15_multiply_signed(e, third) >> 19));
+    const int16_t gain = (int16_t)(burnish_q15_multiply_signed(e, second) >> 15); /* Q19 */
     const int32_t root = ((int32_t)guess << 8) + (((int32_t)guess * gain + 0x400) >> 11);
     return (uint16_t)(root > 0xFFFFl ? 0xFFFFl : root);
 }
@@ -207,7 +249,7 @@ static inline uint16_t burnish_q15_from_byte(uint8_t byte) {
 /* The product of two numbers in UQ1.15, rounded, halves up, limited to 0xFFFF. */
 static inline uint16_t burnish_q15_scale(uint16_t a, uint16_t b) {
     const uint32_t product = burnish_q15_multiply(a, b);
-    return product >= 0x7FFFC000ul ? (uint16_t)0xFFFFu : (uint16_t)((product + 0x4000u) >> 15);
+    return product >= 0x7FFFC000ul ? (uint16_t)0xFFFFu : burnish_q15_shift15(product + 0x4000u);
 }
 
 /* One term of the sum: sum + floor(weight factor / 2^16), limited to 0xFFFF. The hardware's channel
@@ -232,7 +274,7 @@ static inline uint8_t burnish_q15_code(uint16_t intensity, uint8_t largest) {
     if (intensity >= BURNISH_Q15_ONE) {
         return largest;
     }
-    return (uint8_t)((burnish_q15_multiply(intensity, largest) + 0x4000u) >> 15);
+    return (uint8_t)burnish_q15_shift15(burnish_q15_multiply(intensity, largest) + 0x4000u);
 }
 
 /* A colour as 5 bits of red, 6 of green, 5 of blue, red on top. */
