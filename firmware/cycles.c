@@ -63,7 +63,8 @@ static inline uint8_t schlick8(uint8_t exponent, uint16_t cosine) {
     STEP(16)
     STEP(8)
     STEP(4)
-    STEP(2) STEP(1)
+    STEP(2)
+    STEP(1)
 #undef STEP
         return quotient;
 }

@@ -70,7 +70,9 @@ static void set_turn(int16_t turn[3][3], uint8_t frame) {
 
 /* A row of the turn times a vector of bytes, of which 127 is 1: Q15, 127/128 as long. */
 static int16_t turned(const int16_t row[3], const int8_t v[3]) {
-    const int32_t sum = (int32_t)row[0] * v[0] + (int32_t)row[1] * v[1] + (int32_t)row[2] * v[2];
+    const int32_t sum = burnish_q15_multiply_signed(row[0], v[0]) +
+                        burnish_q15_multiply_signed(row[1], v[1]) +
+                        burnish_q15_multiply_signed(row[2], v[2]);
     return (int16_t)(sum >> 7);
 }
 
@@ -93,18 +95,32 @@ static void turn_ring(const stage *on, uint8_t ring, point points[OBJECT_SEGMENT
     }
 }
 
-/* Shades one pixel from weights of the second and third corner in Q15. */
-static uint16_t shade_pixel(const stage *on, const triangle *t, int32_t second, int32_t third) {
-    const int16_t *a = t->corner[0]->normal, *b = t->corner[1]->normal, *c = t->corner[2]->normal;
+/* first + second weight of two differences, all within 16 bits: neighbouring points are near.
+ *   b, c  weights of the second and third corner, Q15 */
+static int16_t between(int16_t first, int16_t second, int16_t third, int16_t b, int16_t c) {
+    const int32_t sum = burnish_q15_multiply_signed((int16_t)(second - first), b) +
+                        burnish_q15_multiply_signed((int16_t)(third - first), c);
+    return (int16_t)(first + (int16_t)((sum * 2) >> 16)); /* a whole word is the cheapest shift */
+}
+
+/* Shades one pixel. */
+static uint16_t shade_pixel(const stage *on, const triangle *t, int16_t b, int16_t c) {
     int16_t normal[3];
     uint16_t color[3];
     uint8_t k;
     for (k = 0; k < 3; ++k) {
-        normal[k] = (int16_t)(a[k] + ((second * (b[k] - a[k]) + third * (c[k] - a[k])) >> 15));
+        normal[k] = between(t->corner[0]->normal[k], t->corner[1]->normal[k],
+                            t->corner[2]->normal[k], b, c);
     }
     burnish_q15_normalize_near(normal, normal);
     burnish_q15_shade(&on->shader, on->lights, 2, normal, color);
     return burnish_q15_rgb565(color);
+}
+
+/* An edge function as a weight in Q15, a little below 1 at most. */
+static int16_t weight(int32_t edge, int32_t inverse) {
+    const uint16_t w = (uint16_t)(((uint32_t)edge * (uint32_t)inverse * 2u) >> 16);
+    return (int16_t)(w > 0x7FFF ? 0x7FFF : w);
 }
 
 /* Twice the signed area of a triangle, positive when it is seen from outside. 1/256 pixel squared
@@ -126,17 +142,14 @@ static void fill_row(const stage *on, const triangle *t, uint16_t pixel, uint8_t
                      int32_t second, int32_t third, int32_t second_step, int32_t third_step,
                      int32_t whole) {
     for (; count > 0; --count, ++pixel, second += second_step, third += third_step) {
-        int32_t b, c;
+        int16_t b, c;
         uint8_t depth;
         if (second < 0 || third < 0 || whole - second - third < 0) {
             continue;
         }
-        b = (second * t->inverse) >> 15; /* Q15: the product is at most 2^30 */
-        c = (third * t->inverse) >> 15;
-        depth = (uint8_t)((t->corner[0]->z + ((b * (t->corner[1]->z - t->corner[0]->z) +
-                                               c * (t->corner[2]->z - t->corner[0]->z)) >>
-                                              15)) >>
-                          6);
+        b = weight(second, t->inverse);
+        c = weight(third, t->inverse);
+        depth = (uint8_t)(between(t->corner[0]->z, t->corner[1]->z, t->corner[2]->z, b, c) >> 6);
         if (depth > on->to->depth[pixel]) {
             on->to->depth[pixel] = depth;
             on->to->pixels[pixel] = shade_pixel(on, t, b, c);
