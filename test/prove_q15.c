@@ -1,8 +1,9 @@
 /* Every proof of q15_proof.h over every exponent, n = 1 .. 1023, every cosine and every lambda up
  * to past the cutoff: two minutes, so `make prove-q15` and not ctest runs it. Usage: prove_q15
- * [--markdown|--inputs]
+ * [--markdown|--inputs|--tables]
  *   --markdown  the table of errors of docs/firmware.md
- *   --inputs    the table of what input formats cost */
+ *   --inputs    the table of what input formats cost
+ *   --tables    the table of lobes and tables of cos^n, all against cos^n */
 #include <math.h>
 #include <stdlib.h>
 
@@ -113,6 +114,51 @@ static void print_inputs(void) {
     }
 }
 
+/* cos^n from a table of 256 entries at the middles of their steps, the nearest one. */
+static double nearest(double cosine, int n) {
+    return pow((fmin(255, floor(cosine * 256)) + .5) / 256, n);
+}
+
+/* cos^n from 257 entries, straight between them. */
+static double between(double cosine, int n) {
+    const double step = fmin(255, floor(cosine * 256)), part = cosine * 256 - step;
+    return pow(step / 256, n) * (1 - part) + pow((step + 1) / 256, n) * part;
+}
+
+/* Largest errors against cos^n over all cosines: lobes as computed, tables without rounding. */
+static void print_tables(void) {
+    static const struct {
+        const char *name;
+        burnish_q15_fit fit;
+        uint16_t order;
+    } lobes[] = {{"shift7", BURNISH_Q15_SHIFT7, 2},
+                 {"energy, order 2", BURNISH_Q15_ENERGY, 2},
+                 {"energy, order 4", BURNISH_Q15_ENERGY, 4},
+                 {"energy, order 8", BURNISH_Q15_ENERGY, 8}};
+    printf("| exponent | 256 entries, nearest | 257 entries, interpolated |");
+    for (int i = 0; i < 4; ++i) {
+        printf(" %s |", lobes[i].name);
+    }
+    printf("\n| ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+    for (int n = 8; n < 1024; n = n < 512 ? 2 * n : n == 512 ? 1023 : 1024) {
+        double worst[6] = {0};
+        for (int cosine = 0; cosine <= 0x8000; ++cosine) {
+            const double c = cosine / 32768.0, real = pow(c, n);
+            worst[0] = fmax(worst[0], fabs(nearest(c, n) - real));
+            worst[1] = fmax(worst[1], fabs(between(c, n) - real));
+            for (int i = 0; i < 4; ++i) {
+                burnish_lobe_q15 lobe;
+                burnish_lobe_q15_create(&lobe, lobes[i].fit, lobes[i].order, (uint16_t)n);
+                worst[2 + i] =
+                    fmax(worst[2 + i],
+                         fabs(burnish_lobe_q15_fast(&lobe, (uint16_t)cosine) / 65536.0 - real));
+            }
+        }
+        printf("| %d | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f |\n", n, worst[0], worst[1],
+               worst[2], worst[3], worst[4], worst[5]);
+    }
+}
+
 int main(int argc, char **argv) {
     const int markdown = argc == 2 && strcmp(argv[1], "--markdown") == 0;
     q15_result cosines[Q15_CASES];
@@ -121,8 +167,12 @@ int main(int argc, char **argv) {
         print_inputs();
         return EXIT_SUCCESS;
     }
+    if (argc == 2 && strcmp(argv[1], "--tables") == 0) {
+        print_tables();
+        return EXIT_SUCCESS;
+    }
     if (argc > 2 || (argc == 2 && !markdown)) {
-        fprintf(stderr, "prove_q15: use --markdown, --inputs or nothing\n");
+        fprintf(stderr, "prove_q15: use --markdown, --inputs, --tables or nothing\n");
         return EXIT_FAILURE;
     }
     if (markdown) {
