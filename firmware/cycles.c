@@ -26,8 +26,7 @@ typedef struct input {
     burnish_q15_light light;
 } input;
 
-/* ---- The rivals ---------------------------------------------------------------------------------
- */
+/* ---- The rivals ----------------------------------------------------------------------------- */
 
 /* c / (c + n (1 - c)) by one division of 32 bits. */
 static inline uint16_t schlick16(uint16_t exponent, uint16_t cosine) {
@@ -66,7 +65,7 @@ static inline uint8_t schlick8(uint8_t exponent, uint16_t cosine) {
     STEP(2)
     STEP(1)
 #undef STEP
-        return quotient;
+    return quotient;
 }
 
 static inline uint16_t table_nearest(const uint16_t *table, uint16_t cosine) {
@@ -91,8 +90,7 @@ static inline uint16_t float_power(float exponent, uint16_t cosine) {
 }
 #endif
 
-/* ---- A pixel ------------------------------------------------------------------------------------
- */
+/* ---- A pixel -------------------------------------------------------------------------------- */
 
 /* One light on an interpolated normal, to RGB565, with a lobe of choice. The branches are those of
  * burnish_q15_shade, the tables' and Schlick's included. */
@@ -117,8 +115,7 @@ static inline uint16_t float_power(float exponent, uint16_t cosine) {
     (void)c;                                                                                       \
     result = burnish_q15_rgb565(color);
 
-/* ---- The loops
- * ----------------------------------------------------------------------------------- */
+/* ---- The loops ------------------------------------------------------------------------------ */
 
 /* A lobe with its boundary, its shift and order known when compiling: slope and reach. */
 static inline uint16_t stored(uint16_t slope, uint16_t reach, uint8_t shift, uint16_t cosine) {
@@ -210,8 +207,7 @@ FLOAT_VARIANTS(LOOP)
 INTEGER_PIXELS(PIXEL_LOOP)
 FLOAT_PIXELS(PIXEL_LOOP)
 
-/* ---- The program
- * --------------------------------------------------------------------------------- */
+/* ---- The program ---------------------------------------------------------------------------- */
 
 static void put_text(const char *text) {
     while (*text) {

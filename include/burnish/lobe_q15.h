@@ -6,8 +6,8 @@
  *     S(c) = t^m,   t = max(0, 1 - zeta (1 - c)),   m = 2, 4, 8 or 16,
  *
  * from a cosine c in 16 bits (or 1 - c in 24) with two multiplications of 16 bits by 16, a shift
- * and a complement; each further order is one more multiplication. No division, no table, no 64
- * bits.
+ * and a complement; each further order is one more multiplication. No table, no 64 bits, and no
+ * division but one or two when a lobe is made.
  *
  * How to use it.
  *   1. Copy this file; it includes <stdint.h> and nothing else.
@@ -38,9 +38,9 @@
  *     near    x = (t t + t + 0x8000) >> 16, then x = (x x + 0x8000) >> 16
  *     fast8   fast up to order m/2 (order 2: t itself), then of its top 9 bits y = x >> 7:
  *             (y (y + 1) + 511) >> 10
- *     exact   T = 1 - zeta (1 - c) in UQ0.32 without an error where shift <= 16 (a cosine) or 7
- *             (a lambda), else with its floor of a; x = floor(T T / 2^32) per order; at last
- *             rounded to 16 bits, halves up
+ *     exact   T = 1 - zeta (1 - c) in UQ0.32, without an error for a cosine, and for a lambda where
+ *             shift <= 7, else rounded up; x = floor(T T / 2^32) for each squaring; at last rounded
+ *             to 16 bits, halves up
  *     exact8  the same, rounded to 8 bits
  *
  * Slopes. taylor n / 2^(log2 m - 1), shift7 7n / 2^3, shift3 3n / 2^2 are exact. energy and a zeta
@@ -48,7 +48,8 @@
  *
  * What it promises. Every result is defined bit by bit for every input; a result never decreases as
  * the cosine grows. Errors against the exact real lobe in units of the result's last place, over
- * all cosines and n = 1 .. 1023 (`make prove-q15` proves them and prints them with more digits):
+ * all cosines, all lambdas and n = 1 .. 1023, the limit of 1 being no error (`make prove-q15`
+ * proves them; docs/firmware.md has more digits):
  *
  *                        fast            near              exact        fast8         exact8
  *     order              2  4  8  16    2   4   8    16    all          2 .. 8  16    all
@@ -109,7 +110,7 @@ typedef struct burnish_lobe_q15 {
     uint8_t squarings; /* log2 m: 1 .. 4; 0 in the dark lobe */
 } burnish_lobe_q15;
 
-/* ---- Steps --------------------------------------------------------------------------------------
+/* ---- Steps -------------------------------------------------------------------------------------
  *
  * What the functions below are made of; the hardware in rtl/ has a module for each. */
 
@@ -126,8 +127,8 @@ static inline uint16_t burnish_q15_lambda(uint16_t cosine) {
 #endif
 }
 
-/* AVR with a multiplier: products in assembly, a third of what the compiler's own calls take. The
- * firmware's tests compare them with the C below. */
+/* AVR with a multiplier: products in assembly, which make a lobe 1.4 to 7 times as fast as the C
+ * below. The firmware's tests compare both; define BURNISH_Q15_PLAIN_C to do without. */
 #if defined(__AVR_HAVE_MUL__) && defined(__GNUC__) && !defined(BURNISH_Q15_PLAIN_C)
 #define BURNISH_Q15_AVR 1
 #endif
@@ -306,7 +307,7 @@ static inline uint32_t burnish_q15_wide_of(uint32_t fraction, uint8_t squarings)
     return x;
 }
 
-/* ---- Lobes with nothing to set up ---------------------------------------------------------------
+/* ---- Lobes with nothing to set up --------------------------------------------------------------
  *
  * Order 2, the zero found from the top bits of the product. Form fast.
  *   exponent  n: 0 .. 1023 (8191 where 7n and 3n must fit); 0 gives 0xFFFE everywhere
@@ -368,8 +369,7 @@ static inline uint8_t burnish_taylor8_q15(uint8_t exponent, uint16_t cosine) {
 #endif
 }
 
-/* ---- Lobes made once ----------------------------------------------------------------------------
- */
+/* ---- Lobes made once ------------------------------------------------------------------------ */
 
 /* The dark lobe, which is 0 everywhere, c = 1 included. */
 static inline void burnish_lobe_q15_darken(burnish_lobe_q15 *lobe) {
@@ -416,7 +416,7 @@ static inline void burnish_lobe_q15_set_boundary(burnish_lobe_q15 *lobe, uint16_
     }
 }
 
-/* Makes the lobe of a slope as it is: 2 zeta = slope / 2^shift, for slopes that were computed
+/* Makes the lobe of a slope as it is, 2 zeta = slope / 2^shift, for slopes that were computed
  * ahead. One division, for the boundary. lobe   becomes the lobe, on error the dark one; not NULL
  *   slope  1 .. 65535
  *   shift  0 .. 15; 8 means a slope in UQ8.8, which costs an 8-bit processor no shift at all
@@ -521,7 +521,7 @@ static inline burnish_q15_status burnish_lobe_q15_create(burnish_lobe_q15 *lobe,
 
 /* Rewrites a lobe's slope in UQ8.8, rounded, so that the shift is a whole byte: what an 8-bit
  * processor wants. zeta moves by at most 2^-10.
- *   lobe  not NULL, zeta below 127.99
+ *   lobe  not NULL, zeta below 127.99; its boundary becomes its own cutoff again
  * Errors: ERROR_ZETA for a larger zeta or one that rounds to 0; the lobe is then unchanged. */
 static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) {
     uint32_t slope = lobe->slope;
@@ -539,8 +539,7 @@ static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) 
     return BURNISH_Q15_OK;
 }
 
-/* ---- Lobes at a cosine
- * ---------------------------------------------------------------------------
+/* ---- Lobes at a cosine -------------------------------------------------------------------------
  *
  *   lobe    not NULL
  *   cosine  UQ1.15; where 1 - cosine is beyond lobe->reach the result is 0 at once
@@ -563,7 +562,15 @@ static inline uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint
 
 /* a at such a 1 - cosine: below 1, since reach is at most the lobe's own. */
 static inline uint_fast16_t burnish_lobe_q15_a(const burnish_lobe_q15 *lobe, uint_fast16_t lambda) {
-    return (uint_fast16_t)(burnish_q15_product(lobe->slope, lambda) >> lobe->shift);
+    uint32_t w = burnish_q15_product(lobe->slope, lambda);
+    uint8_t shift = lobe->shift;
+#ifdef __AVR__ /* a byte at once, the rest a bit at a time */
+    if (shift >= 8) {
+        w >>= 8;
+        shift = (uint8_t)(shift - 8);
+    }
+#endif
+    return (uint_fast16_t)(w >> shift);
 }
 
 static inline uint16_t burnish_lobe_q15_fast(const burnish_lobe_q15 *lobe, uint16_t cosine) {
@@ -609,8 +616,7 @@ static inline uint8_t burnish_lobe_q15_exact8(const burnish_lobe_q15 *lobe, uint
     return burnish_q15_round8(burnish_lobe_q15_wide(lobe, cosine));
 }
 
-/* ---- Lobes at 1 - cosine
- * -------------------------------------------------------------------------
+/* ---- Lobes at lambda = 1 - cosine --------------------------------------------------------------
  *
  * For exponents whose highlight is a few steps of a 15-bit cosine wide. The boundary is found from
  * the product; reach is not asked.

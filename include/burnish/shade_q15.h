@@ -48,8 +48,7 @@
 extern "C" {
 #endif
 
-/* ---- Vectors ------------------------------------------------------------------------------------
- */
+/* ---- Vectors -------------------------------------------------------------------------------- */
 
 /* The product of two Q15 numbers in Q30. */
 static inline int32_t burnish_q15_multiply_signed(int16_t a, int16_t b) {
@@ -141,9 +140,8 @@ static inline uint16_t burnish_q15_reflect_cosine(uint16_t n_dot_l, uint16_t n_d
  * series of 1/sqrt, no root, no division, one step. For normals interpolated between vertices.
  *   v     Q15, |v|^2 in [1/2, 3/2]; farther off the length comes out wrong, within the bits
  *   unit  receives Q15; may be v
- * Length of the result: 1 within 2 units of 2^-15 for |v| in [.98, 1.02], 12 for [.95, 1.05], 95
- * for
- * [.9, 1.1]; components err by no more.
+ * Length of the result: 1 within 2 units of 2^-15 for |v| in [.98, 1.02], 12 for [.95, 1.05] and 95
+ * for [.9, 1.1]; components err by no more.
  * Source: Lyon 1993. */
 static inline void burnish_q15_normalize_near(const int16_t v[3], int16_t unit[3]) {
     const int32_t wide = (int32_t)(0x40002000ul - (uint32_t)burnish_q15_dot(v, v)); /* e, Q30 */
@@ -238,8 +236,7 @@ static inline uint8_t burnish_q15_half(const int16_t l[3], const int16_t v[3], i
     return burnish_q15_normalize(sum, half);
 }
 
-/* ---- Colours ------------------------------------------------------------------------------------
- */
+/* ---- Colours -------------------------------------------------------------------------------- */
 
 /* A byte as UQ1.15: 255 becomes 0x8000. */
 static inline uint16_t burnish_q15_from_byte(uint8_t byte) {
@@ -292,8 +289,7 @@ static inline void burnish_q15_rgb888(const uint16_t color[3], uint8_t rgb[3]) {
     }
 }
 
-/* ---- Lighting -----------------------------------------------------------------------------------
- */
+/* ---- Lighting ------------------------------------------------------------------------------- */
 
 /* What a surface gives back of each channel, UQ1.15. */
 typedef struct burnish_q15_material {
