@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/pool.h"
 #include "burnish/shade_q15.h"
 #include "q15_proof.h"
 
@@ -23,23 +24,36 @@ static void merge(q15_result *to, const q15_result *from) {
     to->wrong += from->wrong;
 }
 
-/* One proof over all exponents, shared by threads when OpenMP is on. */
+enum { EXPONENTS = 1023 };
+
+/* A proof for every exponent, each on its own. */
+typedef struct proof {
+    const q15_case *c;
+    int of_lambdas;
+    q15_result found[EXPONENTS];
+} proof;
+
+static void prove_exponent(void *of, size_t index, int thread) {
+    proof *p = of;
+    const uint32_t n = (uint32_t)index + 1;
+    (void)thread;
+    if (p->of_lambdas) {
+        q15_prove_lambdas(p->c, n, 1, &p->found[index]);
+    } else {
+        q15_prove_cosines(p->c, n, &p->found[index]);
+    }
+}
+
+/* One proof over all exponents, shared by threads. */
 static q15_result all(const q15_case *c, int of_lambdas) {
+    static proof p;
     q15_result result = {0};
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 8)
-#endif
-    for (int n = 1; n <= 1023; ++n) {
-        q15_result found = {0};
-        if (of_lambdas) {
-            q15_prove_lambdas(c, (uint32_t)n, 1, &found);
-        } else {
-            q15_prove_cosines(c, (uint32_t)n, &found);
-        }
-#ifdef _OPENMP
-#pragma omp critical
-#endif
-        merge(&result, &found);
+    burnish_pool *pool = burnish_pool_create(0);
+    p = (proof){.c = c, .of_lambdas = of_lambdas};
+    burnish_pool_run(pool, EXPONENTS, 1, 0, prove_exponent, &p);
+    burnish_pool_destroy(pool);
+    for (size_t i = 0; i < EXPONENTS; ++i) {
+        merge(&result, &p.found[i]);
     }
     return result;
 }
