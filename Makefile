@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench bench-peers format format-check golden figures install clean
+.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench bench-peers format format-check golden figures mcu prove-q15 install clean
 
 PRESET ?= release
 FUZZ_SECONDS ?= 600
@@ -30,7 +30,7 @@ pictures: ## render the README's pictures again
 	@./scripts/demo $(BUILD)/burnish docs/images 1280,720 480,334
 
 test: ## build and run every test
-	@$(DEPS) build test demo
+	@$(DEPS) build test demo mcu
 	@$(MAKE) --no-print-directory ctest-$(PRESET)
 
 ctest-%:
@@ -74,6 +74,18 @@ sweep: ## every lobe over all 2^32 floats (minutes)
 	@cmake --preset release >/dev/null
 	@cmake --build --preset release -j $(JOBS) --target sweep_lobe
 	@build/release/test/sweep_lobe
+
+prove-q15: ## prove the integer lobes over every input and exponent (minutes)
+	@$(DEPS) build test
+	@cmake --preset release >/dev/null
+	@cmake --build --preset release -j $(JOBS) --target prove_q15
+	@build/release/test/prove_q15
+
+mcu: ## run the firmware in simulators, check every pixel, count cycles (minutes); rewrites docs/firmware.md
+	@$(DEPS) build test mcu mcu-float
+	@cmake --preset release >/dev/null
+	@cmake --build --preset release -j $(JOBS) --target prove_q15 burnish
+	@./scripts/firmware-tables build/release docs/firmware.md docs/figures/firmware.png
 
 bench: ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
 	@$(DEPS) build demo bench

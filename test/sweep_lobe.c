@@ -2,25 +2,33 @@
  * Usage: sweep_lobe [STRIDE]. */
 #include <stdlib.h>
 
+#include "base/pool.h"
 #include "sweep.h"
 
-/* One case, in parts that threads share when OpenMP is on. */
-static sweep_result sweep_all(const sweep_case *c, uint64_t stride) {
-    const uint64_t part_size = ((uint64_t)1 << 32) / 256;
+enum { PARTS = 256 };
+
+typedef struct sweep_context {
+    const sweep_case *c;
+    uint64_t stride;
+    sweep_result found[PARTS];
+} sweep_context;
+
+static void sweep_part(void *of, size_t part, int thread) {
+    sweep_context *context = of;
+    const uint64_t part_size = ((uint64_t)1 << 32) / PARTS, begin = part * part_size;
+    /* the first multiple of the stride in this part */
+    const uint64_t first = (begin + context->stride - 1) / context->stride * context->stride;
+    (void)thread;
+    sweep_run(context->c, first, begin + part_size, context->stride, &context->found[part]);
+}
+
+/* One case, in parts that threads share. */
+static sweep_result sweep_all(const sweep_case *c, uint64_t stride, burnish_pool *pool) {
+    sweep_context context = {.c = c, .stride = stride};
     sweep_result result = {0};
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic)
-#endif
-    for (int part = 0; part < 256; ++part) {
-        /* the first multiple of the stride in this part */
-        uint64_t begin = (uint64_t)part * part_size;
-        uint64_t first = (begin + stride - 1) / stride * stride;
-        sweep_result found = {0};
-        sweep_run(c, first, begin + part_size, stride, &found);
-#ifdef _OPENMP
-#pragma omp critical
-#endif
-        sweep_merge(&result, &found);
+    burnish_pool_run(pool, PARTS, 1, 0, sweep_part, &context);
+    for (int part = 0; part < PARTS; ++part) {
+        sweep_merge(&result, &context.found[part]);
     }
     return result;
 }
@@ -32,11 +40,13 @@ int main(int argc, char **argv) {
         fprintf(stderr, "sweep_lobe: the stride must be a whole number above 0\n");
         return EXIT_FAILURE;
     }
+    burnish_pool *pool = burnish_pool_create(0);
     for (int i = 0; i < SWEEP_CASE_COUNT; ++i) {
-        sweep_result result = sweep_all(&sweep_cases[i], stride);
+        sweep_result result = sweep_all(&sweep_cases[i], stride, pool);
         bad += !sweep_report(&sweep_cases[i], &result);
         fflush(stdout);
     }
+    burnish_pool_destroy(pool);
     printf("sweep_lobe: %d of %d sweeps failed\n", bad, SWEEP_CASE_COUNT);
     return bad == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -256,7 +256,8 @@ static void test_weld(void) {
     for (size_t i = 1; i < COUNT; ++i) {
         expected += memcmp(sorted + 3 * i, sorted + 3 * i - 3, 12) != 0;
     }
-    CHECK(burnish_weld(positions, COUNT, 0, remap, &unique, &error) == BURNISH_STATUS_OK, "%s",
+    burnish_pool *pool = burnish_pool_create(3);
+    CHECK(burnish_weld(positions, COUNT, pool, remap, &unique, &error) == BURNISH_STATUS_OK, "%s",
           error.text);
     CHECK(unique == expected, "%zu of %zu", unique, expected);
     int ordered = 1, equal = 1;
@@ -269,7 +270,9 @@ static void test_weld(void) {
     }
     CHECK(ordered && next == unique, "numbers are not in order of appearance");
     CHECK(equal, "different positions share a number");
-    CHECK_THAT(burnish_weld(NULL, 0, 0, NULL, &unique, &error) == BURNISH_STATUS_OK && unique == 0);
+    burnish_pool_destroy(pool);
+    CHECK_THAT(burnish_weld(NULL, 0, NULL, NULL, &unique, &error) == BURNISH_STATUS_OK &&
+               unique == 0);
     free(positions);
     free(sorted);
     free(remap);

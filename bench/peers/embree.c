@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/pool.h"
 #include "worker.h"
 
 enum { TILE = 32, TILE_PIXELS = TILE * TILE, LANES = 16, SIDE = 4 };
@@ -24,7 +25,7 @@ typedef struct tracer {
     uint8_t *rgba;
     uint32_t *numbers; /* NULL while frames are timed */
     uint8_t *encoded;  /* NULL while frames are timed; 3 a pixel */
-    int threads;
+    burnish_pool *pool;
 } tracer;
 
 /* Points of a tile that rays hit. */
@@ -57,6 +58,7 @@ static void build(tracer *t) {
 
 static void close_tracer(void *state) {
     tracer *t = state;
+    burnish_pool_destroy(t->pool);
     if (t->device) {
         rtcReleaseScene(t->scene);
         rtcReleaseDevice(t->device);
@@ -73,7 +75,7 @@ static int open_tracer(void **state, const burnish_peers_job *job, int threads, 
     t->job = job;
     t->mesh = burnish_scene_mesh(job->scene);
     t->rgba = calloc(BURNISH_PEERS_PIXELS, 4);
-    t->threads = threads;
+    t->pool = burnish_pool_create(threads);
     t->batch = burnish_batch_best();
     t->device = rtcNewDevice(threads == 1 ? "threads=1" : "threads=2");
     if (t->device) {
@@ -209,16 +211,25 @@ static int make_shader(const tracer *t, const char *variant, burnish_batch_shade
     return burnish_batch_prepare(&lighting, shader, NULL) == BURNISH_STATUS_OK;
 }
 
+typedef struct tile_context {
+    const tracer *t;
+    const burnish_batch_shader *shader;
+} tile_context;
+
+static void draw_task(void *of, size_t tile, int thread) {
+    const tile_context *context = of;
+    (void)thread;
+    draw_tile(context->t, context->shader, (int)tile % COLUMNS, (int)tile / COLUMNS);
+}
+
 static int draw(const tracer *t, const char *variant) {
     burnish_batch_shader shader;
     if (!make_shader(t, variant, &shader)) {
         return 0;
     }
     memset(t->rgba, 0, (size_t)BURNISH_PEERS_PIXELS * 4);
-#pragma omp parallel for num_threads(t->threads) schedule(dynamic)
-    for (int tile = 0; tile < COLUMNS * ROWS; ++tile) {
-        draw_tile(t, &shader, tile % COLUMNS, tile / COLUMNS);
-    }
+    tile_context context = {t, &shader};
+    burnish_pool_run(t->pool, COLUMNS * ROWS, 1, 0, draw_task, &context);
     return 1;
 }
 

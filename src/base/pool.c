@@ -188,10 +188,11 @@ static void close_job(burnish_pool *pool) {
     pthread_mutex_unlock(&pool->mutex);
 }
 
-void burnish_pool_run(burnish_pool *pool, size_t count, size_t part, size_t share,
-                      burnish_task *task, void *context) {
-    const size_t worth = count / (share > 0 ? share : 1), all = (size_t)burnish_pool_threads(pool);
-    const int threads = (int)(worth < all ? worth : all);
+void burnish_pool_run(burnish_pool *pool, size_t count, size_t part, int most, burnish_task *task,
+                      void *context) {
+    const int all = burnish_pool_threads(pool);
+    int threads = most > 0 && most < all ? most : all;
+    threads = count / part < (size_t)threads ? (int)(count / part) : threads;
     if (threads <= 1) {
         for (size_t i = 0; i < count; ++i) {
             task(context, i, 0);
@@ -199,7 +200,27 @@ void burnish_pool_run(burnish_pool *pool, size_t count, size_t part, size_t shar
         return;
     }
     start_threads(pool, threads - 1);
-    open_job(pool, count, part > 0 ? part : 1, threads - 1, task, context);
-    work(pool, task, context, count, part > 0 ? part : 1, 0);
+    open_job(pool, count, part, threads - 1, task, context);
+    work(pool, task, context, count, part, 0);
     close_job(pool);
+}
+
+typedef struct range_context {
+    burnish_range_task *task;
+    void *context;
+    size_t count, size;
+} range_context;
+
+static void run_range(void *of, size_t index, int thread) {
+    const range_context *ranges = of;
+    const size_t first = index * ranges->size, rest = ranges->count - first;
+    (void)thread;
+    ranges->task(ranges->context, first,
+                 rest < ranges->size ? ranges->count : first + ranges->size);
+}
+
+void burnish_pool_ranges(burnish_pool *pool, size_t count, size_t size, burnish_range_task *task,
+                         void *context) {
+    range_context ranges = {task, context, count, size};
+    burnish_pool_run(pool, count / size + (count % size > 0), 1, 0, run_range, &ranges);
 }

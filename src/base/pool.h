@@ -28,9 +28,15 @@ int burnish_pool_threads(const burnish_pool *pool);
 /* One piece of work; thread: [0, burnish_pool_threads), the same for no two at a time. */
 typedef void burnish_task(void *context, size_t index, int thread);
 
-/* Runs the task for every index below count, each thread taking `part` of them at once, by at most
- * so many threads that each gets `share` of them. Returns when all are done. Not from a task. */
-void burnish_pool_run(burnish_pool *pool, size_t count, size_t part, size_t share,
-                      burnish_task *task, void *context);
+/* Runs the task for every index below count, each thread taking `part` >= 1 of them at once, by at
+ * most `most` threads, whose numbers are below it; 0: as many as there are. Returns when all are
+ * done. Not from a task. */
+void burnish_pool_run(burnish_pool *pool, size_t count, size_t part, int most, burnish_task *task,
+                      void *context);
+
+/* Runs the task for all items below count, `size` of them at a time, in any order. */
+typedef void burnish_range_task(void *context, size_t first, size_t end);
+void burnish_pool_ranges(burnish_pool *pool, size_t count, size_t size, burnish_range_task *task,
+                         void *context);
 
 #endif

@@ -11,7 +11,7 @@
 
 #include "base/memory.h"
 #include "base/output.h"
-#include "base/threads.h"
+#include "base/pool.h"
 #include "burnish/image.h"
 
 enum {
@@ -96,6 +96,7 @@ typedef struct band {
     size_t size;
     uint32_t adler;    /* of its filtered rows alone, but for the first band's ... */
     uint64_t filtered; /* ... and how many bytes they have */
+    burnish_status status;
 } band;
 
 /* What one thread needs to make a band. */
@@ -107,13 +108,13 @@ typedef struct band_maker {
 } band_maker;
 
 typedef struct encoder {
+    burnish_pool *pool;
     const burnish_image *image;
     int rows; /* a band */
     int band_count;
     band *bands;
     int maker_count;
     band_maker *makers;
-    burnish_status status; /* of the bands */
 } encoder;
 
 /* The Adler-32 checksum of two pieces, the second of `size` bytes (RFC 1950: b is the sum of all
@@ -148,7 +149,9 @@ static size_t packed_bound(size_t bytes) {
 static burnish_status create_makers(encoder *e, int threads, burnish_error *error) {
     const char *what = "the PNG's bands";
     size_t bytes = band_bytes(e);
-    int count = burnish_thread_count(threads, (size_t)e->band_count, 1);
+    e->pool = e->band_count > 1 ? burnish_pool_create(threads) : NULL;
+    int count = burnish_pool_threads(e->pool);
+    count = count < e->band_count ? count : e->band_count;
     burnish_status status =
         burnish_allocate((void **)&e->bands, (size_t)e->band_count, sizeof *e->bands, what, error);
     if (status == BURNISH_STATUS_OK) {
@@ -189,6 +192,7 @@ static void destroy_encoder(encoder *e) {
     }
     free(e->bands);
     free(e->makers);
+    burnish_pool_destroy(e->pool);
 }
 
 /* Compresses the maker's filtered bytes; returns how many bytes that takes, 0 when the library did
@@ -210,13 +214,8 @@ static size_t pack(band_maker *maker, size_t bytes, int last) {
                                                                              : 0;
 }
 
-static void fail_band(encoder *e, burnish_status status) {
-#pragma omp critical(burnish_png_status)
-    e->status = status;
-}
-
 /* The chunk of one band; the first one begins the stream, the last one leaves room for its end. */
-static void make_band(encoder *e, int index, band_maker *maker) {
+static burnish_status make_band(const encoder *e, int index, band_maker *maker) {
     band *made = &e->bands[index];
     int first = index * e->rows, end = first + e->rows;
     int last = index + 1 == e->band_count;
@@ -227,15 +226,13 @@ static void make_band(encoder *e, int index, band_maker *maker) {
     made->adler = isal_adler32(1, maker->filtered, bytes);
     size_t packed = pack(maker, bytes, last);
     if (packed == 0) {
-        fail_band(e, BURNISH_STATUS_LIMIT);
-        return;
+        return BURNISH_STATUS_LIMIT;
     }
     size_t head = index == 0 ? ZLIB_HEAD_SIZE : 0, tail = last ? ADLER_SIZE : 0;
     made->size = head + packed + tail;
     made->chunk = malloc(CHUNK_FRAME + made->size);
     if (!made->chunk) {
-        fail_band(e, BURNISH_STATUS_MEMORY);
-        return;
+        return BURNISH_STATUS_MEMORY;
     }
     if (index == 0) {
         memcpy(made->chunk + 8, zlib_head, ZLIB_HEAD_SIZE);
@@ -244,6 +241,22 @@ static void make_band(encoder *e, int index, band_maker *maker) {
     if (!last) { /* the last one's checksum needs all others */
         put_chunk_frame(made->chunk, "IDAT", made->size);
     }
+    return BURNISH_STATUS_OK;
+}
+
+static void band_task(void *of, size_t index, int thread) {
+    encoder *e = of;
+    e->bands[index].status = make_band(e, (int)index, &e->makers[thread]);
+}
+
+/* The first failure. */
+static burnish_status bands_status(const encoder *e) {
+    for (int i = 0; i < e->band_count; ++i) {
+        if (e->bands[i].status != BURNISH_STATUS_OK) {
+            return e->bands[i].status;
+        }
+    }
+    return BURNISH_STATUS_OK;
 }
 
 static uint32_t whole_adler(const encoder *e) {
@@ -297,12 +310,10 @@ burnish_status burnish_image_encode_png_threads(const burnish_image *image, int 
     divide(&e);
     burnish_status status = create_makers(&e, threads, error);
     if (status == BURNISH_STATUS_OK) {
-#pragma omp parallel for num_threads(e.maker_count) schedule(dynamic, 1) if (e.maker_count > 1)
-        for (int i = 0; i < e.band_count; ++i) {
-            make_band(&e, i, &e.makers[burnish_thread_index()]);
-        }
-        status = e.status == BURNISH_STATUS_OK ? put_file(&e, bytes, size, error)
-                                               : fail_bands(e.status, error);
+        burnish_pool_run(e.pool, (size_t)e.band_count, 1, e.maker_count, band_task, &e);
+        status = bands_status(&e);
+        status = status == BURNISH_STATUS_OK ? put_file(&e, bytes, size, error)
+                                             : fail_bands(status, error);
     }
     destroy_encoder(&e);
     return status;

@@ -162,7 +162,7 @@ static void fill_task(void *of, size_t index, int thread) {
 static burnish_status fill(burnish_bins *bins, const burnish_geometry *geometry, size_t limit,
                            burnish_pool *pool, int *fits, burnish_error *error) {
     fill_context context = {bins, geometry, limit / bins->slice_count};
-    burnish_pool_run(pool, bins->slice_count, 1, 1, fill_task, &context);
+    burnish_pool_run(pool, bins->slice_count, 1, 0, fill_task, &context);
     *fits = 1;
     for (size_t i = 0; i < bins->slice_count; ++i) {
         const burnish_bin_slice *slice = &bins->slices[i];

@@ -347,7 +347,7 @@ static burnish_status set_up_all(chunk_context *context, burnish_pool *pool, bur
         return burnish_fail_memory(error, "triangle chunks", count * sizeof *chunks);
     }
     context->chunks = chunks;
-    burnish_pool_run(pool, count, 1, 1, set_up_task, context);
+    burnish_pool_run(pool, count, 1, 0, set_up_task, context);
     burnish_status status = join_chunks(geometry, context->view, chunks, error);
     for (size_t i = 0; i < count; ++i) {
         free(chunks[i].pieces);
@@ -367,7 +367,7 @@ burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish
     if (status == BURNISH_STATUS_OK) {
         chunk_context context = {geometry, tier, view, positions, NULL};
         geometry->indices = indices;
-        burnish_pool_run(pool, (vertex_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 1,
+        burnish_pool_run(pool, (vertex_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 0,
                          transform_chunk, &context);
         status = set_up_all(&context, pool, error);
     }

@@ -269,8 +269,8 @@ static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tile
         }
         const int count = bins->columns * (bins->end_row - bins->first_row);
         band_context context = {frame, bins, tiles->workers};
-        burnish_pool_run(frame->pool, (size_t)count, tiles_at_once(count, tiles->worker_count), 1,
-                         draw_task, &context);
+        burnish_pool_run(frame->pool, (size_t)count, tiles_at_once(count, tiles->worker_count),
+                         tiles->worker_count, draw_task, &context);
     } while (bins->end_row < bins->rows);
     return status;
 }

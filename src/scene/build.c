@@ -3,9 +3,10 @@
  * Triangles keep the order of the file. meshoptimizer's vertex cache order is left out on purpose:
  * it helps hardware that transforms a vertex once per use, burnish transforms each once, and its
  * cost is quadratic in the faces around a vertex (a fan of 80,000 takes 5 s, version 0.18). */
+#include <stdatomic.h>
 #include <string.h>
 
-#include "base/threads.h"
+#include "base/pool.h"
 #include "scene/normals.h"
 #include "scene/scene.h"
 #include "scene/source.h"
@@ -42,7 +43,7 @@ typedef struct builder {
     const char *name;
     burnish_error *error;
     burnish_scene *scene;
-    int threads; /* as asked for */
+    burnish_pool *pool;
 
     size_t position_count;     /* welded positions, at the head of source->positions */
     size_t triangle_count;     /* triangles with area, at the head of the source's arrays */
@@ -82,7 +83,7 @@ static burnish_status weld_positions(builder *b, uint32_t **remap) {
     burnish_status status = burnish_allocate((void **)remap, source->position_count, sizeof **remap,
                                              "welding", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_weld(source->positions, source->position_count, b->threads, *remap,
+        status = burnish_weld(source->positions, source->position_count, b->pool, *remap,
                               &b->position_count, b->error);
     }
     if (status == BURNISH_STATUS_OK && b->position_count < source->position_count) {
@@ -104,20 +105,32 @@ static int has_area(const builder *b, size_t triangle) {
     return cross.x != 0 || cross.y != 0 || cross.z != 0;
 }
 
-/* Fills corner_vertices; returns how many triangles have an area. */
-static size_t weld_corners(builder *b, const uint32_t *remap) {
+/* What the tasks of weld_corners share. */
+typedef struct weld_context {
+    builder *b;
+    const uint32_t *remap;
+    atomic_size_t with_area;
+} weld_context;
+
+static void weld_range(void *of, size_t first, size_t end) {
+    weld_context *context = of;
+    builder *b = context->b;
     const uint32_t *corners = b->source->corner_positions;
-    size_t count = b->source->triangle_count, with_area = 0;
-    int threads = burnish_thread_count(b->threads, count, SHARE);
-    (void)threads; /* without OpenMP */
-#pragma omp parallel for num_threads(threads) reduction(+ : with_area) if (threads > 1)
-    for (size_t i = 0; i < count; ++i) {
+    size_t with_area = 0;
+    for (size_t i = first; i < end; ++i) {
         for (size_t k = 3 * i; k < 3 * i + 3; ++k) {
-            b->corner_vertices[k] = remap[corners[k]];
+            b->corner_vertices[k] = context->remap[corners[k]];
         }
         with_area += (size_t)has_area(b, i);
     }
-    return with_area;
+    atomic_fetch_add(&context->with_area, with_area);
+}
+
+/* Fills corner_vertices; returns how many triangles have an area. */
+static size_t weld_corners(builder *b, const uint32_t *remap) {
+    weld_context context = {.b = b, .remap = remap};
+    burnish_pool_ranges(b->pool, b->source->triangle_count, SHARE, weld_range, &context);
+    return atomic_load(&context.with_area);
 }
 
 static void move_triangle(builder *b, size_t from, size_t to) {
@@ -164,19 +177,30 @@ static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
     return BURNISH_STATUS_OK;
 }
 
-/* Makes the file's normals unit vectors; those without a direction become 0: to be made. */
-static void prepare_normals(builder *b) {
-    burnish_source *source = b->source;
-    const uint32_t *corners = source->corner_normals;
-    size_t missing = 0, corner_count = corners ? 3 * b->triangle_count : 0;
-    int threads = burnish_thread_count(b->threads, source->normal_count, SHARE);
-    (void)threads; /* without OpenMP */
-#pragma omp parallel for num_threads(threads) reduction(+ : missing) if (threads > 1)
-    for (size_t i = 0; i < source->normal_count; ++i) {
-        float *n = source->normals + 3 * i;
+/* What the tasks of prepare_normals share. */
+typedef struct unit_context {
+    float *normals;
+    atomic_size_t missing;
+} unit_context;
+
+static void unit_range(void *of, size_t first, size_t end) {
+    unit_context *context = of;
+    size_t missing = 0;
+    for (size_t i = first; i < end; ++i) {
+        float *n = context->normals + 3 * i;
         burnish_store_unit(burnish_vec3_loadf(n), n);
         missing += n[0] == 0 && n[1] == 0 && n[2] == 0;
     }
+    atomic_fetch_add(&context->missing, missing);
+}
+
+/* Makes the file's normals unit vectors; those without a direction become 0: to be made. */
+static void prepare_normals(builder *b) {
+    const uint32_t *corners = b->source->corner_normals;
+    const size_t corner_count = corners ? 3 * b->triangle_count : 0;
+    unit_context context = {.normals = b->source->normals};
+    burnish_pool_ranges(b->pool, b->source->normal_count, SHARE, unit_range, &context);
+    size_t missing = atomic_load(&context.missing);
     for (size_t i = 0; i < corner_count; ++i) {
         missing += corners[i] == BURNISH_SOURCE_NONE;
     }
@@ -200,15 +224,10 @@ static void swap_corners(uint32_t *corners, size_t triangle) {
     }
 }
 
-/* Turns triangles whose winding contradicts the file's normals. It comes before normals are made,
- * because those follow the winding. */
-static void orient(builder *b) {
+static void orient_range(void *of, size_t first, size_t end) {
+    builder *b = of;
     burnish_source *source = b->source;
-    size_t count = source->corner_normals ? b->triangle_count : 0;
-    int threads = burnish_thread_count(b->threads, count, SHARE);
-    (void)threads; /* without OpenMP */
-#pragma omp parallel for num_threads(threads) if (threads > 1)
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = first; i < end; ++i) {
         burnish_vec3 sum = {0, 0, 0};
         for (size_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
             const float *normal = file_normal(source, corner);
@@ -223,6 +242,13 @@ static void orient(builder *b) {
             swap_corners(source->corner_normals, i);
         }
     }
+}
+
+/* Turns triangles whose winding contradicts the file's normals. It comes before normals are made,
+ * because those follow the winding. */
+static void orient(builder *b) {
+    const size_t count = b->source->corner_normals ? b->triangle_count : 0;
+    burnish_pool_ranges(b->pool, count, SHARE, orient_range, b);
 }
 
 /* Lists the corners of every welded position, in the order of the triangles. */
@@ -481,7 +507,9 @@ static burnish_status create_makers(builder *b, double angle) {
         capacity =
             3 * b->triangle_count < CORNERS_AT_ONCE ? 3 * b->triangle_count : CORNERS_AT_ONCE;
     }
-    int count = burnish_thread_count(b->threads, b->position_count, SHARE / 2);
+    const size_t worth = b->position_count / (SHARE / 2),
+                 all = (size_t)burnish_pool_threads(b->pool);
+    const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
     burnish_status status = burnish_allocate((void **)&b->makers, (size_t)count, sizeof *b->makers,
                                              "vertices", b->error);
     if (status != BURNISH_STATUS_OK) {
@@ -495,6 +523,12 @@ static burnish_status create_makers(builder *b, double angle) {
     return status;
 }
 
+static void turn_task(void *of, size_t turn, int thread) {
+    builder *b = of;
+    const size_t first = turn * POSITIONS_A_TURN, end = first + POSITIONS_A_TURN;
+    make_turn(b, &b->makers[thread], first, end < b->position_count ? end : b->position_count);
+}
+
 static burnish_status make_vertices(builder *b, double angle) {
     burnish_status status = create_makers(b, angle);
     if (status == BURNISH_STATUS_OK) {
@@ -505,12 +539,7 @@ static burnish_status make_vertices(builder *b, double angle) {
         return status;
     }
     size_t turns = (b->position_count + POSITIONS_A_TURN - 1) / POSITIONS_A_TURN;
-#pragma omp parallel for num_threads(b->maker_count) schedule(dynamic, 1) if (b->maker_count > 1)
-    for (size_t turn = 0; turn < turns; ++turn) {
-        size_t first = turn * POSITIONS_A_TURN, end = first + POSITIONS_A_TURN;
-        make_turn(b, &b->makers[burnish_thread_index()], first,
-                  end < b->position_count ? end : b->position_count);
-    }
+    burnish_pool_run(b->pool, turns, 1, b->maker_count, turn_task, b);
     for (int i = 0; i < b->maker_count; ++i) {
         if (b->makers[i].status != BURNISH_STATUS_OK) {
             if (b->error) {
@@ -538,23 +567,32 @@ static void number_vertices(builder *b) {
     }
 }
 
-static void write_vertices(builder *b) {
-    burnish_scene *scene = b->scene;
-    for (int i = 0; i < b->maker_count; ++i) {
-        const vertex_maker *maker = &b->makers[i];
-        int threads = burnish_thread_count(b->threads, maker->count, SHARE);
-        (void)threads; /* without OpenMP */
-#pragma omp parallel for num_threads(threads) if (threads > 1)
-        for (size_t k = 0; k < maker->count; ++k) {
-            const built_vertex *vertex = &maker->vertices[k];
-            size_t number = scene->indices[vertex->corner];
-            memcpy(scene->positions + 3 * number,
-                   b->source->positions + 3 * (size_t)vertex->position, 3 * sizeof(float));
-            memcpy(scene->normals + 3 * number, vertex->normal, 3 * sizeof(float));
-            if (scene->colors) {
-                memcpy(scene->colors + 4 * number, &vertex->color, 4);
-            }
+/* What the tasks of write_vertices share. */
+typedef struct write_context {
+    const builder *b;
+    const built_vertex *vertices;
+} write_context;
+
+static void write_range(void *of, size_t first, size_t end) {
+    const write_context *context = of;
+    const burnish_source *source = context->b->source;
+    burnish_scene *scene = context->b->scene;
+    for (size_t k = first; k < end; ++k) {
+        const built_vertex *vertex = &context->vertices[k];
+        size_t number = scene->indices[vertex->corner];
+        memcpy(scene->positions + 3 * number, source->positions + 3 * (size_t)vertex->position,
+               3 * sizeof(float));
+        memcpy(scene->normals + 3 * number, vertex->normal, 3 * sizeof(float));
+        if (scene->colors) {
+            memcpy(scene->colors + 4 * number, &vertex->color, 4);
         }
+    }
+}
+
+static void write_vertices(builder *b) {
+    for (int i = 0; i < b->maker_count; ++i) {
+        write_context context = {b, b->makers[i].vertices};
+        burnish_pool_ranges(b->pool, b->makers[i].count, SHARE, write_range, &context);
     }
 }
 
@@ -680,10 +718,11 @@ burnish_status burnish_scene_build(burnish_source *source, const char *name,
         return status;
     }
     *b.scene = (burnish_scene){.format = format};
-    b.threads = options->threads;
+    b.pool = burnish_pool_create(options->threads);
     status = build(&b, options);
     release_corners(&b);
     destroy_makers(&b);
+    burnish_pool_destroy(b.pool);
     if (status != BURNISH_STATUS_OK) {
         burnish_scene_destroy(b.scene);
         return status;

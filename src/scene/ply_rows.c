@@ -4,9 +4,10 @@
  * value by value, and that finds the error and its place. */
 #include "scene/ply_rows.h"
 
+#include <stdatomic.h>
 #include <string.h>
 
-#include "base/threads.h"
+#include "base/pool.h"
 #include "scene/append.h"
 #include "scene/scene.h"
 
@@ -119,10 +120,34 @@ static burnish_status reserve_vertices(const vertex_layout *layout, size_t count
     return status;
 }
 
+/* Runs the task over all rows, by threads where there are many. */
+static void run(const burnish_ply_rows *rows, burnish_range_task *task, void *context) {
+    burnish_pool *pool = rows->count > SHARE ? burnish_pool_create(rows->threads) : NULL;
+    burnish_pool_ranges(pool, rows->count, SHARE / 2, task, context);
+    burnish_pool_destroy(pool);
+}
+
+typedef struct vertex_context {
+    const burnish_ply_rows *rows;
+    const vertex_layout *layout;
+    burnish_source *source;
+    atomic_int bad; /* 1: a row is not as expected */
+} vertex_context;
+
+static void convert_vertices(void *of, size_t first, size_t end) {
+    vertex_context *context = of;
+    size_t bad = 0;
+    for (size_t row = first; row < end; ++row) {
+        bad += !convert_vertex(context->rows, context->layout, row, context->source);
+    }
+    if (bad) {
+        atomic_store(&context->bad, 1);
+    }
+}
+
 burnish_status burnish_ply_vertex_rows(const burnish_ply_rows *rows, burnish_source *source,
                                        size_t *used, burnish_error *error) {
     vertex_layout layout;
-    size_t bad = 0;
     *used = 0;
     if (!lay_out_vertices(rows, &layout) || rows->size / layout.row_size < rows->count ||
         source->position_count > 0 || source->normal_count > 0) {
@@ -132,12 +157,9 @@ burnish_status burnish_ply_vertex_rows(const burnish_ply_rows *rows, burnish_sou
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    int threads = burnish_thread_count(rows->threads, rows->count, SHARE);
-#pragma omp parallel for num_threads(threads) reduction(+ : bad) if (threads > 1)
-    for (size_t row = 0; row < rows->count; ++row) {
-        bad += !convert_vertex(rows, &layout, row, source);
-    }
-    if (bad > 0) {
+    vertex_context context = {.rows = rows, .layout = &layout, .source = source};
+    run(rows, convert_vertices, &context);
+    if (atomic_load(&context.bad)) {
         free(source->colors); /* a colour array says that there are colours */
         source->colors = NULL;
         source->color_capacity = 0;
@@ -213,12 +235,31 @@ static int convert_triangle(const burnish_ply_rows *rows, const triangle_layout 
     return good;
 }
 
+typedef struct triangle_context {
+    const burnish_ply_rows *rows;
+    const triangle_layout *layout;
+    size_t vertex_count;
+    uint32_t *corners;
+    atomic_int bad;
+} triangle_context;
+
+static void convert_triangles(void *of, size_t first, size_t end) {
+    triangle_context *context = of;
+    size_t bad = 0;
+    for (size_t row = first; row < end; ++row) {
+        bad += !convert_triangle(context->rows, context->layout, row, context->vertex_count,
+                                 context->corners + 3 * row);
+    }
+    if (bad) {
+        atomic_store(&context->bad, 1);
+    }
+}
+
 burnish_status burnish_ply_triangle_rows(const burnish_ply_rows *rows, size_t vertex_count,
                                          const burnish_load_options *options,
                                          burnish_source *source, size_t *used,
                                          burnish_error *error) {
     triangle_layout layout;
-    size_t bad = 0;
     uint32_t first[3];
     *used = 0;
     if (!lay_out_triangles(rows, &layout) || rows->size / layout.row_size < rows->count ||
@@ -234,12 +275,10 @@ burnish_status burnish_ply_triangle_rows(const burnish_ply_rows *rows, size_t ve
         return status;
     }
     uint32_t *corners = source->corner_positions + 3 * source->triangle_count;
-    int threads = burnish_thread_count(rows->threads, rows->count, SHARE);
-#pragma omp parallel for num_threads(threads) reduction(+ : bad) if (threads > 1)
-    for (size_t row = 0; row < rows->count; ++row) {
-        bad += !convert_triangle(rows, &layout, row, vertex_count, corners + 3 * row);
-    }
-    if (bad == 0) {
+    triangle_context context = {
+        .rows = rows, .layout = &layout, .vertex_count = vertex_count, .corners = corners};
+    run(rows, convert_triangles, &context);
+    if (!atomic_load(&context.bad)) {
         source->triangle_count += rows->count;
         *used = rows->count * layout.row_size;
     }

@@ -4,7 +4,7 @@
 #include <float.h>
 #include <string.h>
 
-#include "base/threads.h"
+#include "base/pool.h"
 #include "scene/source.h"
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */

@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/threads.h"
 
 enum {
     BUCKET_TARGET = 2048, /* positions a bucket: its table stays in the first-level cache */
@@ -92,7 +91,8 @@ typedef struct item {
 typedef struct welder {
     const float *positions;
     size_t count;
-    int threads;
+    burnish_pool *pool;
+    int threads; /* that take part */
     int bucket_bits;
     item *items;       /* by bucket, in the order of their index */
     size_t *starts;    /* threads * buckets: where each thread's share of a bucket starts */
@@ -217,8 +217,8 @@ static burnish_status sort_bucket(const welder *w, const item *items, size_t cou
     return BURNISH_STATUS_OK;
 }
 
-static void resolve_bucket(welder *w, size_t bucket) {
-    int thread = burnish_thread_index();
+static void resolve_bucket(void *of, size_t bucket, int thread) {
+    welder *w = of;
     size_t start = bucket > 0 ? bucket_end(w, bucket - 1) : 0;
     size_t count = bucket_end(w, bucket) - start;
     if (w->statuses[thread] == BURNISH_STATUS_OK &&
@@ -238,28 +238,26 @@ static burnish_status allocate_tables(welder *w, size_t largest, burnish_error *
                             sizeof *w->tables, "welding", error);
 }
 
+static void count_task(void *of, size_t share, int thread) {
+    (void)thread;
+    count_share(of, (int)share);
+}
+
+static void deal_task(void *of, size_t share, int thread) {
+    (void)thread;
+    deal_share(of, (int)share);
+}
+
 static burnish_status resolve(welder *w, burnish_error *error) {
-    int buckets = 1 << w->bucket_bits;
-    burnish_status status = BURNISH_STATUS_OK;
-#pragma omp parallel for num_threads(w->threads) schedule(static, 1) if (w->threads > 1)
-    for (int share = 0; share < w->threads; ++share) {
-        count_share(w, share);
-    }
-    status = allocate_tables(w, place_buckets(w), error);
+    const size_t shares = (size_t)w->threads;
+    burnish_pool_run(w->pool, shares, 1, w->threads, count_task, w);
+    burnish_status status = allocate_tables(w, place_buckets(w), error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-#pragma omp parallel num_threads(w->threads) if (w->threads > 1)
-    {
-#pragma omp for schedule(static, 1)
-        for (int share = 0; share < w->threads; ++share) {
-            deal_share(w, share);
-        }
-#pragma omp for schedule(dynamic, 1)
-        for (int bucket = 0; bucket < buckets; ++bucket) {
-            resolve_bucket(w, (size_t)bucket);
-        }
-    }
+    burnish_pool_run(w->pool, shares, 1, w->threads, deal_task, w);
+    const size_t buckets = (size_t)1 << w->bucket_bits;
+    burnish_pool_run(w->pool, buckets, 1, w->threads, resolve_bucket, w);
     for (int thread = 0; thread < w->threads; ++thread) {
         if (w->statuses[thread] != BURNISH_STATUS_OK) {
             if (error) {
@@ -271,15 +269,16 @@ static burnish_status resolve(welder *w, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_weld(const float *positions, size_t count, int threads, uint32_t *remap,
-                            size_t *unique, burnish_error *error) {
-    welder w = {.positions = positions, .count = count, .remap = remap};
+burnish_status burnish_weld(const float *positions, size_t count, burnish_pool *pool,
+                            uint32_t *remap, size_t *unique, burnish_error *error) {
+    welder w = {.positions = positions, .count = count, .remap = remap, .pool = pool};
     const char *what = "welding";
     *unique = 0;
     if (count == 0) {
         return BURNISH_STATUS_OK;
     }
-    w.threads = burnish_thread_count(threads, count, SHARE);
+    const size_t worth = count / SHARE, all = (size_t)burnish_pool_threads(pool);
+    w.threads = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
     while (w.bucket_bits < BUCKET_BITS_MAX && count >> w.bucket_bits > BUCKET_TARGET) {
         ++w.bucket_bits;
     }

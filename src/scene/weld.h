@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "base/error.h"
+#include "base/pool.h"
 
 /* Numbers bitwise equal positions alike, in the order of their first appearance.
  *
@@ -14,11 +15,11 @@
  *
  * positions: 3 words a position (the bits of floats); -0.0 must have been made 0.0 before
  * count:     [0, 2^32 - 2]
- * threads:   as burnish_load_options.threads
+ * pool:      threads to share the work
  * remap:     count numbers, written
  * unique:    how many different positions there are, written
  * Errors: MEMORY, LIMIT. */
-burnish_status burnish_weld(const float *positions, size_t count, int threads, uint32_t *remap,
+burnish_status burnish_weld(const float *positions, size_t count, burnish_pool *pool, uint32_t *remap,
                             size_t *unique, burnish_error *error);
 
 /* Something to be sorted by four words; the value breaks ties, so that the order is total. */

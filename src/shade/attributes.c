@@ -82,7 +82,7 @@ burnish_status burnish_attributes_update(burnish_attributes *attributes,
         return status;
     }
     fill_context context = {attributes, vertices, normals, colors};
-    burnish_pool_run(pool, (vertices->mesh_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 1,
+    burnish_pool_run(pool, (vertices->mesh_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 0,
                      fill_chunk, &context);
     fill_clipped(attributes, geometry, normals, colors, indices);
     return BURNISH_STATUS_OK;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The examples of docs/examples: compiled as their comments say, run, and their pictures compared: the
-# same sphere within one step of 255, with a highlight. Usage: examples.sh COMPILER ARCHIVE SOURCE_DIR SCRATCH
+# same sphere within one step of 255, with a highlight; the one in integers to the bit. Usage: examples.sh COMPILER ARCHIVE SOURCE_DIR SCRATCH
 set -eu
 compiler=$1
 archive=$2
@@ -21,3 +21,9 @@ far=$(cmp -l "$scratch/copy.ppm" "$scratch/link.ppm" |
 bright=$(tail -c +16 "$scratch/copy.ppm" | od -An -v -tu1 -w3 | awk '$1 >= 235 {n++} END {print n + 0}')
 echo "examples: $far bytes differ by more than 1, $bright bright pixels"
 [ "$far" -eq 0 ] && [ "$bright" -gt 50 ]
+
+# In integers: the same bits from every compiler, so that one sum is enough.
+$compiler -std=c99 -O2 -Wall -Wextra -Werror -I"$source/include/burnish" "$source/docs/examples/shade_integers.c" -o "$scratch/shade_integers"
+sum=$("$scratch/shade_integers" | cksum)
+echo "examples: integers $sum"
+[ "$sum" = "775226584 27661" ]

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Each public header compiles alone as strict C99, C17 and C++; lobe.h also without any other header.
+# Each public header compiles alone as strict C99, C17 and C++; lobe.h also without any other header, the integer headers with
+# nothing but the compiler's own stdint.h.
 # Usage: headers.sh SOURCE_DIR SCRATCH
 set -u
 source=$1
@@ -45,6 +46,20 @@ float highlight(float cosine) {
 CODE
 for compiler in gcc clang; do
     try $compiler -std=c99 -pedantic-errors -ffreestanding -nostdinc "$scratch/copied.c"
+done
+
+cp "$source/include/burnish/lobe_q15.h" "$source/include/burnish/shade_q15.h" "$scratch"
+cat >"$scratch/integers.c" <<'CODE'
+#include "shade_q15.h"
+unsigned highlight(unsigned cosine);
+unsigned highlight(unsigned cosine) {
+    return burnish_shift7_q15(40, (uint16_t)cosine);
+}
+CODE
+for compiler in gcc clang; do
+    try $compiler -std=c99 -pedantic-errors -ffreestanding "$scratch/integers.c"
+    # no floating point and no 64 bits
+    sed 's,/\*.*\*/,,' "$scratch/lobe_q15.h" "$scratch/shade_q15.h" | grep -nE '\b(float|double|u?int64_t|long long)\b' | grep -v '^[0-9]*: \*' && failures=$((failures + 1))
 done
 
 echo "headers: $checks checks, $failures failed"

@@ -12,8 +12,8 @@ sources() {
 
 # renderer_sources SOURCE_DIR TIER
 renderer_sources() {
-    echo "-I$1/include -I$1/src -I$1/test -DBURNISH_VERSION=\"0\" -Wno-unknown-pragmas $1/test/test_visibility.c"
-    for file in kernels/isa kernels/batch kernels/prepare base/elementary base/error base/memory base/srgb \
+    echo "-pthread -I$1/include -I$1/src -I$1/test -DBURNISH_VERSION=\"0\" $1/test/test_visibility.c"
+    for file in kernels/isa kernels/batch kernels/prepare base/elementary base/error base/memory base/pool base/srgb \
         raster/bin raster/clip raster/geometry raster/samples raster/tier raster/visibility \
         shade/attributes shade/interpolate shade/strip shade/shade; do
         echo "$1/src/$file.c"

@@ -1,0 +1,675 @@
+/* burnish/lobe_q15.h: the family of specular lobes in integers, for processors without floating
+ * point.
+ *
+ * What it is. In place of cos(angle)^n, the highlight of Phong and Blinn, this header computes
+ *
+ *     S(c) = t^m,   t = max(0, 1 - zeta (1 - c)),   m = 2, 4, 8 or 16,
+ *
+ * from a cosine c in 16 bits (or 1 - c in 24) with two multiplications of 16 bits by 16, a shift
+ * and a complement; each further order is one more multiplication. No table, no 64 bits, and no
+ * division but one or two when a lobe is made.
+ *
+ * How to use it.
+ *   1. Copy this file; it includes <stdint.h> and nothing else.
+ *   2. One lobe, nothing to set up:
+ *          specular = burnish_taylor_q15(n, cosine);
+ *   3. Any lobe, made once a material; a status other than BURNISH_Q15_OK leaves a dark lobe:
+ *          burnish_lobe_q15 lobe;
+ *          status = burnish_lobe_q15_create(&lobe, BURNISH_Q15_ENERGY, 2, 32);
+ *          specular = burnish_lobe_q15_fast(&lobe, cosine);
+ *
+ * Formats.
+ *     cosine   UQ1.15  0x8000 is 1; what is larger counts as 1. A negative cosine is 0.
+ *     lambda   UQ0.24  1 - cosine, for narrow lobes; at most 0xFFFFFF
+ *     result   UQ0.16  v stands for v / 65536; 1 is limited to 0xFFFF
+ *     result8  UQ0.8   v stands for v / 256; 1 is limited to 0xFF
+ *     slope    2 zeta = slope / 2^shift
+ *
+ * What is computed, in whole numbers, >> being the floor of a division by a power of two:
+ *
+ *     u = 0x8000 - min(cosine, 0x8000)                                   UQ1.15, exact
+ *     w = slope u                     of a cosine,                       below 2^31
+ *     w = ((slope (lambda >> 16)) << 7) + ((slope (lambda & 0xFFFF)) >> 9)   of a lambda; this is
+ *                                     floor(slope lambda / 2^9), below 2^32
+ *     a = w >> shift                  zeta (1 - c) in 2^-16; the result is 0 where a > 0xFFFF
+ *     t = 0xFFFF - a                  the complement of a's 16 bits
+ *
+ *     fast    x = (t t) >> 16, then again x = (x x) >> 16 for each further order
+ *     near    x = (t t + t + 0x8000) >> 16, then x = (x x + 0x8000) >> 16
+ *     fast8   fast up to order m/2 (order 2: t itself), then of its top 9 bits y = x >> 7:
+ *             (y (y + 1) + 511) >> 10
+ *     exact   T = 1 - zeta (1 - c) in UQ0.32, without an error for a cosine, and for a lambda where
+ *             shift <= 7, else rounded up; x = floor(T T / 2^32) for each squaring; at last rounded
+ *             to 16 bits, halves up
+ *     exact8  the same, rounded to 8 bits
+ *
+ * Slopes. taylor n / 2^(log2 m - 1), shift7 7n / 2^3, shift3 3n / 2^2 are exact. energy and a zeta
+ * of your own are rounded to 16 significant bits.
+ *
+ * What it promises. Every result is defined bit by bit for every input; a result never decreases as
+ * the cosine grows. Errors against the exact real lobe in units of the result's last place, over
+ * all cosines, all lambdas and n = 1 .. 1023, the limit of 1 being no error (`make prove-q15`
+ * proves them; docs/firmware.md has more digits):
+ *
+ *                        fast            near              exact        fast8         exact8
+ *     order              2  4  8  16    2   4   8    16    all          2 .. 8  16    all
+ *     exact slopes       3  7  15 29    1.5 3.4 6.9  13.3  .5003        1       1.04  .50001
+ *     energy             3  7  15 29    1.6 3.5 6.9  13.3  .86          1       1.04  .502
+ *
+ * What it does not do. It does not shade: see shade_q15.h. It does not know cos^n: how far the
+ * family is from that, see docs/theory.md. The rounding of a cosine to 15 bits costs a narrow lobe
+ * n/256 steps of an 8-bit result: from n = 128 on prefer the functions that take lambda.
+ *
+ * Sources. See lobe.h; the shift by 7/16 and the boundary memory are those of the paper that
+ * burnish implements (docs/theory.md).
+ *
+ * SPDX-License-Identifier: MIT
+ * Copyright (c) the burnish authors
+ */
+#ifndef BURNISH_LOBE_Q15_H
+#define BURNISH_LOBE_Q15_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The cosine 1, and the largest 1 - cosine. */
+#define BURNISH_Q15_ONE 0x8000u
+#define BURNISH_Q15_LAMBDA_MAX 0xFFFFFFul
+
+/* The exponents for which lobes exist, and the largest zeta in UQ16.16. */
+#define BURNISH_Q15_EXPONENT_MAX 1023u
+#define BURNISH_Q15_ZETA_MAX 0x7FFF0000ul
+
+typedef enum burnish_q15_status {
+    BURNISH_Q15_OK,
+    BURNISH_Q15_ERROR_EXPONENT,           /* the exponent must be from 1 to 1023 */
+    BURNISH_Q15_ERROR_ORDER,              /* the order must be 2, 4, 8, 16; shift7, shift3: 2 */
+    BURNISH_Q15_ERROR_ORDER_FOR_EXPONENT, /* an order above 2 must not be above the exponent */
+    BURNISH_Q15_ERROR_FIT,                /* the fit is not one of burnish_q15_fit */
+    BURNISH_Q15_ERROR_ZETA                /* zeta must be from 1/65536 to 32767 */
+} burnish_q15_status;
+
+/* How zeta follows from the exponent n and the order m. */
+typedef enum burnish_q15_fit {
+    BURNISH_Q15_TAYLOR, /* n/m */
+    BURNISH_Q15_ENERGY, /* (n+1)/(m+1) */
+    BURNISH_Q15_SHIFT7, /* 7n/16, m = 2 */
+    BURNISH_Q15_SHIFT3  /* 3n/8, m = 2 */
+} burnish_q15_fit;
+
+/* One lobe, ready to be evaluated; make it with burnish_lobe_q15_create or a sibling. reach is the
+ * boundary memory's word: beyond it nothing is computed. All zero is the dark lobe, whose endless
+ * squarings leave nothing. */
+typedef struct burnish_lobe_q15 {
+    uint16_t slope;    /* 2 zeta 2^shift */
+    uint16_t reach;    /* UQ1.15: the largest 1 - cosine at which the lobe is above 0 */
+    uint8_t shift;     /* 0 .. 15 */
+    uint8_t squarings; /* log2 m: 1 .. 4; 0 in the dark lobe */
+} burnish_lobe_q15;
+
+/* ---- Steps -------------------------------------------------------------------------------------
+ *
+ * What the functions below are made of; the hardware in rtl/ has a module for each. */
+
+/* 1 - cosine in UQ1.15.  cosine  any; above 0x8000 counts as 1 */
+static inline uint16_t burnish_q15_lambda(uint16_t cosine) {
+#ifdef __AVR__ /* two cycles where the comparison takes six */
+    uint16_t lambda = (uint16_t)(BURNISH_Q15_ONE - cosine);
+    if ((uint8_t)(lambda >> 8) & 0x80u) {
+        lambda = cosine == 0 ? lambda : 0;
+    }
+    return lambda;
+#else
+    return cosine > BURNISH_Q15_ONE ? (uint16_t)0 : (uint16_t)(BURNISH_Q15_ONE - cosine);
+#endif
+}
+
+/* AVR with a multiplier: products in assembly, which make a lobe 1.4 to 7 times as fast as the C
+ * below. The firmware's tests compare both; define BURNISH_Q15_PLAIN_C to do without. */
+#if defined(__AVR_HAVE_MUL__) && defined(__GNUC__) && !defined(BURNISH_Q15_PLAIN_C)
+#define BURNISH_Q15_AVR 1
+#endif
+
+/* The product of two 16-bit numbers in 32 bits. */
+static inline uint32_t burnish_q15_multiply(uint16_t a, uint16_t b) {
+#ifdef BURNISH_Q15_AVR
+    uint32_t product;
+    uint8_t zero;
+    __asm__("mul %A2, %A3\n\t"
+            "movw %A0, r0\n\t"
+            "mul %B2, %B3\n\t"
+            "movw %C0, r0\n\t"
+            "clr %1\n\t"
+            "mul %B2, %A3\n\t"
+            "add %B0, r0\n\t"
+            "adc %C0, r1\n\t"
+            "adc %D0, %1\n\t"
+            "mul %A2, %B3\n\t"
+            "add %B0, r0\n\t"
+            "adc %C0, r1\n\t"
+            "adc %D0, %1\n\t"
+            "clr r1"
+            : "=&r"(product), "=&r"(zero)
+            : "r"(a), "r"(b));
+    return product;
+#else
+    return (uint32_t)a * b;
+#endif
+}
+
+/* w of a cosine: zeta (1 - c) in 2^-(16 + shift), exact.  lambda  UQ1.15, at most 0x8000 */
+static inline uint32_t burnish_q15_product(uint16_t slope, uint_fast16_t lambda) {
+#ifdef BURNISH_Q15_AVR
+    return burnish_q15_multiply(slope, lambda);
+#else
+    return (uint32_t)slope * (uint32_t)lambda;
+#endif
+}
+
+/* w of a 1 - cosine: zeta lambda in 2^-(16 + shift), floor.  lambda  UQ0.24, at most 0xFFFFFF */
+static inline uint32_t burnish_q15_product_lambda(uint16_t slope, uint32_t lambda) {
+    return (burnish_q15_multiply(slope, (uint16_t)(lambda >> 16)) << 7) +
+           (burnish_q15_multiply(slope, (uint16_t)lambda) >> 9);
+}
+
+/* floor(x^2 / 2^16) of x in UQ0.16. */
+static inline uint16_t burnish_q15_square(uint_fast16_t x) {
+#ifdef BURNISH_Q15_AVR
+    uint16_t square;
+    uint8_t low, zero;
+    __asm__("mul %A3, %A3\n\t"
+            "mov %1, r1\n\t"
+            "mul %B3, %B3\n\t"
+            "movw %A0, r0\n\t"
+            "clr %2\n\t"
+            "mul %A3, %B3\n\t"
+            "add %1, r0\n\t"
+            "adc %A0, r1\n\t"
+            "adc %B0, %2\n\t"
+            "add %1, r0\n\t"
+            "adc %A0, r1\n\t"
+            "adc %B0, %2\n\t"
+            "clr r1"
+            : "=&r"(square), "=&r"(low), "=&r"(zero)
+            : "r"(x));
+    return square;
+#else
+    return (uint16_t)(((uint32_t)x * (uint32_t)x) >> 16);
+#endif
+}
+
+/* x^2 of x in UQ0.16, rounded, halves up; 0xFFFF^2 + 0x8000 still fits. */
+static inline uint16_t burnish_q15_square_rounded(uint16_t x) {
+    return (uint16_t)((burnish_q15_multiply(x, x) + 0x8000u) >> 16);
+}
+
+/* (x + 1/2)^2 of x in UQ0.16, rounded: x stands for the middle of what was cut to it. */
+static inline uint16_t burnish_q15_square_middle(uint16_t x) {
+    return (uint16_t)((burnish_q15_multiply(x, x) + x + 0x8000u) >> 16);
+}
+
+/* (y + 1/2)^2 of y = x >> 7, the top 9 bits of x in UQ0.16, rounded to 8 bits:
+ * (y (y + 1) + 511) >> 10. With y = 2 h + b that is (h h + b h + ((h + b + 255) >> 1)) >> 8, which
+ * needs one product of 8 bits and fits in 16. */
+static inline uint8_t burnish_q15_square8(uint_fast16_t x) {
+#ifdef BURNISH_Q15_AVR
+    uint8_t result = 255, zero, some;
+    __asm__("mul %B3, %B3\n\t"
+            "clr %1\n\t"
+            "lsl %A3\n\t" /* carry: b */
+            "sbc %2, %2\n\t"
+            "and %2, %B3\n\t" /* b h */
+            "adc %0, %B3\n\t"
+            "ror %0\n\t" /* (h + b + 255) >> 1 */
+            "add r0, %2\n\t"
+            "adc r1, %1\n\t"
+            "add r0, %0\n\t"
+            "adc r1, %1\n\t"
+            "mov %0, r1\n\t"
+            "clr r1"
+            : "+&r"(result), "=&r"(zero), "=&r"(some), "+r"(x));
+    return result;
+#else
+    const uint32_t y = (uint32_t)x >> 7;
+    return (uint8_t)((y * y + y + 511u) >> 10);
+#endif
+}
+
+/* floor(x^2 / 2^32) of x in UQ0.32, from products of 16 bits. */
+static inline uint32_t burnish_q15_square_wide(uint32_t x) {
+    const uint16_t high = (uint16_t)(x >> 16), low = (uint16_t)x;
+    const uint32_t cross = burnish_q15_multiply(high, low); /* twice, at 2^16 */
+    const uint32_t carry = burnish_q15_multiply(low, low) >> 17;
+    return burnish_q15_multiply(high, high) + ((cross + carry) >> 15);
+}
+
+/* UQ0.32 rounded to UQ0.16, halves up, 1 limited to 0xFFFF. */
+static inline uint16_t burnish_q15_round(uint32_t x) {
+    return x >= 0xFFFF8000ul ? (uint16_t)0xFFFFu : (uint16_t)((x + 0x8000u) >> 16);
+}
+
+/* UQ0.32 rounded to UQ0.8, halves up, 1 limited to 0xFF. */
+static inline uint8_t burnish_q15_round8(uint32_t x) {
+    return x >= 0xFF800000ul ? (uint8_t)0xFFu : (uint8_t)((x + 0x800000ul) >> 24);
+}
+
+/* The lobe from a, zeta (1 - c) in 2^-16 and below 1, with no more than 16 bits kept: a floor of
+ * floors, at most 2m - 1 steps below the lobe.
+ *   a          0 .. 0xFFFF
+ *   squarings  1 .. 4; 0, the dark lobe's, gives 0 */
+static inline uint16_t burnish_q15_fast_at(uint_fast16_t a, uint8_t squarings) {
+    uint16_t x = burnish_q15_square(0xFFFFu - a);
+    while (--squarings) {
+        x = burnish_q15_square(x);
+    }
+    return x;
+}
+
+/* The same with rounding at every step and the half bit that the complement loses put back. */
+static inline uint16_t burnish_q15_near_at(uint_fast16_t a, uint8_t squarings) {
+    uint16_t x = burnish_q15_square_middle((uint16_t)(0xFFFFu - a));
+    while (--squarings) {
+        x = burnish_q15_square_rounded(x);
+    }
+    return x;
+}
+
+/* The same to 8 bits: the last square from 9 bits. */
+static inline uint8_t burnish_q15_fast8_at(uint_fast16_t a, uint8_t squarings) {
+    uint_fast16_t x = 0xFFFFu - a;
+    while (--squarings) {
+        x = burnish_q15_square(x);
+    }
+    return burnish_q15_square8(x);
+}
+
+/* zeta lambda below 1 as a fraction in UQ0.32: exact where shift <= 7, else its floor. What passes
+ * 1 is lost: ask w first.  lambda  UQ0.24 */
+static inline uint32_t burnish_q15_fraction(uint16_t slope, uint8_t shift, uint32_t lambda) {
+    const uint32_t high = burnish_q15_multiply(slope, (uint16_t)(lambda >> 16));
+    const uint32_t low = burnish_q15_multiply(slope, (uint16_t)lambda);
+    return (high << (23 - shift)) + (shift <= 7 ? low << (7 - shift) : low >> (shift - 7));
+}
+
+/* (1 - fraction)^m in UQ0.32, 1 limited to 0xFFFFFFFF; error below 2m - 2 units of 2^-32.
+ *   fraction  UQ0.32 */
+static inline uint32_t burnish_q15_wide_of(uint32_t fraction, uint8_t squarings) {
+    uint32_t x = (uint32_t)(0u - fraction);
+    if (fraction == 0) {
+        return squarings ? 0xFFFFFFFFul : 0;
+    }
+    do {
+        x = burnish_q15_square_wide(x);
+    } while (--squarings);
+    return x;
+}
+
+/* ---- Lobes with nothing to set up --------------------------------------------------------------
+ *
+ * Order 2, the zero found from the top bits of the product. Form fast.
+ *   exponent  n: 0 .. 1023 (8191 where 7n and 3n must fit); 0 gives 0xFFFE everywhere
+ *   cosine    UQ1.15
+ * Returns UQ0.16, at most 0xFFFE. */
+
+/* Form fast, order 2, of any slope. Above 1 the difference wraps, w passes 2^31 and the one test
+ * that finds the cutoff finds it too. */
+static inline uint16_t burnish_slope_q15(uint16_t slope, uint8_t shift, uint16_t cosine) {
+#ifdef __AVR__ /* 16 bits are cheaper there, and don't tell */
+    const uint32_t a = burnish_q15_product(slope, burnish_q15_lambda(cosine)) >> shift;
+    return a > 0xFFFFu ? (uint16_t)0 : burnish_q15_square((uint16_t)~a);
+#else
+    const uint32_t a = (slope * (BURNISH_Q15_ONE - (uint32_t)cosine)) >> shift;
+    if (a > 0xFFFFu) {
+        return cosine > BURNISH_Q15_ONE ? (uint16_t)0xFFFEu : (uint16_t)0;
+    }
+    return burnish_q15_square(0xFFFFu - a);
+#endif
+}
+
+/* zeta = n/2, the paper's W: p = n u is zeta (1 - c) in 2^-16 as it is. */
+static inline uint16_t burnish_taylor_q15(uint16_t exponent, uint16_t cosine) {
+    return burnish_slope_q15(exponent, 0, cosine);
+}
+
+/* zeta = 7n/16, the paper's W_0.5: 7n = 8n - n. */
+static inline uint16_t burnish_shift7_q15(uint16_t exponent, uint16_t cosine) {
+    return burnish_slope_q15((uint16_t)((uint16_t)(exponent << 3) - exponent), 3, cosine);
+}
+
+/* zeta = 3n/8: 3n = 2n + n. */
+static inline uint16_t burnish_shift3_q15(uint16_t exponent, uint16_t cosine) {
+    return burnish_slope_q15((uint16_t)((uint16_t)(exponent << 1) + exponent), 2, cosine);
+}
+
+/* zeta = n/2 to 8 bits.  exponent  n: 0 .. 255.  Returns UQ0.8. Form fast8. */
+static inline uint8_t burnish_taylor8_q15(uint8_t exponent, uint16_t cosine) {
+#ifdef BURNISH_Q15_AVR /* two products of 8 bits */
+    const uint16_t u = burnish_q15_lambda(cosine);
+    uint16_t a;
+    uint8_t above;
+    __asm__("mul %2, %A3\n\t"
+            "movw %A0, r0\n\t"
+            "mul %2, %B3\n\t"
+            "clr %1\n\t"
+            "add %B0, r0\n\t"
+            "adc %1, r1\n\t"
+            "clr r1"
+            : "=&r"(a), "=&r"(above)
+            : "r"(exponent), "r"(u));
+    return above ? (uint8_t)0 : burnish_q15_square8((uint16_t)~a);
+#else
+    const uint32_t a = exponent * (BURNISH_Q15_ONE - (uint32_t)cosine);
+    if (a > 0xFFFFu) {
+        return cosine > BURNISH_Q15_ONE ? (uint8_t)0xFFu : (uint8_t)0;
+    }
+    return burnish_q15_square8(0xFFFFu - a);
+#endif
+}
+
+/* ---- Lobes made once ------------------------------------------------------------------------ */
+
+/* The dark lobe, which is 0 everywhere, c = 1 included. */
+static inline void burnish_lobe_q15_darken(burnish_lobe_q15 *lobe) {
+    lobe->slope = 0;
+    lobe->reach = 0;
+    lobe->shift = 0;
+    lobe->squarings = 0;
+}
+
+/* log2 of an order: 1 .. 4; 0 for what is no order. */
+static inline uint8_t burnish_q15_squarings(uint16_t order) {
+    switch (order) {
+    case 2:
+        return 1;
+    case 4:
+        return 2;
+    case 8:
+        return 3;
+    case 16:
+        return 4;
+    default:
+        return 0;
+    }
+}
+
+/* The largest 1 - cosine at which a is below 1, that is slope u < 2^(16 + shift); at most 1.
+ *   slope  not 0 */
+static inline uint16_t burnish_q15_reach(uint16_t slope, uint8_t shift) {
+    const uint32_t largest = (((uint32_t)0x10000ul << shift) - 1u) / slope;
+    return largest >= BURNISH_Q15_ONE ? (uint16_t)BURNISH_Q15_ONE : (uint16_t)largest;
+}
+
+/* Takes a word of the boundary memory, as `burnish lobe boundary --format-word=UQ0.15` writes it:
+ * cosines up to the word give 0. With --bits=0 of the same lobe no result changes; with a
+ * threshold, highlights dimmer than that are cut, and less is computed. A word below the lobe's own
+ * cutoff changes nothing.
+ *   lobe  not NULL
+ *   word  UQ0.15; 0 stands for no boundary */
+static inline void burnish_lobe_q15_set_boundary(burnish_lobe_q15 *lobe, uint16_t word) {
+    const uint16_t reach =
+        word < BURNISH_Q15_ONE ? (uint16_t)(BURNISH_Q15_ONE - 1u - word) : (uint16_t)0;
+    if (word != 0 && reach < lobe->reach) {
+        lobe->reach = reach;
+    }
+}
+
+/* Makes the lobe of a slope as it is, 2 zeta = slope / 2^shift, for slopes that were computed
+ * ahead. One division, for the boundary. lobe   becomes the lobe, on error the dark one; not NULL
+ *   slope  1 .. 65535
+ *   shift  0 .. 15; 8 means a slope in UQ8.8, which costs an 8-bit processor no shift at all
+ *   order  2, 4, 8 or 16
+ * Errors: ERROR_ORDER; ERROR_ZETA for a slope of 0 or a shift above 15. */
+static inline burnish_q15_status burnish_lobe_q15_from_slope(burnish_lobe_q15 *lobe, uint16_t slope,
+                                                             uint8_t shift, uint16_t order) {
+    const uint8_t squarings = burnish_q15_squarings(order);
+    burnish_lobe_q15_darken(lobe);
+    if (squarings == 0) {
+        return BURNISH_Q15_ERROR_ORDER;
+    }
+    if (slope == 0 || shift > 15) {
+        return BURNISH_Q15_ERROR_ZETA;
+    }
+    lobe->slope = slope;
+    lobe->shift = shift;
+    lobe->squarings = squarings;
+    lobe->reach = burnish_q15_reach(slope, shift);
+    return BURNISH_Q15_OK;
+}
+
+/* Makes the lobe of a zeta, rounded to 16 significant bits (halves up); below 1 to 2^-16.
+ *   lobe      becomes the lobe, on error the dark one; not NULL
+ *   zeta_q16  UQ16.16: 1 .. 0x7FFF0000
+ *   order     2, 4, 8 or 16
+ * Errors: ERROR_ORDER, ERROR_ZETA. */
+static inline burnish_q15_status burnish_lobe_q15_from_zeta(burnish_lobe_q15 *lobe,
+                                                            uint32_t zeta_q16, uint16_t order) {
+    uint8_t shift = 15; /* 2 zeta 2^15 is zeta_q16 itself */
+    uint32_t slope = zeta_q16;
+    burnish_lobe_q15_darken(lobe);
+    if (zeta_q16 == 0 || zeta_q16 > BURNISH_Q15_ZETA_MAX) {
+        return burnish_q15_squarings(order) ? BURNISH_Q15_ERROR_ZETA : BURNISH_Q15_ERROR_ORDER;
+    }
+    while (slope > 0xFFFFu) {
+        --shift;
+        slope = (zeta_q16 + ((uint32_t)0x4000ul >> shift)) >> (15 - shift);
+    }
+    return burnish_lobe_q15_from_slope(lobe, (uint16_t)slope, shift, order);
+}
+
+/* 2 zeta 2^shift of the energy fit with 16 significant bits, rounded, halves up.
+ *   exponent  1 .. 1023
+ *   order     2 .. 16
+ *   shift     receives 0 .. 15 */
+static inline uint16_t burnish_q15_energy_slope(uint16_t exponent, uint16_t order, uint8_t *shift) {
+    const uint16_t whole = (uint16_t)(order + 1u);
+    uint32_t scaled = (uint32_t)(exponent + 1u) << 1; /* 2 (n+1) 2^shift */
+    *shift = 0;
+    while (*shift < 15 && scaled < (uint32_t)0x8000ul * whole) { /* until the slope has 16 bits */
+        scaled <<= 1;
+        ++*shift;
+    }
+    return (uint16_t)((scaled + whole / 2u) / whole);
+}
+
+/* Makes the lobe that stands for cos^exponent.
+ *   lobe      becomes the lobe, on error the dark one; not NULL
+ *   fit       see burnish_q15_fit
+ *   order     2, 4, 8 or 16, above 2 at most the exponent; SHIFT7 and SHIFT3: 2
+ *   exponent  n: 1 .. 1023
+ * Errors: ERROR_FIT, ERROR_ORDER, ERROR_EXPONENT, ERROR_ORDER_FOR_EXPONENT. */
+static inline burnish_q15_status burnish_lobe_q15_create(burnish_lobe_q15 *lobe,
+                                                         burnish_q15_fit fit, uint16_t order,
+                                                         uint16_t exponent) {
+    const uint8_t squarings = burnish_q15_squarings(order);
+    uint16_t slope;
+    uint8_t shift;
+    burnish_lobe_q15_darken(lobe);
+    if (squarings == 0 ||
+        ((fit == BURNISH_Q15_SHIFT7 || fit == BURNISH_Q15_SHIFT3) && order != 2)) {
+        return BURNISH_Q15_ERROR_ORDER;
+    }
+    if (exponent == 0 || exponent > BURNISH_Q15_EXPONENT_MAX) {
+        return BURNISH_Q15_ERROR_EXPONENT;
+    }
+    if (order > 2 && exponent < order) {
+        return BURNISH_Q15_ERROR_ORDER_FOR_EXPONENT;
+    }
+    switch (fit) {
+    case BURNISH_Q15_TAYLOR:
+        slope = exponent;
+        shift = (uint8_t)(squarings - 1);
+        break;
+    case BURNISH_Q15_ENERGY:
+        slope = burnish_q15_energy_slope(exponent, order, &shift);
+        break;
+    case BURNISH_Q15_SHIFT7:
+        slope = (uint16_t)(7u * exponent);
+        shift = 3;
+        break;
+    case BURNISH_Q15_SHIFT3:
+        slope = (uint16_t)(3u * exponent);
+        shift = 2;
+        break;
+    default:
+        return BURNISH_Q15_ERROR_FIT;
+    }
+    return burnish_lobe_q15_from_slope(lobe, slope, shift, order);
+}
+
+/* Rewrites a lobe's slope in UQ8.8, rounded, so that the shift is a whole byte: what an 8-bit
+ * processor wants. zeta moves by at most 2^-10.
+ *   lobe  not NULL, zeta below 127.99; its boundary becomes its own cutoff again
+ * Errors: ERROR_ZETA for a larger zeta or one that rounds to 0; the lobe is then unchanged. */
+static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) {
+    uint32_t slope = lobe->slope;
+    if (lobe->shift > 8) {
+        slope = (slope + ((uint32_t)1 << (lobe->shift - 9))) >> (lobe->shift - 8);
+    } else {
+        slope <<= 8 - lobe->shift;
+    }
+    if (slope == 0 || slope > 0xFFFFu) {
+        return BURNISH_Q15_ERROR_ZETA;
+    }
+    lobe->slope = (uint16_t)slope;
+    lobe->shift = 8;
+    lobe->reach = burnish_q15_reach(lobe->slope, 8);
+    return BURNISH_Q15_OK;
+}
+
+/* ---- Lobes at a cosine -------------------------------------------------------------------------
+ *
+ *   lobe    not NULL
+ *   cosine  UQ1.15; where 1 - cosine is beyond lobe->reach the result is 0 at once
+ * Forms and errors: see the top of this file. */
+
+/* Whether there is anything to compute. 1 - cosine wraps above 1 and is then beyond every reach.
+ *   lambda  receives 1 - cosine in UQ1.15 */
+static inline uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint16_t cosine,
+                                              uint_fast16_t *lambda) {
+    *lambda = (uint_fast16_t)(BURNISH_Q15_ONE - cosine);
+    if (*lambda <= lobe->reach) {
+        return 1;
+    }
+    if (cosine <= BURNISH_Q15_ONE) {
+        return 0;
+    }
+    *lambda = 0;
+    return 1;
+}
+
+/* a at such a 1 - cosine: below 1, since reach is at most the lobe's own. */
+static inline uint_fast16_t burnish_lobe_q15_a(const burnish_lobe_q15 *lobe, uint_fast16_t lambda) {
+    uint32_t w = burnish_q15_product(lobe->slope, lambda);
+    uint8_t shift = lobe->shift;
+#ifdef __AVR__ /* a byte at once, the rest a bit at a time */
+    if (shift >= 8) {
+        w >>= 8;
+        shift = (uint8_t)(shift - 8);
+    }
+#endif
+    return (uint_fast16_t)(w >> shift);
+}
+
+static inline uint16_t burnish_lobe_q15_fast(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    uint_fast16_t lambda;
+    if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
+        return 0;
+    }
+    return burnish_q15_fast_at(burnish_lobe_q15_a(lobe, lambda), lobe->squarings);
+}
+
+static inline uint16_t burnish_lobe_q15_near(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    uint_fast16_t lambda;
+    if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
+        return 0;
+    }
+    return burnish_q15_near_at(burnish_lobe_q15_a(lobe, lambda), lobe->squarings);
+}
+
+static inline uint8_t burnish_lobe_q15_fast8(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    uint_fast16_t lambda;
+    if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
+        return 0;
+    }
+    return burnish_q15_fast8_at(burnish_lobe_q15_a(lobe, lambda), lobe->squarings);
+}
+
+/* The lobe in UQ0.32: what exact and exact8 round. Error below 2m - 2 units of 2^-32 for an exact
+ * slope, 1 limited to 0xFFFFFFFF. */
+static inline uint32_t burnish_lobe_q15_wide(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    uint_fast16_t lambda;
+    if (!burnish_lobe_q15_is_lit(lobe, cosine, &lambda)) {
+        return 0;
+    }
+    return burnish_q15_wide_of(burnish_q15_product(lobe->slope, lambda) << (16 - lobe->shift),
+                               lobe->squarings);
+}
+
+static inline uint16_t burnish_lobe_q15_exact(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    return burnish_q15_round(burnish_lobe_q15_wide(lobe, cosine));
+}
+
+static inline uint8_t burnish_lobe_q15_exact8(const burnish_lobe_q15 *lobe, uint16_t cosine) {
+    return burnish_q15_round8(burnish_lobe_q15_wide(lobe, cosine));
+}
+
+/* ---- Lobes at lambda = 1 - cosine --------------------------------------------------------------
+ *
+ * For exponents whose highlight is a few steps of a 15-bit cosine wide. The boundary is found from
+ * the product; reach is not asked.
+ *   lobe    not NULL
+ *   lambda  1 - cosine in UQ0.24; above 0xFFFFFF counts as that */
+
+/* lambda limited to 24 bits. */
+static inline uint32_t burnish_q15_limit_lambda(uint32_t lambda) {
+    return lambda > BURNISH_Q15_LAMBDA_MAX ? (uint32_t)BURNISH_Q15_LAMBDA_MAX : lambda;
+}
+
+/* a at a 1 - cosine, 0x10000 or more where the lobe is 0. */
+static inline uint32_t burnish_lobe_q15_a_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    return burnish_q15_product_lambda(lobe->slope, burnish_q15_limit_lambda(lambda)) >> lobe->shift;
+}
+
+static inline uint16_t burnish_lobe_q15_fast_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    const uint32_t a = burnish_lobe_q15_a_lambda(lobe, lambda);
+    return a > 0xFFFFu ? (uint16_t)0 : burnish_q15_fast_at((uint_fast16_t)a, lobe->squarings);
+}
+
+static inline uint16_t burnish_lobe_q15_near_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    const uint32_t a = burnish_lobe_q15_a_lambda(lobe, lambda);
+    return a > 0xFFFFu ? (uint16_t)0 : burnish_q15_near_at((uint_fast16_t)a, lobe->squarings);
+}
+
+static inline uint8_t burnish_lobe_q15_fast8_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    const uint32_t a = burnish_lobe_q15_a_lambda(lobe, lambda);
+    return a > 0xFFFFu ? (uint8_t)0 : burnish_q15_fast8_at((uint_fast16_t)a, lobe->squarings);
+}
+
+/* The lobe in UQ0.32; error as burnish_lobe_q15_wide, and 1 to m more where shift > 7. */
+static inline uint32_t burnish_lobe_q15_wide_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
+    if (burnish_lobe_q15_a_lambda(lobe, lambda) > 0xFFFFu) {
+        return 0;
+    }
+    return burnish_q15_wide_of(
+        burnish_q15_fraction(lobe->slope, lobe->shift, burnish_q15_limit_lambda(lambda)),
+        lobe->squarings);
+}
+
+static inline uint16_t burnish_lobe_q15_exact_lambda(const burnish_lobe_q15 *lobe,
+                                                     uint32_t lambda) {
+    return burnish_q15_round(burnish_lobe_q15_wide_lambda(lobe, lambda));
+}
+
+static inline uint8_t burnish_lobe_q15_exact8_lambda(const burnish_lobe_q15 *lobe,
+                                                     uint32_t lambda) {
+    return burnish_q15_round8(burnish_lobe_q15_wide_lambda(lobe, lambda));
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
