@@ -9,7 +9,7 @@ BUILD = build/$(PRESET)
 DEPS = ./scripts/install-deps
 
 help: ## list the targets
-	@awk 'BEGIN {FS = ":.*## "; print "burnish: make TARGET\n"} /^[a-z-]+:.*## / {printf "  %-14s %s\n", $$1, $$2}' Makefile
+	@awk 'BEGIN {FS = ":.*## "; print "burnish: make TARGET\n"} /^[a-z0-9-]+:.*## / {printf "  %-14s %s\n", $$1, $$2}' Makefile
 
 deps: ## install the Debian packages that building and testing need
 	@$(DEPS) build test demo
