@@ -85,7 +85,7 @@ mcu: ## run the firmware in simulators, check every pixel, count cycles (minutes
 	@$(DEPS) build test mcu mcu-float
 	@cmake --preset release >/dev/null
 	@cmake --build --preset release -j $(JOBS) --target prove_q15 burnish
-	@./scripts/firmware-tables build/release docs/firmware.md docs/figures/firmware.png
+	@./scripts/firmware-tables build/release docs/firmware.md docs/images/firmware.png
 
 bench: ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
 	@$(DEPS) build demo bench
