@@ -19,8 +19,8 @@
  * remap:     count numbers, written
  * unique:    how many different positions there are, written
  * Errors: MEMORY, LIMIT. */
-burnish_status burnish_weld(const float *positions, size_t count, burnish_pool *pool, uint32_t *remap,
-                            size_t *unique, burnish_error *error);
+burnish_status burnish_weld(const float *positions, size_t count, burnish_pool *pool,
+                            uint32_t *remap, size_t *unique, burnish_error *error);
 
 /* Something to be sorted by four words; the value breaks ties, so that the order is total. */
 typedef struct burnish_weld_record {
