@@ -9,7 +9,7 @@ BUILD = build/$(PRESET)
 DEPS = ./scripts/install-deps
 
 help: ## list the targets
-	@awk 'BEGIN {FS = ":.*## "; print "burnish: make TARGET\n"} /^[a-z-]+:.*## / {printf "  %-14s %s\n", $$1, $$2}' Makefile
+	@awk 'BEGIN {FS = ":.*## "; print "burnish: make TARGET\n"} /^[a-z0-9-]+:.*## / {printf "  %-14s %s\n", $$1, $$2}' Makefile
 
 deps: ## install the Debian packages that building and testing need
 	@$(DEPS) build test demo
@@ -85,7 +85,7 @@ mcu: ## run the firmware in simulators, check every pixel, count cycles (minutes
 	@$(DEPS) build test mcu mcu-float
 	@cmake --preset release >/dev/null
 	@cmake --build --preset release -j $(JOBS) --target prove_q15 burnish
-	@./scripts/firmware-tables build/release docs/firmware.md docs/figures/firmware.png
+	@./scripts/firmware-tables build/release docs/firmware.md docs/images/firmware.png
 
 bench: ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
 	@$(DEPS) build demo bench

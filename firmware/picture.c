@@ -55,7 +55,7 @@ static int16_t multiply_q15(int16_t a, int16_t b) {
 
 /* Turns by the frame's angle about the object's axis, then leans it towards the viewer. */
 static void set_turn(int16_t turn[3][3], uint8_t frame) {
-    const uint8_t angle = (uint8_t)(frame * (ROUND / 8) + 10), lean = 28;
+    const uint8_t angle = (uint8_t)(frame * (ROUND / 8) + 14), lean = 28;
     const int16_t c = cosine(angle), s = sine(angle), cl = cosine(lean), sl = sine(lean);
     turn[0][0] = c;
     turn[0][1] = (int16_t)-s;
