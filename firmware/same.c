@@ -60,6 +60,7 @@ static void take_lobes(void) {
             take(burnish_shift7_q15(n, c));
             take(burnish_lobe_q15_fast(&lobe, c));
             take(burnish_lobe_q15_fast8(&lobe, c));
+            take(burnish_lobe_q15_fast_lambda(&lobe, ((uint32_t)c << 3) + n));
             c = (uint16_t)(c + (c < 0x7C00 || c > 0x8010 ? 61 : 1)); /* all of those near 1 */
         } while (c >= 61);
     }

@@ -29,8 +29,7 @@
  *
  *     u = 0x8000 - min(cosine, 0x8000)                                   UQ1.15, exact
  *     w = slope u                     of a cosine,                       below 2^31
- *     w = ((slope (lambda >> 16)) << 7) + ((slope (lambda & 0xFFFF)) >> 9)   of a lambda; this is
- *                                     floor(slope lambda / 2^9), below 2^32
+ *     w = floor(slope lambda / 2^9)   of a lambda,                       below 2^32
  *     a = w >> shift                  zeta (1 - c) in 2^-16; the result is 0 where a > 0xFFFF
  *     t = 0xFFFF - a                  the complement of a's 16 bits
  *
@@ -171,8 +170,20 @@ static inline uint32_t burnish_q15_product(uint16_t slope, uint_fast16_t lambda)
 
 /* w of a 1 - cosine: zeta lambda in 2^-(16 + shift), floor.  lambda  UQ0.24, at most 0xFFFFFF */
 static inline uint32_t burnish_q15_product_lambda(uint16_t slope, uint32_t lambda) {
-    return (burnish_q15_multiply(slope, (uint16_t)(lambda >> 16)) << 7) +
-           (burnish_q15_multiply(slope, (uint16_t)lambda) >> 9);
+    return ((burnish_q15_multiply(slope, (uint16_t)(lambda >> 16)) << 8) +
+            (burnish_q15_multiply(slope, (uint16_t)lambda) >> 8)) >>
+           1;
+}
+
+/* floor(w / 2^shift): by a whole byte first on AVR, which shifts one bit at a time. */
+static inline uint32_t burnish_q15_shift(uint32_t w, uint8_t shift) {
+#ifdef __AVR__
+    if (shift >= 8) {
+        w >>= 8;
+        shift = (uint8_t)(shift - 8);
+    }
+#endif
+    return w >> shift;
 }
 
 /* floor(x^2 / 2^16) of x in UQ0.16. */
@@ -562,15 +573,7 @@ static inline uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint
 
 /* a at such a 1 - cosine: below 1, since reach is at most the lobe's own. */
 static inline uint_fast16_t burnish_lobe_q15_a(const burnish_lobe_q15 *lobe, uint_fast16_t lambda) {
-    uint32_t w = burnish_q15_product(lobe->slope, lambda);
-    uint8_t shift = lobe->shift;
-#ifdef __AVR__ /* a byte at once, the rest a bit at a time */
-    if (shift >= 8) {
-        w >>= 8;
-        shift = (uint8_t)(shift - 8);
-    }
-#endif
-    return (uint_fast16_t)(w >> shift);
+    return (uint_fast16_t)burnish_q15_shift(burnish_q15_product(lobe->slope, lambda), lobe->shift);
 }
 
 static inline uint16_t burnish_lobe_q15_fast(const burnish_lobe_q15 *lobe, uint16_t cosine) {
@@ -630,7 +633,8 @@ static inline uint32_t burnish_q15_limit_lambda(uint32_t lambda) {
 
 /* a at a 1 - cosine, 0x10000 or more where the lobe is 0. */
 static inline uint32_t burnish_lobe_q15_a_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
-    return burnish_q15_product_lambda(lobe->slope, burnish_q15_limit_lambda(lambda)) >> lobe->shift;
+    return burnish_q15_shift(
+        burnish_q15_product_lambda(lobe->slope, burnish_q15_limit_lambda(lambda)), lobe->shift);
 }
 
 static inline uint16_t burnish_lobe_q15_fast_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
