@@ -484,7 +484,12 @@ static void take_row(const float *from, int apart, int x0, int x1, float *to) {
 static void put_row(const float *from, const int32_t *mask, int apart, int x0, int x1, float *to) {
     for (int x = x0; x <= x1; ++x) {
         float *kept = to + x / 4 * apart + x % 4;
-        *kept = mask[x] ? from[x] : *kept;
+        if (x % 4 == 0 && x + 3 <= x1 && (mask[x] & mask[x + 1] & mask[x + 2] & mask[x + 3])) {
+            memcpy(kept, from + x, 4 * sizeof *kept); /* most are */
+            x += 3;
+        } else {
+            *kept = mask[x] ? from[x] : *kept;
+        }
     }
 }
 
@@ -544,11 +549,11 @@ static void interpolate_row(const burnish_visibility *tile, const setup_block *b
 }
 
 static void touch_row(burnish_visibility *tile, const large_row *row, int line) {
+    unsigned touched = 0;
     for (int x = row->x0; x <= row->x1; ++x) {
-        if (row->nearer[x]) {
-            tile->touched[line / BURNISH_BLOCK_SIZE] |= (uint16_t)(1u << x / BURNISH_BLOCK_SIZE);
-        }
+        touched |= (unsigned)(row->nearer[x] != 0) << x / BURNISH_BLOCK_SIZE;
     }
+    tile->touched[line / BURNISH_BLOCK_SIZE] |= (uint16_t)touched;
 }
 
 /* A triangle of any size: its edge functions are below 2^49. */
