@@ -53,11 +53,11 @@ module burnish_base #(
                 reg [31:0] complement;
                 wire signed [31:0] product = $signed({3'b0, slope}) * $signed(kept);
                 always @(posedge clk) if (enable) complement <= product - 32'd1;
-                reg [15:0] base;
+                reg [15:0] kept_t;
                 wire lit = &complement[29:16+SHIFT]; /* w < 2^29 */
                 always @(posedge clk)
-                    if (enable) base <= lit ? complement[15+SHIFT:SHIFT] : 16'd0;
-                assign t = base;
+                    if (enable) kept_t <= lit ? complement[15+SHIFT:SHIFT] : 16'd0;
+                assign t = kept_t;
             end else begin : lambda
                 reg [23:0] wide;
                 always @(posedge clk)
@@ -67,11 +67,11 @@ module burnish_base #(
                     end
                 reg [36:0] product;
                 always @(posedge clk) if (enable) product <= slope * wide;
-                reg [15:0] base;
+                reg [15:0] kept_t;
                 wire zero = |product[36:25+SHIFT];
                 always @(posedge clk)
-                    if (enable) base <= zero ? 16'd0 : ~product[24+SHIFT:9+SHIFT];
-                assign t = base;
+                    if (enable) kept_t <= zero ? 16'd0 : ~product[24+SHIFT:9+SHIFT];
+                assign t = kept_t;
             end
         end else begin : rows
             wire [9:0] slope;
@@ -102,10 +102,10 @@ module burnish_base #(
                 .clk(clk), .enable(enable), .slope(slope), .u(u), .product(product),
                 .over(over));
             if (FACTOR == 1) begin : plain
-                reg [15:0] base;
+                reg [15:0] kept_t;
                 always @(posedge clk)
-                    if (enable) base <= over ? 16'd0 : ~product[KEEP-1:KEEP-16];
-                assign t = base;
+                    if (enable) kept_t <= over ? 16'd0 : ~product[KEEP-1:KEEP-16];
+                assign t = kept_t;
             end else begin : folded
                 burnish_fold #(.WIDTH(KEEP), .SHIFT(SHIFT), .FRACTION(FRACTION),
                     .SEGMENT(SEGMENT)) fold (

@@ -109,7 +109,7 @@ module burnish_product #(
                     // Grows by one bit of u a row.
                     if (r > KEEP - U_WIDTH) begin : reaches
                         assign beyond = row[r-1].beyond_kept | at[NOW].u_now[KEEP-r];
-                    end else begin : within
+                    end else begin : no_reach
                         assign beyond = 1'b0;
                     end
                 end
