@@ -1,6 +1,7 @@
 /* replay.cpp: streams inputs through all units at once and compares every answer with the C core.
  *
  * Usage: replay STRIDE [FIRST]          every STRIDE-th of the 2^26 pairs of cosine and exponent
+ *        replay --errors                name, largest error in steps, bits, latency of every unit
  *        replay --vectors FOLDER COUNT  writes random vectors and answers for the Verilog bench
  *
  * Beside the pairs every vector carries a lambda and, for units with a slope port, the energy slope of the
@@ -77,7 +78,11 @@ template <std::size_t N> bool bit_of(const VlWide<N> &wide, unsigned i) {
     return wide[i / 32] >> (i % 32) & 1u;
 }
 
-template <class Wide> uint16_t word_of(const Wide &wide, unsigned i) {
+uint16_t word_of(uint64_t word, unsigned i) {
+    return (uint16_t)(word >> (16 * i));
+}
+
+template <std::size_t N> uint16_t word_of(const VlWide<N> &wide, unsigned i) {
     return (uint16_t)(wide[i / 2] >> (i % 2 * 16));
 }
 
@@ -124,6 +129,57 @@ int replay(Vreplay *top, uint32_t stride, uint32_t first) {
     printf("replay: %u units, %llu vectors each, all bits as in C (%.0f %% above 0)\n", UNITS,
            (unsigned long long)count, 100.0 * (double)lit / ((double)count * UNITS));
     return 0;
+}
+
+/* The real lobe of a unit at 1 - c, in units of the result's last place. */
+double real_lobe(const unit &u, const vector &v, double lambda) {
+    double value, n = v.exponent;
+    switch (u.which) {
+    case FIT_DIVIDER:
+    case FIT_ROM:
+        value = (1 - lambda) / (n - n * (1 - lambda) + 1 - lambda);
+        break;
+    case FIT_POWER:
+        value = pow(1 - lambda, n);
+        break;
+    default: {
+        uint16_t slope = 0;
+        uint8_t shift = 0;
+        slope_of(u, v, &slope, &shift);
+        double zeta = slope / (double)(2u << shift);
+        if (u.which == FIT_ENERGY) {
+            zeta = (n + 1) / (u.order + 1);
+        }
+        const double t = 1 - zeta * lambda;
+        value = t <= 0 ? 0 : t * t;
+        for (unsigned m = 2; m < u.order; m *= 2) {
+            value *= value;
+        }
+    }
+    }
+    return value * (u.result == 8 ? 256.0 : 65536.0);
+}
+
+/* The largest error over every cosine (or 2^15 lambdas over twice the lobe's reach) and exponents from the
+ * order up: all below 32, every 48th, all from 1000; beside the measured latency. */
+void print_errors() {
+    for (unsigned k = 0; k < UNITS; ++k) {
+        const unit &u = units[k];
+        double largest = 0;
+        for (uint16_t n = u.order; n <= 1023; n = (uint16_t)(n < 32 ? n + 1 : n < 1000 ? n + 48 : n + 1)) {
+            vector v = {0, n, 0, 0, 0};
+            v.slope = burnish_q15_energy_slope(n, 2, &v.shift);
+            const uint32_t step = 0x4000000u / n / 0x8000u + 1;
+            for (uint32_t i = 0; i <= 0x8000u; ++i) {
+                v.cosine = (uint16_t)i;
+                v.lambda = i * step > 0xFFFFFFu ? 0xFFFFFFu : i * step;
+                const double lambda = u.lambda ? v.lambda / 16777216.0 : 1 - i / 32768.0;
+                const double error = fabs(expected(u, v) - real_lobe(u, v, lambda));
+                largest = error > largest ? error : largest;
+            }
+        }
+        printf("%s %.2f %u %u\n", u.name, largest, u.result, latency[k]);
+    }
 }
 
 FILE *create(const char *folder, const char *name) {
@@ -174,10 +230,8 @@ int main(int argc, char **argv) {
         printf("replay: a unit's valid bit does not come out\n");
         return 1;
     }
-    if (strcmp(argv[1], "--latency") == 0) {
-        for (unsigned k = 0; k < UNITS; ++k) {
-            printf("%s %u\n", units[k].name, latency[k]);
-        }
+    if (strcmp(argv[1], "--errors") == 0) {
+        print_errors();
         return 0;
     }
     if (strcmp(argv[1], "--vectors") == 0 && argc == 4) {
