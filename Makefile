@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench bench-peers format format-check golden figures install clean
+.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench bench-peers format format-check golden figures rtl rtl-prove install clean
 
 PRESET ?= release
 FUZZ_SECONDS ?= 600
@@ -106,6 +106,15 @@ figures: ## draw the figures and fill the tables of docs/theory.md again
 	@$(MAKE) --no-print-directory build
 	@./scripts/figures $(BUILD)/burnish docs/figures
 	@./scripts/theory-tables $(BUILD)/burnish docs/theory.md
+
+rtl: ## synthesise the Verilog and its opponents; fills the tables of docs/hardware.md (minutes)
+	@$(DEPS) test
+	@./rtl/test/run build/rtl short errors
+	@./scripts/rtl-table build/rtl/table docs/hardware.md build/rtl/errors.txt
+
+rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
+	@$(DEPS) test
+	@./rtl/test/run build/rtl-prove full
 
 install: build ## install program, library, headers and man page (DESTDIR, PREFIX)
 	@cmake --build --preset $(PRESET) -j $(JOBS)
