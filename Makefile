@@ -107,9 +107,9 @@ figures: ## draw the figures and fill the tables of docs/theory.md again
 	@./scripts/figures $(BUILD)/burnish docs/figures
 	@./scripts/theory-tables $(BUILD)/burnish docs/theory.md
 
-rtl: ## synthesise the Verilog and its opponents; fills the tables of docs/hardware.md (minutes)
+rtl: build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)
 	@$(DEPS) test
-	@./rtl/test/run build/rtl short errors
+	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/docs/figures/rtl-teapot.png ./rtl/test/run build/rtl short errors picture
 	@./scripts/rtl-table build/rtl/table docs/hardware.md build/rtl/errors.txt
 
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
