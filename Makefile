@@ -111,6 +111,7 @@ rtl: build ## synthesise the Verilog and its opponents; fills docs/hardware.md's
 	@$(DEPS) test
 	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/docs/figures/rtl-teapot.png ./rtl/test/run build/rtl short errors picture
 	@./scripts/rtl-table build/rtl/table docs/hardware.md build/rtl/errors.txt
+	@./scripts/rtl-figure docs/figures/rtl-area.csv docs/figures/rtl-area.svg
 
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
 	@$(DEPS) test

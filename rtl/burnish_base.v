@@ -5,7 +5,7 @@
 // in the form of lobe_q15.h: a = (FACTOR n u) >> SHIFT, t = a > 0xFFFF ? 0 : 0xFFFF - a. The units
 // burnish_taylor, burnish_shift7 and burnish_shift3 are this module and a burnish_power.
 //
-// Latency    rows: 1 (2 with LAMBDA and SEGMENT 0: 0) + burnish_product + (FACTOR 1: 1, else burnish_fold)
+// Latency    rows: 1 + burnish_product + (FACTOR 1: 1, else burnish_fold)
 //            DSP: 3
 // Throughput one a clock
 // Parameters FACTOR   1; 2^SHIFT - 1 for SHIFT 2 or 3

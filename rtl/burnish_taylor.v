@@ -4,7 +4,7 @@
 //
 // The bits of burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h.
 //
-// Latency    see burnish_base and burnish_power; at most 1 + 10 + 16 by rows, 4 with DSP at order 2
+// Latency    at order 2 and 16 bits 28, with ROWS 2 15, with DSP 4; every other in burnish_latency.vh
 // Throughput one lobe a clock
 // Parameters SQUARINGS  log2 of the order: 1 .. 4
 //            RESULT     16 or 8 bits
