@@ -3,9 +3,9 @@
  * Usage: picture WIDTH HEIGHT [FILE.png]
  *
  * Normals a pixel by orthographic projection of burnish's own teapot; ambient and diffuse light by
- * shade_q15.h; the highlights of two lights by burnish_channel, the second light on the first one's sums.
- * Every sum is compared with the C core bit for bit, the finished picture with the same equation in
- * float by lobe.h. Ends with 1 on a difference, or below 45 dB.
+ * shade_q15.h; the highlights of two lights by burnish_channel, the second light on the first one's
+ * sums. Every sum is compared with the C core bit for bit, the finished picture with the same
+ * equation in float by lobe.h. Ends with 1 on a difference, or below 45 dB.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -35,7 +35,8 @@ struct light {
     float direction[3], color[3];
 };
 
-const light lights[2] = {{{-.55f, .6f, .58f}, {.95f, .92f, .85f}}, {{.75f, .25f, .61f}, {.25f, .32f, .45f}}};
+const light lights[2] = {{{-.55f, .6f, .58f}, {.95f, .92f, .85f}},
+                         {{.75f, .25f, .61f}, {.25f, .32f, .45f}}};
 const float ambient[3] = {.035f, .035f, .05f}, diffuse[3] = {.55f, .2f, .1f}, ks = .6f;
 
 void normalize(float v[3]) {
@@ -59,7 +60,8 @@ float side(const float *a, const float *b, float x, float y) {
     return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
 }
 
-void draw(const float p[3][3], const float n[3][3], int width, int height, std::vector<pixel> &out) {
+void draw(const float p[3][3], const float n[3][3], int width, int height,
+          std::vector<pixel> &out) {
     const float area = side(p[0], p[1], p[2][0], p[2][1]);
     if (area == 0) {
         return;
@@ -148,12 +150,13 @@ uint64_t packed(const int16_t v[3]) {
 
 struct point {
     int16_t normal[3];
-    uint16_t lit[2];  /* N.L */
-    uint64_t sums;    /* blue, green, red */
+    uint16_t lit[2]; /* N.L */
+    uint64_t sums;   /* blue, green, red */
 };
 
 /* One light's highlights through the channel; every sum checked. Returns how many differ. */
-size_t shine(Vburnish_channel *top, const burnish_q15_light &light, int which, std::vector<point> &points) {
+size_t shine(Vburnish_channel *top, const burnish_q15_light &light, int which,
+             std::vector<point> &points) {
     size_t wrong = 0, done = 0, tick = 0;
     const std::vector<point> before = points;
     while (done < points.size()) {
@@ -177,11 +180,12 @@ size_t shine(Vburnish_channel *top, const burnish_q15_light &light, int which, s
             const point &p = before[done];
             uint16_t sum[3], lobe = 0;
             if (p.lit[which]) {
-                lobe = burnish_shift7_q15(exponent,
-                                          burnish_q15_cosine(burnish_q15_dot(p.normal, light.half)));
+                lobe = burnish_shift7_q15(
+                    exponent, burnish_q15_cosine(burnish_q15_dot(p.normal, light.half)));
             }
             for (int i = 0; i < 3; ++i) {
-                sum[i] = burnish_q15_accumulate((uint16_t)(p.sums >> (16 * i)), light.specular[i], lobe);
+                sum[i] =
+                    burnish_q15_accumulate((uint16_t)(p.sums >> (16 * i)), light.specular[i], lobe);
             }
             wrong += packed((const int16_t *)sum) != top->sum_out;
             points[done++].sums = top->sum_out;
@@ -210,8 +214,8 @@ double in_float(const pixel &p, int channel) {
             n_dot_h += p.normal[i] * h[i];
         }
         if (n_dot_l > 0) {
-            sum += l.color[channel] * (diffuse[channel] * n_dot_l +
-                                       ks * burnish_lobe_at_cosine(lobe, n_dot_h));
+            sum += l.color[channel] *
+                   (diffuse[channel] * n_dot_l + ks * burnish_lobe_at_cosine(lobe, n_dot_h));
         }
     }
     return std::min(255.0, std::floor(sum * 255 + .5));
@@ -282,11 +286,14 @@ int main(int argc, char **argv) {
             /* Codes are linear; the file wants sRGB. */
             const double linear = code / 255.0;
             image.pixels[places[k] * 3 + c] = (uint8_t)std::lround(
-                255 * (linear <= .0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - .055));
+                255 *
+                (linear <= .0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - .055));
         }
     }
-    const double psnr = 10 * std::log10(255.0 * 255 * 3 * (double)points.size() / std::max(squares, 1e-9));
-    printf("picture: %zu pixels through the channel for 2 lights, %zu sums differ from the C core; against "
+    const double psnr =
+        10 * std::log10(255.0 * 255 * 3 * (double)points.size() / std::max(squares, 1e-9));
+    printf("picture: %zu pixels through the channel for 2 lights, %zu sums differ from the C core; "
+           "against "
            "float %.1f dB\n",
            points.size(), wrong, psnr);
     if (argc > 3 && burnish_image_write_png(&image, argv[3], &error) != BURNISH_STATUS_OK) {

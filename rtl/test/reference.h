@@ -1,5 +1,5 @@
-/* reference.h: what a unit of rtl/ must answer: the C core's bits, or for opponents the same integers as
- * a formula.
+/* reference.h: what a unit of rtl/ must answer: the C core's bits, or for opponents the same
+ * integers as a formula.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -11,7 +11,16 @@
 
 #include "burnish/lobe_q15.h"
 
-enum fit { FIT_TAYLOR, FIT_ENERGY, FIT_SHIFT7, FIT_SHIFT3, FIT_ZETA, FIT_DIVIDER, FIT_ROM, FIT_POWER };
+enum fit {
+    FIT_TAYLOR,
+    FIT_ENERGY,
+    FIT_SHIFT7,
+    FIT_SHIFT3,
+    FIT_ZETA,
+    FIT_DIVIDER,
+    FIT_ROM,
+    FIT_POWER
+};
 
 struct unit {
     const char *name;
@@ -27,8 +36,8 @@ struct vector {
     uint8_t shift;
 };
 
-/* The slope of a unit's fit. An exponent below the order makes no lobe in C; the hardware computes it all
- * the same, with the slope that the fit's formula gives. */
+/* The slope of a unit's fit. An exponent below the order makes no lobe in C; the hardware computes
+ * it all the same, with the slope that the fit's formula gives. */
 static inline void slope_of(const unit &u, const vector &v, uint16_t *slope, uint8_t *shift) {
     switch (u.which) {
     case FIT_TAYLOR:

@@ -4,8 +4,9 @@
  *        replay --errors                name, largest error in steps, bits, latency of every unit
  *        replay --vectors FOLDER COUNT  writes random vectors and answers for the Verilog bench
  *
- * Beside the pairs every vector carries a lambda and, for units with a slope port, the energy slope of the
- * exponent: in seven of eight vectors a lambda within twice the lobe's reach, else any of 24 bits.
+ * Beside the pairs every vector carries a lambda and, for units with a slope port, the energy slope
+ * of the exponent: in seven of eight vectors a lambda within twice the lobe's reach, else any of 24
+ * bits.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -160,13 +161,15 @@ double real_lobe(const unit &u, const vector &v, double lambda) {
     return value * (u.result == 8 ? 256.0 : 65536.0);
 }
 
-/* The largest error over every cosine (or 2^15 lambdas over twice the lobe's reach) and exponents from the
- * order up: all below 32, every 48th, all from 1000; beside the measured latency. */
+/* The largest error over every cosine (or 2^15 lambdas over twice the lobe's reach) and exponents
+ * from the order up: all below 32, every 48th, all from 1000; beside the measured latency. */
 void print_errors() {
     for (unsigned k = 0; k < UNITS; ++k) {
         const unit &u = units[k];
         double largest = 0;
-        for (uint16_t n = u.order; n <= 1023; n = (uint16_t)(n < 32 ? n + 1 : n < 1000 ? n + 48 : n + 1)) {
+        for (uint16_t n = u.order; n <= 1023; n = (uint16_t)(n < 32     ? n + 1
+                                                             : n < 1000 ? n + 48
+                                                                        : n + 1)) {
             vector v = {0, n, 0, 0, 0};
             v.slope = burnish_q15_energy_slope(n, 2, &v.shift);
             const uint32_t step = 0x4000000u / n / 0x8000u + 1;

@@ -1,8 +1,8 @@
 /* stream.cpp: the streaming wrapper under random stalls on both sides.
  *
- * Every word carries its number as user data: words must come out in order, none lost, none twice, with
- * the C core's value; what is offered must not change until it is taken; ready must not follow from
- * m_ready within a clock. Ends with 1 and a line on the first fault.
+ * Every word carries its number as user data: words must come out in order, none lost, none twice,
+ * with the C core's value; what is offered must not change until it is taken; ready must not follow
+ * from m_ready within a clock. Ends with 1 and a line on the first fault.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
