@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench bench-peers format format-check golden figures mcu prove-q15 install clean
+.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench bench-peers format format-check golden figures mcu prove-q15 rtl rtl-prove install clean
 
 PRESET ?= release
 FUZZ_SECONDS ?= 600
@@ -126,6 +126,16 @@ figures: ## draw the figures and fill the tables of docs/theory.md again
 	@$(MAKE) --no-print-directory build
 	@./scripts/figures $(BUILD)/burnish docs/figures
 	@./scripts/theory-tables $(BUILD)/burnish docs/theory.md
+
+rtl: build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)
+	@$(DEPS) test
+	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/docs/images/rtl-teapot.png ./rtl/test/run build/rtl short errors picture
+	@./scripts/rtl-table build/rtl/table docs/hardware.md build/rtl/errors.txt
+	@./scripts/rtl-figure docs/images/rtl-area.csv docs/images/rtl-area.svg
+
+rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
+	@$(DEPS) test
+	@./rtl/test/run build/rtl-prove full
 
 install: build ## install program, library, headers and man page (DESTDIR, PREFIX)
 	@cmake --build --preset $(PRESET) -j $(JOBS)

@@ -1,0 +1,34 @@
+// burnish_delay: a word, DEPTH clocks later.
+//
+// Latency DEPTH, one word a clock. DEPTH 0 is a wire.
+// Parameters  WIDTH bits of the word; DEPTH 0 or more clocks
+// Ports       enable  the line moves where it is 1
+//
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+module burnish_delay #(
+    parameter WIDTH = 1,
+    parameter DEPTH = 1
+) (
+    input wire clk,
+    input wire enable,
+    input wire [WIDTH-1:0] in,
+    output wire [WIDTH-1:0] out
+);
+    genvar i;
+    generate
+        if (DEPTH == 0) begin : none
+            assign out = in;
+        end else begin : line
+            for (i = 0; i < DEPTH; i = i + 1) begin : step
+                reg [WIDTH-1:0] word;
+                if (i == 0) begin : first
+                    always @(posedge clk) if (enable) word <= in;
+                end else begin : next
+                    always @(posedge clk) if (enable) word <= step[i-1].word;
+                end
+            end
+            assign out = step[DEPTH-1].word;
+        end
+    endgenerate
+endmodule

@@ -1,0 +1,53 @@
+// burnish_shift3: the lobe with the least error of those one addition away, zeta = 3n/8.
+//
+//     S = max(0, 1 - (3n/8) (1 - c))^2
+//
+// The bits of burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h.
+//
+// Latency    at order 2 and 16 bits 28, with ROWS 2 15, with DSP 4; every other in burnish_latency.vh
+// Throughput one lobe a clock
+// Parameters RESULT     16 or 8 bits
+//            ROUND      0: fast; 1: near, half the error for an adder's cells (RESULT 16)
+//            LAMBDA     0: angle is the cosine; 1: 1 - cosine
+//            ROWS       rows of an adder between two registers
+//            SEGMENT    0, or the longest carry
+//            DSP        1: multipliers of the chip
+//            USER_WIDTH bits that travel along
+// Ports      enable     the unit moves where it is 1
+//            exponent   n, 1 .. 1023
+//            angle      cosine UQ1.15, above 0x8000 counts as 1; or 1 - cosine UQ0.24
+//            value      UQ0.16 or UQ0.8
+//            user_in, user_out   a valid bit, a tag, a pixel's address: same latency
+//
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+module burnish_shift3 #(
+    parameter RESULT = 16,
+    parameter ROUND = 0,
+    parameter LAMBDA = 0,
+    parameter ROWS = 1,
+    parameter SEGMENT = 0,
+    parameter DSP = 0,
+    parameter USER_WIDTH = 1
+) (
+    input wire clk,
+    input wire enable,
+    input wire [9:0] exponent,
+    input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle,
+    input wire [USER_WIDTH-1:0] user_in,
+    output wire [RESULT-1:0] value,
+    output wire [USER_WIDTH-1:0] user_out
+);
+    `include "burnish_latency.vh"
+    wire [15:0] t;
+    burnish_base #(.FACTOR(3), .SHIFT(2), .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT),
+        .DSP(DSP)) base (
+        .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .t(t));
+    burnish_power #(.SQUARINGS(1), .RESULT(RESULT), .ROUND(ROUND), .ROWS(ROWS),
+        .SEGMENT(SEGMENT), .DSP(DSP)) power (
+        .clk(clk), .enable(enable), .t(t), .value(value));
+    burnish_delay #(.WIDTH(USER_WIDTH),
+        .DEPTH(latency_base(3, 2, LAMBDA, ROWS, SEGMENT, DSP) +
+            latency_power(1, RESULT, ROWS, SEGMENT, DSP))) user (
+        .clk(clk), .enable(enable), .in(user_in), .out(user_out));
+endmodule

@@ -1,0 +1,135 @@
+// burnish_square: t t + offset by a folded squarer.
+//
+//     square = t^2 + offset
+//
+// A row a bit of t, from the lowest: t_i ? prior + 4^i (4 (t >> (i+1)) + 1) : prior. Each product of two
+// different bits appears once, at twice its weight, which halves a multiplier.
+//
+// Latency    (WIDTH - 1) / ROWS + SEGMENTS, SEGMENTS = ceil(2 WIDTH / SEGMENT) or 1; with DSP 1
+// Throughput one square a clock
+// Parameters WIDTH    bits of t
+//            ROWS     rows between two registers
+//            SEGMENT  0, or columns between two registers of a carry; see burnish_product
+//            DSP      1: a plain `*` and one register, for chips with multipliers
+// Ports      offset   WIDTH + 1 bits, at most 2^(WIDTH + 1) - 2; for rounding; 0 costs nothing
+//            square   registered; bits that are not read cost little
+//
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+module burnish_square #(
+    parameter WIDTH = 16,
+    parameter ROWS = 1,
+    parameter SEGMENT = 0,
+    parameter DSP = 0
+) (
+    input wire clk,
+    input wire enable,
+    input wire [WIDTH-1:0] t,
+    input wire [WIDTH:0] offset,
+    output wire [2*WIDTH-1:0] square
+);
+    localparam COLUMNS = 2 * WIDTH;
+    localparam SPAN = SEGMENT == 0 ? COLUMNS : SEGMENT;
+    localparam SEGMENTS = (COLUMNS + SPAN - 1) / SPAN;
+    localparam CLOCKS = (WIDTH - 1) / ROWS + SEGMENTS;
+
+    genvar k, i, s;
+    generate
+        if (DSP != 0) begin : multiplier
+            reg [COLUMNS-1:0] kept;
+            always @(posedge clk) if (enable) kept <= t * t + offset;
+            assign square = kept;
+        end else begin : rows
+        for (k = 0; k < CLOCKS; k = k + 1) begin : at
+            wire [WIDTH-1:0] t_now;
+            wire [COLUMNS-1:0] offset_now;
+            if (k == 0) begin : first
+                assign t_now = t;
+                assign offset_now = {{WIDTH - 1{1'b0}}, offset};
+            end else begin : next
+                reg [WIDTH-1:0] t_kept;
+                reg [COLUMNS-1:0] offset_kept;
+                always @(posedge clk)
+                    if (enable) begin
+                        t_kept <= at[k-1].t_now;
+                        offset_kept <= at[k-1].offset_now;
+                    end
+                assign t_now = t_kept;
+                assign offset_now = offset_kept;
+            end
+        end
+
+        for (s = 0; s < SEGMENTS; s = s + 1) begin : segment
+            localparam LOW = s * SPAN;
+            localparam HIGH = (LOW + SPAN > COLUMNS ? COLUMNS : LOW + SPAN) - 1;
+            localparam PARTS = HIGH - LOW + 1;
+
+            for (i = 0; i < WIDTH; i = i + 1) begin : row
+                localparam NOW = i / ROWS + s;
+                localparam REGISTERED = (i + 1) % ROWS == 0 || i == WIDTH - 1;
+                // The row's columns: from 2i to where t's top bit and a carry end.
+                localparam FIRST = 2 * i;
+                localparam LAST = WIDTH + 1 + i > COLUMNS - 1 ? COLUMNS - 1 : WIDTH + 1 + i;
+                localparam FROM = FIRST > LOW ? FIRST : LOW;
+                localparam TO = LAST < HIGH ? LAST : HIGH;
+                wire bit_now = at[NOW].t_now[i];
+                wire [WIDTH-1:0] others = at[NOW].t_now >> (i + 1);
+                wire [2*COLUMNS+1:0] placed =
+                    {{2 * COLUMNS - WIDTH{1'b0}}, others, 2'b01} << FIRST;
+                wire [PARTS-1:0] prior, after;
+                wire carry;
+
+                if (i == 0) begin : start
+                    assign prior = at[NOW].offset_now[HIGH:LOW];
+                end else begin : more
+                    assign prior = row[i-1].kept;
+                end
+                if (FROM > TO) begin : finished
+                    assign after = prior;
+                    assign carry = 1'b0;
+                end else begin : sum
+                    localparam PART = TO - FROM + 1;
+                    wire [PART-1:0] a = prior[TO-LOW:FROM-LOW];
+                    wire [PART-1:0] b = placed[TO:FROM];
+                    wire [PART:0] total;
+                    if (FIRST >= LOW) begin : fresh
+                        // The lowest column's 1 goes in as the carry.
+                        if (PART > 1) begin : wide
+                            wire ignored;
+                            assign {total, ignored} =
+                                {1'b0, a, 1'b1} + {1'b0, b[PART-1:1], 2'b01};
+                        end else begin : narrow
+                            assign total = {1'b0, a} + {1'b0, b};
+                        end
+                    end else begin : carried
+                        wire ignored;
+                        assign {total, ignored} = {1'b0, a, 1'b1} +
+                            {1'b0, b, segment[s-1].row[i].carry_kept};
+                    end
+                    assign carry = total[PART];
+                    assign after[TO-LOW:FROM-LOW] = bit_now ? total[PART-1:0] : a;
+                    if (FROM > LOW) begin : low
+                        assign after[FROM-LOW-1:0] = prior[FROM-LOW-1:0];
+                    end
+                    if (TO < HIGH) begin : high
+                        assign after[PARTS-1:TO-LOW+1] = prior[PARTS-1:TO-LOW+1];
+                    end
+                end
+
+                reg carry_kept;
+                always @(posedge clk) if (enable) carry_kept <= carry;
+                wire [PARTS-1:0] kept;
+                if (REGISTERED) begin : registered
+                    reg [PARTS-1:0] sum_register;
+                    always @(posedge clk) if (enable) sum_register <= after;
+                    assign kept = sum_register;
+                end else begin : passed
+                    assign kept = after;
+                end
+            end
+            burnish_delay #(.WIDTH(PARTS), .DEPTH(SEGMENTS - 1 - s)) align (
+                .clk(clk), .enable(enable), .in(row[WIDTH-1].kept), .out(square[HIGH:LOW]));
+        end
+        end
+    endgenerate
+endmodule

@@ -1,0 +1,115 @@
+// burnish_stream: a lobe between two streams by the AXI4-Stream convention.
+//
+//     m_value = lobe(s_exponent, s_angle), in order, none lost, none doubled
+//
+// A word passes where valid and ready are both 1. s_ready comes from a register, so no path leads from
+// m_ready to s_ready: a word that arrives while the output stalls waits in a second register.
+//
+// Latency    the unit's + 1
+// Throughput one word a clock; stalls cost nothing else
+// Parameters UNIT       0: taylor, 1: shift7, 2: shift3, 3: energy
+//            SQUARINGS  for taylor and energy;  RESULT .. DSP  as burnish_taylor
+//            USER_WIDTH bits that travel along: TLAST, TUSER, TID ...
+// Ports      reset      1: what is inside is dropped; at least one clock after power-up
+//            s_*, m_*   the two streams; {s_exponent, s_angle} and m_value are their TDATA
+//
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+module burnish_stream #(
+    parameter UNIT = 1,
+    parameter SQUARINGS = 1,
+    parameter RESULT = 16,
+    parameter ROUND = 0,
+    parameter LAMBDA = 0,
+    parameter ROWS = 1,
+    parameter SEGMENT = 0,
+    parameter DSP = 0,
+    parameter USER_WIDTH = 1
+) (
+    input wire clk,
+    input wire reset,
+    input wire s_valid,
+    output reg s_ready,
+    input wire [9:0] s_exponent,
+    input wire [(LAMBDA != 0 ? 24 : 16)-1:0] s_angle,
+    input wire [USER_WIDTH-1:0] s_user,
+    output wire m_valid,
+    input wire m_ready,
+    output wire [RESULT-1:0] m_value,
+    output wire [USER_WIDTH-1:0] m_user
+);
+    `include "burnish_latency.vh"
+    localparam WIDTH = LAMBDA != 0 ? 24 : 16;
+    localparam WORD = 10 + WIDTH + USER_WIDTH;
+    localparam ORDER = UNIT == 1 || UNIT == 2 ? 1 : SQUARINGS;
+    localparam DEPTH = latency_power(ORDER, RESULT, ROWS, SEGMENT, DSP) +
+        (UNIT == 0 ? latency_base(1, SQUARINGS - 1, LAMBDA, ROWS, SEGMENT, DSP)
+            : UNIT == 1 ? latency_base(7, 3, LAMBDA, ROWS, SEGMENT, DSP)
+            : UNIT == 2 ? latency_base(3, 2, LAMBDA, ROWS, SEGMENT, DSP)
+            : 4 + latency_zeta(LAMBDA, ROWS, SEGMENT, DSP));
+
+    // The unit moves unless a result stands at its end and is not taken.
+    wire enable = !m_valid || m_ready;
+
+    // The word that goes in next: from the waiting register first.
+    reg waiting;
+    reg [WORD-1:0] waiting_word;
+    reg entering;
+    reg [WORD-1:0] entering_word;
+    wire [WORD-1:0] arriving = {s_exponent, s_angle, s_user};
+    wire taken = s_valid && s_ready;
+    always @(posedge clk)
+        if (reset) begin
+            s_ready <= 1'b0;
+            waiting <= 1'b0;
+            entering <= 1'b0;
+        end else if (enable) begin
+            // A waiting word implies s_ready = 0: nothing arrives beside it.
+            entering <= waiting || taken;
+            entering_word <= waiting ? waiting_word : arriving;
+            waiting <= 1'b0;
+            s_ready <= 1'b1;
+        end else begin
+            if (taken) begin
+                waiting <= 1'b1;
+                waiting_word <= arriving;
+            end
+            s_ready <= !(waiting || taken);
+        end
+
+    // Valid bits, which alone need the reset.
+    reg [DEPTH-1:0] valid;
+    always @(posedge clk)
+        if (reset) valid <= {DEPTH{1'b0}};
+        else if (enable) valid <= {valid[DEPTH-2:0], entering};
+    assign m_valid = valid[DEPTH-1];
+
+    wire [9:0] exponent = entering_word[WORD-1:WIDTH+USER_WIDTH];
+    wire [WIDTH-1:0] angle = entering_word[WIDTH+USER_WIDTH-1:USER_WIDTH];
+    wire [USER_WIDTH-1:0] user = entering_word[USER_WIDTH-1:0];
+    generate
+        if (UNIT == 0) begin : taylor
+            burnish_taylor #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND),
+                .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),
+                .USER_WIDTH(USER_WIDTH)) unit (
+                .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user),
+                .value(m_value), .user_out(m_user));
+        end else if (UNIT == 1) begin : shift7
+            burnish_shift7 #(.RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA), .ROWS(ROWS),
+                .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) unit (
+                .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user),
+                .value(m_value), .user_out(m_user));
+        end else if (UNIT == 2) begin : shift3
+            burnish_shift3 #(.RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA), .ROWS(ROWS),
+                .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) unit (
+                .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user),
+                .value(m_value), .user_out(m_user));
+        end else begin : energy
+            burnish_energy #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND),
+                .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),
+                .USER_WIDTH(USER_WIDTH)) unit (
+                .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user),
+                .value(m_value), .user_out(m_user));
+        end
+    endgenerate
+endmodule

@@ -1,0 +1,89 @@
+// burnish_zeta: the lobe of any zeta.
+//
+//     S = max(0, 1 - zeta (1 - c))^order,  2 zeta = slope / 2^shift,  order = 2^SQUARINGS
+//
+// The bits of burnish_q15_fast_of (ROUND 1: _near_of; RESULT 8: _fast8_of) of include/burnish/lobe_q15.h,
+// which also makes slope and shift from a fit or a zeta.
+//
+// Latency    5 + burnish_product of 16 bits (DSP: 1) + burnish_power
+// Throughput one lobe a clock; slope and shift may change at every clock
+// Parameters as burnish_taylor
+// Ports      slope  16 bits;  shift  0 .. 15;  the others as burnish_taylor
+//
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+module burnish_zeta #(
+    parameter SQUARINGS = 1,
+    parameter RESULT = 16,
+    parameter ROUND = 0,
+    parameter LAMBDA = 0,
+    parameter ROWS = 1,
+    parameter SEGMENT = 0,
+    parameter DSP = 0,
+    parameter USER_WIDTH = 1
+) (
+    input wire clk,
+    input wire enable,
+    input wire [15:0] slope,
+    input wire [3:0] shift,
+    input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle,
+    input wire [USER_WIDTH-1:0] user_in,
+    output wire [RESULT-1:0] value,
+    output wire [USER_WIDTH-1:0] user_out
+);
+    `include "burnish_latency.vh"
+    localparam U_WIDTH = LAMBDA != 0 ? 24 : 16;
+    localparam KEEP = 16 + U_WIDTH;
+    localparam MULTIPLY = DSP != 0 ? 1 : latency_rows(16, KEEP, ROWS, SEGMENT);
+
+    reg [15:0] slope_kept;
+    reg [U_WIDTH-1:0] u;
+    always @(posedge clk)
+        if (enable) begin
+            slope_kept <= LAMBDA == 0 && angle[15] ? 16'd0 : slope;
+            u <= LAMBDA == 0 ? 16'h8000 - {1'b0, angle[14:0]} : angle;
+        end
+
+    wire [KEEP-1:0] product;
+    generate
+        if (DSP != 0) begin : dsp
+            reg [KEEP-1:0] kept;
+            always @(posedge clk) if (enable) kept <= slope_kept * u;
+            assign product = kept;
+        end else begin : rows
+            wire over; /* never: the product is kept whole */
+            burnish_product #(.SLOPE_WIDTH(16), .U_WIDTH(U_WIDTH), .KEEP(KEEP), .ROWS(ROWS),
+                .SEGMENT(SEGMENT)) multiply (
+                .clk(clk), .enable(enable), .slope(slope_kept), .u(u), .product(product),
+                .over(over));
+        end
+    endgenerate
+
+    // a = w >> shift, two bits of the shift a clock; then the zero.
+    wire [3:0] shift_now;
+    burnish_delay #(.WIDTH(4), .DEPTH(1 + MULTIPLY)) shift_line (
+        .clk(clk), .enable(enable), .in(shift), .out(shift_now));
+    wire [31:0] w = LAMBDA != 0 ? {1'b0, product[KEEP-1:9]} : product[31:0];
+    reg [31:0] coarse, fine;
+    reg [1:0] shift_kept;
+    reg over_kept;
+    reg [15:0] near_t, t;
+    wire [31:0] by_eight = shift_now[3] ? w >> 8 : w;
+    wire [31:0] by_two = shift_kept[1] ? coarse >> 2 : coarse;
+    always @(posedge clk)
+        if (enable) begin
+            coarse <= shift_now[2] ? by_eight >> 4 : by_eight;
+            shift_kept <= shift_now[1:0];
+            fine <= shift_kept[0] ? by_two >> 1 : by_two;
+            over_kept <= |fine[31:16];
+            near_t <= ~fine[15:0];
+            t <= over_kept ? 16'd0 : near_t;
+        end
+
+    burnish_power #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND), .ROWS(ROWS),
+        .SEGMENT(SEGMENT), .DSP(DSP)) power (
+        .clk(clk), .enable(enable), .t(t), .value(value));
+    burnish_delay #(.WIDTH(USER_WIDTH), .DEPTH(latency_zeta(LAMBDA, ROWS, SEGMENT, DSP) +
+        latency_power(SQUARINGS, RESULT, ROWS, SEGMENT, DSP))) user (
+        .clk(clk), .enable(enable), .in(user_in), .out(user_out));
+endmodule

@@ -1,0 +1,54 @@
+// replay_tb: the replay bench for event-driven simulators: reads vectors and answers of the C core from
+// files that `replay --vectors` wrote. Says "replay_tb: passed" or names the first difference.
+// Plusargs: none; COUNT by a define. Files input.mem, expected.mem, latency.mem of the current folder.
+//
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+`timescale 1ns / 1ps
+module replay_tb;
+    `include "units.vh"
+    reg clk;
+    reg [16*UNITS-1:0] answers[0:`COUNT-1];
+    reg [15:0] latency[0:UNITS-1];
+    reg [71:0] word;
+    reg [16*UNITS-1:0] answer;
+    wire [16*UNITS-1:0] values;
+    wire [UNITS-1:0] users;
+    integer i, k, wrong, longest;
+
+    replay units (
+        .clk(clk), .enable(1'b1), .cosine(word[15:0]), .lambda(word[39:16]),
+        .exponent(word[49:40]), .slope(word[67:52]), .shift(word[71:68]), .user(1'b1), .values(values),
+        .users(users));
+
+    // The words are {shift, slope, exponent of 3 digits, lambda, cosine}.
+    reg [71:0] wide[0:`COUNT-1];
+    initial begin
+        $readmemh("input.mem", wide);
+        $readmemh("expected.mem", answers);
+        $readmemh("latency.mem", latency);
+        wrong = 0;
+        longest = 0;
+        for (k = 0; k < UNITS; k = k + 1) if (latency[k] > longest) longest = latency[k];
+        clk = 0;
+        for (i = 0; i < `COUNT + longest && wrong == 0; i = i + 1) begin
+            if (i < `COUNT) begin
+                word = wide[i];
+            end
+            #1 clk = 1;
+            #1;
+            for (k = 0; k < UNITS; k = k + 1)
+                if (i + 1 >= latency[k] && i + 1 - latency[k] < `COUNT && wrong == 0) begin
+                    answer = answers[i+1-latency[k]] >> (16 * k);
+                    if (values[16*k+:16] !== answer[15:0]) begin
+                        $display("replay_tb: unit %0d, vector %0d: %0d, the C core has %0d", k,
+                            i + 1 - latency[k], values[16*k+:16], answer[15:0]);
+                        wrong = 1;
+                    end
+                end
+            clk = 0;
+        end
+        if (wrong == 0) $display("replay_tb: passed, %0d vectors, %0d units", `COUNT, UNITS);
+        $finish;
+    end
+endmodule
