@@ -14,6 +14,12 @@
 #include "base/memory.h"
 #include "raster/raster.h"
 
+/* Whether a slot below whole_slots + piece_count is in use. */
+static inline int reference_has_slot(const burnish_geometry *geometry, size_t slot) {
+    return slot >= geometry->whole_slots ||
+           slot % BURNISH_CHUNK < geometry->chunk_counts[slot / BURNISH_CHUNK];
+}
+
 /* Visibility of one tile: sample s of the tile's pixel p is entry p * samples + s. */
 typedef struct reference_tile {
     int x, y, width, height; /* pixels; narrower at the image's right and lower edge */

@@ -81,7 +81,7 @@ static void count_coverage(const burnish_raster_view *view, const burnish_geomet
     uint32_t entry;
     CHECK(reference_tile_create(&tile, view->samples, NULL) == BURNISH_STATUS_OK, "tile");
     for (entry = 0; entry < geometry->whole_slots + geometry->piece_count; ++entry) {
-        if (!burnish_geometry_has(geometry, entry)) {
+        if (!reference_has_slot(geometry, entry)) {
             continue;
         }
         reference_draw_slots(&tile, view, geometry, 0, 0, &entry, 1);
@@ -198,7 +198,7 @@ static void check_bins(void) {
     uint32_t all[MAX_TRIANGLES];
     for (uint32_t back = 0, i = 0; back < 2; ++back) { /* fronts first, as the lists have them */
         for (uint32_t k = 0; k < geometry.whole_slots + geometry.piece_count; ++k) {
-            if (burnish_geometry_has(&geometry, k) && (geometry.triangles[k].source & 1) == back) {
+            if (reference_has_slot(&geometry, k) && (geometry.triangles[k].source & 1) == back) {
                 all[i++] = k;
             }
         }

@@ -249,8 +249,12 @@ size_t burnish_list_read(burnish_list_reader *reader, uint32_t *entries, size_t 
 }
 
 int burnish_list_is_empty(burnish_list_reader reader) {
-    uint32_t entries[BURNISH_LIST_PIECE];
-    return burnish_list_read(&reader, entries, BURNISH_LIST_PIECE) == 0;
+    for (size_t i = 0; i < reader.bins->slice_count; ++i) {
+        if (reader.bins->slices[i].chains[reader.list].first) {
+            return 0;
+        }
+    }
+    return 1;
 }
 
 void burnish_bins_destroy(burnish_bins *bins) {

@@ -11,14 +11,20 @@ typedef struct clipped_piece {
     burnish_corners corners;
 } clipped_piece;
 
+/* A vertex that clipping made, on the screen and in the mesh. */
+typedef struct clipped_vertex {
+    burnish_screen_vertex at;
+    float inverse_w;
+    burnish_clip_vertex clip;
+} clipped_vertex;
+
 /* What a chunk of triangles became besides its slots. */
 typedef struct chunk_output {
     size_t triangle_count;
     clipped_piece *pieces;
     size_t piece_count, piece_capacity;
-    burnish_clip_vertex *clips;
-    burnish_clip_corner *corners; /* parallel to clips */
-    size_t clip_count, clip_capacity, corner_capacity;
+    clipped_vertex *clips;
+    size_t clip_count, clip_capacity;
     burnish_status status;
     burnish_error error;
 } chunk_output;
@@ -141,31 +147,24 @@ static burnish_status append_clipped(const chunk_context *context, uint32_t sour
     if (count == 0) {
         return BURNISH_STATUS_OK;
     }
-    size_t first = output->clip_count;
+    const size_t first = output->clip_count;
     burnish_status status =
         burnish_grow((void **)&output->clips, &output->clip_capacity, first + count,
                      sizeof *output->clips, "clipped vertices", &output->error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_grow((void **)&output->corners, &output->corner_capacity, first + count,
-                              sizeof *output->corners, "clipped vertices", &output->error);
-    }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    burnish_screen_vertex at[BURNISH_CLIP_MAX];
+    clipped_vertex *made = output->clips + first;
     for (int i = 0; i < count; ++i) {
-        float inverse_w;
-        at[i] = project(context->view, corners[i].position, &inverse_w);
-        burnish_clip_vertex clip = {source, {0}};
-        memcpy(clip.weights, corners[i].weights, sizeof clip.weights);
-        output->clips[first + i] = clip;
-        output->corners[first + i] = corners[i];
+        made[i].at = project(context->view, corners[i].position, &made[i].inverse_w);
+        made[i].clip.triangle = source;
+        memcpy(made[i].clip.weights, corners[i].weights, sizeof made[i].clip.weights);
     }
     output->clip_count = first + count;
     for (int i = 1; i + 1 < count && status == BURNISH_STATUS_OK; ++i) {
         const uint32_t base = (uint32_t)(context->geometry->vertices.mesh_count + first),
                        a = base + i;
-        const burnish_screen_vertex v[3] = {at[0], at[i], at[i + 1]};
+        const burnish_screen_vertex v[3] = {made[0].at, made[i].at, made[i + 1].at};
         clipped_piece piece = {{0}, {{0}, 0}};
         if (set_up(context->view, v, source, &piece.triangle)) {
             const uint32_t back = piece.triangle.source & 1;
@@ -238,9 +237,8 @@ static burnish_status grow_vertices(burnish_screen_vertices *vertices, size_t ex
 }
 
 /* Appends the pieces of clipped triangles and their vertices in the order of the chunks. */
-static burnish_status join_pieces(burnish_geometry *geometry, const burnish_raster_view *view,
-                                  const chunk_output *chunks, size_t pieces, size_t clips,
-                                  burnish_error *error) {
+static burnish_status join_pieces(burnish_geometry *geometry, const chunk_output *chunks,
+                                  size_t pieces, size_t clips, burnish_error *error) {
     burnish_screen_vertices *vertices = &geometry->vertices;
     burnish_status status = burnish_grow(
         (void **)&geometry->triangles, &geometry->triangle_capacity, geometry->whole_slots + pieces,
@@ -264,9 +262,9 @@ static burnish_status join_pieces(burnish_geometry *geometry, const burnish_rast
         const chunk_output *chunk = &chunks[i];
         for (size_t j = 0; j < chunk->clip_count; ++j) {
             const size_t place = clip_base + j, vertex = vertices->mesh_count + place;
-            geometry->clip_vertices[place] = chunk->clips[j];
-            vertices->items[vertex] =
-                project(view, chunk->corners[j].position, &vertices->inverse_w[vertex]);
+            geometry->clip_vertices[place] = chunk->clips[j].clip;
+            vertices->items[vertex] = chunk->clips[j].at;
+            vertices->inverse_w[vertex] = chunk->clips[j].inverse_w;
         }
         for (size_t j = 0; j < chunk->piece_count; ++j) {
             burnish_corners corners = chunk->pieces[j].corners;
@@ -283,8 +281,8 @@ static burnish_status join_pieces(burnish_geometry *geometry, const burnish_rast
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status join_chunks(burnish_geometry *geometry, const burnish_raster_view *view,
-                                  const chunk_output *chunks, burnish_error *error) {
+static burnish_status join_chunks(burnish_geometry *geometry, const chunk_output *chunks,
+                                  burnish_error *error) {
     size_t pieces = 0, clips = 0;
     for (size_t i = 0; i < geometry->chunk_count; ++i) {
         if (chunks[i].status != BURNISH_STATUS_OK) {
@@ -298,8 +296,7 @@ static burnish_status join_chunks(burnish_geometry *geometry, const burnish_rast
         pieces += chunks[i].piece_count;
         clips += chunks[i].clip_count;
     }
-    return clips > 0 ? join_pieces(geometry, view, chunks, pieces, clips, error)
-                     : BURNISH_STATUS_OK;
+    return clips > 0 ? join_pieces(geometry, chunks, pieces, clips, error) : BURNISH_STATUS_OK;
 }
 
 static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
@@ -348,11 +345,10 @@ static burnish_status set_up_all(chunk_context *context, burnish_pool *pool, bur
     }
     context->chunks = chunks;
     burnish_pool_run(pool, count, 1, 0, set_up_task, context);
-    burnish_status status = join_chunks(geometry, context->view, chunks, error);
+    burnish_status status = join_chunks(geometry, chunks, error);
     for (size_t i = 0; i < count; ++i) {
         free(chunks[i].pieces);
         free(chunks[i].clips);
-        free(chunks[i].corners);
     }
     free(chunks);
     return status;

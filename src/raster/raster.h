@@ -114,12 +114,6 @@ typedef struct burnish_geometry {
     size_t triangle_capacity, piece_capacity, clip_capacity, chunk_capacity;
 } burnish_geometry;
 
-/* Whether a slot below whole_slots + piece_count is in use. */
-static inline int burnish_geometry_has(const burnish_geometry *geometry, size_t slot) {
-    return slot >= geometry->whole_slots ||
-           slot % BURNISH_CHUNK < geometry->chunk_counts[slot / BURNISH_CHUNK];
-}
-
 /* The corners of the triangle in a slot. A front face's winding turns round on the screen, where y
  * points down. */
 static inline burnish_corners burnish_geometry_corners(const burnish_geometry *geometry,

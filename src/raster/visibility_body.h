@@ -41,22 +41,12 @@ typedef struct setup_block {
 BURNISH_INLINE void find_corners(const burnish_visibility *tile, const burnish_geometry *geometry,
                                  const uint32_t *entries, size_t count, corner_block *corners) {
     for (size_t lane = 0; lane < LANES && count > 0; ++lane) {
-        const uint32_t slot = entries[lane < count ? lane : 0];
-        uint32_t source = geometry->triangles[slot].source;
-        const unsigned back = source & 1;
-        const uint32_t *v = geometry->indices + 3 * (size_t)(source >> 1);
-        uint32_t a = 0, b = 2 - back, c = 1 + back;
-        if (slot >= geometry->whole_slots) { /* a piece: its own corners, in their order */
-            v = geometry->pieces[slot - geometry->whole_slots].vertices;
-            b = 1;
-            c = 2;
-        }
-        corners->source[lane] = source;
-        corners->vertices[0][lane] = v[a];
-        corners->vertices[1][lane] = v[b];
-        corners->vertices[2][lane] = v[c];
+        const burnish_corners found =
+            burnish_geometry_corners(geometry, entries[lane < count ? lane : 0]);
+        corners->source[lane] = found.source;
         for (int i = 0; i < 3; ++i) {
-            const size_t vertex = corners->vertices[i][lane];
+            const size_t vertex = found.vertices[i];
+            corners->vertices[i][lane] = found.vertices[i];
             __builtin_prefetch(&geometry->vertices.items[vertex]);
             __builtin_prefetch(&tile->attributes[0][vertex]);
         }

@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "base/pool.h"
 #include "render/frame.h"
@@ -130,12 +130,6 @@ static burnish_status check_options(const burnish_render_options *options, burni
     return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
 }
 
-static double seconds_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
-
 static size_t count_drawn(const uint8_t *drawn, size_t count) {
     size_t sum = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -213,7 +207,7 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scen
                            burnish_error *error) {
     const burnish_mesh *mesh = burnish_scene_mesh(scene);
     burnish_raster_view view;
-    const double start = seconds_now();
+    const double start = burnish_seconds_now();
     burnish_status status =
         burnish_view_create(mesh, options, &view, &shader->view, &shader->lighting, error);
     if (status != BURNISH_STATUS_OK) {
@@ -228,7 +222,7 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scen
     status = burnish_shader_check(shader, burnish_scene_material_count(scene), error);
     if (status == BURNISH_STATUS_OK) {
         status = transform(renderer, mesh, options, tier, &view, error);
-        report->seconds_transform = seconds_now() - start;
+        report->seconds_transform = burnish_seconds_now() - start;
     }
     if (status == BURNISH_STATUS_OK) {
         const burnish_frame frame = {.view = &view,
@@ -242,7 +236,7 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scen
                                      .wants_counts = !options->skip_counts,
                                      .drawn = drawn};
         status = burnish_frame_draw(&frame, &renderer->tiles, report, error);
-        report->seconds_draw = seconds_now() - start - report->seconds_transform;
+        report->seconds_draw = burnish_seconds_now() - start - report->seconds_transform;
     }
     return status;
 }

@@ -43,7 +43,6 @@ typedef struct builder {
     const char *name;
     burnish_error *error;
     burnish_scene *scene;
-    burnish_pool *pool;
 
     size_t position_count;     /* welded positions, at the head of source->positions */
     size_t triangle_count;     /* triangles with area, at the head of the source's arrays */
@@ -83,7 +82,7 @@ static burnish_status weld_positions(builder *b, uint32_t **remap) {
     burnish_status status = burnish_allocate((void **)remap, source->position_count, sizeof **remap,
                                              "welding", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_weld(source->positions, source->position_count, b->pool, *remap,
+        status = burnish_weld(source->positions, source->position_count, b->source->pool, *remap,
                               &b->position_count, b->error);
     }
     if (status == BURNISH_STATUS_OK && b->position_count < source->position_count) {
@@ -129,7 +128,7 @@ static void weld_range(void *of, size_t first, size_t end) {
 /* Fills corner_vertices; returns how many triangles have an area. */
 static size_t weld_corners(builder *b, const uint32_t *remap) {
     weld_context context = {.b = b, .remap = remap};
-    burnish_pool_ranges(b->pool, b->source->triangle_count, SHARE, weld_range, &context);
+    burnish_pool_ranges(b->source->pool, b->source->triangle_count, SHARE, weld_range, &context);
     return atomic_load(&context.with_area);
 }
 
@@ -199,7 +198,7 @@ static void prepare_normals(builder *b) {
     const uint32_t *corners = b->source->corner_normals;
     const size_t corner_count = corners ? 3 * b->triangle_count : 0;
     unit_context context = {.normals = b->source->normals};
-    burnish_pool_ranges(b->pool, b->source->normal_count, SHARE, unit_range, &context);
+    burnish_pool_ranges(b->source->pool, b->source->normal_count, SHARE, unit_range, &context);
     size_t missing = atomic_load(&context.missing);
     for (size_t i = 0; i < corner_count; ++i) {
         missing += corners[i] == BURNISH_SOURCE_NONE;
@@ -248,7 +247,7 @@ static void orient_range(void *of, size_t first, size_t end) {
  * because those follow the winding. */
 static void orient(builder *b) {
     const size_t count = b->source->corner_normals ? b->triangle_count : 0;
-    burnish_pool_ranges(b->pool, count, SHARE, orient_range, b);
+    burnish_pool_ranges(b->source->pool, count, SHARE, orient_range, b);
 }
 
 /* Lists the corners of every welded position, in the order of the triangles. */
@@ -508,7 +507,7 @@ static burnish_status create_makers(builder *b, double angle) {
             3 * b->triangle_count < CORNERS_AT_ONCE ? 3 * b->triangle_count : CORNERS_AT_ONCE;
     }
     const size_t worth = b->position_count / (SHARE / 2),
-                 all = (size_t)burnish_pool_threads(b->pool);
+                 all = (size_t)burnish_pool_threads(b->source->pool);
     const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
     burnish_status status = burnish_allocate((void **)&b->makers, (size_t)count, sizeof *b->makers,
                                              "vertices", b->error);
@@ -539,7 +538,7 @@ static burnish_status make_vertices(builder *b, double angle) {
         return status;
     }
     size_t turns = (b->position_count + POSITIONS_A_TURN - 1) / POSITIONS_A_TURN;
-    burnish_pool_run(b->pool, turns, 1, b->maker_count, turn_task, b);
+    burnish_pool_run(b->source->pool, turns, 1, b->maker_count, turn_task, b);
     for (int i = 0; i < b->maker_count; ++i) {
         if (b->makers[i].status != BURNISH_STATUS_OK) {
             if (b->error) {
@@ -592,7 +591,7 @@ static void write_range(void *of, size_t first, size_t end) {
 static void write_vertices(builder *b) {
     for (int i = 0; i < b->maker_count; ++i) {
         write_context context = {b, b->makers[i].vertices};
-        burnish_pool_ranges(b->pool, b->makers[i].count, SHARE, write_range, &context);
+        burnish_pool_ranges(b->source->pool, b->makers[i].count, SHARE, write_range, &context);
     }
 }
 
@@ -718,11 +717,9 @@ burnish_status burnish_scene_build(burnish_source *source, const char *name,
         return status;
     }
     *b.scene = (burnish_scene){.format = format};
-    b.pool = burnish_pool_create(options->threads);
     status = build(&b, options);
     release_corners(&b);
     destroy_makers(&b);
-    burnish_pool_destroy(b.pool);
     if (status != BURNISH_STATUS_OK) {
         burnish_scene_destroy(b.scene);
         return status;

@@ -3,20 +3,14 @@
 #include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "scene/reader.h"
 #include "scene/scene.h"
 #include "scene/text.h"
 
 enum { FIRST_CHUNK = 1 << 16, LARGEST_READ = 1 << 30 };
-
-static double seconds_now(void) {
-    struct timespec now = {0};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static burnish_status fail_errno(burnish_error *error, const char *name, const char *what,
                                  int code) {
@@ -181,11 +175,11 @@ static burnish_status read_format(const burnish_reader_input *input, burnish_for
 static burnish_status build(burnish_source *source, const char *name,
                             const burnish_load_options *options, burnish_format format,
                             double start, burnish_scene **scene, burnish_error *error) {
-    double read = seconds_now();
+    double read = burnish_seconds_now();
     burnish_status status = burnish_scene_build(source, name, options, format, scene, error);
     if (status == BURNISH_STATUS_OK) {
         (*scene)->seconds_read = read - start;
-        (*scene)->seconds_build = seconds_now() - read;
+        (*scene)->seconds_build = burnish_seconds_now() - read;
     }
     return status;
 }
@@ -194,25 +188,27 @@ static burnish_status build(burnish_source *source, const char *name,
  * it was opened. */
 static burnish_status load(const burnish_reader_input *input, uint8_t *owned, double start,
                            burnish_scene **scene, burnish_error *error) {
-    burnish_source source = {0};
+    burnish_source source = {.pool = burnish_pool_create(input->options->threads)};
     burnish_format format;
     burnish_status status = read_format(input, &format, &source, error);
     free(owned);
     if (status == BURNISH_STATUS_OK) {
         status = build(&source, input->name, input->options, format, start, scene, error);
     }
+    burnish_pool_destroy(source.pool);
     burnish_source_destroy(&source);
     return status;
 }
 
 static burnish_status load_builtin(const char *name, const burnish_load_options *options,
                                    burnish_scene **scene, burnish_error *error) {
-    burnish_source source = {0};
-    double start = seconds_now();
+    burnish_source source = {.pool = burnish_pool_create(options->threads)};
+    double start = burnish_seconds_now();
     burnish_status status = burnish_make_builtin(name + 1, options, &source, error);
     if (status == BURNISH_STATUS_OK) {
         status = build(&source, name, options, BURNISH_FORMAT_AUTO, start, scene, error);
     }
+    burnish_pool_destroy(source.pool);
     burnish_source_destroy(&source);
     return status;
 }
@@ -245,7 +241,7 @@ burnish_status burnish_scene_load(const char *path, const burnish_load_options *
                                   .options = options,
                                   .open_beside = from_input ? NULL : open_beside};
     uint8_t *bytes = NULL;
-    double start = seconds_now();
+    double start = burnish_seconds_now();
     status = from_input
                  ? read_descriptor(STDIN_FILENO, input.name, 0, options->max_input_bytes, &bytes,
                                    &input.size, error)
@@ -271,5 +267,5 @@ burnish_status burnish_scene_load_memory(const void *bytes, size_t size, const c
     }
     burnish_reader_input input = {
         .bytes = given, .size = size, .name = name ? name : "memory", .options = options};
-    return load(&input, NULL, seconds_now(), scene, error);
+    return load(&input, NULL, burnish_seconds_now(), scene, error);
 }

@@ -384,7 +384,6 @@ static burnish_status read_rows(ply_body *ply, int *done) {
                              .size = bytes_left(ply),
                              .count = (size_t)element->count,
                              .big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN,
-                             .threads = ply->input->options->threads,
                              .properties = ply->header.properties + element->first_property,
                              .property_count = element->property_count};
     size_t used = 0;

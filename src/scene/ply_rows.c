@@ -11,7 +11,7 @@
 #include "scene/append.h"
 #include "scene/scene.h"
 
-enum { SHARE = 1 << 16 /* rows that are worth a thread */ };
+enum { SHARE = 1 << 15 /* rows that a thread takes at once */ };
 
 /* Where a value stands in a row. */
 typedef struct column {
@@ -120,13 +120,6 @@ static burnish_status reserve_vertices(const vertex_layout *layout, size_t count
     return status;
 }
 
-/* Runs the task over all rows, by threads where there are many. */
-static void run(const burnish_ply_rows *rows, burnish_range_task *task, void *context) {
-    burnish_pool *pool = rows->count > SHARE ? burnish_pool_create(rows->threads) : NULL;
-    burnish_pool_ranges(pool, rows->count, SHARE / 2, task, context);
-    burnish_pool_destroy(pool);
-}
-
 typedef struct vertex_context {
     const burnish_ply_rows *rows;
     const vertex_layout *layout;
@@ -158,7 +151,7 @@ burnish_status burnish_ply_vertex_rows(const burnish_ply_rows *rows, burnish_sou
         return status;
     }
     vertex_context context = {.rows = rows, .layout = &layout, .source = source};
-    run(rows, convert_vertices, &context);
+    burnish_pool_ranges(source->pool, rows->count, SHARE, convert_vertices, &context);
     if (atomic_load(&context.bad)) {
         free(source->colors); /* a colour array says that there are colours */
         source->colors = NULL;
@@ -277,7 +270,7 @@ burnish_status burnish_ply_triangle_rows(const burnish_ply_rows *rows, size_t ve
     uint32_t *corners = source->corner_positions + 3 * source->triangle_count;
     triangle_context context = {
         .rows = rows, .layout = &layout, .vertex_count = vertex_count, .corners = corners};
-    run(rows, convert_triangles, &context);
+    burnish_pool_ranges(source->pool, rows->count, SHARE, convert_triangles, &context);
     if (!atomic_load(&context.bad)) {
         source->triangle_count += rows->count;
         *used = rows->count * layout.row_size;

@@ -10,7 +10,6 @@ typedef struct burnish_ply_rows {
     size_t size;
     size_t count;
     int big_endian;
-    int threads;                            /* as asked for */
     const burnish_ply_property *properties; /* of a row */
     size_t property_count;
 } burnish_ply_rows;

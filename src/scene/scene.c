@@ -145,8 +145,10 @@ burnish_status burnish_scene_create(const float *positions, const float *normals
                             triangle_count, 3 * sizeof(uint32_t), error);
     }
     if (status == BURNISH_STATUS_OK) {
+        source.pool = burnish_pool_create(options->threads);
         status = burnish_scene_build(&source, "burnish_scene_create", options, BURNISH_FORMAT_AUTO,
                                      scene, error);
+        burnish_pool_destroy(source.pool);
     }
     burnish_source_destroy(&source);
     return status;

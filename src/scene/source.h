@@ -9,6 +9,7 @@
 #include <stdint.h>
 
 #include "base/memory.h"
+#include "base/pool.h"
 #include "burnish/scene.h"
 
 /* A corner or face without a value of its own. */
@@ -42,6 +43,8 @@ typedef struct burnish_source {
 
     char **warnings;
     size_t warning_count, warning_capacity;
+
+    burnish_pool *pool; /* the loader's threads, not owned; NULL: the caller alone */
 } burnish_source;
 
 void burnish_source_destroy(burnish_source *source);
