@@ -11,7 +11,14 @@
 enum { HALF_PIXEL = BURNISH_SUBPIXELS / 2 };
 
 /* Pixels of a unit: 4 x 4, 4 x 2, 4 x 1 or one. */
-enum { UNIT_WIDTH = LANES >= 4 ? 4 : 1, UNIT_HEIGHT = LANES / UNIT_WIDTH };
+enum {
+    UNIT_WIDTH = LANES >= 4 ? 4 : 1,
+    UNIT_HEIGHT = LANES / UNIT_WIDTH,
+    UNIT_HEIGHT_BITS = UNIT_HEIGHT == 4   ? 2
+                       : UNIT_HEIGHT == 2 ? 1
+                                          : 0,
+    UNIT_SIDE = 4 /* units across and down of triangles whose units are listed, at most */
+};
 
 /* Corners of as many triangles as a vector has lanes. */
 typedef struct corner_block {
@@ -32,8 +39,9 @@ typedef struct setup_block {
     float inverse_area[LANES]; /* of triangles whose edge functions fit 32 bits */
     float attributes[3][BURNISH_PLANE_COUNT][LANES];
     corner_block corners;
-    unsigned live, small, tiny; /* bits: touch a pixel; have 32-bit edge functions; have at most
-                                   2 x 2 pixels */
+    unsigned live, small, tiny, wide; /* bits: touch a pixel; have 32-bit edge functions; have at
+                                         most 2 x 2 pixels; are too large to have their units
+                                         listed */
 } setup_block;
 
 /* Finds the corners of a part of a list, `count` <= LANES, and asks for what will be loaded of
@@ -140,6 +148,12 @@ BURNISH_INLINE void set_up_block(const burnish_visibility *tile, size_t count, c
     block->small = vm_bits(vi_not_negative(vi_sub(vi_set(BURNISH_SMALL_EDGE), longest)));
     block->tiny = block->live & block->small &
                   vm_bits(vi_not_negative(vi_sub(vi_set(1), vi_max(wide, high))));
+    const vi columns = vi_sub(vi_right_signed(x1, 2), vi_right_signed(x0, 2));
+    const vi rows =
+        vi_sub(vi_right_signed(y1, UNIT_HEIGHT_BITS), vi_right_signed(y0, UNIT_HEIGHT_BITS));
+    block->wide = block->live &
+                  ~(block->small &
+                    vm_bits(vi_not_negative(vi_sub(vi_set(UNIT_SIDE - 1), vi_max(columns, rows)))));
 }
 
 /* One triangle of a block in the form that its units are drawn from. */
@@ -232,39 +246,26 @@ BURNISH_INLINE vi edge_of_unit(const setup_block *block, size_t lane, int i, vi 
     return vi_add(vi_set(block->unit[i][lane]), vi_left(along, 8));
 }
 
-/* Units of a triangle that cover a pixel. */
-enum { UNIT_LIST = 2 * BURNISH_TILE_SIZE / UNIT_WIDTH };
-typedef struct unit_list {
-    vm covered[UNIT_LIST];
-    vi e[2][UNIT_LIST]; /* edge functions 1 and 2 */
-    int32_t place[UNIT_LIST];
-    int count;
-} unit_list;
-
-/* Draws the units of a list, one sample a pixel. Whether one is nearer is too hard to foresee for a
- * branch. */
-BURNISH_INLINE void draw_units(burnish_visibility *tile, const unit_constants *constants,
-                               int planes, int owners, const unit_list *list) {
-    for (int i = 0; i < list->count; ++i) {
-        const vi e[3] = {list->e[0][i], list->e[0][i], list->e[1][i]};
-        const int place = list->place[i];
-        vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
-        vf depth = depth_from(constants->depth, weight1, weight2);
-        vm nearer = vm_and(list->covered[i], vf_greater(depth, vf_load(tile->depths + place)));
-        vf_store_where(nearer, tile->depths + place, depth);
-        if (owners) {
-            vi_save_where(nearer, tile->owners + place, constants->owner);
-        }
-        interpolate_unit(tile, constants, planes, nearer, weight1, weight2, place);
-        tile->touched[place / BURNISH_STRIP_PIXELS] |=
-            (uint16_t)(vm_any(nearer) << (place / BURNISH_BLOCK_PIXELS) % BURNISH_TILE_STRIPS);
+/* Draws a unit, one sample a pixel, where `covered` holds. Whether it is nearer is too hard to
+ * foresee for a branch. */
+BURNISH_INLINE void draw_unit(burnish_visibility *tile, const unit_constants *constants, int planes,
+                              int owners, vm covered, const vi e[3], int place) {
+    vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
+    vf depth = depth_from(constants->depth, weight1, weight2);
+    vf before = vf_load(tile->depths + place);
+    vm nearer = vm_and(covered, vf_greater(depth, before));
+    vf_store(tile->depths + place, vf_blend(nearer, depth, before));
+    if (owners) {
+        vi_save_where(nearer, tile->owners + place, constants->owner);
     }
+    interpolate_unit(tile, constants, planes, nearer, weight1, weight2, place);
+    tile->touched[place / BURNISH_STRIP_PIXELS] |=
+        (uint16_t)(vm_any(nearer) << (place / BURNISH_BLOCK_PIXELS) % BURNISH_TILE_STRIPS);
 }
 
-/* A triangle of up to 96 pixels, one sample a pixel: first finds the units that cover a pixel,
- * which is as hard to foresee, then draws them. */
+/* A triangle of up to 96 pixels, one sample a pixel. */
 BURNISH_INLINE void draw_small(burnish_visibility *tile, const setup_block *block, size_t lane,
-                               int planes, int owners, int32_t owner, unit_list *list) {
+                               int planes, int owners, int32_t owner) {
     const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
     const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
     unit_constants constants;
@@ -273,29 +274,126 @@ BURNISH_INLINE void draw_small(burnish_visibility *tile, const setup_block *bloc
     for (int i = 0; i < 3; ++i) {
         row[i] = edge_of_unit(block, lane, i, &across[i], &down[i]);
     }
-    list->count = 0;
     for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
         vi e[3] = {row[0], row[1], row[2]};
         for (int x = x0; x <= x1; x += UNIT_WIDTH) {
             const vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
-            list->covered[list->count] = covered;
-            list->e[0][list->count] = e[1];
-            list->e[1][list->count] = e[2];
-            list->place[list->count] = burnish_tile_place(x, y);
-            list->count += vm_any(covered);
+            if (vm_any(covered)) {
+                draw_unit(tile, &constants, planes, owners, covered, e, burnish_tile_place(x, y));
+            }
             for (int i = 0; i < 3; ++i) {
                 e[i] = vi_add(e[i], across[i]);
             }
-        }
-        if (list->count >= UNIT_LIST / 2) { /* another row may not fit */
-            draw_units(tile, &constants, planes, owners, list);
-            list->count = 0;
         }
         for (int i = 0; i < 3; ++i) {
             row[i] = vi_add(row[i], down[i]);
         }
     }
-    draw_units(tile, &constants, planes, owners, list);
+}
+
+/* The units that a block of triangles may cover, triangle after triangle: with so many triangles of
+ * so few units each, loops over one triangle's units end where no processor foresees it. */
+enum {
+    MOST_UNITS = UNIT_SIDE * UNIT_SIDE,
+    UNIT_LIST = LANES * MOST_UNITS,
+    STRIP_UNITS = BURNISH_BLOCK_SIZE / UNIT_HEIGHT, /* a block's, one below the other */
+};
+typedef struct unit_list {
+    int32_t along[3][LANES][LANES]; /* edge functions of a triangle over its first unit, less
+                                       those at the unit's first pixel, ... */
+    int32_t start[3][UNIT_LIST + MOST_UNITS]; /* ... which are here, a unit each */
+    int32_t place[UNIT_LIST + MOST_UNITS];
+    int32_t lane[UNIT_LIST + MOST_UNITS];
+    int32_t covering[UNIT_LIST]; /* units that cover a pixel */
+    vm covered[UNIT_LIST];
+} unit_list;
+
+/* Units of boxes of 1 to UNIT_SIDE units by as many, row after row: x and y in units, y in the
+ * upper half. */
+#define AT(x, y) ((x) | (y) << 16)
+#define ROW1(y) AT(0, y)
+#define ROW2(y) AT(0, y), AT(1, y)
+#define ROW3(y) AT(0, y), AT(1, y), AT(2, y)
+#define ROW4(y) AT(0, y), AT(1, y), AT(2, y), AT(3, y)
+static const int32_t BOX_UNITS[UNIT_SIDE][MOST_UNITS] = {
+    {ROW1(0), ROW1(1), ROW1(2), ROW1(3)},
+    {ROW2(0), ROW2(1), ROW2(2), ROW2(3)},
+    {ROW3(0), ROW3(1), ROW3(2), ROW3(3)},
+    {ROW4(0), ROW4(1), ROW4(2), ROW4(3)},
+};
+#undef ROW4
+#undef ROW3
+#undef ROW2
+#undef ROW1
+#undef AT
+
+/* Lists the units of the triangles `lanes`; returns how many. */
+BURNISH_INLINE int list_units(const setup_block *block, unsigned lanes, unit_list *list) {
+    int count = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        const size_t lane = (size_t)__builtin_ctz(lanes);
+        const int column = block->x0[lane] / UNIT_WIDTH, row = block->y0[lane] / UNIT_HEIGHT;
+        const int wide = block->x1[lane] / UNIT_WIDTH - column + 1;
+        const int high = block->y1[lane] / UNIT_HEIGHT - row + 1;
+        const int32_t *box = BOX_UNITS[wide - 1];
+        vi slope[3];
+        for (int i = 0; i < 3; ++i) {
+            slope[i] = vi_set(block->slope[i][lane]);
+            vi along = vi_dot16(slope[i], vi_load(UNIT_PLACES));
+            vi_save(list->along[i][lane], vi_left(along, 8));
+        }
+        for (int k = 0; k < MOST_UNITS; k += LANES) { /* behind the last one is room */
+            const vi unit = vi_load(box + k);
+            const vi x = vi_and(unit, vi_set(0xffff)), y = vi_right(unit, 16);
+            const vi to = vi_or(vi_left(x, 2), vi_mul(y, vi_set(UNIT_HEIGHT << 16)));
+            for (int i = 0; i < 3; ++i) {
+                vi start = vi_add(vi_set(block->unit[i][lane]), vi_left(vi_dot16(slope[i], to), 8));
+                vi_save(list->start[i] + count + k, start);
+            }
+            const vi rows = vi_add(y, vi_set(row));
+            const vi strip = vi_and(rows, vi_set(~(STRIP_UNITS - 1)));
+            vi place = vi_add(vi_mul(strip, vi_set(BURNISH_STRIP_PIXELS / STRIP_UNITS)),
+                              vi_mul(vi_sub(rows, strip), vi_set(LANES)));
+            place = vi_add(place, vi_mul(vi_add(x, vi_set(column)), vi_set(BURNISH_BLOCK_PIXELS)));
+            vi_save(list->place + count + k, place);
+            vi_save(list->lane + count + k, vi_set((int32_t)lane));
+        }
+        count += wide * high;
+    }
+    return count;
+}
+
+/* Edge functions of a listed unit. */
+BURNISH_INLINE vi edge_of_listed(const unit_list *list, size_t lane, int unit, int i) {
+    return vi_add(vi_load(list->along[i][lane]), vi_set(list->start[i][unit]));
+}
+
+/* Draws the triangles `lanes` of a block, one sample a pixel: none has more than UNIT_SIDE units
+ * across or down. */
+BURNISH_INLINE void draw_listed(burnish_visibility *tile, const setup_block *block, unsigned lanes,
+                                int planes, int owners, unit_list *list) {
+    const int count = list_units(block, lanes, list);
+    int covering = 0;
+    for (int unit = 0; unit < count; ++unit) {
+        const size_t lane = (size_t)list->lane[unit];
+        vi e[3];
+        for (int i = 0; i < 3; ++i) {
+            e[i] = edge_of_listed(list, lane, unit, i);
+        }
+        const vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
+        list->covering[covering] = unit;
+        list->covered[covering] = covered;
+        covering += vm_any(covered);
+    }
+    for (int i = 0; i < covering; ++i) {
+        const int unit = list->covering[i];
+        const size_t lane = (size_t)list->lane[unit];
+        unit_constants constants;
+        load_constants(block, lane, planes, (int32_t)block->corners.source[lane], &constants);
+        const vi e1 = edge_of_listed(list, lane, unit, 1), e2 = edge_of_listed(list, lane, unit, 2);
+        const vi e[3] = {e1, e1, e2};
+        draw_unit(tile, &constants, planes, owners, list->covered[i], e, list->place[unit]);
+    }
 }
 
 /* The same with several samples a pixel. Returns 1 when a sample became the triangle's. */
@@ -606,12 +704,16 @@ static void remember(burnish_visibility *tile, const setup_block *block, size_t 
 
 /* The triangles of a block, one sample a pixel. */
 BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, tiny_pixels *pixels,
-                                int planes, int owners) {
+                                int planes, int owners, unit_list *list) {
     static const int8_t CENTER[1][2] = {{0, 0}};
     unsigned others = block->live;
     uint64_t hits = 0;
-    unit_list list;
-    if (block->tiny & (block->tiny - 1)) { /* at least two */
+    const int tiny = __builtin_popcount(block->tiny);
+    if (LANES >= 8 && !block->wide && 2 * tiny < LANES) {
+        draw_listed(tile, block, others, planes, owners, list);
+        return;
+    }
+    if (tiny > 1) {
         find_tiny(block, planes, pixels);
         others &= ~block->tiny;
         hits = spread(pixels->covered[0]) | spread(pixels->covered[1]) << 1 |
@@ -624,7 +726,7 @@ BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, ti
         draw_tiny(tile, block, pixels, before, planes, owners);
         hits ^= before;
         if (block->small >> lane & 1) {
-            draw_small(tile, block, lane, planes, owners, owner, &list);
+            draw_small(tile, block, lane, planes, owners, owner);
         } else {
             draw_large(tile, block, lane, owners, owner, CENTER);
         }
@@ -661,6 +763,7 @@ static void draw_list(burnish_visibility *visibility, const burnish_geometry *ge
     const burnish_visibility_options *options = &visibility->options;
     setup_block block;
     tiny_pixels pixels = {0};
+    unit_list list;
     corner_block next;
     find_corners(visibility, geometry, entries, count < LANES ? count : LANES, &next);
     for (size_t first = 0; first < count; first += LANES) {
@@ -675,9 +778,9 @@ static void draw_list(burnish_visibility *visibility, const burnish_geometry *ge
         if (options->samples > 1) {
             draw_multiple(visibility, &block);
         } else if (options->planes == 3 && !options->keep_owners) {
-            draw_single(visibility, &block, &pixels, 3, 0);
+            draw_single(visibility, &block, &pixels, 3, 0, &list);
         } else {
-            draw_single(visibility, &block, &pixels, options->planes, options->keep_owners);
+            draw_single(visibility, &block, &pixels, options->planes, options->keep_owners, &list);
         }
     }
 }
