@@ -52,7 +52,7 @@ static int reference_range(int a, int b, int c, int samples, int size, int *firs
 
 /* An unclipped triangle; returns 0 when it can't be seen. */
 static int reference_set_up(const burnish_raster_view *view, const burnish_screen_vertex v[3],
-                            uint32_t number, burnish_setup_triangle *made) {
+                            burnish_setup_triangle *made, int *back) {
     const int64_t area = (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
                          (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
     int x0, x1, y0, y1;
@@ -62,15 +62,13 @@ static int reference_set_up(const burnish_raster_view *view, const burnish_scree
         !reference_range(v[0].y, v[1].y, v[2].y, view->samples, view->height, &y0, &y1)) {
         return 0;
     }
-    made->source = 2 * number + (area > 0);
+    *back = area > 0;
     made->nearest = v[0].depth;
     for (int i = 1; i < 3; ++i) {
         made->nearest = v[i].depth > made->nearest ? v[i].depth : made->nearest;
     }
-    made->blocks[0] = (uint16_t)(x0 / 8);
-    made->blocks[1] = (uint16_t)(y0 / 8);
-    made->blocks[2] = (uint16_t)(x1 / 8);
-    made->blocks[3] = (uint16_t)(y1 / 8);
+    made->first = (uint32_t)(y0 / 8 << 16 | x0 / 8);
+    made->last = (uint32_t)(y1 / 8 << 16 | x1 / 8);
     return 1;
 }
 

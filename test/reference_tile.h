@@ -14,10 +14,20 @@
 #include "base/memory.h"
 #include "raster/raster.h"
 
-/* Whether a slot below whole_slots + piece_count is in use. */
-static inline int reference_has_slot(const burnish_geometry *geometry, size_t slot) {
-    return slot >= geometry->whole_slots ||
-           slot % BURNISH_CHUNK < geometry->chunk_counts[slot / BURNISH_CHUNK];
+/* All slots, of triangles that may be seen and of others. */
+static inline size_t reference_slot_count(const burnish_geometry *geometry) {
+    return geometry->block_count * BURNISH_SETUP_BLOCK;
+}
+
+/* The side from which the triangle in a slot is seen: 0 front, 1 back, -1 none. */
+static inline int reference_side(const burnish_geometry *geometry, size_t slot) {
+    const burnish_setup_head *head = &geometry->heads[slot / BURNISH_SETUP_BLOCK];
+    const unsigned lane = slot % BURNISH_SETUP_BLOCK;
+    return head->lanes[0] >> lane & 1 ? 0 : head->lanes[1] >> lane & 1 ? 1 : -1;
+}
+
+static inline burnish_corners reference_corners(const burnish_geometry *geometry, size_t slot) {
+    return burnish_geometry_corners(geometry, slot, reference_side(geometry, slot) == 1);
 }
 
 /* Visibility of one tile: sample s of the tile's pixel p is entry p * samples + s. */
@@ -45,7 +55,7 @@ typedef struct triangle_edges {
 
 static void load_edges(const burnish_geometry *geometry, uint32_t triangle, triangle_edges *edges) {
     const burnish_screen_vertex *items = geometry->vertices.items;
-    const burnish_corners corners = burnish_geometry_corners(geometry, triangle);
+    const burnish_corners corners = reference_corners(geometry, triangle);
     const uint32_t *v = corners.vertices;
     for (int i = 0; i < 3; ++i) {
         const burnish_screen_vertex *a = &items[v[i == 2 ? 0 : i + 1]];
@@ -189,13 +199,19 @@ static int reference_draw_slots(reference_tile *tile, const burnish_raster_view 
 static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *view,
                                const burnish_geometry *geometry, const burnish_bins *bins,
                                int column, int row) {
-    const size_t most = geometry->whole_slots + geometry->piece_count + BURNISH_LIST_PIECE;
-    uint32_t *slots = malloc(most * sizeof *slots);
+    uint32_t *slots = malloc((reference_slot_count(geometry) + 1) * sizeof *slots);
     size_t count = 0, more;
     for (int back = 0; back < 2; ++back) {
         burnish_list_reader reader = burnish_list_begin(bins, column, row, back);
-        while ((more = burnish_list_read(&reader, slots + count, most - count)) > 0) {
-            count += more;
+        burnish_list_entry part[BURNISH_LIST_PIECE];
+        while ((more = burnish_list_read(&reader, part, BURNISH_LIST_PIECE)) > 0) {
+            for (size_t i = 0; i < more * BURNISH_SETUP_BLOCK; ++i) {
+                const burnish_list_entry entry = part[i / BURNISH_SETUP_BLOCK];
+                const uint32_t lane = i % BURNISH_SETUP_BLOCK;
+                if (entry.lanes >> lane & 1) {
+                    slots[count++] = entry.block * BURNISH_SETUP_BLOCK + lane;
+                }
+            }
         }
     }
     const int drawn = reference_draw_slots(tile, view, geometry, column, row, slots, count);
@@ -224,7 +240,7 @@ static void append_fragment(const reference_tile *tile, const burnish_raster_vie
     fragments->place[i] =
         (uint16_t)burnish_tile_place(pixel % BURNISH_TILE_SIZE, pixel / BURNISH_TILE_SIZE);
     fragments->weight[i] = (uint8_t)weight;
-    fragments->corners[i] = burnish_geometry_corners(geometry, triangle);
+    fragments->corners[i] = reference_corners(geometry, triangle);
     fragments->x[i] = (float)(x - view->width * (BURNISH_SUBPIXELS / 2)) / BURNISH_SUBPIXELS;
     fragments->y[i] = (float)(view->height * (BURNISH_SUBPIXELS / 2) - y) / BURNISH_SUBPIXELS;
     fragments->depth[i] = depth_at(&edges, weight1, weight2);

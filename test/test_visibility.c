@@ -123,7 +123,7 @@ static burnish_isa pick_isa(uint32_t *state) {
 static void check_geometry(const random_scene *scene, const burnish_raster_view *view,
                            const burnish_geometry *geometry, int number) {
     int wrong = 0;
-    size_t slot = 0;
+    size_t seen = 0;
     for (size_t i = 0; i < scene->vertex_count; ++i) {
         float inverse_w;
         burnish_screen_vertex v = reference_vertex(view, scene->positions + 3 * i, &inverse_w);
@@ -131,20 +131,26 @@ static void check_geometry(const random_scene *scene, const burnish_raster_view 
         wrong += inverse_w != geometry->vertices.inverse_w[i];
     }
     CHECK(wrong == 0, "scene %d: %d vertices differ", number, wrong);
-    for (uint32_t i = 0; i < scene->triangle_count; ++i) {
+    for (size_t i = 0; i < scene->triangle_count; ++i) {
+        const burnish_setup_block *block = &geometry->blocks[i / BURNISH_SETUP_BLOCK];
+        const size_t lane = i % BURNISH_SETUP_BLOCK;
         burnish_screen_vertex v[3];
-        burnish_setup_triangle made;
+        burnish_setup_triangle made = {0, 0, 0};
+        int side = -1;
         for (size_t k = 0; k < 3; ++k) {
             v[k] = geometry->vertices.items[scene->indices[3 * i + k]];
         }
         if (((v[0].outcode | v[1].outcode | v[2].outcode) & BURNISH_OUT_CLIP) == 0 &&
-            reference_set_up(view, v, i, &made)) {
-            wrong += !reference_has_slot(geometry, slot) ||
-                     memcmp(&made, &geometry->triangles[slot], sizeof made) != 0;
-            ++slot;
+            reference_set_up(view, v, &made, &side)) {
+            wrong += made.nearest != block->nearest[lane] || made.first != block->first[lane] ||
+                     made.last != block->last[lane];
+            ++seen;
+        } else {
+            side = -1;
         }
+        wrong += side != reference_side(geometry, i);
     }
-    wrong += slot + geometry->piece_count != geometry->triangle_count;
+    wrong += seen + geometry->piece_count != geometry->triangle_count;
     CHECK(wrong == 0, "scene %d: %d triangles differ", number, wrong);
 }
 
@@ -162,7 +168,7 @@ static int same_owner(const burnish_visibility *fast, const burnish_geometry *ge
         return triangle == BURNISH_NO_TRIANGLE && is_none &&
                (samples == 1 || fast->owners[at] == -1);
     }
-    const burnish_corners corners = burnish_geometry_corners(geometry, triangle);
+    const burnish_corners corners = reference_corners(geometry, triangle);
     return samples == 1 ? (uint32_t)fast->owners[at] == corners.source
                         : same_corners(&fast->triangles[fast->owners[at]].corners, &corners);
 }
@@ -340,7 +346,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
     }
     burnish_bins_begin(&bins);
     do {
-        burnish_bin_tiles(&bins, &geometry, &view, NULL, NULL);
+        burnish_bin_tiles(&bins, tier, &geometry, &view, NULL, NULL);
         for (int row = bins.first_row; row < bins.end_row; ++row) {
             for (int column = 0; column < bins.columns; ++column) {
                 int drawn = reference_draw_tile(&tile, &view, &geometry, &bins, column, row);
@@ -392,7 +398,7 @@ static void check_forgetting(void) {
                             NULL, NULL);
     burnish_attributes_update(&attributes, &geometry, normals, NULL, indices, NULL, NULL);
     burnish_bins_begin(&bins);
-    burnish_bin_tiles(&bins, &geometry, &view, NULL, NULL);
+    burnish_bin_tiles(&bins, tier, &geometry, &view, NULL, NULL);
     reference_tile_create(&tile, SAMPLES, NULL);
     burnish_visibility_create(&fast, &options, NULL);
     fast.attributes[0] = attributes.normals;

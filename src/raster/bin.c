@@ -2,40 +2,23 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "raster/raster.h"
+#include "raster/tier.h"
 
 /* Entries that a band of several tile rows may hold: 128 MiB. One row alone may need more. */
-#define ENTRY_BUDGET ((size_t)1 << 25)
+#define ENTRY_BUDGET ((size_t)1 << 24)
 
 /* Slices a thread: so many that the last of them to finish is not waited for long. */
-enum { SLICES_A_THREAD = 4 };
+enum { SLICES_A_THREAD = 4, LEAST_BLOCKS = 8 };
 
-/* log2 of coarse blocks along a tile's edge. */
-enum { BLOCK_BITS = 3 };
-_Static_assert(BURNISH_COARSE_BLOCK << BLOCK_BITS == BURNISH_TILE_SIZE, "blocks fill a tile");
-
-/* A run of slots in use. */
-typedef struct slot_run {
-    const burnish_setup_triangle *triangles;
-    size_t first, count;
-} slot_run;
-
-/* Runs are the chunks, then the pieces. */
-static slot_run run_at(const burnish_geometry *geometry, size_t i) {
-    size_t first = i < geometry->chunk_count ? i * BURNISH_CHUNK : geometry->whole_slots;
-    size_t count = i < geometry->chunk_count ? geometry->chunk_counts[i] : geometry->piece_count;
-    return (slot_run){geometry->triangles + first, first, count};
-}
-
-/* Entries that each tile row needs, for the rows from first_row on. */
+/* Entries that each tile row needs at most, for the rows from first_row on. */
 static void count_rows(const burnish_geometry *geometry, int first_row, size_t *row_entries) {
-    for (size_t i = 0; i <= geometry->chunk_count; ++i) {
-        const slot_run run = run_at(geometry, i);
-        for (size_t k = 0; k < run.count; ++k) {
-            const uint16_t *b = run.triangles[k].blocks;
-            const int row0 = b[1] >> BLOCK_BITS, row1 = b[3] >> BLOCK_BITS;
-            for (int row = row0 < first_row ? first_row : row0; row <= row1; ++row) {
-                row_entries[row] += (size_t)((b[2] >> BLOCK_BITS) - (b[0] >> BLOCK_BITS) + 1);
+    for (size_t i = 0; i < geometry->block_count; ++i) {
+        const burnish_setup_head *head = &geometry->heads[i];
+        for (unsigned rest = head->lanes[0] | head->lanes[1]; rest; rest &= rest - 1) {
+            const burnish_tile_box box =
+                burnish_tile_box_of(&geometry->blocks[i], (unsigned)__builtin_ctz(rest));
+            for (int row = box.row0 < first_row ? first_row : box.row0; row <= box.row1; ++row) {
+                row_entries[row] += (size_t)(box.column1 - box.column0 + 1);
             }
         }
     }
@@ -53,16 +36,20 @@ static int choose_end_row(const burnish_bins *bins, const burnish_geometry *geom
     return row;
 }
 
-/* Starts another piece of a chain, whose last one is full. */
-static burnish_status start_piece(burnish_bin_slice *slice, burnish_list_chain *chain) {
+/* Makes room for the entries of a piece and those before it. */
+static burnish_status reserve_entries(burnish_bin_slice *slice, size_t piece) {
+    return burnish_grow((void **)&slice->entries, &slice->entry_capacity,
+                        (piece + 1) * BURNISH_LIST_PIECE, sizeof *slice->entries, "tile lists",
+                        &slice->error);
+}
+
+burnish_status burnish_list_start_piece(burnish_bin_slice *slice, burnish_list_chain *chain) {
     const size_t piece = ++slice->piece_count;
     if (piece >= UINT32_MAX / BURNISH_LIST_PIECE) {
         return burnish_fail(&slice->error, BURNISH_STATUS_LIMIT,
                             "tile lists: more than 2^32 entries; draw a part of the mesh");
     }
-    burnish_status status = burnish_grow((void **)&slice->entries, &slice->entry_capacity,
-                                         (piece + 1) * BURNISH_LIST_PIECE, sizeof *slice->entries,
-                                         "tile lists", &slice->error);
+    burnish_status status = reserve_entries(slice, piece);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_grow((void **)&slice->links, &slice->link_capacity, piece + 1,
                               sizeof *slice->links, "tile lists", &slice->error);
@@ -78,76 +65,32 @@ static burnish_status start_piece(burnish_bin_slice *slice, burnish_list_chain *
     return status;
 }
 
-/* An entry at the end of a chain; 0 when there is no room. */
-static inline int add_entry(burnish_bin_slice *slice, burnish_list_chain *chain, size_t slot) {
-    uint32_t next = chain->next;
-    if (next % BURNISH_LIST_PIECE == 0) { /* full, or not begun */
-        slice->status = start_piece(slice, chain);
-        if (slice->status != BURNISH_STATUS_OK) {
-            return 0;
-        }
-        next = chain->next;
-    }
-    slice->entries[next] = (uint32_t)slot;
-    chain->next = next + 1;
-    return 1;
-}
-
-/* Slots of a run into the lists of all tiles of the band that their triangles touch. Stops early
- * where that is more pieces than the limit. */
-static void add_run(const burnish_bins *bins, burnish_bin_slice *slice, slot_run run,
-                    size_t limit) {
-    burnish_list_chain *const all = slice->chains;
-    const size_t columns = (size_t)bins->columns;
-    const int first_row = bins->first_row, row_count = bins->end_row - first_row;
-    for (size_t i = 0; i < run.count && slice->piece_count <= limit; ++i) {
-        const burnish_setup_triangle *triangle = &run.triangles[i];
-        const uint16_t *b = triangle->blocks;
-        const int column0 = b[0] >> BLOCK_BITS, column1 = b[2] >> BLOCK_BITS;
-        int row0 = (b[1] >> BLOCK_BITS) - first_row, row1 = (b[3] >> BLOCK_BITS) - first_row;
-        burnish_list_chain *lists = all + (triangle->source & 1);
-        row0 = row0 < 0 ? 0 : row0;
-        row1 = row1 >= row_count ? row_count - 1 : row1;
-        if (row0 == row1 && column0 == column1) { /* most are in one tile */
-            const size_t tile = (size_t)row0 * columns + (size_t)column0;
-            if (!add_entry(slice, &lists[2 * tile], run.first + i)) {
-                return;
-            }
-            continue;
-        }
-        for (int row = row0; row <= row1; ++row) {
-            for (int column = column0; column <= column1; ++column) {
-                const size_t tile = (size_t)row * columns + (size_t)column;
-                if (!add_entry(slice, &lists[2 * tile], run.first + i)) {
-                    return;
-                }
-            }
-        }
-    }
-}
-
-/* Fills the lists of a slice of the runs. Stops early where that is more than the limit. */
-static void fill_slice(const burnish_bins *bins, const burnish_geometry *geometry, size_t number,
-                       size_t limit) {
+/* Fills the lists of a slice of the blocks. Stops early where that is more pieces than the limit.
+ */
+static void fill_slice(const burnish_bins *bins, const burnish_raster_tier *tier,
+                       const burnish_geometry *geometry, size_t number, size_t limit) {
     burnish_bin_slice *slice = &bins->slices[number];
-    const size_t runs = geometry->chunk_count + 1;
     const size_t lists = 2 * (size_t)bins->columns * (size_t)(bins->end_row - bins->first_row);
     slice->piece_count = 0;
     slice->status = burnish_renew((void **)&slice->chains, &slice->chain_capacity, lists,
                                   sizeof *slice->chains, "tile lists", &slice->error);
-    if (slice->status == BURNISH_STATUS_OK) {
-        memset(slice->chains, 0, lists * sizeof *slice->chains);
+    if (slice->status != BURNISH_STATUS_OK) {
+        return;
     }
-    const size_t end = runs * (number + 1) / bins->slice_count;
-    size_t i = runs * number / bins->slice_count;
-    for (; i < end && slice->status == BURNISH_STATUS_OK && slice->piece_count <= limit; ++i) {
-        add_run(bins, slice, run_at(geometry, i), limit);
+    memset(slice->chains, 0, lists * sizeof *slice->chains);
+    slice->status = reserve_entries(slice, 0);
+    if (slice->status != BURNISH_STATUS_OK) {
+        return;
     }
+    const size_t end = geometry->block_count * (number + 1) / bins->slice_count;
+    tier->list(bins, slice, geometry, geometry->block_count * number / bins->slice_count, end,
+               limit);
 }
 
 /* What the tasks of a band share. */
 typedef struct fill_context {
     const burnish_bins *bins;
+    const burnish_raster_tier *tier;
     const burnish_geometry *geometry;
     size_t limit; /* pieces a slice */
 } fill_context;
@@ -155,13 +98,14 @@ typedef struct fill_context {
 static void fill_task(void *of, size_t index, int thread) {
     const fill_context *context = of;
     (void)thread;
-    fill_slice(context->bins, context->geometry, index, context->limit);
+    fill_slice(context->bins, context->tier, context->geometry, index, context->limit);
 }
 
 /* Fills the band; *fits becomes 0 where the slices had to stop. */
-static burnish_status fill(burnish_bins *bins, const burnish_geometry *geometry, size_t limit,
-                           burnish_pool *pool, int *fits, burnish_error *error) {
-    fill_context context = {bins, geometry, limit / bins->slice_count};
+static burnish_status fill(burnish_bins *bins, const burnish_raster_tier *tier,
+                           const burnish_geometry *geometry, size_t limit, burnish_pool *pool,
+                           int *fits, burnish_error *error) {
+    fill_context context = {bins, tier, geometry, limit / bins->slice_count};
     burnish_pool_run(pool, bins->slice_count, 1, 0, fill_task, &context);
     *fits = 1;
     for (size_t i = 0; i < bins->slice_count; ++i) {
@@ -185,7 +129,8 @@ void burnish_bins_begin(burnish_bins *bins) {
 static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *geometry, int threads,
                                   burnish_error *error) {
     size_t wanted = threads > 1 ? SLICES_A_THREAD * (size_t)threads : 1;
-    wanted = wanted > geometry->chunk_count + 1 ? geometry->chunk_count + 1 : wanted;
+    const size_t most = geometry->block_count / LEAST_BLOCKS + 1;
+    wanted = wanted > most ? most : wanted;
     const size_t before = bins->slice_capacity;
     bins->slice_count = wanted;
     burnish_status status = burnish_grow((void **)&bins->slices, &bins->slice_capacity, wanted,
@@ -196,9 +141,9 @@ static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *ge
     return status;
 }
 
-burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,
-                                 const burnish_raster_view *view, burnish_pool *pool,
-                                 burnish_error *error) {
+burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_raster_tier *tier,
+                                 const burnish_geometry *geometry, const burnish_raster_view *view,
+                                 burnish_pool *pool, burnish_error *error) {
     bins->columns = (view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->rows = (view->height + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->first_row = bins->end_row;
@@ -209,10 +154,11 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geo
     /* all rows that are left, if they fit; then as many as do for certain */
     int fits;
     bins->end_row = bins->rows;
-    status = fill(bins, geometry, bins->entry_budget / BURNISH_LIST_PIECE, pool, &fits, error);
+    status =
+        fill(bins, tier, geometry, bins->entry_budget / BURNISH_LIST_PIECE, pool, &fits, error);
     if (status == BURNISH_STATUS_OK && !fits) {
         bins->end_row = choose_end_row(bins, geometry);
-        status = fill(bins, geometry, SIZE_MAX, pool, &fits, error);
+        status = fill(bins, tier, geometry, SIZE_MAX, pool, &fits, error);
     }
     return status;
 }
@@ -224,7 +170,8 @@ burnish_list_reader burnish_list_begin(const burnish_bins *bins, int column, int
     return reader;
 }
 
-size_t burnish_list_read(burnish_list_reader *reader, uint32_t *entries, size_t capacity) {
+size_t burnish_list_read(burnish_list_reader *reader, burnish_list_entry *entries,
+                         size_t capacity) {
     size_t count = 0;
     while (reader->slice < reader->bins->slice_count) {
         const burnish_bin_slice *slice = &reader->bins->slices[reader->slice];

@@ -11,6 +11,12 @@ typedef struct clipped_piece {
     burnish_corners corners;
 } clipped_piece;
 
+static void put_lane(burnish_setup_block *block, size_t lane, burnish_setup_triangle triangle) {
+    block->nearest[lane] = triangle.nearest;
+    block->first[lane] = triangle.first;
+    block->last[lane] = triangle.last;
+}
+
 /* A vertex that clipping made, on the screen and in the mesh. */
 typedef struct clipped_vertex {
     burnish_screen_vertex at;
@@ -61,6 +67,7 @@ typedef struct chunk_context {
     const burnish_raster_tier *tier;
     const burnish_raster_view *view;
     const float *positions;
+    size_t triangle_count; /* of the mesh */
     struct chunk_output *chunks;
 } chunk_context;
 
@@ -93,7 +100,7 @@ static void pixel_range(int64_t low, int64_t high, int samples, int64_t *first, 
 
 /* Finds the side that is seen and the coarse blocks; returns 0 when it can't cover a sample. */
 static int set_up(const burnish_raster_view *view, const burnish_screen_vertex v[3],
-                  uint32_t source, burnish_setup_triangle *triangle) {
+                  burnish_setup_triangle *triangle, unsigned *back) {
     int64_t area = (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
                    (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
     if (area == 0) {
@@ -113,11 +120,9 @@ static int set_up(const burnish_raster_view *view, const burnish_screen_vertex v
     }
     float nearest = v[0].depth > v[1].depth ? v[0].depth : v[1].depth;
     triangle->nearest = nearest > v[2].depth ? nearest : v[2].depth;
-    triangle->source = source * 2 + (area > 0);
-    triangle->blocks[0] = (uint16_t)(x0 / BURNISH_COARSE_BLOCK);
-    triangle->blocks[1] = (uint16_t)(y0 / BURNISH_COARSE_BLOCK);
-    triangle->blocks[2] = (uint16_t)(x1 / BURNISH_COARSE_BLOCK);
-    triangle->blocks[3] = (uint16_t)(y1 / BURNISH_COARSE_BLOCK);
+    triangle->first = (uint32_t)(x0 / BURNISH_COARSE_BLOCK | y0 / BURNISH_COARSE_BLOCK << 16);
+    triangle->last = (uint32_t)(x1 / BURNISH_COARSE_BLOCK | y1 / BURNISH_COARSE_BLOCK << 16);
+    *back = area > 0;
     return 1;
 }
 
@@ -165,23 +170,24 @@ static burnish_status append_clipped(const chunk_context *context, uint32_t sour
         const uint32_t base = (uint32_t)(context->geometry->vertices.mesh_count + first),
                        a = base + i;
         const burnish_screen_vertex v[3] = {made[0].at, made[i].at, made[i + 1].at};
-        clipped_piece piece = {{0}, {{0}, 0}};
-        if (set_up(context->view, v, source, &piece.triangle)) {
-            const uint32_t back = piece.triangle.source & 1;
-            piece.corners =
-                (burnish_corners){{base, a + 1 - back, a + back}, piece.triangle.source};
+        clipped_piece piece;
+        unsigned back;
+        if (set_up(context->view, v, &piece.triangle, &back)) {
+            piece.corners = (burnish_corners){{base, a + 1 - back, a + back}, 2 * source + back};
             status = append_piece(output, &piece);
         }
     }
     return status;
 }
 
-/* A triangle that the tier leaves to us: clipped or large. Returns 1 in *kept when it is whole. */
+/* A triangle that the tier leaves to us: clipped or large. */
 static burnish_status set_up_other(const chunk_context *context, size_t triangle,
-                                   burnish_setup_triangle *made, int *kept, chunk_output *output) {
+                                   burnish_setup_block *block, burnish_setup_head *head,
+                                   chunk_output *output) {
+    const size_t lane = triangle % BURNISH_SETUP_BLOCK;
     burnish_screen_vertex v[3];
-    unsigned outcodes = 0;
-    *kept = 0;
+    burnish_setup_triangle made;
+    unsigned outcodes = 0, back;
     for (size_t i = 0; i < 3; ++i) {
         v[i] = context->geometry->vertices.items[context->geometry->indices[3 * triangle + i]];
         outcodes |= v[i].outcode;
@@ -189,31 +195,34 @@ static burnish_status set_up_other(const chunk_context *context, size_t triangle
     if (outcodes & BURNISH_OUT_CLIP) {
         return append_clipped(context, (uint32_t)triangle, output);
     }
-    *kept = set_up(context->view, v, (uint32_t)triangle, made);
+    if (set_up(context->view, v, &made, &back)) {
+        put_lane(block, lane, made);
+        head->lanes[back] |= (uint16_t)(1u << lane);
+        head->tile = BURNISH_NO_TILE; /* it hardly fits one */
+    }
     return BURNISH_STATUS_OK;
 }
 
-/* Sets up the mesh's triangles [first, end) into the slots from `first` on. */
+/* Sets up the mesh's triangles [first, end); a chunk begins with a block. */
 static burnish_status set_up_chunk(const chunk_context *context, size_t first, size_t end,
-                                   burnish_setup_triangle *slots, chunk_output *output) {
-    burnish_setup_triangle block[BURNISH_SETUP_BLOCK];
+                                   chunk_output *output) {
+    burnish_geometry *geometry = context->geometry;
     for (size_t at = first; at < end; at += BURNISH_SETUP_BLOCK) {
         const size_t count = end - at < BURNISH_SETUP_BLOCK ? end - at : BURNISH_SETUP_BLOCK;
-        unsigned others,
-            kept = context->tier->set_up(&context->geometry->vertices, context->view,
-                                         context->geometry->indices, at, count, block, &others);
-        for (unsigned i = 0; i < count; ++i) {
-            if (others >> i & 1) { /* hardly ever */
-                int whole;
-                burnish_status status = set_up_other(context, at + i, &block[i], &whole, output);
-                if (status != BURNISH_STATUS_OK) {
-                    return status;
-                }
-                kept |= (unsigned)whole << i;
+        burnish_setup_block *block = &geometry->blocks[at / BURNISH_SETUP_BLOCK];
+        burnish_setup_head *head = &geometry->heads[at / BURNISH_SETUP_BLOCK];
+        unsigned others;
+        context->tier->set_up(&geometry->vertices, context->view, geometry->indices, at, count,
+                              block, head, &others);
+        for (; others; others &= others - 1) { /* hardly ever */
+            burnish_status status =
+                set_up_other(context, at + (size_t)__builtin_ctz(others), block, head, output);
+            if (status != BURNISH_STATUS_OK) {
+                return status;
             }
-            slots[output->triangle_count] = block[i]; /* no more slots than triangles so far */
-            output->triangle_count += kept >> i & 1;
         }
+        output->triangle_count += (size_t)__builtin_popcount(
+            (unsigned)head->lanes[0] | (unsigned)head->lanes[1] << BURNISH_SETUP_BLOCK);
     }
     return BURNISH_STATUS_OK;
 }
@@ -236,13 +245,18 @@ static burnish_status grow_vertices(burnish_screen_vertices *vertices, size_t ex
     return status;
 }
 
-/* Appends the pieces of clipped triangles and their vertices in the order of the chunks. */
-static burnish_status join_pieces(burnish_geometry *geometry, const chunk_output *chunks,
-                                  size_t pieces, size_t clips, burnish_error *error) {
-    burnish_screen_vertices *vertices = &geometry->vertices;
-    burnish_status status = burnish_grow(
-        (void **)&geometry->triangles, &geometry->triangle_capacity, geometry->whole_slots + pieces,
-        sizeof *geometry->triangles, "triangles", error);
+/* Makes room for the pieces of clipped triangles and their vertices. */
+static burnish_status reserve_pieces(burnish_geometry *geometry, size_t pieces, size_t clips,
+                                     burnish_error *error) {
+    const size_t blocks = (pieces + BURNISH_SETUP_BLOCK - 1) / BURNISH_SETUP_BLOCK;
+    geometry->block_count = geometry->mesh_blocks + blocks;
+    burnish_status status =
+        burnish_grow((void **)&geometry->blocks, &geometry->block_capacity, geometry->block_count,
+                     sizeof *geometry->blocks, "triangles", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_grow((void **)&geometry->heads, &geometry->head_capacity,
+                              geometry->block_count, sizeof *geometry->heads, "triangles", error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renew((void **)&geometry->pieces, &geometry->piece_capacity, pieces,
                                sizeof *geometry->pieces, "clipped triangles", error);
@@ -251,14 +265,36 @@ static burnish_status join_pieces(burnish_geometry *geometry, const chunk_output
         status = burnish_renew((void **)&geometry->clip_vertices, &geometry->clip_capacity, clips,
                                sizeof *geometry->clip_vertices, "clipped vertices", error);
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = grow_vertices(vertices, clips, error);
+    return status == BURNISH_STATUS_OK ? grow_vertices(&geometry->vertices, clips, error) : status;
+}
+
+static void add_piece(burnish_geometry *geometry, const clipped_piece *piece, size_t clip_base) {
+    const size_t number = geometry->piece_count++, lane = number % BURNISH_SETUP_BLOCK;
+    const size_t block = geometry->mesh_blocks + number / BURNISH_SETUP_BLOCK;
+    burnish_setup_head *head = &geometry->heads[block];
+    burnish_corners *corners = &geometry->pieces[number];
+    *corners = piece->corners;
+    for (int i = 0; i < 3; ++i) {
+        corners->vertices[i] += (uint32_t)clip_base;
     }
+    if (lane == 0) {
+        *head = (burnish_setup_head){{0, 0}, BURNISH_NO_TILE};
+    }
+    put_lane(&geometry->blocks[block], lane, piece->triangle);
+    head->lanes[corners->source & 1] |= (uint16_t)(1u << lane);
+}
+
+/* Appends the pieces of clipped triangles and their vertices in the order of the chunks. */
+static burnish_status join_pieces(burnish_geometry *geometry, const chunk_output *chunks,
+                                  size_t chunk_count, size_t pieces, size_t clips,
+                                  burnish_error *error) {
+    burnish_screen_vertices *vertices = &geometry->vertices;
+    burnish_status status = reserve_pieces(geometry, pieces, clips, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     size_t clip_base = 0;
-    for (size_t i = 0; i < geometry->chunk_count; ++i) {
+    for (size_t i = 0; i < chunk_count; ++i) {
         const chunk_output *chunk = &chunks[i];
         for (size_t j = 0; j < chunk->clip_count; ++j) {
             const size_t place = clip_base + j, vertex = vertices->mesh_count + place;
@@ -267,13 +303,7 @@ static burnish_status join_pieces(burnish_geometry *geometry, const chunk_output
             vertices->inverse_w[vertex] = chunk->clips[j].inverse_w;
         }
         for (size_t j = 0; j < chunk->piece_count; ++j) {
-            burnish_corners corners = chunk->pieces[j].corners;
-            for (int k = 0; k < 3; ++k) {
-                corners.vertices[k] += (uint32_t)clip_base;
-            }
-            geometry->triangles[geometry->whole_slots + geometry->piece_count] =
-                chunk->pieces[j].triangle;
-            geometry->pieces[geometry->piece_count++] = corners;
+            add_piece(geometry, &chunk->pieces[j], clip_base);
         }
         clip_base += chunk->clip_count;
     }
@@ -282,29 +312,29 @@ static burnish_status join_pieces(burnish_geometry *geometry, const chunk_output
 }
 
 static burnish_status join_chunks(burnish_geometry *geometry, const chunk_output *chunks,
-                                  burnish_error *error) {
+                                  size_t chunk_count, burnish_error *error) {
     size_t pieces = 0, clips = 0;
-    for (size_t i = 0; i < geometry->chunk_count; ++i) {
+    for (size_t i = 0; i < chunk_count; ++i) {
         if (chunks[i].status != BURNISH_STATUS_OK) {
             if (error) {
                 *error = chunks[i].error;
             }
             return chunks[i].status;
         }
-        geometry->chunk_counts[i] = (uint32_t)chunks[i].triangle_count;
         geometry->triangle_count += chunks[i].triangle_count;
         pieces += chunks[i].piece_count;
         clips += chunks[i].clip_count;
     }
-    return clips > 0 ? join_pieces(geometry, chunks, pieces, clips, error) : BURNISH_STATUS_OK;
+    return clips > 0 ? join_pieces(geometry, chunks, chunk_count, pieces, clips, error)
+                     : BURNISH_STATUS_OK;
 }
 
 static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
                                size_t triangle_count, burnish_error *error) {
     burnish_screen_vertices *vertices = &geometry->vertices;
     vertices->mesh_count = vertices->count = vertex_count;
-    geometry->whole_slots = triangle_count;
-    geometry->chunk_count = (triangle_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK;
+    geometry->mesh_blocks = (triangle_count + BURNISH_SETUP_BLOCK - 1) / BURNISH_SETUP_BLOCK;
+    geometry->block_count = geometry->mesh_blocks;
     geometry->piece_count = geometry->triangle_count = 0;
     burnish_status status =
         burnish_renew((void **)&vertices->items, &vertices->item_capacity, vertex_count,
@@ -314,38 +344,34 @@ static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
                                vertex_count, sizeof *vertices->inverse_w, "screen vertices", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_renew((void **)&geometry->triangles, &geometry->triangle_capacity,
-                               triangle_count, sizeof *geometry->triangles, "triangles", error);
+        status = burnish_renew((void **)&geometry->blocks, &geometry->block_capacity,
+                               geometry->mesh_blocks, sizeof *geometry->blocks, "triangles", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_renew((void **)&geometry->chunk_counts, &geometry->chunk_capacity,
-                               geometry->chunk_count, sizeof *geometry->chunk_counts,
-                               "triangle chunks", error);
+        status = burnish_renew((void **)&geometry->heads, &geometry->head_capacity,
+                               geometry->mesh_blocks, sizeof *geometry->heads, "triangles", error);
     }
     return status;
 }
 
 static void set_up_task(void *of, size_t index, int thread) {
     const chunk_context *context = of;
-    burnish_geometry *geometry = context->geometry;
-    const size_t first = index * BURNISH_CHUNK, rest = geometry->whole_slots - first;
+    const size_t first = index * BURNISH_CHUNK, rest = context->triangle_count - first;
     chunk_output *output = &context->chunks[index];
     (void)thread;
     output->status =
-        set_up_chunk(context, first, first + (rest < BURNISH_CHUNK ? rest : BURNISH_CHUNK),
-                     geometry->triangles + first, output);
+        set_up_chunk(context, first, first + (rest < BURNISH_CHUNK ? rest : BURNISH_CHUNK), output);
 }
 
 static burnish_status set_up_all(chunk_context *context, burnish_pool *pool, burnish_error *error) {
-    burnish_geometry *geometry = context->geometry;
-    const size_t count = geometry->chunk_count;
+    const size_t count = (context->triangle_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK;
     chunk_output *chunks = calloc(count ? count : 1, sizeof *chunks);
     if (!chunks) {
         return burnish_fail_memory(error, "triangle chunks", count * sizeof *chunks);
     }
     context->chunks = chunks;
     burnish_pool_run(pool, count, 1, 0, set_up_task, context);
-    burnish_status status = join_chunks(geometry, chunks, error);
+    burnish_status status = join_chunks(context->geometry, chunks, count, error);
     for (size_t i = 0; i < count; ++i) {
         free(chunks[i].pieces);
         free(chunks[i].clips);
@@ -361,7 +387,7 @@ burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish
                                        burnish_error *error) {
     burnish_status status = allocate(geometry, vertex_count, triangle_count, error);
     if (status == BURNISH_STATUS_OK) {
-        chunk_context context = {geometry, tier, view, positions, NULL};
+        chunk_context context = {geometry, tier, view, positions, triangle_count, NULL};
         geometry->indices = indices;
         burnish_pool_run(pool, (vertex_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 0,
                          transform_chunk, &context);
@@ -374,8 +400,8 @@ void burnish_geometry_destroy(burnish_geometry *geometry) {
     free(geometry->vertices.items);
     free(geometry->vertices.inverse_w);
     free(geometry->clip_vertices);
-    free(geometry->triangles);
+    free(geometry->blocks);
+    free(geometry->heads);
     free(geometry->pieces);
-    free(geometry->chunk_counts);
     memset(geometry, 0, sizeof *geometry);
 }

@@ -6,6 +6,8 @@
 #include "kernels/vector.h"
 #include "raster/tier.h"
 
+enum { ALL_LANES = (int)((1ull << LANES) - 1) };
+
 /* x below or above any of the view's sides, as burnish_outcode has it. */
 BURNISH_INLINE vi find_outcodes(const burnish_raster_view *view, const vf clip[4]) {
     const vi none = vi_set(0);
@@ -116,21 +118,27 @@ BURNISH_INLINE void find_pixels(int samples, const vi at[3], int size, vi *first
     *last = vi_min(high, vi_set(size - 1));
 }
 
-/* Set-up of LANES triangles, the first of which is `first`; vertices[i] are pointers to corner i.
- * Bits of those that may be seen; *others as in burnish_set_up_function. */
-BURNISH_INLINE unsigned set_up_vector(const burnish_raster_view *view, size_t first,
-                                      const void *vertices[3][LANES],
-                                      burnish_setup_triangle *triangles, unsigned *others) {
+/* Triangles of a block: bits. */
+typedef struct setup_bits {
+    unsigned kept, back; /* may be seen; are seen from their back */
+    unsigned others;     /* as in burnish_set_up_function */
+} setup_bits;
+
+/* Set-up of LANES triangles, whose items in the block begin at `at`; vertices[i] are pointers to
+ * corner i. */
+BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
+                                        const void *vertices[3][LANES], burnish_setup_block *block,
+                                        size_t at) {
     vi x[3], y[3], all = vi_set(-1), any = vi_set(0), longest = vi_set(0);
     vf depth[3];
     for (int i = 0; i < 3; ++i) {
-        vf at[4];
-        vf_load_records(vertices[i], at);
-        x[i] = vf_bits(at[0]);
-        y[i] = vf_bits(at[1]);
-        depth[i] = at[2];
-        all = vi_and(all, vf_bits(at[3]));
-        any = vi_or(any, vf_bits(at[3]));
+        vf vertex[4];
+        vf_load_records(vertices[i], vertex);
+        x[i] = vf_bits(vertex[0]);
+        y[i] = vf_bits(vertex[1]);
+        depth[i] = vertex[2];
+        all = vi_and(all, vf_bits(vertex[3]));
+        any = vi_or(any, vf_bits(vertex[3]));
     }
     vi dx1 = vi_sub(x[1], x[0]), dy1 = vi_sub(y[1], y[0]);
     vi dx2 = vi_sub(x[2], x[0]), dy2 = vi_sub(y[2], y[0]);
@@ -145,36 +153,66 @@ BURNISH_INLINE unsigned set_up_vector(const burnish_raster_view *view, size_t fi
     unsigned cut = bits_of_nonzero(vi_and(any, vi_set(BURNISH_OUT_CLIP)));
     unsigned large = ~vm_bits(vi_not_negative(vi_sub(vi_set(BURNISH_SMALL_EDGE), longest)));
     unsigned touches = vm_bits(vi_not_negative(vi_or(vi_sub(x1, x0), vi_sub(y1, y0))));
-    *others = ~out & (cut | large);
-    vi back = vi_right(vi_sub(vi_set(0), area), 31); /* 1 where the area is positive */
-    vi number = vi_add(vi_set((int32_t)(uint32_t)first), vi_ramp(1));
-    vi source = vi_or(vi_left(number, 1), back);
-    vi low = vi_or(vi_right(x0, 3), vi_left(vi_right(y0, 3), 16));
-    vi high = vi_or(vi_right(x1, 3), vi_left(vi_right(y1, 3), 16));
-    vf_store_records(triangles, vi_float(source), vf_max(vf_max(depth[0], depth[1]), depth[2]),
-                     vi_float(low), vi_float(high));
-    return ~(out | cut | large) & touches & bits_of_nonzero(area);
+    vf_store(block->nearest + at, vf_max(vf_max(depth[0], depth[1]), depth[2]));
+    vi_save((int32_t *)block->first + at, vi_or(vi_right(x0, 3), vi_left(vi_right(y0, 3), 16)));
+    vi_save((int32_t *)block->last + at, vi_or(vi_right(x1, 3), vi_left(vi_right(y1, 3), 16)));
+    setup_bits bits;
+    bits.others = ~out & (cut | large);
+    bits.kept = ~(out | cut | large) & touches & bits_of_nonzero(area);
+    bits.back = ~vm_bits(vi_not_negative(vi_sub(vi_set(0), area))); /* the area is positive */
+    return bits;
 }
 
-static unsigned set_up_triangles(const burnish_screen_vertices *vertices,
-                                 const burnish_raster_view *view, const uint32_t *indices,
-                                 size_t first, size_t count,
-                                 burnish_setup_triangle triangles[BURNISH_SETUP_BLOCK],
-                                 unsigned *others) {
+/* Triangles of a block whose bounds touch more than one tile. */
+BURNISH_INLINE unsigned find_apart(const burnish_setup_block *block, uint32_t outside) {
+    unsigned apart = 0;
+    for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
+        vi first = vi_load((const int32_t *)block->first + at);
+        vi last = vi_load((const int32_t *)block->last + at);
+        vi difference = vi_and(vi_xor(first, last), vi_set((int32_t)outside));
+        apart |= (bits_of_nonzero(difference) & ALL_LANES) << at;
+    }
+    return apart;
+}
+
+/* Triangles of a block whose bounds begin in another tile. */
+BURNISH_INLINE unsigned find_elsewhere(const burnish_setup_block *block, uint32_t outside,
+                                       uint32_t tile) {
+    const vi wanted = vi_set((int32_t)tile);
+    unsigned elsewhere = 0;
+    for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
+        vi first = vi_load((const int32_t *)block->first + at);
+        vi difference = vi_xor(vi_and(first, vi_set((int32_t)outside)), wanted);
+        elsewhere |= (bits_of_nonzero(difference) & ALL_LANES) << at;
+    }
+    return elsewhere;
+}
+
+static void set_up_triangles(const burnish_screen_vertices *vertices,
+                             const burnish_raster_view *view, const uint32_t *indices, size_t first,
+                             size_t count, burnish_setup_block *block, burnish_setup_head *head,
+                             unsigned *others) {
     const void *corners[3][LANES];
-    unsigned kept = 0;
-    *others = 0;
-    for (size_t at = 0; at < count; at += LANES) {
+    unsigned kept = 0, back = 0, more = 0;
+    for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
         for (size_t lane = 0; lane < LANES; ++lane) {
-            const size_t place = at + lane < count ? at + lane : at;
+            const size_t place = at + lane < count ? at + lane : 0;
             for (size_t i = 0; i < 3; ++i) {
                 corners[i][lane] = &vertices->items[indices[3 * (first + place) + i]];
             }
         }
-        const unsigned real = (unsigned)((1ull << (count - at < LANES ? count - at : LANES)) - 1);
-        unsigned more;
-        kept |= (set_up_vector(view, first + at, corners, triangles + at, &more) & real) << at;
-        *others |= (more & real) << at;
+        const setup_bits bits = set_up_vector(view, corners, block, at);
+        kept |= (bits.kept & ALL_LANES) << at;
+        back |= (bits.back & ALL_LANES) << at;
+        more |= (bits.others & ALL_LANES) << at;
     }
-    return kept;
+    const unsigned real = (1u << count) - 1;
+    kept &= real;
+    *others = more & real;
+    head->lanes[0] = (uint16_t)(kept & ~back);
+    head->lanes[1] = (uint16_t)(kept & back);
+    const uint32_t outside = ~((BURNISH_TILE_BLOCKS - 1) * 0x10001u); /* bits of a block's tile */
+    const uint32_t tile = kept ? block->first[__builtin_ctz(kept)] & outside : 0;
+    const unsigned others_there = find_apart(block, outside) | find_elsewhere(block, outside, tile);
+    head->tile = others_there & kept ? BURNISH_NO_TILE : tile / BURNISH_TILE_BLOCKS;
 }

@@ -89,42 +89,57 @@ typedef struct burnish_corners {
     uint32_t source;      /* the mesh's triangle * 2, + 1 when seen from its back */
 } burnish_corners;
 
-/* One triangle that may be visible: 16 bytes, stored as one vector. */
+enum {
+    BURNISH_CHUNK = 4096,    /* triangles or vertices of the mesh that one task handles */
+    BURNISH_SETUP_BLOCK = 16 /* triangles that are set up, and listed, at once */
+};
+
+/* What is known of a triangle before it is drawn. */
 typedef struct burnish_setup_triangle {
-    uint32_t source;    /* as in burnish_corners */
-    float nearest;      /* depth of its nearest vertex */
-    uint16_t blocks[4]; /* x0, y0, x1, y1 (inclusive): the coarse blocks that its bounds touch */
+    float nearest; /* depth of its nearest vertex */
+    /* the coarse blocks that its bounds touch, from one to the other: x, and y in the upper half */
+    uint32_t first, last;
 } burnish_setup_triangle;
 
-enum { BURNISH_CHUNK = 4096 }; /* triangles or vertices of the mesh that one task handles */
+/* Neighbouring triangles, an item each. Only those that may be seen have been set up. */
+typedef struct burnish_setup_block {
+    float nearest[BURNISH_SETUP_BLOCK];
+    uint32_t first[BURNISH_SETUP_BLOCK], last[BURNISH_SETUP_BLOCK];
+} burnish_setup_block;
+
+/* Which triangles of a block may be seen. */
+typedef struct burnish_setup_head {
+    uint16_t lanes[2]; /* bits: those seen from their front, from their back */
+    uint32_t tile;     /* that holds all of them: x, and y in the upper half; or BURNISH_NO_TILE */
+} burnish_setup_head;
+#define BURNISH_NO_TILE UINT32_MAX
 
 /* A frame's geometry; every array but the indices is owned. All zero before the first frame; a
- * later frame uses the arrays again. Triangle i of the mesh's c-th chunk has a slot in the chunk's
- * part of `triangles`, so that threads need not wait for one another; those that may be seen come
- * first there. The pieces of clipped triangles follow all chunks. */
+ * later frame uses the arrays again. A triangle's slot is its number in the mesh; pieces of clipped
+ * triangles have the slots behind those of the mesh's last block. */
 typedef struct burnish_geometry {
     burnish_screen_vertices vertices;
     burnish_clip_vertex *clip_vertices; /* vertices.count - vertices.mesh_count of them */
-    burnish_setup_triangle *triangles;  /* slots: whole_slots, then piece_count */
+    burnish_setup_block *blocks;        /* the mesh's, then those of the pieces */
+    burnish_setup_head *heads;          /* one a block */
     burnish_corners *pieces;            /* piece_count */
-    uint32_t *chunk_counts;             /* slots in use, a chunk each */
     const uint32_t *indices;            /* the mesh's */
-    size_t whole_slots, piece_count, chunk_count;
-    size_t triangle_count; /* slots in use */
-    size_t triangle_capacity, piece_capacity, clip_capacity, chunk_capacity;
+    size_t mesh_blocks, piece_count;
+    size_t block_count;    /* with those of the pieces */
+    size_t triangle_count; /* that may be seen */
+    size_t block_capacity, head_capacity, piece_capacity, clip_capacity;
 } burnish_geometry;
 
-/* The corners of the triangle in a slot. A front face's winding turns round on the screen, where y
- * points down. */
+/* The corners of the triangle in a slot, which is seen from its back or not. A front face's winding
+ * turns round on the screen, where y points down. */
 static inline burnish_corners burnish_geometry_corners(const burnish_geometry *geometry,
-                                                       size_t slot) {
-    if (slot >= geometry->whole_slots) {
-        return geometry->pieces[slot - geometry->whole_slots];
+                                                       size_t slot, unsigned back) {
+    const size_t mesh_slots = geometry->mesh_blocks * BURNISH_SETUP_BLOCK;
+    if (slot >= mesh_slots) {
+        return geometry->pieces[slot - mesh_slots];
     }
-    const uint32_t source = geometry->triangles[slot].source;
-    const uint32_t *v = geometry->indices + 3 * (size_t)(source >> 1);
-    const unsigned back = source & 1;
-    return (burnish_corners){{v[0], v[2 - back], v[1 + back]}, source};
+    const uint32_t *v = geometry->indices + 3 * slot;
+    return (burnish_corners){{v[0], v[2 - back], v[1 + back]}, (uint32_t)slot * 2 + back};
 }
 
 /* What is compiled for each instruction set; see the bodies. */
@@ -168,7 +183,13 @@ int burnish_clip_triangle(burnish_clip_corner *corners);
  * of those seen from their back. Where two triangles have the same depth, the first one drawn
  * stays. A list is a chain of fixed pieces, so that one look at each triangle fills all lists; each
  * slice of the triangles has its own chains, which follow one another. */
-enum { BURNISH_LIST_PIECE = 32 }; /* entries */
+enum { BURNISH_LIST_PIECE = 16 }; /* entries */
+
+/* Triangles of a block. */
+typedef struct burnish_list_entry {
+    uint32_t block;
+    uint32_t lanes; /* bits */
+} burnish_list_entry;
 
 /* Where a chain begins, and its next entry goes; 0: it is empty. Pieces count from 1. */
 typedef struct burnish_list_chain {
@@ -176,9 +197,9 @@ typedef struct burnish_list_chain {
 } burnish_list_chain;
 
 typedef struct burnish_bin_slice {
-    burnish_list_chain *chains; /* a list each */
-    uint32_t *entries; /* slots of triangles, ascending in a chain; a piece after another */
-    uint32_t *links;   /* the piece after each piece of a chain */
+    burnish_list_chain *chains;  /* a list each */
+    burnish_list_entry *entries; /* blocks ascending in a chain; a piece after another */
+    uint32_t *links;             /* the piece after each piece of a chain */
     size_t piece_count;
     size_t chain_capacity, entry_capacity, link_capacity;
     burnish_status status;
@@ -198,9 +219,9 @@ void burnish_bins_begin(burnish_bins *bins);
 
 /* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries under
  * the budget, at least one. The lists do not depend on the pool. */
-burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_geometry *geometry,
-                                 const burnish_raster_view *view, burnish_pool *pool,
-                                 burnish_error *error);
+burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_raster_tier *tier,
+                                 const burnish_geometry *geometry, const burnish_raster_view *view,
+                                 burnish_pool *pool, burnish_error *error);
 
 /* Reads a list in order. */
 typedef struct burnish_list_reader {
@@ -213,7 +234,7 @@ burnish_list_reader burnish_list_begin(const burnish_bins *bins, int column, int
 int burnish_list_is_empty(burnish_list_reader reader);
 
 /* Copies as many of the next entries as fit capacity >= BURNISH_LIST_PIECE; 0 at the end. */
-size_t burnish_list_read(burnish_list_reader *reader, uint32_t *entries, size_t capacity);
+size_t burnish_list_read(burnish_list_reader *reader, burnish_list_entry *entries, size_t capacity);
 void burnish_bins_destroy(burnish_bins *bins);
 
 /* Pixels of a tile lie in memory as blocks of 4 x 4, row of blocks after row of blocks, so that 4,

@@ -9,27 +9,29 @@ typedef void burnish_transform_function(burnish_screen_vertices *vertices,
                                         const burnish_raster_view *view, const float *positions,
                                         size_t first, size_t end);
 
-enum { BURNISH_SETUP_BLOCK = 16 }; /* triangles set up at once */
+/* Sets up the mesh's triangles [first, first + count), count <= BURNISH_SETUP_BLOCK. Where bit i of
+ * *others is set, triangle first + i must be clipped or is too large for 32-bit edge functions, and
+ * is up to the caller. */
+typedef void burnish_set_up_function(const burnish_screen_vertices *vertices,
+                                     const burnish_raster_view *view, const uint32_t *indices,
+                                     size_t first, size_t count, burnish_setup_block *block,
+                                     burnish_setup_head *head, unsigned *others);
 
-/* Sets up the mesh's triangles [first, first + count), count <= BURNISH_SETUP_BLOCK: item i of
- * triangles is triangle first + i where bit i of the result is set; where bit i of *others is set
- * the triangle must be clipped or is too large for 32-bit edge functions, and is up to the caller.
- */
-typedef unsigned burnish_set_up_function(const burnish_screen_vertices *vertices,
-                                         const burnish_raster_view *view, const uint32_t *indices,
-                                         size_t first, size_t count,
-                                         burnish_setup_triangle triangles[BURNISH_SETUP_BLOCK],
-                                         unsigned *others);
+/* Adds the triangles of the blocks [first, end) to a slice's lists. Stops early where that is more
+ * pieces than the limit, or with the slice's status set. */
+typedef void burnish_list_function(const burnish_bins *bins, burnish_bin_slice *slice,
+                                   const burnish_geometry *geometry, size_t first, size_t end,
+                                   size_t limit);
 
-/* Draws the triangles of a list into a tile, in the list's order. */
+/* Draws the triangles of some slots into a tile, in their order; all are seen from one side. */
 typedef void burnish_draw_function(burnish_visibility *visibility, const burnish_geometry *geometry,
-                                   const uint32_t *entries, size_t count);
+                                   const uint32_t *slots, size_t count, unsigned back);
 
 /* Leaves out of a list those triangles that are behind the coarse depth wherever they touch the
- * tile; returns how many are left. */
+ * tile; returns how many entries are left. */
 typedef size_t burnish_find_seen_function(const burnish_visibility *visibility,
-                                          const burnish_geometry *geometry, uint32_t *entries,
-                                          size_t count);
+                                          const burnish_geometry *geometry,
+                                          burnish_list_entry *entries, size_t count);
 
 /* The least depth of each coarse block of a tile. */
 typedef void burnish_find_least_function(burnish_visibility *visibility);
@@ -55,6 +57,7 @@ typedef void burnish_mark_function(const burnish_visibility *visibility, uint8_t
 struct burnish_raster_tier {
     burnish_transform_function *transform;
     burnish_set_up_function *set_up;
+    burnish_list_function *list;
     burnish_draw_function *draw;
     burnish_find_seen_function *find_seen;
     burnish_find_least_function *find_least;
@@ -79,6 +82,23 @@ enum { BURNISH_SMALL_EDGE = 96 * BURNISH_SUBPIXELS };
 
 /* No triangle is that far away. */
 #define BURNISH_FARTHEST -1e30f
+
+/* Tiles from one to the other, both inclusive. */
+typedef struct burnish_tile_box {
+    int column0, row0, column1, row1;
+} burnish_tile_box;
+
+/* The tiles that a triangle's bounds touch. */
+static inline burnish_tile_box burnish_tile_box_of(const burnish_setup_block *block,
+                                                   unsigned lane) {
+    const uint32_t first = block->first[lane], last = block->last[lane];
+    return (burnish_tile_box){
+        (int)((first & 0xffff) / BURNISH_TILE_BLOCKS), (int)((first >> 16) / BURNISH_TILE_BLOCKS),
+        (int)((last & 0xffff) / BURNISH_TILE_BLOCKS), (int)((last >> 16) / BURNISH_TILE_BLOCKS)};
+}
+
+/* Starts another piece of a chain, whose last one is full. */
+burnish_status burnish_list_start_piece(burnish_bin_slice *slice, burnish_list_chain *chain);
 
 /* Forgets the triangles that own no sample. */
 void burnish_visibility_compact(burnish_visibility *visibility);

@@ -1,11 +1,13 @@
 /* One tier: a defined BURNISH_VECTOR_... chooses the vector type, RASTER_TIER names the table. */
 #include "raster/geometry_body.h"
 /* needs the vector type and its helpers */
+#include "raster/bin_body.h"
 #include "raster/visibility_body.h"
 
 const burnish_raster_tier RASTER_TIER = {.transform = transform_vertices,
                                          .set_up = set_up_triangles,
-                                         .draw = draw_list,
+                                         .list = list_blocks,
+                                         .draw = draw_slots,
                                          .find_seen = find_seen,
                                          .find_least = find_least,
                                          .find_pixels = find_shown,

@@ -118,21 +118,32 @@ static void find_coarse(burnish_visibility *visibility, const burnish_raster_tie
 }
 
 enum {
-    LIST_PART = 1024, /* triangles read at once */
+    LIST_PART = 128, /* entries read at once */
     /* triangles drawn before the coarse depth is found again: as much work as a few of them */
     COARSE_AGE = 2048
 };
 
-/* Draws a list; returns how many triangles. Those that the coarse depth hides are left out, over
- * `drawn` others that have been drawn before. */
-static size_t draw_list(burnish_visibility *visibility, const burnish_raster_tier *tier,
-                        const burnish_geometry *geometry, burnish_list_reader reader,
-                        size_t before) {
-    uint32_t part[LIST_PART];
-    size_t age = before ? COARSE_AGE : 0, all = 0, count;
+/* The slots of some entries; returns how many. */
+static size_t find_slots(const burnish_list_entry *entries, size_t count, uint32_t *slots) {
+    size_t found = 0;
+    for (size_t i = 0; i < count; ++i) {
+        for (unsigned rest = entries[i].lanes; rest; rest &= rest - 1) {
+            slots[found++] = entries[i].block * BURNISH_SETUP_BLOCK + (uint32_t)__builtin_ctz(rest);
+        }
+    }
+    return found;
+}
+
+/* Draws a list. Those triangles that the coarse depth hides are left out; before any is drawn, if
+ * `is_behind` others. */
+static void draw_list(burnish_visibility *visibility, const burnish_raster_tier *tier,
+                      const burnish_geometry *geometry, burnish_list_reader reader, unsigned back,
+                      int is_behind) {
+    burnish_list_entry part[LIST_PART];
+    uint32_t slots[LIST_PART * BURNISH_SETUP_BLOCK];
+    size_t age = is_behind ? COARSE_AGE : 0, count;
     int is_coarse = 0;
     while ((count = burnish_list_read(&reader, part, LIST_PART)) > 0) {
-        all += count;
         if (age >= COARSE_AGE) {
             find_coarse(visibility, tier);
             is_coarse = 1;
@@ -141,10 +152,10 @@ static size_t draw_list(burnish_visibility *visibility, const burnish_raster_tie
         if (is_coarse) {
             count = tier->find_seen(visibility, geometry, part, count);
         }
-        tier->draw(visibility, geometry, part, count);
+        count = find_slots(part, count, slots);
+        tier->draw(visibility, geometry, slots, count, back);
         age += count;
     }
-    return all;
 }
 
 /* Vectors may have drawn beyond the image's right and lower edge. */
@@ -189,8 +200,8 @@ int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster
         memset(visibility->owners, 0xff, count * sizeof *visibility->owners);
     }
     memset(visibility->touched, 0, sizeof visibility->touched);
-    const size_t before = draw_list(visibility, tier, geometry, fronts, 0);
-    draw_list(visibility, tier, geometry, backs, before);
+    draw_list(visibility, tier, geometry, fronts, 0, 0);
+    draw_list(visibility, tier, geometry, backs, 1, !burnish_list_is_empty(fronts));
     if (visibility->width % BURNISH_BLOCK_SIZE || visibility->height % BURNISH_BLOCK_SIZE) {
         clear_outside(visibility);
     }

@@ -44,13 +44,14 @@ typedef struct setup_block {
                                          listed */
 } setup_block;
 
-/* Finds the corners of a part of a list, `count` <= LANES, and asks for what will be loaded of
- * them: lists are in the mesh's order, not in that of memory. */
+/* Finds the corners of some slots, `count` <= LANES, and asks for what will be loaded of them:
+ * lists are in the mesh's order, not in that of memory. */
 BURNISH_INLINE void find_corners(const burnish_visibility *tile, const burnish_geometry *geometry,
-                                 const uint32_t *entries, size_t count, corner_block *corners) {
+                                 const uint32_t *slots, size_t count, unsigned back,
+                                 corner_block *corners) {
     for (size_t lane = 0; lane < LANES && count > 0; ++lane) {
         const burnish_corners found =
-            burnish_geometry_corners(geometry, entries[lane < count ? lane : 0]);
+            burnish_geometry_corners(geometry, slots[lane < count ? lane : 0], back);
         corners->source[lane] = found.source;
         for (int i = 0; i < 3; ++i) {
             const size_t vertex = found.vertices[i];
@@ -758,21 +759,21 @@ static void draw_multiple(burnish_visibility *tile, setup_block *block) {
     }
 }
 
-static void draw_list(burnish_visibility *visibility, const burnish_geometry *geometry,
-                      const uint32_t *entries, size_t count) {
+static void draw_slots(burnish_visibility *visibility, const burnish_geometry *geometry,
+                       const uint32_t *slots, size_t count, unsigned back) {
     const burnish_visibility_options *options = &visibility->options;
     setup_block block;
     tiny_pixels pixels = {0};
     unit_list list;
     corner_block next;
-    find_corners(visibility, geometry, entries, count < LANES ? count : LANES, &next);
+    find_corners(visibility, geometry, slots, count < LANES ? count : LANES, back, &next);
     for (size_t first = 0; first < count; first += LANES) {
         const size_t lanes = count - first < LANES ? count - first : LANES;
         const size_t after = first + lanes, ahead = count - after < LANES ? count - after : LANES;
         vi x[3], y[3];
         vf depth[3];
         block.corners = next;
-        find_corners(visibility, geometry, entries + after, ahead, &next);
+        find_corners(visibility, geometry, slots + after, ahead, back, &next);
         load_block(visibility, geometry, &block, x, y, depth);
         set_up_block(visibility, lanes, x, y, depth, &block);
         if (options->samples > 1) {
@@ -800,57 +801,55 @@ static int is_hidden(const burnish_visibility *tile, float nearest, int x0, int 
     return nearest > 0.0f;
 }
 
-/* LANES triangles: bits of those that may be seen. All but large ones touch at most 2 x 2 coarse
- * blocks. */
+/* LANES triangles of a block, from item `at` on: bits of those that may be seen. All but large ones
+ * touch at most 2 x 2 coarse blocks. */
 BURNISH_INLINE unsigned find_seen_vector(const burnish_visibility *tile,
-                                         const void *triangles[LANES]) {
+                                         const burnish_setup_block *block, size_t at,
+                                         unsigned lanes) {
     const vi last = vi_set(BURNISH_TILE_BLOCKS - 1), zero = vi_set(0), low = vi_set(0xffff);
     const vi left = vi_set(tile->x / BURNISH_COARSE_BLOCK);
     const vi top = vi_set(tile->y / BURNISH_COARSE_BLOCK);
-    vf records[4];
-    vf_load_records(triangles, records);
-    const vi first = vf_bits(records[2]), end = vf_bits(records[3]);
+    const vi first = vi_load((const int32_t *)block->first + at);
+    const vi end = vi_load((const int32_t *)block->last + at);
     vi x0 = vi_max(vi_sub(vi_and(first, low), left), zero);
     vi y0 = vi_max(vi_sub(vi_right(first, 16), top), zero);
     vi x1 = vi_min(vi_sub(vi_and(end, low), left), last);
     vi y1 = vi_min(vi_sub(vi_right(end, 16), top), last);
-    vi place = vi_or(vi_left(y0, 3), x0);
+    /* places of triangles that are not asked for may be anywhere */
+    vi place = vi_and(vi_or(vi_left(y0, 3), x0), vi_set(63));
     vf coarse = vi_float(vi_gather((const int32_t *)(const void *)tile->coarse[1], place));
-    vf nearest = vf_mul(records[1], vf_set(1.00001f));
+    vf nearest = vf_mul(vf_load(block->nearest + at), vf_set(1.00001f));
     unsigned hidden =
         vm_bits(vm_and(vf_greater(coarse, nearest), vf_greater(nearest, vf_set(0.0f))));
     unsigned large =
         ~vm_bits(vi_not_negative(vi_sub(vi_set(1), vi_max(vi_sub(x1, x0), vi_sub(y1, y0)))));
-    large &= (unsigned)((1ull << LANES) - 1);
-    for (unsigned rest = large; rest; rest &= rest - 1) {
+    for (unsigned rest = large & lanes; rest; rest &= rest - 1) {
         const unsigned lane = (unsigned)__builtin_ctz(rest);
-        int32_t at[4][LANES];
-        vi_save(at[0], x0);
-        vi_save(at[1], y0);
-        vi_save(at[2], x1);
-        vi_save(at[3], y1);
-        const burnish_setup_triangle *triangle = triangles[lane];
-        const int is =
-            is_hidden(tile, triangle->nearest, at[0][lane], at[1][lane], at[2][lane], at[3][lane]);
+        int32_t box[4][LANES];
+        vi_save(box[0], x0);
+        vi_save(box[1], y0);
+        vi_save(box[2], x1);
+        vi_save(box[3], y1);
+        const int is = is_hidden(tile, block->nearest[at + lane], box[0][lane], box[1][lane],
+                                 box[2][lane], box[3][lane]);
         hidden = (hidden & ~(1u << lane)) | (unsigned)is << lane;
     }
-    return ~hidden;
+    return lanes & ~hidden;
 }
 
 static size_t find_seen(const burnish_visibility *visibility, const burnish_geometry *geometry,
-                        uint32_t *entries, size_t count) {
+                        burnish_list_entry *entries, size_t count) {
     size_t kept = 0;
-    for (size_t first = 0; first < count; first += LANES) {
-        const void *triangles[LANES];
-        for (size_t lane = 0; lane < LANES; ++lane) {
-            const size_t i = first + lane < count ? first + lane : first;
-            triangles[lane] = &geometry->triangles[entries[i]];
+    for (size_t i = 0; i < count; ++i) {
+        const burnish_list_entry entry = entries[i];
+        const burnish_setup_block *block = &geometry->blocks[entry.block];
+        unsigned seen = 0;
+        for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
+            const unsigned lanes = entry.lanes >> at & ALL_LANES;
+            seen |= lanes ? find_seen_vector(visibility, block, at, lanes) << at : 0;
         }
-        unsigned seen = find_seen_vector(visibility, triangles);
-        seen &= (unsigned)((1ull << (count - first < LANES ? count - first : LANES)) - 1);
-        for (; seen; seen &= seen - 1) {
-            entries[kept++] = entries[first + (size_t)__builtin_ctz(seen)];
-        }
+        entries[kept] = (burnish_list_entry){entry.block, seen};
+        kept += seen != 0;
     }
     return kept;
 }

@@ -263,7 +263,8 @@ static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tile
     burnish_status status = BURNISH_STATUS_OK;
     burnish_bins_begin(bins);
     do {
-        status = burnish_bin_tiles(bins, frame->geometry, frame->view, frame->pool, error);
+        status =
+            burnish_bin_tiles(bins, frame->tier, frame->geometry, frame->view, frame->pool, error);
         if (status != BURNISH_STATUS_OK) {
             break;
         }
