@@ -14,7 +14,7 @@ static const struct layer {
     {"src/kernels", "base public:batch.h public:isa.h public:lobe.h"},
     {"src/scene", "base public:scene.h public:status.h"},
     {"src/raster", "base kernels public:isa.h"},
-    {"src/shade", "base raster public:batch.h"},
+    {"src/shade", "base kernels raster public:batch.h"},
     {"src/image", "base public:image.h public:status.h"},
     {"src/render", "base kernels raster shade public:batch.h public:render.h public:theory.h "
                    "public:status.h"},

@@ -297,9 +297,9 @@ static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
     shader->lighting.viewer[2] = shader->lighting.near_viewer ? 0 : 1;
     shader->lighting.lyon = next_random(state) % 4 == 0;
     shader->needs_place = 1; /* the reference always gives places */
-    shader->view.q_per_depth = 0x1p14f;
-    shader->view.ray[2] = -1;
-    shader->view.ray_x[0] = shader->view.ray_y[1] = 0.01f;
+    shader->rays.q_per_depth = 0x1p14f;
+    shader->rays.ray[2] = -1;
+    shader->rays.ray_x[0] = shader->rays.ray_y[1] = 0.01f;
     for (int i = 0; i < 3; ++i) {
         memset(&materials[i], 0, sizeof materials[i]);
         materials[i].lobe = shader->lighting.lobe;

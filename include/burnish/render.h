@@ -73,6 +73,14 @@ typedef enum burnish_equation { BURNISH_EQUATION_BLINN, BURNISH_EQUATION_PHONG }
 /* LOCAL: V points from each pixel to the camera. DISTANT: V is the camera's axis everywhere. */
 typedef enum burnish_viewer { BURNISH_VIEWER_LOCAL, BURNISH_VIEWER_DISTANT } burnish_viewer;
 
+/* What the report counts; the rest of it stays 0. Marking which triangles are drawn takes longer
+ * than counting pixels. */
+typedef enum burnish_counts {
+    BURNISH_COUNTS_ALL,
+    BURNISH_COUNTS_PIXELS, /* covered_pixels and bounds */
+    BURNISH_COUNTS_NONE
+} burnish_counts;
+
 /* How to draw. Start from burnish_render_options_default(). */
 typedef struct burnish_render_options {
     uint32_t cookie;   /* set by burnish_render_options_default() */
@@ -91,7 +99,7 @@ typedef struct burnish_render_options {
     uint8_t background[3]; /* sRGB */
     int transparent;       /* 1: the image has alpha and no background */
     int ignore_colors;     /* 1: the mesh's vertex colours are not used */
-    int skip_counts;       /* 1: the report's triangles_drawn, covered_pixels and bounds stay 0 */
+    burnish_counts counts; /* of the report; never changes the pixels */
 } burnish_render_options;
 
 /* 1024x768, 4 samples, energy:2, Blinn, local viewer, the default rig (key, fill and rim light that

@@ -151,7 +151,7 @@ typedef struct burnish_fit_options {
 BURNISH_API burnish_fit_options burnish_fit_options_default(void);
 
 /* The camera that shows the whole mesh as large as the margin allows, exactly: it fits the
- * projected vertices, not a bounding sphere. Errors: ARGUMENT. */
+ * projected vertices, not a bounding sphere. Errors: ARGUMENT, MEMORY. */
 BURNISH_API burnish_status burnish_camera_fit(const burnish_scene *scene,
                                               const burnish_fit_options *options,
                                               burnish_camera *camera, burnish_error *error);

@@ -25,6 +25,19 @@ typedef void burnish_shade_function(const burnish_batch_shader *shader,
                                     const burnish_batch_points *points, size_t count, uint8_t *rgba,
                                     float *const rgb[3]);
 
+/* How a pixel's place becomes a place in space. A visible point lies, from the eye, at
+ *   (ray + x ray_x + y ray_y + (1 - depth) ray_depth) / q,   x, y in pixels from the centre,
+ *   q = depth * q_per_depth + q_constant (1/w in perspective, 1 in parallel projection). */
+typedef struct burnish_rays {
+    float ray[3], ray_x[3], ray_y[3], ray_depth[3];
+    float q_per_depth, q_constant;
+} burnish_rays;
+
+/* Places from the eye, times w, and w of `count` pixels, a multiple of 16: in blocks of 4 x 4 side
+ * by side, a block's pixels row by row. The centre of the first one is at (x, y). */
+typedef void burnish_locate_function(const burnish_rays *rays, float x, float y, size_t count,
+                                     const float *depths, float *const position[3], float *w);
+
 /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel, then
  * green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and the others
  * are `behind`. */
@@ -49,6 +62,7 @@ struct burnish_batch {
     burnish_isa isa;
     burnish_lobe_function *lobe[BURNISH_LOBE_BODY_COUNT][BURNISH_LOBE_INPUT_COUNT];
     burnish_normalize_function *normalize;
+    burnish_locate_function *locate;
     burnish_encode_function *encode;
     burnish_pack_function *pack;
     burnish_shade_function

@@ -3,6 +3,7 @@
 #include "kernels/lobe_body.h"
 /* needs the vector type */
 #include "kernels/encode_body.h"
+#include "kernels/locate_body.h"
 #include "kernels/normalize_body.h"
 #include "kernels/shade_body.h"
 
@@ -69,6 +70,7 @@ const struct burnish_batch BATCH = {
              [BURNISH_LOBE_BODY_GAUSSIAN] = LOBE_ROW(gaussian),
              [BURNISH_LOBE_BODY_GX] = LOBE_ROW(gx)},
     .normalize = normalize_array,
+    .locate = locate_pixels,
     .encode = encode_pixels,
     .pack = pack_groups,
     .shade = {[BURNISH_LOBE_BODY_NONE] = SHADE_ROW(none),

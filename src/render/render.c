@@ -203,13 +203,13 @@ static burnish_status transform(burnish_renderer *renderer, const burnish_mesh *
 /* Everything after the checks but for the materials; *image is allocated. */
 static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scene,
                            const burnish_render_options *options, burnish_shader *shader,
-                           burnish_image *image, burnish_render_report *report, uint8_t *drawn,
-                           burnish_error *error) {
+                           burnish_image *image, burnish_counts counts,
+                           burnish_render_report *report, burnish_error *error) {
     const burnish_mesh *mesh = burnish_scene_mesh(scene);
     burnish_raster_view view;
     const double start = burnish_seconds_now();
     burnish_status status =
-        burnish_view_create(mesh, options, &view, &shader->view, &shader->lighting, error);
+        burnish_view_create(mesh, options, &view, &shader->rays, &shader->lighting, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -233,8 +233,9 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scen
                                      .options = options,
                                      .image = image,
                                      .pool = renderer->pool,
-                                     .wants_counts = !options->skip_counts,
-                                     .drawn = drawn};
+                                     .wants_counts = counts != BURNISH_COUNTS_NONE,
+                                     .drawn =
+                                         counts == BURNISH_COUNTS_ALL ? renderer->drawn : NULL};
         status = burnish_frame_draw(&frame, &renderer->tiles, report, error);
         report->seconds_draw = burnish_seconds_now() - start - report->seconds_transform;
     }
@@ -298,24 +299,25 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_s
         burnish_image_destroy(image);
         return status;
     }
-    const int marks = report && !options->skip_counts;
+    const burnish_counts counts = report ? options->counts : BURNISH_COUNTS_NONE;
     own.triangles = burnish_scene_mesh(scene)->triangle_count;
     prepare_pool(renderer, options->threads);
     own.threads = burnish_pool_threads(renderer->pool);
     status = burnish_materials_create(scene, options, &materials, &own.lobe_fallbacks, error);
     shader.materials = materials;
-    if (status == BURNISH_STATUS_OK && marks) {
+    if (status == BURNISH_STATUS_OK && counts == BURNISH_COUNTS_ALL) {
         status = prepare_drawn(renderer, own.triangles, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = draw(renderer, scene, options, &shader, image, &own,
-                      marks ? renderer->drawn : NULL, error);
+        status = draw(renderer, scene, options, &shader, image, counts, &own, error);
     }
     free(materials);
     if (status != BURNISH_STATUS_OK) {
         burnish_image_destroy(image);
     } else if (report) {
-        own.triangles_drawn = marks ? count_drawn(renderer->drawn, own.triangles) : 0;
+        if (counts == BURNISH_COUNTS_ALL) {
+            own.triangles_drawn = count_drawn(renderer->drawn, own.triangles);
+        }
         *report = own;
     }
     return status;

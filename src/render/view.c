@@ -78,7 +78,7 @@ static void store_row(const camera_frame *frame, burnish_vec3 axis, double facto
 }
 
 static void make_perspective(const camera_frame *frame, double view_angle, int height,
-                             burnish_raster_view *raster, burnish_shade_view *shade) {
+                             burnish_raster_view *raster, burnish_rays *shade) {
     double sine, cosine;
     burnish_sincos(view_angle * (3.14159265358979323846 / 360), &sine, &cosine);
     double pixels = height * 0.5 * cosine / sine; /* a unit at distance 1 */
@@ -97,7 +97,7 @@ static void make_perspective(const camera_frame *frame, double view_angle, int h
 
 /* Depth falls from 1 at the camera to 0 behind the scene. */
 static void make_orthographic(const camera_frame *frame, double view_height, int height,
-                              burnish_raster_view *raster, burnish_shade_view *shade) {
+                              burnish_raster_view *raster, burnish_rays *shade) {
     double pixels = height / (view_height * frame->scale);
     double range = burnish_vec3_length(frame->eye) + 2;
     store_row(frame, frame->right, pixels, 0, raster->rows[0]);
@@ -203,7 +203,7 @@ static void make_lighting(const camera_frame *frame, const burnish_mesh *mesh,
 }
 
 burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
-                                   burnish_raster_view *raster, burnish_shade_view *shade,
+                                   burnish_raster_view *raster, burnish_rays *shade,
                                    burnish_batch_lighting *lighting, burnish_error *error) {
     camera_frame frame;
     const burnish_camera *camera = &options->camera;

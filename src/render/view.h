@@ -9,7 +9,7 @@
 /* Errors: ARGUMENT (a camera without a direction, or further away than float arithmetic reaches).
  */
 burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
-                                   burnish_raster_view *raster, burnish_shade_view *shade,
+                                   burnish_raster_view *raster, burnish_rays *shade,
                                    burnish_batch_lighting *lighting, burnish_error *error);
 
 #endif

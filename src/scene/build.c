@@ -100,11 +100,78 @@ static burnish_status weld_positions(builder *b, uint32_t **remap) {
     return status;
 }
 
+/* What the tasks of prepare_normals share. */
+typedef struct unit_context {
+    float *normals;
+    atomic_size_t missing;
+} unit_context;
+
+static void unit_range(void *of, size_t first, size_t end) {
+    unit_context *context = of;
+    size_t missing = 0;
+    for (size_t i = first; i < end; ++i) {
+        float *n = context->normals + 3 * i;
+        burnish_store_unit(burnish_vec3_loadf(n), n);
+        missing += n[0] == 0 && n[1] == 0 && n[2] == 0;
+    }
+    atomic_fetch_add(&context->missing, missing);
+}
+
+/* Makes the file's normals unit vectors; those without a direction become 0: to be made. */
+static void prepare_normals(builder *b) {
+    const uint32_t *corners = b->source->corner_normals;
+    const size_t corner_count = corners ? 3 * b->source->triangle_count : 0;
+    unit_context context = {.normals = b->source->normals};
+    burnish_pool_ranges(b->source->pool, b->source->normal_count, SHARE, unit_range, &context);
+    size_t missing = atomic_load(&context.missing);
+    for (size_t i = 0; i < corner_count; ++i) {
+        missing += corners[i] == BURNISH_SOURCE_NONE;
+    }
+    b->normals_complete = corners && missing == 0;
+}
+
+/* The file's normal of a corner, or NULL when one must be made. */
+static const float *file_normal(const burnish_source *source, size_t corner) {
+    if (!source->corner_normals || source->corner_normals[corner] == BURNISH_SOURCE_NONE) {
+        return NULL;
+    }
+    const float *n = source->normals + 3 * (size_t)source->corner_normals[corner];
+    return n[0] != 0 || n[1] != 0 || n[2] != 0 ? n : NULL;
+}
+
+static void swap_corners(uint32_t *corners, size_t triangle) {
+    if (corners) {
+        uint32_t second = corners[3 * triangle + 1];
+        corners[3 * triangle + 1] = corners[3 * triangle + 2];
+        corners[3 * triangle + 2] = second;
+    }
+}
+
+/* Turns a triangle whose winding contradicts the file's normals. It comes before normals are made,
+ * because those follow the winding. */
+static void orient(const builder *b, size_t triangle, burnish_vec3 cross) {
+    burnish_source *source = b->source;
+    burnish_vec3 sum = {0, 0, 0};
+    for (size_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
+        const float *normal = file_normal(source, corner);
+        if (normal) {
+            sum = burnish_vec3_add(sum, burnish_vec3_loadf(normal));
+        }
+    }
+    if (burnish_vec3_dot(cross, sum) < 0) {
+        swap_corners(b->corner_vertices, triangle);
+        swap_corners(source->corner_positions, triangle);
+        swap_corners(source->corner_normals, triangle);
+    }
+}
+
 /* A repeated position makes an edge, and so the product, exactly 0. */
-static int has_area(const builder *b, size_t triangle) {
-    burnish_vec3 cross =
-        burnish_face_cross(b->source->positions, b->corner_vertices + 3 * triangle);
+static int is_area(burnish_vec3 cross) {
     return cross.x != 0 || cross.y != 0 || cross.z != 0;
+}
+
+static burnish_vec3 cross_of(const builder *b, size_t triangle) {
+    return burnish_face_cross(b->source->positions, b->corner_vertices + 3 * triangle);
 }
 
 /* What the tasks of weld_corners share. */
@@ -123,12 +190,16 @@ static void weld_range(void *of, size_t first, size_t end) {
         for (size_t k = 3 * i; k < 3 * i + 3; ++k) {
             b->corner_vertices[k] = context->remap[corners[k]];
         }
-        with_area += (size_t)has_area(b, i);
+        const burnish_vec3 cross = cross_of(b, i);
+        with_area += (size_t)is_area(cross);
+        if (b->source->corner_normals) {
+            orient(b, i, cross);
+        }
     }
     atomic_fetch_add(&context->with_area, with_area);
 }
 
-/* Fills corner_vertices; returns how many triangles have an area. */
+/* Fills corner_vertices, oriented; returns how many triangles have an area. */
 static size_t weld_corners(builder *b, const uint32_t *remap) {
     weld_context context = {.b = b, .remap = remap};
     burnish_pool_ranges(b->source->pool, b->source->triangle_count, SHARE, weld_range, &context);
@@ -170,7 +241,7 @@ static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
                         source->triangle_count - kept, source->triangle_count);
         size_t next = 0;
         for (size_t i = 0; i < source->triangle_count; ++i) {
-            if (has_area(b, i)) {
+            if (is_area(cross_of(b, i))) {
                 move_triangle(b, i, next++);
             }
         }
@@ -251,80 +322,6 @@ static burnish_status order_triangles(builder *b) {
     }
     free(order);
     return status;
-}
-
-/* What the tasks of prepare_normals share. */
-typedef struct unit_context {
-    float *normals;
-    atomic_size_t missing;
-} unit_context;
-
-static void unit_range(void *of, size_t first, size_t end) {
-    unit_context *context = of;
-    size_t missing = 0;
-    for (size_t i = first; i < end; ++i) {
-        float *n = context->normals + 3 * i;
-        burnish_store_unit(burnish_vec3_loadf(n), n);
-        missing += n[0] == 0 && n[1] == 0 && n[2] == 0;
-    }
-    atomic_fetch_add(&context->missing, missing);
-}
-
-/* Makes the file's normals unit vectors; those without a direction become 0: to be made. */
-static void prepare_normals(builder *b) {
-    const uint32_t *corners = b->source->corner_normals;
-    const size_t corner_count = corners ? 3 * b->triangle_count : 0;
-    unit_context context = {.normals = b->source->normals};
-    burnish_pool_ranges(b->source->pool, b->source->normal_count, SHARE, unit_range, &context);
-    size_t missing = atomic_load(&context.missing);
-    for (size_t i = 0; i < corner_count; ++i) {
-        missing += corners[i] == BURNISH_SOURCE_NONE;
-    }
-    b->normals_complete = corners && missing == 0;
-}
-
-/* The file's normal of a corner, or NULL when one must be made. */
-static const float *file_normal(const burnish_source *source, size_t corner) {
-    if (!source->corner_normals || source->corner_normals[corner] == BURNISH_SOURCE_NONE) {
-        return NULL;
-    }
-    const float *n = source->normals + 3 * (size_t)source->corner_normals[corner];
-    return n[0] != 0 || n[1] != 0 || n[2] != 0 ? n : NULL;
-}
-
-static void swap_corners(uint32_t *corners, size_t triangle) {
-    if (corners) {
-        uint32_t second = corners[3 * triangle + 1];
-        corners[3 * triangle + 1] = corners[3 * triangle + 2];
-        corners[3 * triangle + 2] = second;
-    }
-}
-
-static void orient_range(void *of, size_t first, size_t end) {
-    builder *b = of;
-    burnish_source *source = b->source;
-    for (size_t i = first; i < end; ++i) {
-        burnish_vec3 sum = {0, 0, 0};
-        for (size_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
-            const float *normal = file_normal(source, corner);
-            if (normal) {
-                sum = burnish_vec3_add(sum, burnish_vec3_loadf(normal));
-            }
-        }
-        burnish_vec3 cross = burnish_face_cross(source->positions, b->corner_vertices + 3 * i);
-        if (burnish_vec3_dot(cross, sum) < 0) {
-            swap_corners(b->corner_vertices, i);
-            swap_corners(source->corner_positions, i);
-            swap_corners(source->corner_normals, i);
-        }
-    }
-}
-
-/* Turns triangles whose winding contradicts the file's normals. It comes before normals are made,
- * because those follow the winding. */
-static void orient(builder *b) {
-    const size_t count = b->source->corner_normals ? b->triangle_count : 0;
-    burnish_pool_ranges(b->source->pool, count, SHARE, orient_range, b);
 }
 
 /* Lists the corners of every welded position, in the order of the triangles. */
@@ -552,6 +549,141 @@ static burnish_status make_large(builder *b, double angle) {
     return status;
 }
 
+static burnish_status allocate_vertices(builder *b) {
+    burnish_scene *scene = b->scene;
+    size_t count = b->vertex_count;
+    burnish_status status = burnish_allocate((void **)&scene->positions, count, 3 * sizeof(float),
+                                             "vertices", b->error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&scene->normals, count, 3 * sizeof(float), "vertices",
+                                  b->error);
+    }
+    if (status == BURNISH_STATUS_OK && b->has_colors) {
+        status = burnish_allocate((void **)&scene->colors, count, 4, "vertices", b->error);
+    }
+    return status;
+}
+
+/* ---- meshes whose file gives all normals, and no colour ---- */
+
+/* A vertex: a position with a normal. */
+typedef struct given_vertex {
+    uint32_t position, normal; /* in the source */
+    uint32_t next;             /* of the same position, or BURNISH_SOURCE_NONE */
+} given_vertex;
+
+/* The vertex of a position that was found last: mostly the only one. */
+typedef struct given_head {
+    uint32_t vertex, normal; /* BURNISH_SOURCE_NONE: none yet */
+} given_head;
+
+typedef struct given_vertices {
+    given_head *heads; /* a position each */
+    given_vertex *items;
+    size_t count, capacity;
+} given_vertices;
+
+static int same_normal(const builder *b, uint32_t x, uint32_t y) {
+    const float *normals = b->source->normals;
+    return memcmp(normals + 3 * (size_t)x, normals + 3 * (size_t)y, 3 * sizeof(float)) == 0;
+}
+
+/* The vertex of a position with a normal that is not its last one's: found, or appended. Gives up,
+ * *done is 0, where the position has many. */
+static burnish_status find_given(builder *b, given_vertices *vertices, uint32_t position,
+                                 uint32_t normal, uint32_t *vertex, int *done) {
+    enum { MANY = 16 };
+    given_head *head = &vertices->heads[position];
+    int passed = 0;
+    *vertex = head->vertex;
+    while (*vertex != BURNISH_SOURCE_NONE &&
+           !same_normal(b, vertices->items[*vertex].normal, normal)) {
+        *vertex = vertices->items[*vertex].next;
+        ++passed;
+    }
+    if (*vertex != BURNISH_SOURCE_NONE) {
+        return BURNISH_STATUS_OK;
+    }
+    *done = passed < MANY;
+    if (vertices->count == vertices->capacity) {
+        burnish_status status =
+            burnish_grow((void **)&vertices->items, &vertices->capacity, vertices->count + 1,
+                         sizeof *vertices->items, "vertices", b->error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
+    *vertex = (uint32_t)vertices->count++;
+    vertices->items[*vertex] = (given_vertex){position, normal, head->vertex};
+    *head = (given_head){*vertex, normal};
+    return BURNISH_STATUS_OK;
+}
+
+/* Numbers the vertices in the order in which the triangles first use them, into the scene's
+ * indices. Gives up, *done is 0, where a position has many. */
+static burnish_status number_given(builder *b, given_vertices *vertices, int *done) {
+    const uint32_t *normals = b->source->corner_normals;
+    burnish_status status = BURNISH_STATUS_OK;
+    memset(vertices->heads, 0xff, b->position_count * sizeof *vertices->heads);
+    *done = 1;
+    for (size_t i = 0; i < 3 * b->triangle_count && *done; ++i) {
+        const given_head head = vertices->heads[b->corner_vertices[i]];
+        uint32_t vertex = head.vertex;
+        if (head.normal != normals[i]) {
+            status = find_given(b, vertices, b->corner_vertices[i], normals[i], &vertex, done);
+            *done &= status == BURNISH_STATUS_OK;
+        }
+        b->scene->indices[i] = vertex;
+    }
+    return status;
+}
+
+/* What the tasks of take_given share. */
+typedef struct given_context {
+    const builder *b;
+    const given_vertex *vertices;
+} given_context;
+
+static void write_given(void *of, size_t first, size_t end) {
+    const given_context *context = of;
+    const burnish_source *source = context->b->source;
+    burnish_scene *scene = context->b->scene;
+    for (size_t i = first; i < end; ++i) {
+        const given_vertex *vertex = &context->vertices[i];
+        memcpy(scene->positions + 3 * i, source->positions + 3 * (size_t)vertex->position, 12);
+        memcpy(scene->normals + 3 * i, source->normals + 3 * (size_t)vertex->normal, 12);
+    }
+}
+
+/* What is common, and what make_vertices would find. *done becomes 0 where it can't be used. */
+static burnish_status take_given(builder *b, int *done) {
+    given_vertices vertices = {0};
+    *done = 0;
+    if (!b->normals_complete || b->has_colors) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_status status = burnish_allocate((void **)&vertices.heads, b->position_count,
+                                             sizeof *vertices.heads, "vertices", b->error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_grow((void **)&vertices.items, &vertices.capacity, b->position_count,
+                              sizeof *vertices.items, "vertices", b->error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = number_given(b, &vertices, done);
+    }
+    free(vertices.heads);
+    if (*done && status == BURNISH_STATUS_OK) {
+        b->vertex_count = vertices.count;
+        status = allocate_vertices(b);
+    }
+    if (*done && status == BURNISH_STATUS_OK) {
+        given_context context = {b, vertices.items};
+        burnish_pool_ranges(b->source->pool, vertices.count, SHARE, write_given, &context);
+    }
+    free(vertices.items);
+    return status;
+}
+
 /* Everything that is kept per corner, once the vertices stand: most of the memory. */
 static void release_corners(builder *b) {
     burnish_source *source = b->source;
@@ -607,10 +739,6 @@ static void turn_task(void *of, size_t turn, int thread) {
 
 static burnish_status make_vertices(builder *b, double angle) {
     burnish_status status = create_makers(b, angle);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&b->scene->indices, b->triangle_count,
-                                  3 * sizeof *b->scene->indices, "triangles", b->error);
-    }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -673,17 +801,7 @@ static void write_vertices(builder *b) {
 }
 
 static burnish_status finish_vertices(builder *b) {
-    burnish_scene *scene = b->scene;
-    size_t count = b->vertex_count;
-    burnish_status status = burnish_allocate((void **)&scene->positions, count, 3 * sizeof(float),
-                                             "vertices", b->error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&scene->normals, count, 3 * sizeof(float), "vertices",
-                                  b->error);
-    }
-    if (status == BURNISH_STATUS_OK && b->has_colors) {
-        status = burnish_allocate((void **)&scene->colors, count, 4, "vertices", b->error);
-    }
+    burnish_status status = allocate_vertices(b);
     if (status == BURNISH_STATUS_OK) {
         number_vertices(b);
         write_vertices(b);
@@ -746,6 +864,28 @@ static void describe_mesh(burnish_scene *scene, size_t vertex_count, size_t tria
     }
 }
 
+/* Vertices and indices of the triangles that are kept. */
+static burnish_status number_mesh(builder *b, double angle) {
+    int done = 0;
+    burnish_status status = burnish_allocate((void **)&b->scene->indices, b->triangle_count,
+                                             3 * sizeof *b->scene->indices, "triangles", b->error);
+    if (status == BURNISH_STATUS_OK) {
+        status = take_given(b, &done);
+    }
+    if (status != BURNISH_STATUS_OK || done) {
+        return status;
+    }
+    status = list_corners(b);
+    if (status == BURNISH_STATUS_OK) {
+        status = make_vertices(b, angle);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        release_corners(b);
+        status = finish_vertices(b);
+    }
+    return status;
+}
+
 /* The steps in order; on failure what was made so far stays in b and b->scene. */
 static burnish_status build(builder *b, const burnish_load_options *options) {
     uint32_t *remap = NULL;
@@ -754,6 +894,7 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
         status = weld_positions(b, &remap);
     }
     if (status == BURNISH_STATUS_OK) {
+        prepare_normals(b);
         status = keep_triangles(b, remap);
     }
     free(remap);
@@ -766,16 +907,7 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
         status = order_triangles(b);
     }
     if (status == BURNISH_STATUS_OK) {
-        prepare_normals(b);
-        orient(b);
-        status = list_corners(b);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = make_vertices(b, crease_angle(options, b->scene->format));
-    }
-    if (status == BURNISH_STATUS_OK) {
-        release_corners(b);
-        status = finish_vertices(b);
+        status = number_mesh(b, crease_angle(options, b->scene->format));
     }
     if (status == BURNISH_STATUS_OK) {
         status = take_materials(b);

@@ -1,6 +1,7 @@
 /* Where to stand so that the whole mesh is in the picture, as large as the margin allows. */
 #include <float.h>
 
+#include "base/memory.h"
 #include "base/vector.h"
 #include "scene/scene.h"
 
@@ -161,12 +162,20 @@ static view_frame choose_frame(const burnish_fit_options *options) {
     return frame;
 }
 
+/* Neighbouring vertices, as the frame sees them: their bounds. */
+enum { GROUP = 64 };
+typedef struct group_bounds {
+    burnish_vec3 low, high;
+} group_bounds;
+
 /* The mesh as the frame sees it, relative to the middle of its bounds. */
 typedef struct view_mesh {
     const burnish_mesh *mesh;
     burnish_vec3 middle;
     view_frame frame;
     double diagonal; /* of the bounds */
+    group_bounds *groups;
+    size_t group_count;
 } view_mesh;
 
 static burnish_vec3 view_vertex(const view_mesh *view, size_t i) {
@@ -182,13 +191,37 @@ typedef struct extreme {
     double value, depth;
 } extreme;
 
-/* side[0] = max(x + tx z), side[1] = max(-x + tx z), side[2], side[3] the same in y with ty: the
- * planes of the four sides of a pyramid of view with these slopes, pushed against the mesh. */
-static void push_sides(const view_mesh *view, double tx, double ty, extreme side[4]) {
-    for (int k = 0; k < 4; ++k) {
-        side[k] = (extreme){-DBL_MAX, 0};
+static void measure_group(const view_mesh *view, size_t first, size_t end, group_bounds *bounds) {
+    bounds->low = (burnish_vec3){DBL_MAX, DBL_MAX, DBL_MAX};
+    bounds->high = (burnish_vec3){-DBL_MAX, -DBL_MAX, -DBL_MAX};
+    for (size_t i = first; i < end; ++i) {
+        const burnish_vec3 p = view_vertex(view, i);
+        bounds->low.x = p.x < bounds->low.x ? p.x : bounds->low.x;
+        bounds->low.y = p.y < bounds->low.y ? p.y : bounds->low.y;
+        bounds->low.z = p.z < bounds->low.z ? p.z : bounds->low.z;
+        bounds->high.x = p.x > bounds->high.x ? p.x : bounds->high.x;
+        bounds->high.y = p.y > bounds->high.y ? p.y : bounds->high.y;
+        bounds->high.z = p.z > bounds->high.z ? p.z : bounds->high.z;
     }
-    for (size_t i = 0; i < view->mesh->vertex_count; ++i) {
+}
+
+/* Measures all groups: one look at each vertex; what follows looks at few of them again. */
+static burnish_status measure_groups(view_mesh *view, burnish_error *error) {
+    const size_t count = view->mesh->vertex_count;
+    view->group_count = (count + GROUP - 1) / GROUP;
+    burnish_status status = burnish_allocate((void **)&view->groups, view->group_count,
+                                             sizeof *view->groups, "bounds", error);
+    for (size_t i = 0; i < view->group_count && status == BURNISH_STATUS_OK; ++i) {
+        const size_t first = i * GROUP, end = first + GROUP;
+        measure_group(view, first, end < count ? end : count, &view->groups[i]);
+    }
+    return status;
+}
+
+static void push_group(const view_mesh *view, size_t group, double tx, double ty, extreme side[4]) {
+    const size_t first = group * GROUP, count = view->mesh->vertex_count;
+    const size_t end = first + GROUP < count ? first + GROUP : count;
+    for (size_t i = first; i < end; ++i) {
         burnish_vec3 p = view_vertex(view, i);
         double value[4] = {p.x + tx * p.z, tx * p.z - p.x, p.y + ty * p.z, ty * p.z - p.y};
         for (int k = 0; k < 4; ++k) {
@@ -199,13 +232,29 @@ static void push_sides(const view_mesh *view, double tx, double ty, extreme side
     }
 }
 
+/* side[0] = max(x + tx z), side[1] = max(-x + tx z), side[2], side[3] the same in y with ty: the
+ * planes of the four sides of a pyramid of view with these slopes >= 0, pushed against the mesh.
+ * Rounding is monotone, so that no vertex is beyond what the bounds of its group give. */
+static void push_sides(const view_mesh *view, double tx, double ty, extreme side[4]) {
+    for (int k = 0; k < 4; ++k) {
+        side[k] = (extreme){-DBL_MAX, 0};
+    }
+    for (size_t i = 0; i < view->group_count; ++i) {
+        const burnish_vec3 low = view->groups[i].low, high = view->groups[i].high;
+        if (high.x + tx * high.z > side[0].value || tx * high.z - low.x > side[1].value ||
+            high.y + ty * high.z > side[2].value || ty * high.z - low.y > side[3].value) {
+            push_group(view, i, tx, ty, side);
+        }
+    }
+}
+
 static void measure_depth(const view_mesh *view, double *near_depth, double *far_depth) {
     *near_depth = -DBL_MAX;
     *far_depth = DBL_MAX;
-    for (size_t i = 0; i < view->mesh->vertex_count; ++i) {
-        double z = view_vertex(view, i).z;
-        *near_depth = z > *near_depth ? z : *near_depth;
-        *far_depth = z < *far_depth ? z : *far_depth;
+    for (size_t i = 0; i < view->group_count; ++i) {
+        const group_bounds *group = &view->groups[i];
+        *near_depth = group->high.z > *near_depth ? group->high.z : *near_depth;
+        *far_depth = group->low.z < *far_depth ? group->low.z : *far_depth;
     }
 }
 
@@ -300,15 +349,24 @@ burnish_status burnish_camera_fit(const burnish_scene *scene, const burnish_fit_
     const burnish_mesh *mesh = &scene->mesh;
     burnish_vec3 low = burnish_vec3_loadf(mesh->bounds_min);
     burnish_vec3 high = burnish_vec3_loadf(mesh->bounds_max);
-    view_mesh view = {mesh, burnish_vec3_scale(burnish_vec3_add(low, high), 0.5),
-                      choose_frame(options), burnish_vec3_length(burnish_vec3_sub(high, low))};
+    view_mesh view = {mesh,
+                      burnish_vec3_scale(burnish_vec3_add(low, high), 0.5),
+                      choose_frame(options),
+                      burnish_vec3_length(burnish_vec3_sub(high, low)),
+                      NULL,
+                      0};
     burnish_vec3 place;
     double focus, height = 0;
+    status = measure_groups(&view, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
     if (options->orthographic) {
         height = fit_orthographic(&view, options, &place, &focus);
     } else {
         fit_perspective(&view, options, &place, &focus);
     }
+    free(view.groups);
     if (!(place.z <= DBL_MAX)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: view_angle %g puts the camera out of all reach; use for "

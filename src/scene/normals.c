@@ -21,13 +21,6 @@ enum { INSERTION_MAX = 40 };
 /* A sum shorter than this share of its weights is rounding noise around zero. */
 #define CANCELLED 1e-9
 
-burnish_vec3 burnish_face_cross(const float *positions, const uint32_t vertices[3]) {
-    burnish_vec3 a = burnish_vec3_loadf(positions + 3 * (size_t)vertices[0]);
-    burnish_vec3 b = burnish_vec3_loadf(positions + 3 * (size_t)vertices[1]);
-    burnish_vec3 c = burnish_vec3_loadf(positions + 3 * (size_t)vertices[2]);
-    return burnish_vec3_cross(burnish_vec3_sub(b, a), burnish_vec3_sub(c, a));
-}
-
 /* Shorter vectors, sums weighted by the tip of a needle, have squares that lose bits to underflow;
  * a power of two lengthens them. */
 #define SHORT_LENGTH 0x1p-400

@@ -54,7 +54,12 @@ void burnish_fan_measure(burnish_fan *fan, const float *positions, const uint32_
 int burnish_fan_normals(burnish_fan *fan, size_t first, size_t count, float *normals);
 
 /* The cross product of two edges: twice the area long, along the normal by winding. */
-burnish_vec3 burnish_face_cross(const float *positions, const uint32_t vertices[3]);
+static inline burnish_vec3 burnish_face_cross(const float *positions, const uint32_t vertices[3]) {
+    burnish_vec3 a = burnish_vec3_loadf(positions + 3 * (size_t)vertices[0]);
+    burnish_vec3 b = burnish_vec3_loadf(positions + 3 * (size_t)vertices[1]);
+    burnish_vec3 c = burnish_vec3_loadf(positions + 3 * (size_t)vertices[2]);
+    return burnish_vec3_cross(burnish_vec3_sub(b, a), burnish_vec3_sub(c, a));
+}
 
 /* Writes v / |v| in float with no negative zeros; 0 when v has no direction or is not finite. */
 void burnish_store_unit(burnish_vec3 v, float unit[3]);

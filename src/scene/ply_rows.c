@@ -170,6 +170,7 @@ typedef struct triangle_layout {
     size_t row_size;
     column length;  /* of the list of corners */
     column corners; /* the first one */
+    int is_common;  /* a byte and three words, as they are in memory */
 } triangle_layout;
 
 /* The layout of a row with three corners; 0 when there are other lists or corners are no integers.
@@ -191,8 +192,29 @@ static int lay_out_triangles(const burnish_ply_rows *rows, triangle_layout *layo
         layout->corners = (column){layout->row_size, property->type};
         layout->row_size += 3 * burnish_ply_type_size(property->type);
     }
+    const int is_little = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
+    layout->is_common =
+        layout->length.type == BURNISH_PLY_UINT8 && rows->big_endian != is_little &&
+        (layout->corners.type == BURNISH_PLY_INT32 || layout->corners.type == BURNISH_PLY_UINT32);
     return lists == 1 && layout->length.type < BURNISH_PLY_FLOAT32 &&
            layout->corners.type < BURNISH_PLY_FLOAT32;
+}
+
+/* Rows [first, end) of the common layout; returns how many are not as expected. Negative corners
+ * are too large as they are. */
+static size_t convert_common(const burnish_ply_rows *rows, const triangle_layout *layout,
+                             size_t first, size_t end, uint32_t vertex_count, uint32_t *corners) {
+    const size_t row_size = layout->row_size, length = layout->length.offset,
+                 offset = layout->corners.offset;
+    size_t bad = 0;
+    for (size_t row = first; row < end; ++row) {
+        const uint8_t *bytes = rows->bytes + row * row_size;
+        uint32_t *to = corners + 3 * row;
+        memcpy(to, bytes + offset, 3 * sizeof *to);
+        bad += (bytes[length] != 3) | (to[0] >= vertex_count) | (to[1] >= vertex_count) |
+               (to[2] >= vertex_count);
+    }
+    return bad;
 }
 
 /* A value that is not negative; UINT32_MAX for one that is. */
@@ -239,6 +261,11 @@ typedef struct triangle_context {
 static void convert_triangles(void *of, size_t first, size_t end) {
     triangle_context *context = of;
     size_t bad = 0;
+    if (context->layout->is_common && context->vertex_count <= INT32_MAX) {
+        bad = convert_common(context->rows, context->layout, first, end,
+                             (uint32_t)context->vertex_count, context->corners);
+        first = end;
+    }
     for (size_t row = first; row < end; ++row) {
         bad += !convert_triangle(context->rows, context->layout, row, context->vertex_count,
                                  context->corners + 3 * row);

@@ -10,7 +10,7 @@ typedef struct block_places {
     float w[BURNISH_FRAGMENT_BLOCK];
 } block_places;
 
-static void locate(const burnish_shade_view *view, const burnish_fragments *fragments,
+static void locate(const burnish_rays *view, const burnish_fragments *fragments,
                    block_places *places) {
     for (int axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < fragments->count; ++i) {
@@ -68,7 +68,7 @@ void burnish_shade(const burnish_shader *shader, burnish_shade_cache *cache,
     block_places places;
     burnish_interpolate(shader, fragments, &points);
     if (shader->needs_place) {
-        locate(&shader->view, fragments, &places);
+        locate(&shader->rays, fragments, &places);
     }
     for (int first = 0, end; first < points.count; first = end) {
         end = run_end(&points, first);

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "burnish/batch.h"
+#include "kernels/table.h"
 #include "raster/raster.h"
 #include "shade/attributes.h"
 
@@ -19,16 +20,8 @@ typedef struct burnish_shade_material {
     burnish_batch_lobe lobe;
 } burnish_shade_material;
 
-/* How a pixel's place becomes a place in space. A visible point lies, from the eye, at
- *   (ray + x ray_x + y ray_y + (1 - depth) ray_depth) / q,   x, y in pixels from the centre,
- *   q = depth * q_per_depth + q_constant (1/w in perspective, 1 in parallel projection). */
-typedef struct burnish_shade_view {
-    float ray[3], ray_x[3], ray_y[3], ray_depth[3];
-    float q_per_depth, q_constant;
-} burnish_shade_view;
-
 typedef struct burnish_shader {
-    burnish_shade_view view;
+    burnish_rays rays; /* from the eye */
     const burnish_batch *batch;
     burnish_batch_lighting lighting; /* lights, from the eye, and viewer; no material */
     const burnish_shade_material *materials;

@@ -27,28 +27,17 @@ static void divide_w(const burnish_shader *shader, const burnish_visibility *vis
     }
 }
 
-/* Places of the pixels [first, end) from the eye, times w. */
-static void locate(const burnish_shade_view *view, const burnish_visibility *visibility,
+/* Places of the pixels [first, end), whole blocks. */
+static void locate(const burnish_shader *shader, const burnish_visibility *visibility,
                    const burnish_raster_view *raster, int base, int first, int end,
                    burnish_strip *strip) {
-    const int half = BURNISH_SUBPIXELS / 2;
-    const int left = visibility->x * BURNISH_SUBPIXELS + half - raster->width * half;
-    const int top = visibility->y * BURNISH_SUBPIXELS + half - raster->height * half;
-    const float *depths = visibility->center_depths + base;
-    for (int k = 0; k < 3; ++k) {
-        const float ray = view->ray[k], ray_x = view->ray_x[k], ray_y = view->ray_y[k],
-                    ray_depth = view->ray_depth[k];
-        for (int i = first; i < end; ++i) {
-            const int x = left + burnish_place_x(base + i) * BURNISH_SUBPIXELS;
-            const int y = top + burnish_place_y(base + i) * BURNISH_SUBPIXELS;
-            const float at_x = (float)x / BURNISH_SUBPIXELS, at_y = (float)-y / BURNISH_SUBPIXELS;
-            strip->position[k][i] =
-                ((ray + at_x * ray_x) + at_y * ray_y) + (1.0f - depths[i]) * ray_depth;
-        }
-    }
-    for (int i = first; i < end; ++i) {
-        strip->w[i] = depths[i] * view->q_per_depth + view->q_constant;
-    }
+    const int x = visibility->x + burnish_place_x(base + first);
+    const int y = visibility->y + burnish_place_y(base + first);
+    float *const position[3] = {strip->position[0] + first, strip->position[1] + first,
+                                strip->position[2] + first};
+    shader->batch->locate(&shader->rays, (float)(2 * x + 1 - raster->width) * 0.5f,
+                          (float)(raster->height - 2 * y - 1) * 0.5f, (size_t)(end - first),
+                          visibility->center_depths + base + first, position, strip->w + first);
 }
 
 static void shade_run(const burnish_shader *shader, burnish_shade_cache *cache,
@@ -92,7 +81,7 @@ static void shade_blocks(const burnish_shader *shader, burnish_shade_cache *cach
         divide_w(shader, visibility, base, first, end, strip);
     }
     if (shader->needs_place) {
-        locate(&shader->view, visibility, view, base, first, end, strip);
+        locate(shader, visibility, view, base, first, end, strip);
     }
     if (!shader->triangle_materials) {
         shade_run(shader, cache, visibility, base, 0, first, end, strip);

@@ -130,6 +130,7 @@ static int fail_blank(const burnish_cli_result *result) {
 static burnish_status draw_cell(burnish_cli_result *result, burnish_render_options *options,
                                 burnish_cli_cell *cell, burnish_error *error) {
     options->lobe = cell->lobe;
+    options->counts = result->settings->json ? BURNISH_COUNTS_ALL : BURNISH_COUNTS_PIXELS;
     burnish_status status =
         burnish_cli_camera(result->scene, result->settings, cell->view, &options->camera, error);
     if (status != BURNISH_STATUS_OK) {
