@@ -294,24 +294,19 @@ BURNISH_INLINE void draw_small(burnish_visibility *tile, const setup_block *bloc
 
 /* The units that a block of triangles may cover, triangle after triangle: with so many triangles of
  * so few units each, loops over one triangle's units end where no processor foresees it. */
-enum {
-    MOST_UNITS = UNIT_SIDE * UNIT_SIDE,
-    UNIT_LIST = LANES * MOST_UNITS,
-    STRIP_UNITS = BURNISH_BLOCK_SIZE / UNIT_HEIGHT, /* a block's, one below the other */
-};
+enum { MOST_UNITS = UNIT_SIDE * UNIT_SIDE, UNIT_LIST = LANES * MOST_UNITS };
 typedef struct unit_list {
     int32_t along[3][LANES][LANES]; /* edge functions of a triangle over its first unit, less
                                        those at the unit's first pixel, ... */
     int32_t start[3][UNIT_LIST + MOST_UNITS]; /* ... which are here, a unit each */
-    int32_t place[UNIT_LIST + MOST_UNITS];
-    int32_t lane[UNIT_LIST + MOST_UNITS];
-    int32_t covering[UNIT_LIST]; /* units that cover a pixel */
+    int32_t place[UNIT_LIST + MOST_UNITS];    /* and the lane times BURNISH_TILE_PIXELS */
+    int32_t covering[UNIT_LIST];              /* units that cover a pixel */
     vm covered[UNIT_LIST];
 } unit_list;
 
-/* Units of boxes of 1 to UNIT_SIDE units by as many, row after row: x and y in units, y in the
- * upper half. */
-#define AT(x, y) ((x) | (y) << 16)
+/* First pixels of the units of boxes of 1 to UNIT_SIDE units by as many, row after row: x, and y in
+ * the upper half. */
+#define AT(x, y) ((x)*UNIT_WIDTH | (y)*UNIT_HEIGHT << 16)
 #define ROW1(y) AT(0, y)
 #define ROW2(y) AT(0, y), AT(1, y)
 #define ROW3(y) AT(0, y), AT(1, y), AT(2, y)
@@ -328,14 +323,22 @@ static const int32_t BOX_UNITS[UNIT_SIDE][MOST_UNITS] = {
 #undef ROW1
 #undef AT
 
+/* burnish_tile_place of first pixels of units: x, and y in the upper half. */
+BURNISH_INLINE vi places_of(vi pixel) {
+    const vi x = vi_and(pixel, vi_set(0xffff)), y = vi_right(pixel, 16);
+    const vi strip = vi_left(vi_and(y, vi_set(~3)), 6), row = vi_left(vi_and(y, vi_set(3)), 2);
+    return vi_or(vi_or(strip, row), vi_left(x, 2));
+}
+
 /* Lists the units of the triangles `lanes`; returns how many. */
 BURNISH_INLINE int list_units(const setup_block *block, unsigned lanes, unit_list *list) {
     int count = 0;
     for (; lanes; lanes &= lanes - 1) {
         const size_t lane = (size_t)__builtin_ctz(lanes);
-        const int column = block->x0[lane] / UNIT_WIDTH, row = block->y0[lane] / UNIT_HEIGHT;
-        const int wide = block->x1[lane] / UNIT_WIDTH - column + 1;
-        const int high = block->y1[lane] / UNIT_HEIGHT - row + 1;
+        const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1);
+        const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1);
+        const int wide = (block->x1[lane] - x0) / UNIT_WIDTH + 1;
+        const int high = (block->y1[lane] - y0) / UNIT_HEIGHT + 1;
         const int32_t *box = BOX_UNITS[wide - 1];
         vi slope[3];
         for (int i = 0; i < 3; ++i) {
@@ -345,19 +348,14 @@ BURNISH_INLINE int list_units(const setup_block *block, unsigned lanes, unit_lis
         }
         for (int k = 0; k < MOST_UNITS; k += LANES) { /* behind the last one is room */
             const vi unit = vi_load(box + k);
-            const vi x = vi_and(unit, vi_set(0xffff)), y = vi_right(unit, 16);
-            const vi to = vi_or(vi_left(x, 2), vi_mul(y, vi_set(UNIT_HEIGHT << 16)));
             for (int i = 0; i < 3; ++i) {
-                vi start = vi_add(vi_set(block->unit[i][lane]), vi_left(vi_dot16(slope[i], to), 8));
+                vi start =
+                    vi_add(vi_set(block->unit[i][lane]), vi_left(vi_dot16(slope[i], unit), 8));
                 vi_save(list->start[i] + count + k, start);
             }
-            const vi rows = vi_add(y, vi_set(row));
-            const vi strip = vi_and(rows, vi_set(~(STRIP_UNITS - 1)));
-            vi place = vi_add(vi_mul(strip, vi_set(BURNISH_STRIP_PIXELS / STRIP_UNITS)),
-                              vi_mul(vi_sub(rows, strip), vi_set(LANES)));
-            place = vi_add(place, vi_mul(vi_add(x, vi_set(column)), vi_set(BURNISH_BLOCK_PIXELS)));
-            vi_save(list->place + count + k, place);
-            vi_save(list->lane + count + k, vi_set((int32_t)lane));
+            const vi place = places_of(vi_add(unit, vi_set(x0 | y0 << 16)));
+            vi_save(list->place + count + k,
+                    vi_or(place, vi_set((int32_t)lane * BURNISH_TILE_PIXELS)));
         }
         count += wide * high;
     }
@@ -376,7 +374,7 @@ BURNISH_INLINE void draw_listed(burnish_visibility *tile, const setup_block *blo
     const int count = list_units(block, lanes, list);
     int covering = 0;
     for (int unit = 0; unit < count; ++unit) {
-        const size_t lane = (size_t)list->lane[unit];
+        const size_t lane = (size_t)list->place[unit] / BURNISH_TILE_PIXELS;
         vi e[3];
         for (int i = 0; i < 3; ++i) {
             e[i] = edge_of_listed(list, lane, unit, i);
@@ -388,12 +386,13 @@ BURNISH_INLINE void draw_listed(burnish_visibility *tile, const setup_block *blo
     }
     for (int i = 0; i < covering; ++i) {
         const int unit = list->covering[i];
-        const size_t lane = (size_t)list->lane[unit];
+        const size_t lane = (size_t)list->place[unit] / BURNISH_TILE_PIXELS;
         unit_constants constants;
         load_constants(block, lane, planes, (int32_t)block->corners.source[lane], &constants);
         const vi e1 = edge_of_listed(list, lane, unit, 1), e2 = edge_of_listed(list, lane, unit, 2);
         const vi e[3] = {e1, e1, e2};
-        draw_unit(tile, &constants, planes, owners, list->covered[i], e, list->place[unit]);
+        draw_unit(tile, &constants, planes, owners, list->covered[i], e,
+                  list->place[unit] % BURNISH_TILE_PIXELS);
     }
 }
 
