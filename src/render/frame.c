@@ -15,6 +15,7 @@ struct burnish_tile_worker {
     float sum[3][BURNISH_TILE_PIXELS];    /* of shared pixels: linear light times samples */
     uint8_t covered[BURNISH_TILE_PIXELS]; /* of shared pixels: samples */
     uint32_t pixels[BURNISH_STRIP_PIXELS];
+    const uint8_t *background; /* a row of the image where nothing is */
     size_t covered_pixels;
     int bounds[4];
 };
@@ -151,17 +152,10 @@ static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker
     }
 }
 
-static void fill_row(const burnish_frame *frame, int width, uint8_t *out) {
-    const uint8_t *background = frame->options->background;
-    if (frame->options->transparent) {
-        memset(out, 0, 4 * (size_t)width);
-    } else if (background[0] == background[1] && background[0] == background[2]) {
-        memset(out, background[0], 3 * (size_t)width);
-    } else {
-        for (int x = 0; x < width; ++x) {
-            memcpy(out + 3 * x, background, 3);
-        }
-    }
+/* Where nothing is: `width` pixels of the row that has been prepared. */
+static void fill_row(const burnish_frame *frame, const uint8_t *background, int width,
+                     uint8_t *out) {
+    memcpy(out, background, (size_t)width * (size_t)frame->image->channels);
 }
 
 /* Row y of the strip's pixels into the image. */
@@ -188,8 +182,8 @@ static void store_row(const burnish_frame *frame, const burnish_tile_worker *wor
     }
 }
 
-static uint8_t *image_row(const burnish_frame *frame, const burnish_visibility *tile, int y) {
-    const size_t place = (size_t)(tile->y + y) * (size_t)frame->image->width + (size_t)tile->x;
+static uint8_t *pixels_at(const burnish_frame *frame, int x, int y) {
+    const size_t place = (size_t)y * (size_t)frame->image->width + (size_t)x;
     return frame->image->pixels + place * (size_t)frame->image->channels;
 }
 
@@ -197,8 +191,9 @@ static void finish_tile(const burnish_frame *frame, burnish_tile_worker *worker,
     const burnish_visibility *tile = &worker->tile;
     for (int y = 0; y < tile->height; ++y) {
         const int number = y / BURNISH_BLOCK_SIZE;
+        uint8_t *to = pixels_at(frame, tile->x, tile->y + y);
         if (is_empty || !tile->touched[number]) {
-            fill_row(frame, tile->width, image_row(frame, tile, y));
+            fill_row(frame, worker->background, tile->width, to);
             continue;
         }
         if (y % BURNISH_BLOCK_SIZE == 0) {
@@ -209,7 +204,7 @@ static void finish_tile(const burnish_frame *frame, burnish_tile_worker *worker,
             }
             encode_strip(frame, worker, number);
         }
-        store_row(frame, worker, y % BURNISH_BLOCK_SIZE, image_row(frame, tile, y));
+        store_row(frame, worker, y % BURNISH_BLOCK_SIZE, to);
     }
 }
 
@@ -328,6 +323,21 @@ static int worker_count(const burnish_frame *frame) {
     return threads < columns * rows ? threads : columns * rows;
 }
 
+/* A row of the image where nothing is. */
+static burnish_status prepare_background(const burnish_frame *frame, burnish_tiles *tiles,
+                                         burnish_error *error) {
+    const size_t channels = (size_t)frame->image->channels, width = (size_t)frame->image->width;
+    burnish_status status = burnish_renew((void **)&tiles->background, &tiles->background_capacity,
+                                          width, channels, "a row", error);
+    for (size_t i = 0; i < width && status == BURNISH_STATUS_OK; ++i) {
+        const uint8_t *code = frame->options->background;
+        for (size_t k = 0; k < channels; ++k) {
+            tiles->background[channels * i + k] = frame->options->transparent ? 0 : code[k];
+        }
+    }
+    return status;
+}
+
 /* Workers that can draw the frame: those of the last one where they do. */
 static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles *tiles,
                                       burnish_error *error) {
@@ -337,8 +347,11 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
                                                .keep_owners = shader->triangle_materials != NULL ||
                                                               frame->drawn != NULL,
                                                .needs_place = shader->needs_place};
-    burnish_status status = BURNISH_STATUS_OK;
+    burnish_status status = prepare_background(frame, tiles, error);
     const int threads = worker_count(frame);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
     if (tiles->worker_count != threads ||
         memcmp(&tiles->workers[0].tile.options, &wanted, sizeof wanted) != 0) {
         destroy_workers(tiles);
@@ -346,6 +359,7 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
     }
     for (int i = 0; i < tiles->worker_count; ++i) {
         tiles->workers[i].cache.material = -1;
+        tiles->workers[i].background = tiles->background;
         tiles->workers[i].covered_pixels = 0;
         memset(tiles->workers[i].bounds, 0, sizeof tiles->workers[i].bounds);
         tiles->workers[i].tile.attributes[0] = shader->attributes->normals;
@@ -368,5 +382,8 @@ burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_tiles *til
 
 void burnish_tiles_destroy(burnish_tiles *tiles) {
     destroy_workers(tiles);
+    free(tiles->background);
+    tiles->background = NULL;
+    tiles->background_capacity = 0;
     burnish_bins_destroy(&tiles->bins);
 }

@@ -26,6 +26,8 @@ typedef struct burnish_tiles {
     burnish_bins bins;
     burnish_tile_worker *workers;
     int worker_count;
+    uint8_t *background; /* a row of the image where nothing is */
+    size_t background_capacity;
 } burnish_tiles;
 
 /* Draws every tile. report gets covered_pixels and bounds where they are wanted. Errors: MEMORY. */
