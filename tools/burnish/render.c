@@ -127,8 +127,9 @@ static int fail_blank(const burnish_cli_result *result) {
     return BURNISH_CLI_EXIT_BLANK;
 }
 
-static burnish_status draw_cell(burnish_cli_result *result, burnish_render_options *options,
-                                burnish_cli_cell *cell, burnish_error *error) {
+static burnish_status draw_cell(burnish_cli_result *result, burnish_renderer *renderer,
+                                burnish_render_options *options, burnish_cli_cell *cell,
+                                burnish_error *error) {
     options->lobe = cell->lobe;
     options->counts = result->settings->json ? BURNISH_COUNTS_ALL : BURNISH_COUNTS_PIXELS;
     burnish_status status =
@@ -137,7 +138,8 @@ static burnish_status draw_cell(burnish_cli_result *result, burnish_render_optio
         return status;
     }
     cell->camera = options->camera;
-    status = burnish_render(result->scene, options, &cell->image, &cell->report, error);
+    status =
+        burnish_renderer_draw(renderer, result->scene, options, &cell->image, &cell->report, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -155,7 +157,8 @@ static burnish_status draw_cells(burnish_cli_result *result, burnish_render_opti
                                  burnish_error *error) {
     const burnish_cli_render *settings = result->settings;
     int progress = result->cell_count > 1 && !settings->quiet && isatty(STDERR_FILENO);
-    burnish_status status = BURNISH_STATUS_OK;
+    burnish_renderer *renderer;
+    burnish_status status = burnish_renderer_create(&renderer, error);
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
         burnish_cli_cell *cell = &result->cells[i];
         size_t view = i / settings->lobes.count;
@@ -167,11 +170,12 @@ static burnish_status draw_cells(burnish_cli_result *result, burnish_render_opti
             fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
                     cell->label);
         }
-        status = draw_cell(result, options, cell, error);
+        status = draw_cell(result, renderer, options, cell, error);
     }
     if (progress) {
         fprintf(stderr, "\r\033[K");
     }
+    burnish_renderer_destroy(renderer);
     return status;
 }
 
