@@ -170,7 +170,7 @@ static int same_owner(const burnish_visibility *fast, const burnish_geometry *ge
     }
     const burnish_corners corners = reference_corners(geometry, triangle);
     return samples == 1 ? (uint32_t)fast->owners[at] == corners.source
-                        : same_corners(&fast->triangles[fast->owners[at]].corners, &corners);
+                        : same_corners(&fast->triangles.corners[fast->owners[at]], &corners);
 }
 
 /* Samples of the tile whose owners or depths differ. */
@@ -342,7 +342,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
     fast.attributes[1] = attributes.colors;
     if (samples > 1 && next_random(state) % 4 == 0) { /* forget triangles often */
         size_t least = 2 * (size_t)BURNISH_TILE_PIXELS * (size_t)samples; /* own at most half */
-        fast.triangle_capacity = least < fast.triangle_capacity ? least : fast.triangle_capacity;
+        fast.triangles.capacity = least < fast.triangles.capacity ? least : fast.triangles.capacity;
     }
     burnish_bins_begin(&bins);
     do {
@@ -405,7 +405,7 @@ static void check_forgetting(void) {
     reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
     burnish_visibility_draw(&fast, tier, &view, &geometry, &bins, 0, 0);
     CHECK(geometry.triangle_count == LAYERS, "all may be seen: %zu", geometry.triangle_count);
-    CHECK(fast.triangle_count < LAYERS, "forgot some: %zu", fast.triangle_count);
+    CHECK(fast.triangles.count < LAYERS, "forgot some: %zu", fast.triangles.count);
     CHECK(compare_owners(&tile, &fast, &geometry) == 0, "owners after forgetting");
     burnish_visibility_destroy(&fast);
     reference_tile_destroy(&tile);

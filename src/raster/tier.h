@@ -50,6 +50,21 @@ typedef struct burnish_shared_points {
 typedef void burnish_find_shared_function(const burnish_visibility *visibility, int block,
                                           burnish_shared_points *points);
 
+/* Points of shared pixels before they are placed. */
+typedef struct burnish_sample_points {
+    int count;
+    int32_t owner[BURNISH_FRAGMENT_BLOCK];
+    int32_t x[BURNISH_FRAGMENT_BLOCK], y[BURNISH_FRAGMENT_BLOCK]; /* 1/256 pixel from the tile's
+                                                                     corner */
+} burnish_sample_points;
+
+/* Finds weights, and places where they are wanted, of points. Items behind the last one may be
+ * written. */
+typedef void burnish_place_function(const burnish_visibility *visibility,
+                                    const burnish_raster_view *view,
+                                    const burnish_sample_points *points,
+                                    burnish_fragments *fragments);
+
 /* Sets drawn[t] to 1 for each of the mesh's triangles t that own a sample; needs owners. Threads
  * may do so at the same time. */
 typedef void burnish_mark_function(const burnish_visibility *visibility, uint8_t *drawn);
@@ -63,6 +78,7 @@ struct burnish_raster_tier {
     burnish_find_least_function *find_least;
     burnish_find_pixels_function *find_pixels;
     burnish_find_shared_function *find_shared;
+    burnish_place_function *place;
     burnish_mark_function *mark;
 };
 

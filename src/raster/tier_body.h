@@ -12,4 +12,5 @@ const burnish_raster_tier RASTER_TIER = {.transform = transform_vertices,
                                          .find_least = find_least,
                                          .find_pixels = find_shown,
                                          .find_shared = find_shared,
+                                         .place = place_points,
                                          .mark = mark_drawn};

@@ -16,16 +16,46 @@ static burnish_status allocate_floats(float **array, size_t count, burnish_error
     return status;
 }
 
-/* The table of offset_sums. */
-static void add_offsets(burnish_visibility *visibility) {
-    const int8_t(*offsets)[2] = burnish_sample_offsets(visibility->options.samples);
-    for (int s = 0; s < visibility->options.samples; ++s) {
-        for (int bits = 0; bits < 256; ++bits) {
-            int8_t *sum = visibility->offset_sums[s / 8][bits];
-            sum[0] = (int8_t)(sum[0] + (bits >> s % 8 & 1) * offsets[s][0]);
-            sum[1] = (int8_t)(sum[1] + (bits >> s % 8 & 1) * offsets[s][1]);
-        }
+/* The samples of a pixel that bits stand for. A mean is rounded towards 0. */
+static burnish_sample_mean find_mean(int samples, unsigned bits) {
+    const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
+    const int step = BURNISH_SUBPIXELS / 16;
+    int x = 0, y = 0, count = 0;
+    for (int s = 0; s < samples; ++s) {
+        const int is_in = bits >> s & 1;
+        x += is_in * offsets[s][0];
+        y += is_in * offsets[s][1];
+        count += is_in;
     }
+    const int divisor = count > 0 ? count : 1;
+    return (burnish_sample_mean){(int16_t)(x * step / divisor), (int16_t)(y * step / divisor),
+                                 count};
+}
+
+static burnish_status create_triangles(burnish_tile_triangles *triangles, size_t capacity,
+                                       burnish_error *error) {
+    const size_t count = capacity + BURNISH_TILE_TRIANGLES_EXTRA;
+    const char *what = "a tile's triangles";
+    burnish_status status =
+        burnish_allocate((void **)&triangles->edges, count, sizeof *triangles->edges, what, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&triangles->weights, count, sizeof *triangles->weights,
+                                  what, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&triangles->depths, count, sizeof *triangles->depths,
+                                  what, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&triangles->corners, count, sizeof *triangles->corners,
+                                  what, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_allocate((void **)&triangles->constants, count,
+                                  sizeof *triangles->constants, what, error);
+    }
+    triangles->capacity = capacity;
+    return status;
 }
 
 burnish_status burnish_visibility_create(burnish_visibility *visibility,
@@ -49,12 +79,13 @@ burnish_status burnish_visibility_create(burnish_visibility *visibility,
                                   "a tile", error);
     }
     if (status == BURNISH_STATUS_OK && samples > 1) {
-        add_offsets(visibility);
-        visibility->triangle_capacity = (size_t)BURNISH_TILE_TRIANGLES * (size_t)samples;
-        status = burnish_allocate((void **)&visibility->triangles, visibility->triangle_capacity,
-                                  sizeof *visibility->triangles, "a tile's triangles", error);
+        const size_t capacity = (size_t)BURNISH_TILE_TRIANGLES * (size_t)samples;
+        for (unsigned bits = 0; bits < 256; ++bits) {
+            visibility->means[bits] = find_mean(samples, bits);
+        }
+        status = create_triangles(&visibility->triangles, capacity, error);
         if (status == BURNISH_STATUS_OK) {
-            status = burnish_allocate((void **)&visibility->places, visibility->triangle_capacity,
+            status = burnish_allocate((void **)&visibility->places, capacity,
                                       sizeof *visibility->places, "a tile's triangles", error);
         }
     }
@@ -70,7 +101,11 @@ void burnish_visibility_destroy(burnish_visibility *visibility) {
         free(visibility->planes[k]);
     }
     free(visibility->owners);
-    free(visibility->triangles);
+    free(visibility->triangles.edges);
+    free(visibility->triangles.weights);
+    free(visibility->triangles.depths);
+    free(visibility->triangles.corners);
+    free(visibility->triangles.constants);
     free(visibility->places);
     memset(visibility, 0, sizeof *visibility);
 }
@@ -79,17 +114,22 @@ void burnish_visibility_destroy(burnish_visibility *visibility) {
  * afterwards. Triangles keep their order. */
 void burnish_visibility_compact(burnish_visibility *visibility) {
     const size_t samples = (size_t)BURNISH_TILE_PIXELS * (size_t)visibility->options.samples;
-    burnish_tile_triangle *triangles = visibility->triangles;
+    burnish_tile_triangles *triangles = &visibility->triangles;
     int32_t *places = visibility->places, kept = 0;
-    memset(places, 0, visibility->triangle_count * sizeof *places);
+    memset(places, 0, triangles->count * sizeof *places);
     for (size_t i = 0; i < samples; ++i) {
         if (visibility->owners[i] >= 0) {
             places[visibility->owners[i]] = 1;
         }
     }
-    for (size_t i = 0; i < visibility->triangle_count; ++i) {
+    for (size_t i = 0; i < triangles->count; ++i) {
         if (places[i]) {
-            triangles[kept] = triangles[i];
+            triangles->edges[kept] = triangles->edges[i];
+            triangles->weights[kept] = triangles->weights[i];
+            triangles->depths[kept] = triangles->depths[i];
+            triangles->corners[kept] = triangles->corners[i];
+            memmove(triangles->constants[kept], triangles->constants[i],
+                    sizeof *triangles->constants);
             places[i] = kept++;
         }
     }
@@ -98,7 +138,7 @@ void burnish_visibility_compact(burnish_visibility *visibility) {
             visibility->owners[i] = places[visibility->owners[i]];
         }
     }
-    visibility->triangle_count = (size_t)kept;
+    triangles->count = (size_t)kept;
 }
 
 /* Finds the coarse depth. */
@@ -188,7 +228,7 @@ int burnish_visibility_draw(burnish_visibility *visibility, const burnish_raster
     visibility->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
     visibility->next_block = 0;
     visibility->tier = tier;
-    visibility->triangle_count = 0;
+    visibility->triangles.count = 0;
     if (burnish_list_is_empty(fronts) && burnish_list_is_empty(backs)) {
         return 0;
     }
@@ -213,82 +253,46 @@ static int center_of(int pixel) {
     return pixel * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
 }
 
-/* Weights of a triangle's vertices 1 and 2 at (x, y) in 1/256 pixel from the tile's corner. */
-static void weights_at(const burnish_tile_triangle *triangle, int x, int y, float *weight1,
-                       float *weight2) {
-    const int64_t edge1 = (int64_t)triangle->dx[0] * y - (int64_t)triangle->dy[0] * x;
-    const int64_t edge2 = (int64_t)triangle->dx[1] * y - (int64_t)triangle->dy[1] * x;
-    *weight1 = (float)(edge1 + triangle->constant[0]) * triangle->inverse_area;
-    *weight2 = (float)(edge2 + triangle->constant[1]) * triangle->inverse_area;
-}
-
-static float depth_at(const burnish_tile_triangle *triangle, float weight1, float weight2) {
-    return (triangle->depth[0] + weight1 * triangle->depth[1]) + weight2 * triangle->depth[2];
-}
-
-/* Appends the point at (x, y) in 1/256 pixel from the tile's corner. */
-static void append_point(const burnish_visibility *visibility, const burnish_raster_view *view,
-                         int place, int32_t owner, int weight, int x, int y,
-                         burnish_fragments *fragments) {
-    const burnish_tile_triangle *triangle = &visibility->triangles[owner];
-    const int i = fragments->count++;
-    float weight1, weight2;
-    weights_at(triangle, x, y, &weight1, &weight2);
-    fragments->place[i] = (uint16_t)place;
-    fragments->weight[i] = (uint8_t)weight;
-    fragments->corners[i] = triangle->corners;
-    fragments->weight1[i] = weight1;
-    fragments->weight2[i] = weight2;
-    if (visibility->options.needs_place) {
-        x += visibility->x * BURNISH_SUBPIXELS - view->width * (BURNISH_SUBPIXELS / 2);
-        y += visibility->y * BURNISH_SUBPIXELS - view->height * (BURNISH_SUBPIXELS / 2);
-        fragments->x[i] = (float)x / BURNISH_SUBPIXELS;
-        fragments->y[i] = (float)-y / BURNISH_SUBPIXELS;
-        fragments->depth[i] = depth_at(triangle, weight1, weight2);
+/* The points of a block's shared pixels. */
+static void append_points(const burnish_visibility *visibility, int block,
+                          const burnish_shared_points *shared, burnish_sample_points *points,
+                          burnish_fragments *fragments) {
+    const int samples = visibility->options.samples;
+    for (int i = 0; i < shared->count; ++i) {
+        const int place = block * BURNISH_BLOCK_PIXELS + shared->pixel[i], at = points->count++;
+        const unsigned bits = shared->samples[i];
+        const burnish_sample_mean mean =
+            samples <= 8 ? visibility->means[bits] : find_mean(samples, bits);
+        points->owner[at] = shared->owner[i];
+        points->x[at] = center_of(burnish_place_x(place)) + mean.x;
+        points->y[at] = center_of(burnish_place_y(place)) + mean.y;
+        fragments->place[at] = (uint16_t)place;
+        fragments->weight[at] = (uint8_t)mean.count;
+        fragments->corners[at] = visibility->triangles.corners[shared->owner[i]];
     }
-}
-
-/* sum / count, towards 0, for abs(sum) <= 4096 and count in [1, 16]: the factor is 65536 / count
- * rounded up, so that the product is too large by less than 1/16. */
-static int mean_of(int sum, int count) {
-    static const int32_t factors[BURNISH_MAX_SAMPLES + 1] = {
-        0,    65536, 32768, 21846, 16384, 13108, 10923, 9363, 8192,
-        7282, 6554,  5958,  5462,  5042,  4682,  4370,  4096};
-    return sum < 0 ? -(-sum * factors[count] >> 16) : sum * factors[count] >> 16;
-}
-
-/* The point of some samples of a pixel that show one triangle. */
-static void append_samples(const burnish_visibility *visibility, const burnish_raster_view *view,
-                           int place, unsigned samples, int32_t owner,
-                           burnish_fragments *fragments) {
-    const int step = BURNISH_SUBPIXELS / 16, weight = __builtin_popcount(samples);
-    const int8_t *first = visibility->offset_sums[0][samples & 255],
-                 *last = visibility->offset_sums[1][samples >> 8];
-    const int x = mean_of((first[0] + last[0]) * step, weight);
-    const int y = mean_of((first[1] + last[1]) * step, weight);
-    append_point(visibility, view, place, owner, weight, center_of(burnish_place_x(place)) + x,
-                 center_of(burnish_place_y(place)) + y, fragments);
 }
 
 int burnish_visibility_next(burnish_visibility *visibility, const burnish_raster_view *view,
                             burnish_fragments *fragments) {
-    burnish_shared_points points;
+    burnish_shared_points shared;
+    burnish_sample_points points;
     int block = visibility->next_block;
-    fragments->count = 0;
+    points.count = 0;
     for (; visibility->options.samples > 1 && block < BURNISH_TILE_PIXELS / BURNISH_BLOCK_PIXELS;
          ++block) {
         if (!(visibility->touched[block / BURNISH_TILE_STRIPS] >> block % BURNISH_TILE_STRIPS &
               1)) {
             continue;
         }
-        visibility->tier->find_shared(visibility, block, &points);
-        if (fragments->count + points.count > BURNISH_FRAGMENT_BLOCK) {
+        visibility->tier->find_shared(visibility, block, &shared);
+        if (points.count + shared.count > BURNISH_FRAGMENT_BLOCK) {
             break;
         }
-        for (int i = 0; i < points.count; ++i) {
-            append_samples(visibility, view, block * BURNISH_BLOCK_PIXELS + points.pixel[i],
-                           points.samples[i], points.owner[i], fragments);
-        }
+        append_points(visibility, block, &shared, &points, fragments);
+    }
+    fragments->count = points.count;
+    if (points.count > 0) {
+        visibility->tier->place(visibility, view, &points, fragments);
     }
     visibility->next_block = block;
     return fragments->count > 0;

@@ -10,19 +10,38 @@
 
 #include "raster/raster.h"
 
-/* A triangle that owns, or owned, a sample of the tile. Coordinates are 1/256 pixel from the tile's
- * corner; edge function i at (x, y) is dx[i - 1] y - dy[i - 1] x + constant[i - 1], i = 1, 2. */
-typedef struct burnish_tile_triangle {
-    int64_t constant[2];
-    int32_t dx[2], dy[2];
+/* What the points of shared pixels need of the triangles that own, or may have owned, a sample of
+ * the tile: arrays of four words a triangle, stored and loaded by vectors. Coordinates are 1/256
+ * pixel from the tile's corner; edge function i at (x, y) is dx[i - 1] y - dy[i - 1] x + constant[i
+ * - 1], i = 1, 2. */
+typedef struct burnish_tile_edges {
+    int32_t constant[2], dx[2];
+} burnish_tile_edges;
+
+typedef struct burnish_tile_weights {
+    int32_t dy[2];
     float inverse_area;
+    int32_t is_large; /* 1: its constants do not fit 32 bits */
+} burnish_tile_weights;
+
+typedef struct burnish_tile_depths {
     float depth[3]; /* of vertex 0; of 1 and 2 minus that */
-    burnish_corners corners;
-} burnish_tile_triangle;
+    float unused;
+} burnish_tile_depths;
+
+typedef struct burnish_tile_triangles {
+    burnish_tile_edges *edges;
+    burnish_tile_weights *weights;
+    burnish_tile_depths *depths;
+    burnish_corners *corners;
+    int64_t (*constants)[2]; /* of large ones */
+    size_t count, capacity;
+} burnish_tile_triangles;
 
 enum {
     /* Triangles that a tile remembers before it forgets those that own nothing any more. */
     BURNISH_TILE_TRIANGLES = 2 * BURNISH_TILE_PIXELS,
+    BURNISH_TILE_TRIANGLES_EXTRA = 16, /* that a vector may write behind the last one */
     BURNISH_TILE_BLOCKS = BURNISH_TILE_SIZE / BURNISH_COARSE_BLOCK
 };
 
@@ -46,6 +65,12 @@ typedef struct burnish_visibility_options {
     int needs_place; /* 1: points get places: x, y and depth */
 } burnish_visibility_options;
 
+/* Some samples of a pixel. */
+typedef struct burnish_sample_mean {
+    int16_t x, y; /* mean of their offsets, 1/256 pixel */
+    int32_t count;
+} burnish_sample_mean;
+
 /* A tile while it is drawn. Pixels lie as burnish_tile_place says; of the samples of a block of
  * pixels, sample s comes s blocks after sample 0 (burnish_sample_place). */
 typedef struct burnish_visibility {
@@ -59,15 +84,14 @@ typedef struct burnish_visibility {
      * triangles, -1 for none */
     int32_t *owners;
     uint16_t touched[BURNISH_TILE_STRIPS]; /* bit x of y: block (x, y) shows a triangle */
-    burnish_tile_triangle *triangles;      /* with more than one sample */
+    burnish_tile_triangles triangles;      /* with more than one sample */
     int32_t *places; /* one a triangle: scratch while triangles are forgotten */
-    size_t triangle_count, triangle_capacity;
     /* least depth of each coarse block, and of it, the next one, and the two below */
     float coarse[2][BURNISH_TILE_BLOCKS][BURNISH_TILE_BLOCKS];
     int next_block;                  /* where burnish_visibility_next goes on */
     const burnish_raster_tier *tier; /* that drew the tile */
-    /* by the bits of eight samples, the first or the last: their offsets' sum in 1/16 pixel */
-    int8_t offset_sums[2][256][2];
+    /* by the bits of up to eight samples: how many, and their offsets' mean in 1/256 pixel */
+    burnish_sample_mean means[256];
 } burnish_visibility;
 
 /* Where sample s of the pixel at `place` lies in depths and owners. */
@@ -108,7 +132,7 @@ static inline uint32_t burnish_visibility_source(const burnish_visibility *visib
                                                  int pixel, int32_t whole) {
     return visibility->options.samples == 1
                ? (uint32_t)visibility->owners[strip * BURNISH_STRIP_PIXELS + pixel]
-               : visibility->triangles[whole].corners.source;
+               : visibility->triangles.corners[whole].source;
 }
 
 #endif

@@ -36,6 +36,7 @@ typedef struct setup_block {
     int32_t x0[LANES], y0[LANES], x1[LANES], y1[LANES]; /* pixels of the tile that the bounds touch;
                                                            x1, y1 inclusive */
     float depth[3][LANES];                              /* of vertex 0; of 1 and 2 minus that */
+    int32_t longest[LANES];                             /* edge, along an axis */
     float inverse_area[LANES]; /* of triangles whose edge functions fit 32 bits */
     float attributes[3][BURNISH_PLANE_COUNT][LANES];
     corner_block corners;
@@ -141,6 +142,7 @@ BURNISH_INLINE void set_up_block(const burnish_visibility *tile, size_t count, c
     }
     vf area = vi_convert(vi_sub(vi_mul(dx[2], dy[0]), vi_mul(dy[2], dx[0])));
     vf_store(block->inverse_area, vf_div(vf_set(1.0f), area));
+    vi_save(block->longest, longest);
     vf_store(block->depth[0], depth[0]);
     vf_store(block->depth[1], vf_sub(depth[1], depth[0]));
     vf_store(block->depth[2], vf_sub(depth[2], depth[0]));
@@ -199,17 +201,38 @@ BURNISH_INLINE void interpolate_unit(const burnish_visibility *tile,
     }
 }
 
+/* Steps of a block's small triangles' edge functions from a pixel's centre to its samples. */
+typedef struct sample_steps {
+    int32_t step[3][BURNISH_MAX_SAMPLES][LANES];
+    int32_t farthest[3][LANES]; /* no sample is farther inside an edge than this */
+} sample_steps;
+
+BURNISH_INLINE void find_steps(const setup_block *block, int samples, sample_steps *steps) {
+    const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
+    for (int i = 0; i < 3; ++i) {
+        const vi slope = vi_load(block->slope[i]);
+        vi farthest = vi_set(INT32_MIN);
+        for (int s = 0; s < samples; ++s) {
+            const vi offset = vi_set((offsets[s][0] & 0xffff) | offsets[s][1] * 0x10000);
+            const vi step = vi_left(vi_dot16(slope, offset), 4);
+            farthest = vi_max(farthest, step);
+            vi_save(steps->step[i][s], step);
+        }
+        vi_save(steps->farthest[i], farthest);
+    }
+}
+
 /* A unit with several samples a pixel; e are the edge functions at the pixels' centres. */
 BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_constants *constants,
-                                int samples, int planes, const vi e[3],
-                                int32_t to_sample[3][BURNISH_MAX_SAMPLES], int place) {
+                                int samples, int planes, const vi e[3], const sample_steps *steps,
+                                size_t lane, int place) {
     vm whole = vi_not_negative(vi_set(0));
     unsigned drawn = 0;
     int sample = burnish_sample_place(samples, place, 0);
     for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
         vi at[3];
         for (int i = 0; i < 3; ++i) {
-            at[i] = vi_add(e[i], vi_set(to_sample[i][s]));
+            at[i] = vi_add(e[i], vi_set(steps->step[i][s][lane]));
         }
         vm covered = vi_not_negative(vi_or(vi_or(at[0], at[1]), at[2]));
         vf depth = depth_from(constants->depth, weight_from(constants, at, 1),
@@ -247,6 +270,12 @@ BURNISH_INLINE vi edge_of_unit(const setup_block *block, size_t lane, int i, vi 
     return vi_add(vi_set(block->unit[i][lane]), vi_left(along, 8));
 }
 
+/* Marks the block of a place that shows a triangle. */
+BURNISH_INLINE void touch(burnish_visibility *tile, int place, int hit) {
+    tile->touched[place / BURNISH_STRIP_PIXELS] |=
+        (uint16_t)(hit << (place / BURNISH_BLOCK_PIXELS) % BURNISH_TILE_STRIPS);
+}
+
 /* Draws a unit, one sample a pixel, where `covered` holds. Whether it is nearer is too hard to
  * foresee for a branch. */
 BURNISH_INLINE void draw_unit(burnish_visibility *tile, const unit_constants *constants, int planes,
@@ -260,8 +289,7 @@ BURNISH_INLINE void draw_unit(burnish_visibility *tile, const unit_constants *co
         vi_save_where(nearer, tile->owners + place, constants->owner);
     }
     interpolate_unit(tile, constants, planes, nearer, weight1, weight2, place);
-    tile->touched[place / BURNISH_STRIP_PIXELS] |=
-        (uint16_t)(vm_any(nearer) << (place / BURNISH_BLOCK_PIXELS) % BURNISH_TILE_STRIPS);
+    touch(tile, place, vm_any(nearer));
 }
 
 /* A triangle of up to 96 pixels, one sample a pixel. */
@@ -396,52 +424,72 @@ BURNISH_INLINE void draw_listed(burnish_visibility *tile, const setup_block *blo
     }
 }
 
-/* The same with several samples a pixel. Returns 1 when a sample became the triangle's. */
-BURNISH_INLINE int draw_small_samples(burnish_visibility *tile, const setup_block *block,
-                                      size_t lane, int samples, int planes, int32_t owner,
-                                      const int8_t (*offsets)[2]) {
+/* Units whose samples a triangle may cover: bits of their pixels. */
+BURNISH_INLINE int may_cover(const sample_steps *steps, size_t lane, const vi e[3]) {
+    vi inside = vi_set(0);
+    for (int i = 0; i < 3; ++i) {
+        inside = vi_or(inside, vi_add(e[i], vi_set(steps->farthest[i][lane])));
+    }
+    return vm_any(vi_not_negative(inside));
+}
+
+/* A triangle of up to 96 pixels, several samples a pixel. */
+BURNISH_INLINE void draw_small_samples(burnish_visibility *tile, const setup_block *block,
+                                       const sample_steps *steps, size_t lane, int samples,
+                                       int planes, int32_t owner) {
     const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
     const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
     unit_constants constants;
-    vi row[3], across[3], down[3], farthest[3];
-    int32_t to_sample[3][BURNISH_MAX_SAMPLES];
-    int drawn = 0;
+    vi row[3], across[3], down[3];
     load_constants(block, lane, planes, owner, &constants);
     for (int i = 0; i < 3; ++i) {
         row[i] = edge_of_unit(block, lane, i, &across[i], &down[i]);
-        int32_t most = INT32_MIN;
-        for (int s = 0; s < samples; ++s) {
-            to_sample[i][s] =
-                16 * (block->dx[i][lane] * offsets[s][1] - block->dy[i][lane] * offsets[s][0]);
-            most = to_sample[i][s] > most ? to_sample[i][s] : most;
-        }
-        farthest[i] = vi_set(most);
     }
     for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
         vi e[3] = {row[0], row[1], row[2]};
-        unsigned touched = 0;
         for (int x = x0; x <= x1; x += UNIT_WIDTH) {
-            /* no sample is farther inside an edge than this */
-            vi inside = vi_set(0);
-            for (int i = 0; i < 3; ++i) {
-                inside = vi_or(inside, vi_add(e[i], farthest[i]));
-            }
-            if (vm_any(vi_not_negative(inside))) {
-                const int hit = draw_samples(tile, &constants, samples, planes, e, to_sample,
-                                             burnish_tile_place(x, y));
-                touched |= (unsigned)hit << x / BURNISH_BLOCK_SIZE;
+            if (may_cover(steps, lane, e)) {
+                const int place = burnish_tile_place(x, y);
+                touch(tile, place,
+                      draw_samples(tile, &constants, samples, planes, e, steps, lane, place));
             }
             for (int i = 0; i < 3; ++i) {
                 e[i] = vi_add(e[i], across[i]);
             }
         }
-        tile->touched[y / BURNISH_BLOCK_SIZE] |= (uint16_t)touched;
-        drawn |= touched != 0;
         for (int i = 0; i < 3; ++i) {
             row[i] = vi_add(row[i], down[i]);
         }
     }
-    return drawn;
+}
+
+/* Draws the triangles `lanes` of a block, several samples a pixel; as draw_listed. The owner of
+ * lane 0 is `owner`. */
+BURNISH_INLINE void draw_listed_samples(burnish_visibility *tile, const setup_block *block,
+                                        const sample_steps *steps, unsigned lanes, int samples,
+                                        int planes, int32_t owner, unit_list *list) {
+    const int count = list_units(block, lanes, list);
+    int covering = 0;
+    for (int unit = 0; unit < count; ++unit) {
+        const size_t lane = (size_t)list->place[unit] / BURNISH_TILE_PIXELS;
+        vi e[3];
+        for (int i = 0; i < 3; ++i) {
+            e[i] = edge_of_listed(list, lane, unit, i);
+        }
+        list->covering[covering] = unit;
+        covering += may_cover(steps, lane, e);
+    }
+    for (int i = 0; i < covering; ++i) {
+        const int unit = list->covering[i], place = list->place[unit] % BURNISH_TILE_PIXELS;
+        const size_t lane = (size_t)list->place[unit] / BURNISH_TILE_PIXELS;
+        unit_constants constants;
+        vi e[3];
+        load_constants(block, lane, planes, owner + (int32_t)lane, &constants);
+        for (int k = 0; k < 3; ++k) {
+            e[k] = edge_of_listed(list, lane, unit, k);
+        }
+        touch(tile, place, draw_samples(tile, &constants, samples, planes, e, steps, lane, place));
+    }
 }
 
 /* The four pixels that triangles of at most 2 x 2 may cover. */
@@ -682,24 +730,43 @@ static int draw_large(burnish_visibility *tile, setup_block *block, size_t lane,
     return drawn;
 }
 
-/* What the points of shared pixels will need of a triangle that owns a sample. */
-static void remember(burnish_visibility *tile, const setup_block *block, size_t lane) {
-    burnish_tile_triangle *made = &tile->triangles[tile->triangle_count++];
+/* What the points of shared pixels will need of a block's triangles: behind the last one, a lane
+ * each. */
+BURNISH_INLINE void remember(burnish_tile_triangles *triangles, const setup_block *block) {
+    const size_t at = triangles->count;
+    const vi large =
+        vi_blend(vi_not_negative(vi_sub(vi_set(BURNISH_SMALL_EDGE), vi_load(block->longest))),
+                 vi_set(0), vi_set(1));
+    vi constant[2], dx[2], dy[2];
     for (int i = 0; i < 2; ++i) {
         const int a = i == 1 ? 0 : 2;
-        made->dx[i] = block->dx[i + 1][lane];
-        made->dy[i] = block->dy[i + 1][lane];
-        made->constant[i] =
-            (int64_t)made->dy[i] * block->x[a][lane] - (int64_t)made->dx[i] * block->y[a][lane];
+        dx[i] = vi_load(block->dx[i + 1]);
+        dy[i] = vi_load(block->dy[i + 1]);
+        constant[i] =
+            vi_sub(vi_mul(dy[i], vi_load(block->x[a])), vi_mul(dx[i], vi_load(block->y[a])));
     }
-    made->inverse_area = block->inverse_area[lane];
-    for (int i = 0; i < 3; ++i) {
-        made->depth[i] = block->depth[i][lane];
+    vf_store_records(&triangles->edges[at], vi_float(constant[0]), vi_float(constant[1]),
+                     vi_float(dx[0]), vi_float(dx[1]));
+    vf_store_records(&triangles->weights[at], vi_float(dy[0]), vi_float(dy[1]),
+                     vf_load(block->inverse_area), vi_float(large));
+    vf_store_records(&triangles->depths[at], vf_load(block->depth[0]), vf_load(block->depth[1]),
+                     vf_load(block->depth[2]), vf_set(0.0f));
+    vf_store_records(&triangles->corners[at],
+                     vi_float(vi_load((const int32_t *)block->corners.vertices[0])),
+                     vi_float(vi_load((const int32_t *)block->corners.vertices[1])),
+                     vi_float(vi_load((const int32_t *)block->corners.vertices[2])),
+                     vi_float(vi_load((const int32_t *)block->corners.source)));
+}
+
+/* The rest of it for a large triangle, drawn before. */
+static void remember_large(burnish_tile_triangles *triangles, size_t at, const setup_block *block,
+                           size_t lane) {
+    triangles->weights[at].inverse_area = block->inverse_area[lane];
+    for (int i = 0; i < 2; ++i) {
+        const int a = i == 1 ? 0 : 2;
+        triangles->constants[at][i] = (int64_t)block->dy[i + 1][lane] * block->x[a][lane] -
+                                      (int64_t)block->dx[i + 1][lane] * block->y[a][lane];
     }
-    for (int i = 0; i < 3; ++i) {
-        made->corners.vertices[i] = block->corners.vertices[i][lane];
-    }
-    made->corners.source = block->corners.source[lane];
 }
 
 /* The triangles of a block, one sample a pixel. */
@@ -734,28 +801,33 @@ BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, ti
     draw_tiny(tile, block, pixels, hits, planes, owners);
 }
 
-static void draw_multiple(burnish_visibility *tile, setup_block *block) {
-    const int8_t(*offsets)[2] = burnish_sample_offsets(tile->options.samples);
-    for (unsigned rest = block->live; rest; rest &= rest - 1) {
-        const unsigned lane = (unsigned)__builtin_ctz(rest);
-        if (tile->triangle_count == tile->triangle_capacity) {
-            burnish_visibility_compact(tile);
-        }
-        const int32_t owner = (int32_t)tile->triangle_count;
-        const int planes = tile->options.planes;
-        int drawn;
-        if (!(block->small >> lane & 1)) {
-            drawn = draw_large(tile, block, lane, 1, owner, offsets);
-        } else if (planes == 3 && tile->options.samples == 4) {
-            drawn = draw_small_samples(tile, block, lane, 4, 3, owner, offsets);
+/* The triangles of a block, several samples a pixel. */
+BURNISH_INLINE void draw_multiple(burnish_visibility *tile, setup_block *block, int samples,
+                                  int planes, unit_list *list) {
+    burnish_tile_triangles *triangles = &tile->triangles;
+    const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
+    sample_steps steps;
+    if (triangles->count + LANES > triangles->capacity) {
+        burnish_visibility_compact(tile);
+    }
+    const size_t first = triangles->count;
+    remember(triangles, block);
+    find_steps(block, samples, &steps);
+    if (LANES >= 8 && !block->wide) {
+        draw_listed_samples(tile, block, &steps, block->live, samples, planes, (int32_t)first,
+                            list);
+    }
+    for (unsigned rest = LANES >= 8 && !block->wide ? 0 : block->live; rest; rest &= rest - 1) {
+        const size_t lane = (size_t)__builtin_ctz(rest);
+        const int32_t owner = (int32_t)(first + lane);
+        if (block->small >> lane & 1) {
+            draw_small_samples(tile, block, &steps, lane, samples, planes, owner);
         } else {
-            drawn = draw_small_samples(tile, block, lane, tile->options.samples, planes, owner,
-                                       offsets);
-        }
-        if (drawn) {
-            remember(tile, block, lane);
+            draw_large(tile, block, lane, 1, owner, offsets);
+            remember_large(triangles, first + lane, block, lane);
         }
     }
+    triangles->count = first + LANES;
 }
 
 static void draw_slots(burnish_visibility *visibility, const burnish_geometry *geometry,
@@ -775,8 +847,10 @@ static void draw_slots(burnish_visibility *visibility, const burnish_geometry *g
         find_corners(visibility, geometry, slots + after, ahead, back, &next);
         load_block(visibility, geometry, &block, x, y, depth);
         set_up_block(visibility, lanes, x, y, depth, &block);
-        if (options->samples > 1) {
-            draw_multiple(visibility, &block);
+        if (options->samples == 4 && options->planes == 3) {
+            draw_multiple(visibility, &block, 4, 3, &list);
+        } else if (options->samples > 1) {
+            draw_multiple(visibility, &block, options->samples, options->planes, &list);
         } else if (options->planes == 3 && !options->keep_owners) {
             draw_single(visibility, &block, &pixels, 3, 0, &list);
         } else {
@@ -961,6 +1035,68 @@ static void find_shared(const burnish_visibility *visibility, int block,
     }
 }
 
+/* The weights of a point of a large triangle. */
+static void place_large(const burnish_tile_triangles *triangles, size_t owner, int64_t x, int64_t y,
+                        float *weight1, float *weight2) {
+    const burnish_tile_edges *edges = &triangles->edges[owner];
+    const burnish_tile_weights *weights = &triangles->weights[owner];
+    const int64_t *constants = triangles->constants[owner];
+    const int64_t edge1 = edges->dx[0] * y - weights->dy[0] * x + constants[0];
+    const int64_t edge2 = edges->dx[1] * y - weights->dy[1] * x + constants[1];
+    *weight1 = (float)edge1 * weights->inverse_area;
+    *weight2 = (float)edge2 * weights->inverse_area;
+}
+
+/* LANES points from `first` on. */
+BURNISH_INLINE void place_vector(const burnish_visibility *tile, const burnish_raster_view *view,
+                                 const burnish_sample_points *points, int first,
+                                 burnish_fragments *fragments) {
+    const burnish_tile_triangles *triangles = &tile->triangles;
+    const void *edges[LANES], *weights[LANES], *depths[LANES];
+    vf edge[4], weight[4], depth[4];
+    for (int lane = 0; lane < LANES; ++lane) {
+        const int at = first + lane < points->count ? first + lane : first;
+        const int32_t owner = points->owner[at];
+        edges[lane] = &triangles->edges[owner];
+        weights[lane] = &triangles->weights[owner];
+        depths[lane] = &triangles->depths[owner];
+    }
+    vf_load_records(edges, edge);
+    vf_load_records(weights, weight);
+    vf_load_records(depths, depth);
+    const vi x = vi_load(points->x + first), y = vi_load(points->y + first);
+    float *to[2] = {fragments->weight1 + first, fragments->weight2 + first};
+    for (int i = 0; i < 2; ++i) {
+        vi e = vi_sub(vi_mul(vf_bits(edge[2 + i]), y), vi_mul(vf_bits(weight[i]), x));
+        e = vi_add(e, vf_bits(edge[i]));
+        vf_store(to[i], vf_mul(vi_convert(e), weight[2]));
+    }
+    for (unsigned large = bits_of_nonzero(vf_bits(weight[3])) & ALL_LANES; large;
+         large &= large - 1) {
+        const int at = first + __builtin_ctz(large);
+        if (at < points->count) {
+            place_large(triangles, (size_t)points->owner[at], points->x[at], points->y[at],
+                        &fragments->weight1[at], &fragments->weight2[at]);
+        }
+    }
+    if (tile->options.needs_place) {
+        const int half = BURNISH_SUBPIXELS / 2;
+        const vf step = vf_set(1.0f / BURNISH_SUBPIXELS);
+        const vi left = vi_set(tile->x * BURNISH_SUBPIXELS - view->width * half);
+        const vi below = vi_set(view->height * half - tile->y * BURNISH_SUBPIXELS);
+        vf_store(fragments->x + first, vf_mul(vi_convert(vi_add(x, left)), step));
+        vf_store(fragments->y + first, vf_mul(vi_convert(vi_sub(below, y)), step));
+        vf_store(fragments->depth + first, depth_from(depth, vf_load(to[0]), vf_load(to[1])));
+    }
+}
+
+static void place_points(const burnish_visibility *visibility, const burnish_raster_view *view,
+                         const burnish_sample_points *points, burnish_fragments *fragments) {
+    for (int first = 0; first < points->count; first += LANES) {
+        place_vector(visibility, view, points, first, fragments);
+    }
+}
+
 static void find_shown(const burnish_visibility *visibility, int strip,
                        burnish_strip_pixels *pixels) {
     for (int x = 0; x < BURNISH_TILE_STRIPS; ++x) {
@@ -990,7 +1126,7 @@ static void mark_block(const burnish_visibility *tile, int first, uint8_t *drawn
             const int32_t owner = owners[1 + i + __builtin_ctz(rest)];
             const uint32_t source = tile->options.samples == 1
                                         ? (uint32_t)owner
-                                        : tile->triangles[owner].corners.source;
+                                        : tile->triangles.corners[owner].source;
             __atomic_store_n(&drawn[source >> 1], 1, __ATOMIC_RELAXED);
         }
     }

@@ -326,9 +326,10 @@ static int worker_count(const burnish_frame *frame) {
 /* A row of the image where nothing is. */
 static burnish_status prepare_background(const burnish_frame *frame, burnish_tiles *tiles,
                                          burnish_error *error) {
+    enum { MOST_CHANNELS = 4 };
     const size_t channels = (size_t)frame->image->channels, width = (size_t)frame->image->width;
     burnish_status status = burnish_renew((void **)&tiles->background, &tiles->background_capacity,
-                                          width, channels, "a row", error);
+                                          width, MOST_CHANNELS, "a row", error);
     for (size_t i = 0; i < width && status == BURNISH_STATUS_OK; ++i) {
         const uint8_t *code = frame->options->background;
         for (size_t k = 0; k < channels; ++k) {
