@@ -91,11 +91,10 @@ static double decode(uint64_t bits, burnish_ply_type type) {
 
 static burnish_status read_word(ply_body *ply, double *value) {
     burnish_token word;
-    if (!burnish_text_word(&ply->text, &word)) {
+    burnish_number_status number;
+    if (!burnish_text_word_double(&ply->text, &ply->numbers, &word, value, &number)) {
         return fail_truncated(ply);
     }
-    burnish_number_status number =
-        burnish_parse_double(&ply->numbers, word.bytes, word.size, value);
     if (number == BURNISH_NUMBER_NOT_FINITE || number == BURNISH_NUMBER_RANGE) {
         *value = __builtin_nan(""); /* whether that matters is the property's to say */
         return BURNISH_STATUS_OK;

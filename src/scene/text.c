@@ -129,6 +129,16 @@ int burnish_text_word(burnish_text *text, burnish_token *token) {
     return 1;
 }
 
+int burnish_text_word_double(burnish_text *text, burnish_number_reader *numbers,
+                             burnish_token *token, double *value, burnish_number_status *status) {
+    while (!burnish_text_double(text, numbers, token, value, status)) {
+        if (!burnish_text_next_line(text)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 burnish_token burnish_text_rest(burnish_text *text) {
     const uint8_t *first = text->next;
     while (first < text->end && burnish_text_blank(*first)) {

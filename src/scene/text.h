@@ -46,6 +46,10 @@ int burnish_text_float(burnish_text *text, burnish_number_reader *numbers, burni
 /* The next token of this line or a later one; 0 at the end of the text. */
 int burnish_text_word(burnish_text *text, burnish_token *token);
 
+/* The same as a number. */
+int burnish_text_word_double(burnish_text *text, burnish_number_reader *numbers,
+                             burnish_token *token, double *value, burnish_number_status *status);
+
 /* What is left of this line, comments included, without blanks around it; possibly empty. */
 burnish_token burnish_text_rest(burnish_text *text);
 
