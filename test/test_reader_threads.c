@@ -194,12 +194,13 @@ static void check_mutations(const char *what, burnish_format format, text *t, co
 typedef struct obj_plan {
     int normals, textures, colors; /* colors: 0 none, 1 some, 2 from the middle on, 3 all */
     int materials, joins, polygons;
+    int runs; /* hundreds of lines of one kind */
 } obj_plan;
 
 static void say_vertex(text *t, const obj_plan *plan, size_t total) {
     int colored = plan->colors == 3 || (plan->colors == 1 && below(t, 3) == 0) ||
                   (plan->colors == 2 && t->size > total / 2);
-    say(t, below(t, 20) ? "v" : "  \tv");
+    say(t, plan->runs || below(t, 20) ? "v" : "  \tv");
     for (int i = 0; i < (colored ? 6 : 3); ++i) {
         if (plan->joins && below(t, 100) == 0) {
             say(t, " \\%s", t->line_end);
@@ -213,7 +214,7 @@ static void say_vertex(text *t, const obj_plan *plan, size_t total) {
     if (!colored && below(t, 50) == 0) {
         say(t, " 1.0"); /* w */
     }
-    say(t, "%s", below(t, 40) ? "" : " # behind");
+    say(t, "%s", plan->runs || below(t, 40) ? "" : " # behind");
     end_line(t);
 }
 
@@ -240,7 +241,7 @@ static void say_face(text *t, const obj_plan *plan, size_t vertices, size_t norm
             say_index(t, normals);
         }
     }
-    say(t, "%s", below(t, 40) ? "" : "  # 1 2 3");
+    say(t, "%s", plan->runs || below(t, 40) ? "" : "  # 1 2 3");
     end_line(t);
 }
 
@@ -300,13 +301,21 @@ static text make_obj(uint64_t seed, const obj_plan *plan, const char *line_end) 
         say(&t, "\xEF\xBB\xBF");
         t.part = t.size;
     }
-    while (t.size < total) {
-        unsigned kind = below(&t, 20);
+    unsigned kind = 0;
+    for (size_t left = 0; t.size < total; --left) {
+        if (left == 0 || !plan->runs || kind == 19) {
+            kind = below(&t, 20);
+            left = 300 + below(&t, 300);
+        }
         if (near_border(&t, 900)) {
             cross_border(&t, plan, vertices);
         } else if (vertices < 4 || kind < 8) {
             say_vertex(&t, plan, total);
             ++vertices;
+            if (plan->runs && plan->textures) {
+                say(&t, "vt 0.5 %u", below(&t, 9));
+                end_line(&t);
+            }
         } else if (plan->normals && kind < 11) {
             say(&t, "vn 0 %s %.3f", below(&t, 10) ? "1" : "nan", (double)below(&t, 1000));
             end_line(&t);
@@ -350,8 +359,11 @@ static void check_broken(const char *what, burnish_format format, const text *go
 }
 
 static void test_obj(void) {
-    static const obj_plan plans[] = {{0, 0, 0, 0, 0, 0}, {1, 1, 0, 1, 0, 1}, {1, 1, 1, 1, 1, 1},
-                                     {0, 1, 2, 1, 0, 1}, {1, 0, 3, 0, 1, 0}, {1, 1, 3, 1, 1, 1}};
+    static const obj_plan plans[] = {
+        {0, 0, 0, 0, 0, 0, 0}, {1, 1, 0, 1, 0, 1, 0}, {1, 1, 1, 1, 1, 1, 0},
+        {0, 1, 2, 1, 0, 1, 0}, {1, 0, 3, 0, 1, 0, 0}, {1, 1, 3, 1, 1, 1, 0},
+        {0, 0, 0, 0, 0, 0, 1}, {1, 1, 0, 1, 0, 1, 1}, {1, 1, 2, 1, 0, 1, 1},
+    };
     static const char *const line_ends[] = {"\n", "\r\n"};
     const burnish_load_options options = burnish_load_options_default();
     for (size_t i = 0; i < sizeof plans / sizeof *plans; ++i) {
@@ -407,7 +419,7 @@ static void test_obj_broken(void) {
                                            BROKEN,   BROKEN, BROKEN,   BROKEN,   BROKEN, BROKEN,
                                            BROKEN,   BROKEN, ANYTHING, ANYTHING, GOOD,   GOOD,
                                            ANYTHING, BROKEN, BROKEN,   THREADED, BROKEN, ANYTHING};
-    const obj_plan plan = {1, 1, 0, 1, 0, 1};
+    const obj_plan plan = {1, 1, 0, 1, 0, 1, 0};
     text t = make_obj(77, &plan, "\n");
     check_broken("OBJ", BURNISH_FORMAT_OBJ, &t, "f ", lines, expected,
                  sizeof lines / sizeof *lines);
@@ -418,7 +430,7 @@ static void test_obj_broken(void) {
 }
 
 static void test_obj_mutations(void) {
-    const obj_plan plan = {1, 1, 1, 1, 1, 1};
+    const obj_plan plan = {1, 1, 1, 1, 1, 1, 0};
     text t = make_obj(78, &plan, "\n");
     check_mutations("OBJ", BURNISH_FORMAT_OBJ, &t, "\n\r\\ #v0123456789012345678", 100);
     free(t.bytes);

@@ -158,7 +158,11 @@ static inline size_t burnish_scan_decimal(const uint8_t *text, double *value) {
     if (mantissa != 0 && !burnish_scale_decimal(mantissa, exponent, &absolute)) {
         return 0;
     }
-    *value = negative ? -absolute : absolute;
+    /* Signs of coordinates are as good as random: no branch on them. */
+    uint64_t bits;
+    memcpy(&bits, &absolute, sizeof bits);
+    bits |= (uint64_t)negative << 63;
+    memcpy(value, &bits, sizeof bits);
     return (size_t)(p - text);
 }
 

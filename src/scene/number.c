@@ -180,16 +180,6 @@ burnish_number_status burnish_parse_double(burnish_number_reader *reader, const 
     return BURNISH_NUMBER_OK;
 }
 
-int burnish_double_to_float(double value, float *rounded) {
-    /* Halfway between the largest float and 2^128: from here on rounding gives infinity. */
-    const double limit = 0x1.ffffffp127;
-    if (!(value > -limit && value < limit)) {
-        return 0;
-    }
-    *rounded = (float)value;
-    return 1;
-}
-
 burnish_number_status burnish_parse_float(burnish_number_reader *reader, const uint8_t *text,
                                           size_t size, float *value) {
     double wide;

@@ -140,6 +140,97 @@ static int count_line(part *p, const uint8_t **line, const uint8_t *newline) {
     return 1;
 }
 
+/* ---- counting many lines at once ---- */
+
+enum {
+    BLOCK = 4096, /* bytes of lines that are looked at together, if they are all of one kind */
+    STRIDE = 240  /* as many counts as a byte holds, in whole vectors */
+};
+
+typedef struct line_counts {
+    size_t lines, faces, tokens;    /* faces: lines that begin with 'f' */
+    size_t values, normals, others; /* 'v', of these 'vn', and 'vt' or 'vp' */
+    size_t strange;                 /* '#' and '\\' */
+} line_counts;
+
+/* The compiler makes these loops compare as many bytes as a vector holds; there is a byte before
+ * the block. */
+
+static void count_face_bytes(const uint8_t *at, const uint8_t *end, line_counts *c) {
+    while (at < end) {
+        const size_t size = end - at < STRIDE ? (size_t)(end - at) : STRIDE;
+        uint8_t lines = 0, faces = 0, tokens = 0, strange = 0;
+        for (size_t i = 0; i < size; ++i) {
+            const uint8_t byte = at[i], before = at[i - 1];
+            lines = (uint8_t)(lines + (byte == '\n'));
+            faces = (uint8_t)(faces + ((byte == 'f') & (before == '\n')));
+            tokens = (uint8_t)(tokens + ((byte > ' ') & (before <= ' ')));
+            strange |= (byte == '#') | (byte == '\\');
+        }
+        c->lines += lines;
+        c->faces += faces;
+        c->tokens += tokens;
+        c->strange += strange;
+        at += size;
+    }
+}
+
+static void count_value_bytes(const uint8_t *at, const uint8_t *end, line_counts *c) {
+    while (at < end) {
+        const size_t size = end - at < STRIDE ? (size_t)(end - at) : STRIDE;
+        uint8_t lines = 0, values = 0, normals = 0, others = 0, strange = 0;
+        for (size_t i = 0; i < size; ++i) {
+            const uint8_t byte = at[i], before = at[i - 1];
+            lines = (uint8_t)(lines + (byte == '\n'));
+            values = (uint8_t)(values + ((byte == 'v') & (before == '\n')));
+            normals = (uint8_t)(normals + ((byte == 'n') & (before == 'v')));
+            others = (uint8_t)(others + (((byte == 't') | (byte == 'p')) & (before == 'v')));
+            strange |= (byte == '#') | (byte == '\\');
+        }
+        c->lines += lines;
+        c->values += values;
+        c->normals += normals;
+        c->others += others;
+        c->strange += strange;
+        at += size;
+    }
+}
+
+/* Counts some 4 KiB of lines from *line on, which is not the part's first, if all of them are
+ * faces, or none but v, vn, vt and vp; returns 0 and moves nothing if they are not. */
+static int count_block(part *p, const uint8_t **line) {
+    line_counts c = {0};
+    const uint8_t *end = *line;
+    if (p->end - *line > BLOCK) {
+        end = burnish_find_newline(*line + BLOCK, p->end);
+        end += end < p->end;
+    }
+    if (end == *line) {
+        return 0;
+    }
+    if (**line == 'f') {
+        count_face_bytes(*line, end, &c);
+        if (c.strange || c.faces != c.lines || c.tokens < 4 * c.lines) {
+            return 0;
+        }
+        p->has_statements = 1;
+        p->own.triangles += c.tokens - 3 * c.lines;
+    } else if (**line == 'v' && p->own.vertices > 0) { /* count_line() looks at the first */
+        count_value_bytes(*line, end, &c);
+        if (c.strange || c.values != c.lines || c.normals + c.others > c.values) {
+            return 0;
+        }
+        p->has_values = 1;
+        p->own.normals += c.normals;
+        p->own.vertices += c.values - c.normals - c.others;
+    } else {
+        return 0;
+    }
+    p->own.lines += c.lines;
+    *line = end;
+    return 1;
+}
+
 /* A '\r' that ends a line alone, which no newline tells. */
 static int has_lone_return(const part *p) {
     for (const uint8_t *at = p->first; at < p->end; ++at) {
@@ -157,10 +248,16 @@ static int has_lone_return(const part *p) {
 static void count_part(void *of, size_t index, int thread) {
     obj_parts *obj = of;
     part *p = &obj->parts[index];
-    const uint8_t *line = p->first;
+    const uint8_t *line = p->first, *tried = p->first; /* no block before it */
     int good = !atomic_load(&obj->give_up) && !has_lone_return(p);
     (void)thread;
     while (good && line < p->end) {
+        if (line > tried) {
+            if (count_block(p, &line)) {
+                continue;
+            }
+            tried = line + BLOCK;
+        }
         const uint8_t *newline = burnish_find_newline(line, p->end);
         const uint8_t *last = newline - (newline - line > 1 && newline[-1] == '\r');
         int plain = newline < p->end && (last == line || last[-1] != '\\');

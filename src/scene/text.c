@@ -89,8 +89,8 @@ int burnish_text_token(burnish_text *text, burnish_token *token) {
     return 1;
 }
 
-int burnish_text_double(burnish_text *text, burnish_number_reader *numbers, burnish_token *token,
-                        double *value, burnish_number_status *status) {
+static inline int read_double(burnish_text *text, burnish_number_reader *numbers,
+                              burnish_token *token, double *value, burnish_number_status *status) {
     const uint8_t *first = skip_blanks(text);
     if (text->end - first > BURNISH_DECIMAL_ROOM) {
         size_t size = burnish_scan_decimal(first, value);
@@ -108,10 +108,15 @@ int burnish_text_double(burnish_text *text, burnish_number_reader *numbers, burn
     return 1;
 }
 
+int burnish_text_double(burnish_text *text, burnish_number_reader *numbers, burnish_token *token,
+                        double *value, burnish_number_status *status) {
+    return read_double(text, numbers, token, value, status);
+}
+
 int burnish_text_float(burnish_text *text, burnish_number_reader *numbers, burnish_token *token,
                        float *value, burnish_number_status *status) {
     double wide;
-    if (!burnish_text_double(text, numbers, token, &wide, status)) {
+    if (!read_double(text, numbers, token, &wide, status)) {
         return 0;
     }
     if (*status == BURNISH_NUMBER_OK && !burnish_double_to_float(wide, value)) {
@@ -131,7 +136,7 @@ int burnish_text_word(burnish_text *text, burnish_token *token) {
 
 int burnish_text_word_double(burnish_text *text, burnish_number_reader *numbers,
                              burnish_token *token, double *value, burnish_number_status *status) {
-    while (!burnish_text_double(text, numbers, token, value, status)) {
+    while (!read_double(text, numbers, token, value, status)) {
         if (!burnish_text_next_line(text)) {
             return 0;
         }
