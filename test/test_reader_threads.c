@@ -55,6 +55,10 @@ static void end_line(text *t) {
 /* A number of one of the shapes that files hold. */
 static void say_number(text *t) {
     double value = (double)(int64_t)next_random(t) / 4e17;
+    if (below(t, 100) == 0) {
+        say(t, " %+.25f", value);
+        return;
+    }
     switch (below(t, 8)) {
     case 0:
         say(t, " %.17g", value);
@@ -64,9 +68,6 @@ static void say_number(text *t) {
         break;
     case 2:
         say(t, "\t%d", (int)value);
-        break;
-    case 3:
-        say(t, " %+.25f", value);
         break;
     default:
         say(t, " %.6f", value);
@@ -330,15 +331,22 @@ static text make_obj(uint64_t seed, const obj_plan *plan, const char *line_end) 
     return t;
 }
 
-/* Puts a line in place of the beginning of the next long one behind `at` that begins so. */
+/* Puts a line, behind blanks, in place of the next long one from `at` on that begins so. */
 static void break_line(text *t, size_t at, const char *beginning, const char *line) {
     const size_t size = strlen(line), length = strlen(beginning);
-    while (t->bytes[at - 1] != '\n' || memcmp(t->bytes + at, beginning, length) != 0 ||
-           memchr(t->bytes + at, '\n', size + 2)) {
+    const char *end = NULL;
+    while (!end) {
+        if (at + 500 > t->size) {
+            at = 1;
+        }
         ++at;
+        if (t->bytes[at - 1] == '\n' && memcmp(t->bytes + at, beginning, length) == 0) {
+            end = memchr(t->bytes + at, '\n', t->size - at);
+            end = end && (size_t)(end - t->bytes) >= at + size ? end : NULL;
+        }
     }
-    memcpy(t->bytes + at, line, size);
-    t->bytes[at + size] = '\n';
+    memset(t->bytes + at, ' ', (size_t)(end - t->bytes) - at);
+    memcpy(t->bytes + (end - t->bytes) - size, line, size);
 }
 
 static void check_broken(const char *what, burnish_format format, const text *good,
@@ -457,6 +465,220 @@ static void test_obj_shapes(void) {
     free(t.bytes);
 }
 
+/* ---- STL ---- */
+
+static void say_facet(text *t, int odd) {
+    say(t, odd ? "  FACET  Normal" : "facet normal");
+    for (int i = 0; i < 3; ++i) {
+        if (odd && below(t, 8) == 0) {
+            say(t, " nan");
+        } else {
+            say_number(t);
+        }
+    }
+    end_line(t);
+    say(t, "  outer loop%s", odd && below(t, 2) ? "\n\n" : t->line_end);
+    for (int i = 0; i < 3; ++i) {
+        say(t, odd ? " Vertex" : "vertex");
+        for (int k = 0; k < 3; ++k) {
+            say_number(t);
+        }
+        say(t, "%s", odd && below(t, 2) ? "  " : t->line_end);
+    }
+    say(t, odd ? "endLoop endfacet" : "  endloop%sendfacet", t->line_end);
+    end_line(t);
+}
+
+static text make_stl(uint64_t seed, int odd, const char *line_end) {
+    text t = {.random = seed, .line_end = line_end};
+    say(&t, "solid one\n");
+    while (t.size < (size_t)PARTS * BURNISH_PART_SIZE) {
+        if (below(&t, 500) == 0) {
+            say(&t, "endsolid facet 1 2 3\nsolid\nendsolid\n%ssolid facet\n", odd ? "\n \n" : "");
+        }
+        say_facet(&t, odd && below(&t, 3) == 0);
+    }
+    say(&t, "endsolid");
+    return t;
+}
+
+static void test_stl_text(void) {
+    static const char *const line_ends[] = {"\n", "\r\n", " \n"};
+    const burnish_load_options options = burnish_load_options_default();
+    for (uint64_t i = 0; i < 6; ++i) {
+        char name[32];
+        text t = make_stl(i, i % 2 != 0, line_ends[i / 2]);
+        snprintf(name, sizeof name, "ASCII STL %d", (int)i);
+        check(name, BURNISH_FORMAT_STL, &t, &options, THREADED);
+        t.size -= strlen("endsolid");
+        check(name, BURNISH_FORMAT_STL, &t, &options, BROKEN);
+        free(t.bytes);
+    }
+}
+
+static void test_stl_broken(void) {
+    static const char *const lines[] = {
+        "vertex 1 2 3 4",   "vertex 1 2", "vertex 1 2 inf", "vertex 1e39 0 0",    "vertex 1 2 3x",
+        "endsolid",         "solid",      "facet",          "facet normal 0 0 1", "endfacet",
+        "endloop endfacet", "vertex"};
+    static const expectation expected[] = {BROKEN, BROKEN, BROKEN, BROKEN, BROKEN, BROKEN,
+                                           BROKEN, BROKEN, BROKEN, BROKEN, BROKEN, BROKEN};
+    text t = make_stl(50, 1, "\n");
+    check_broken("ASCII STL", BURNISH_FORMAT_STL, &t, "vertex", lines, expected,
+                 sizeof lines / sizeof *lines);
+    check_mutations("ASCII STL", BURNISH_FORMAT_STL, &t, "\n\r \tendfacsoli0123456789.-", 60);
+    burnish_load_options options = burnish_load_options_default();
+    options.max_triangles = 3000;
+    check("ASCII STL with too many triangles", BURNISH_FORMAT_STL, &t, &options, BROKEN);
+    options = burnish_load_options_default();
+    say(&t, " ENDFACE\nsolid Ndfa\nendsolid\n"); /* counted as a facet, which it is not */
+    check("ASCII STL, a name", BURNISH_FORMAT_STL, &t, &options, GOOD);
+    free(t.bytes);
+}
+
+/* Facets in shares of threads: every one where it belongs. */
+static void test_stl_binary(void) {
+    enum { COUNT = 100000 };
+    burnish_load_options options = burnish_load_options_default();
+    text t = {.random = 9};
+    const char head[80] = "solid";
+    const uint32_t count = COUNT;
+    add(&t, head, sizeof head);
+    add(&t, &count, 4);
+    for (int i = 0; i < COUNT; ++i) {
+        float values[12];
+        for (int k = 0; k < 12; ++k) {
+            values[k] = (float)below(&t, 1u << 24) - 1e6f;
+        }
+        add(&t, values, sizeof values);
+        add(&t, "??", 2);
+    }
+    check("binary STL", BURNISH_FORMAT_STL, &t, &options, ANYTHING);
+    burnish_source source;
+    burnish_error error;
+    burnish_pool *pool = burnish_pool_create(3);
+    CHECK(run_reader_threads(BURNISH_FORMAT_STL, t.bytes, t.size, &options, NULL, pool, &source,
+                             &error) == BURNISH_STATUS_OK,
+          "%s", error.text);
+    size_t wrong = 0;
+    for (size_t i = 0; i < COUNT && source.triangle_count == COUNT; ++i) {
+        wrong += memcmp(source.positions + 9 * i, t.bytes + 84 + 50 * i + 12, 36) != 0;
+        for (uint32_t k = 0; k < 3; ++k) {
+            wrong += source.corner_positions[3 * i + k] != 3 * i + k;
+        }
+    }
+    CHECK(source.triangle_count == COUNT && wrong == 0, "%zu facets, %zu wrong",
+          source.triangle_count, wrong);
+    burnish_source_destroy(&source);
+    burnish_pool_destroy(pool);
+    memset(t.bytes + 84 + 50 * 70000 + 20, 255, 4);
+    check("binary STL with nan", BURNISH_FORMAT_STL, &t, &options, BROKEN);
+    t.size -= 50;
+    check("binary STL cut off", BURNISH_FORMAT_STL, &t, &options, BROKEN);
+    free(t.bytes);
+}
+
+/* ---- PLY ---- */
+
+typedef struct ply_plan {
+    int normals, colors, polygons, extra; /* extra: properties and elements that nobody needs */
+} ply_plan;
+
+/* Rows of vertices begin with 5, those of faces with 77. */
+static text make_ply(uint64_t seed, const ply_plan *plan, const char *line_end) {
+    enum { VERTICES = 20000, FACES = 30000 };
+    text t = {.random = seed, .line_end = line_end};
+    say(&t, "ply\nformat ascii 1.0\n");
+    if (plan->extra) {
+        say(&t, "element camera 2\nproperty list uchar int i\nproperty float f\n");
+    }
+    say(&t,
+        "element vertex %d\nproperty int five\nproperty float x\nproperty float y\n%s"
+        "property double z\n",
+        VERTICES, plan->extra ? "property list uchar int tags\n" : "");
+    if (plan->normals) {
+        say(&t, "property float nx\nproperty float ny\nproperty float nz\n");
+    }
+    if (plan->colors) {
+        say(&t, "property uchar red\nproperty uchar green\nproperty uchar blue\n%s",
+            plan->colors > 1 ? "property uchar alpha\n" : "");
+    }
+    say(&t,
+        "element face %d\nproperty uchar flags\nproperty list uchar int vertex_indices\n"
+        "%selement edge 1\nproperty int end\nend_header\n%s",
+        FACES, plan->extra ? "property float quality\n" : "",
+        plan->extra ? "2 1 2\n0.5\n0 1 " : "");
+    for (int i = 0; i < VERTICES; ++i) {
+        say(&t, "5");
+        say_number(&t);
+        say_number(&t);
+        say(&t, "%s", !plan->extra ? "" : below(&t, 2) ? " 2 7 7" : " 0");
+        say_number(&t);
+        for (int k = 0; plan->normals && k < 3; ++k) {
+            say(&t, below(&t, 50) ? " 0.%u" : " nan%u", below(&t, 1000));
+        }
+        for (int k = 0; plan->colors && k < 2 + plan->colors; ++k) {
+            say(&t, " %u", below(&t, 256));
+        }
+        say(&t, "%s", below(&t, 30) ? "" : "  ");
+        end_line(&t);
+    }
+    for (int i = 0; i < FACES; ++i) {
+        unsigned corners = plan->polygons && below(&t, 3) == 0 ? 4 + below(&t, 5) : 3;
+        say(&t, "77 %u", corners);
+        while (corners-- > 0) {
+            say(&t, " %u", below(&t, VERTICES));
+        }
+        say(&t, "%s", plan->extra ? "\t0.5" : "");
+        end_line(&t);
+    }
+    say(&t, "12");
+    return t;
+}
+
+static void test_ply(void) {
+    static const ply_plan plans[] = {
+        {0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 1}, {1, 2, 1, 1}, {0, 0, 1, 1}};
+    static const char *const line_ends[] = {"\n", "\r\n"};
+    const burnish_load_options options = burnish_load_options_default();
+    for (size_t i = 0; i < sizeof plans / sizeof *plans; ++i) {
+        for (size_t k = 0; k < 2; ++k) {
+            char name[32];
+            text t = make_ply(10 * i + k, &plans[i], line_ends[k]);
+            snprintf(name, sizeof name, "ASCII PLY %zu.%zu", i, k);
+            check(name, BURNISH_FORMAT_PLY, &t, &options, THREADED);
+            t.size -= 2; /* the last element is empty: the line of the message */
+            check(name, BURNISH_FORMAT_PLY, &t, &options, BROKEN);
+            free(t.bytes);
+        }
+    }
+}
+
+static void test_ply_broken(void) {
+    static const char *const vertices[] = {
+        "5 1 2 3 0 0 1 1 2 3 4 5", "5 1 2 3 0 0", "5 nan 2 3", "5 1 2 x", "5 1e39 2 3",
+        "5\r1 2 3 0 0 1"};
+    static const expectation vertices_expected[] = {BROKEN, BROKEN, BROKEN,
+                                                    BROKEN, BROKEN, ANYTHING};
+    static const char *const faces[] = {"77 2 1 2",     "77 3 1 2 99999", "77 3 1 2 -1",
+                                        "77 -1 1 2 3",  "77 3 1 2",       "77 3 1 2 3 4",
+                                        "77 99999 1 2", "77 2.5 1 2 3",   "77 0",
+                                        "77 3 1 1.5 2", "77 3\r1 2 3",    "\n77 3 1 2 3"};
+    static const expectation faces_expected[] = {GOOD,   BROKEN, BROKEN, BROKEN, BROKEN, BROKEN,
+                                                 BROKEN, BROKEN, GOOD,   BROKEN, GOOD,   ANYTHING};
+    const ply_plan plan = {1, 0, 1, 0};
+    text t = make_ply(40, &plan, "\n");
+    check_broken("ASCII PLY", BURNISH_FORMAT_PLY, &t, "5 ", vertices, vertices_expected,
+                 sizeof vertices / sizeof *vertices);
+    check_broken("ASCII PLY", BURNISH_FORMAT_PLY, &t, "77 ", faces, faces_expected,
+                 sizeof faces / sizeof *faces);
+    check_mutations("ASCII PLY", BURNISH_FORMAT_PLY, &t, "\n\r \t0123456789.-e", 60);
+    burnish_load_options options = burnish_load_options_default();
+    options.max_triangles = 30000;
+    check("ASCII PLY with too many triangles", BURNISH_FORMAT_PLY, &t, &options, BROKEN);
+    free(t.bytes);
+}
+
 /* ---- numbers ---- */
 
 /* One look at a number and a character at a time must agree. */
@@ -499,5 +721,10 @@ int main(void) {
     test_obj_broken();
     test_obj_mutations();
     test_obj_shapes();
+    test_stl_text();
+    test_stl_broken();
+    test_stl_binary();
+    test_ply();
+    test_ply_broken();
     return test_end("reader_threads");
 }

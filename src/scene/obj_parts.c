@@ -149,8 +149,8 @@ enum {
 
 typedef struct line_counts {
     size_t lines, faces, tokens;    /* faces: lines that begin with 'f' */
-    size_t values, normals, others; /* 'v', of these 'vn', and 'vt' or 'vp' */
-    size_t strange;                 /* '#' and '\\' */
+    size_t values, normals, others; /* 'v', of these 'vn', and 'vt' and the like */
+    size_t strange;                 /* '#', '\\', words that begin with 'f' */
 } line_counts;
 
 /* The compiler makes these loops compare as many bytes as a vector holds; there is a byte before
@@ -165,7 +165,7 @@ static void count_face_bytes(const uint8_t *at, const uint8_t *end, line_counts 
             lines = (uint8_t)(lines + (byte == '\n'));
             faces = (uint8_t)(faces + ((byte == 'f') & (before == '\n')));
             tokens = (uint8_t)(tokens + ((byte > ' ') & (before <= ' ')));
-            strange |= (byte == '#') | (byte == '\\');
+            strange |= (byte == '#') | (byte == '\\') | ((byte > ' ') & (before == 'f'));
         }
         c->lines += lines;
         c->faces += faces;
@@ -184,7 +184,7 @@ static void count_value_bytes(const uint8_t *at, const uint8_t *end, line_counts
             lines = (uint8_t)(lines + (byte == '\n'));
             values = (uint8_t)(values + ((byte == 'v') & (before == '\n')));
             normals = (uint8_t)(normals + ((byte == 'n') & (before == 'v')));
-            others = (uint8_t)(others + (((byte == 't') | (byte == 'p')) & (before == 'v')));
+            others = (uint8_t)(others + ((byte > ' ') & (byte != 'n') & (before == 'v')));
             strange |= (byte == '#') | (byte == '\\');
         }
         c->lines += lines;
@@ -478,10 +478,20 @@ static int any_colors(const obj_parts *obj) {
     return colors;
 }
 
-static void drop_colors(burnish_source *source) {
-    free(source->colors); /* an array says that there are colours */
-    source->colors = NULL;
-    source->color_capacity = 0;
+static void drop_colors(burnish_source *source) { /* an array says that there are colours */
+    burnish_parts_drop((void **)&source->colors, &source->color_capacity);
+}
+
+static void drop_corner_normals(burnish_source *source) {
+    burnish_parts_drop((void **)&source->corner_normals, &source->corner_normal_capacity);
+}
+
+static void drop_all(burnish_source *source) {
+    drop_colors(source);
+    drop_corner_normals(source);
+    burnish_parts_drop((void **)&source->positions, &source->position_capacity);
+    burnish_parts_drop((void **)&source->normals, &source->normal_capacity);
+    burnish_parts_drop((void **)&source->corner_positions, &source->corner_capacity);
 }
 
 static int read_all_values(obj_parts *obj) {
@@ -510,12 +520,6 @@ static int read_all_faces(obj_parts *obj) {
     return run_pass(obj, read_faces);
 }
 
-static void drop_corner_normals(burnish_source *source) {
-    free(source->corner_normals);
-    source->corner_normals = NULL;
-    source->corner_normal_capacity = 0;
-}
-
 static int read_parts(obj_parts *obj) {
     return cut_parts(obj) && run_pass(obj, count_part) && add_up(obj) && read_all_values(obj) &&
            read_all_faces(obj);
@@ -525,17 +529,21 @@ burnish_status burnish_obj_read_parts(const burnish_reader_input *input, burnish
                                       burnish_obj_materials *materials, int *done) {
     burnish_status status = BURNISH_STATUS_OK;
     obj_parts obj = {.input = input, .source = source};
-    *done = burnish_parts_pay(source->pool, input->size) && read_parts(&obj);
-    if (*done) {
+    *done = 0;
+    if (!burnish_parts_pay(source->pool, input->size)) {
+        return status;
+    }
+    if (read_parts(&obj)) {
+        *done = 1;
         source->position_count = obj.total.vertices;
         source->normal_count = obj.total.normals;
         source->triangle_count = obj.total.triangles;
+        if (!atomic_load(&obj.normals_used)) {
+            drop_corner_normals(source);
+        }
         status = replay_events(&obj, materials);
     } else {
-        drop_colors(source);
-    }
-    if (!*done || !atomic_load(&obj.normals_used)) {
-        drop_corner_normals(source);
+        drop_all(source);
     }
     for (size_t i = 0; i < obj.count; ++i) {
         free(obj.parts[i].events);

@@ -52,3 +52,34 @@ size_t burnish_count_tokens(const uint8_t *line, const uint8_t *line_end, const 
     }
     return tokens;
 }
+
+/* Sums of bytes, as many as one holds, so that the compiler compares as many as a vector holds. */
+enum { STRIDE = 240 };
+
+size_t burnish_count_newlines(const uint8_t *first, const uint8_t *end) {
+    size_t count = 0;
+    while (first < end) {
+        const size_t size = end - first < STRIDE ? (size_t)(end - first) : STRIDE;
+        uint8_t found = 0;
+        for (size_t i = 0; i < size; ++i) {
+            found = (uint8_t)(found + (first[i] == '\n'));
+        }
+        count += found;
+        first += size;
+    }
+    return count;
+}
+
+size_t burnish_count_words(const uint8_t *first, const uint8_t *end) {
+    size_t count = 0;
+    while (first < end) {
+        const size_t size = end - first < STRIDE ? (size_t)(end - first) : STRIDE;
+        uint8_t found = 0;
+        for (size_t i = 0; i < size; ++i) {
+            found = (uint8_t)(found + ((first[i] > ' ') & (first[i - 1] <= ' ')));
+        }
+        count += found;
+        first += size;
+    }
+    return count;
+}

@@ -25,12 +25,24 @@ static inline size_t burnish_parts_most(size_t size) {
     return size / BURNISH_PART_SIZE + 1;
 }
 
+/* Releases an array of a source where reading has given up, so that it is as if it had never been.
+ */
+static inline void burnish_parts_drop(void **array, size_t *capacity) {
+    free(*array);
+    *array = NULL;
+    *capacity = 0;
+}
+
 /* The end of the part that begins at first: behind a line end, or the end of the text. wavefront: a
  * line end behind a '\' is none. */
 const uint8_t *burnish_part_end(const uint8_t *first, const uint8_t *end, int wavefront);
 
 /* The '\n' that ends the line at `line`, or end. */
 const uint8_t *burnish_find_newline(const uint8_t *line, const uint8_t *end);
+
+/* Line ends, and words between characters up to ' '; a byte lies before `first` for the latter. */
+size_t burnish_count_newlines(const uint8_t *first, const uint8_t *end);
+size_t burnish_count_words(const uint8_t *first, const uint8_t *end);
 
 /* Tokens of a line, characters up to ' ' standing between them. Returns 0 where it does not know: a
  * '#' is in the line, or fewer than 8 bytes lie from its last one to text_end. */

@@ -290,6 +290,9 @@ static int read_parts(const burnish_reader_input *input, burnish_source *source)
     if (done) {
         source->position_count = 3 * stl.facets;
         source->triangle_count = stl.facets;
+    } else {
+        burnish_parts_drop((void **)&source->positions, &source->position_capacity);
+        burnish_parts_drop((void **)&source->corner_positions, &source->corner_capacity);
     }
     free(stl.parts);
     return done;
