@@ -98,6 +98,16 @@ static burnish_status read_value(burnish_ply_cursor *ply, burnish_ply_type type,
     return BURNISH_STATUS_OK;
 }
 
+/* The same for what should be a count or an index. */
+static burnish_status read_count(burnish_ply_cursor *ply, burnish_ply_type type, double *value) {
+    uint64_t count;
+    if (!burnish_ply_is_ascii(ply) || !burnish_text_count(&ply->text, &count)) {
+        return read_value(ply, type, value);
+    }
+    *value = (double)count;
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status skip_values(burnish_ply_cursor *ply, burnish_ply_type type, uint64_t count) {
     ply->value_start = ply->text.next;
     if (count > burnish_ply_room(ply, burnish_ply_type_size(type))) {
@@ -119,7 +129,7 @@ static burnish_status skip_values(burnish_ply_cursor *ply, burnish_ply_type type
 static burnish_status read_list_count(burnish_ply_cursor *ply, const burnish_ply_property *property,
                                       uint64_t *count) {
     double value;
-    burnish_status status = read_value(ply, property->count_type, &value);
+    burnish_status status = read_count(ply, property->count_type, &value);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -148,7 +158,7 @@ static burnish_status read_corners(burnish_ply_cursor *ply, const burnish_ply_pr
                      sizeof *ply->corners, "corners", ply->error);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         double value;
-        status = read_value(ply, property->type, &value);
+        status = read_count(ply, property->type, &value);
         if (status != BURNISH_STATUS_OK) {
             break;
         }

@@ -125,6 +125,24 @@ int burnish_text_float(burnish_text *text, burnish_number_reader *numbers, burni
     return 1;
 }
 
+int burnish_text_count(burnish_text *text, uint64_t *value) {
+    const uint8_t *p = text->next;
+    uint64_t found = 0;
+    while (p < text->end && *p == ' ') {
+        ++p;
+    }
+    if (text->end - p <= BURNISH_DECIMAL_ROOM) {
+        return 0;
+    }
+    unsigned digits = burnish_scan_digits(&p, &found);
+    if (digits == 0 || digits > 18 || !(burnish_text_blank(*p) || burnish_text_line_end(*p))) {
+        return 0;
+    }
+    *value = found;
+    text->next = p;
+    return 1;
+}
+
 int burnish_text_word(burnish_text *text, burnish_token *token) {
     while (!burnish_text_token(text, token)) {
         if (!burnish_text_next_line(text)) {

@@ -43,6 +43,10 @@ int burnish_text_double(burnish_text *text, burnish_number_reader *numbers, burn
 int burnish_text_float(burnish_text *text, burnish_number_reader *numbers, burnish_token *token,
                        float *value, burnish_number_status *status);
 
+/* The next token of this line where it is nothing but digits, fewer than 19 and not at the very end
+ * of the text; returns 0 and moves nothing for any other. */
+int burnish_text_count(burnish_text *text, uint64_t *value);
+
 /* The next token of this line or a later one; 0 at the end of the text. */
 int burnish_text_word(burnish_text *text, burnish_token *token);
 
