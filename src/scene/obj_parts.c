@@ -13,266 +13,35 @@
 #include <string.h>
 
 #include "scene/append.h"
+#include "scene/obj_count.h"
 #include "scene/obj_line.h"
 #include "scene/parts.h"
 #include "scene/scene.h"
 
-/* usemtl or mtllib. */
-typedef struct event {
-    const uint8_t *behind; /* the keyword */
-    size_t line;           /* in the part, counted from 1 */
-    size_t triangle;       /* triangles of the part before it */
-    int is_library;
-} event;
-
-typedef struct counts {
-    size_t vertices, normals, triangles, lines;
-} counts;
-
-typedef struct part {
-    const uint8_t *first, *end;
-    counts before, own;
-    int has_values;     /* v, vn */
-    int has_statements; /* f, usemtl, mtllib */
-    int has_colors;
-    event *events;
-    size_t event_count, event_capacity;
-} part;
-
 typedef struct obj_parts {
     const burnish_reader_input *input;
     burnish_source *source;
-    part *parts;
+    burnish_obj_part *parts;
     size_t count;
-    counts total;
+    burnish_obj_counts total;
     atomic_int give_up, normals_used;
 } obj_parts;
 
 /* ---- counting ---- */
 
-/* Corners of a face are the tokens behind its keyword. */
-static int count_face(part *p, size_t tokens) {
-    p->has_statements = 1;
-    p->own.triangles += tokens > 3 ? tokens - 3 : 0;
-    return tokens > 3;
-}
-
-/* Counts the statement at *line token by token, and moves *line behind its last line. Returns 0 for
- * what gives up. */
-static int count_slowly(part *p, const uint8_t **line) {
-    burnish_obj_line statement = {.text = {*line, p->end, 1, 1}};
-    burnish_token token;
-    size_t tokens = 1;
-    int good = 1;
-    switch (burnish_obj_read_keyword(&statement)) {
-    case BURNISH_OBJ_VERTEX:
-        while (tokens <= BURNISH_OBJ_VERTEX_MOST && burnish_text_token(&statement.text, &token)) {
-            ++tokens;
-        }
-        ++p->own.vertices;
-        p->has_values = 1;
-        p->has_colors |= tokens > 6;
-        break;
-    case BURNISH_OBJ_NORMAL:
-        while (tokens <= 3 && burnish_text_token(&statement.text, &token)) {
-            ++tokens;
-        }
-        ++p->own.normals;
-        p->has_values = 1;
-        break;
-    case BURNISH_OBJ_FACE:
-        while (burnish_text_token(&statement.text, &token)) {
-            ++tokens;
-        }
-        good = count_face(p, tokens);
-        break;
-    case BURNISH_OBJ_MATERIAL:
-    case BURNISH_OBJ_LIBRARY:
-        p->has_statements = 1;
-        break;
-    case BURNISH_OBJ_ELEMENT: /* of which the sequential reader warns */
-        good = 0;
-        break;
-    case BURNISH_OBJ_NOTHING:
-    case BURNISH_OBJ_OTHER:
-        break;
-    }
-    burnish_text_next_line(&statement.text);
-    p->own.lines += statement.text.line - 1 + (statement.text.next == p->end);
-    *line = statement.text.next;
-    return good;
-}
-
-/* The same by a look at the first letters, for a line that ends at a '\n' without a '\' before it.
- */
-static int count_line(part *p, const uint8_t **line, const uint8_t *newline) {
-    const uint8_t *letter = *line;
-    while (letter < newline && burnish_text_blank(*letter)) {
-        ++letter;
-    }
-    const uint8_t first = *letter, second = letter < newline ? letter[1] : 0;
-    if (first == 'v' && burnish_text_blank(second)) {
-        if (p->own.vertices == 0) { /* the first one tells of the others, usually */
-            return count_slowly(p, line);
-        }
-        ++p->own.vertices;
-    } else if (first == 'v' && second == 'n') {
-        if (!burnish_text_blank(letter[2])) {
-            return count_slowly(p, line);
-        }
-        ++p->own.normals;
-        p->has_values = 1;
-    } else if (first == 'f') {
-        size_t tokens =
-            burnish_text_blank(second) ? burnish_count_tokens(letter, newline, p->end) : 0;
-        if (tokens == 0) {
-            return count_slowly(p, line);
-        }
-        if (!count_face(p, tokens)) {
-            return 0;
-        }
-    } else if (first == 'u' || first == 'm' || first == 'l' || first == 'p' ||
-               (first == 'v' && second != 't')) {
-        return count_slowly(p, line);
-    }
-    ++p->own.lines;
-    *line = newline + 1;
-    return 1;
-}
-
-/* ---- counting many lines at once ---- */
-
-enum {
-    BLOCK = 4096, /* bytes of lines that are looked at together, if they are all of one kind */
-    STRIDE = 240  /* as many counts as a byte holds, in whole vectors */
-};
-
-typedef struct line_counts {
-    size_t lines, faces, tokens;    /* faces: lines that begin with 'f' */
-    size_t values, normals, others; /* 'v', of these 'vn', and 'vt' and the like */
-    size_t strange;                 /* '#', '\\', words that begin with 'f' */
-} line_counts;
-
-/* The compiler makes these loops compare as many bytes as a vector holds; there is a byte before
- * the block. */
-
-static void count_face_bytes(const uint8_t *at, const uint8_t *end, line_counts *c) {
-    while (at < end) {
-        const size_t size = end - at < STRIDE ? (size_t)(end - at) : STRIDE;
-        uint8_t lines = 0, faces = 0, tokens = 0, strange = 0;
-        for (size_t i = 0; i < size; ++i) {
-            const uint8_t byte = at[i], before = at[i - 1];
-            lines = (uint8_t)(lines + (byte == '\n'));
-            faces = (uint8_t)(faces + ((byte == 'f') & (before == '\n')));
-            tokens = (uint8_t)(tokens + ((byte > ' ') & (before <= ' ')));
-            strange |= (byte == '#') | (byte == '\\') | ((byte > ' ') & (before == 'f'));
-        }
-        c->lines += lines;
-        c->faces += faces;
-        c->tokens += tokens;
-        c->strange += strange;
-        at += size;
-    }
-}
-
-static void count_value_bytes(const uint8_t *at, const uint8_t *end, line_counts *c) {
-    while (at < end) {
-        const size_t size = end - at < STRIDE ? (size_t)(end - at) : STRIDE;
-        uint8_t lines = 0, values = 0, normals = 0, others = 0, strange = 0;
-        for (size_t i = 0; i < size; ++i) {
-            const uint8_t byte = at[i], before = at[i - 1];
-            lines = (uint8_t)(lines + (byte == '\n'));
-            values = (uint8_t)(values + ((byte == 'v') & (before == '\n')));
-            normals = (uint8_t)(normals + ((byte == 'n') & (before == 'v')));
-            others = (uint8_t)(others + ((byte > ' ') & (byte != 'n') & (before == 'v')));
-            strange |= (byte == '#') | (byte == '\\');
-        }
-        c->lines += lines;
-        c->values += values;
-        c->normals += normals;
-        c->others += others;
-        c->strange += strange;
-        at += size;
-    }
-}
-
-/* Counts some 4 KiB of lines from *line on, which is not the part's first, if all of them are
- * faces, or none but v, vn, vt and vp; returns 0 and moves nothing if they are not. */
-static int count_block(part *p, const uint8_t **line) {
-    line_counts c = {0};
-    const uint8_t *end = *line;
-    if (p->end - *line > BLOCK) {
-        end = burnish_find_newline(*line + BLOCK, p->end);
-        end += end < p->end;
-    }
-    if (end == *line) {
-        return 0;
-    }
-    if (**line == 'f') {
-        count_face_bytes(*line, end, &c);
-        if (c.strange || c.faces != c.lines || c.tokens < 4 * c.lines) {
-            return 0;
-        }
-        p->has_statements = 1;
-        p->own.triangles += c.tokens - 3 * c.lines;
-    } else if (**line == 'v' && p->own.vertices > 0) { /* count_line() looks at the first */
-        count_value_bytes(*line, end, &c);
-        if (c.strange || c.values != c.lines || c.normals + c.others > c.values) {
-            return 0;
-        }
-        p->has_values = 1;
-        p->own.normals += c.normals;
-        p->own.vertices += c.values - c.normals - c.others;
-    } else {
-        return 0;
-    }
-    p->own.lines += c.lines;
-    *line = end;
-    return 1;
-}
-
-/* A '\r' that ends a line alone, which no newline tells. */
-static int has_lone_return(const part *p) {
-    for (const uint8_t *at = p->first; at < p->end; ++at) {
-        at = memchr(at, '\r', (size_t)(p->end - at));
-        if (!at) {
-            break;
-        }
-        if (at + 1 == p->end || at[1] != '\n') {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 static void count_part(void *of, size_t index, int thread) {
     obj_parts *obj = of;
-    part *p = &obj->parts[index];
-    const uint8_t *line = p->first, *tried = p->first; /* no block before it */
-    int good = !atomic_load(&obj->give_up) && !has_lone_return(p);
     (void)thread;
-    while (good && line < p->end) {
-        if (line > tried) {
-            if (count_block(p, &line)) {
-                continue;
-            }
-            tried = line + BLOCK;
-        }
-        const uint8_t *newline = burnish_find_newline(line, p->end);
-        const uint8_t *last = newline - (newline - line > 1 && newline[-1] == '\r');
-        int plain = newline < p->end && (last == line || last[-1] != '\\');
-        good = plain ? count_line(p, &line, newline) : count_slowly(p, &line);
-    }
-    if (!good) {
+    if (!atomic_load(&obj->give_up) && !burnish_obj_count_part(&obj->parts[index])) {
         atomic_store(&obj->give_up, 1);
     }
 }
 
 /* Sums up what stands before each part. Returns 0 when there is nothing to read or too much. */
 static int add_up(obj_parts *obj) {
-    counts sum = {0};
+    burnish_obj_counts sum = {0};
     for (size_t i = 0; i < obj->count; ++i) {
-        part *p = &obj->parts[i];
+        burnish_obj_part *p = &obj->parts[i];
         p->before = sum;
         sum.vertices += p->own.vertices;
         sum.normals += p->own.normals;
@@ -288,7 +57,7 @@ static int add_up(obj_parts *obj) {
 /* ---- values ---- */
 
 /* A cursor at the start of a part. */
-static burnish_obj_line open_part(const part *p) {
+static burnish_obj_line open_part(const burnish_obj_part *p) {
     return (burnish_obj_line){.text = {p->first, p->end, 1, 1}};
 }
 
@@ -298,7 +67,7 @@ static int pass_one(size_t *at, size_t before, size_t own) {
     return (*at)++ < before + own;
 }
 
-static int read_vertex(obj_parts *obj, part *p, burnish_obj_line *line, size_t vertex) {
+static int read_vertex(obj_parts *obj, burnish_obj_part *p, burnish_obj_line *line, size_t vertex) {
     float values[BURNISH_OBJ_VERTEX_MOST];
     int count;
     if (burnish_obj_read_vertex(line, values, &count) != BURNISH_STATUS_OK) {
@@ -318,7 +87,7 @@ static int read_vertex(obj_parts *obj, part *p, burnish_obj_line *line, size_t v
 
 static void read_values(void *of, size_t index, int thread) {
     obj_parts *obj = of;
-    part *p = &obj->parts[index];
+    burnish_obj_part *p = &obj->parts[index];
     burnish_obj_line line = open_part(p);
     size_t vertices = p->before.vertices, normals = p->before.normals;
     int good = 1;
@@ -351,18 +120,20 @@ static void read_values(void *of, size_t index, int thread) {
 
 /* ---- faces ---- */
 
-static int record_event(part *p, const burnish_obj_line *line, size_t triangle, int is_library) {
+static int record_event(burnish_obj_part *p, const burnish_obj_line *line, size_t triangle,
+                        int is_library) {
     if (burnish_grow((void **)&p->events, &p->event_capacity, p->event_count + 1, sizeof *p->events,
                      "material statements", NULL) != BURNISH_STATUS_OK) {
         return 0;
     }
-    p->events[p->event_count++] =
-        (event){line->text.next, line->text.line, triangle - p->before.triangles, is_library};
+    p->events[p->event_count++] = (burnish_obj_event){line->text.next, line->text.line,
+                                                      triangle - p->before.triangles, is_library};
     return 1;
 }
 
 /* Reads a face behind what `at` counts, and moves its triangles on. */
-static int read_face(obj_parts *obj, const part *p, burnish_obj_line *line, counts *at) {
+static int read_face(obj_parts *obj, const burnish_obj_part *p, burnish_obj_line *line,
+                     burnish_obj_counts *at) {
     if (burnish_obj_read_face(line, at->vertices, at->normals) != BURNISH_STATUS_OK ||
         line->corner_count < 3 ||
         line->corner_count - 2 > p->before.triangles + p->own.triangles - at->triangles) {
@@ -379,9 +150,9 @@ static int read_face(obj_parts *obj, const part *p, burnish_obj_line *line, coun
 
 static void read_faces(void *of, size_t index, int thread) {
     obj_parts *obj = of;
-    part *p = &obj->parts[index];
+    burnish_obj_part *p = &obj->parts[index];
     burnish_obj_line line = open_part(p);
-    counts at = p->before;
+    burnish_obj_counts at = p->before;
     int good = 1;
     (void)thread;
     if (!p->has_statements || atomic_load(&obj->give_up)) {
@@ -390,9 +161,9 @@ static void read_faces(void *of, size_t index, int thread) {
     do {
         const burnish_obj_keyword keyword = burnish_obj_read_keyword(&line);
         if (keyword == BURNISH_OBJ_VERTEX) {
-            ++at.vertices;
+            good = pass_one(&at.vertices, p->before.vertices, p->own.vertices);
         } else if (keyword == BURNISH_OBJ_NORMAL) {
-            ++at.normals;
+            good = pass_one(&at.normals, p->before.normals, p->own.normals);
         } else if (keyword == BURNISH_OBJ_FACE) {
             good = read_face(obj, p, &line, &at);
         } else if (keyword == BURNISH_OBJ_MATERIAL || keyword == BURNISH_OBJ_LIBRARY) {
@@ -417,9 +188,9 @@ static burnish_status replay_events(const obj_parts *obj, burnish_obj_materials 
     burnish_status status = BURNISH_STATUS_OK;
     size_t triangle = 0; /* those before it have their run */
     for (size_t i = 0; i < obj->count; ++i) {
-        const part *p = &obj->parts[i];
+        const burnish_obj_part *p = &obj->parts[i];
         for (size_t k = 0; k < p->event_count && status == BURNISH_STATUS_OK; ++k) {
-            const event *e = &p->events[k];
+            const burnish_obj_event *e = &p->events[k];
             burnish_text text = {e->behind, end, p->before.lines + e->line, 1};
             if (p->before.triangles + e->triangle > triangle) {
                 status = burnish_obj_begin_run(materials, triangle);
@@ -446,7 +217,7 @@ static int cut_parts(obj_parts *obj) {
         return 0;
     }
     for (const uint8_t *first = text.next; first < text.end; ++obj->count) {
-        part *p = &obj->parts[obj->count];
+        burnish_obj_part *p = &obj->parts[obj->count];
         p->first = first;
         p->end = first = burnish_part_end(first, text.end, 1);
     }

@@ -59,9 +59,9 @@ enum { STRIDE = 240 };
 size_t burnish_count_newlines(const uint8_t *first, const uint8_t *end) {
     size_t count = 0;
     while (first < end) {
-        const size_t size = end - first < STRIDE ? (size_t)(end - first) : STRIDE;
+        const ptrdiff_t size = end - first < STRIDE ? end - first : STRIDE;
         uint8_t found = 0;
-        for (size_t i = 0; i < size; ++i) {
+        for (ptrdiff_t i = 0; i < size; ++i) {
             found = (uint8_t)(found + (first[i] == '\n'));
         }
         count += found;
@@ -73,9 +73,9 @@ size_t burnish_count_newlines(const uint8_t *first, const uint8_t *end) {
 size_t burnish_count_words(const uint8_t *first, const uint8_t *end) {
     size_t count = 0;
     while (first < end) {
-        const size_t size = end - first < STRIDE ? (size_t)(end - first) : STRIDE;
+        const ptrdiff_t size = end - first < STRIDE ? end - first : STRIDE;
         uint8_t found = 0;
-        for (size_t i = 0; i < size; ++i) {
+        for (ptrdiff_t i = 0; i < size; ++i) {
             found = (uint8_t)(found + ((first[i] > ' ') & (first[i - 1] <= ' ')));
         }
         count += found;
