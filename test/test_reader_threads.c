@@ -7,7 +7,7 @@
 #include "scene/parts.h"
 #include "scene/text.h"
 
-enum { PARTS = 4, POOLS = 2 };
+enum { PARTS = 17, POOLS = 2 };
 
 /* ---- text under construction ---- */
 
@@ -391,7 +391,7 @@ static void test_obj(void) {
 static void test_obj_unused(void) {
     const burnish_load_options options = burnish_load_options_default();
     text t = {.line_end = "\n"};
-    while (t.size < 3 * BURNISH_PART_SIZE) {
+    while (t.size < 8 * BURNISH_PART_SIZE) {
         say(&t, "vn 0 0 1\nv 0 0 0 1 # . .\nv 1 0 0\nv 0 %zu 1\nf -1 -2 -3\n", t.size);
     }
     check("unused normals", BURNISH_FORMAT_OBJ, &t, &options, THREADED);

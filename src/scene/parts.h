@@ -10,14 +10,16 @@
 #include "scene/source.h"
 
 enum {
-    /* Bytes of a part, up to its last line: some 0.5 ms of work, and its results fit the second
-     * cache. */
-    BURNISH_PART_SIZE = 1 << 18
+    /* Bytes of a part, up to its last line: some 0.15 ms of work, far more than it takes to hand
+     * one out, and in a file of half a megabyte enough parts for a few threads. */
+    BURNISH_PART_SIZE = 1 << 16,
+    BURNISH_PARTS_LEAST = 4 /* fewer do not pay */
 };
 
 /* Whether text of this size is worth the threads of a pool. */
 static inline int burnish_parts_pay(const burnish_pool *pool, size_t size) {
-    return size >= 2 * BURNISH_PART_SIZE && burnish_pool_threads(pool) > 1;
+    return size >= (size_t)BURNISH_PARTS_LEAST * BURNISH_PART_SIZE &&
+           burnish_pool_threads(pool) > 1;
 }
 
 /* How many parts there are at most. */
