@@ -158,12 +158,12 @@ static void count_value_bytes(const uint8_t *at, const uint8_t *end, line_counts
  * faces, or none but v, vn, vt and vp; returns 0 and moves nothing if they are not. */
 static int count_block(burnish_obj_part *p, const uint8_t **line) {
     line_counts c = {0};
-    const uint8_t *end = *line;
-    if (p->end - *line > BLOCK) {
-        end = burnish_find_newline(*line + BLOCK, p->end);
-        end += end < p->end;
+    const uint8_t *limit = p->end - *line > 2 * BLOCK ? *line + 2 * BLOCK : p->end;
+    if (limit - *line <= BLOCK) {
+        return 0;
     }
-    if (end == *line) {
+    const uint8_t *end = burnish_find_newline(*line + BLOCK, limit);
+    if (end++ == limit) { /* a long line: not to be looked at again and again */
         return 0;
     }
     if (**line == 'f') {

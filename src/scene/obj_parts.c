@@ -249,29 +249,23 @@ static int any_colors(const obj_parts *obj) {
     return colors;
 }
 
-static void drop_colors(burnish_source *source) { /* an array says that there are colours */
-    burnish_parts_drop((void **)&source->colors, &source->color_capacity);
-}
-
-static void drop_corner_normals(burnish_source *source) {
+static void drop_corner_normals(burnish_source *source) { /* an array says that there are some */
     burnish_parts_drop((void **)&source->corner_normals, &source->corner_normal_capacity);
 }
 
 static void drop_all(burnish_source *source) {
-    drop_colors(source);
     drop_corner_normals(source);
     burnish_parts_drop((void **)&source->positions, &source->position_capacity);
     burnish_parts_drop((void **)&source->normals, &source->normal_capacity);
     burnish_parts_drop((void **)&source->corner_positions, &source->corner_capacity);
+    burnish_parts_drop((void **)&source->colors, &source->color_capacity);
 }
 
 static int read_all_values(obj_parts *obj) {
     if (!reserve_values(obj, any_colors(obj)) || !run_pass(obj, read_values)) {
         return 0;
     }
-    if (!any_colors(obj)) {
-        drop_colors(obj->source);
-    } else if (!obj->source->colors) { /* the first ones had none */
+    if (any_colors(obj) && !obj->source->colors) { /* the first ones of all parts had none */
         return reserve_values(obj, 1) && run_pass(obj, read_values);
     }
     return 1;
