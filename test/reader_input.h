@@ -12,12 +12,15 @@
 static const char *const reader_names[BURNISH_FORMAT_COUNT] = {"mesh", "mesh.obj", "mesh.ply",
                                                                "mesh.stl"};
 
-static inline burnish_status run_reader(burnish_format format, const void *bytes, size_t size,
-                                        const burnish_load_options *options,
-                                        burnish_status (*open_beside)(const char *, const char *,
-                                                                      uint64_t, uint8_t **,
-                                                                      size_t *, burnish_error *),
-                                        burnish_source *source, burnish_error *error) {
+typedef burnish_status open_beside_function(const char *input_name, const char *file,
+                                            uint64_t max_bytes, uint8_t **bytes, size_t *size,
+                                            burnish_error *error);
+
+static inline burnish_status run_reader_threads(burnish_format format, const void *bytes,
+                                                size_t size, const burnish_load_options *options,
+                                                open_beside_function *open_beside,
+                                                burnish_pool *pool, burnish_source *source,
+                                                burnish_error *error) {
     uint8_t *copy = malloc(size > 0 ? size : 1);
     if (!copy) {
         abort();
@@ -28,7 +31,7 @@ static inline burnish_status run_reader(burnish_format format, const void *bytes
                                   .name = reader_names[format],
                                   .options = options,
                                   .open_beside = open_beside};
-    *source = (burnish_source){0};
+    *source = (burnish_source){.pool = pool};
     *error = (burnish_error){0};
     burnish_status status = format == BURNISH_FORMAT_OBJ ? burnish_read_obj(&input, source, error)
                             : format == BURNISH_FORMAT_PLY
@@ -36,6 +39,13 @@ static inline burnish_status run_reader(burnish_format format, const void *bytes
                                 : burnish_read_stl(&input, source, error);
     free(copy);
     return status;
+}
+
+static inline burnish_status run_reader(burnish_format format, const void *bytes, size_t size,
+                                        const burnish_load_options *options,
+                                        open_beside_function *open_beside, burnish_source *source,
+                                        burnish_error *error) {
+    return run_reader_threads(format, bytes, size, options, open_beside, NULL, source, error);
 }
 
 static inline burnish_status read_text(burnish_format format, const char *text,

@@ -21,7 +21,7 @@ static const struct layer {
     {"tools/burnish",
      "public:batch.h public:file.h public:image.h public:isa.h public:lobe.h public:render.h "
      "public:scene.h public:status.h public:theory.h bench"},
-    {"bench", "kernels public:batch.h public:lobe.h public:render.h"},
+    {"bench", "kernels public:batch.h public:lobe.h public:render.h public:scene.h"},
 };
 
 static int allowed(const struct layer *layer, const char *include) {

@@ -102,16 +102,36 @@ static burnish_status reserve_corner_normals(burnish_source *source, size_t more
     return status;
 }
 
-static void append_triangle(burnish_source *source, const uint32_t *positions,
-                            const uint32_t *normals, const size_t corners[3]) {
-    size_t base = 3 * source->triangle_count;
-    for (size_t i = 0; i < 3; ++i) {
-        source->corner_positions[base + i] = positions[corners[i]];
-        if (source->corner_normals) {
-            source->corner_normals[base + i] = normals ? normals[corners[i]] : BURNISH_SOURCE_NONE;
+/* One triangle of a polygon, by the numbers of its corners there. */
+static inline void place_triangle(burnish_source *source, size_t triangle,
+                                  const uint32_t *positions, const uint32_t *normals, size_t a,
+                                  size_t b, size_t c) {
+    uint32_t *to = source->corner_positions + 3 * triangle;
+    to[0] = positions[a];
+    to[1] = positions[b];
+    to[2] = positions[c];
+    if (source->corner_normals) {
+        to = source->corner_normals + 3 * triangle;
+        to[0] = normals ? normals[a] : BURNISH_SOURCE_NONE;
+        to[1] = normals ? normals[b] : BURNISH_SOURCE_NONE;
+        to[2] = normals ? normals[c] : BURNISH_SOURCE_NONE;
+    }
+}
+
+void burnish_place_polygon(burnish_source *source, size_t first_triangle, const uint32_t *positions,
+                           const uint32_t *normals, size_t count) {
+    if (count > 3 && count <= BURNISH_POLYGON_CORNERS) {
+        uint16_t cut[3 * (BURNISH_POLYGON_CORNERS - 2)];
+        burnish_polygon_cut(source->positions, positions, count, cut);
+        for (size_t i = 0; i < count - 2; ++i) {
+            place_triangle(source, first_triangle + i, positions, normals, cut[3 * i],
+                           cut[3 * i + 1], cut[3 * i + 2]);
+        }
+    } else {
+        for (size_t i = 0; i < count - 2; ++i) {
+            place_triangle(source, first_triangle + i, positions, normals, 0, i + 1, i + 2);
         }
     }
-    ++source->triangle_count;
 }
 
 burnish_status burnish_append_polygon(burnish_source *source, const burnish_load_options *options,
@@ -124,17 +144,7 @@ burnish_status burnish_append_polygon(burnish_source *source, const burnish_load
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (count > 3 && count <= BURNISH_POLYGON_CORNERS) {
-        uint16_t cut[3 * (BURNISH_POLYGON_CORNERS - 2)];
-        burnish_polygon_cut(source->positions, positions, count, cut);
-        for (size_t i = 0; i < count - 2; ++i) {
-            append_triangle(source, positions, normals,
-                            (size_t[3]){cut[3 * i], cut[3 * i + 1], cut[3 * i + 2]});
-        }
-    } else {
-        for (size_t i = 0; i < count - 2; ++i) {
-            append_triangle(source, positions, normals, (size_t[3]){0, i + 1, i + 2});
-        }
-    }
+    burnish_place_polygon(source, source->triangle_count, positions, normals, count);
+    source->triangle_count += count - 2;
     return BURNISH_STATUS_OK;
 }

@@ -30,6 +30,11 @@ burnish_status burnish_append_polygon(burnish_source *source, const burnish_load
                                       burnish_place place, const uint32_t *positions,
                                       const uint32_t *normals, size_t count, burnish_error *error);
 
+/* The same into count - 2 triangles for which there is room, from first_triangle on; counts nothing
+ * and checks nothing. With source->corner_normals these are written too. */
+void burnish_place_polygon(burnish_source *source, size_t first_triangle, const uint32_t *positions,
+                           const uint32_t *normals, size_t count);
+
 /* Room for `more` triangles. Errors: LIMIT (max_triangles), MEMORY. */
 burnish_status burnish_reserve_triangles(burnish_source *source,
                                          const burnish_load_options *options, burnish_place place,

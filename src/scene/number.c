@@ -1,13 +1,14 @@
 /* Decimal text to floating point.
  *
- * Fast path: a mantissa of at most 2^53 and a power of ten of at most 10^22 are both exact doubles,
- * so one multiplication or division rounds once and correctly (W. D. Clinger, "How to read floating
- * point numbers accurately", PLDI 1990). Everything else goes to the C library in the C locale. */
+ * Up to 19 digits and small powers of ten are rounded by burnish_scale_decimal(), correctly;
+ * everything else goes to the C library in the C locale. */
 #include "scene/number.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "scene/decimal.h"
 
 enum {
     /* No double and no midpoint between two doubles has more than 767 significant digits; digits
@@ -15,10 +16,6 @@ enum {
     SIGNIFICANT_DIGITS = 770,
     EXPONENT_LIMIT = 99999 /* with 771 digits far beyond the range of double on both sides */
 };
-
-static const double power_of_ten[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                        1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                        1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 /* What a scan finds: value = (-1)^negative mantissa 10^exponent, unless digits were left out. */
 typedef struct decimal {
@@ -175,24 +172,12 @@ burnish_number_status burnish_parse_double(burnish_number_reader *reader, const 
         *value = d.negative ? -0.0 : 0.0;
         return BURNISH_NUMBER_OK;
     }
-    if (d.truncated || d.mantissa > (UINT64_C(1) << 53) || d.exponent < -22 || d.exponent > 22) {
+    double result;
+    if (d.truncated || !burnish_scale_decimal(d.mantissa, d.exponent, &result)) {
         return parse_slowly(reader, &d, value);
     }
-    double mantissa = (double)d.mantissa;
-    double result =
-        d.exponent < 0 ? mantissa / power_of_ten[-d.exponent] : mantissa * power_of_ten[d.exponent];
     *value = d.negative ? -result : result;
     return BURNISH_NUMBER_OK;
-}
-
-int burnish_double_to_float(double value, float *rounded) {
-    /* Halfway between the largest float and 2^128: from here on rounding gives infinity. */
-    const double limit = 0x1.ffffffp127;
-    if (!(value > -limit && value < limit)) {
-        return 0;
-    }
-    *rounded = (float)value;
-    return 1;
 }
 
 burnish_number_status burnish_parse_float(burnish_number_reader *reader, const uint8_t *text,

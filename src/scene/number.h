@@ -36,6 +36,14 @@ burnish_number_status burnish_parse_integer(const uint8_t *text, size_t size, in
 
 /* Rounds to float; returns 0 when value is NaN or would become infinite, and leaves *rounded alone.
  */
-int burnish_double_to_float(double value, float *rounded);
+static inline int burnish_double_to_float(double value, float *rounded) {
+    /* Halfway between the largest float and 2^128: from here on rounding gives infinity. */
+    const double limit = 0x1.ffffffp127;
+    if (!(value > -limit && value < limit)) {
+        return 0;
+    }
+    *rounded = (float)value;
+    return 1;
+}
 
 #endif

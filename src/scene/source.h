@@ -1,6 +1,6 @@
 /* What a reader hands over: triangles as the file states them, before welding and normals.
  *
- * Data flow: bytes -> reader (obj.c, ply.c, stl.c, builtin.c) -> burnish_source -> build.c ->
+ * Data flow: bytes -> reader (obj.c, ply_body.c, stl.c, builtin.c) -> burnish_source -> build.c ->
  * burnish_scene. */
 #ifndef BURNISH_SCENE_SOURCE_H
 #define BURNISH_SCENE_SOURCE_H

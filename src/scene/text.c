@@ -5,18 +5,46 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/decimal.h"
+
 enum { MESSAGE_SIZE = 300, LINE_SIZE = MESSAGE_SIZE + sizeof(burnish_shown_name) + 64 };
 
-static int is_blank(uint8_t c) {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+/* The first byte from p on that is below `limit`, end when there is none; eight at a time. */
+static inline const uint8_t *find_below(const uint8_t *p, const uint8_t *end, uint8_t limit) {
+    const uint64_t each = UINT64_C(0x0101010101010101);
+    while (end - p >= 8) {
+        uint64_t word = burnish_load_characters(p);
+        uint64_t below = (word - each * limit) & ~word & (each << 7);
+        if (below) { /* the lowest is right: borrows go upwards */
+            return p + __builtin_ctzll(below) / 8;
+        }
+        p += 8;
+    }
+    while (p < end && *p >= limit) {
+        ++p;
+    }
+    return p;
 }
-static int is_line_end(uint8_t c) {
-    return c == '\n' || c == '\r';
+
+static inline const uint8_t *find_line_end(const uint8_t *p, const uint8_t *end) {
+    while ((p = find_below(p, end, '\r' + 1)) < end && !burnish_text_line_end(*p)) {
+        ++p;
+    }
+    return p;
+}
+
+/* The blank or line end that ends a token. */
+static inline const uint8_t *find_token_end(const uint8_t *p, const uint8_t *end) {
+    while ((p = find_below(p, end, ' ' + 1)) < end && !burnish_text_blank(*p) &&
+           !burnish_text_line_end(*p)) {
+        ++p;
+    }
+    return p;
 }
 
 /* Bytes of the line end at p, 0 when there is none. */
 static size_t line_end_size(const uint8_t *p, const uint8_t *end) {
-    if (p == end || !is_line_end(*p)) {
+    if (p == end || !burnish_text_line_end(*p)) {
         return 0;
     }
     return *p == '\r' && end - p > 1 && p[1] == '\n' ? 2 : 1;
@@ -31,31 +59,86 @@ burnish_text burnish_text_open(const uint8_t *bytes, size_t size, int wavefront)
     return (burnish_text){bytes + skip, bytes + size, 1, wavefront};
 }
 
-int burnish_text_token(burnish_text *text, burnish_token *token) {
+/* The first byte behind blanks and joined line ends. */
+static inline const uint8_t *skip_blanks(burnish_text *text) {
     const uint8_t *p = text->next, *end = text->end;
     for (;;) {
-        while (p < end && is_blank(*p)) {
+        while (p < end && burnish_text_blank(*p)) {
             ++p;
         }
-        size_t joined = text->wavefront && p < end && *p == '\\' ? line_end_size(p + 1, end) : 0;
+        size_t joined = p < end && *p == '\\' && text->wavefront ? line_end_size(p + 1, end) : 0;
         if (joined == 0) {
-            break;
+            text->next = p;
+            return p;
         }
         p += 1 + joined;
         ++text->line;
     }
-    text->next = p;
-    if (p == end || is_line_end(*p) || (text->wavefront && *p == '#')) {
+}
+
+int burnish_text_token(burnish_text *text, burnish_token *token) {
+    const uint8_t *first = skip_blanks(text), *end = text->end;
+    if (first == end || burnish_text_line_end(*first) || (text->wavefront && *first == '#')) {
         return 0;
     }
-    token->bytes = p;
-    while (p < end && !is_blank(*p) && !is_line_end(*p)) {
-        if (*p == '\\' && text->wavefront && line_end_size(p + 1, end) > 0) {
-            break;
+    const uint8_t *p = find_token_end(first, end);
+    /* A '\' that joins lines belongs to no token, nor was it passed over as the first byte. */
+    p -= text->wavefront && p < end && burnish_text_line_end(*p) && p[-1] == '\\';
+    *token = (burnish_token){first, (size_t)(p - first)};
+    text->next = p;
+    return 1;
+}
+
+static inline int read_double(burnish_text *text, burnish_number_reader *numbers,
+                              burnish_token *token, double *value, burnish_number_status *status) {
+    const uint8_t *first = skip_blanks(text);
+    if (text->end - first > BURNISH_DECIMAL_ROOM) {
+        size_t size = burnish_scan_decimal(first, value);
+        if (size > 0 && (burnish_text_blank(first[size]) || burnish_text_line_end(first[size]))) {
+            *token = (burnish_token){first, size};
+            *status = BURNISH_NUMBER_OK;
+            text->next = first + size;
+            return 1;
         }
+    }
+    if (!burnish_text_token(text, token)) {
+        return 0;
+    }
+    *status = burnish_parse_double(numbers, token->bytes, token->size, value);
+    return 1;
+}
+
+int burnish_text_double(burnish_text *text, burnish_number_reader *numbers, burnish_token *token,
+                        double *value, burnish_number_status *status) {
+    return read_double(text, numbers, token, value, status);
+}
+
+int burnish_text_float(burnish_text *text, burnish_number_reader *numbers, burnish_token *token,
+                       float *value, burnish_number_status *status) {
+    double wide;
+    if (!read_double(text, numbers, token, &wide, status)) {
+        return 0;
+    }
+    if (*status == BURNISH_NUMBER_OK && !burnish_double_to_float(wide, value)) {
+        *status = BURNISH_NUMBER_RANGE;
+    }
+    return 1;
+}
+
+int burnish_text_count(burnish_text *text, uint64_t *value) {
+    const uint8_t *p = text->next;
+    uint64_t found = 0;
+    while (p < text->end && *p == ' ') {
         ++p;
     }
-    token->size = (size_t)(p - token->bytes);
+    if (text->end - p <= BURNISH_DECIMAL_ROOM) {
+        return 0;
+    }
+    unsigned digits = burnish_scan_digits(&p, &found);
+    if (digits == 0 || digits > 18 || !(burnish_text_blank(*p) || burnish_text_line_end(*p))) {
+        return 0;
+    }
+    *value = found;
     text->next = p;
     return 1;
 }
@@ -69,27 +152,31 @@ int burnish_text_word(burnish_text *text, burnish_token *token) {
     return 1;
 }
 
+int burnish_text_word_double(burnish_text *text, burnish_number_reader *numbers,
+                             burnish_token *token, double *value, burnish_number_status *status) {
+    while (!read_double(text, numbers, token, value, status)) {
+        if (!burnish_text_next_line(text)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 burnish_token burnish_text_rest(burnish_text *text) {
     const uint8_t *first = text->next;
-    while (first < text->end && is_blank(*first)) {
+    while (first < text->end && burnish_text_blank(*first)) {
         ++first;
     }
-    const uint8_t *p = first;
-    while (p < text->end && !is_line_end(*p)) {
-        ++p;
-    }
+    const uint8_t *p = find_line_end(first, text->end);
     text->next = p;
-    while (p > first && is_blank(p[-1])) {
+    while (p > first && burnish_text_blank(p[-1])) {
         --p;
     }
     return (burnish_token){first, (size_t)(p - first)};
 }
 
 int burnish_text_next_line(burnish_text *text) {
-    const uint8_t *p = text->next;
-    while (p < text->end && !is_line_end(*p)) {
-        ++p;
-    }
+    const uint8_t *p = find_line_end(text->next, text->end);
     size_t size = line_end_size(p, text->end);
     text->next = size > 0 ? p + size : p;
     if (text->next == text->end) {

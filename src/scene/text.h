@@ -23,14 +23,36 @@ typedef struct burnish_text {
     int wavefront; /* 1: '#' begins a comment, and '\' before a line end joins lines (OBJ, MTL) */
 } burnish_text;
 
+static inline int burnish_text_blank(uint8_t c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+static inline int burnish_text_line_end(uint8_t c) {
+    return c == '\n' || c == '\r';
+}
+
 /* A byte order mark in front is passed over. */
 burnish_text burnish_text_open(const uint8_t *bytes, size_t size, int wavefront);
 
 /* The next token of this line; 0 at its end. */
 int burnish_text_token(burnish_text *text, burnish_token *token);
 
+/* The next token of this line and the number that it is, as burnish_parse_double() or
+ * burnish_parse_float() would give it, in one look; *value is set only where *status is OK. */
+int burnish_text_double(burnish_text *text, burnish_number_reader *numbers, burnish_token *token,
+                        double *value, burnish_number_status *status);
+int burnish_text_float(burnish_text *text, burnish_number_reader *numbers, burnish_token *token,
+                       float *value, burnish_number_status *status);
+
+/* The next token of this line where it is nothing but digits, fewer than 19 and not at the very end
+ * of the text; returns 0 and moves nothing for any other. */
+int burnish_text_count(burnish_text *text, uint64_t *value);
+
 /* The next token of this line or a later one; 0 at the end of the text. */
 int burnish_text_word(burnish_text *text, burnish_token *token);
+
+/* The same as a number. */
+int burnish_text_word_double(burnish_text *text, burnish_number_reader *numbers,
+                             burnish_token *token, double *value, burnish_number_status *status);
 
 /* What is left of this line, comments included, without blanks around it; possibly empty. */
 burnish_token burnish_text_rest(burnish_text *text);
