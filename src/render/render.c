@@ -169,7 +169,6 @@ burnish_status burnish_renderer_create(burnish_renderer **renderer, burnish_erro
         return burnish_fail_memory(error, "a renderer", sizeof **renderer);
     }
     burnish_srgb_encoder_make(&(*renderer)->encoder);
-    (*renderer)->best = burnish_batch_best();
     return BURNISH_STATUS_OK;
 }
 
@@ -212,6 +211,9 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scen
         burnish_view_create(mesh, options, &view, &shader->rays, &shader->lighting, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
+    }
+    if (!options->batch && !renderer->best) {
+        renderer->best = burnish_batch_best(); /* asking the processor takes microseconds */
     }
     shader->batch = options->batch ? options->batch : renderer->best;
     shader->attributes = &renderer->attributes;
