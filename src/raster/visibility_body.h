@@ -292,34 +292,6 @@ BURNISH_INLINE void draw_unit(burnish_visibility *tile, const unit_constants *co
     touch(tile, place, vm_any(nearer));
 }
 
-/* A triangle of up to 96 pixels, one sample a pixel. */
-BURNISH_INLINE void draw_small(burnish_visibility *tile, const setup_block *block, size_t lane,
-                               int planes, int owners, int32_t owner) {
-    const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
-    const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
-    unit_constants constants;
-    vi row[3], across[3], down[3];
-    load_constants(block, lane, planes, owner, &constants);
-    for (int i = 0; i < 3; ++i) {
-        row[i] = edge_of_unit(block, lane, i, &across[i], &down[i]);
-    }
-    for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
-        vi e[3] = {row[0], row[1], row[2]};
-        for (int x = x0; x <= x1; x += UNIT_WIDTH) {
-            const vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
-            if (vm_any(covered)) {
-                draw_unit(tile, &constants, planes, owners, covered, e, burnish_tile_place(x, y));
-            }
-            for (int i = 0; i < 3; ++i) {
-                e[i] = vi_add(e[i], across[i]);
-            }
-        }
-        for (int i = 0; i < 3; ++i) {
-            row[i] = vi_add(row[i], down[i]);
-        }
-    }
-}
-
 /* The units that a block of triangles may cover, triangle after triangle: with so many triangles of
  * so few units each, loops over one triangle's units end where no processor foresees it. */
 enum { MOST_UNITS = UNIT_SIDE * UNIT_SIDE, UNIT_LIST = LANES * MOST_UNITS };
@@ -433,10 +405,10 @@ BURNISH_INLINE int may_cover(const sample_steps *steps, size_t lane, const vi e[
     return vm_any(vi_not_negative(inside));
 }
 
-/* A triangle of up to 96 pixels, several samples a pixel. */
-BURNISH_INLINE void draw_small_samples(burnish_visibility *tile, const setup_block *block,
-                                       const sample_steps *steps, size_t lane, int samples,
-                                       int planes, int32_t owner) {
+/* A triangle of up to 96 pixels; owners: they are wanted; steps: with several samples. */
+BURNISH_INLINE void draw_small(burnish_visibility *tile, const setup_block *block,
+                               const sample_steps *steps, size_t lane, int samples, int planes,
+                               int owners, int32_t owner) {
     const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
     const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
     unit_constants constants;
@@ -448,8 +420,13 @@ BURNISH_INLINE void draw_small_samples(burnish_visibility *tile, const setup_blo
     for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
         vi e[3] = {row[0], row[1], row[2]};
         for (int x = x0; x <= x1; x += UNIT_WIDTH) {
-            if (may_cover(steps, lane, e)) {
-                const int place = burnish_tile_place(x, y);
+            const int place = burnish_tile_place(x, y);
+            if (samples == 1) {
+                const vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
+                if (vm_any(covered)) {
+                    draw_unit(tile, &constants, planes, owners, covered, e, place);
+                }
+            } else if (may_cover(steps, lane, e)) {
                 touch(tile, place,
                       draw_samples(tile, &constants, samples, planes, e, steps, lane, place));
             }
@@ -793,7 +770,7 @@ BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, ti
         draw_tiny(tile, block, pixels, before, planes, owners);
         hits ^= before;
         if (block->small >> lane & 1) {
-            draw_small(tile, block, lane, planes, owners, owner);
+            draw_small(tile, block, NULL, lane, 1, planes, owners, owner);
         } else {
             draw_large(tile, block, lane, owners, owner, CENTER);
         }
@@ -821,7 +798,7 @@ BURNISH_INLINE void draw_multiple(burnish_visibility *tile, setup_block *block, 
         const size_t lane = (size_t)__builtin_ctz(rest);
         const int32_t owner = (int32_t)(first + lane);
         if (block->small >> lane & 1) {
-            draw_small_samples(tile, block, &steps, lane, samples, planes, owner);
+            draw_small(tile, block, &steps, lane, samples, planes, 1, owner);
         } else {
             draw_large(tile, block, lane, 1, owner, offsets);
             remember_large(triangles, first + lane, block, lane);
