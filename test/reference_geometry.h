@@ -58,6 +58,7 @@ static int reference_set_up(const burnish_raster_view *view, const burnish_scree
     int x0, x1, y0, y1;
     memset(made, 0, sizeof *made);
     if ((v[0].outcode & v[1].outcode & v[2].outcode & BURNISH_OUT_REJECT) || area == 0 ||
+        (view->culls && area > 0) ||
         !reference_range(v[0].x, v[1].x, v[2].x, view->samples, view->width, &x0, &x1) ||
         !reference_range(v[0].y, v[1].y, v[2].y, view->samples, view->height, &y0, &y1)) {
         return 0;

@@ -26,12 +26,11 @@ static double random_unit(uint32_t *state) {
 
 /* Parallel view: a unit is a pixel, the image's centre at the origin, depth 1 + z/1000. */
 static burnish_raster_view parallel_view(int width, int height, int samples) {
-    burnish_raster_view view = {width,
-                                height,
-                                samples,
-                                {0, 0, 0},
-                                {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0.001f, 0.5f}, {0, 0, 0, 1}}};
-    return view;
+    return (burnish_raster_view){
+        .width = width,
+        .height = height,
+        .samples = samples,
+        .rows = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0.001f, 0.5f}, {0, 0, 0, 1}}};
 }
 
 static void add_triangle(test_mesh *mesh, size_t a, size_t b, size_t c) {
@@ -156,7 +155,7 @@ static void check_box_from_inside(void) {
         double forward[3] = {sin(turn) * cos(tilt), sin(tilt), -cos(turn) * cos(tilt)};
         double right[3] = {cos(turn), 0, sin(turn)};
         double up[3] = {-sin(turn) * sin(tilt), cos(tilt), cos(turn) * sin(tilt)};
-        burnish_raster_view view = {SIZE, SIZE, seed % 2 ? 1 : 4, {0, 0, 0}, {{0}}};
+        burnish_raster_view view = {.width = SIZE, .height = SIZE, .samples = seed % 2 ? 1 : 4};
         for (int i = 0; i < 3; ++i) {
             view.rows[0][i] = (float)(right[i] * 8); /* 8 pixels at distance 1: 152 degrees */
             view.rows[1][i] = (float)(up[i] * 8);

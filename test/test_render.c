@@ -498,6 +498,30 @@ static void check_lobe_words(void) {
     }
 }
 
+/* Without back faces a closed surface looks the same, and an open one shows from its front only. */
+static void check_culling(burnish_scene *sphere) {
+    burnish_scene *const scenes[] = {sphere, make_surface(0, 0)};
+    for (int i = 0; i < 2; ++i) {
+        for (int back = 0; back < 2; ++back) {
+            burnish_render_options options = front_options(96, 96, 2.2);
+            burnish_image both, culled;
+            burnish_render_report all, fronts;
+            options.camera.position[2] *= back ? -1 : 1;
+            options.samples = 1;
+            render(scenes[i], &options, &both, &all);
+            options.cull_back_faces = 1;
+            render(scenes[i], &options, &culled, &fronts);
+            const int is_same = burnish_image_hash(&both) == burnish_image_hash(&culled);
+            CHECK(all.covered_pixels > 0, "scene %d shows", i);
+            CHECK(i == 0 || !back ? is_same : fronts.covered_pixels == 0, "scene %d, back %d: %zu",
+                  i, back, fronts.covered_pixels);
+            burnish_image_destroy(&both);
+            burnish_image_destroy(&culled);
+        }
+    }
+    burnish_scene_destroy(scenes[1]);
+}
+
 /* A lobe whose order is too high for a material falls back and is counted. */
 static void check_fallback(burnish_scene *sphere) {
     burnish_render_options options = front_options(64, 64, 2.2);
@@ -576,6 +600,7 @@ int main(void) {
     check_blank(sphere);
     check_lobe_words();
     check_fallback(sphere);
+    check_culling(sphere);
     check_errors(sphere);
     burnish_scene_destroy(sphere);
     return test_end("render");

@@ -319,6 +319,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
     const int samples = counts[number % 6];
     burnish_raster_view view = make_view(65 + (int)(next_random(state) % 90),
                                          1 + (int)(next_random(state) % 130), samples, state);
+    view.culls = number % 5 == 4;
     static burnish_geometry geometry; /* kept, as a renderer keeps them */
     static burnish_attributes attributes;
     static burnish_bins bins;

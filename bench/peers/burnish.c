@@ -59,8 +59,12 @@ static int open_renderer(void **state, const burnish_peers_job *job, int threads
 static int choose(contestant *r, const char *variant) {
     static const struct {
         const char *variant, *lobe;
-    } LOBES[] = {
-        {"family", "energy:2"}, {"power", "power"}, {"schlick", "schlick"}, {"libm", "power"}};
+        int two_sided;
+    } LOBES[] = {{"family", "energy:2", 0},
+                 {"family-two-sided", "energy:2", 1},
+                 {"power", "power", 0},
+                 {"schlick", "schlick", 0},
+                 {"libm", "power", 0}};
     burnish_error error;
     for (size_t i = 0; i < sizeof LOBES / sizeof *LOBES; ++i) {
         if (strcmp(variant, LOBES[i].variant) == 0) {
@@ -69,6 +73,7 @@ static int choose(contestant *r, const char *variant) {
                 return 0;
             }
             r->options.batch = is_libm ? &r->libm : r->best;
+            r->options.cull_back_faces = !LOBES[i].two_sided;
             return burnish_lobe_choice_parse(LOBES[i].lobe, &r->options.lobe, &error) ==
                    BURNISH_STATUS_OK;
         }

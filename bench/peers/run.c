@@ -29,7 +29,7 @@ typedef struct contestant {
 
 /* The first of each is what ratios are made of; family is energy:2, the program's own default. */
 static const contestant contestants[CONTESTANTS] = {
-    {"burnish", {"family", "power", "schlick", "libm"}, ""},
+    {"burnish", {"family", "family-two-sided", "power", "schlick", "libm"}, ""},
     {"llvmpipe",
      {"power", "power-srgb", "power-two-sided", "family", "schlick"},
      "libegl-dev libgles-dev libegl-mesa0 libgl1-mesa-dri"},
@@ -316,15 +316,16 @@ static void add_ratio(const runner *r, cJSON *json, const char *key, const char 
 }
 
 static void add_frame_ratios(const runner *r, cJSON *json) {
-    static const char *const ratios[][2] = {
-        {"llvmpipe", "llvmpipe.power"},
-        {"llvmpipe_srgb", "llvmpipe.power-srgb"},
-        {"llvmpipe_two_sided", "llvmpipe.power-two-sided"},
-        {"llvmpipe_family", "llvmpipe.family"},
-        {"embree", "embree.family"},
-        {"libm", "burnish.libm"},
-        {"vector_pow", "burnish.power"},
-        {"schlick", "burnish.schlick"},
+    static const char *const ratios[][3] = {
+        {"llvmpipe", "llvmpipe.power", "family"},
+        {"llvmpipe_srgb", "llvmpipe.power-srgb", "family"},
+        {"llvmpipe_two_sided", "llvmpipe.power-two-sided", "family-two-sided"},
+        {"llvmpipe_family", "llvmpipe.family", "family"},
+        {"embree", "embree.family", "family"},
+        {"two_sided", "burnish.family-two-sided", "family"},
+        {"libm", "burnish.libm", "family"},
+        {"vector_pow", "burnish.power", "family"},
+        {"schlick", "burnish.schlick", "family"},
     };
     for (int scene = 0; scene < SCENES; ++scene) {
         for (int threads = 1; threads <= 2; ++threads) {
@@ -333,7 +334,7 @@ static void add_frame_ratios(const runner *r, cJSON *json) {
                 snprintf(prefix, sizeof prefix, "frame.%s.t%d", scenes[scene].name, threads);
                 snprintf(key, sizeof key, "%s.%s_over", prefix, ratios[i][0]);
                 snprintf(theirs, sizeof theirs, "%s.%s", prefix, ratios[i][1]);
-                snprintf(ours, sizeof ours, "%s.burnish.family", prefix);
+                snprintf(ours, sizeof ours, "%s.burnish.%s", prefix, ratios[i][2]);
                 add_ratio(r, json, key, theirs, ours);
             }
         }

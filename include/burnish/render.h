@@ -99,6 +99,8 @@ typedef struct burnish_render_options {
     uint8_t background[3]; /* sRGB */
     int transparent;       /* 1: the image has alpha and no background */
     int ignore_colors;     /* 1: the mesh's vertex colours are not used */
+    int cull_back_faces; /* 1: triangles seen from their back are not drawn: a closed surface looks
+                            the same and takes less time; otherwise both sides are lit */
     burnish_counts counts; /* of the report; never changes the pixels */
 } burnish_render_options;
 

@@ -103,7 +103,7 @@ static int set_up(const burnish_raster_view *view, const burnish_screen_vertex v
                   burnish_setup_triangle *triangle, unsigned *back) {
     int64_t area = (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
                    (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
-    if (area == 0) {
+    if (area == 0 || (view->culls && area > 0)) {
         return 0;
     }
     int64_t x0, x1, y0, y1;
@@ -199,6 +199,7 @@ static burnish_status set_up_other(const chunk_context *context, size_t triangle
         put_lane(block, lane, made);
         head->lanes[back] |= (uint16_t)(1u << lane);
         head->tile = BURNISH_NO_TILE; /* it hardly fits one */
+        ++output->triangle_count;
     }
     return BURNISH_STATUS_OK;
 }
@@ -212,8 +213,8 @@ static burnish_status set_up_chunk(const chunk_context *context, size_t first, s
         burnish_setup_block *block = &geometry->blocks[at / BURNISH_SETUP_BLOCK];
         burnish_setup_head *head = &geometry->heads[at / BURNISH_SETUP_BLOCK];
         unsigned others;
-        context->tier->set_up(&geometry->vertices, context->view, geometry->indices, at, count,
-                              block, head, &others);
+        output->triangle_count += (size_t)context->tier->set_up(
+            &geometry->vertices, context->view, geometry->indices, at, count, block, head, &others);
         for (; others; others &= others - 1) { /* hardly ever */
             burnish_status status =
                 set_up_other(context, at + (size_t)__builtin_ctz(others), block, head, output);
@@ -221,8 +222,6 @@ static burnish_status set_up_chunk(const chunk_context *context, size_t first, s
                 return status;
             }
         }
-        output->triangle_count += (size_t)__builtin_popcount(
-            (unsigned)head->lanes[0] | (unsigned)head->lanes[1] << BURNISH_SETUP_BLOCK);
     }
     return BURNISH_STATUS_OK;
 }

@@ -120,7 +120,7 @@ BURNISH_INLINE void find_pixels(int samples, const vi at[3], int size, vi *first
 
 /* Triangles of a block: bits. */
 typedef struct setup_bits {
-    unsigned kept, back; /* may be seen; are seen from their back */
+    unsigned kept, back; /* may be seen, and are set up; are seen from their back */
     unsigned others;     /* as in burnish_set_up_function */
 } setup_bits;
 
@@ -140,6 +140,7 @@ BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
         all = vi_and(all, vf_bits(vertex[3]));
         any = vi_or(any, vf_bits(vertex[3]));
     }
+    setup_bits bits = {0, 0, 0};
     vi dx1 = vi_sub(x[1], x[0]), dy1 = vi_sub(y[1], y[0]);
     vi dx2 = vi_sub(x[2], x[0]), dy2 = vi_sub(y[2], y[0]);
     longest =
@@ -147,19 +148,23 @@ BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
     longest = vi_max(longest, vi_max(magnitude(vi_sub(x[2], x[1])), magnitude(vi_sub(y[2], y[1]))));
     vi area = vi_sub(vi_mul(dx1, dy2), vi_mul(dx2, dy1));
     vi x0, y0, x1, y1;
-    find_pixels(view->samples, x, view->width, &x0, &x1);
-    find_pixels(view->samples, y, view->height, &y0, &y1);
     unsigned out = bits_of_nonzero(vi_and(all, vi_set(BURNISH_OUT_REJECT)));
     unsigned cut = bits_of_nonzero(vi_and(any, vi_set(BURNISH_OUT_CLIP)));
     unsigned large = ~vm_bits(vi_not_negative(vi_sub(vi_set(BURNISH_SMALL_EDGE), longest)));
+    bits.others = ~out & (cut | large);
+    bits.back = ~vm_bits(vi_not_negative(vi_sub(vi_set(0), area))); /* the area is positive */
+    unsigned kept = ~(out | cut | large) & bits_of_nonzero(area);
+    kept &= view->culls ? ~bits.back : ~0u;
+    if (!(kept & ALL_LANES)) { /* neighbours often are seen from one side */
+        return bits;
+    }
+    find_pixels(view->samples, x, view->width, &x0, &x1);
+    find_pixels(view->samples, y, view->height, &y0, &y1);
     unsigned touches = vm_bits(vi_not_negative(vi_or(vi_sub(x1, x0), vi_sub(y1, y0))));
     vf_store(block->nearest + at, vf_max(vf_max(depth[0], depth[1]), depth[2]));
     vi_save((int32_t *)block->first + at, vi_or(vi_right(x0, 3), vi_left(vi_right(y0, 3), 16)));
     vi_save((int32_t *)block->last + at, vi_or(vi_right(x1, 3), vi_left(vi_right(y1, 3), 16)));
-    setup_bits bits;
-    bits.others = ~out & (cut | large);
-    bits.kept = ~(out | cut | large) & touches & bits_of_nonzero(area);
-    bits.back = ~vm_bits(vi_not_negative(vi_sub(vi_set(0), area))); /* the area is positive */
+    bits.kept = kept & touches;
     return bits;
 }
 
@@ -188,10 +193,10 @@ BURNISH_INLINE unsigned find_elsewhere(const burnish_setup_block *block, uint32_
     return elsewhere;
 }
 
-static void set_up_triangles(const burnish_screen_vertices *vertices,
-                             const burnish_raster_view *view, const uint32_t *indices, size_t first,
-                             size_t count, burnish_setup_block *block, burnish_setup_head *head,
-                             unsigned *others) {
+static int set_up_triangles(const burnish_screen_vertices *vertices,
+                            const burnish_raster_view *view, const uint32_t *indices, size_t first,
+                            size_t count, burnish_setup_block *block, burnish_setup_head *head,
+                            unsigned *others) {
     const void *corners[3][LANES];
     unsigned kept = 0, back = 0, more = 0;
     for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
@@ -215,4 +220,5 @@ static void set_up_triangles(const burnish_screen_vertices *vertices,
     const uint32_t tile = kept ? block->first[__builtin_ctz(kept)] & outside : 0;
     const unsigned others_there = find_apart(block, outside) | find_elsewhere(block, outside, tile);
     head->tile = others_there & kept ? BURNISH_NO_TILE : tile / BURNISH_TILE_BLOCKS;
+    return __builtin_popcount(kept);
 }

@@ -41,6 +41,7 @@ enum {
 typedef struct burnish_raster_view {
     int width, height; /* pixels */
     int samples;       /* 1, 4, 8 or 16 */
+    int culls;         /* 1: triangles seen from their back are left out */
     float origin[3];
     float rows[4][4]; /* x, y, z, w */
 } burnish_raster_view;

@@ -9,13 +9,13 @@ typedef void burnish_transform_function(burnish_screen_vertices *vertices,
                                         const burnish_raster_view *view, const float *positions,
                                         size_t first, size_t end);
 
-/* Sets up the mesh's triangles [first, first + count), count <= BURNISH_SETUP_BLOCK. Where bit i of
- * *others is set, triangle first + i must be clipped or is too large for 32-bit edge functions, and
- * is up to the caller. */
-typedef void burnish_set_up_function(const burnish_screen_vertices *vertices,
-                                     const burnish_raster_view *view, const uint32_t *indices,
-                                     size_t first, size_t count, burnish_setup_block *block,
-                                     burnish_setup_head *head, unsigned *others);
+/* Sets up the mesh's triangles [first, first + count), count <= BURNISH_SETUP_BLOCK; returns how
+ * many of them may be seen. Where bit i of *others is set, triangle first + i must be clipped or is
+ * too large for 32-bit edge functions, and is up to the caller. */
+typedef int burnish_set_up_function(const burnish_screen_vertices *vertices,
+                                    const burnish_raster_view *view, const uint32_t *indices,
+                                    size_t first, size_t count, burnish_setup_block *block,
+                                    burnish_setup_head *head, unsigned *others);
 
 /* Adds the triangles of the blocks [first, end) to a slice's lists. Stops early where that is more
  * pieces than the limit, or with the slice's status set. */

@@ -119,11 +119,13 @@ for flag in --samples=8 --up=+Z --camera-azimuth-angle=20 --camera-elevation-ang
     --camera-view-angle=50 --camera-orthographic --margin=0.2 --camera-direction=1,-1,0 --camera-view-up=1,1,0 \
     --camera-focal-point=0,0,0 --background-color=navy --no-background --color=gold --material=metal \
     --specular=0 --exponent=9 --lobe=power --lobe=schlick --lobe=taylor:8 --equation=phong --viewer=distant \
-    --light=point:0,0,0 --light=none --ambient=0.5 --tessellation=3; do
+    --light=point:0,0,0 --light=none --ambient=0.5 --tessellation=3 --cull-back-faces; do
     differs "$flag" "$plain" "$(hash :teapot --size=64 $flag)"
 done
 same "no light and no ambient light is black" "$(hash :teapot --size=64 --light=none --ambient=0 --specular=1)" \
     "$(hash :teapot --size=64 --light=none --ambient=0 --color=red)"
+same "a closed surface has no back that shows" "$(hash :sphere --size=64 --samples=1)" \
+    "$(hash :sphere --size=64 --samples=1 --cull-back-faces)"
 same "specular 0 has no lobe" "$(hash :teapot --size=64 --specular=0)" \
     "$(hash :teapot --size=64 --specular=0 --lobe=power)"
 same "a turn of 360 degrees and --size" "$(hash :teapot --resolution=64,64 --camera-direction=0,0,-1)" \

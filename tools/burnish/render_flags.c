@@ -288,6 +288,12 @@ static const burnish_cli_flag flags[] = {
      .shown = "a little",
      .handler = burnish_cli_flag_ambient,
      TARGET(ambient)},
+    {.name = "cull-back-faces",
+     .manual =
+         "Leaves out triangles that are seen from their back: a closed surface looks the same "
+         "and takes less time. Otherwise both sides of a surface are lit.",
+     .handler = burnish_cli_flag_switch,
+     TARGET(cull_back_faces)},
 
     {.group = "Input and report",
      .name = "input-format",

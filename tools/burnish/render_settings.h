@@ -69,6 +69,7 @@ typedef struct burnish_cli_render {
     int columns;        /* 0: chosen by the number of cells */
     const char *labels; /* NULL: the views' and lobes' names */
     int no_labels;
+    int cull_back_faces;
 
     int up; /* burnish_cli_up */
     burnish_cli_vector direction, position, focal_point, view_up;

@@ -182,6 +182,7 @@ burnish_render_options burnish_cli_render_options(const burnish_cli_render *sett
     options.equation = (burnish_equation)settings->equation;
     options.viewer = (burnish_viewer)settings->viewer;
     options.ignore_colors = settings->color.given;
+    options.cull_back_faces = settings->cull_back_faces;
     options.transparent = settings->background.transparent;
     if (settings->ambient.given) {
         memcpy(options.ambient_light, settings->ambient.linear, sizeof options.ambient_light);
