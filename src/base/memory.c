@@ -1,27 +1,6 @@
 #include "base/memory.h"
 
-#include <sys/mman.h>
-
-enum {
-    ALIGNMENT = 64,
-    LARGE_PAGE = 1 << 21,
-    LARGE = 4 << 20 /* below this a large page would mostly be rounding */
-};
-
-void burnish_advise_large(void *memory, size_t bytes) {
-#ifdef MADV_HUGEPAGE
-    if (!memory || bytes < LARGE) {
-        return;
-    }
-    uintptr_t first = ((uintptr_t)memory + LARGE_PAGE - 1) & ~(uintptr_t)(LARGE_PAGE - 1);
-    uintptr_t end = ((uintptr_t)memory + bytes) & ~(uintptr_t)(LARGE_PAGE - 1);
-    if (first < end) {
-        madvise((void *)first, end - first, MADV_HUGEPAGE); /* a wish: no error matters */
-    }
-#else
-    (void)memory, (void)bytes;
-#endif
-}
+enum { ALIGNMENT = 64 };
 
 burnish_status burnish_allocate(void **pointer, size_t count, size_t size, const char *what,
                                 burnish_error *error) {
@@ -35,7 +14,6 @@ burnish_status burnish_allocate(void **pointer, size_t count, size_t size, const
                             "%s: %zu elements do not fit the address space", what, count);
     }
     *pointer = aligned_alloc(ALIGNMENT, (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
-    burnish_advise_large(*pointer, bytes);
     return *pointer ? BURNISH_STATUS_OK : burnish_fail_memory(error, what, bytes);
 }
 
@@ -61,7 +39,6 @@ burnish_status burnish_grow(void **pointer, size_t *capacity, size_t needed, siz
     if (!grown) {
         return burnish_fail_memory(error, what, bytes);
     }
-    burnish_advise_large(grown, bytes);
     *pointer = grown;
     *capacity = next;
     return BURNISH_STATUS_OK;

@@ -24,10 +24,6 @@ burnish_status burnish_allocate(void **pointer, size_t count, size_t size, const
 burnish_status burnish_grow(void **pointer, size_t *capacity, size_t needed, size_t size,
                             const char *what, burnish_error *error);
 
-/* Asks for large pages for memory that will be filled, where it is large enough: to touch it for
- * the first time then costs a third to a fifth. */
-void burnish_advise_large(void *memory, size_t bytes);
-
 /* Makes room for at least `count` elements whose old contents are of no interest, aligned as by
  * burnish_allocate. *pointer is NULL and *capacity
  * 0 on error. */

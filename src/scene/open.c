@@ -49,7 +49,6 @@ static burnish_status read_sized(int descriptor, const char *name, size_t size, 
     if (!memory) {
         return burnish_fail_memory(error, name, size);
     }
-    burnish_advise_large(memory, size);
     int code = read_fully(descriptor, memory, size, got);
     if (code != 0) {
         free(memory);
