@@ -64,10 +64,16 @@ static const burnish_cli_flag flags[] = {
      .manual = "The same as *--resolution=*_N_*,*_N_.",
      .handler = burnish_cli_flag_size,
      TARGET(size)},
+    {.name = "cull-back-faces",
+     .help = "leave out back faces; samples a pixel: 1, 4, 8, 16",
+     .manual =
+         "Leaves out triangles that are seen from their back: a closed surface looks the same "
+         "and takes less time. Otherwise both sides of a surface are lit.",
+     .handler = burnish_cli_flag_switch,
+     TARGET(cull_back_faces)},
     {.name = "samples",
      .value = "N",
      .initial = "4",
-     .help = "coverage samples a pixel:",
      .manual = "Samples a pixel along the edges: 1 (none smoothed), 4, 8 or 16.",
      .handler = burnish_cli_flag_word,
      .words = sample_words,
@@ -288,12 +294,6 @@ static const burnish_cli_flag flags[] = {
      .shown = "a little",
      .handler = burnish_cli_flag_ambient,
      TARGET(ambient)},
-    {.name = "cull-back-faces",
-     .manual =
-         "Leaves out triangles that are seen from their back: a closed surface looks the same "
-         "and takes less time. Otherwise both sides of a surface are lit.",
-     .handler = burnish_cli_flag_switch,
-     TARGET(cull_back_faces)},
 
     {.group = "Input and report",
      .name = "input-format",
