@@ -125,10 +125,10 @@ typedef struct burnish_render_report {
 
 /* Draws the scene into a new image (RGB, or RGBA when transparent). report may be NULL.
  * Memory besides the image: 36 bytes a vertex (20 its place on the screen, 16 its normal), 16 more
- * where the mesh has colours; 16 bytes a triangle and 1 for the report; tile lists of 4 bytes an
- * entry, about 128 MiB of them at most unless a single row of tiles needs more; and for each thread
- * 0.2 MB, with several samples 0.2 MB more and 0.6 MB a sample, of which only what is needed is
- * touched.
+ * where the mesh has colours; 13 bytes a triangle and 1 where drawn ones are counted; tile lists of
+ * 8 bytes an entry, which stands for up to 16 neighbouring triangles, about 128 MiB of them at most
+ * unless a single row of tiles needs more; and for each thread 0.2 MB, with several samples 0.2 MB
+ * more and 0.7 MB a sample, of which only what is needed is touched.
  * Errors: ARGUMENT, MEMORY, LIMIT (also a mesh so small, below about 1e-33 across, or so much
  * enlarged that single precision can't hold it); the image is then empty. */
 BURNISH_API burnish_status burnish_render(const burnish_scene *scene,
