@@ -25,8 +25,8 @@ burnish_status burnish_grow(void **pointer, size_t *capacity, size_t needed, siz
                             const char *what, burnish_error *error);
 
 /* Makes room for at least `count` elements whose old contents are of no interest, aligned as by
- * burnish_allocate. *pointer is NULL and *capacity
- * 0 on error. */
+ * burnish_allocate. A capacity counts elements of one size. *pointer is NULL and *capacity 0 on
+ * error. */
 burnish_status burnish_renew(void **pointer, size_t *capacity, size_t count, size_t size,
                              const char *what, burnish_error *error);
 

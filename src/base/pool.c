@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* How often a thread looks before it sleeps: some ten microseconds, less than it takes to wake one
- * and more than there are between two pieces of work of a frame. */
+/* How often a thread looks before it sleeps: ten to a hundred microseconds, about what it takes to
+ * wake one and more than there are between two pieces of work of a frame. */
 enum { LOOKS = 2000 };
 
 struct burnish_pool {

@@ -7,8 +7,10 @@
 /* Entries that a band of several tile rows may hold: 128 MiB. One row alone may need more. */
 #define ENTRY_BUDGET ((size_t)1 << 24)
 
-/* Slices a thread: so many that the last of them to finish is not waited for long. */
-enum { SLICES_A_THREAD = 4, LEAST_BLOCKS = 8 };
+enum {
+    SLICES_A_THREAD = 4, /* so many that the last of them to finish is not waited for long */
+    LEAST_BLOCKS = 8     /* that are worth a slice */
+};
 
 /* Entries that each tile row needs at most, for the rows from first_row on. */
 static void count_rows(const burnish_geometry *geometry, int first_row, size_t *row_entries) {

@@ -58,13 +58,12 @@ static inline int add_to_tile(const burnish_bins *bins, burnish_bin_slice *slice
 static int add_block(const burnish_bins *bins, burnish_bin_slice *slice,
                      const burnish_setup_block *from, const burnish_setup_head *head,
                      size_t block) {
-    const uint32_t outside = ~((BURNISH_TILE_BLOCKS - 1) * 0x10001u); /* bits of a block's tile */
     unsigned rest = head->lanes[0] | head->lanes[1];
-    unsigned alone = rest & ~find_apart(from, outside); /* touch one tile each */
+    unsigned alone = rest & ~find_apart(from); /* touch one tile each */
     rest &= ~alone;
     while (alone) {
-        const uint32_t tile = from->first[__builtin_ctz(alone)] & outside;
-        const unsigned lanes = alone & ~find_elsewhere(from, outside, tile);
+        const uint32_t tile = from->first[__builtin_ctz(alone)] & BURNISH_TILE_BITS;
+        const unsigned lanes = alone & ~find_elsewhere(from, tile);
         if (!add_to_tile(bins, slice, block, head, tile / BURNISH_TILE_BLOCKS, lanes)) {
             return 0;
         }

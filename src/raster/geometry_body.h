@@ -169,25 +169,24 @@ BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
 }
 
 /* Triangles of a block whose bounds touch more than one tile. */
-BURNISH_INLINE unsigned find_apart(const burnish_setup_block *block, uint32_t outside) {
+BURNISH_INLINE unsigned find_apart(const burnish_setup_block *block) {
     unsigned apart = 0;
     for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
         vi first = vi_load((const int32_t *)block->first + at);
         vi last = vi_load((const int32_t *)block->last + at);
-        vi difference = vi_and(vi_xor(first, last), vi_set((int32_t)outside));
+        vi difference = vi_and(vi_xor(first, last), vi_set((int32_t)BURNISH_TILE_BITS));
         apart |= (bits_of_nonzero(difference) & ALL_LANES) << at;
     }
     return apart;
 }
 
 /* Triangles of a block whose bounds begin in another tile. */
-BURNISH_INLINE unsigned find_elsewhere(const burnish_setup_block *block, uint32_t outside,
-                                       uint32_t tile) {
-    const vi wanted = vi_set((int32_t)tile);
+BURNISH_INLINE unsigned find_elsewhere(const burnish_setup_block *block, uint32_t tile) {
+    const vi wanted = vi_set((int32_t)tile), bits = vi_set((int32_t)BURNISH_TILE_BITS);
     unsigned elsewhere = 0;
     for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
         vi first = vi_load((const int32_t *)block->first + at);
-        vi difference = vi_xor(vi_and(first, vi_set((int32_t)outside)), wanted);
+        vi difference = vi_xor(vi_and(first, bits), wanted);
         elsewhere |= (bits_of_nonzero(difference) & ALL_LANES) << at;
     }
     return elsewhere;
@@ -216,9 +215,8 @@ static int set_up_triangles(const burnish_screen_vertices *vertices,
     *others = more & real;
     head->lanes[0] = (uint16_t)(kept & ~back);
     head->lanes[1] = (uint16_t)(kept & back);
-    const uint32_t outside = ~((BURNISH_TILE_BLOCKS - 1) * 0x10001u); /* bits of a block's tile */
-    const uint32_t tile = kept ? block->first[__builtin_ctz(kept)] & outside : 0;
-    const unsigned others_there = find_apart(block, outside) | find_elsewhere(block, outside, tile);
-    head->tile = others_there & kept ? BURNISH_NO_TILE : tile / BURNISH_TILE_BLOCKS;
+    const uint32_t tile = kept ? block->first[__builtin_ctz(kept)] & BURNISH_TILE_BITS : 0;
+    const unsigned apart = find_apart(block) | find_elsewhere(block, tile);
+    head->tile = apart & kept ? BURNISH_NO_TILE : tile / BURNISH_TILE_BLOCKS;
     return __builtin_popcount(kept);
 }

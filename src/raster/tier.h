@@ -99,6 +99,9 @@ enum { BURNISH_SMALL_EDGE = 96 * BURNISH_SUBPIXELS };
 /* No triangle is that far away. */
 #define BURNISH_FARTHEST -1e30f
 
+/* The bits of a coarse block's place, x and in the upper half y, that tell its tile. */
+#define BURNISH_TILE_BITS (~((BURNISH_TILE_BLOCKS - 1) * 0x10001u))
+
 /* Tiles from one to the other, both inclusive. */
 typedef struct burnish_tile_box {
     int column0, row0, column1, row1;

@@ -367,35 +367,6 @@ BURNISH_INLINE vi edge_of_listed(const unit_list *list, size_t lane, int unit, i
     return vi_add(vi_load(list->along[i][lane]), vi_set(list->start[i][unit]));
 }
 
-/* Draws the triangles `lanes` of a block, one sample a pixel: none has more than UNIT_SIDE units
- * across or down. */
-BURNISH_INLINE void draw_listed(burnish_visibility *tile, const setup_block *block, unsigned lanes,
-                                int planes, int owners, unit_list *list) {
-    const int count = list_units(block, lanes, list);
-    int covering = 0;
-    for (int unit = 0; unit < count; ++unit) {
-        const size_t lane = (size_t)list->place[unit] / BURNISH_TILE_PIXELS;
-        vi e[3];
-        for (int i = 0; i < 3; ++i) {
-            e[i] = edge_of_listed(list, lane, unit, i);
-        }
-        const vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
-        list->covering[covering] = unit;
-        list->covered[covering] = covered;
-        covering += vm_any(covered);
-    }
-    for (int i = 0; i < covering; ++i) {
-        const int unit = list->covering[i];
-        const size_t lane = (size_t)list->place[unit] / BURNISH_TILE_PIXELS;
-        unit_constants constants;
-        load_constants(block, lane, planes, (int32_t)block->corners.source[lane], &constants);
-        const vi e1 = edge_of_listed(list, lane, unit, 1), e2 = edge_of_listed(list, lane, unit, 2);
-        const vi e[3] = {e1, e1, e2};
-        draw_unit(tile, &constants, planes, owners, list->covered[i], e,
-                  list->place[unit] % BURNISH_TILE_PIXELS);
-    }
-}
-
 /* Units whose samples a triangle may cover: bits of their pixels. */
 BURNISH_INLINE int may_cover(const sample_steps *steps, size_t lane, const vi e[3]) {
     vi inside = vi_set(0);
@@ -440,12 +411,10 @@ BURNISH_INLINE void draw_small(burnish_visibility *tile, const setup_block *bloc
     }
 }
 
-/* Draws the triangles `lanes` of a block, several samples a pixel; as draw_listed. The owner of
- * lane 0 is `owner`. */
-BURNISH_INLINE void draw_listed_samples(burnish_visibility *tile, const setup_block *block,
-                                        const sample_steps *steps, unsigned lanes, int samples,
-                                        int planes, int32_t owner, unit_list *list) {
-    const int count = list_units(block, lanes, list);
+/* Finds which of the listed units a triangle covers, or with several samples may cover; returns how
+ * many. */
+BURNISH_INLINE int find_covering(const sample_steps *steps, int samples, int count,
+                                 unit_list *list) {
     int covering = 0;
     for (int unit = 0; unit < count; ++unit) {
         const size_t lane = (size_t)list->place[unit] / BURNISH_TILE_PIXELS;
@@ -454,18 +423,37 @@ BURNISH_INLINE void draw_listed_samples(burnish_visibility *tile, const setup_bl
             e[i] = edge_of_listed(list, lane, unit, i);
         }
         list->covering[covering] = unit;
-        covering += may_cover(steps, lane, e);
+        if (samples == 1) {
+            list->covered[covering] = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
+            covering += vm_any(list->covered[covering]);
+        } else {
+            covering += may_cover(steps, lane, e);
+        }
     }
+    return covering;
+}
+
+/* Draws the triangles `lanes` of a block: none has more than UNIT_SIDE units across or down.
+ * owners: a triangle's in each lane, where they are wanted; steps: with several samples. */
+BURNISH_INLINE void draw_listed(burnish_visibility *tile, const setup_block *block,
+                                const sample_steps *steps, unsigned lanes, int samples, int planes,
+                                const int32_t *owners, unit_list *list) {
+    const int covering = find_covering(steps, samples, list_units(block, lanes, list), list);
     for (int i = 0; i < covering; ++i) {
         const int unit = list->covering[i], place = list->place[unit] % BURNISH_TILE_PIXELS;
         const size_t lane = (size_t)list->place[unit] / BURNISH_TILE_PIXELS;
         unit_constants constants;
         vi e[3];
-        load_constants(block, lane, planes, owner + (int32_t)lane, &constants);
+        load_constants(block, lane, planes, owners ? owners[lane] : 0, &constants);
         for (int k = 0; k < 3; ++k) {
             e[k] = edge_of_listed(list, lane, unit, k);
         }
-        touch(tile, place, draw_samples(tile, &constants, samples, planes, e, steps, lane, place));
+        if (samples == 1) {
+            draw_unit(tile, &constants, planes, owners != NULL, list->covered[i], e, place);
+        } else {
+            touch(tile, place,
+                  draw_samples(tile, &constants, samples, planes, e, steps, lane, place));
+        }
     }
 }
 
@@ -542,7 +530,7 @@ BURNISH_INLINE void draw_tiny(burnish_visibility *tile, const setup_block *block
         if (owners) {
             tile->owners[place] = (int32_t)block->corners.source[lane];
         }
-        tile->touched[y / BURNISH_BLOCK_SIZE] |= (uint16_t)(1u << x / BURNISH_BLOCK_SIZE);
+        touch(tile, place, 1);
     }
 }
 
@@ -746,6 +734,12 @@ static void remember_large(burnish_tile_triangles *triangles, size_t at, const s
     }
 }
 
+/* Whether the units of a block's triangles are listed: with vectors of fewer lanes it does not pay.
+ */
+BURNISH_INLINE int is_listed(const setup_block *block) {
+    return LANES >= 8 && !block->wide;
+}
+
 /* The triangles of a block, one sample a pixel. */
 BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, tiny_pixels *pixels,
                                 int planes, int owners, unit_list *list) {
@@ -753,8 +747,10 @@ BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, ti
     unsigned others = block->live;
     uint64_t hits = 0;
     const int tiny = __builtin_popcount(block->tiny);
-    if (LANES >= 8 && !block->wide && 2 * tiny < LANES) {
-        draw_listed(tile, block, others, planes, owners, list);
+    if (is_listed(block) &&
+        2 * tiny < LANES) { /* else the pixels of all tiny ones are found at once */
+        const int32_t *sources = (const int32_t *)block->corners.source;
+        draw_listed(tile, block, NULL, others, 1, planes, owners ? sources : NULL, list);
         return;
     }
     if (tiny > 1) {
@@ -788,23 +784,24 @@ BURNISH_INLINE void draw_multiple(burnish_visibility *tile, setup_block *block, 
         burnish_visibility_compact(tile);
     }
     const size_t first = triangles->count;
+    int32_t owners[LANES];
     remember(triangles, block);
+    triangles->count = first + LANES;
+    vi_save(owners, vi_add(vi_set((int32_t)first), vi_ramp(1)));
     find_steps(block, samples, &steps);
-    if (LANES >= 8 && !block->wide) {
-        draw_listed_samples(tile, block, &steps, block->live, samples, planes, (int32_t)first,
-                            list);
+    if (is_listed(block)) {
+        draw_listed(tile, block, &steps, block->live, samples, planes, owners, list);
+        return;
     }
-    for (unsigned rest = LANES >= 8 && !block->wide ? 0 : block->live; rest; rest &= rest - 1) {
+    for (unsigned rest = block->live; rest; rest &= rest - 1) {
         const size_t lane = (size_t)__builtin_ctz(rest);
-        const int32_t owner = (int32_t)(first + lane);
         if (block->small >> lane & 1) {
-            draw_small(tile, block, &steps, lane, samples, planes, 1, owner);
+            draw_small(tile, block, &steps, lane, samples, planes, 1, owners[lane]);
         } else {
-            draw_large(tile, block, lane, 1, owner, offsets);
+            draw_large(tile, block, lane, 1, owners[lane], offsets);
             remember_large(triangles, first + lane, block, lane);
         }
     }
-    triangles->count = first + LANES;
 }
 
 static void draw_slots(burnish_visibility *visibility, const burnish_geometry *geometry,

@@ -650,8 +650,10 @@ static void write_given(void *of, size_t first, size_t end) {
     burnish_scene *scene = context->b->scene;
     for (size_t i = first; i < end; ++i) {
         const given_vertex *vertex = &context->vertices[i];
-        memcpy(scene->positions + 3 * i, source->positions + 3 * (size_t)vertex->position, 12);
-        memcpy(scene->normals + 3 * i, source->normals + 3 * (size_t)vertex->normal, 12);
+        memcpy(scene->positions + 3 * i, source->positions + 3 * (size_t)vertex->position,
+               3 * sizeof(float));
+        memcpy(scene->normals + 3 * i, source->normals + 3 * (size_t)vertex->normal,
+               3 * sizeof(float));
     }
 }
 

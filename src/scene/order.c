@@ -44,7 +44,8 @@ static void find_cells(sorter *s, size_t position_count) {
         s->origin[k] = low[k];
         extent = size > extent ? size : extent;
     }
-    for (s->bits = 1; s->bits < MOST_BITS && s->count >> 2 * s->bits > TRIANGLES_A_CELL;) {
+    s->bits = 1;
+    while (s->bits < MOST_BITS && s->count >> 2 * s->bits > TRIANGLES_A_CELL) {
         ++s->bits;
     }
     s->cells_a_unit = extent > 0 ? (double)(1 << s->bits) / extent : 0;

@@ -264,11 +264,11 @@ static void convert_triangles(void *of, size_t first, size_t end) {
     if (context->layout->is_common && context->vertex_count <= INT32_MAX) {
         bad = convert_common(context->rows, context->layout, first, end,
                              (uint32_t)context->vertex_count, context->corners);
-        first = end;
-    }
-    for (size_t row = first; row < end; ++row) {
-        bad += !convert_triangle(context->rows, context->layout, row, context->vertex_count,
-                                 context->corners + 3 * row);
+    } else {
+        for (size_t row = first; row < end; ++row) {
+            bad += !convert_triangle(context->rows, context->layout, row, context->vertex_count,
+                                     context->corners + 3 * row);
+        }
     }
     if (bad) {
         atomic_store(&context->bad, 1);
