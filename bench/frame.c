@@ -14,9 +14,9 @@ static int compare_doubles(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-static int bench_lobe(const burnish_scene *scene, const char *name, const char *lobe, int threads) {
+static int bench_lobe(const burnish_mesh *scene, const char *name, const char *lobe, int threads) {
     burnish_error error;
-    burnish_fit_options fit = burnish_fit_options_default();
+    burnish_framing fit = burnish_framing_default();
     burnish_render_options options = burnish_render_options_default();
     burnish_renderer *renderer;
     burnish_image image = {0};
@@ -28,7 +28,7 @@ static int bench_lobe(const burnish_scene *scene, const char *name, const char *
     options.threads = threads;
     fit.aspect = 1920.0 / 1080;
     if (burnish_lobe_choice_parse(lobe, &options.lobe, &error) != BURNISH_STATUS_OK ||
-        burnish_camera_fit(scene, &fit, &options.camera, &error) != BURNISH_STATUS_OK ||
+        burnish_camera_frame(scene, &fit, &options.camera, &error) != BURNISH_STATUS_OK ||
         burnish_renderer_create(&renderer, &error) != BURNISH_STATUS_OK) {
         fprintf(stderr, "frame: %s\n", error.text);
         return EXIT_FAILURE;
@@ -48,7 +48,7 @@ static int bench_lobe(const burnish_scene *scene, const char *name, const char *
     burnish_renderer_destroy(renderer);
     qsort(milliseconds, FRAMES, sizeof *milliseconds, compare_doubles);
     printf("%-28s %9zu %8zu  %-10s %7d %8.2f %8.2f %8.2f\n", name,
-           burnish_scene_mesh(scene)->triangle_count, covered, lobe, threads,
+           burnish_mesh_get_view(scene)->triangle_count, covered, lobe, threads,
            milliseconds[FRAMES / 2], milliseconds[0], milliseconds[FRAMES - 1]);
     return EXIT_SUCCESS;
 }
@@ -59,9 +59,9 @@ int main(int count, char **inputs) {
     printf("%-28s %9s %8s  %-10s %7s %8s %8s %8s\n", "1920x1080, ms a frame", "triangles", "pixels",
            "lobe", "threads", "median", "minimum", "maximum");
     for (int i = 1; i < count; ++i) {
-        burnish_scene *scene;
+        burnish_mesh *scene;
         burnish_error error;
-        if (burnish_scene_load(inputs[i], &load, &scene, &error) != BURNISH_STATUS_OK) {
+        if (burnish_mesh_load(inputs[i], &load, &scene, &error) != BURNISH_STATUS_OK) {
             fprintf(stderr, "frame: %s\n", error.text);
             return EXIT_FAILURE;
         }
@@ -69,12 +69,12 @@ int main(int count, char **inputs) {
         for (int lobe = 0; lobe < 4; ++lobe) {
             for (int threads = 1; threads <= 2; ++threads) {
                 if (bench_lobe(scene, slash ? slash + 1 : inputs[i], LOBES[lobe], threads)) {
-                    burnish_scene_destroy(scene);
+                    burnish_mesh_destroy(scene);
                     return EXIT_FAILURE;
                 }
             }
         }
-        burnish_scene_destroy(scene);
+        burnish_mesh_destroy(scene);
     }
     return EXIT_SUCCESS;
 }

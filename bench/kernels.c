@@ -10,14 +10,14 @@
 #include "bench/kernels_input.h"
 #include "bench/kernels_machine.h"
 #include "bench/kernels_scalar.h"
-#include "kernels/table.h"
+#include "shading/table.h"
 
 enum { JOBS_MAX = 16 };
 
 /* What a job needs, whichever kind it is. */
 typedef struct context {
     burnish_bench_input *input;
-    const burnish_batch *batch;
+    const burnish_kernels *batch;
     const burnish_bench_tier *tier;
     const burnish_bench_scalar *scalar;
     const burnish_bench_scalar_lobe *scalar_lobe;
@@ -81,7 +81,7 @@ static void run_lobe(const void *given) {
 
 static void run_library_lobe(const void *given) {
     const context *at = given;
-    const burnish_batch_lobe_constants *lobe = &shader_of(at)->shader.lobe;
+    const burnish_kernels_lobe_constants *lobe = &shader_of(at)->shader.lobe;
     at->batch->lobe[lobe->body][BURNISH_LOBE_INPUT_COSINE](lobe, BURNISH_BENCH_POINTS,
                                                            at->input->cosines, at->input->values);
 }
@@ -95,7 +95,7 @@ static void run_lobe_in_memory(const void *given) {
 
 static void run_library_lobe_in_memory(const void *given) {
     const context *at = given;
-    const burnish_batch_lobe_constants *lobe = &shader_of(at)->shader.lobe;
+    const burnish_kernels_lobe_constants *lobe = &shader_of(at)->shader.lobe;
     at->batch->lobe[lobe->body][BURNISH_LOBE_INPUT_COSINE](
         lobe, at->input->array_bytes / sizeof(float), at->input->source, at->input->destination);
 }
@@ -103,7 +103,7 @@ static void run_library_lobe_in_memory(const void *given) {
 static void run_shade(const void *given) {
     const context *at = given;
     for (size_t block = 0; block < at->input->blocks; ++block) {
-        burnish_batch_points points = burnish_bench_block(at->input, block);
+        burnish_kernels_points points = burnish_bench_block(at->input, block);
         at->tier->shade[BURNISH_BENCH_INDEX(at->which)][at->scene](
             shader_of(at), &points, BURNISH_BENCH_POINTS, at->input->rgba);
     }
@@ -112,9 +112,9 @@ static void run_shade(const void *given) {
 static void run_library_shade(const void *given) {
     const context *at = given;
     for (size_t block = 0; block < at->input->blocks; ++block) {
-        burnish_batch_points points = burnish_bench_block(at->input, block);
-        (void)burnish_batch_shade_rgba8(at->batch, &shader_of(at)->shader, &points,
-                                        BURNISH_BENCH_POINTS, at->input->rgba, NULL);
+        burnish_kernels_points points = burnish_bench_block(at->input, block);
+        (void)burnish_kernels_shade_rgba8(at->batch, &shader_of(at)->shader, &points,
+                                          BURNISH_BENCH_POINTS, at->input->rgba, NULL);
     }
 }
 
@@ -260,7 +260,7 @@ static void tier_begin(tier_run *run, burnish_isa isa, burnish_bench_input *inpu
     memset(run, 0, sizeof *run);
     run->context.input = input;
     run->context.tier = burnish_bench_tier_for(isa);
-    run->context.batch = burnish_batch_for(isa);
+    run->context.batch = burnish_kernels_for(isa);
     run->section.table = table;
     table->count = 0;
     run->libmvec = burnish_bench_open_libmvec(run->context.tier);

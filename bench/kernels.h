@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "burnish/batch.h"
+#include "burnish/kernels.h"
 
 enum {
     BURNISH_BENCH_POINTS = 2048, /* in a block: cosines and values stay in the first cache */

@@ -76,11 +76,11 @@ static burnish_status make_sphere(burnish_bench_input *input, burnish_error *err
 
 static burnish_status prepare(burnish_bench_input *input, int scene, int of, burnish_error *error) {
     static const float viewer[3] = {0.0f, 0.0f, 4.0f}, light[3] = {-2.0f, 2.5f, 3.0f};
-    burnish_batch_lighting lighting = burnish_batch_lighting_default();
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     burnish_bench_shader *shader = &input->shaders[scene][of];
     if (scene == BURNISH_BENCH_POINT) {
         lighting.near_viewer = 1;
-        lighting.lights[0].kind = BURNISH_BATCH_POINT;
+        lighting.lights[0].kind = BURNISH_KERNELS_POINT;
         memcpy(lighting.viewer, viewer, sizeof viewer);
         memcpy(lighting.lights[0].vector, light, sizeof light);
     }
@@ -92,10 +92,10 @@ static burnish_status prepare(burnish_bench_input *input, int scene, int of, bur
         (void)burnish_lobe_create(&lighting.lobe.family, BURNISH_FIT_ENERGY, order,
                                   BURNISH_BENCH_EXPONENT);
     } else {
-        lighting.lobe.kind = BURNISH_BATCH_SCHLICK;
+        lighting.lobe.kind = BURNISH_KERNELS_SCHLICK;
     }
     shader->table = input->table;
-    return burnish_batch_prepare(&lighting, &shader->shader, error);
+    return burnish_kernels_prepare(&lighting, &shader->shader, error);
 }
 
 burnish_status burnish_bench_input_create(burnish_bench_input **made, burnish_error *error) {
@@ -163,9 +163,9 @@ void burnish_bench_input_destroy(burnish_bench_input *input) {
     free(input);
 }
 
-burnish_batch_points burnish_bench_block(const burnish_bench_input *input, size_t block) {
+burnish_kernels_points burnish_bench_block(const burnish_bench_input *input, size_t block) {
     const size_t all = input->blocks * BURNISH_BENCH_POINTS, first = block * BURNISH_BENCH_POINTS;
-    burnish_batch_points points;
+    burnish_kernels_points points;
     memset(&points, 0, sizeof points);
     for (size_t k = 0; k < 3; ++k) {
         points.normal[k] = input->normals + k * all + first;

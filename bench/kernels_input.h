@@ -42,6 +42,6 @@ void burnish_bench_input_map(burnish_bench_input *input, size_t bytes);
 void burnish_bench_input_destroy(burnish_bench_input *input);
 
 /* The points of a block. */
-burnish_batch_points burnish_bench_block(const burnish_bench_input *input, size_t block);
+burnish_kernels_points burnish_bench_block(const burnish_bench_input *input, size_t block);
 
 #endif

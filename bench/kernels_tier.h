@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "burnish/batch.h"
+#include "burnish/kernels.h"
 
 /* The lobes that the library does not have; max(0, c)^n unless the line says otherwise. Values
  * begin above those of the library's bodies, beside which the lighting kernel switches. */
@@ -41,7 +41,7 @@ typedef void burnish_bench_library(void);
 /* What a contender reads. The shader comes first: a lobe inside the lighting kernel finds the rest
  * through it. */
 typedef struct burnish_bench_shader {
-    burnish_batch_shader shader;
+    burnish_kernels_shader shader;
     const float *table;             /* BURNISH_BENCH_TABLE_SIZE entries and one of padding */
     burnish_bench_library *library; /* for BURNISH_BENCH_LIBRARY */
 } burnish_bench_shader;
@@ -52,7 +52,7 @@ typedef void burnish_bench_lobe_function(const burnish_bench_shader *shader, siz
 
 /* The library's lighting kernel with another lobe; RGBA8. */
 typedef void burnish_bench_shade_function(const burnish_bench_shader *shader,
-                                          const burnish_batch_points *points, size_t count,
+                                          const burnish_kernels_points *points, size_t count,
                                           uint8_t *rgba);
 
 /* out[i] = 1 / sqrt(in[i]); count is a multiple of 64. */

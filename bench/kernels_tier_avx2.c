@@ -4,4 +4,4 @@
 #define ISA BURNISH_ISA_AVX2
 #define LIBMVEC "_ZGVdN8vv_powf"
 #define SLEEF "Sleef_powf8_u10avx2"
-#include "bench/kernels_tier_body.h"
+#include "bench/kernels_tier_simd.h"

@@ -4,4 +4,4 @@
 #define ISA BURNISH_ISA_AVX512
 #define LIBMVEC "_ZGVeN16vv_powf"
 #define SLEEF "Sleef_powf16_u10avx512f"
-#include "bench/kernels_tier_body.h"
+#include "bench/kernels_tier_simd.h"

@@ -4,4 +4,4 @@
 #define ISA BURNISH_ISA_NEON
 #define LIBMVEC "_ZGVnN4vv_powf"
 #define SLEEF "Sleef_powf4_u10advsimd"
-#include "bench/kernels_tier_body.h"
+#include "bench/kernels_tier_simd.h"

@@ -1,4 +1,4 @@
-/* What the contenders use beyond src/kernels/vector.h, for each instruction set:
+/* What the contenders use beyond src/simd/vector.h, for each instruction set:
  *
  *   bench_fma       a b + c, fused where the tier has that
  *   bench_sqrt      IEEE square root
@@ -8,7 +8,7 @@
 #ifndef BURNISH_BENCH_KERNELS_TIER_OPS_H
 #define BURNISH_BENCH_KERNELS_TIER_OPS_H
 
-#include "kernels/vector.h"
+#include "simd/vector.h"
 
 #if defined(BURNISH_VECTOR_AVX512)
 

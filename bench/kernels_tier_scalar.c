@@ -4,4 +4,4 @@
 #define ISA BURNISH_ISA_SCALAR
 #define LIBMVEC NULL
 #define SLEEF "Sleef_powf_u10"
-#include "bench/kernels_tier_body.h"
+#include "bench/kernels_tier_simd.h"

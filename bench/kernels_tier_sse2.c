@@ -4,4 +4,4 @@
 #define ISA BURNISH_ISA_SSE2
 #define LIBMVEC "_ZGVbN4vv_powf"
 #define SLEEF "Sleef_powf4_u10sse2"
-#include "bench/kernels_tier_body.h"
+#include "bench/kernels_tier_simd.h"

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "burnish/scene.h"
+#include "burnish/mesh.h"
 
 enum { RUNS = 7 };
 
@@ -185,15 +185,15 @@ static void bench(const char *name, bytes input) {
         double seconds[RUNS], build;
         options.threads = THREADS[t];
         for (int i = 0; i < RUNS; ++i) {
-            burnish_scene *scene;
+            burnish_mesh *scene;
             burnish_error error;
-            if (burnish_scene_load_memory(input.data, input.size, "torus", &options, &scene,
-                                          &error) != BURNISH_STATUS_OK) {
+            if (burnish_mesh_load_memory(input.data, input.size, "torus", &options, &scene,
+                                         &error) != BURNISH_STATUS_OK) {
                 fprintf(stderr, "readers: %s\n", error.text);
                 exit(EXIT_FAILURE);
             }
-            burnish_scene_load_seconds(scene, &seconds[i], &build);
-            burnish_scene_destroy(scene);
+            burnish_mesh_load_seconds(scene, &seconds[i], &build);
+            burnish_mesh_destroy(scene);
         }
         qsort(seconds, RUNS, sizeof *seconds, compare_doubles);
         printf(" %9.0f %9.0f", (double)input.size / 1e6 / seconds[RUNS / 2],

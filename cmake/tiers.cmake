@@ -20,7 +20,7 @@ endif()
 set(BURNISH_TIERS)
 set(BURNISH_BENCH_TIERS)
 foreach(tier ${BURNISH_TIER_NAMES})
-  set(sources src/kernels/tier_${tier}.c src/raster/raster_${tier}.c)
+  set(sources src/simd/tier_${tier}.c src/raster/raster_${tier}.c)
   list(APPEND BURNISH_TIERS ${sources})
   set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${${tier}_flags}")
   # the contenders need not keep bits: they may fuse

@@ -16,29 +16,29 @@ static int compare_doubles(const void *a, const void *b) {
 }
 
 /* Nanoseconds a point: the median of some rounds. */
-static double time_variant(const burnish_batch *batch, int kind, int shading) {
+static double time_variant(const burnish_kernels *batch, int kind, int shading) {
     static point_arrays arrays;
     static float cosines[BENCH_POINTS], values[BENCH_POINTS];
     static uint8_t pixels[4 * BENCH_POINTS];
     double times[BENCH_ROUNDS];
     uint32_t state = 3;
-    burnish_batch_lighting lighting = burnish_batch_lighting_default();
-    burnish_batch_shader shader;
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
+    burnish_kernels_shader shader;
     lighting.lobe = make(kind, 2, 32);
-    burnish_batch_prepare(&lighting, &shader, NULL);
+    burnish_kernels_prepare(&lighting, &shader, NULL);
     make_points(&arrays, BENCH_POINTS, 1, &state);
     for (int i = 0; i < BENCH_POINTS; ++i) {
         cosines[i] = uniform(&state, 0.1f, 1);
     }
-    burnish_batch_points points = points_at(&arrays, 0, 0, 0);
+    burnish_kernels_points points = points_at(&arrays, 0, 0, 0);
     for (int round = 0; round < BENCH_ROUNDS; ++round) {
         double start = nanoseconds();
         for (int call = 0; call < BENCH_CALLS; ++call) {
             if (shading) {
-                burnish_batch_shade_rgba8(batch, &shader, &points, BENCH_POINTS, pixels, NULL);
+                burnish_kernels_shade_rgba8(batch, &shader, &points, BENCH_POINTS, pixels, NULL);
             } else {
-                burnish_batch_lobe_of_cosines(batch, &lighting.lobe, BENCH_POINTS, cosines, values,
-                                              NULL);
+                burnish_kernels_lobe_of_cosines(batch, &lighting.lobe, BENCH_POINTS, cosines,
+                                                values, NULL);
             }
         }
         times[round] = (nanoseconds() - start) / ((double)BENCH_CALLS * BENCH_POINTS);
@@ -51,9 +51,9 @@ static void print_times(void) {
     static const char *const names[] = {"family:2", "power",    "whole power", "schlick",
                                         "gaussian", "gamecube", "dark"};
     printf("\n%-12s %-8s %10s %10s   ns a point\n", "lobe", "tier", "lobe", "lighting");
-    for (int kind = 0; kind < BURNISH_BATCH_LOBE_KIND_COUNT; ++kind) {
+    for (int kind = 0; kind < BURNISH_KERNELS_LOBE_KIND_COUNT; ++kind) {
         for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-            const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+            const burnish_kernels *batch = burnish_kernels_for((burnish_isa)isa);
             if (batch) {
                 printf("%-12s %-8s %10.3f %10.3f\n", names[kind],
                        burnish_isa_name((burnish_isa)isa), time_variant(batch, kind, 0),

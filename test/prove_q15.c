@@ -7,8 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/pool.h"
 #include "burnish/shade_q15.h"
+#include "core/pool.h"
 #include "q15_proof.h"
 
 /* Adds what another thread found. */

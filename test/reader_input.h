@@ -4,7 +4,7 @@
 #define BURNISH_TEST_READER_INPUT_H
 
 #include "harness.h"
-#include "scene/reader.h"
+#include "mesh/read/reader.h"
 
 /* A CHECK whose condition says all. */
 #define CHECK_THAT(condition) CHECK(condition, "does not hold")

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/memory.h"
+#include "core/memory.h"
 #include "raster/raster.h"
 
 /* All slots, of triangles that may be seen and of others. */

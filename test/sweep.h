@@ -27,7 +27,7 @@ typedef enum {
 typedef struct {
     const char *name;
     sweep_kind kind;
-    burnish_fit fit;
+    burnish_lobe_fit fit;
     int order;
     float exponent;
 } sweep_case;

@@ -2,7 +2,7 @@
  * Usage: sweep_lobe [STRIDE]. */
 #include <stdlib.h>
 
-#include "base/pool.h"
+#include "core/pool.h"
 #include "sweep.h"
 
 enum { PARTS = 256 };

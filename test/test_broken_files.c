@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "burnish/render.h"
+#include "mesh/build/normals.h"
 #include "reader_input.h"
-#include "scene/normals.h"
 
 /* The address sanitizer's shadow memory leaves RLIMIT_AS no meaning. */
 #if defined(__SANITIZE_ADDRESS__)
@@ -447,9 +447,9 @@ static void test_claims(void) {
 
 static void check_load(const char *path, const burnish_load_options *options, burnish_status status,
                        const char *message) {
-    burnish_scene *scene = (burnish_scene *)&test_checks; /* must become NULL */
+    burnish_mesh *scene = (burnish_mesh *)&test_checks; /* must become NULL */
     burnish_error error = {0};
-    burnish_status actual = burnish_scene_load(path, options, &scene, &error);
+    burnish_status actual = burnish_mesh_load(path, options, &scene, &error);
     CHECK(actual == status && scene == NULL, "%s: %d", path, (int)actual);
     CHECK_TEXT(error.text, message);
 }
@@ -494,7 +494,7 @@ static void test_files(void) {
     options.cookie = 0;
     check_load("note.txt", &options, BURNISH_STATUS_ARGUMENT,
                "options: not initialised; start from burnish_load_options_default()");
-    CHECK_THAT(burnish_scene_load("x", &options, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_mesh_load("x", &options, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
     options = burnish_load_options_default();
     check_load(NULL, &options, BURNISH_STATUS_ARGUMENT, "path: NULL; pass one");
     remove("empty.stl"), remove("note.txt"), remove("bad.mtl"), remove("bad.obj");
@@ -506,23 +506,23 @@ static void test_files(void) {
 static void test_long_name(void) {
     static char name[3000];
     burnish_load_options options = burnish_load_options_default();
-    burnish_scene *scene;
+    burnish_mesh *scene;
     burnish_error error = {0};
     memset(name, 'x', sizeof name - 5);
     strcpy(name + sizeof name - 5, ".obj");
-    CHECK_THAT(burnish_scene_load_memory("v x", 3, name, &options, &scene, &error) ==
+    CHECK_THAT(burnish_mesh_load_memory("v x", 3, name, &options, &scene, &error) ==
                BURNISH_STATUS_FORMAT);
     CHECK(strncmp(error.text, "...xxx", 6) == 0 &&
               strstr(error.text, "xxx.obj:1: coordinate \"x\" is not a number; write it like 1.5"),
           "%s", error.text);
     static const char line[] = "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n";
-    CHECK_THAT(burnish_scene_load_memory(line, sizeof line - 1, name, &options, &scene, &error) ==
+    CHECK_THAT(burnish_mesh_load_memory(line, sizeof line - 1, name, &options, &scene, &error) ==
                BURNISH_STATUS_FORMAT);
     CHECK(strstr(error.text, "xxx.obj: no triangle has any area; 1 triangles were read"), "%s",
           error.text);
-    CHECK_THAT(burnish_scene_load_memory(NULL, 3, "a", &options, &scene, &error) ==
+    CHECK_THAT(burnish_mesh_load_memory(NULL, 3, "a", &options, &scene, &error) ==
                BURNISH_STATUS_ARGUMENT);
-    CHECK_THAT(burnish_scene_load_memory(NULL, 0, "a.obj", &options, &scene, &error) ==
+    CHECK_THAT(burnish_mesh_load_memory(NULL, 0, "a.obj", &options, &scene, &error) ==
                BURNISH_STATUS_FORMAT);
 }
 
@@ -543,19 +543,19 @@ static void test_extreme_sizes(void) {
     load.format = BURNISH_FORMAT_OBJ;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         for (int orthographic = 0; orthographic < 2; ++orthographic) {
-            burnish_fit_options fit = burnish_fit_options_default();
+            burnish_framing fit = burnish_framing_default();
             burnish_render_options options = burnish_render_options_default();
             burnish_render_report report = {0};
             burnish_image image = {0};
-            burnish_scene *scene = NULL;
+            burnish_mesh *scene = NULL;
             burnish_error error = {0};
             fit.orthographic = orthographic;
             options.width = options.height = 32;
             options.threads = 1;
-            CHECK(burnish_scene_load_memory(cases[i].mesh, strlen(cases[i].mesh), "a.obj", &load,
-                                            &scene, &error) == BURNISH_STATUS_OK,
+            CHECK(burnish_mesh_load_memory(cases[i].mesh, strlen(cases[i].mesh), "a.obj", &load,
+                                           &scene, &error) == BURNISH_STATUS_OK,
                   "%s", error.text);
-            CHECK(burnish_camera_fit(scene, &fit, &options.camera, &error) == BURNISH_STATUS_OK,
+            CHECK(burnish_camera_frame(scene, &fit, &options.camera, &error) == BURNISH_STATUS_OK,
                   "%s", error.text);
             CHECK(burnish_render(scene, &options, &image, &report, &error) == cases[i].status,
                   "%zu, %d: %s", i, orthographic, error.text);
@@ -565,7 +565,7 @@ static void test_extreme_sizes(void) {
                 CHECK(strstr(error.text, "across is too small") && !image.pixels, "%s", error.text);
             }
             burnish_image_destroy(&image);
-            burnish_scene_destroy(scene);
+            burnish_mesh_destroy(scene);
         }
     }
 }

@@ -1,24 +1,24 @@
 /* The built-in objects: closed surfaces, the right size, unit normals that point outward. */
 #include <math.h>
 
-#include "burnish/scene.h"
+#include "burnish/mesh.h"
 #include "harness.h"
-#include "scene/reader.h"
+#include "mesh/read/reader.h"
 
 #define PI 3.14159265358979323846
 
 #define CHECK_THAT(condition) CHECK(condition, "does not hold")
 
-static burnish_scene *make(const char *name, int tessellation, double crease) {
+static burnish_mesh *make(const char *name, int tessellation, double crease) {
     burnish_load_options options = burnish_load_options_default();
     burnish_source source = {0};
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     options.tessellation = tessellation;
     options.crease_angle = crease;
     burnish_status status = burnish_make_builtin(name, &options, &source, &error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_scene_build(&source, name, &options, BURNISH_FORMAT_AUTO, &scene, &error);
+        status = burnish_mesh_build(&source, name, &options, BURNISH_FORMAT_AUTO, &scene, &error);
     }
     CHECK(status == BURNISH_STATUS_OK, "%s", error.text);
     burnish_source_destroy(&source);
@@ -70,7 +70,7 @@ static size_t count_loops(edge *open, size_t count) {
     return loops;
 }
 
-static topology examine(const burnish_mesh *mesh) {
+static topology examine(const burnish_mesh_view *mesh) {
     topology result = {0};
     size_t count = 3 * mesh->triangle_count, open_count = 0;
     edge *edges = malloc(count * sizeof *edges), *open = malloc(count * sizeof *open);
@@ -104,12 +104,12 @@ static topology examine(const burnish_mesh *mesh) {
     return result;
 }
 
-static long euler(const topology *t, const burnish_mesh *mesh) {
+static long euler(const topology *t, const burnish_mesh_view *mesh) {
     return (long)t->vertices - (long)t->edges + (long)mesh->triangle_count;
 }
 
 /* Signed volume by the divergence theorem, and area. */
-static void measure(const burnish_mesh *mesh, double *volume, double *area) {
+static void measure(const burnish_mesh_view *mesh, double *volume, double *area) {
     *volume = *area = 0;
     for (size_t i = 0; i < mesh->triangle_count; ++i) {
         double p[3][3], u[3], v[3], c[3];
@@ -129,7 +129,7 @@ static void measure(const burnish_mesh *mesh, double *volume, double *area) {
 }
 
 /* Every normal has unit length and agrees with its triangles within the given cosine. */
-static void check_normals(const burnish_mesh *mesh, const char *name, double least_cosine) {
+static void check_normals(const burnish_mesh_view *mesh, const char *name, double least_cosine) {
     double worst_length = 0, worst_cosine = 1;
     for (size_t i = 0; i < mesh->vertex_count; ++i) {
         const float *n = mesh->normals + 3 * i;
@@ -166,14 +166,14 @@ static void test_sphere(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_scene *scene = make("sphere", n, 40);
-        const burnish_mesh *mesh = burnish_scene_mesh(scene);
+        burnish_mesh *scene = make("sphere", n, 40);
+        const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
         topology t = examine(mesh);
         CHECK(t.open == 0 && t.wrong == 0, "%zu open, %zu wrong", t.open, t.wrong);
         CHECK(euler(&t, mesh) == 2, "%ld", euler(&t, mesh));
         CHECK(mesh->triangle_count == 48u * n * n, "%zu", mesh->triangle_count);
         CHECK(mesh->vertex_count == t.vertices, "%zu, %zu", mesh->vertex_count, t.vertices);
-        CHECK_THAT(burnish_scene_warning_count(scene) == 0);
+        CHECK_THAT(burnish_mesh_warning_count(scene) == 0);
         size_t equator = 0;
         for (size_t i = 0; i < mesh->vertex_count; ++i) {
             const float *p = mesh->positions + 3 * i;
@@ -196,7 +196,7 @@ static void test_sphere(void) {
         for (int axis = 0; axis < 3; ++axis) {
             CHECK_THAT(mesh->bounds_min[axis] == -1 && mesh->bounds_max[axis] == 1);
         }
-        burnish_scene_destroy(scene);
+        burnish_mesh_destroy(scene);
     }
     CHECK(fabs(error[0] / error[1] - 4) < 0.1, "second order: %g", error[0] / error[1]);
 }
@@ -205,8 +205,8 @@ static void test_torus(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_scene *scene = make("torus", n, 40);
-        const burnish_mesh *mesh = burnish_scene_mesh(scene);
+        burnish_mesh *scene = make("torus", n, 40);
+        const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
         topology t = examine(mesh);
         double volume, area, exact = 2 * PI * PI * 0.4 * 0.4;
         CHECK(t.open == 0 && t.wrong == 0 && euler(&t, mesh) == 0, "%zu open, Euler %ld", t.open,
@@ -224,18 +224,18 @@ static void test_torus(void) {
             CHECK_THAT(fabs((double)normal[0] - (double)p[0] / ring * (ring - 1) / 0.4) < 1e-6);
         }
         check_normals(mesh, "torus", 0.98);
-        burnish_scene_destroy(scene);
+        burnish_mesh_destroy(scene);
     }
     CHECK(fabs(error[0] / error[1] - 4) < 0.1, "second order: %g", error[0] / error[1]);
 }
 
 static void test_knot(void) {
-    burnish_scene *scene = make("knot", 16, 40);
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    burnish_mesh *scene = make("knot", 16, 40);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     topology t = examine(mesh);
     CHECK(t.open == 0 && t.wrong == 0 && euler(&t, mesh) == 0, "%zu open, Euler %ld", t.open,
           euler(&t, mesh));
-    CHECK_THAT(mesh->vertex_count == t.vertices && burnish_scene_warning_count(scene) == 0);
+    CHECK_THAT(mesh->vertex_count == t.vertices && burnish_mesh_warning_count(scene) == 0);
     check_normals(mesh, "knot", 0.95);
     /* A tube's volume is its section times the length of the knot (Pappus). */
     double volume, area, length = 0;
@@ -246,7 +246,7 @@ static void test_knot(void) {
     }
     CHECK(fabs(volume / (PI * 0.36 * length) - 1) < 0.01, "%g", volume / (PI * 0.36 * length));
     CHECK(fabs(area / (2 * PI * 0.6 * length) - 1) < 0.01, "%g", area / (2 * PI * 0.6 * length));
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 /* The data set has six open borders: the rim's inner edge, the lid's lower edge (both circles of
@@ -255,8 +255,8 @@ static void test_knot(void) {
  * triangles of the spout's lip contradict the surface's normals, and are turned. */
 static void test_teapot(void) {
     for (int n = 3; n <= 16; n += n < 5 ? 1 : 5) {
-        burnish_scene *scene = make("teapot", n, 40);
-        const burnish_mesh *mesh = burnish_scene_mesh(scene);
+        burnish_mesh *scene = make("teapot", n, 40);
+        const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
         topology t = examine(mesh);
         size_t triangles = 32u * 2 * n * n - 8u * n;
         CHECK(mesh->triangle_count == triangles, "%d: %zu", n, mesh->triangle_count);
@@ -266,11 +266,11 @@ static void test_teapot(void) {
         /* Body, rim and bottom: a disc (1); lid: a disc (1); handle and spout: tubes (0). The
          * common point counts once. */
         CHECK(euler(&t, mesh) == 1 + 1 + 0 + 0 - 1, "%d: Euler %ld", n, euler(&t, mesh));
-        CHECK(burnish_scene_warning_count(scene) == 0, "%s", burnish_scene_warning(scene, 0));
-        burnish_scene_destroy(scene);
+        CHECK(burnish_mesh_warning_count(scene) == 0, "%s", burnish_mesh_warning(scene, 0));
+        burnish_mesh_destroy(scene);
     }
-    burnish_scene *scene = make("teapot", 16, 40);
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    burnish_mesh *scene = make("teapot", 16, 40);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     check_normals(mesh, "teapot", 0.5);
     CHECK(mesh->bounds_min[1] == 0 && mesh->bounds_max[1] == 3.15f, "%g .. %g",
           (double)mesh->bounds_min[1], (double)mesh->bounds_max[1]);
@@ -288,7 +288,7 @@ static void test_teapot(void) {
         }
     }
     CHECK(poles == 2, "%zu vertices at the poles", poles);
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 static void test_arguments(void) {
@@ -307,9 +307,9 @@ static void test_arguments(void) {
                    BURNISH_STATUS_LIMIT);
         CHECK(strstr(error.text, names[i]) && strstr(error.text, "100"), "%s", error.text);
         CHECK_THAT(source.position_count == 0 && source.positions == NULL);
-        burnish_scene *scene = make(names[i], 1, 40);
-        check_normals(burnish_scene_mesh(scene), names[i], -1);
-        burnish_scene_destroy(scene);
+        burnish_mesh *scene = make(names[i], 1, 40);
+        check_normals(burnish_mesh_get_view(scene), names[i], -1);
+        burnish_mesh_destroy(scene);
     }
     int wrong[] = {0, -1, 257};
     for (int i = 0; i < 3; ++i) {

@@ -1,35 +1,35 @@
-/* burnish_camera_fit: everything is inside the margin and as large as it allows; the axes are the
+/* burnish_camera_frame: everything is inside the margin and as large as it allows; the axes are the
  * documented ones. */
 #include <math.h>
 
-#include "burnish/scene.h"
+#include "burnish/mesh.h"
 #include "harness.h"
-#include "scene/reader.h"
+#include "mesh/read/reader.h"
 
 #define CHECK_THAT(condition) CHECK(condition, "does not hold")
 #define DEGREE (acos(-1.0) / 180)
 
-static burnish_scene *builtin(const char *name) {
+static burnish_mesh *builtin(const char *name) {
     burnish_load_options options = burnish_load_options_default();
     burnish_source source = {0};
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     options.tessellation = 6;
     CHECK_THAT(burnish_make_builtin(name, &options, &source, NULL) == BURNISH_STATUS_OK);
-    CHECK_THAT(burnish_scene_build(&source, name, &options, BURNISH_FORMAT_AUTO, &scene, NULL) ==
+    CHECK_THAT(burnish_mesh_build(&source, name, &options, BURNISH_FORMAT_AUTO, &scene, NULL) ==
                BURNISH_STATUS_OK);
     burnish_source_destroy(&source);
     return scene;
 }
 
-static burnish_scene *triangles(const float *positions, size_t triangle_count) {
+static burnish_mesh *triangles(const float *positions, size_t triangle_count) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     uint32_t indices[64];
     for (uint32_t i = 0; i < 64; ++i) {
         indices[i] = i;
     }
-    CHECK_THAT(burnish_scene_create(positions, NULL, NULL, 3 * triangle_count, indices,
-                                    triangle_count, &options, &scene, NULL) == BURNISH_STATUS_OK);
+    CHECK_THAT(burnish_mesh_create(positions, NULL, NULL, 3 * triangle_count, indices,
+                                   triangle_count, &options, &scene, NULL) == BURNISH_STATUS_OK);
     return scene;
 }
 
@@ -63,8 +63,8 @@ static double axes(const burnish_camera *camera, double right[3], double up[3], 
 }
 
 /* The mesh's extent in the picture, in units of half its height: x0, x1, y0, y1. */
-static void extent(const burnish_scene *scene, const burnish_camera *camera, double e[4]) {
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+static void extent(const burnish_mesh *scene, const burnish_camera *camera, double e[4]) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     double right[3], up[3], back[3], scale = tan(camera->view_angle * DEGREE / 2);
     axes(camera, right, up, back);
     e[0] = e[2] = INFINITY;
@@ -88,11 +88,10 @@ static void extent(const burnish_scene *scene, const burnish_camera *camera, dou
 
 /* Fits and proves it: centred in both axes, inside the margins, touching in one. touches 0: a
  * camera that had to keep its distance. */
-static burnish_camera fit(const burnish_scene *scene, const burnish_fit_options *options,
-                          int touches) {
+static burnish_camera fit(const burnish_mesh *scene, const burnish_framing *options, int touches) {
     burnish_camera camera = {{0}, {0}, {0}, 0, 0};
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(burnish_camera_fit(scene, options, &camera, &error) == BURNISH_STATUS_OK, "%s",
+    CHECK(burnish_camera_frame(scene, options, &camera, &error) == BURNISH_STATUS_OK, "%s",
           error.text);
     double e[4], free_side = 2 * options->margin * fmin(options->aspect, 1);
     double limit_x = options->aspect - free_side, limit_y = 1 - free_side;
@@ -118,9 +117,9 @@ static void test_exact_fit(void) {
     const double aspects[] = {1, 16 / 9.0, 0.4}, angles[] = {30, 5, 100};
     const double margins[] = {0.05, 0, 0.45};
     for (int name = 0; name < 3; ++name) {
-        burnish_scene *scene = builtin(names[name]);
+        burnish_mesh *scene = builtin(names[name]);
         for (int i = 0; i < 54; ++i) {
-            burnish_fit_options options = burnish_fit_options_default();
+            burnish_framing options = burnish_framing_default();
             options.aspect = aspects[i % 3];
             options.view_angle = angles[i / 3 % 3];
             options.margin = margins[i / 9 % 3];
@@ -129,7 +128,7 @@ static void test_exact_fit(void) {
             options.elevation = 3 * i;
             fit(scene, &options, 1);
         }
-        burnish_scene_destroy(scene);
+        burnish_mesh_destroy(scene);
     }
 }
 
@@ -137,24 +136,24 @@ static void test_exact_fit(void) {
 static void test_sphere_distance(void) {
     burnish_load_options load = burnish_load_options_default();
     burnish_source source = {0};
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     load.tessellation = 64;
     CHECK_THAT(burnish_make_builtin("sphere", &load, &source, NULL) == BURNISH_STATUS_OK);
-    CHECK_THAT(burnish_scene_build(&source, "sphere", &load, BURNISH_FORMAT_AUTO, &scene, NULL) ==
+    CHECK_THAT(burnish_mesh_build(&source, "sphere", &load, BURNISH_FORMAT_AUTO, &scene, NULL) ==
                BURNISH_STATUS_OK);
     burnish_source_destroy(&source);
-    burnish_fit_options options = burnish_fit_options_default();
+    burnish_framing options = burnish_framing_default();
     burnish_camera camera = fit(scene, &options, 1);
     double distance = sqrt(dot(camera.position, camera.position));
     double expected = 1 / sin(atan(tan(15 * DEGREE) * 0.9));
     CHECK(fabs(distance / expected - 1) < 1e-3, "%g, not %g", distance, expected);
     CHECK(sqrt(dot(camera.focal_point, camera.focal_point)) < 1e-3, "focal point off the centre");
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 static void test_three_quarter(void) {
-    burnish_scene *scene = builtin("sphere");
-    burnish_fit_options options = burnish_fit_options_default();
+    burnish_mesh *scene = builtin("sphere");
+    burnish_framing options = burnish_framing_default();
     double right[3], up[3], back[3], a = 35 * DEGREE, e = 20 * DEGREE;
     burnish_camera camera = fit(scene, &options, 1);
     axes(&camera, right, up, back);
@@ -184,7 +183,7 @@ static void test_three_quarter(void) {
     double length = sqrt(14), unit[3] = {1 / length, 2 / length, -3 / length};
     CHECK(fabs(dot(back, unit) - sin(e)) < 1e-9 && fabs(dot(right, unit)) < 1e-9, "any up: %g %g",
           dot(back, unit), dot(right, unit));
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 /* Views that CAD names: direction, and what is right and up in the picture. */
@@ -201,9 +200,9 @@ static void test_named_views(void) {
         {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}},  /* top */
         {{0, 0, 1}, {0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  /* bottom */
     };
-    burnish_scene *scene = builtin("teapot");
+    burnish_mesh *scene = builtin("teapot");
     for (int i = 0; i < 8; ++i) {
-        burnish_fit_options options = burnish_fit_options_default();
+        burnish_framing options = burnish_framing_default();
         double right[3], up[3], back[3];
         memcpy(options.up, views[i].up, sizeof options.up);
         memcpy(options.direction, views[i].direction, sizeof options.direction);
@@ -213,13 +212,13 @@ static void test_named_views(void) {
         check_axis(right, r[0], r[1], r[2], "right");
         check_axis(up, u[0], u[1], u[2], "up");
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 /* Azimuth and elevation turn the given direction; tilting past the pole does not jump. */
 static void test_turns(void) {
-    burnish_scene *scene = builtin("knot");
-    burnish_fit_options options = burnish_fit_options_default();
+    burnish_mesh *scene = builtin("knot");
+    burnish_framing options = burnish_framing_default();
     double right[3], up[3], back[3], s = sqrt(0.5);
     options.direction[2] = -3;
     options.azimuth = 90;
@@ -245,13 +244,13 @@ static void test_turns(void) {
     camera = fit(scene, &options, 1);
     axes(&camera, right, up, back);
     check_axis(back, 0, -0.5, sqrt(0.75), "elevation -30: from below");
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 static void test_degenerate_shapes(void) {
-    burnish_fit_options options = burnish_fit_options_default();
+    burnish_framing options = burnish_framing_default();
     const float flat[] = {-1, 0, 0, 1, 0, 0, 0, 0, 1};
-    burnish_scene *scene = triangles(flat, 1);
+    burnish_mesh *scene = triangles(flat, 1);
     for (int i = 0; i < 2; ++i) {
         options.orthographic = i;
         options.direction[0] = options.direction[1] = 0;
@@ -261,17 +260,17 @@ static void test_degenerate_shapes(void) {
         options.direction[2] = 0;
         fit(scene, &options, 1);
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 
     /* A needle seen from its tip: the sides alone would put the camera on the tip. */
     const float needle[] = {0, 0, 10, -0.1f, 0, 0, 0.1f, 0, 0};
     scene = triangles(needle, 1);
-    options = burnish_fit_options_default();
+    options = burnish_framing_default();
     options.direction[2] = -1;
     burnish_camera camera = fit(scene, &options, 0);
     CHECK(camera.position[2] > 10.05, "%g", camera.position[2]);
     CHECK(camera.focal_point[2] < 10, "%g", camera.focal_point[2]);
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 
     /* Sizes at both ends of float, and a small mesh far from the origin. */
     const float sizes[] = {1e-45f, 1e-20f, 3e38f};
@@ -279,25 +278,25 @@ static void test_degenerate_shapes(void) {
         float s = sizes[i / 2];
         const float mesh[] = {-s, 0, 0, s, 0, 0, 0, s, 0};
         scene = triangles(mesh, 1);
-        options = burnish_fit_options_default();
+        options = burnish_framing_default();
         options.orthographic = i % 2;
         fit(scene, &options, 1);
-        burnish_scene_destroy(scene);
+        burnish_mesh_destroy(scene);
     }
     const float far[] = {1e6f, 1e6f, 1e6f, 1e6f + 1, 1e6f, 1e6f, 1e6f, 1e6f + 2, 1e6f};
     scene = triangles(far, 1);
-    options = burnish_fit_options_default();
+    options = burnish_framing_default();
     options.direction[2] = -1;
     fit(scene, &options, 1);
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 static void test_arguments(void) {
-    burnish_scene *scene = builtin("torus");
+    burnish_mesh *scene = builtin("torus");
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_camera camera;
-    burnish_fit_options wrong[16];
-    const char *words[16] = {"burnish_fit_options_default()",
+    burnish_framing wrong[16];
+    const char *words[16] = {"burnish_framing_default()",
                              "up is the zero vector",
                              "up[2]",
                              "direction[0]",
@@ -314,7 +313,7 @@ static void test_arguments(void) {
                              "margin",
                              "direction[1]"};
     for (int i = 0; i < 16; ++i) {
-        wrong[i] = burnish_fit_options_default();
+        wrong[i] = burnish_framing_default();
     }
     wrong[0].cookie = burnish_load_options_default().cookie;
     wrong[1].up[1] = 0;
@@ -333,22 +332,22 @@ static void test_arguments(void) {
     wrong[14].margin = NAN;
     wrong[15].direction[1] = -1e200;
     for (int i = 0; i < 16; ++i) {
-        CHECK(burnish_camera_fit(scene, &wrong[i], &camera, &error) == BURNISH_STATUS_ARGUMENT,
+        CHECK(burnish_camera_frame(scene, &wrong[i], &camera, &error) == BURNISH_STATUS_ARGUMENT,
               "%d", i);
         CHECK(strstr(error.text, words[i]), "%d: %s", i, error.text);
     }
-    burnish_fit_options options = burnish_fit_options_default();
+    burnish_framing options = burnish_framing_default();
     options.view_angle = 1e-320;
-    CHECK_THAT(burnish_camera_fit(scene, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_camera_frame(scene, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK(strstr(error.text, "view_angle"), "%s", error.text);
     options.view_angle = 1e-3;
     fit(scene, &options, 1);
-    options = burnish_fit_options_default();
+    options = burnish_framing_default();
     CHECK_THAT(options.view_angle == 30 && options.margin == 0.05 && options.aspect == 1);
-    CHECK_THAT(burnish_camera_fit(NULL, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK_THAT(burnish_camera_fit(scene, NULL, &camera, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK_THAT(burnish_camera_fit(scene, &options, NULL, &error) == BURNISH_STATUS_ARGUMENT);
-    burnish_scene_destroy(scene);
+    CHECK_THAT(burnish_camera_frame(NULL, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_camera_frame(scene, NULL, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_camera_frame(scene, &options, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    burnish_mesh_destroy(scene);
 }
 
 int main(void) {

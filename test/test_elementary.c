@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "base/elementary.h"
+#include "core/elementary.h"
 #include "harness.h"
 
 #define HOLDS(condition) CHECK(condition, " ")

@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "burnish/file.h"
+#include "burnish/core.h"
 #include "burnish/image.h"
 #include "harness.h"
 

@@ -7,9 +7,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "burnish/batch.h"
+#include "burnish/kernels.h"
 #include "harness.h"
-#include "kernels/isa.h"
+#include "simd/isa.h"
 
 /* What kernels/vector_math.h states. */
 #define POWER_ERROR 1e-7
@@ -21,8 +21,8 @@ enum { BLOCK = 4096, GUARD = 32, MOST_LANES = 16 };
 static const float EXPONENTS[] = {1, 2, 3.5f, 8, 18, 32, 100, 256, 1000, 4096, 65536};
 enum { EXPONENT_COUNT = sizeof EXPONENTS / sizeof EXPONENTS[0] };
 
-static const burnish_batch *scalar(void) {
-    return burnish_batch_for(BURNISH_ISA_SCALAR);
+static const burnish_kernels *scalar(void) {
+    return burnish_kernels_for(BURNISH_ISA_SCALAR);
 }
 
 static uint32_t bits_of(float x) {
@@ -61,9 +61,9 @@ static float awkward(uint32_t *state) {
     return choice == 1 ? from_bits(next_random(state)) : uniform(state, -0.25f, 1.0f);
 }
 
-static burnish_batch_lobe make(int kind, int order, float exponent) {
-    burnish_batch_lobe lobe = {(burnish_batch_lobe_kind)kind, {0, 0}, exponent};
-    if (kind == BURNISH_BATCH_WHOLE_POWER) {
+static burnish_kernels_lobe make(int kind, int order, float exponent) {
+    burnish_kernels_lobe lobe = {(burnish_kernels_lobe_kind)kind, {0, 0}, exponent};
+    if (kind == BURNISH_KERNELS_WHOLE_POWER) {
         lobe.exponent = (float)(uint32_t)exponent;
     }
     burnish_lobe_create(&lobe.family, BURNISH_FIT_ENERGY,
@@ -74,15 +74,15 @@ static burnish_batch_lobe make(int kind, int order, float exponent) {
 /* ---- Tiers ---- */
 
 /* One call on a misaligned array between guard bytes; `values` receives what was written. */
-static int run_lobe(const burnish_batch *batch, const burnish_batch_lobe *lobe, int lambda,
+static int run_lobe(const burnish_kernels *batch, const burnish_kernels_lobe *lobe, int lambda,
                     const float *cosines, size_t count, size_t shift, float *values) {
     static float buffer[BLOCK + 2 * GUARD + MOST_LANES];
     int damaged = 0;
     memset(buffer, 0xa5, sizeof buffer);
     float *out = buffer + GUARD + shift;
     burnish_status status =
-        lambda ? burnish_batch_lobe_of_lambdas(batch, lobe, count, cosines, out, NULL)
-               : burnish_batch_lobe_of_cosines(batch, lobe, count, cosines, out, NULL);
+        lambda ? burnish_kernels_lobe_of_lambdas(batch, lobe, count, cosines, out, NULL)
+               : burnish_kernels_lobe_of_cosines(batch, lobe, count, cosines, out, NULL);
     memcpy(values, out, count * sizeof *values);
     memset(out, 0xa5, count * sizeof *out);
     for (size_t i = 0; i < sizeof buffer / sizeof buffer[0]; ++i) {
@@ -91,10 +91,10 @@ static int run_lobe(const burnish_batch *batch, const burnish_batch_lobe *lobe, 
     return status == BURNISH_STATUS_OK && !damaged;
 }
 
-static void check_lobe_tier(const burnish_batch *batch, const burnish_batch_lobe *lobe,
+static void check_lobe_tier(const burnish_kernels *batch, const burnish_kernels_lobe *lobe,
                             uint32_t *state) {
     static float cosines[BLOCK + MOST_LANES], expected[BLOCK], values[BLOCK];
-    const char *name = burnish_isa_name(burnish_batch_isa(batch));
+    const char *name = burnish_isa_name(burnish_kernels_isa(batch));
     for (int lambda = 0; lambda < 2; ++lambda) {
         for (size_t count = 0; count <= BLOCK; count = count < 50 ? count + 1 : count + 1349) {
             size_t shift = next_random(state) % MOST_LANES;
@@ -118,11 +118,11 @@ static void check_lobe_tier(const burnish_batch *batch, const burnish_batch_lobe
     }
 }
 
-static void check_lobe_tiers(const burnish_batch *batch, uint32_t *state) {
-    for (int kind = 0; kind < BURNISH_BATCH_LOBE_KIND_COUNT; ++kind) {
+static void check_lobe_tiers(const burnish_kernels *batch, uint32_t *state) {
+    for (int kind = 0; kind < BURNISH_KERNELS_LOBE_KIND_COUNT; ++kind) {
         for (int e = 0; e < EXPONENT_COUNT; ++e) {
-            for (int order = 2; order <= (kind == BURNISH_BATCH_FAMILY ? 32 : 2); order *= 2) {
-                burnish_batch_lobe lobe = make(kind, order, EXPONENTS[e]);
+            for (int order = 2; order <= (kind == BURNISH_KERNELS_FAMILY ? 32 : 2); order *= 2) {
+                burnish_kernels_lobe lobe = make(kind, order, EXPONENTS[e]);
                 check_lobe_tier(batch, &lobe, state);
             }
         }
@@ -130,10 +130,10 @@ static void check_lobe_tiers(const burnish_batch *batch, uint32_t *state) {
 }
 
 /* Arrays that are written past the caches: the same values, also in place. */
-static void check_streaming(const burnish_batch *batch) {
+static void check_streaming(const burnish_kernels *batch) {
     const size_t count = (8u << 20) / sizeof(float) + 37;
     float *in = malloc((count + 3) * sizeof *in);
-    burnish_batch_lobe lobe = make(BURNISH_BATCH_FAMILY, 2, 32);
+    burnish_kernels_lobe lobe = make(BURNISH_KERNELS_FAMILY, 2, 32);
     uint32_t state = 99;
     size_t wrong = 0;
     if (!CHECK(in, "memory for %zu floats", count)) {
@@ -143,14 +143,14 @@ static void check_streaming(const burnish_batch *batch) {
         in[i] = uniform(&state, 0, 1);
     }
     state = 99;
-    burnish_batch_lobe_of_cosines(batch, &lobe, count, in + 1, in + 1, NULL);
+    burnish_kernels_lobe_of_cosines(batch, &lobe, count, in + 1, in + 1, NULL);
     for (size_t i = 0; i < count + 3; ++i) {
         float x = uniform(&state, 0, 1);
         float want = i >= 1 && i < count + 1 ? burnish_lobe_at_cosine(lobe.family, x) : x;
         wrong += bits_of(in[i]) != bits_of(want);
     }
     CHECK(wrong == 0, "%s: %zu of %zu streamed values differ",
-          burnish_isa_name(burnish_batch_isa(batch)), wrong, count);
+          burnish_isa_name(burnish_kernels_isa(batch)), wrong, count);
     free(in);
 }
 
@@ -188,9 +188,9 @@ static void make_points(point_arrays *arrays, size_t count, int tame, uint32_t *
     }
 }
 
-static burnish_batch_points points_at(const point_arrays *arrays, size_t first, int with_diffuse,
-                                      int with_w) {
-    burnish_batch_points points = {.w = with_w ? arrays->w + first : NULL};
+static burnish_kernels_points points_at(const point_arrays *arrays, size_t first, int with_diffuse,
+                                        int with_w) {
+    burnish_kernels_points points = {.w = with_w ? arrays->w + first : NULL};
     for (int k = 0; k < 3; ++k) {
         points.normal[k] = arrays->normal[k] + first;
         points.position[k] = arrays->position[k] + first;
@@ -208,68 +208,68 @@ static void random_unit(uint32_t *state, float v[3]) {
 }
 
 /* A lighting with whatever there is. */
-static burnish_batch_lighting random_lighting(int kind, uint32_t *state) {
-    burnish_batch_lighting lighting = burnish_batch_lighting_default();
+static burnish_kernels_lighting random_lighting(int kind, uint32_t *state) {
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     int order = 2 << next_random(state) % 5; /* one draw a statement: compilers order arguments */
     lighting.lobe = make(kind, order, EXPONENTS[next_random(state) % EXPONENT_COUNT]);
     lighting.light_count = (int)(next_random(state) % 4);
     lighting.near_viewer = (int)(next_random(state) & 1);
-    lighting.highlight = next_random(state) % 4 ? BURNISH_BATCH_BLINN : BURNISH_BATCH_PHONG;
-    lighting.lyon = kind == BURNISH_BATCH_FAMILY && lighting.highlight == BURNISH_BATCH_BLINN &&
+    lighting.highlight = next_random(state) % 4 ? BURNISH_KERNELS_BLINN : BURNISH_KERNELS_PHONG;
+    lighting.lyon = kind == BURNISH_KERNELS_FAMILY && lighting.highlight == BURNISH_KERNELS_BLINN &&
                     next_random(state) % 4 == 0;
     random_unit(state, lighting.viewer);
     for (int k = 0; lighting.near_viewer && k < 3; ++k) {
         lighting.viewer[k] *= 4;
     }
     for (int i = 0; i < lighting.light_count; ++i) {
-        burnish_batch_light *light = &lighting.lights[i];
+        burnish_kernels_light *light = &lighting.lights[i];
         random_unit(state, light->vector);
-        light->kind = next_random(state) % 3 ? BURNISH_BATCH_DIRECTIONAL : BURNISH_BATCH_POINT;
+        light->kind = next_random(state) % 3 ? BURNISH_KERNELS_DIRECTIONAL : BURNISH_KERNELS_POINT;
         for (int k = 0; k < 3; ++k) {
             light->color[k] = uniform(state, 0, 1);
-            light->vector[k] *= light->kind == BURNISH_BATCH_POINT ? 3.0f : 1.0f;
+            light->vector[k] *= light->kind == BURNISH_KERNELS_POINT ? 3.0f : 1.0f;
         }
     }
     if (next_random(state) % 3 == 0) { /* all far: the kernel with constant half vectors */
         lighting.near_viewer = lighting.lyon = 0;
-        lighting.highlight = BURNISH_BATCH_BLINN;
+        lighting.highlight = BURNISH_KERNELS_BLINN;
         random_unit(state, lighting.viewer);
         for (int i = 0; i < lighting.light_count; ++i) {
-            lighting.lights[i].kind = BURNISH_BATCH_DIRECTIONAL;
+            lighting.lights[i].kind = BURNISH_KERNELS_DIRECTIONAL;
             random_unit(state, lighting.lights[i].vector);
         }
     }
     return lighting;
 }
 
-static void check_shade_tier(const burnish_batch *batch, uint32_t *state) {
+static void check_shade_tier(const burnish_kernels *batch, uint32_t *state) {
     static point_arrays arrays;
     static uint8_t pixels[2][4 * (BLOCK + 1)];
     static float colors[2][3][BLOCK + 1];
-    const char *name = burnish_isa_name(burnish_batch_isa(batch));
+    const char *name = burnish_isa_name(burnish_kernels_isa(batch));
     for (int trial = 0; trial < 1200; ++trial) {
-        int kind = trial % BURNISH_BATCH_LOBE_KIND_COUNT;
-        burnish_batch_lighting lighting = random_lighting(kind, state);
-        burnish_batch_shader shader;
+        int kind = trial % BURNISH_KERNELS_LOBE_KIND_COUNT;
+        burnish_kernels_lighting lighting = random_lighting(kind, state);
+        burnish_kernels_shader shader;
         burnish_error error;
         size_t count = trial % 50 == 49 ? BLOCK - MOST_LANES : next_random(state) % 70;
         int wrong = 0;
         make_points(&arrays, BLOCK, trial & 1, state);
-        if (!CHECK(burnish_batch_prepare(&lighting, &shader, &error) == BURNISH_STATUS_OK,
+        if (!CHECK(burnish_kernels_prepare(&lighting, &shader, &error) == BURNISH_STATUS_OK,
                    "prepare: %s", error.text)) {
             continue;
         }
-        burnish_batch_points points =
+        burnish_kernels_points points =
             points_at(&arrays, next_random(state) % MOST_LANES, (int)(next_random(state) & 1),
                       (int)(next_random(state) & 1));
         memset(pixels, 0x5a, sizeof pixels);
         memset(colors, 0x5a, sizeof colors);
         for (int which = 0; which < 2; ++which) {
-            const burnish_batch *one = which ? batch : scalar();
+            const burnish_kernels *one = which ? batch : scalar();
             float *const rgb[3] = {colors[which][0], colors[which][1], colors[which][2]};
-            wrong |= burnish_batch_shade_rgba8(one, &shader, &points, count, pixels[which], NULL) !=
-                     BURNISH_STATUS_OK;
-            wrong |= burnish_batch_shade_float(one, &shader, &points, count, rgb, NULL) !=
+            wrong |= burnish_kernels_shade_rgba8(one, &shader, &points, count, pixels[which],
+                                                 NULL) != BURNISH_STATUS_OK;
+            wrong |= burnish_kernels_shade_float(one, &shader, &points, count, rgb, NULL) !=
                      BURNISH_STATUS_OK;
         }
         CHECK(!wrong, "%s: shading failed", name);
@@ -281,7 +281,7 @@ static void check_shade_tier(const burnish_batch *batch, uint32_t *state) {
     }
 }
 
-static void check_normalize_tier(const burnish_batch *batch, uint32_t *state) {
+static void check_normalize_tier(const burnish_kernels *batch, uint32_t *state) {
     static float in[3][100], out[2][3][100];
     int different = 0;
     for (size_t count = 0; count < 100; ++count) {
@@ -294,26 +294,26 @@ static void check_normalize_tier(const burnish_batch *batch, uint32_t *state) {
         memset(out, 0, sizeof out);
         for (int which = 0; which < 2; ++which) {
             float *const to[3] = {out[which][0], out[which][1], out[which][2]};
-            burnish_batch_normalize(which ? batch : scalar(), count, from, to);
+            burnish_kernels_normalize(which ? batch : scalar(), count, from, to);
         }
         different += memcmp(out[0], out[1], sizeof out[0]) != 0;
     }
     CHECK(different == 0, "%s: %d arrays are normalised differently",
-          burnish_isa_name(burnish_batch_isa(batch)), different);
+          burnish_isa_name(burnish_kernels_isa(batch)), different);
 }
 
 static void check_tiers(void) {
     uint32_t mask = burnish_isa_available(), state = 0x2545f491;
     printf("seed %#x, tiers:", (unsigned)state);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+        const burnish_kernels *batch = burnish_kernels_for((burnish_isa)isa);
         CHECK(!batch == !(mask >> isa & 1), "%s: a table where the tier is",
               burnish_isa_name((burnish_isa)isa));
         if (!batch) {
             continue;
         }
         printf(" %s", burnish_isa_name((burnish_isa)isa));
-        CHECK((int)burnish_batch_isa(batch) == isa, "the table of %d", isa);
+        CHECK((int)burnish_kernels_isa(batch) == isa, "the table of %d", isa);
         check_lobe_tiers(batch, &state);
         check_streaming(batch);
         check_shade_tier(batch, &state);
@@ -353,27 +353,27 @@ static void check_processors(void) {
     float *const rgb[3] = {colors[0], colors[1], colors[2]};
     uint64_t hash = 0xcbf29ce484222325u;
     uint32_t state = 1234567;
-    for (int kind = 0; kind < BURNISH_BATCH_LOBE_KIND_COUNT; ++kind) {
+    for (int kind = 0; kind < BURNISH_KERNELS_LOBE_KIND_COUNT; ++kind) {
         for (int e = 0; e < EXPONENT_COUNT; ++e) {
-            burnish_batch_lobe lobe = make(kind, 2 << e % 5, EXPONENTS[e]);
+            burnish_kernels_lobe lobe = make(kind, 2 << e % 5, EXPONENTS[e]);
             for (int i = 0; i < BLOCK; ++i) {
                 in[i] = awkward(&state);
             }
-            burnish_batch_lobe_of_cosines(scalar(), &lobe, BLOCK, in, out, NULL);
+            burnish_kernels_lobe_of_cosines(scalar(), &lobe, BLOCK, in, out, NULL);
             hash = add_floats(hash, out, BLOCK);
-            burnish_batch_lobe_of_lambdas(scalar(), &lobe, BLOCK, in, out, NULL);
+            burnish_kernels_lobe_of_lambdas(scalar(), &lobe, BLOCK, in, out, NULL);
             hash = add_floats(hash, out, BLOCK);
         }
     }
     for (int trial = 0; trial < 80; ++trial) {
-        burnish_batch_lighting lighting =
-            random_lighting(trial % BURNISH_BATCH_LOBE_KIND_COUNT, &state);
-        burnish_batch_shader shader;
+        burnish_kernels_lighting lighting =
+            random_lighting(trial % BURNISH_KERNELS_LOBE_KIND_COUNT, &state);
+        burnish_kernels_shader shader;
         make_points(&arrays, BLOCK, trial & 1, &state);
-        burnish_batch_prepare(&lighting, &shader, NULL);
-        burnish_batch_points points = points_at(&arrays, 0, trial & 2, trial & 4);
-        burnish_batch_shade_float(scalar(), &shader, &points, BLOCK, rgb, NULL);
-        burnish_batch_shade_rgba8(scalar(), &shader, &points, BLOCK, pixels, NULL);
+        burnish_kernels_prepare(&lighting, &shader, NULL);
+        burnish_kernels_points points = points_at(&arrays, 0, trial & 2, trial & 4);
+        burnish_kernels_shade_float(scalar(), &shader, &points, BLOCK, rgb, NULL);
+        burnish_kernels_shade_rgba8(scalar(), &shader, &points, BLOCK, pixels, NULL);
         for (int k = 0; k < 3; ++k) {
             hash = add_floats(hash, colors[k], BLOCK);
         }
@@ -384,20 +384,20 @@ static void check_processors(void) {
 
 /* ---- Values ---- */
 
-static double accurate_lobe(const burnish_batch_lobe *lobe, double c) {
+static double accurate_lobe(const burnish_kernels_lobe *lobe, double c) {
     double n = (double)lobe->exponent, u;
     switch (lobe->kind) {
-    case BURNISH_BATCH_FAMILY:
+    case BURNISH_KERNELS_FAMILY:
         u = 1 - (double)lobe->family.zeta * (1 - (c < 1 ? c : 1));
         return u > 0 ? pow(u, lobe->family.order) : 0;
-    case BURNISH_BATCH_POWER:
-    case BURNISH_BATCH_WHOLE_POWER:
+    case BURNISH_KERNELS_POWER:
+    case BURNISH_KERNELS_WHOLE_POWER:
         return c > 0 ? pow(c < 1 ? c : 1, n) : 0;
-    case BURNISH_BATCH_GAUSSIAN:
+    case BURNISH_KERNELS_GAUSSIAN:
         return exp(-(n + 0.775) * (1 - (c < 1 ? c : 1)));
-    case BURNISH_BATCH_SCHLICK:
+    case BURNISH_KERNELS_SCHLICK:
         return c > 0 ? c / (c + n * (1 - c)) : 0;
-    case BURNISH_BATCH_GX:
+    case BURNISH_KERNELS_GX:
         return c > 0 ? c * c / (c * c + n / 2 * (1 - c * c)) : 0;
     default:
         return 0;
@@ -408,14 +408,14 @@ static void check_power_accuracy(int kind, double bound) {
     static float cosines[BLOCK], values[BLOCK];
     double worst = 0;
     for (int e = 0; e < EXPONENT_COUNT; ++e) {
-        burnish_batch_lobe lobe = make(kind, 2, EXPONENTS[e]);
+        burnish_kernels_lobe lobe = make(kind, 2, EXPONENTS[e]);
         /* dense near 1, where the lobe lives: lambda from 0 to 40 / n, at most 1 */
         double reach = 40 / (double)EXPONENTS[e] < 1 ? 40 / (double)EXPONENTS[e] : 1;
         for (int block = 0; block < 256; ++block) {
             for (int i = 0; i < BLOCK; ++i) {
                 cosines[i] = (float)(1 - reach * (block * BLOCK + i) / (256 * BLOCK));
             }
-            burnish_batch_lobe_of_cosines(scalar(), &lobe, BLOCK, cosines, values, NULL);
+            burnish_kernels_lobe_of_cosines(scalar(), &lobe, BLOCK, cosines, values, NULL);
             for (int i = 0; i < BLOCK; ++i) {
                 double error = fabs((double)values[i] - accurate_lobe(&lobe, (double)cosines[i]));
                 worst = error > worst ? error : worst;
@@ -427,11 +427,11 @@ static void check_power_accuracy(int kind, double bound) {
 }
 
 /* The array forms of burnish/lobe.h are those, bit for bit, for a stride over all floats. */
-static float single(const burnish_batch_lobe *lobe, int lambda, float x) {
+static float single(const burnish_kernels_lobe *lobe, int lambda, float x) {
     switch (lobe->kind) {
-    case BURNISH_BATCH_SCHLICK:
+    case BURNISH_KERNELS_SCHLICK:
         return burnish_schlick_at_cosine(lambda ? 1.0f - x : x, lobe->exponent);
-    case BURNISH_BATCH_GX:
+    case BURNISH_KERNELS_GX:
         return burnish_gx_at_cosine(lambda ? 1.0f - x : x, lobe->exponent);
     default:
         return lambda ? burnish_lobe_at_lambda(lobe->family, x)
@@ -442,7 +442,7 @@ static float single(const burnish_batch_lobe *lobe, int lambda, float x) {
 static void check_all_floats(int kind, int order, int has_single) {
     static float in[BLOCK], values[BLOCK];
     for (int e = 0; e < EXPONENT_COUNT; ++e) {
-        burnish_batch_lobe lobe = make(kind, order, EXPONENTS[e]);
+        burnish_kernels_lobe lobe = make(kind, order, EXPONENTS[e]);
         for (int lambda = 0; lambda < 2; ++lambda) {
             int bad = 0, different = 0;
             for (uint64_t bits = 0; bits <= UINT32_MAX;) {
@@ -467,19 +467,19 @@ static void check_all_floats(int kind, int order, int has_single) {
 }
 
 static void check_values(void) {
-    check_power_accuracy(BURNISH_BATCH_POWER, POWER_ERROR);
-    check_power_accuracy(BURNISH_BATCH_GAUSSIAN, GAUSSIAN_ERROR);
+    check_power_accuracy(BURNISH_KERNELS_POWER, POWER_ERROR);
+    check_power_accuracy(BURNISH_KERNELS_GAUSSIAN, GAUSSIAN_ERROR);
     for (int order = 2; order <= 32; order *= 2) {
-        check_all_floats(BURNISH_BATCH_FAMILY, order, 1);
+        check_all_floats(BURNISH_KERNELS_FAMILY, order, 1);
     }
-    check_all_floats(BURNISH_BATCH_SCHLICK, 2, 1);
-    check_all_floats(BURNISH_BATCH_GX, 2, 1);
-    check_all_floats(BURNISH_BATCH_POWER, 2, 0);
-    check_all_floats(BURNISH_BATCH_WHOLE_POWER, 2, 0);
-    check_all_floats(BURNISH_BATCH_GAUSSIAN, 2, 0);
-    burnish_batch_lobe whole = make(BURNISH_BATCH_WHOLE_POWER, 2, 37);
+    check_all_floats(BURNISH_KERNELS_SCHLICK, 2, 1);
+    check_all_floats(BURNISH_KERNELS_GX, 2, 1);
+    check_all_floats(BURNISH_KERNELS_POWER, 2, 0);
+    check_all_floats(BURNISH_KERNELS_WHOLE_POWER, 2, 0);
+    check_all_floats(BURNISH_KERNELS_GAUSSIAN, 2, 0);
+    burnish_kernels_lobe whole = make(BURNISH_KERNELS_WHOLE_POWER, 2, 37);
     float c[3] = {0.9f, 1, 0.5f}, values[3];
-    burnish_batch_lobe_of_cosines(scalar(), &whole, 3, c, values, NULL);
+    burnish_kernels_lobe_of_cosines(scalar(), &whole, 3, c, values, NULL);
     CHECK(fabs((double)values[0] - pow((double)0.9f, 37)) < 1e-8, "0.9^37: %g", (double)values[0]);
     CHECK(values[1] == 1 && values[2] == 0x1p-37f, "1 and 2^-37: %g %g", (double)values[1],
           (double)values[2]);
@@ -495,7 +495,7 @@ static void check_normalize(void) {
         for (int i = 0; i < BLOCK; ++i, bits += 3) {
             in[0][i] = from_bits(bits);
         }
-        burnish_batch_normalize(scalar(), BLOCK, from, to);
+        burnish_kernels_normalize(scalar(), BLOCK, from, to);
         for (int i = 0; i < BLOCK; ++i) {
             double error = fabs((double)out[0][i] - 1);
             worst = error > worst ? error : worst;
@@ -509,7 +509,7 @@ static void check_normalize(void) {
     in[1][1] = -0x1p60f;
     in[0][2] = in[1][2] = 0;
     in[1][2] = 0;
-    burnish_batch_normalize(scalar(), 3, from, to);
+    burnish_kernels_normalize(scalar(), 3, from, to);
     CHECK(fabsf(out[0][0] - 0.6f) < 1.5e-7f && fabsf(out[1][0] - 0.8f) < 1.5e-7f,
           "3-4-5: %.9g %.9g", (double)out[0][0], (double)out[1][0]);
     CHECK(out[1][1] < -0.9999998f && out[1][1] > -1.0000002f, "a long one: %.9g",
@@ -537,8 +537,8 @@ static vec load(const float v[3]) {
     return (vec){(double)v[0], (double)v[1], (double)v[2]};
 }
 
-/* The equation of burnish/batch.h, as it stands there. */
-static void accurate_color(const burnish_batch_lighting *lighting, vec normal, vec place,
+/* The equation of burnish/kernels.h, as it stands there. */
+static void accurate_color(const burnish_kernels_lighting *lighting, vec normal, vec place,
                            const double diffuse[3], double color[3]) {
     vec n = unit(normal), v = load(lighting->viewer);
     double specular[3] = {0, 0, 0};
@@ -547,11 +547,11 @@ static void accurate_color(const burnish_batch_lighting *lighting, vec normal, v
         color[k] = (double)lighting->ambient[k];
     }
     for (int i = 0; i < lighting->light_count; ++i) {
-        const burnish_batch_light *light = &lighting->lights[i];
+        const burnish_kernels_light *light = &lighting->lights[i];
         vec l = load(light->vector);
-        l = unit(light->kind == BURNISH_BATCH_POINT ? sum(l, scaled(place, -1)) : l);
+        l = unit(light->kind == BURNISH_KERNELS_POINT ? sum(l, scaled(place, -1)) : l);
         double lit = dot(n, l), c = dot(n, unit(sum(l, v)));
-        if (lighting->highlight == BURNISH_BATCH_PHONG) {
+        if (lighting->highlight == BURNISH_KERNELS_PHONG) {
             c = 2 * lit * dot(n, v) - dot(l, v);
         }
         double lobe = lit > 0 ? accurate_lobe(&lighting->lobe, c) : 0;
@@ -575,16 +575,16 @@ static void check_equation(void) {
     double worst = 0, slope_worst = 0;
     int bright = 0, pixel_errors = 0;
     for (int trial = 0; trial < 60; ++trial) {
-        burnish_batch_lighting lighting = random_lighting(trial % BURNISH_BATCH_DARK, &state);
-        burnish_batch_shader shader;
+        burnish_kernels_lighting lighting = random_lighting(trial % BURNISH_KERNELS_DARK, &state);
+        burnish_kernels_shader shader;
         lighting.lyon = 0; /* has its own test */
         make_points(&arrays, BLOCK, 1, &state);
-        burnish_batch_prepare(&lighting, &shader, NULL);
-        burnish_batch_points points = points_at(&arrays, 0, 1, 1);
-        burnish_batch_shade_float(scalar(), &shader, &points, BLOCK, rgb, NULL);
-        burnish_batch_shade_rgba8(scalar(), &shader, &points, BLOCK, pixels, NULL);
+        burnish_kernels_prepare(&lighting, &shader, NULL);
+        burnish_kernels_points points = points_at(&arrays, 0, 1, 1);
+        burnish_kernels_shade_float(scalar(), &shader, &points, BLOCK, rgb, NULL);
+        burnish_kernels_shade_rgba8(scalar(), &shader, &points, BLOCK, pixels, NULL);
         /* a cosine is off by 1e-7 at three lights, and the lobe by that times its slope */
-        double slope = lighting.lobe.kind == BURNISH_BATCH_FAMILY
+        double slope = lighting.lobe.kind == BURNISH_KERNELS_FAMILY
                            ? (double)lighting.lobe.family.zeta * lighting.lobe.family.order
                            : (double)lighting.lobe.exponent + 1;
         for (int i = 0; i < BLOCK; ++i) {
@@ -619,8 +619,8 @@ static void check_equation(void) {
 
 /* Lyon's lobe is burnish_lyon_at_vectors of the same vectors. */
 static void check_lyon(void) {
-    burnish_batch_lighting lighting = burnish_batch_lighting_default();
-    burnish_batch_shader shader;
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
+    burnish_kernels_shader shader;
     uint32_t state = 5;
     double worst = 0;
     burnish_lobe_create(&lighting.lobe.family, BURNISH_FIT_TAYLOR, 4, 40);
@@ -629,7 +629,7 @@ static void check_lyon(void) {
         lighting.ambient[k] = lighting.diffuse[k] = 0;
         lighting.specular[k] = 1;
     }
-    burnish_batch_prepare(&lighting, &shader, NULL);
+    burnish_kernels_prepare(&lighting, &shader, NULL);
     vec h = unit(sum(load(lighting.lights[0].vector), load(lighting.viewer)));
     for (int i = 0; i < 2000; ++i) {
         vec n = unit((vec){h.x + (double)uniform(&state, -0.3f, 0.3f),
@@ -638,8 +638,8 @@ static void check_lyon(void) {
         float normal[3] = {(float)n.x, (float)n.y, (float)n.z}, color[3];
         float half[3] = {(float)h.x, (float)h.y, (float)h.z};
         float *const rgb[3] = {&color[0], &color[1], &color[2]};
-        burnish_batch_points points = {.normal = {&normal[0], &normal[1], &normal[2]}};
-        burnish_batch_shade_float(scalar(), &shader, &points, 1, rgb, NULL);
+        burnish_kernels_points points = {.normal = {&normal[0], &normal[1], &normal[2]}};
+        burnish_kernels_shade_float(scalar(), &shader, &points, 1, rgb, NULL);
         double error =
             fabs((double)color[0] - (double)burnish_lyon_at_vectors(normal, half, 40, 4));
         worst = error > worst ? error : worst;
@@ -650,22 +650,22 @@ static void check_lyon(void) {
 /* ---- Arguments and tiers ---- */
 
 static void check_errors(void) {
-    burnish_batch_lighting good = burnish_batch_lighting_default(), bad;
-    burnish_batch_shader shader;
+    burnish_kernels_lighting good = burnish_kernels_lighting_default(), bad;
+    burnish_kernels_shader shader;
     burnish_error error;
     float value = 0.5f;
     uint8_t pixel[4];
-    burnish_batch_lobe lobe = make(BURNISH_BATCH_WHOLE_POWER, 2, 3);
-    burnish_batch_points points = {.normal = {&value, &value, &value}};
+    burnish_kernels_lobe lobe = make(BURNISH_KERNELS_WHOLE_POWER, 2, 3);
+    burnish_kernels_points points = {.normal = {&value, &value, &value}};
 #define REFUSED(change)                                                                            \
     do {                                                                                           \
         bad = good;                                                                                \
         change;                                                                                    \
         error.text[0] = 0;                                                                         \
-        CHECK(burnish_batch_prepare(&bad, &shader, &error) == BURNISH_STATUS_ARGUMENT &&           \
+        CHECK(burnish_kernels_prepare(&bad, &shader, &error) == BURNISH_STATUS_ARGUMENT &&         \
                   error.text[0],                                                                   \
               "refused: " #change);                                                                \
-        CHECK(burnish_batch_shade_rgba8(scalar(), &shader, &points, 1, pixel, NULL) ==             \
+        CHECK(burnish_kernels_shade_rgba8(scalar(), &shader, &points, 1, pixel, NULL) ==           \
                   BURNISH_STATUS_ARGUMENT,                                                         \
               "not prepared: " #change);                                                           \
     } while (0)
@@ -673,25 +673,25 @@ static void check_errors(void) {
     REFUSED(bad.ambient[1] = NAN);
     REFUSED(bad.diffuse[2] = -1);
     REFUSED(bad.specular[0] = 2e6f);
-    REFUSED(bad.light_count = BURNISH_BATCH_LIGHT_MAX + 1);
+    REFUSED(bad.light_count = BURNISH_KERNELS_LIGHT_MAX + 1);
     REFUSED(bad.light_count = -1);
     REFUSED(bad.lights[0].vector[0] = 3);
     REFUSED(bad.lights[0].color[0] = -1);
     REFUSED(bad.viewer[2] = 0);
     REFUSED((bad.near_viewer = 1, bad.viewer[0] = INFINITY));
-    REFUSED((bad.lobe.kind = BURNISH_BATCH_POWER, bad.lobe.exponent = 0.5f));
-    REFUSED((bad.lobe.kind = BURNISH_BATCH_WHOLE_POWER, bad.lobe.exponent = 2.5f));
-    REFUSED(bad.lobe.kind = BURNISH_BATCH_LOBE_KIND_COUNT);
-    REFUSED((bad.lyon = 1, bad.highlight = BURNISH_BATCH_PHONG));
+    REFUSED((bad.lobe.kind = BURNISH_KERNELS_POWER, bad.lobe.exponent = 0.5f));
+    REFUSED((bad.lobe.kind = BURNISH_KERNELS_WHOLE_POWER, bad.lobe.exponent = 2.5f));
+    REFUSED(bad.lobe.kind = BURNISH_KERNELS_LOBE_KIND_COUNT);
+    REFUSED((bad.lyon = 1, bad.highlight = BURNISH_KERNELS_PHONG));
     REFUSED(bad.lobe.family.order = 3);
 #undef REFUSED
     good.near_viewer = 1;
-    CHECK(burnish_batch_prepare(&good, &shader, &error) == BURNISH_STATUS_OK, "%s", error.text);
-    CHECK(burnish_batch_shade_rgba8(scalar(), &shader, &points, 1, pixel, &error) ==
+    CHECK(burnish_kernels_prepare(&good, &shader, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK(burnish_kernels_shade_rgba8(scalar(), &shader, &points, 1, pixel, &error) ==
               BURNISH_STATUS_ARGUMENT,
           "a near viewer needs positions");
     lobe.exponent = 70000;
-    CHECK(burnish_batch_lobe_of_cosines(scalar(), &lobe, 1, &value, &value, &error) ==
+    CHECK(burnish_kernels_lobe_of_cosines(scalar(), &lobe, 1, &value, &value, &error) ==
                   BURNISH_STATUS_ARGUMENT &&
               value == 0.5f,
           "exponent 70000: %s", error.text);

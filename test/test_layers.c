@@ -1,52 +1,69 @@
-/* Folder dependencies point one way: reads every include of the sources and checks it against the
- * table, which is the architecture. */
+/* Folder dependencies point one way: reads every include below src, tools, bench and importers,
+ * file by file, and checks it against the table, which is the architecture. */
 #include <dirent.h>
+#include <sys/stat.h>
 
 #include "harness.h"
 
-/* What a folder may include: itself, and these. "public:NAME" is include/burnish/NAME. */
+/* What the files of a folder may include: those of the same folder, and these folders' and files'.
+ * "burnish/NAME" is include/burnish/NAME. A folder that is not listed fails. */
 static const struct layer {
     const char *folder;
     const char *may_include;
 } LAYERS[] = {
-    {"src/base", "public:file.h public:status.h"},
-    {"src/theory", "base public:lobe.h public:theory.h"},
-    {"src/kernels", "base public:batch.h public:isa.h public:lobe.h"},
-    {"src/scene", "base public:scene.h public:status.h"},
-    {"src/raster", "base kernels public:isa.h"},
-    {"src/shade", "base kernels raster public:batch.h"},
-    {"src/image", "base public:image.h public:status.h"},
-    {"src/render", "base kernels raster shade public:batch.h public:render.h public:theory.h "
-                   "public:status.h"},
-    {"tools/burnish",
-     "public:batch.h public:file.h public:image.h public:isa.h public:lobe.h public:render.h "
-     "public:scene.h public:status.h public:theory.h bench"},
-    {"bench", "kernels public:batch.h public:lobe.h public:render.h public:scene.h"},
+    {"src/core", "burnish/core.h"},
+    {"src/simd", "core shading burnish/core.h"},
+    {"src/theory", "core burnish/core.h burnish/lobe.h burnish/theory.h"},
+    {"src/shading", "core simd raster burnish/core.h burnish/kernels.h burnish/lobe.h"},
+    {"src/mesh", "core mesh/read mesh/build burnish/core.h burnish/mesh.h"},
+    {"src/mesh/build", "core mesh mesh/read burnish/core.h burnish/mesh.h"},
+    {"src/mesh/read", "core mesh mesh/build burnish/core.h burnish/mesh.h"},
+    {"src/raster", "core simd shading burnish/core.h"},
+    {"src/image", "core burnish/core.h burnish/image.h"},
+    {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/render.h "
+                   "burnish/theory.h"},
+    {"tools/burnish", "cli bench burnish"},
+    {"tools/burnish/cli", "lobe render burnish"},
+    {"tools/burnish/lobe", "cli plot burnish"},
+    {"tools/burnish/plot", "cli lobe burnish"},
+    {"tools/burnish/render", "cli lobe burnish"},
+    {"tools/generate", ""},
+    {"bench", "simd shading burnish"},
+    {"bench/peers", "bench core simd shading burnish"},
+    {"bench/scale", "bench/peers burnish"},
 };
 
-static int allowed(const struct layer *layer, const char *include) {
-    const char *slash_in_folder = strrchr(layer->folder, '/');
-    const char *own = slash_in_folder ? slash_in_folder + 1 : layer->folder;
-    char word[128];
-    if (strncmp(include, "burnish/", 8) == 0 && strncmp(layer->folder, "src/", 4) == 0) {
-        snprintf(word, sizeof word, "public:%s", include + 8);
-    } else if (strncmp(include, "burnish/", 8) == 0) {
-        snprintf(word, sizeof word, "public:%s", include + 8);
-    } else {
-        snprintf(word, sizeof word, "%s", include);
-        char *slash = strchr(word, '/');
-        if (!slash) { /* beside the file itself, in the tools */
-            return strncmp(layer->folder, "tools/", 6) == 0;
-        }
-        *slash = 0;
-        if (strcmp(word, own) == 0) {
-            return 1;
+static const struct layer *find_layer(const char *folder) {
+    for (size_t i = 0; i < sizeof LAYERS / sizeof LAYERS[0]; ++i) {
+        if (strcmp(LAYERS[i].folder, folder) == 0) {
+            return &LAYERS[i];
         }
     }
-    char padded[256], wanted[160];
-    snprintf(padded, sizeof padded, " %s ", layer->may_include);
-    snprintf(wanted, sizeof wanted, " %s ", word);
+    return NULL;
+}
+
+static int holds_word(const char *words, const char *word) {
+    char padded[256], wanted[256];
+    snprintf(padded, sizeof padded, " %.250s ", words);
+    snprintf(wanted, sizeof wanted, " %.250s ", word);
     return strstr(padded, wanted) != NULL;
+}
+
+/* Whether a file of `folder` may include "include": by its folder, or by its whole name. */
+static int allowed(const struct layer *layer, const char *include) {
+    const char *own = strchr(layer->folder, '/');
+    char folder[256];
+    snprintf(folder, sizeof folder, "%s", include);
+    char *slash = strrchr(folder, '/');
+    if (!slash) { /* beside the file itself */
+        return 1;
+    }
+    *slash = 0;
+    if (strncmp(layer->folder, "tools/burnish", 13) == 0) {
+        own = layer->folder[13] ? layer->folder + 13 : NULL;
+    }
+    return (own && strcmp(own + 1, folder) == 0) || strcmp(layer->folder, folder) == 0 ||
+           holds_word(layer->may_include, folder) || holds_word(layer->may_include, include);
 }
 
 static int check_file(const struct layer *layer, const char *path) {
@@ -68,38 +85,57 @@ static int check_file(const struct layer *layer, const char *path) {
     return includes;
 }
 
-static void check_layer(const struct layer *layer) {
-    char folder[512], path[1024];
+static int is_source(const char *name) {
+    const char *ending = strrchr(name, '.');
+    return ending &&
+           (strcmp(ending, ".c") == 0 || strcmp(ending, ".h") == 0 || strcmp(ending, ".cpp") == 0);
+}
+
+/* Checks the sources of a folder and of all below it; returns how many includes it saw. */
+static int check_folder(const char *folder) {
+    char path[1024];
     int includes = 0;
-    snprintf(folder, sizeof folder, "%s/%s", TEST_SOURCE_DIR, layer->folder);
-    DIR *directory = opendir(folder);
-    if (!CHECK(directory, "no folder %s", folder)) {
-        return;
+    snprintf(path, sizeof path, "%s/%s", TEST_SOURCE_DIR, folder);
+    DIR *directory = opendir(path);
+    if (!CHECK(directory, "no folder %s", path)) {
+        return 0;
     }
+    const struct layer *layer = find_layer(folder);
     for (struct dirent *entry; (entry = readdir(directory)) != NULL;) {
-        size_t length = strlen(entry->d_name);
-        if (length > 2 && entry->d_name[length - 2] == '.') {
-            snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        struct stat info;
+        snprintf(path, sizeof path, "%s/%s/%s", TEST_SOURCE_DIR, folder, entry->d_name);
+        if (entry->d_name[0] == '.' || stat(path, &info) != 0) {
+            continue;
+        }
+        if (S_ISDIR(info.st_mode)) {
+            char below[512];
+            snprintf(below, sizeof below, "%s/%s", folder, entry->d_name);
+            includes += check_folder(below);
+        } else if (is_source(entry->d_name) &&
+                   CHECK(layer, "%s: the folder %s is not in the table of layers", entry->d_name,
+                         folder)) {
             includes += check_file(layer, path);
         }
     }
     closedir(directory);
-    CHECK(includes > 0, "no include found in %s", folder);
+    return includes;
 }
 
 /* The test must be able to fail: these includes would turn the arrows round. */
 static void check_that_wrong_arrows_are_found(void) {
-    CHECK(!allowed(&LAYERS[3], "raster/raster.h"), "scene knows no raster");
-    CHECK(!allowed(&LAYERS[4], "shade/shade.h"), "raster knows no light");
-    CHECK(!allowed(&LAYERS[5], "burnish/scene.h"), "shade knows no file");
-    CHECK(!allowed(&LAYERS[0], "scene/source.h"), "base knows nobody");
-    CHECK(!allowed(&LAYERS[8], "base/srgb.h"), "tools use public headers");
-    CHECK(allowed(&LAYERS[5], "raster/raster.h"), "shade takes raster's result");
+    CHECK(!allowed(find_layer("src/mesh"), "raster/raster.h"), "mesh knows no raster");
+    CHECK(!allowed(find_layer("src/raster"), "render/frame.h"), "raster knows no frame");
+    CHECK(!allowed(find_layer("src/shading"), "burnish/mesh.h"), "shading knows no file");
+    CHECK(!allowed(find_layer("src/core"), "mesh/scene.h"), "core knows nobody");
+    CHECK(!allowed(find_layer("tools/burnish/render"), "core/srgb.h"), "tools: public headers");
+    CHECK(!find_layer("src/gltf"), "an unknown folder is found out");
+    CHECK(allowed(find_layer("src/render"), "raster/raster.h"), "render leads raster");
 }
 
 int main(void) {
-    for (size_t i = 0; i < sizeof LAYERS / sizeof LAYERS[0]; ++i) {
-        check_layer(&LAYERS[i]);
+    static const char *const ROOTS[] = {"src", "tools", "bench"};
+    for (size_t i = 0; i < sizeof ROOTS / sizeof ROOTS[0]; ++i) {
+        CHECK(check_folder(ROOTS[i]) > 0, "no include found in %s", ROOTS[i]);
     }
     check_that_wrong_arrows_are_found();
     return test_end("layers");

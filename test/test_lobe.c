@@ -76,14 +76,14 @@ static int parse(char *line, reference *row) {
     return 1;
 }
 
-static burnish_fit fit_of(const char *name) {
+static burnish_lobe_fit fit_of(const char *name) {
     static const char *const names[BURNISH_FIT_COUNT] = {"taylor", "energy", "level0.5",
                                                          "shift7", "shift3", "projected"};
     int fit = 0;
     while (fit < BURNISH_FIT_COUNT && strcmp(name, names[fit]) != 0) {
         ++fit;
     }
-    return (burnish_fit)fit;
+    return (burnish_lobe_fit)fit;
 }
 
 static int close_to(double got, double expected, double relative) {
@@ -92,7 +92,7 @@ static int close_to(double got, double expected, double relative) {
 
 /* A family row through every way to make its lobe; the value goes to the table. */
 static float family_value(const reference *row) {
-    burnish_fit fit = fit_of(row->fit);
+    burnish_lobe_fit fit = fit_of(row->fit);
     burnish_lobe lobe, made;
     double zeta;
     CHECK(burnish_lobe_from_zeta(&lobe, (float)row->zeta, row->order) == BURNISH_LOBE_OK, "%g",
@@ -193,8 +193,8 @@ static double uniform(uint64_t *state) {
 
 /* The bounds of lobe.h at random exponents, fits and cosines where the lobe is not 0. */
 static void check_accuracy(void) {
-    static const burnish_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY, BURNISH_FIT_SHIFT7,
-                                       BURNISH_FIT_SHIFT3};
+    static const burnish_lobe_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY,
+                                            BURNISH_FIT_SHIFT7, BURNISH_FIT_SHIFT3};
     uint64_t state = 1;
     for (int i = 0; i < SWEEP_BOUND_COUNT; ++i) {
         const sweep_bound *bound = &sweep_bounds[i];
@@ -237,7 +237,7 @@ static int is_dark(burnish_lobe lobe) {
 }
 
 /* burnish_lobe_create and burnish_theory_lobe both refuse, with the same status and a dark lobe. */
-static void check_refused(burnish_fit fit, int order, float exponent,
+static void check_refused(burnish_lobe_fit fit, int order, float exponent,
                           burnish_lobe_status expected) {
     burnish_lobe lobe = {7, 7};
     burnish_lobe_status status = burnish_lobe_create(&lobe, fit, order, exponent);
@@ -254,8 +254,8 @@ static void check_errors(void) {
                                           65536.0078f, FLT_MAX,   -FLT_MAX, FLT_MIN,
                                           INFINITY,    -INFINITY, NAN,      -NAN};
     static const int bad_orders[] = {0, 1, 3, 5, 6, 7, 12, 24, 31, 33, 64, -2, -32, 2147483647};
-    static const burnish_fit plain[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY};
-    static const burnish_fit shifts[] = {BURNISH_FIT_SHIFT7, BURNISH_FIT_SHIFT3};
+    static const burnish_lobe_fit plain[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY};
+    static const burnish_lobe_fit shifts[] = {BURNISH_FIT_SHIFT7, BURNISH_FIT_SHIFT3};
     for (int f = 0; f < 2; ++f) {
         for (size_t i = 0; i < sizeof bad_exponents / sizeof bad_exponents[0]; ++i) {
             for (int order = 2; order <= 32; order *= 2) {
@@ -277,8 +277,8 @@ static void check_errors(void) {
         }
     }
     check_refused(BURNISH_FIT_COUNT, 2, 10, BURNISH_LOBE_ERROR_FIT);
-    check_refused((burnish_fit)99, 2, 10, BURNISH_LOBE_ERROR_FIT);
-    check_refused((burnish_fit)-1, 2, 10, BURNISH_LOBE_ERROR_FIT);
+    check_refused((burnish_lobe_fit)99, 2, 10, BURNISH_LOBE_ERROR_FIT);
+    check_refused((burnish_lobe_fit)-1, 2, 10, BURNISH_LOBE_ERROR_FIT);
 
     burnish_lobe lobe = {7, 7};
     HOLDS(burnish_lobe_create(&lobe, BURNISH_FIT_LEVEL, 2, 10) ==
@@ -336,7 +336,7 @@ static void check_status_texts(void) {
 /* ---- Evaluating lobes ---------------------------------------------------------------------------
  */
 
-static burnish_lobe make(burnish_fit fit, int order, float exponent) {
+static burnish_lobe make(burnish_lobe_fit fit, int order, float exponent) {
     burnish_lobe lobe;
     CHECK(burnish_lobe_create(&lobe, fit, order, exponent) == BURNISH_LOBE_OK, "%d:%d %g", (int)fit,
           order, (double)exponent);
@@ -364,7 +364,7 @@ static void check_known_values(void) {
 }
 
 static void check_special_floats(void) {
-    static const burnish_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY};
+    static const burnish_lobe_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY};
     for (int order = 2; order <= 32; order *= 2) {
         for (int i = 0; i < 2; ++i) {
             burnish_lobe lobe = make(fits[i], order, 40);

@@ -2,10 +2,10 @@
  * strict numbers, and that the table of flags agrees with the library's own defaults. */
 #include <locale.h>
 
-#include "../tools/burnish/options.c"
-#include "../tools/burnish/render_flags.c"
-#include "../tools/burnish/render_values.c"
-#include "../tools/burnish/values.c"
+#include "../tools/burnish/cli/options.c"
+#include "../tools/burnish/cli/values.c"
+#include "../tools/burnish/render/flags.c"
+#include "../tools/burnish/render/values.c"
 #include "harness.h"
 
 /* A check whose condition says it all. */
@@ -46,7 +46,7 @@ static void test_defaults(void) {
     parsed p = parse("x.obj");
     burnish_render_options render = burnish_render_options_default();
     burnish_load_options load = burnish_load_options_default();
-    burnish_fit_options fit = burnish_fit_options_default();
+    burnish_framing fit = burnish_framing_default();
     const burnish_cli_render *s = &p.settings;
     HOLDS(s->size[0] == render.width && s->size[1] == render.height);
     HOLDS(s->samples == render.samples && s->threads == render.threads);

@@ -9,8 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/output.h"
 #include "burnish/image.h"
+#include "core/output.h"
 #include "harness.h"
 
 #define CHECK_STATUS(call, expected) CHECK((call) == (expected), "not the expected status")

@@ -3,7 +3,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "base/pool.h"
+#include "core/pool.h"
 #include "harness.h"
 
 enum { MOST = 1000, THREADS = 5 };

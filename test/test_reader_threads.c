@@ -2,10 +2,10 @@
  * warning by warning, and the same error at the same place. */
 #include <stdarg.h>
 
+#include "mesh/read/decimal.h"
+#include "mesh/read/parts.h"
+#include "mesh/read/text.h"
 #include "reader_input.h"
-#include "scene/decimal.h"
-#include "scene/parts.h"
-#include "scene/text.h"
 
 enum { PARTS = 17, POOLS = 2 };
 

@@ -3,10 +3,10 @@
 #include <math.h>
 #include <unistd.h>
 
-#include "base/srgb.h"
+#include "core/srgb.h"
+#include "mesh/read/number.h"
+#include "mesh/read/polygon.h"
 #include "reader_input.h"
-#include "scene/number.h"
-#include "scene/polygon.h"
 
 /* ---- numbers ---- */
 
@@ -721,35 +721,35 @@ static void test_guess(void) {
 
 static void test_files(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     burnish_error e = {0};
-    CHECK(burnish_scene_load(TEST_DATA_DIR "/cube.obj", &options, &scene, &e) == BURNISH_STATUS_OK,
+    CHECK(burnish_mesh_load(TEST_DATA_DIR "/cube.obj", &options, &scene, &e) == BURNISH_STATUS_OK,
           "%s", e.text);
     if (scene) {
-        CHECK_THAT(burnish_scene_mesh(scene)->triangle_count == 12);
-        CHECK_THAT(burnish_scene_material_count(scene) == 2 &&
-                   burnish_scene_warning_count(scene) == 0);
-        CHECK_THAT(color_is(burnish_scene_material(scene, 0)->diffuse, 0.8f, 0.2f, 0.1f));
-        CHECK_THAT(burnish_scene_format(scene) == BURNISH_FORMAT_OBJ);
+        CHECK_THAT(burnish_mesh_get_view(scene)->triangle_count == 12);
+        CHECK_THAT(burnish_mesh_material_count(scene) == 2 &&
+                   burnish_mesh_warning_count(scene) == 0);
+        CHECK_THAT(color_is(burnish_mesh_material(scene, 0)->diffuse, 0.8f, 0.2f, 0.1f));
+        CHECK_THAT(burnish_mesh_format(scene) == BURNISH_FORMAT_OBJ);
     }
-    burnish_scene_destroy(scene);
-    CHECK(burnish_scene_load(":sphere", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
-    CHECK_THAT(scene && burnish_scene_format(scene) == BURNISH_FORMAT_AUTO);
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
+    CHECK(burnish_mesh_load(":sphere", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_THAT(scene && burnish_mesh_format(scene) == BURNISH_FORMAT_AUTO);
+    burnish_mesh_destroy(scene);
 
     byte_list list = {.size = 0};
     put_ply(&list, 1);
-    CHECK(burnish_scene_load_memory(list.bytes, list.size, NULL, &options, &scene, &e) ==
+    CHECK(burnish_mesh_load_memory(list.bytes, list.size, NULL, &options, &scene, &e) ==
               BURNISH_STATUS_OK,
           "%s", e.text);
-    CHECK_THAT(scene && burnish_scene_format(scene) == BURNISH_FORMAT_PLY);
-    burnish_scene_destroy(scene);
+    CHECK_THAT(scene && burnish_mesh_format(scene) == BURNISH_FORMAT_PLY);
+    burnish_mesh_destroy(scene);
 }
 
 /* Standard input through a pipe, in pieces that grow the buffer. */
 static void test_standard_input(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     burnish_error e = {0};
     FILE *pipe =
         popen("head -c 300000 /dev/zero | tr '\\0' '#'; echo; cat " TEST_DATA_DIR "/cube.obj", "r");
@@ -758,14 +758,14 @@ static void test_standard_input(void) {
         return;
     }
     options.format = BURNISH_FORMAT_OBJ;
-    CHECK(burnish_scene_load("-", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
-    if (scene && CHECK_THAT(burnish_scene_warning_count(scene) == 1)) {
-        CHECK_THAT(burnish_scene_mesh(scene)->triangle_count == 12);
-        CHECK_TEXT(burnish_scene_warning(scene, 0),
+    CHECK(burnish_mesh_load("-", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    if (scene && CHECK_THAT(burnish_mesh_warning_count(scene) == 1)) {
+        CHECK_THAT(burnish_mesh_get_view(scene)->triangle_count == 12);
+        CHECK_TEXT(burnish_mesh_warning(scene, 0),
                    "standard input:3: material library \"cube.mtl\" was not read (the input has no "
                    "folder); its materials are burnish's grey");
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
     dup2(saved, STDIN_FILENO);
     close(saved);
     pclose(pipe);

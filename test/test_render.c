@@ -35,17 +35,16 @@ static void set_single_light(burnish_render_options *options, const double vecto
     memset(options->ambient_light, 0, sizeof options->ambient_light);
 }
 
-static burnish_scene *load(const char *name, int tessellation) {
+static burnish_mesh *load(const char *name, int tessellation) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_scene *scene;
+    burnish_mesh *scene;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     options.tessellation = tessellation;
-    CHECK(burnish_scene_load(name, &options, &scene, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK(burnish_mesh_load(name, &options, &scene, &error) == BURNISH_STATUS_OK, "%s", error.text);
     return scene;
 }
 
-static void set_material(burnish_scene *scene, float diffuse, float specular, float exponent) {
+static void set_material(burnish_mesh *scene, float diffuse, float specular, float exponent) {
     burnish_material material = burnish_material_default();
     for (int i = 0; i < 3; ++i) {
         material.ambient[i] = diffuse;
@@ -54,10 +53,10 @@ static void set_material(burnish_scene *scene, float diffuse, float specular, fl
     }
     material.exponent = exponent;
     material.has_diffuse = 1;
-    CHECK(burnish_scene_set_material(scene, 0, &material, NULL) == BURNISH_STATUS_OK, "material");
+    CHECK(burnish_mesh_set_material(scene, 0, &material, NULL) == BURNISH_STATUS_OK, "material");
 }
 
-static void render(const burnish_scene *scene, const burnish_render_options *options,
+static void render(const burnish_mesh *scene, const burnish_render_options *options,
                    burnish_image *image, burnish_render_report *report) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
     CHECK(burnish_render(scene, options, image, report, &error) == BURNISH_STATUS_OK, "%s",
@@ -118,7 +117,7 @@ static double half_crossing(const burnish_image *image, int start, int y, int st
 }
 
 /* Light from the viewer: a round highlight in the middle, half-width R sin(half angle). */
-static void check_highlight_width(burnish_scene *sphere) {
+static void check_highlight_width(burnish_mesh *sphere) {
     enum { SIZE = 401 };
     const double radius = SIZE / 2.2;
     static const double TOWARD_VIEWER[3] = {0, 0, 1};
@@ -144,7 +143,7 @@ static void check_highlight_width(burnish_scene *sphere) {
 }
 
 /* Every pixel well inside the sphere against the equation itself, for an oblique light. */
-static void check_highlight_everywhere(burnish_scene *sphere, burnish_equation equation) {
+static void check_highlight_everywhere(burnish_mesh *sphere, burnish_specular_model equation) {
     enum { SIZE = 301 };
     const double radius = SIZE / 2.2;
     const double light[3] = {0.48, 0.6, 0.64};
@@ -169,7 +168,7 @@ static void check_highlight_everywhere(burnish_scene *sphere, burnish_equation e
                 }
                 double nz = sqrt(1 - squared);
                 double n_dot_l = nx * light[0] + ny * light[1] + nz * light[2];
-                double cosine = equation == BURNISH_EQUATION_BLINN
+                double cosine = equation == BURNISH_SPECULAR_BLINN
                                     ? nx * half[0] + ny * half[1] + nz * half[2]
                                     : 2 * n_dot_l * nz - light[2];
                 double lobe = exact_lobe(&LOBES[i], cosine);
@@ -186,7 +185,7 @@ static void check_highlight_everywhere(burnish_scene *sphere, burnish_equation e
         }
         /* half a code of sRGB near .75 is .004; the tessellated normals add a little */
         CHECK(worst < 0.008, "%s: largest difference %.4f", LOBES[i].name, worst);
-        if (equation == BURNISH_EQUATION_BLINN) {
+        if (equation == BURNISH_SPECULAR_BLINN) {
             CHECK(weight > 0 && fabs(center[0] / weight - half[0] * radius) < 0.5 &&
                       fabs(center[1] / weight - half[1] * radius) < 0.5,
                   "%s: centre (%.2f, %.2f), expected (%.2f, %.2f)", LOBES[i].name,
@@ -196,13 +195,13 @@ static void check_highlight_everywhere(burnish_scene *sphere, burnish_equation e
     }
 }
 
-static burnish_scene *make_scene(const float *positions, const uint8_t *colors, size_t vertex_count,
-                                 const uint32_t *indices, size_t triangle_count) {
+static burnish_mesh *make_scene(const float *positions, const uint8_t *colors, size_t vertex_count,
+                                const uint32_t *indices, size_t triangle_count) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_scene *scene;
+    burnish_mesh *scene;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(burnish_scene_create(positions, NULL, colors, vertex_count, indices, triangle_count,
-                               &options, &scene, &error) == BURNISH_STATUS_OK,
+    CHECK(burnish_mesh_create(positions, NULL, colors, vertex_count, indices, triangle_count,
+                              &options, &scene, &error) == BURNISH_STATUS_OK,
           "%s", error.text);
     return scene;
 }
@@ -216,7 +215,7 @@ static void check_perspective_colors(void) {
     static const float POSITIONS[12] = {-50, -1, 14, 50, -1, 14, 50, -1, -40, -50, -1, -40};
     static const uint8_t COLORS[16] = {0,   0,   0,   255, 0,   0,   0,   255,
                                        255, 255, 255, 255, 255, 255, 255, 255};
-    burnish_scene *scene = make_scene(POSITIONS, COLORS, 4, QUAD, 2);
+    burnish_mesh *scene = make_scene(POSITIONS, COLORS, 4, QUAD, 2);
     burnish_render_options options = front_options(SIZE, SIZE, 0);
     burnish_image image;
     double worst = 0;
@@ -240,14 +239,14 @@ static void check_perspective_colors(void) {
     CHECK(checked > 1000, "%d pixels checked", checked);
     CHECK(worst < 0.005, "largest difference from the ray's hit: %.4f", worst);
     burnish_image_destroy(&image);
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 /* kd N.L of a point light one unit above a plane, with the light in scene and in camera space. */
 static void check_point_light(int follows_camera, double orthographic_height) {
     enum { SIZE = 150 };
     static const float POSITIONS[12] = {-9, -9, 0, 9, -9, 0, 9, 9, 0, -9, 9, 0};
-    burnish_scene *scene = make_scene(POSITIONS, NULL, 4, QUAD, 2);
+    burnish_mesh *scene = make_scene(POSITIONS, NULL, 4, QUAD, 2);
     burnish_render_options options = front_options(SIZE, SIZE, orthographic_height);
     burnish_image image;
     double worst = 0, extent = orthographic_height / 2;
@@ -275,13 +274,13 @@ static void check_point_light(int follows_camera, double orthographic_height) {
     CHECK(worst < 0.005, "camera space %d, height %g: largest difference %.4f", follows_camera,
           orthographic_height, worst);
     burnish_image_destroy(&image);
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 /* Half-covered pixels mix with the background in linear light, or become alpha. */
 static void check_edges(void) {
     static const float POSITIONS[12] = {-3, -3, 0, 0, -3, 0, 0, 3, 0, -3, 3, 0};
-    burnish_scene *scene = make_scene(POSITIONS, NULL, 4, QUAD, 2);
+    burnish_mesh *scene = make_scene(POSITIONS, NULL, 4, QUAD, 2);
     burnish_image image;
     burnish_render_report report;
     burnish_render_options options = front_options(5, 5, 5); /* the edge crosses pixel 2's middle */
@@ -310,7 +309,7 @@ static void check_edges(void) {
           "straight alpha: %d %d", edge[0], edge[3]);
     CHECK(image.pixels[3] == 255 && image.pixels[4 * 4 + 3] == 0, "opaque and empty");
     burnish_image_destroy(&image);
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 /* Counts pixels that differ by more than one code where `map` says the same thing should be. */
@@ -330,7 +329,7 @@ static int count_differences(const burnish_image *a, const burnish_image *b, int
 }
 
 /* A bent, coloured surface without symmetry of its own. */
-static burnish_scene *make_surface(int mirrored, int turned) {
+static burnish_mesh *make_surface(int mirrored, int turned) {
     enum { N = 40 };
     static float positions[3 * N * N];
     static uint8_t colors[4 * N * N];
@@ -363,8 +362,8 @@ static burnish_scene *make_surface(int mirrored, int turned) {
 
 static void check_symmetry(int turned, double orthographic_height, int samples) {
     enum { SIZE = 240 };
-    burnish_scene *scene = make_surface(0, 0);
-    burnish_scene *other = make_surface(!turned, turned);
+    burnish_mesh *scene = make_surface(0, 0);
+    burnish_mesh *other = make_surface(!turned, turned);
     burnish_render_options options = front_options(SIZE, SIZE, orthographic_height);
     burnish_image image, changed;
     options.camera.view_angle = 24;
@@ -384,22 +383,22 @@ static void check_symmetry(int turned, double orthographic_height, int samples) 
     CHECK(same > 3 * SIZE * SIZE / 8, "the scene itself has no such symmetry: %d", same);
     burnish_image_destroy(&image);
     burnish_image_destroy(&changed);
-    burnish_scene_destroy(scene);
-    burnish_scene_destroy(other);
+    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(other);
 }
 
 static void check_threads(void) {
     static const int THREADS[] = {1, 2, 7, 64};
-    burnish_scene *scene = load(":knot", 16);
+    burnish_mesh *scene = load(":knot", 16);
     uint64_t first = 0;
     burnish_render_report first_report = {0};
     for (int i = 0; i < 4; ++i) {
         burnish_render_options options = front_options(500, 300, 0);
-        burnish_fit_options fit = burnish_fit_options_default();
+        burnish_framing fit = burnish_framing_default();
         burnish_image image;
         burnish_render_report report;
         fit.aspect = 5.0 / 3;
-        burnish_camera_fit(scene, &fit, &options.camera, NULL);
+        burnish_camera_frame(scene, &fit, &options.camera, NULL);
         options.threads = THREADS[i];
         options.samples = 8;
         render(scene, &options, &image, &report);
@@ -413,13 +412,13 @@ static void check_threads(void) {
               "%d threads: other counts", THREADS[i]);
         burnish_image_destroy(&image);
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 /* A renderer draws what burnish_render draws, whatever it drew before: other meshes, sizes,
  * samples, threads, lobes, with and without colours and alpha. */
-static void check_renderer(burnish_scene *sphere) {
-    burnish_scene *const scenes[] = {load(":knot", 16), sphere, make_surface(0, 0)};
+static void check_renderer(burnish_mesh *sphere) {
+    burnish_mesh *const scenes[] = {load(":knot", 16), sphere, make_surface(0, 0)};
     burnish_renderer *renderer;
     burnish_image image = {0};
     CHECK(burnish_renderer_create(&renderer, NULL) == BURNISH_STATUS_OK, "a renderer");
@@ -457,11 +456,11 @@ static void check_renderer(burnish_scene *sphere) {
               !image.pixels,
           "an error empties the image");
     burnish_renderer_destroy(renderer);
-    burnish_scene_destroy(scenes[0]);
-    burnish_scene_destroy(scenes[2]);
+    burnish_mesh_destroy(scenes[0]);
+    burnish_mesh_destroy(scenes[2]);
 }
 
-static void check_blank(burnish_scene *sphere) {
+static void check_blank(burnish_mesh *sphere) {
     burnish_render_options options = front_options(64, 64, 0);
     burnish_image image;
     burnish_render_report report;
@@ -499,8 +498,8 @@ static void check_lobe_words(void) {
 }
 
 /* Without back faces a closed surface looks the same, and an open one shows from its front only. */
-static void check_culling(burnish_scene *sphere) {
-    burnish_scene *const scenes[] = {sphere, make_surface(0, 0)};
+static void check_culling(burnish_mesh *sphere) {
+    burnish_mesh *const scenes[] = {sphere, make_surface(0, 0)};
     for (int i = 0; i < 2; ++i) {
         for (int back = 0; back < 2; ++back) {
             burnish_render_options options = front_options(96, 96, 2.2);
@@ -519,11 +518,11 @@ static void check_culling(burnish_scene *sphere) {
             burnish_image_destroy(&culled);
         }
     }
-    burnish_scene_destroy(scenes[1]);
+    burnish_mesh_destroy(scenes[1]);
 }
 
 /* A lobe whose order is too high for a material falls back and is counted. */
-static void check_fallback(burnish_scene *sphere) {
+static void check_fallback(burnish_mesh *sphere) {
     burnish_render_options options = front_options(64, 64, 2.2);
     burnish_image image, lower;
     burnish_render_report report;
@@ -539,7 +538,7 @@ static void check_fallback(burnish_scene *sphere) {
     burnish_image_destroy(&lower);
 }
 
-static void expect_error(const burnish_scene *scene, const burnish_render_options *options,
+static void expect_error(const burnish_mesh *scene, const burnish_render_options *options,
                          const char *part) {
     burnish_image image;
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -549,7 +548,7 @@ static void expect_error(const burnish_scene *scene, const burnish_render_option
     CHECK(!image.pixels && image.width == 0, "the image stays empty");
 }
 
-static void check_errors(burnish_scene *sphere) {
+static void check_errors(burnish_mesh *sphere) {
     const burnish_render_options good = front_options(64, 64, 2.2);
     burnish_render_options options;
     memset(&options, 0, sizeof options);
@@ -579,10 +578,10 @@ static void check_errors(burnish_scene *sphere) {
 }
 
 int main(void) {
-    burnish_scene *sphere = load(":sphere", 96);
+    burnish_mesh *sphere = load(":sphere", 96);
     check_highlight_width(sphere);
-    check_highlight_everywhere(sphere, BURNISH_EQUATION_BLINN);
-    check_highlight_everywhere(sphere, BURNISH_EQUATION_PHONG);
+    check_highlight_everywhere(sphere, BURNISH_SPECULAR_BLINN);
+    check_highlight_everywhere(sphere, BURNISH_SPECULAR_PHONG);
     check_perspective_colors();
     check_point_light(0, 4);
     check_point_light(1, 4);
@@ -602,6 +601,6 @@ int main(void) {
     check_fallback(sphere);
     check_culling(sphere);
     check_errors(sphere);
-    burnish_scene_destroy(sphere);
+    burnish_mesh_destroy(sphere);
     return test_end("render");
 }

@@ -1,12 +1,12 @@
 /* Scenes from triangles: welding, made normals, orientation, materials, and every refusal. */
 #include <math.h>
 
-#include "base/memory.h"
-#include "burnish/scene.h"
+#include "burnish/mesh.h"
+#include "core/memory.h"
 #include "harness.h"
-#include "scene/normals.h"
-#include "scene/source.h"
-#include "scene/weld.h"
+#include "mesh/build/normals.h"
+#include "mesh/build/weld.h"
+#include "mesh/read/source.h"
 
 #define CHECK_THAT(condition) CHECK(condition, "does not hold")
 
@@ -60,11 +60,11 @@ static void cube_point(uint32_t number, float p[3]) {
 }
 
 /* The cube as an STL file states it: nothing shared. */
-static burnish_scene *soup(double crease, int turned) {
+static burnish_mesh *soup(double crease, int turned) {
     burnish_load_options options = burnish_load_options_default();
     burnish_source source = {0};
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     uint32_t corners[36];
     options.crease_angle = crease;
     cube_corners(corners, turned);
@@ -76,7 +76,7 @@ static burnish_scene *soup(double crease, int turned) {
     }
     source.position_count = 36;
     source.triangle_count = 12;
-    CHECK(burnish_scene_build(&source, "cube.stl", &options, BURNISH_FORMAT_STL, &scene, &error) ==
+    CHECK(burnish_mesh_build(&source, "cube.stl", &options, BURNISH_FORMAT_STL, &scene, &error) ==
               BURNISH_STATUS_OK,
           "%s", error.text);
     burnish_source_destroy(&source);
@@ -85,17 +85,17 @@ static burnish_scene *soup(double crease, int turned) {
 
 static burnish_status create(const float *positions, const float *normals, const uint8_t *colors,
                              size_t vertex_count, const uint32_t *indices, size_t triangle_count,
-                             double crease, burnish_scene **scene, burnish_error *error) {
+                             double crease, burnish_mesh **scene, burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
     options.crease_angle = crease;
-    return burnish_scene_create(positions, normals, colors, vertex_count, indices, triangle_count,
-                                &options, scene, error);
+    return burnish_mesh_create(positions, normals, colors, vertex_count, indices, triangle_count,
+                               &options, scene, error);
 }
 
 /* The scene of plain positions and indices; must succeed. */
-static burnish_scene *plain(const float *positions, size_t vertex_count, const uint32_t *indices,
-                            size_t triangle_count, double crease) {
-    burnish_scene *scene = NULL;
+static burnish_mesh *plain(const float *positions, size_t vertex_count, const uint32_t *indices,
+                           size_t triangle_count, double crease) {
+    burnish_mesh *scene = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     CHECK(create(positions, NULL, NULL, vertex_count, indices, triangle_count, crease, &scene,
                  &error) == BURNISH_STATUS_OK,
@@ -110,8 +110,8 @@ static int near(const float *v, double x, double y, double z, double bound) {
 
 static void test_cube(void) {
     for (int turned = 0; turned < 64; ++turned) {
-        burnish_scene *flat = soup(40, turned), *smooth = soup(180, turned);
-        const burnish_mesh *mesh = burnish_scene_mesh(flat);
+        burnish_mesh *flat = soup(40, turned), *smooth = soup(180, turned);
+        const burnish_mesh_view *mesh = burnish_mesh_get_view(flat);
         CHECK(mesh->vertex_count == 24 && mesh->triangle_count == 12, "%zu", mesh->vertex_count);
         for (size_t i = 0; i < 36; ++i) {
             const float *n = mesh->normals + 3 * mesh->indices[i];
@@ -121,7 +121,7 @@ static void test_cube(void) {
                   "not a face's normal");
         }
         /* Smooth: one vertex a corner, along the diagonal however the faces are cut. */
-        mesh = burnish_scene_mesh(smooth);
+        mesh = burnish_mesh_get_view(smooth);
         CHECK(mesh->vertex_count == 8, "%zu", mesh->vertex_count);
         for (size_t i = 0; i < mesh->vertex_count; ++i) {
             const float *p = mesh->positions + 3 * i;
@@ -132,18 +132,18 @@ static void test_cube(void) {
         }
         CHECK_THAT(mesh->bounds_min[1] == -1 && mesh->bounds_max[2] == 1);
         CHECK_THAT(mesh->colors == NULL && mesh->triangle_materials == NULL);
-        CHECK_THAT(burnish_scene_format(smooth) == BURNISH_FORMAT_STL);
-        burnish_scene_destroy(flat);
-        burnish_scene_destroy(smooth);
+        CHECK_THAT(burnish_mesh_format(smooth) == BURNISH_FORMAT_STL);
+        burnish_mesh_destroy(flat);
+        burnish_mesh_destroy(smooth);
     }
     /* The edge of a cube is exactly 90 degrees: not smooth at a crease angle of 90, at 91 it is. */
     const double crease[3] = {0, 90, 91};
     const size_t vertices[3] = {24, 24, 8};
     for (int i = 0; i < 3; ++i) {
-        burnish_scene *scene = soup(crease[i], 21);
-        CHECK(burnish_scene_mesh(scene)->vertex_count == vertices[i], "%g: %zu", crease[i],
-              burnish_scene_mesh(scene)->vertex_count);
-        burnish_scene_destroy(scene);
+        burnish_mesh *scene = soup(crease[i], 21);
+        CHECK(burnish_mesh_get_view(scene)->vertex_count == vertices[i], "%g: %zu", crease[i],
+              burnish_mesh_get_view(scene)->vertex_count);
+        burnish_mesh_destroy(scene);
     }
 }
 
@@ -168,8 +168,8 @@ static void test_cylinder(void) {
         t += 12;
     }
     memcpy(positions + 3 * 2 * SIDES, (float[]){0, 0, -1, 0, 0, 1}, 6 * sizeof(float));
-    burnish_scene *scene = plain(positions, 2 * SIDES + 2, indices, 4 * SIDES, 40);
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    burnish_mesh *scene = plain(positions, 2 * SIDES + 2, indices, 4 * SIDES, 40);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     CHECK(mesh->vertex_count == 4 * SIDES + 2, "%zu", mesh->vertex_count);
     for (size_t i = 0; i < 4 * SIDES; ++i) {
         for (size_t k = 0; k < 3; ++k) {
@@ -180,7 +180,7 @@ static void test_cylinder(void) {
                   "triangle %zu: %g %g %g", i, (double)n[0], (double)n[1], (double)n[2]);
         }
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 /* A cone of 200,000 sides: the hub's faces are joined in a ring. Then as many faces on one edge. */
@@ -196,26 +196,26 @@ static void test_large_fan(void) {
         memcpy(indices + 3 * i, (uint32_t[]){count, i, (i + 1) % count}, 12);
     }
     memcpy(positions + 3 * count, (float[]){0, 0, 1, 0, 0, -1}, 6 * sizeof(float));
-    burnish_scene *scene = plain(positions, count + 2, indices, count, 40);
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    burnish_mesh *scene = plain(positions, count + 2, indices, count, 40);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     CHECK(mesh->vertex_count == count + 1, "%zu", mesh->vertex_count);
     CHECK(mesh->vertex_count > 0 && near(mesh->positions, 0, 0, 1, 0) &&
               near(mesh->normals, 0, 0, 1, 1e-6),
           "%g %g %g", (double)mesh->normals[0], (double)mesh->normals[1], (double)mesh->normals[2]);
-    CHECK_THAT(burnish_scene_warning_count(scene) == 0);
-    burnish_scene_destroy(scene);
+    CHECK_THAT(burnish_mesh_warning_count(scene) == 0);
+    burnish_mesh_destroy(scene);
 
     for (uint32_t i = 0; i < count; ++i) {
         memcpy(indices + 3 * i, (uint32_t[]){count, count + 1, i}, 12);
     }
     scene = plain(positions, count + 2, indices, count, 40);
-    mesh = burnish_scene_mesh(scene);
+    mesh = burnish_mesh_get_view(scene);
     CHECK_THAT(mesh->triangle_count == count);
     /* Joined one to the next they make some groups, none of which goes all the way round: at the
        outer end each face has one vertex, at the edge's ends the groups have one each. */
     CHECK(mesh->vertex_count > count + 2 && mesh->vertex_count < count + 200, "all around: %zu",
           mesh->vertex_count);
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
     free(positions);
     free(indices);
 }
@@ -224,14 +224,14 @@ static void test_large_fan(void) {
 static void test_double_sided(void) {
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0.1f, 1, 1, 0};
     const uint32_t indices[] = {0, 1, 2, 0, 2, 1, 1, 3, 2, 1, 2, 3};
-    burnish_scene *scene = plain(positions, 4, indices, 4, 40);
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    burnish_mesh *scene = plain(positions, 4, indices, 4, 40);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     CHECK(mesh->vertex_count == 8, "%zu", mesh->vertex_count);
     for (int k = 0; k < 12; ++k) {
         float z = mesh->normals[3 * mesh->indices[k] + 2];
         CHECK((k / 3 % 2 == 0) == (z > 0), "corner %d: %g", k, (double)z);
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 static int compare_positions(const void *a, const void *b) {
@@ -312,28 +312,28 @@ static void test_zero_area(void) {
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0, 0, 0, -0.0f, 9, 9, 9};
     /* good; on a line; index twice; position twice; -0 is 0; good */
     const uint32_t indices[] = {0, 1, 2, 0, 1, 3, 1, 1, 2, 0, 0, 0, 0, 4, 1, 4, 3, 2};
-    burnish_scene *scene = plain(positions, 6, indices, 6, 40);
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    burnish_mesh *scene = plain(positions, 6, indices, 6, 40);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     CHECK(mesh->triangle_count == 2 && mesh->vertex_count == 4, "%zu", mesh->vertex_count);
     CHECK_THAT(near(mesh->positions + 3 * mesh->indices[4], 2, 0, 0, 0));
     CHECK_THAT(mesh->bounds_max[0] == 2 && mesh->bounds_max[2] == 0);
-    CHECK_THAT(burnish_scene_warning_count(scene) == 1);
-    CHECK_TEXT(burnish_scene_warning(scene, 0),
-               "burnish_scene_create: 4 of 6 triangles have no area and were left out");
-    CHECK_THAT(burnish_scene_warning(scene, 1) == NULL);
-    burnish_scene_destroy(scene);
+    CHECK_THAT(burnish_mesh_warning_count(scene) == 1);
+    CHECK_TEXT(burnish_mesh_warning(scene, 0),
+               "burnish_mesh_create: 4 of 6 triangles have no area and were left out");
+    CHECK_THAT(burnish_mesh_warning(scene, 1) == NULL);
+    burnish_mesh_destroy(scene);
 
     burnish_error error;
-    scene = (burnish_scene *)&error;
+    scene = (burnish_mesh *)&error;
     CHECK_THAT(create(positions, NULL, NULL, 6, indices + 3, 4, 40, &scene, &error) ==
                BURNISH_STATUS_FORMAT);
     CHECK_THAT(scene == NULL && error.status == BURNISH_STATUS_FORMAT);
-    CHECK(strstr(error.text, "burnish_scene_create: no triangle has any area; 4 triangles"), "%s",
+    CHECK(strstr(error.text, "burnish_mesh_create: no triangle has any area; 4 triangles"), "%s",
           error.text);
     burnish_source empty = {0};
     burnish_load_options options = burnish_load_options_default();
-    CHECK_THAT(burnish_scene_build(&empty, "empty.obj", &options, BURNISH_FORMAT_OBJ, &scene,
-                                   &error) == BURNISH_STATUS_FORMAT);
+    CHECK_THAT(burnish_mesh_build(&empty, "empty.obj", &options, BURNISH_FORMAT_OBJ, &scene,
+                                  &error) == BURNISH_STATUS_FORMAT);
     CHECK(strstr(error.text, "empty.obj: no triangle has any area; 0 triangles"), "%s", error.text);
 }
 
@@ -344,9 +344,9 @@ static void test_extreme_sizes(void) {
     for (int i = 0; i < 4; ++i) {
         float s = sizes[i];
         const float positions[] = {-s, 0, 0, s, 0, 0, 0, s, 0};
-        burnish_scene *scene = plain(positions, 3, indices, 1, 40);
-        CHECK(near(burnish_scene_mesh(scene)->normals, 0, 0, 1, 0), "%g", (double)s);
-        burnish_scene_destroy(scene);
+        burnish_mesh *scene = plain(positions, 3, indices, 1, 40);
+        CHECK(near(burnish_mesh_get_view(scene)->normals, 0, 0, 1, 0), "%g", (double)s);
+        burnish_mesh_destroy(scene);
     }
 }
 
@@ -355,11 +355,11 @@ static void test_given_normals(void) {
     /* Any length; pointing away from the first triangle's winding; one 0 and one not a number. */
     const float normals[] = {0, -1e-30f, -1e-30f, 0, 0, -3e38f, 0, 0, 0, NAN, 0, 1};
     const uint32_t indices[] = {0, 1, 2, 1, 3, 2};
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     CHECK(create(positions, normals, NULL, 4, indices, 2, 40, &scene, &error) == BURNISH_STATUS_OK,
           "%s", error.text);
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     const float *n = mesh->normals;
     /* Both triangles are turned, and the made normals follow. */
     CHECK(mesh->vertex_count == 4, "%zu", mesh->vertex_count);
@@ -369,7 +369,7 @@ static void test_given_normals(void) {
     CHECK_THAT(near(n + 3 * mesh->indices[1], 0, 0, -1, 0));
     CHECK_THAT(near(n + 3 * mesh->indices[2], 0, 0, -1, 0));
     CHECK_THAT(near(n + 3 * mesh->indices[5], 0, 0, -1, 0));
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 static void test_colors(void) {
@@ -378,22 +378,22 @@ static void test_colors(void) {
     const uint8_t colors[] = {1, 2, 3, 255, 5, 6, 7, 255, 9, 9, 9,   255,
                               5, 6, 7, 255, 8, 8, 8, 255, 9, 9, 200, 255};
     const uint32_t indices[] = {0, 1, 2, 3, 4, 5};
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     CHECK_THAT(create(positions, NULL, colors, 6, indices, 2, 40, &scene, NULL) ==
                BURNISH_STATUS_OK);
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     CHECK(mesh->vertex_count == 5, "%zu", mesh->vertex_count);
     for (int i = 0; i < 6; ++i) {
         CHECK(memcmp(mesh->colors + 4 * mesh->indices[i], colors + 4 * i, 4) == 0, "corner %d", i);
         CHECK(memcmp(mesh->positions + 3 * mesh->indices[i], positions + 3 * i, 12) == 0,
               "corner %d", i);
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
 }
 
 /* Four triangles in a row, the second without area; material numbers as given. */
 static burnish_status build_materials(size_t material_count, const uint16_t numbers[4],
-                                      burnish_scene **scene, burnish_error *error) {
+                                      burnish_mesh **scene, burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
     burnish_source source = {0};
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
@@ -413,37 +413,37 @@ static burnish_status build_materials(size_t material_count, const uint16_t numb
     source.triangle_count = 4;
     source.material_count = material_count;
     burnish_status status =
-        burnish_scene_build(&source, "row.obj", &options, BURNISH_FORMAT_OBJ, scene, error);
+        burnish_mesh_build(&source, "row.obj", &options, BURNISH_FORMAT_OBJ, scene, error);
     burnish_source_destroy(&source);
     return status;
 }
 
 static void test_material_numbers(void) {
-    burnish_scene *scene;
+    burnish_mesh *scene;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     const uint16_t numbers[4] = {2, 1, 0, 2};
     CHECK(build_materials(3, numbers, &scene, &error) == BURNISH_STATUS_OK, "%s", error.text);
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
-    CHECK_THAT(mesh->triangle_count == 3 && burnish_scene_material_count(scene) == 3);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
+    CHECK_THAT(mesh->triangle_count == 3 && burnish_mesh_material_count(scene) == 3);
     const uint16_t *kept = mesh->triangle_materials;
     if (CHECK_THAT(kept != NULL)) {
         CHECK(kept[0] == 2 && kept[1] == 0 && kept[2] == 2, "%d %d %d", kept[0], kept[1], kept[2]);
     }
-    CHECK_THAT(burnish_scene_material(scene, 2)->exponent == 12);
-    CHECK_THAT(burnish_scene_material(scene, 3) == NULL);
-    burnish_scene_destroy(scene);
+    CHECK_THAT(burnish_mesh_material(scene, 2)->exponent == 12);
+    CHECK_THAT(burnish_mesh_material(scene, 3) == NULL);
+    burnish_mesh_destroy(scene);
 
     CHECK_THAT(build_materials(1, numbers, &scene, &error) == BURNISH_STATUS_OK);
-    CHECK_THAT(burnish_scene_mesh(scene)->triangle_materials == NULL);
-    CHECK_THAT(burnish_scene_material_count(scene) == 1);
-    CHECK_THAT(burnish_scene_material(scene, 0)->exponent == 10);
-    burnish_scene_destroy(scene);
+    CHECK_THAT(burnish_mesh_get_view(scene)->triangle_materials == NULL);
+    CHECK_THAT(burnish_mesh_material_count(scene) == 1);
+    CHECK_THAT(burnish_mesh_material(scene, 0)->exponent == 10);
+    burnish_mesh_destroy(scene);
 
     CHECK_THAT(build_materials(0, numbers, &scene, &error) == BURNISH_STATUS_OK);
     burnish_material grey = burnish_material_default();
-    CHECK_THAT(burnish_scene_material_count(scene) == 1);
-    CHECK_THAT(memcmp(burnish_scene_material(scene, 0), &grey, sizeof grey) == 0);
-    burnish_scene_destroy(scene);
+    CHECK_THAT(burnish_mesh_material_count(scene) == 1);
+    CHECK_THAT(memcmp(burnish_mesh_material(scene, 0), &grey, sizeof grey) == 0);
+    burnish_mesh_destroy(scene);
 
     CHECK_THAT(build_materials(2, numbers, &scene, &error) == BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "row.obj: triangle 0 has material 2, but there are only 2");
@@ -451,19 +451,19 @@ static void test_material_numbers(void) {
 }
 
 static void test_set_material(void) {
-    burnish_scene *scene = soup(40, 0);
+    burnish_mesh *scene = soup(40, 0);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_material m = burnish_material_default();
     CHECK_THAT(m.has_diffuse == 0 && m.has_exponent == 0 && m.exponent >= 1);
     m.exponent = 65536;
     m.diffuse[1] = 1;
     m.specular[2] = 0;
-    CHECK_THAT(burnish_scene_set_material(scene, 0, &m, &error) == BURNISH_STATUS_OK);
-    CHECK_THAT(memcmp(burnish_scene_material(scene, 0), &m, sizeof m) == 0);
-    CHECK_THAT(burnish_scene_set_material(scene, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_mesh_set_material(scene, 0, &m, &error) == BURNISH_STATUS_OK);
+    CHECK_THAT(memcmp(burnish_mesh_material(scene, 0), &m, sizeof m) == 0);
+    CHECK_THAT(burnish_mesh_set_material(scene, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "index: 1 is out of range, the scene has 1 material");
-    CHECK_THAT(burnish_scene_set_material(NULL, 0, &m, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK_THAT(burnish_scene_set_material(scene, 0, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_mesh_set_material(NULL, 0, &m, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_THAT(burnish_mesh_set_material(scene, 0, NULL, &error) == BURNISH_STATUS_ARGUMENT);
     const float bad[] = {-0.1f, 1.5f, NAN, INFINITY};
     for (int i = 0; i < 4; ++i) {
         burnish_material wrong[4] = {m, m, m, m};
@@ -471,20 +471,20 @@ static void test_set_material(void) {
         wrong[3].exponent = bad[i] == 1.5f ? 0.5f : bad[i];
         const char *words[] = {"ambient[0]", "diffuse[1]", "specular[2]", "exponent"};
         for (int k = 0; k < 4; ++k) {
-            CHECK_THAT(burnish_scene_set_material(scene, 0, &wrong[k], &error) ==
+            CHECK_THAT(burnish_mesh_set_material(scene, 0, &wrong[k], &error) ==
                        BURNISH_STATUS_ARGUMENT);
             CHECK(strstr(error.text, words[k]), "%s", error.text);
         }
     }
-    CHECK(memcmp(burnish_scene_material(scene, 0), &m, sizeof m) == 0, "a refused one was stored");
-    burnish_scene_destroy(scene);
+    CHECK(memcmp(burnish_mesh_material(scene, 0), &m, sizeof m) == 0, "a refused one was stored");
+    burnish_mesh_destroy(scene);
 }
 
-/* One refusal of burnish_scene_create: the status is ARGUMENT, the text names the culprit. */
+/* One refusal of burnish_mesh_create: the status is ARGUMENT, the text names the culprit. */
 static void refused(const float *positions, size_t vertex_count, const uint32_t *indices,
                     size_t triangle_count, const char *text) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_scene *scene = (burnish_scene *)&error;
+    burnish_mesh *scene = (burnish_mesh *)&error;
     CHECK(create(positions, NULL, NULL, vertex_count, indices, triangle_count, 40, &scene,
                  &error) == BURNISH_STATUS_ARGUMENT,
           "%s", text);
@@ -510,10 +510,10 @@ static void test_arguments(void) {
     refused(positions, 3, indices, 1, "positions[4]: not finite");
     positions[4] = 0;
     burnish_load_options options = burnish_load_options_default();
-    CHECK_THAT(burnish_scene_create(positions, NULL, NULL, 3, indices, 1, &options, NULL, NULL) ==
+    CHECK_THAT(burnish_mesh_create(positions, NULL, NULL, 3, indices, 1, &options, NULL, NULL) ==
                BURNISH_STATUS_ARGUMENT);
-    burnish_scene_destroy(NULL);
-    CHECK_THAT(burnish_scene_mesh(NULL) == NULL && burnish_scene_material_count(NULL) == 0);
+    burnish_mesh_destroy(NULL);
+    CHECK_THAT(burnish_mesh_get_view(NULL) == NULL && burnish_mesh_material_count(NULL) == 0);
 }
 
 static void test_options(void) {
@@ -541,14 +541,14 @@ static void test_options(void) {
     wrong[7].format = (burnish_format)-1;
     for (int i = 0; i < 9; ++i) {
         burnish_error error = {BURNISH_STATUS_OK, ""};
-        burnish_scene *scene = (burnish_scene *)&error;
+        burnish_mesh *scene = (burnish_mesh *)&error;
         burnish_source source = {0};
         const burnish_load_options *options = i < 8 ? &wrong[i] : NULL;
-        CHECK(burnish_scene_create(positions, NULL, NULL, 4, indices, 2, options, &scene, &error) ==
+        CHECK(burnish_mesh_create(positions, NULL, NULL, 4, indices, 2, options, &scene, &error) ==
                   BURNISH_STATUS_ARGUMENT,
               "%d", i);
         CHECK(scene == NULL && strstr(error.text, i < 8 ? words[i] : "NULL"), "%s", error.text);
-        CHECK(burnish_scene_build(&source, "x", options, BURNISH_FORMAT_OBJ, &scene, &error) ==
+        CHECK(burnish_mesh_build(&source, "x", options, BURNISH_FORMAT_OBJ, &scene, &error) ==
                   BURNISH_STATUS_ARGUMENT,
               "%d", i);
     }
@@ -556,10 +556,10 @@ static void test_options(void) {
     CHECK_THAT(options.crease_angle == BURNISH_CREASE_AUTO && options.tessellation == 16);
     CHECK_THAT(options.max_triangles == 2147483647 && options.max_input_bytes >> 30 == 16);
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     options.max_triangles = 1;
-    CHECK_THAT(burnish_scene_create(positions, NULL, NULL, 4, indices, 2, &options, &scene,
-                                    &error) == BURNISH_STATUS_LIMIT);
+    CHECK_THAT(burnish_mesh_create(positions, NULL, NULL, 4, indices, 2, &options, &scene,
+                                   &error) == BURNISH_STATUS_LIMIT);
     CHECK(strstr(error.text, "2 triangles are more than the limit of 1"), "%s", error.text);
 }
 
@@ -584,16 +584,16 @@ static void test_crease_auto(void) {
                  {STL, "a.stl", 51, 4}};
     for (int i = 0; i < 4; ++i) {
         burnish_load_options options = burnish_load_options_default();
-        burnish_scene *scene = NULL;
+        burnish_mesh *scene = NULL;
         burnish_error error = {BURNISH_STATUS_OK, ""};
         options.crease_angle = cases[i].angle;
-        if (CHECK(burnish_scene_load_memory(cases[i].text, strlen(cases[i].text), cases[i].name,
-                                            &options, &scene, &error) == BURNISH_STATUS_OK,
+        if (CHECK(burnish_mesh_load_memory(cases[i].text, strlen(cases[i].text), cases[i].name,
+                                           &options, &scene, &error) == BURNISH_STATUS_OK,
                   "%s", error.text)) {
-            size_t count = burnish_scene_mesh(scene)->vertex_count;
+            size_t count = burnish_mesh_get_view(scene)->vertex_count;
             CHECK(count == cases[i].vertices, "case %d: %zu vertices", i, count);
         }
-        burnish_scene_destroy(scene);
+        burnish_mesh_destroy(scene);
     }
 }
 
@@ -605,7 +605,7 @@ static void check_out_of_memory(const float *positions, const float *normals, co
     burnish_status status = BURNISH_STATUS_MEMORY;
     long failures = 0;
     for (; status != BURNISH_STATUS_OK && failures < 100; ++failures) {
-        burnish_scene *scene = NULL;
+        burnish_mesh *scene = NULL;
         burnish_error error = {BURNISH_STATUS_OK, ""};
         allocations_left = failures;
         status = create(positions, normals, colors, vertex_count, indices, triangle_count, 40,
@@ -618,9 +618,9 @@ static void check_out_of_memory(const float *positions, const float *normals, co
             CHECK(strncmp(error.text, "out of memory", 13) == 0, "%s", error.text);
         } else if (left < 0) {
             status = BURNISH_STATUS_MEMORY; /* only the warning was lost: go on */
-            CHECK_THAT(burnish_scene_warning_count(scene) == 0);
+            CHECK_THAT(burnish_mesh_warning_count(scene) == 0);
         }
-        burnish_scene_destroy(scene);
+        burnish_mesh_destroy(scene);
     }
     CHECK(failures > 15 && failures < 100, "%ld allocations", failures);
 }
@@ -686,11 +686,11 @@ static uint32_t sheet_number(const float *positions, const uint32_t *corners) {
     return 2 * ((uint32_t)y * SHEET + (uint32_t)x) + (sum - 3 * (x + y) > 3);
 }
 
-static burnish_scene *build_sheet(const sheet_mesh *mesh, burnish_pool *pool) {
+static burnish_mesh *build_sheet(const sheet_mesh *mesh, burnish_pool *pool) {
     const size_t corners = (size_t)3 * SHEET_TRIANGLES;
     burnish_load_options options = burnish_load_options_default();
     burnish_source source = {.pool = pool};
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     source.positions = malloc(sizeof mesh->positions);
     source.colors = malloc(sizeof mesh->colors);
     source.normals = malloc(sizeof mesh->normals);
@@ -713,7 +713,7 @@ static burnish_scene *build_sheet(const sheet_mesh *mesh, burnish_pool *pool) {
     source.position_count = source.normal_count = SHEET_VERTICES;
     source.triangle_count = SHEET_TRIANGLES;
     source.material_count = 7;
-    burnish_scene_build(&source, "sheet.obj", &options, BURNISH_FORMAT_OBJ, &scene, NULL);
+    burnish_mesh_build(&source, "sheet.obj", &options, BURNISH_FORMAT_OBJ, &scene, NULL);
     burnish_source_destroy(&source);
     return scene;
 }
@@ -725,12 +725,13 @@ static void test_order(void) {
     static uint8_t seen[SHEET_TRIANGLES];
     make_sheet(&sheet);
     burnish_pool *pool = burnish_pool_create(3);
-    burnish_scene *scene = build_sheet(&sheet, NULL), *other = build_sheet(&sheet, pool);
+    burnish_mesh *scene = build_sheet(&sheet, NULL), *other = build_sheet(&sheet, pool);
     burnish_pool_destroy(pool);
     if (!CHECK_THAT(scene != NULL && other != NULL)) {
         return;
     }
-    const burnish_mesh *mesh = burnish_scene_mesh(scene), *same = burnish_scene_mesh(other);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene),
+                            *same = burnish_mesh_get_view(other);
     CHECK_THAT(mesh->triangle_count == SHEET_TRIANGLES && mesh->vertex_count == SHEET_VERTICES);
     CHECK_THAT(memcmp(mesh->indices, same->indices, sizeof(uint32_t) * 3 * SHEET_TRIANGLES) == 0);
     CHECK_THAT(memcmp(mesh->positions, same->positions, sizeof sheet.positions) == 0);
@@ -754,8 +755,8 @@ static void test_order(void) {
     CHECK(wrong == 0, "%d triangles or corners are not what they were", wrong);
     /* random places are 53 apart, places in cells of 10 x 10 are 7 */
     CHECK(way / SHEET_TRIANGLES < 10, "neighbours are %g apart", way / SHEET_TRIANGLES);
-    burnish_scene_destroy(scene);
-    burnish_scene_destroy(other);
+    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(other);
     memset(sheet.indices + (size_t)3 * SHEET_TRIANGLES, 0, 12); /* makes a warning */
     check_out_of_memory(sheet.positions, sheet.normals, sheet.colors, SHEET_VERTICES, sheet.indices,
                         SHEET_TRIANGLES + 1);

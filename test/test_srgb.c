@@ -2,9 +2,9 @@
 #define SRGB_TABLE_WITHOUT_MAIN
 #include "../tools/generate/srgb_table.c"
 
-#include "base/srgb.h"
+#include "core/srgb.h"
 #include "harness.h"
-#include "kernels/table.h"
+#include "shading/table.h"
 
 /* The nearest code by the encoding formula; the generator uses the decoding one. */
 static int exact_code(float linear) {
@@ -26,7 +26,7 @@ static void check_code(float linear) {
 
 static void test_generated(void) {
     FILE *made = tmpfile();
-    FILE *committed = fopen(TEST_SOURCE_DIR "/src/base/srgb_table.h", "rb");
+    FILE *committed = fopen(TEST_SOURCE_DIR "/src/core/srgb_table.h", "rb");
     if (!CHECK(made && committed, "can't open the table")) {
         exit(EXIT_FAILURE);
     }
@@ -123,7 +123,7 @@ static void test_encoders(void) {
     burnish_srgb_encoder encoder;
     burnish_srgb_encoder_make(&encoder);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+        const burnish_kernels *batch = burnish_kernels_for((burnish_isa)isa);
         int wrong = 0;
         for (uint64_t bits = 0; batch && bits <= UINT32_MAX;) {
             for (int i = 0; i < COUNT; ++i) {
@@ -166,7 +166,7 @@ static void test_packing(void) {
         shown[i] = i % 3 == 0 ? -1 : i;
     }
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        const burnish_batch *batch = burnish_batch_for((burnish_isa)isa);
+        const burnish_kernels *batch = burnish_kernels_for((burnish_isa)isa);
         uint8_t bytes[3 * COUNT + 4];
         int wrong = 0;
         if (!batch) {

@@ -1,8 +1,8 @@
 /* Text: clipping, measuring, every glyph, blending in linear light, the same bits everywhere. */
 #include <math.h>
 
-#include "base/srgb.h"
 #include "burnish/image.h"
+#include "core/srgb.h"
 #include "harness.h"
 #include "image/stroke_font.h"
 

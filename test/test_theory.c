@@ -13,7 +13,8 @@ static const double exponents[] = {1,  1.5, 2,  2.999, 3,   4,    5,    8,    10
 enum { EXPONENT_COUNT = sizeof exponents / sizeof exponents[0] };
 
 /* The six formulas of model.md, section 2, as they stand there. */
-static long double zeta_by_the_book(burnish_fit fit, int order, long double n, long double level) {
+static long double zeta_by_the_book(burnish_lobe_fit fit, int order, long double n,
+                                    long double level) {
     long double m = order;
     switch (fit) {
     case BURNISH_FIT_TAYLOR:
@@ -36,7 +37,7 @@ static long double zeta_by_the_book(burnish_fit fit, int order, long double n, l
     return NAN;
 }
 
-static int allowed(burnish_fit fit, int order, double n) {
+static int allowed(burnish_lobe_fit fit, int order, double n) {
     if (fit == BURNISH_FIT_SHIFT7 || fit == BURNISH_FIT_SHIFT3) {
         return order == 2;
     }
@@ -51,20 +52,20 @@ static void check_formulas(void) {
             double n = exponents[i / 40], level = levels[i % 8], zeta = -1;
             int order = 2 << i / 8 % 5;
             burnish_lobe_status status =
-                burnish_theory_zeta((burnish_fit)fit, order, n, level, &zeta);
-            if (!allowed((burnish_fit)fit, order, n)) {
+                burnish_theory_zeta((burnish_lobe_fit)fit, order, n, level, &zeta);
+            if (!allowed((burnish_lobe_fit)fit, order, n)) {
                 CHECK(status != BURNISH_LOBE_OK && zeta == 0, "fit %d order %d n=%g", fit, order,
                       n);
                 continue;
             }
-            long double expected = zeta_by_the_book((burnish_fit)fit, order, n, level);
+            long double expected = zeta_by_the_book((burnish_lobe_fit)fit, order, n, level);
             double error = (double)fabsl(zeta / expected - 1);
             CHECK(status == BURNISH_LOBE_OK && error < 2e-15, "fit %d order %d n=%g Q=%g: %.17g",
                   fit, order, n, level, zeta);
             worst[fit] = fmax(worst[fit], error);
 
             burnish_lobe lobe = {7, 7};
-            status = burnish_theory_lobe(&lobe, (burnish_fit)fit, order, n, level);
+            status = burnish_theory_lobe(&lobe, (burnish_lobe_fit)fit, order, n, level);
             CHECK(status == BURNISH_LOBE_OK && lobe.zeta == (float)zeta && lobe.order == order,
                   "fit %d order %d n=%g", fit, order, n);
         }
@@ -74,11 +75,11 @@ static void check_formulas(void) {
 
 /* The header's lobes and the theory's are the same, whatever the float exponent. */
 static void check_same_as_header(void) {
-    static const burnish_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY, BURNISH_FIT_SHIFT7,
-                                       BURNISH_FIT_SHIFT3};
+    static const burnish_lobe_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY,
+                                            BURNISH_FIT_SHIFT7, BURNISH_FIT_SHIFT3};
     float n = 1;
     for (int i = 0; i < 40000; ++i, n *= 1.000277f) {
-        burnish_fit fit = fits[i % 4];
+        burnish_lobe_fit fit = fits[i % 4];
         int order = i % 4 < 2 ? 2 << i / 4 % 5 : 2;
         burnish_lobe header = {7, 7}, theory = {8, 8};
         burnish_lobe_status a = burnish_lobe_create(&header, fit, order, n);
@@ -89,7 +90,7 @@ static void check_same_as_header(void) {
     HOLDS(n > 60000 && n < 70000);
 }
 
-static double zeta_of(burnish_fit fit, int order, double n, double level) {
+static double zeta_of(burnish_lobe_fit fit, int order, double n, double level) {
     double zeta;
     CHECK(burnish_theory_zeta(fit, order, n, level, &zeta) == BURNISH_LOBE_OK, "%d:%d %g", (int)fit,
           order, n);
@@ -132,7 +133,7 @@ static void check_integrals(void) {
                 continue;
             }
             for (int weighted = 0; weighted < 2; ++weighted) {
-                burnish_fit fit = weighted ? BURNISH_FIT_PROJECTED : BURNISH_FIT_ENERGY;
+                burnish_lobe_fit fit = weighted ? BURNISH_FIT_PROJECTED : BURNISH_FIT_ENERGY;
                 double family[2] = {zeta_of(fit, order, n, 0.5), order};
                 double lobe = integrate(family_value, family, 1 - 1 / family[0], weighted);
                 double power = integrate(power_value, &n, 0, weighted);
@@ -194,7 +195,7 @@ static void check_limits(void) {
     }
 }
 
-static void check_refused(burnish_fit fit, int order, double n, double level,
+static void check_refused(burnish_lobe_fit fit, int order, double n, double level,
                           burnish_lobe_status expected) {
     double zeta = 7;
     burnish_lobe lobe = {7, 7};
@@ -215,19 +216,20 @@ static void check_errors(void) {
     }
     for (int fit = 0; fit < BURNISH_FIT_COUNT; ++fit) {
         for (int i = 0; i < 6; ++i) {
-            check_refused((burnish_fit)fit, 2, bad_exponents[i], 0.5, BURNISH_LOBE_ERROR_EXPONENT);
+            check_refused((burnish_lobe_fit)fit, 2, bad_exponents[i], 0.5,
+                          BURNISH_LOBE_ERROR_EXPONENT);
         }
-        check_refused((burnish_fit)fit, 3, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
-        check_refused((burnish_fit)fit, 64, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
+        check_refused((burnish_lobe_fit)fit, 3, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
+        check_refused((burnish_lobe_fit)fit, 64, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
         int shift = fit == BURNISH_FIT_SHIFT7 || fit == BURNISH_FIT_SHIFT3;
-        check_refused((burnish_fit)fit, 16, 15.999, 0.5,
+        check_refused((burnish_lobe_fit)fit, 16, 15.999, 0.5,
                       shift ? BURNISH_LOBE_ERROR_ORDER : BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT);
     }
     check_refused(BURNISH_FIT_PROJECTED, 2, 1.999, 0.5, BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT);
     check_refused(BURNISH_FIT_PROJECTED, 3, 1.999, 0.5, BURNISH_LOBE_ERROR_ORDER);
     check_refused(BURNISH_FIT_COUNT, 2, 10, 0.5, BURNISH_LOBE_ERROR_FIT);
-    check_refused((burnish_fit)-1, 2, 10, 0.5, BURNISH_LOBE_ERROR_FIT);
-    check_refused((burnish_fit)1000, 3, NAN, 0.5, BURNISH_LOBE_ERROR_FIT);
+    check_refused((burnish_lobe_fit)-1, 2, 10, 0.5, BURNISH_LOBE_ERROR_FIT);
+    check_refused((burnish_lobe_fit)1000, 3, NAN, 0.5, BURNISH_LOBE_ERROR_FIT);
 }
 
 static void check_values(void) {

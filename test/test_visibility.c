@@ -7,7 +7,7 @@
 #include "raster/visibility.h"
 #include "reference_geometry.h"
 #include "reference_tile.h"
-#include "shade/strip.h"
+#include "shading/strip.h"
 
 enum { MOST_VERTICES = 1200, MOST_TRIANGLES = 400, SCENES = 2000 };
 
@@ -291,8 +291,8 @@ static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
                         burnish_shade_material materials[3], const random_scene *scene,
                         const burnish_geometry *geometry, uint32_t *state) {
     memset(shader, 0, sizeof *shader);
-    shader->batch = burnish_batch_best();
-    shader->lighting = burnish_batch_lighting_default();
+    shader->batch = burnish_kernels_best();
+    shader->lighting = burnish_kernels_lighting_default();
     shader->lighting.near_viewer = (int)(next_random(state) & 1);
     shader->lighting.viewer[2] = shader->lighting.near_viewer ? 0 : 1;
     shader->lighting.lyon = next_random(state) % 4 == 0;

@@ -13,14 +13,14 @@ typedef struct contestant {
     burnish_renderer *renderer;
     burnish_image image;
     burnish_render_options options;
-    const burnish_batch *best;
-    struct burnish_batch libm;
+    const burnish_kernels *best;
+    struct burnish_kernels libm;
     int libm_works; /* the renderer shades by the table that it is given */
 } contestant;
 
 /* Whether the renderer calls the kernels of libm_lobe.h: with black ones the picture is black. */
-static int shades_by_table(const burnish_peers_job *job, const burnish_batch *best) {
-    const struct burnish_batch dark = burnish_peers_dark_batch(best);
+static int shades_by_table(const burnish_peers_job *job, const burnish_kernels *best) {
+    const struct burnish_kernels dark = burnish_peers_dark_batch(best);
     burnish_render_options options = job->options;
     burnish_image image;
     burnish_error error;
@@ -46,12 +46,12 @@ static int open_renderer(void **state, const burnish_peers_job *job, int threads
     }
     made->job = job;
     made->options = job->options;
-    made->best = burnish_batch_best();
+    made->best = burnish_kernels_best();
     made->libm = burnish_peers_libm_batch(made->best);
     made->libm_works = shades_by_table(job, made->best);
     snprintf(note, BURNISH_PEERS_NOTE, "burnish, %s kernels, %d thread%s, %zu triangles",
-             burnish_isa_name(burnish_batch_isa(made->best)), threads, threads == 1 ? "" : "s",
-             burnish_scene_mesh(job->scene)->triangle_count);
+             burnish_isa_name(burnish_kernels_isa(made->best)), threads, threads == 1 ? "" : "s",
+             burnish_mesh_get_view(job->scene)->triangle_count);
     *state = made;
     return 1;
 }
@@ -115,7 +115,7 @@ static void close_renderer(void *state) {
 }
 
 /* The mesh with no vertex shared, each triangle in the colour of its number + 1. */
-static burnish_status numbered_scene(const burnish_mesh *mesh, burnish_scene **scene,
+static burnish_status numbered_scene(const burnish_mesh_view *mesh, burnish_mesh **scene,
                                      burnish_error *error) {
     size_t corners = 3 * mesh->triangle_count;
     burnish_load_options load = burnish_load_options_default();
@@ -134,8 +134,8 @@ static burnish_status numbered_scene(const burnish_mesh *mesh, burnish_scene **s
             memcpy(colors + 4 * i, color, sizeof color);
             indices[i] = (uint32_t)i;
         }
-        status = burnish_scene_create(positions, normals, colors, corners, indices,
-                                      mesh->triangle_count, &load, scene, error);
+        status = burnish_mesh_create(positions, normals, colors, corners, indices,
+                                     mesh->triangle_count, &load, scene, error);
     }
     free(positions);
     free(normals);
@@ -147,14 +147,14 @@ static burnish_status numbered_scene(const burnish_mesh *mesh, burnish_scene **s
 /* Draws the triangles' numbers as colours, lit by ambient light alone. */
 static int triangles(void *state, uint32_t *numbers) {
     contestant *r = state;
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     burnish_image image;
     burnish_error error;
     burnish_render_options options = r->job->options;
     burnish_material material = burnish_material_default();
     const float white[3] = {1, 1, 1};
-    if (burnish_scene_mesh(r->job->scene)->triangle_count >= 1 << 24 ||
-        numbered_scene(burnish_scene_mesh(r->job->scene), &scene, &error) != BURNISH_STATUS_OK) {
+    if (burnish_mesh_get_view(r->job->scene)->triangle_count >= 1 << 24 ||
+        numbered_scene(burnish_mesh_get_view(r->job->scene), &scene, &error) != BURNISH_STATUS_OK) {
         return 0;
     }
     options.light_count = 0;
@@ -163,7 +163,7 @@ static int triangles(void *state, uint32_t *numbers) {
     memcpy(material.diffuse, white, sizeof white);
     memset(material.specular, 0, sizeof material.specular);
     material.has_diffuse = 1;
-    int done = burnish_scene_set_material(scene, 0, &material, &error) == BURNISH_STATUS_OK &&
+    int done = burnish_mesh_set_material(scene, 0, &material, &error) == BURNISH_STATUS_OK &&
                burnish_render(scene, &options, &image, NULL, &error) == BURNISH_STATUS_OK;
     for (size_t i = 0; done && i < BURNISH_PEERS_PIXELS; ++i) {
         const uint8_t *p = image.pixels + 3 * i;
@@ -172,7 +172,7 @@ static int triangles(void *state, uint32_t *numbers) {
     if (done) {
         burnish_image_destroy(&image);
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
     return done;
 }
 

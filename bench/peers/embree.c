@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/pool.h"
+#include "core/pool.h"
 #include "worker.h"
 
 enum { TILE = 32, TILE_PIXELS = TILE * TILE, LANES = 16, SIDE = 4 };
@@ -18,10 +18,10 @@ enum {
 
 typedef struct tracer {
     const burnish_peers_job *job;
-    const burnish_mesh *mesh;
+    const burnish_mesh_view *mesh;
     RTCDevice device;
     RTCScene scene;
-    const burnish_batch *batch;
+    const burnish_kernels *batch;
     uint8_t *rgba;
     uint32_t *numbers; /* NULL while frames are timed */
     uint8_t *encoded;  /* NULL while frames are timed; 3 a pixel */
@@ -36,7 +36,7 @@ typedef struct tile_points {
 } tile_points;
 
 static void build(tracer *t) {
-    const burnish_mesh *mesh = t->mesh;
+    const burnish_mesh_view *mesh = t->mesh;
     RTCGeometry geometry = rtcNewGeometry(t->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     float *positions =
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -73,10 +73,10 @@ static int open_tracer(void **state, const burnish_peers_job *job, int threads, 
         return 0;
     }
     t->job = job;
-    t->mesh = burnish_scene_mesh(job->scene);
+    t->mesh = burnish_mesh_get_view(job->scene);
     t->rgba = calloc(BURNISH_PEERS_PIXELS, 4);
     t->pool = burnish_pool_create(threads);
-    t->batch = burnish_batch_best();
+    t->batch = burnish_kernels_best();
     t->device = rtcNewDevice(threads == 1 ? "threads=1" : "threads=2");
     if (t->device) {
         build(t);
@@ -148,19 +148,20 @@ static void collect(const tracer *t, const struct RTCRayHit16 *rays, int x0, int
     }
 }
 
-static void shade(const tracer *t, const burnish_batch_shader *shader, const tile_points *points) {
+static void shade(const tracer *t, const burnish_kernels_shader *shader,
+                  const tile_points *points) {
     uint32_t colors[TILE_PIXELS];
     float linear[3][TILE_PIXELS];
     float *const rgb[3] = {linear[0], linear[1], linear[2]};
-    const burnish_batch_points arrays = {
+    const burnish_kernels_points arrays = {
         .normal = {points->normal[0], points->normal[1], points->normal[2]}};
     const size_t count = (size_t)points->count;
-    (void)burnish_batch_shade_rgba8(t->batch, shader, &arrays, count, (uint8_t *)colors, NULL);
+    (void)burnish_kernels_shade_rgba8(t->batch, shader, &arrays, count, (uint8_t *)colors, NULL);
     for (size_t i = 0; i < count; ++i) {
         memcpy(t->rgba + 4 * (size_t)points->pixel[i], &colors[i], 4);
     }
     if (t->encoded) {
-        (void)burnish_batch_shade_float(t->batch, shader, &arrays, count, rgb, NULL);
+        (void)burnish_kernels_shade_float(t->batch, shader, &arrays, count, rgb, NULL);
         for (size_t i = 0; i < count; ++i) {
             for (size_t k = 0; k < 3; ++k) {
                 t->encoded[3 * (size_t)points->pixel[i] + k] =
@@ -170,7 +171,7 @@ static void shade(const tracer *t, const burnish_batch_shader *shader, const til
     }
 }
 
-static void draw_tile(const tracer *t, const burnish_batch_shader *shader, int column, int row) {
+static void draw_tile(const tracer *t, const burnish_kernels_shader *shader, int column, int row) {
     tile_points points;
     struct RTCRayHit16 rays;
     struct RTCIntersectContext context;
@@ -188,8 +189,8 @@ static void draw_tile(const tracer *t, const burnish_batch_shader *shader, int c
     shade(t, shader, &points);
 }
 
-static int make_shader(const tracer *t, const char *variant, burnish_batch_shader *shader) {
-    burnish_batch_lighting lighting = burnish_batch_lighting_default();
+static int make_shader(const tracer *t, const char *variant, burnish_kernels_shader *shader) {
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     const burnish_peers_job *job = t->job;
     for (int k = 0; k < 3; ++k) {
         lighting.ambient[k] = job->ambient;
@@ -201,19 +202,19 @@ static int make_shader(const tracer *t, const char *variant, burnish_batch_shade
     }
     lighting.lobe.exponent = job->exponent;
     if (strcmp(variant, "power") == 0) {
-        lighting.lobe.kind = BURNISH_BATCH_POWER;
+        lighting.lobe.kind = BURNISH_KERNELS_POWER;
     } else if (strcmp(variant, "family") == 0) {
-        lighting.lobe.kind = BURNISH_BATCH_FAMILY;
+        lighting.lobe.kind = BURNISH_KERNELS_FAMILY;
         burnish_lobe_create(&lighting.lobe.family, BURNISH_FIT_ENERGY, 2, job->exponent);
     } else {
         return 0;
     }
-    return burnish_batch_prepare(&lighting, shader, NULL) == BURNISH_STATUS_OK;
+    return burnish_kernels_prepare(&lighting, shader, NULL) == BURNISH_STATUS_OK;
 }
 
 typedef struct tile_context {
     const tracer *t;
-    const burnish_batch_shader *shader;
+    const burnish_kernels_shader *shader;
 } tile_context;
 
 static void draw_task(void *of, size_t tile, int thread) {
@@ -223,7 +224,7 @@ static void draw_task(void *of, size_t tile, int thread) {
 }
 
 static int draw(const tracer *t, const char *variant) {
-    burnish_batch_shader shader;
+    burnish_kernels_shader shader;
     if (!make_shader(t, variant, &shader)) {
         return 0;
     }

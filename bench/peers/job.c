@@ -27,7 +27,7 @@ static void normalize(double v[3]) {
 
 /* Depths of the nearest and farthest vertex, and a little more. */
 static void find_range(burnish_peers_job *job) {
-    const burnish_mesh *mesh = burnish_scene_mesh(job->scene);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(job->scene);
     job->nearest = INFINITY;
     job->farthest = 0;
     for (size_t i = 0; i < mesh->vertex_count; ++i) {
@@ -93,26 +93,26 @@ static burnish_status make_material(burnish_peers_job *job, burnish_error *error
         job->options.ambient_light[k] = 1;
     }
     material.exponent = job->exponent;
-    return burnish_scene_set_material(job->scene, 0, &material, error);
+    return burnish_mesh_set_material(job->scene, 0, &material, error);
 }
 
 static burnish_status load(burnish_peers_job *job, const char *input, int levels,
                            burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_scene *coarse;
-    burnish_status status = burnish_scene_load(input, &options, &coarse, error);
+    burnish_mesh *coarse;
+    burnish_status status = burnish_mesh_load(input, &options, &coarse, error);
     if (status != BURNISH_STATUS_OK || levels == 0) {
         job->scene = coarse;
         return status;
     }
     status = burnish_peers_subdivide(coarse, levels, &job->scene, error);
-    burnish_scene_destroy(coarse);
+    burnish_mesh_destroy(coarse);
     return status;
 }
 
 int burnish_peers_job_open(burnish_peers_job *job, const char *input, int levels, int threads) {
     burnish_error error;
-    burnish_fit_options fit = burnish_fit_options_default();
+    burnish_framing fit = burnish_framing_default();
     memset(job, 0, sizeof *job);
     job->options = burnish_render_options_default();
     job->options.width = BURNISH_PEERS_WIDTH;
@@ -124,7 +124,7 @@ int burnish_peers_job_open(burnish_peers_job *job, const char *input, int levels
     fit.aspect = (double)BURNISH_PEERS_WIDTH / BURNISH_PEERS_HEIGHT;
     burnish_status status = load(job, input, levels, &error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_camera_fit(job->scene, &fit, &job->options.camera, &error);
+        status = burnish_camera_frame(job->scene, &fit, &job->options.camera, &error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = make_material(job, &error);
@@ -140,7 +140,7 @@ int burnish_peers_job_open(burnish_peers_job *job, const char *input, int levels
 }
 
 void burnish_peers_job_close(burnish_peers_job *job) {
-    burnish_scene_destroy(job->scene);
+    burnish_mesh_destroy(job->scene);
     job->scene = NULL;
 }
 

@@ -13,7 +13,7 @@ enum { BURNISH_PEERS_WIDTH = 1920, BURNISH_PEERS_HEIGHT = 1080 };
  * pixel; colour = ambient + diffuse max(0, N.L) + specular lobe(N.H) where N.L > 0, in linear
  * light, and back faces lit from their own side. */
 typedef struct burnish_peers_job {
-    burnish_scene *scene;
+    burnish_mesh *scene;
     burnish_render_options options;
     float ambient, diffuse, specular, exponent; /* grey */
     float zeta;                                 /* of energy:2 for that exponent */

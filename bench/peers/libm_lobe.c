@@ -12,8 +12,8 @@ typedef struct block_sums {
     float inverse[BLOCK], cosine[BLOCK], lit[BLOCK];
 } block_sums;
 
-static void add_light(const burnish_batch_shader *shader,
-                      const burnish_batch_light_constants *light, int output,
+static void add_light(const burnish_kernels_shader *shader,
+                      const burnish_kernels_light_constants *light, int output,
                       const float *const normal[3], int count, block_sums *sums) {
     for (int i = 0; i < count; ++i) {
         float n_dot_l = (normal[0][i] * light->vector[0] + normal[1][i] * light->vector[1] +
@@ -36,7 +36,7 @@ static void add_light(const burnish_batch_shader *shader,
     }
 }
 
-static void shade_block(const burnish_batch_shader *shader, const burnish_batch_points *points,
+static void shade_block(const burnish_kernels_shader *shader, const burnish_kernels_points *points,
                         size_t first, int count, int output, block_sums *sums) {
     const float *normal[3];
     for (int k = 0; k < 3; ++k) {
@@ -63,7 +63,7 @@ static void shade_block(const burnish_batch_shader *shader, const burnish_batch_
     }
 }
 
-static void shade_float(const burnish_batch_shader *shader, const burnish_batch_points *points,
+static void shade_float(const burnish_kernels_shader *shader, const burnish_kernels_points *points,
                         size_t count, uint8_t *rgba, float *const rgb[3]) {
     block_sums sums;
     (void)rgba;
@@ -76,7 +76,7 @@ static void shade_float(const burnish_batch_shader *shader, const burnish_batch_
     }
 }
 
-static void shade_rgba8(const burnish_batch_shader *shader, const burnish_batch_points *points,
+static void shade_rgba8(const burnish_kernels_shader *shader, const burnish_kernels_points *points,
                         size_t count, uint8_t *rgba, float *const rgb[3]) {
     block_sums sums;
     (void)rgb;
@@ -93,7 +93,7 @@ static void shade_rgba8(const burnish_batch_shader *shader, const burnish_batch_
     }
 }
 
-static void shade_dark(const burnish_batch_shader *shader, const burnish_batch_points *points,
+static void shade_dark(const burnish_kernels_shader *shader, const burnish_kernels_points *points,
                        size_t count, uint8_t *rgba, float *const rgb[3]) {
     (void)shader;
     (void)points;
@@ -106,21 +106,21 @@ static void shade_dark(const burnish_batch_shader *shader, const burnish_batch_p
     }
 }
 
-static struct burnish_batch with_power(const burnish_batch *batch,
-                                       burnish_shade_function *const shade[2]) {
-    struct burnish_batch made = *batch;
+static struct burnish_kernels with_power(const burnish_kernels *batch,
+                                         burnish_shade_function *const shade[2]) {
+    struct burnish_kernels made = *batch;
     for (int output = 0; output < 2; ++output) {
         made.shade[BURNISH_LOBE_BODY_POWER][BURNISH_SHADE_DISTANT][output] = shade[output];
     }
     return made;
 }
 
-struct burnish_batch burnish_peers_libm_batch(const burnish_batch *batch) {
+struct burnish_kernels burnish_peers_libm_batch(const burnish_kernels *batch) {
     return with_power(
         batch, (burnish_shade_function *const[]){
                    [BURNISH_SHADE_RGBA8] = shade_rgba8, [BURNISH_SHADE_FLOAT] = shade_float});
 }
 
-struct burnish_batch burnish_peers_dark_batch(const burnish_batch *batch) {
+struct burnish_kernels burnish_peers_dark_batch(const burnish_kernels *batch) {
     return with_power(batch, (burnish_shade_function *const[]){shade_dark, shade_dark});
 }

@@ -219,7 +219,7 @@ static int make_framebuffers(gl_renderer *gl, char *note) {
 
 static void make_mesh(gl_renderer *gl, int order, const float *positions, const float *normals,
                       const uint32_t *indices) {
-    const burnish_mesh *mesh = burnish_scene_mesh(gl->job->scene);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(gl->job->scene);
     GLuint buffers[3];
     GLsizeiptr vectors = (GLsizeiptr)(mesh->vertex_count * 3 * sizeof(float));
     gl->index_count = (GLsizei)(3 * mesh->triangle_count);
@@ -242,7 +242,7 @@ static void make_mesh(gl_renderer *gl, int order, const float *positions, const 
 
 /* The mesh in the order that meshoptimizer makes for vertex caches. */
 static int make_cache_order(gl_renderer *gl) {
-    const burnish_mesh *mesh = burnish_scene_mesh(gl->job->scene);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(gl->job->scene);
     const size_t vertices = mesh->vertex_count, count = 3 * mesh->triangle_count;
     uint32_t *indices = malloc(count * sizeof *indices), *remap = malloc(vertices * sizeof *remap);
     float *positions = malloc(3 * vertices * sizeof *positions);
@@ -264,7 +264,7 @@ static int make_cache_order(gl_renderer *gl) {
 }
 
 static int make_buffers(gl_renderer *gl) {
-    const burnish_mesh *mesh = burnish_scene_mesh(gl->job->scene);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(gl->job->scene);
     make_mesh(gl, ORDER_BURNISH, mesh->positions, mesh->normals, mesh->indices);
     glEnable(GL_DEPTH_TEST);
     glViewport(0, 0, BURNISH_PEERS_WIDTH, BURNISH_PEERS_HEIGHT);

@@ -5,7 +5,7 @@
 
 #include "job.h"
 
-static int write_mesh(const burnish_mesh *mesh, FILE *file) {
+static int write_mesh(const burnish_mesh_view *mesh, FILE *file) {
     fprintf(file,
             "ply\nformat binary_little_endian 1.0\nelement vertex %zu\n"
             "property float x\nproperty float y\nproperty float z\n"
@@ -33,7 +33,7 @@ int main(int count, char **arguments) {
         return EXIT_FAILURE;
     }
     FILE *file = fopen(arguments[3], "wb");
-    int done = file && write_mesh(burnish_scene_mesh(job.scene), file);
+    int done = file && write_mesh(burnish_mesh_get_view(job.scene), file);
     done = file && fclose(file) == 0 && done;
     burnish_peers_job_close(&job);
     if (!done) {

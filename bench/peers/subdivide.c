@@ -107,9 +107,9 @@ static int subdivide_once(soup *mesh) {
     return made;
 }
 
-burnish_status burnish_peers_subdivide(const burnish_scene *scene, int levels,
-                                       burnish_scene **finer, burnish_error *error) {
-    const burnish_mesh *from = burnish_scene_mesh(scene);
+burnish_status burnish_peers_subdivide(const burnish_mesh *scene, int levels, burnish_mesh **finer,
+                                       burnish_error *error) {
+    const burnish_mesh_view *from = burnish_mesh_get_view(scene);
     burnish_load_options load = burnish_load_options_default();
     soup mesh;
     *finer = NULL;
@@ -129,8 +129,8 @@ burnish_status burnish_peers_subdivide(const burnish_scene *scene, int levels,
         snprintf(error->text, sizeof error->text, "subdivision: out of memory");
         return BURNISH_STATUS_MEMORY;
     }
-    burnish_status status = burnish_scene_create(mesh.positions, mesh.normals, NULL, mesh.vertices,
-                                                 mesh.indices, mesh.triangles, &load, finer, error);
+    burnish_status status = burnish_mesh_create(mesh.positions, mesh.normals, NULL, mesh.vertices,
+                                                mesh.indices, mesh.triangles, &load, finer, error);
     soup_free(&mesh);
     return status;
 }

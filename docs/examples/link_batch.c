@@ -7,20 +7,20 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "burnish/batch.h"
+#include "burnish/kernels.h"
 
 enum { SIZE = 256 };
 
 int main(void) {
-    const burnish_batch *batch = burnish_batch_best();
-    burnish_batch_lighting lighting = burnish_batch_lighting_default(); /* a white light, energy:2 */
-    burnish_batch_shader shader;
+    const burnish_kernels *batch = burnish_kernels_best();
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default(); /* a white light, energy:2 */
+    burnish_kernels_shader shader;
     burnish_error error;
-    if (burnish_batch_prepare(&lighting, &shader, &error) != BURNISH_STATUS_OK) {
+    if (burnish_kernels_prepare(&lighting, &shader, &error) != BURNISH_STATUS_OK) {
         fprintf(stderr, "%s\n", error.text);
         return 1;
     }
-    fprintf(stderr, "kernels: %s\n", burnish_isa_name(burnish_batch_isa(batch)));
+    fprintf(stderr, "kernels: %s\n", burnish_isa_name(burnish_kernels_isa(batch)));
     printf("P6\n%d %d\n255\n", SIZE, SIZE);
     for (int row = 0; row < SIZE; ++row) {
         static float x[SIZE], y[SIZE], z[SIZE];
@@ -32,8 +32,8 @@ int main(void) {
             z[column] = rest > 0.0f ? sqrtf(rest) : 0.0f;
         }
         /* any length will do: the kernel makes unit vectors of normals itself */
-        const burnish_batch_points points = {.normal = {x, y, z}};
-        if (burnish_batch_shade_rgba8(batch, &shader, &points, SIZE, rgba, &error) !=
+        const burnish_kernels_points points = {.normal = {x, y, z}};
+        if (burnish_kernels_shade_rgba8(batch, &shader, &points, SIZE, rgba, &error) !=
             BURNISH_STATUS_OK) {
             fprintf(stderr, "%s\n", error.text);
             return 1;

@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "burnish/status.h"
+#include "burnish/core.h"
 
 #ifdef __cplusplus
 extern "C" {

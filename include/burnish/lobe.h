@@ -77,7 +77,7 @@ extern "C" {
     X(ERROR_EXPONENT, "the exponent must be a number from 1 to 65536")                             \
     X(ERROR_ORDER, "the order must be 2, 4, 8, 16 or 32; shift7 and shift3 have order 2 only")     \
     X(ERROR_ORDER_FOR_EXPONENT, "the order is above the exponent: try a lower order")              \
-    X(ERROR_FIT, "the fit is not one of enum burnish_fit")                                         \
+    X(ERROR_FIT, "the fit is not one of enum burnish_lobe_fit")                                    \
     X(ERROR_FIT_NEEDS_THEORY, "the fits level and projected need burnish_theory_lobe")             \
     X(ERROR_ZETA, "zeta must be a number above 0 and at most 65536")                               \
     X(ERROR_LEVEL, "the level must be a number between 0 and 1, both excluded")
@@ -105,7 +105,7 @@ static inline const char *burnish_lobe_status_text(burnish_lobe_status status) {
 
 /* How zeta follows from the exponent n and the order m. "Paper" is the work that burnish
  * implements, where these are the lobes W, W1, W_Q and W_0.5 at m = 2. */
-typedef enum burnish_fit {
+typedef enum burnish_lobe_fit {
     BURNISH_FIT_TAYLOR,    /* n/m: the same curvature at the peak; never above cos^n (paper's W) */
     BURNISH_FIT_ENERGY,    /* (n+1)/(m+1): the same integral over solid angle (paper's W1) */
     BURNISH_FIT_LEVEL,     /* meets cos^n where that is Q (paper's W_Q); burnish/theory.h */
@@ -113,7 +113,7 @@ typedef enum burnish_fit {
     BURNISH_FIT_SHIFT3,    /* 3n/8, m = 2: as cheap, lower largest absolute error for n >= 6 */
     BURNISH_FIT_PROJECTED, /* the same cosine-weighted integral; burnish/theory.h */
     BURNISH_FIT_COUNT
-} burnish_fit;
+} burnish_lobe_fit;
 
 /* One lobe. A small value to copy and pass; make it with burnish_lobe_create or a sibling and leave
  * it as it is. All zero it is the dark lobe, which is 0 everywhere, c = 1 included. */
@@ -185,7 +185,7 @@ static inline burnish_lobe_status burnish_lobe_from_zeta(burnish_lobe *lobe, flo
  *   exponent  [1, 65536], need not be whole
  * Errors: ERROR_FIT, ERROR_FIT_NEEDS_THEORY, ERROR_ORDER, ERROR_EXPONENT (NaN included),
  * ERROR_ORDER_FOR_EXPONENT (burnish_lobe_highest_order finds the order to fall back to). */
-static inline burnish_lobe_status burnish_lobe_create(burnish_lobe *lobe, burnish_fit fit,
+static inline burnish_lobe_status burnish_lobe_create(burnish_lobe *lobe, burnish_lobe_fit fit,
                                                       int order, float exponent) {
     const double n = (double)exponent;
     const burnish_lobe_status status = burnish_lobe_check(order, n);

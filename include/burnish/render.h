@@ -13,11 +13,11 @@
 #ifndef BURNISH_RENDER_H
 #define BURNISH_RENDER_H
 
-#include "burnish/batch.h"
+#include "burnish/core.h"
 #include "burnish/image.h"
+#include "burnish/kernels.h"
 #include "burnish/lobe.h"
-#include "burnish/scene.h"
-#include "burnish/status.h"
+#include "burnish/mesh.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,9 +37,9 @@ typedef enum burnish_lobe_kind {
 /* Which lobe; its exponent comes from each material. */
 typedef struct burnish_lobe_choice {
     burnish_lobe_kind kind;
-    burnish_fit fit; /* FAMILY only */
-    double level;    /* FAMILY with fit level only: Q in (0, 1) */
-    int order;       /* FAMILY and LYON only: 2, 4, 8, 16 or 32 */
+    burnish_lobe_fit fit; /* FAMILY only */
+    double level;         /* FAMILY with fit level only: Q in (0, 1) */
+    int order;            /* FAMILY and LYON only: 2, 4, 8, 16 or 32 */
 } burnish_lobe_choice;
 
 /* Reads "FIT:ORDER" (taylor:2, energy:4, level0.5:2, shift7, shift3, projected:8; order 2 when left
@@ -68,7 +68,10 @@ typedef struct burnish_light {
 /* At most this many lights. */
 #define BURNISH_LIGHT_MAX 64
 
-typedef enum burnish_equation { BURNISH_EQUATION_BLINN, BURNISH_EQUATION_PHONG } burnish_equation;
+typedef enum burnish_specular_model {
+    BURNISH_SPECULAR_BLINN,
+    BURNISH_SPECULAR_PHONG
+} burnish_specular_model;
 
 /* LOCAL: V points from each pixel to the camera. DISTANT: V is the camera's axis everywhere. */
 typedef enum burnish_viewer { BURNISH_VIEWER_LOCAL, BURNISH_VIEWER_DISTANT } burnish_viewer;
@@ -87,11 +90,11 @@ typedef struct burnish_render_options {
     int width, height; /* pixels, [1, BURNISH_IMAGE_MAX_SIZE] */
     int samples;       /* coverage samples a pixel: 1, 4, 8 or 16 */
     int threads;       /* [1, 1024]; 0: as many as the machine offers. Never changes the pixels */
-    const burnish_batch
-        *batch; /* the kernels; NULL: burnish_batch_best(). Never change the pixels */
+    const burnish_kernels
+        *batch; /* the kernels; NULL: burnish_kernels_best(). Never change the pixels */
     burnish_camera camera;
     burnish_lobe_choice lobe;
-    burnish_equation equation;
+    burnish_specular_model equation;
     burnish_viewer viewer;
     float ambient_light[3]; /* Ia, linear */
     burnish_light lights[BURNISH_LIGHT_MAX];
@@ -131,7 +134,7 @@ typedef struct burnish_render_report {
  * more and 0.7 MB a sample, of which only what is needed is touched.
  * Errors: ARGUMENT, MEMORY, LIMIT (also a mesh so small, below about 1e-33 across, or so much
  * enlarged that single precision can't hold it); the image is then empty. */
-BURNISH_API burnish_status burnish_render(const burnish_scene *scene,
+BURNISH_API burnish_status burnish_render(const burnish_mesh *scene,
                                           const burnish_render_options *options,
                                           burnish_image *image, burnish_render_report *report,
                                           burnish_error *error);
@@ -148,7 +151,7 @@ BURNISH_API burnish_status burnish_renderer_create(burnish_renderer **renderer,
  * memory is used again where size and channels allow. Scenes and options may differ from frame to
  * frame. Errors as there; the image is then empty. */
 BURNISH_API burnish_status burnish_renderer_draw(
-    burnish_renderer *renderer, const burnish_scene *scene, const burnish_render_options *options,
+    burnish_renderer *renderer, const burnish_mesh *scene, const burnish_render_options *options,
     burnish_image *image, burnish_render_report *report, burnish_error *error);
 
 /* NULL is allowed. */

@@ -25,8 +25,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "burnish/core.h"
 #include "burnish/lobe.h"
-#include "burnish/status.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -50,16 +50,16 @@ extern "C" {
  *   zeta      receives the slope, 0 on error; not NULL
  * Errors: ERROR_FIT, ERROR_ORDER, ERROR_EXPONENT, ERROR_ORDER_FOR_EXPONENT, ERROR_LEVEL; NaN is an
  * error everywhere. */
-BURNISH_API burnish_lobe_status burnish_theory_zeta(burnish_fit fit, int order, double exponent,
-                                                    double level, double *zeta);
+BURNISH_API burnish_lobe_status burnish_theory_zeta(burnish_lobe_fit fit, int order,
+                                                    double exponent, double level, double *zeta);
 
 /* Makes a lobe by any fit: burnish_theory_zeta rounded to float, thereby bit for bit what
  * burnish_lobe_create gives where that knows the fit and the exponent is a float.
  *   lobe                         becomes the lobe, on error the dark one; not NULL
  *   fit, order, exponent, level  as for burnish_theory_zeta
  * Errors: those of burnish_theory_zeta. */
-BURNISH_API burnish_lobe_status burnish_theory_lobe(burnish_lobe *lobe, burnish_fit fit, int order,
-                                                    double exponent, double level);
+BURNISH_API burnish_lobe_status burnish_theory_lobe(burnish_lobe *lobe, burnish_lobe_fit fit,
+                                                    int order, double exponent, double level);
 
 /* Values of the lobes in double precision, to measure float ones against. All take any double for c
  * (<= 0 gives 0 except for the family and the Gaussian, > 1 counts as 1, NaN gives 0), return a
@@ -98,7 +98,7 @@ typedef enum burnish_theory_kind {
     BURNISH_THEORY_KIND_COUNT
 } burnish_theory_kind;
 
-/* burnish_fit and the fits that are found by a search. */
+/* burnish_lobe_fit and the fits that are found by a search. */
 typedef enum burnish_theory_fit {
     BURNISH_THEORY_TAYLOR = BURNISH_FIT_TAYLOR,
     BURNISH_THEORY_ENERGY = BURNISH_FIT_ENERGY,

@@ -18,7 +18,7 @@
 #include "Vburnish_channel.h"
 #include "burnish/image.h"
 #include "burnish/lobe.h"
-#include "burnish/scene.h"
+#include "burnish/mesh.h"
 #include "burnish/shade_q15.h"
 #include "verilated.h"
 
@@ -102,14 +102,14 @@ void draw(const float p[3][3], const float n[3][3], int width, int height,
 
 std::vector<pixel> normals_of_teapot(int width, int height) {
     burnish_error error;
-    burnish_scene *scene = nullptr;
+    burnish_mesh *scene = nullptr;
     burnish_load_options options = burnish_load_options_default();
     options.threads = 1;
-    if (burnish_scene_load(":teapot", &options, &scene, &error) != BURNISH_STATUS_OK) {
+    if (burnish_mesh_load(":teapot", &options, &scene, &error) != BURNISH_STATUS_OK) {
         fprintf(stderr, "picture: the teapot cannot be made\n");
         exit(2);
     }
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    const burnish_mesh *mesh = burnish_mesh_get_view(scene);
     float center[3], size = 0;
     for (int i = 0; i < 3; ++i) {
         center[i] = (mesh->bounds_min[i] + mesh->bounds_max[i]) / 2;
@@ -132,7 +132,7 @@ std::vector<pixel> normals_of_teapot(int width, int height) {
         }
         draw(p, n, width, height, pixels);
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
     return pixels;
 }
 

@@ -1,5 +1,5 @@
-#include "base/srgb.h"
 #include "burnish/image.h"
+#include "core/srgb.h"
 
 float burnish_srgb_decode(float value) {
     return burnish_srgb_value_to_linear(value);

@@ -6,7 +6,7 @@
 #define XXH_INLINE_ALL /* one function: no library to load for it */
 #include <xxhash.h>
 
-#include "base/memory.h"
+#include "core/memory.h"
 
 static size_t image_size(const burnish_image *image) {
     return (size_t)image->width * (size_t)image->height * (size_t)image->channels;

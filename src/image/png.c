@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/memory.h"
-#include "base/output.h"
-#include "base/pool.h"
 #include "burnish/image.h"
+#include "core/memory.h"
+#include "core/output.h"
+#include "core/pool.h"
 
 enum {
     SIGNATURE_SIZE = 8,

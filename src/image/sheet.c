@@ -1,7 +1,7 @@
 /* Contact sheets: equal pictures in rows, a centred label under each. */
 #include <string.h>
 
-#include "base/error.h"
+#include "core/error.h"
 #include "image/text.h"
 
 enum {

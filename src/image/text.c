@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "base/elementary.h"
-#include "base/srgb.h"
+#include "core/elementary.h"
+#include "core/srgb.h"
 #include "image/stroke_font.h"
 
 enum { SPAN = 256 }; /* pixels of a row that are covered at a time */

@@ -1,7 +1,7 @@
 /* Triangle lists per tile, made for as many tile rows at a time as fit a fixed memory budget. */
 #include <string.h>
 
-#include "base/memory.h"
+#include "core/memory.h"
 #include "raster/tier.h"
 
 /* Entries that a band of several tile rows may hold: 128 MiB. One row alone may need more. */
@@ -40,9 +40,9 @@ static int choose_end_row(const burnish_bins *bins, const burnish_geometry *geom
 
 /* Makes room for the entries of a piece and those before it. */
 static burnish_status reserve_entries(burnish_bin_slice *slice, size_t piece) {
-    return burnish_grow((void **)&slice->entries, &slice->entry_capacity,
-                        (piece + 1) * BURNISH_LIST_PIECE, sizeof *slice->entries, "tile lists",
-                        &slice->error);
+    return burnish_reserve((void **)&slice->entries, &slice->entry_capacity,
+                           (piece + 1) * BURNISH_LIST_PIECE, sizeof *slice->entries, "tile lists",
+                           &slice->error);
 }
 
 burnish_status burnish_list_start_piece(burnish_bin_slice *slice, burnish_list_chain *chain) {
@@ -53,8 +53,8 @@ burnish_status burnish_list_start_piece(burnish_bin_slice *slice, burnish_list_c
     }
     burnish_status status = reserve_entries(slice, piece);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_grow((void **)&slice->links, &slice->link_capacity, piece + 1,
-                              sizeof *slice->links, "tile lists", &slice->error);
+        status = burnish_reserve((void **)&slice->links, &slice->link_capacity, piece + 1,
+                                 sizeof *slice->links, "tile lists", &slice->error);
     }
     if (status == BURNISH_STATUS_OK) {
         if (chain->first) {
@@ -74,8 +74,8 @@ static void fill_slice(const burnish_bins *bins, const burnish_raster_tier *tier
     burnish_bin_slice *slice = &bins->slices[number];
     const size_t lists = 2 * (size_t)bins->columns * (size_t)(bins->end_row - bins->first_row);
     slice->piece_count = 0;
-    slice->status = burnish_renew((void **)&slice->chains, &slice->chain_capacity, lists,
-                                  sizeof *slice->chains, "tile lists", &slice->error);
+    slice->status = burnish_reserve_discard((void **)&slice->chains, &slice->chain_capacity, lists,
+                                            sizeof *slice->chains, "tile lists", &slice->error);
     if (slice->status != BURNISH_STATUS_OK) {
         return;
     }
@@ -135,8 +135,8 @@ static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *ge
     wanted = wanted > most ? most : wanted;
     const size_t before = bins->slice_capacity;
     bins->slice_count = wanted;
-    burnish_status status = burnish_grow((void **)&bins->slices, &bins->slice_capacity, wanted,
-                                         sizeof *bins->slices, "tile lists", error);
+    burnish_status status = burnish_reserve((void **)&bins->slices, &bins->slice_capacity, wanted,
+                                            sizeof *bins->slices, "tile lists", error);
     if (status == BURNISH_STATUS_OK && bins->slice_capacity > before) {
         memset(bins->slices + before, 0, (bins->slice_capacity - before) * sizeof *bins->slices);
     }

@@ -2,7 +2,7 @@
  * chunk after another; clipped and large triangles are set up here, one at a time. */
 #include <string.h>
 
-#include "base/memory.h"
+#include "core/memory.h"
 #include "raster/tier.h"
 
 /* A piece of a clipped triangle; vertices count from the chunk's own clipped ones. */
@@ -128,8 +128,8 @@ static int set_up(const burnish_raster_view *view, const burnish_screen_vertex v
 
 static burnish_status append_piece(chunk_output *output, const clipped_piece *piece) {
     burnish_status status =
-        burnish_grow((void **)&output->pieces, &output->piece_capacity, output->piece_count + 1,
-                     sizeof *piece, "clipped triangles", &output->error);
+        burnish_reserve((void **)&output->pieces, &output->piece_capacity, output->piece_count + 1,
+                        sizeof *piece, "clipped triangles", &output->error);
     if (status == BURNISH_STATUS_OK) {
         output->pieces[output->piece_count++] = *piece;
     }
@@ -154,8 +154,8 @@ static burnish_status append_clipped(const chunk_context *context, uint32_t sour
     }
     const size_t first = output->clip_count;
     burnish_status status =
-        burnish_grow((void **)&output->clips, &output->clip_capacity, first + count,
-                     sizeof *output->clips, "clipped vertices", &output->error);
+        burnish_reserve((void **)&output->clips, &output->clip_capacity, first + count,
+                        sizeof *output->clips, "clipped vertices", &output->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -234,11 +234,12 @@ static burnish_status grow_vertices(burnish_screen_vertices *vertices, size_t ex
         return burnish_fail(error, BURNISH_STATUS_LIMIT,
                             "clipping makes more than 2^32 vertices; split the mesh");
     }
-    burnish_status status = burnish_grow((void **)&vertices->items, &vertices->item_capacity, count,
-                                         sizeof *vertices->items, "screen vertices", error);
+    burnish_status status =
+        burnish_reserve((void **)&vertices->items, &vertices->item_capacity, count,
+                        sizeof *vertices->items, "screen vertices", error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_grow((void **)&vertices->inverse_w, &vertices->inverse_capacity, count,
-                              sizeof *vertices->inverse_w, "screen vertices", error);
+        status = burnish_reserve((void **)&vertices->inverse_w, &vertices->inverse_capacity, count,
+                                 sizeof *vertices->inverse_w, "screen vertices", error);
     }
     vertices->count = count;
     return status;
@@ -250,19 +251,22 @@ static burnish_status reserve_pieces(burnish_geometry *geometry, size_t pieces, 
     const size_t blocks = (pieces + BURNISH_SETUP_BLOCK - 1) / BURNISH_SETUP_BLOCK;
     geometry->block_count = geometry->mesh_blocks + blocks;
     burnish_status status =
-        burnish_grow((void **)&geometry->blocks, &geometry->block_capacity, geometry->block_count,
-                     sizeof *geometry->blocks, "triangles", error);
+        burnish_reserve((void **)&geometry->blocks, &geometry->block_capacity,
+                        geometry->block_count, sizeof *geometry->blocks, "triangles", error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_grow((void **)&geometry->heads, &geometry->head_capacity,
-                              geometry->block_count, sizeof *geometry->heads, "triangles", error);
+        status =
+            burnish_reserve((void **)&geometry->heads, &geometry->head_capacity,
+                            geometry->block_count, sizeof *geometry->heads, "triangles", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_renew((void **)&geometry->pieces, &geometry->piece_capacity, pieces,
-                               sizeof *geometry->pieces, "clipped triangles", error);
+        status =
+            burnish_reserve_discard((void **)&geometry->pieces, &geometry->piece_capacity, pieces,
+                                    sizeof *geometry->pieces, "clipped triangles", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_renew((void **)&geometry->clip_vertices, &geometry->clip_capacity, clips,
-                               sizeof *geometry->clip_vertices, "clipped vertices", error);
+        status = burnish_reserve_discard(
+            (void **)&geometry->clip_vertices, &geometry->clip_capacity, clips,
+            sizeof *geometry->clip_vertices, "clipped vertices", error);
     }
     return status == BURNISH_STATUS_OK ? grow_vertices(&geometry->vertices, clips, error) : status;
 }
@@ -336,19 +340,22 @@ static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
     geometry->block_count = geometry->mesh_blocks;
     geometry->piece_count = geometry->triangle_count = 0;
     burnish_status status =
-        burnish_renew((void **)&vertices->items, &vertices->item_capacity, vertex_count,
-                      sizeof *vertices->items, "screen vertices", error);
+        burnish_reserve_discard((void **)&vertices->items, &vertices->item_capacity, vertex_count,
+                                sizeof *vertices->items, "screen vertices", error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_renew((void **)&vertices->inverse_w, &vertices->inverse_capacity,
-                               vertex_count, sizeof *vertices->inverse_w, "screen vertices", error);
+        status = burnish_reserve_discard((void **)&vertices->inverse_w, &vertices->inverse_capacity,
+                                         vertex_count, sizeof *vertices->inverse_w,
+                                         "screen vertices", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_renew((void **)&geometry->blocks, &geometry->block_capacity,
-                               geometry->mesh_blocks, sizeof *geometry->blocks, "triangles", error);
+        status = burnish_reserve_discard((void **)&geometry->blocks, &geometry->block_capacity,
+                                         geometry->mesh_blocks, sizeof *geometry->blocks,
+                                         "triangles", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_renew((void **)&geometry->heads, &geometry->head_capacity,
-                               geometry->mesh_blocks, sizeof *geometry->heads, "triangles", error);
+        status = burnish_reserve_discard((void **)&geometry->heads, &geometry->head_capacity,
+                                         geometry->mesh_blocks, sizeof *geometry->heads,
+                                         "triangles", error);
     }
     return status;
 }

@@ -19,9 +19,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "base/error.h"
-#include "base/pool.h"
-#include "burnish/isa.h"
+#include "burnish/core.h"
+#include "core/error.h"
+#include "core/pool.h"
 
 enum {
     BURNISH_SUBPIXELS = 256, /* fixed-point steps a pixel */

@@ -1,4 +1,4 @@
 /* Rasterisation for neon. Compiled with that instruction set's flags (cmake/tiers.cmake). */
 #define BURNISH_VECTOR_NEON
 #define RASTER_TIER burnish_raster_neon
-#include "raster/tier_body.h"
+#include "raster/tier_simd.h"

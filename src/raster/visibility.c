@@ -1,10 +1,10 @@
 /* A tile from its lists of triangles to whole pixels and blocks of visible points; the drawing
- * itself is in visibility_body.h. */
+ * itself is in visibility_simd.h. */
 #include "raster/visibility.h"
 
 #include <string.h>
 
-#include "base/memory.h"
+#include "core/memory.h"
 #include "raster/tier.h"
 
 static burnish_status allocate_floats(float **array, size_t count, burnish_error *error) {

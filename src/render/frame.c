@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#include "base/memory.h"
-#include "base/srgb.h"
+#include "core/memory.h"
+#include "core/srgb.h"
 
 /* What one thread needs to draw tiles, and what it counted. */
 struct burnish_tile_worker {
@@ -137,7 +137,7 @@ static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker
     const burnish_strip *strip = &worker->strip;
     const float *const rgb[3] = {strip->rgb[0], strip->rgb[1], strip->rgb[2]};
     const int samples = frame->options->samples;
-    const struct burnish_batch *batch = frame->shader->batch;
+    const struct burnish_kernels *batch = frame->shader->batch;
     const uint32_t alpha = frame->options->transparent ? 0xff000000u : 0;
     if (samples == 1) {
         encode_blocks(frame, worker, number, alpha);
@@ -328,8 +328,9 @@ static burnish_status prepare_background(const burnish_frame *frame, burnish_til
                                          burnish_error *error) {
     enum { MOST_CHANNELS = 4 };
     const size_t channels = (size_t)frame->image->channels, width = (size_t)frame->image->width;
-    burnish_status status = burnish_renew((void **)&tiles->background, &tiles->background_capacity,
-                                          width, MOST_CHANNELS, "a row", error);
+    burnish_status status =
+        burnish_reserve_discard((void **)&tiles->background, &tiles->background_capacity, width,
+                                MOST_CHANNELS, "a row", error);
     for (size_t i = 0; i < width && status == BURNISH_STATUS_OK; ++i) {
         const uint8_t *code = frame->options->background;
         for (size_t k = 0; k < channels; ++k) {

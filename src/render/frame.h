@@ -3,9 +3,9 @@
 #define BURNISH_RENDER_FRAME_H
 
 #include "burnish/render.h"
-#include "kernels/table.h"
 #include "raster/visibility.h"
-#include "shade/strip.h"
+#include "shading/strip.h"
+#include "shading/table.h"
 
 typedef struct burnish_frame {
     const burnish_raster_view *view;

@@ -2,13 +2,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/error.h"
 #include "burnish/render.h"
+#include "core/error.h"
 #include "render/materials.h"
 
 static const struct fit_word {
     const char *word;
-    burnish_fit fit;
+    burnish_lobe_fit fit;
 } FIT_WORDS[] = {
     {"taylor", BURNISH_FIT_TAYLOR}, {"energy", BURNISH_FIT_ENERGY},
     {"level", BURNISH_FIT_LEVEL},   {"shift7", BURNISH_FIT_SHIFT7},

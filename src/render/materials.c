@@ -1,12 +1,12 @@
 #include "render/materials.h"
 
-#include "base/memory.h"
 #include "burnish/theory.h"
+#include "core/memory.h"
 
 /* The family's lobe for an exponent: the chosen order or the highest below it that the exponent
  * allows, and when none fits the chosen fit, energy at order 2, which exists for every exponent. */
-static burnish_lobe family_lobe(const burnish_lobe_choice *choice, burnish_fit fit, float exponent,
-                                size_t *fallbacks) {
+static burnish_lobe family_lobe(const burnish_lobe_choice *choice, burnish_lobe_fit fit,
+                                float exponent, size_t *fallbacks) {
     burnish_lobe lobe;
     for (int order = choice->order; order >= 2; order /= 2) {
         if (burnish_theory_lobe(&lobe, fit, order, exponent, choice->level) == BURNISH_LOBE_OK) {
@@ -19,24 +19,24 @@ static burnish_lobe family_lobe(const burnish_lobe_choice *choice, burnish_fit f
     return lobe;
 }
 
-static burnish_batch_lobe batch_lobe(const burnish_lobe_choice *choice, float exponent,
-                                     size_t *fallbacks) {
-    burnish_batch_lobe lobe = {BURNISH_BATCH_FAMILY, {0, 2}, exponent};
+static burnish_kernels_lobe batch_lobe(const burnish_lobe_choice *choice, float exponent,
+                                       size_t *fallbacks) {
+    burnish_kernels_lobe lobe = {BURNISH_KERNELS_FAMILY, {0, 2}, exponent};
     switch (choice->kind) {
     case BURNISH_LOBE_LYON:
         lobe.family = family_lobe(choice, BURNISH_FIT_TAYLOR, exponent, fallbacks);
         break;
     case BURNISH_LOBE_POWER:
-        lobe.kind = BURNISH_BATCH_POWER;
+        lobe.kind = BURNISH_KERNELS_POWER;
         break;
     case BURNISH_LOBE_SCHLICK:
-        lobe.kind = BURNISH_BATCH_SCHLICK;
+        lobe.kind = BURNISH_KERNELS_SCHLICK;
         break;
     case BURNISH_LOBE_GAUSSIAN:
-        lobe.kind = BURNISH_BATCH_GAUSSIAN;
+        lobe.kind = BURNISH_KERNELS_GAUSSIAN;
         break;
     case BURNISH_LOBE_GX:
-        lobe.kind = BURNISH_BATCH_GX;
+        lobe.kind = BURNISH_KERNELS_GX;
         break;
     case BURNISH_LOBE_FAMILY:
     case BURNISH_LOBE_KIND_COUNT:
@@ -57,12 +57,12 @@ static void set_colors(const burnish_material *material, int has_colors,
     }
 }
 
-burnish_status burnish_materials_create(const burnish_scene *scene,
+burnish_status burnish_materials_create(const burnish_mesh *scene,
                                         const burnish_render_options *options,
                                         burnish_shade_material **materials, size_t *fallbacks,
                                         burnish_error *error) {
-    size_t count = burnish_scene_material_count(scene);
-    int has_colors = burnish_scene_mesh(scene)->colors && !options->ignore_colors;
+    size_t count = burnish_mesh_material_count(scene);
+    int has_colors = burnish_mesh_get_view(scene)->colors && !options->ignore_colors;
     burnish_status status =
         burnish_allocate((void **)materials, count, sizeof **materials, "materials", error);
     if (status != BURNISH_STATUS_OK) {
@@ -70,7 +70,7 @@ burnish_status burnish_materials_create(const burnish_scene *scene,
     }
     *fallbacks = 0;
     for (size_t i = 0; i < count; ++i) {
-        const burnish_material *material = burnish_scene_material(scene, i);
+        const burnish_material *material = burnish_mesh_material(scene, i);
         size_t lower = 0;
         set_colors(material, has_colors, options->ambient_light, &(*materials)[i]);
         (*materials)[i].lobe = batch_lobe(&options->lobe, material->exponent, &lower);

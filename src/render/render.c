@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/clock.h"
-#include "base/memory.h"
-#include "base/pool.h"
+#include "core/clock.h"
+#include "core/memory.h"
+#include "core/pool.h"
 #include "render/frame.h"
 #include "render/materials.h"
 #include "render/view.h"
@@ -138,10 +138,10 @@ static size_t count_drawn(const uint8_t *drawn, size_t count) {
     return sum;
 }
 
-static int needs_place(const burnish_batch_lighting *lighting) {
+static int needs_place(const burnish_kernels_lighting *lighting) {
     int needs = lighting->near_viewer;
     for (int i = 0; i < lighting->light_count; ++i) {
-        needs |= lighting->lights[i].kind == BURNISH_BATCH_POINT;
+        needs |= lighting->lights[i].kind == BURNISH_KERNELS_POINT;
     }
     return needs;
 }
@@ -154,8 +154,8 @@ struct burnish_renderer {
     burnish_attributes attributes;
     burnish_tiles tiles;
     burnish_srgb_encoder encoder;
-    const burnish_batch *best; /* to ask the processor takes as long as a tile */
-    uint8_t *drawn;            /* a byte a triangle */
+    const burnish_kernels *best; /* to ask the processor takes as long as a tile */
+    uint8_t *drawn;              /* a byte a triangle */
     size_t drawn_capacity;
 };
 
@@ -184,7 +184,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
 }
 
 /* Vertices to the screen, triangles to their chunks. */
-static burnish_status transform(burnish_renderer *renderer, const burnish_mesh *mesh,
+static burnish_status transform(burnish_renderer *renderer, const burnish_mesh_view *mesh,
                                 const burnish_render_options *options,
                                 const burnish_raster_tier *tier, const burnish_raster_view *view,
                                 burnish_error *error) {
@@ -200,11 +200,11 @@ static burnish_status transform(burnish_renderer *renderer, const burnish_mesh *
 }
 
 /* Everything after the checks but for the materials; *image is allocated. */
-static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scene,
+static burnish_status draw(burnish_renderer *renderer, const burnish_mesh *scene,
                            const burnish_render_options *options, burnish_shader *shader,
                            burnish_image *image, burnish_counts counts,
                            burnish_render_report *report, burnish_error *error) {
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     burnish_raster_view view;
     const double start = burnish_seconds_now();
     burnish_status status =
@@ -213,15 +213,15 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_scene *scen
         return status;
     }
     if (!options->batch && !renderer->best) {
-        renderer->best = burnish_batch_best(); /* asking the processor takes microseconds */
+        renderer->best = burnish_kernels_best(); /* asking the processor takes microseconds */
     }
     shader->batch = options->batch ? options->batch : renderer->best;
     shader->attributes = &renderer->attributes;
     shader->triangle_materials = mesh->triangle_materials;
     shader->needs_place = needs_place(&shader->lighting);
-    report->isa = burnish_batch_isa(shader->batch);
+    report->isa = burnish_kernels_isa(shader->batch);
     const burnish_raster_tier *tier = burnish_raster_tier_of(report->isa);
-    status = burnish_shader_check(shader, burnish_scene_material_count(scene), error);
+    status = burnish_shader_check(shader, burnish_mesh_material_count(scene), error);
     if (status == BURNISH_STATUS_OK) {
         status = transform(renderer, mesh, options, tier, &view, error);
         report->seconds_transform = burnish_seconds_now() - start;
@@ -257,8 +257,9 @@ static void prepare_pool(burnish_renderer *renderer, int threads) {
 /* The bytes where drawn triangles are marked, all 0. */
 static burnish_status prepare_drawn(burnish_renderer *renderer, size_t triangles,
                                     burnish_error *error) {
-    burnish_status status = burnish_renew((void **)&renderer->drawn, &renderer->drawn_capacity,
-                                          triangles, 1, "drawn triangles", error);
+    burnish_status status =
+        burnish_reserve_discard((void **)&renderer->drawn, &renderer->drawn_capacity, triangles, 1,
+                                "drawn triangles", error);
     if (status == BURNISH_STATUS_OK && triangles > 0) {
         memset(renderer->drawn, 0, triangles);
     }
@@ -277,7 +278,7 @@ static burnish_status prepare_image(burnish_image *image, const burnish_render_o
     return burnish_image_create(image, options->width, options->height, channels, error);
 }
 
-burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_scene *scene,
+burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_mesh *scene,
                                      const burnish_render_options *options, burnish_image *image,
                                      burnish_render_report *report, burnish_error *error) {
     burnish_render_report own;
@@ -302,7 +303,7 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_s
         return status;
     }
     const burnish_counts counts = report ? options->counts : BURNISH_COUNTS_NONE;
-    own.triangles = burnish_scene_mesh(scene)->triangle_count;
+    own.triangles = burnish_mesh_get_view(scene)->triangle_count;
     prepare_pool(renderer, options->threads);
     own.threads = burnish_pool_threads(renderer->pool);
     status = burnish_materials_create(scene, options, &materials, &own.lobe_fallbacks, error);
@@ -325,7 +326,7 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_s
     return status;
 }
 
-burnish_status burnish_render(const burnish_scene *scene, const burnish_render_options *options,
+burnish_status burnish_render(const burnish_mesh *scene, const burnish_render_options *options,
                               burnish_image *image, burnish_render_report *report,
                               burnish_error *error) {
     burnish_renderer *renderer;

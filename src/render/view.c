@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "base/error.h"
-#include "base/vector.h"
+#include "core/error.h"
+#include "core/vector.h"
 
 /* Distance of the near plane in units of the scene's size; a power of two, so that 1/w comes back
  * from the depth exactly. */
@@ -23,7 +23,7 @@ typedef struct camera_frame {
     double scale; /* raster units a scene unit */
 } camera_frame;
 
-static burnish_vec3 bounds_center(const burnish_mesh *mesh) {
+static burnish_vec3 bounds_center(const burnish_mesh_view *mesh) {
     float center[3];
     for (int i = 0; i < 3; ++i) {
         center[i] = (float)(((double)mesh->bounds_min[i] + mesh->bounds_max[i]) * 0.5);
@@ -31,14 +31,14 @@ static burnish_vec3 bounds_center(const burnish_mesh *mesh) {
     return burnish_vec3_loadf(center);
 }
 
-static double scene_scale(const burnish_mesh *mesh) {
+static double scene_scale(const burnish_mesh_view *mesh) {
     burnish_vec3 low = burnish_vec3_loadf(mesh->bounds_min);
     burnish_vec3 high = burnish_vec3_loadf(mesh->bounds_max);
     double half_diagonal = burnish_vec3_length(burnish_vec3_sub(high, low)) * 0.5;
     return half_diagonal > 0 ? 1 / half_diagonal : 1;
 }
 
-static burnish_status make_frame(const burnish_mesh *mesh, const burnish_camera *camera,
+static burnish_status make_frame(const burnish_mesh_view *mesh, const burnish_camera *camera,
                                  camera_frame *frame, burnish_error *error) {
     burnish_vec3 position = burnish_vec3_load(camera->position);
     burnish_vec3 direction = burnish_vec3_sub(burnish_vec3_load(camera->focal_point), position);
@@ -142,7 +142,7 @@ static burnish_vec3 from_camera_space(const camera_frame *frame, burnish_vec3 v)
 #define POINT_REACH 0x1p40
 
 /* Where a light stands from the eye, or in which direction. */
-static burnish_vec3 light_vector(const camera_frame *frame, const burnish_mesh *mesh,
+static burnish_vec3 light_vector(const camera_frame *frame, const burnish_mesh_view *mesh,
                                  const burnish_camera *camera, const burnish_light *light) {
     const int is_point = light->kind == BURNISH_LIGHT_POINT;
     burnish_vec3 v = burnish_vec3_load(light->vector);
@@ -165,31 +165,32 @@ static double largest_component(burnish_vec3 v) {
     return largest > z ? largest : z;
 }
 
-static burnish_batch_light make_light(const camera_frame *frame, const burnish_mesh *mesh,
-                                      const burnish_camera *camera, const burnish_light *light) {
-    burnish_batch_light made;
+static burnish_kernels_light make_light(const camera_frame *frame, const burnish_mesh_view *mesh,
+                                        const burnish_camera *camera, const burnish_light *light) {
+    burnish_kernels_light made;
     burnish_vec3 v = light_vector(frame, mesh, camera, light);
     double largest = largest_component(v);
     memset(&made, 0, sizeof made);
     memcpy(made.color, light->color, sizeof made.color);
     made.kind = light->kind == BURNISH_LIGHT_POINT && largest < POINT_REACH
-                    ? BURNISH_BATCH_POINT
-                    : BURNISH_BATCH_DIRECTIONAL;
-    if (made.kind == BURNISH_BATCH_DIRECTIONAL) {
+                    ? BURNISH_KERNELS_POINT
+                    : BURNISH_KERNELS_DIRECTIONAL;
+    if (made.kind == BURNISH_KERNELS_DIRECTIONAL) {
         v = burnish_vec3_normalize(burnish_vec3_scale(v, 1 / largest));
     }
     store(v, made.vector);
     return made;
 }
 
-static void make_lighting(const camera_frame *frame, const burnish_mesh *mesh,
-                          const burnish_render_options *options, burnish_batch_lighting *lighting) {
+static void make_lighting(const camera_frame *frame, const burnish_mesh_view *mesh,
+                          const burnish_render_options *options,
+                          burnish_kernels_lighting *lighting) {
     const burnish_camera *camera = &options->camera;
-    *lighting = burnish_batch_lighting_default();
+    *lighting = burnish_kernels_lighting_default();
     lighting->highlight =
-        options->equation == BURNISH_EQUATION_PHONG ? BURNISH_BATCH_PHONG : BURNISH_BATCH_BLINN;
+        options->equation == BURNISH_SPECULAR_PHONG ? BURNISH_KERNELS_PHONG : BURNISH_KERNELS_BLINN;
     lighting->lyon =
-        options->lobe.kind == BURNISH_LOBE_LYON && lighting->highlight == BURNISH_BATCH_BLINN;
+        options->lobe.kind == BURNISH_LOBE_LYON && lighting->highlight == BURNISH_KERNELS_BLINN;
     lighting->near_viewer =
         options->viewer == BURNISH_VIEWER_LOCAL && !(camera->orthographic_height > 0);
     memset(lighting->viewer, 0, sizeof lighting->viewer); /* places count from the eye */
@@ -202,9 +203,10 @@ static void make_lighting(const camera_frame *frame, const burnish_mesh *mesh,
     }
 }
 
-burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
+burnish_status burnish_view_create(const burnish_mesh_view *mesh,
+                                   const burnish_render_options *options,
                                    burnish_raster_view *raster, burnish_rays *shade,
-                                   burnish_batch_lighting *lighting, burnish_error *error) {
+                                   burnish_kernels_lighting *lighting, burnish_error *error) {
     camera_frame frame;
     const burnish_camera *camera = &options->camera;
     burnish_status status = make_frame(mesh, camera, &frame, error);

@@ -4,12 +4,13 @@
 
 #include "burnish/render.h"
 #include "raster/raster.h"
-#include "shade/shade.h"
+#include "shading/shade.h"
 
 /* Errors: ARGUMENT (a camera without a direction, or further away than float arithmetic reaches).
  */
-burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
+burnish_status burnish_view_create(const burnish_mesh_view *mesh,
+                                   const burnish_render_options *options,
                                    burnish_raster_view *raster, burnish_rays *shade,
-                                   burnish_batch_lighting *lighting, burnish_error *error);
+                                   burnish_kernels_lighting *lighting, burnish_error *error);
 
 #endif

@@ -1,7 +1,7 @@
 /* From exponent to lobe: the slope of every fit. Pictures depend on this, so no libm here. */
 #include "burnish/theory.h"
 
-#include "base/elementary.h"
+#include "core/elementary.h"
 
 /* (1 - Q^(1/m)) / (1 - Q^(1/n)); expm1 keeps the digits where the powers are close to 1. */
 static double level_zeta(double m, double n, double level) {
@@ -17,7 +17,8 @@ static double projected_zeta(double m, double n) {
 }
 
 /* What a fit demands beyond burnish_lobe_check. */
-static burnish_lobe_status check_fit(burnish_fit fit, int order, double exponent, double level) {
+static burnish_lobe_status check_fit(burnish_lobe_fit fit, int order, double exponent,
+                                     double level) {
     switch (fit) {
     case BURNISH_FIT_TAYLOR:
     case BURNISH_FIT_ENERGY:
@@ -37,8 +38,8 @@ static burnish_lobe_status check_fit(burnish_fit fit, int order, double exponent
     return BURNISH_LOBE_ERROR_FIT;
 }
 
-burnish_lobe_status burnish_theory_zeta(burnish_fit fit, int order, double exponent, double level,
-                                        double *zeta) {
+burnish_lobe_status burnish_theory_zeta(burnish_lobe_fit fit, int order, double exponent,
+                                        double level, double *zeta) {
     *zeta = 0;
     burnish_lobe_status status = check_fit(fit, order, exponent, level);
     if (status == BURNISH_LOBE_OK) {
@@ -72,7 +73,7 @@ burnish_lobe_status burnish_theory_zeta(burnish_fit fit, int order, double expon
     return BURNISH_LOBE_OK;
 }
 
-burnish_lobe_status burnish_theory_lobe(burnish_lobe *lobe, burnish_fit fit, int order,
+burnish_lobe_status burnish_theory_lobe(burnish_lobe *lobe, burnish_lobe_fit fit, int order,
                                         double exponent, double level) {
     double zeta;
     burnish_lobe_status status = burnish_theory_zeta(fit, order, exponent, level, &zeta);

@@ -37,7 +37,7 @@ grep -qx pow "$scratch/libm" || fail "could not read libm's names"
 nm -u "$archive" 2>/dev/null | awk '/:$/ {object = $1; sub(/(\.c)?\.o:$/, ".c", object)} NF == 2 {print $2, object}' |
     sort >"$scratch/needed"
 join "$scratch/needed" "$scratch/libm" >"$scratch/used"
-grep -qx 'pow theory_value.c' "$scratch/used" || fail "could not read what the objects need"
+grep -qx 'pow value.c' "$scratch/used" || fail "could not read what the objects need"
 while read -r name object; do
     if [ "$object" != fit.c ] && [ -f "$source/src/theory/$object" ]; then
         [ "$(find "$source/src" -name "$object" | wc -l)" -eq 1 ] || fail "two files are named $object"

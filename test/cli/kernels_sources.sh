@@ -5,7 +5,7 @@ flags="-std=c17 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror -D_G
 # sources SOURCE_DIR TIER
 sources() {
     echo "-I$1/include -I$1/src -I$1/test -DBURNISH_VERSION=\"0\" $1/test/test_kernels.c"
-    for file in kernels/isa kernels/batch kernels/prepare kernels/tier_scalar "kernels/tier_$2" base/elementary base/error; do
+    for file in simd/isa shading/batch shading/prepare simd/tier_scalar "simd/tier_$2" core/elementary core/error; do
         echo "$1/src/$file.c"
     done
 }
@@ -13,12 +13,12 @@ sources() {
 # renderer_sources SOURCE_DIR TIER
 renderer_sources() {
     echo "-pthread -I$1/include -I$1/src -I$1/test -DBURNISH_VERSION=\"0\" $1/test/test_visibility.c"
-    for file in kernels/isa kernels/batch kernels/prepare base/elementary base/error base/memory base/pool base/srgb \
+    for file in simd/isa shading/batch shading/prepare core/elementary core/error core/memory core/pool core/srgb \
         raster/bin raster/clip raster/geometry raster/samples raster/tier raster/visibility \
-        shade/attributes shade/interpolate shade/strip shade/shade; do
+        shading/attributes shading/interpolate shading/strip shading/shade; do
         echo "$1/src/$file.c"
     done
     for tier in scalar "$2"; do
-        echo "$1/src/kernels/tier_$tier.c $1/src/raster/raster_$tier.c"
+        echo "$1/src/simd/tier_$tier.c $1/src/raster/raster_$tier.c"
     done
 }

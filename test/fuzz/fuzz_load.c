@@ -14,8 +14,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "burnish/mesh.h"
 #include "burnish/render.h"
-#include "burnish/scene.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -61,7 +61,7 @@ static void place_file(int descriptor, const uint8_t *bytes, size_t size) {
 }
 
 static burnish_status load(const uint8_t *bytes, size_t size, int from_file,
-                           const burnish_load_options *options, burnish_scene **scene,
+                           const burnish_load_options *options, burnish_mesh **scene,
                            burnish_error *error) {
     const uint8_t *end = memchr(bytes, 0, size);
     if (options->format != BURNISH_FORMAT_OBJ || !end) {
@@ -69,12 +69,12 @@ static burnish_status load(const uint8_t *bytes, size_t size, int from_file,
     }
     size_t mesh_size = (size_t)(end - bytes);
     if (!from_file) {
-        return burnish_scene_load_memory(bytes, mesh_size, "fuzz", options, scene, error);
+        return burnish_mesh_load_memory(bytes, mesh_size, "fuzz", options, scene, error);
     }
     place_file(MESH_DESCRIPTOR, bytes, mesh_size);
     place_file(LIBRARY_DESCRIPTOR, mesh_size < size ? end + 1 : end,
                mesh_size < size ? size - mesh_size - 1 : 0);
-    burnish_status status = burnish_scene_load(MESH_PATH, options, scene, error);
+    burnish_status status = burnish_mesh_load(MESH_PATH, options, scene, error);
     close(MESH_DESCRIPTOR);
     close(LIBRARY_DESCRIPTOR);
     return status;
@@ -93,7 +93,7 @@ static void check_material(const burnish_material *material) {
     }
 }
 
-static void check_mesh(const burnish_mesh *mesh) {
+static void check_mesh(const burnish_mesh_view *mesh) {
     require(mesh->vertex_count >= 3 && mesh->triangle_count >= 1, "counts", NULL);
     for (size_t i = 0; i < 3 * mesh->vertex_count; ++i) {
         require(mesh->positions[i] >= -FLT_MAX && mesh->positions[i] <= FLT_MAX, "position", NULL);
@@ -111,24 +111,24 @@ static void check_mesh(const burnish_mesh *mesh) {
     }
 }
 
-static void check_scene(const burnish_scene *scene) {
-    const burnish_mesh *mesh = burnish_scene_mesh(scene);
-    size_t materials = burnish_scene_material_count(scene);
+static void check_scene(const burnish_mesh *scene) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
+    size_t materials = burnish_mesh_material_count(scene);
     check_mesh(mesh);
     require(materials >= 1, "no material", NULL);
     for (size_t i = 0; i < materials; ++i) {
-        check_material(burnish_scene_material(scene, i));
+        check_material(burnish_mesh_material(scene, i));
     }
     for (size_t i = 0; mesh->triangle_materials && i < mesh->triangle_count; ++i) {
         require(mesh->triangle_materials[i] < materials, "material index", NULL);
     }
-    for (size_t i = 0; i < burnish_scene_warning_count(scene); ++i) {
-        check_line(burnish_scene_warning(scene, i));
+    for (size_t i = 0; i < burnish_mesh_warning_count(scene); ++i) {
+        check_line(burnish_mesh_warning(scene, i));
     }
 }
 
 /* So small that render may refuse it. */
-static int is_tiny(const burnish_mesh *mesh) {
+static int is_tiny(const burnish_mesh_view *mesh) {
     for (int i = 0; i < 3; ++i) {
         if ((double)mesh->bounds_max[i] - mesh->bounds_min[i] > 1e-30) {
             return 0;
@@ -138,12 +138,12 @@ static int is_tiny(const burnish_mesh *mesh) {
 }
 
 /* A mesh that loads can be framed and drawn, whatever its size and place. */
-static void draw(const burnish_scene *scene, uint8_t choice) {
+static void draw(const burnish_mesh *scene, uint8_t choice) {
     static const int samples[2] = {1, 4};
     burnish_error error = {0};
     burnish_image image = {0};
     burnish_render_report report = {0};
-    burnish_fit_options fit = burnish_fit_options_default();
+    burnish_framing fit = burnish_framing_default();
     burnish_render_options options = burnish_render_options_default();
     fit.orthographic = choice >> 4 & 1;
     options.width = 40;
@@ -152,10 +152,10 @@ static void draw(const burnish_scene *scene, uint8_t choice) {
     options.threads = 1;
     options.samples = samples[choice >> 5 & 1];
     options.lobe.kind = choice & 64 ? BURNISH_LOBE_LYON : BURNISH_LOBE_FAMILY;
-    burnish_status status = burnish_camera_fit(scene, &fit, &options.camera, &error);
+    burnish_status status = burnish_camera_frame(scene, &fit, &options.camera, &error);
     require(status == BURNISH_STATUS_OK, "camera", &error);
     status = burnish_render(scene, &options, &image, &report, &error);
-    if (status == BURNISH_STATUS_LIMIT && is_tiny(burnish_scene_mesh(scene))) {
+    if (status == BURNISH_STATUS_LIMIT && is_tiny(burnish_mesh_get_view(scene))) {
         return;
     }
     require(status == BURNISH_STATUS_OK, "render", &error);
@@ -169,7 +169,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         return 0;
     }
     burnish_load_options options = load_options(data);
-    burnish_scene *scene = NULL;
+    burnish_mesh *scene = NULL;
     burnish_error error = {0};
     burnish_status status = load(data + HEAD, size - HEAD, data[1] & 8, &options, &scene, &error);
     if (status == BURNISH_STATUS_OK) {
@@ -179,6 +179,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         require(!scene && error.status == status, "status", &error);
         check_line(error.text);
     }
-    burnish_scene_destroy(scene);
+    burnish_mesh_destroy(scene);
     return 0;
 }

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "bench/kernels.h"
-#include "help.h"
-#include "values.h"
+#include "cli/help.h"
+#include "cli/values.h"
 
 typedef struct bench_settings {
     burnish_isa isa; /* BURNISH_ISA_COUNT: all of them */

@@ -1,6 +1,6 @@
-/* Writes src/base/srgb_table.h: the sRGB transfer function (IEC 61966-2-1) as exact tables.
+/* Writes src/core/srgb_table.h: the sRGB transfer function (IEC 61966-2-1) as exact tables.
  *
- *   cc -o srgb_table tools/generate/srgb_table.c -lm && ./srgb_table > src/base/srgb_table.h
+ *   cc -o srgb_table tools/generate/srgb_table.c -lm && ./srgb_table > src/core/srgb_table.h
  *
  * Every entry is computed in long double and refused unless all values within 2^-60 of it round to
  * the same float, so the output does not depend on the last bits of powl. The test "srgb" runs this
@@ -110,7 +110,7 @@ static void write_srgb_table(FILE *file) {
     next[255] = 2; /* above every value that is looked up */
     fprintf(file, "/* Tables of the sRGB transfer function (IEC 61966-2-1). Written by\n"
                   " * tools/generate/srgb_table.c; do not edit. */\n"
-                  "#ifndef BURNISH_BASE_SRGB_TABLE_H\n#define BURNISH_BASE_SRGB_TABLE_H\n"
+                  "#ifndef BURNISH_CORE_SRGB_TABLE_H\n#define BURNISH_CORE_SRGB_TABLE_H\n"
                   "\n/* clang-format off */\n");
     write_floats(file, "Linear light of code k, correctly rounded.", "SRGB_LINEAR", linear);
     write_floats(

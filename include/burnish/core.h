@@ -1,0 +1,143 @@
+/* burnish/core.h: how every function of the library reports what went wrong.
+ *
+ * A function that can fail returns a burnish_status and, when the caller passes a burnish_error,
+ * writes one clear line there: which file or argument, where in it, what was wrong, what to do.
+ *
+ * SPDX-License-Identifier: MIT
+ * Copyright (c) the burnish authors
+ */
+#ifndef BURNISH_CORE_H
+#define BURNISH_CORE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(_WIN32) && defined(BURNISH_SHARED)
+#ifdef BURNISH_BUILDING
+#define BURNISH_API __declspec(dllexport)
+#else
+#define BURNISH_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define BURNISH_API __attribute__((visibility("default")))
+#else
+#define BURNISH_API
+#endif
+
+/* Every status of the library: X(name, exit code of the command line, text). */
+#define BURNISH_STATUS_LIST(X)                                                                     \
+    X(OK, 0, "success")                                                                            \
+    X(ARGUMENT, 2, "an argument is out of range or not initialised")                               \
+    X(READ, 3, "an input can't be opened or read")                                                 \
+    X(FORMAT, 4, "an input is malformed")                                                          \
+    X(LIMIT, 5, "an input is larger than the limits allow")                                        \
+    X(MEMORY, 6, "out of memory")                                                                  \
+    X(WRITE, 7, "an output can't be written")
+
+typedef enum burnish_status {
+#define BURNISH_STATUS_ENUM(name, code, text) BURNISH_STATUS_##name,
+    BURNISH_STATUS_LIST(BURNISH_STATUS_ENUM)
+#undef BURNISH_STATUS_ENUM
+        BURNISH_STATUS_COUNT
+} burnish_status;
+
+/* One line about a failure. The caller owns it; burnish never allocates for an error. */
+typedef struct burnish_error {
+    burnish_status status; /* the status that the function returned */
+    char text[480];        /* one line, UTF-8, without a newline, control characters replaced */
+} burnish_error;
+
+/* The general meaning of a status, "unknown status" for a value outside the list. */
+BURNISH_API const char *burnish_status_text(burnish_status status);
+
+/* The exit code that the command line gives a status: 0 for OK, 1 for a value outside the list. */
+BURNISH_API int burnish_status_exit_code(burnish_status status);
+
+/* The library's version, for example "0.1.0". */
+BURNISH_API const char *burnish_version(void);
+
+/* ---- Instruction sets ---- */
+
+/* The tiers, X(name, word, lanes): lanes is the number of floats in a vector. A processor's tiers
+ * are ordered: a later one is faster. avx512 means F, DQ, BW and VL together. */
+#define BURNISH_ISA_LIST(X)                                                                        \
+    X(SCALAR, "scalar", 1)                                                                         \
+    X(SSE2, "sse2", 4)                                                                             \
+    X(AVX2, "avx2", 8)                                                                             \
+    X(AVX512, "avx512", 16)                                                                        \
+    X(NEON, "neon", 4)                                                                             \
+    X(WASM, "wasm", 4)
+
+typedef enum burnish_isa {
+#define BURNISH_ISA_ENUM(name, word, lanes) BURNISH_ISA_##name,
+    BURNISH_ISA_LIST(BURNISH_ISA_ENUM)
+#undef BURNISH_ISA_ENUM
+        BURNISH_ISA_COUNT
+} burnish_isa;
+
+/* The environment variable that burnish_isa_choose reads. */
+#define BURNISH_ISA_VARIABLE "BURNISH_ISA"
+
+/* "avx2"; "unknown" for a value outside the list. */
+BURNISH_API const char *burnish_isa_name(burnish_isa isa);
+
+/* Floats in a vector of that tier, 0 for a value outside the list. */
+BURNISH_API int burnish_isa_lanes(burnish_isa isa);
+
+/* The tiers that this build has and this processor runs, as a mask of bits 1 << burnish_isa.
+ * SCALAR is always there. On x86 a tier counts only where the operating system saves its registers
+ * (CPUID together with XCR0). Asks the processor each time, which takes microseconds under a
+ * hypervisor: keep the answer. */
+BURNISH_API uint32_t burnish_isa_available(void);
+
+/* The fastest tier of a mask; SCALAR for an empty one. Depends on nothing else. */
+BURNISH_API burnish_isa burnish_isa_best(uint32_t mask);
+
+/* Chooses a tier by name.
+ *   name  a tier's word; NULL or "auto": what the environment variable BURNISH_ISA names, and where
+ *         that is unset, empty or "auto" the best available
+ *   isa   receives the tier, SCALAR on error; not NULL
+ *   error receives the one line of an error; may be NULL
+ * Errors: ARGUMENT for an unknown word, or a tier that this build or processor lacks. */
+BURNISH_API burnish_status burnish_isa_choose(const char *name, burnish_isa *isa,
+                                              burnish_error *error);
+
+/* ---- Files ---- */
+
+/* Writes bytes to a file. A new or existing regular file is written to a temporary in the same
+ * folder and renamed over it: on any error nothing is left and an existing file is as it was. Links
+ * stay links; an existing file keeps its permissions, a new one gets those of the umask. Something
+ * else that exists (a device, a pipe) is written directly.
+ *   path   the file; "-" is standard output
+ *   bytes  what to write; may be NULL when size is 0
+ *   size   how many
+ *   error  receives the one line of an error; may be NULL
+ * Errors: ARGUMENT (path NULL or empty), WRITE; a closed pipe is an error, provided the program
+ * ignores SIGPIPE. */
+BURNISH_API burnish_status burnish_file_write(const char *path, const void *bytes, size_t size,
+                                              burnish_error *error);
+
+/* Fills buffer with the next bytes of an output.
+ *   context  as passed to burnish_file_write_stream
+ *   buffer   size bytes to fill
+ * Returns how many were filled: at most size; 0 ends the output. */
+typedef size_t burnish_file_source(void *context, char *buffer, size_t size);
+
+/* The same for an output that is made while it is written, with no more memory than one buffer.
+ *   path     the file; "-" is standard output
+ *   source   called until it returns 0; not NULL
+ *   context  handed to source
+ *   error    receives the one line of an error; may be NULL
+ * Errors: as burnish_file_write, and MEMORY. */
+BURNISH_API burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
+                                                     void *context, burnish_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,231 @@
+/* burnish/kernels.h: lobes and the whole lighting equation over arrays, at the speed of the
+ * machine, with the same bits on every instruction set.
+ *
+ * How to use it.
+ *   1. Once: const burnish_kernels *batch = burnish_kernels_best();
+ *   2. Lobes over arrays of cosines: burnish_kernels_lobe_of_cosines(batch, &lobe, ...).
+ *   3. Lighting: fill a burnish_kernels_lighting from burnish_kernels_lighting_default(), prepare
+ * it once a material with burnish_kernels_prepare, then call burnish_kernels_shade_rgba8 or _float.
+ *
+ * What it does not do: allocate, start threads, keep state or draw triangles. Call it from as many
+ * threads as you like, each with its own part of the arrays. Arrays are structures of arrays: one
+ * float array for x, one for y, one for z. None needs any alignment beyond a float's, though 64
+ * bytes are fastest; lengths need not be a multiple of anything, and 0 is fine.
+ *
+ * What it promises. A result depends on its own point only, not on its place in the array, the
+ * array's length, the tier, the compiler or the thread. No fused multiply-add, no approximate
+ * instruction, no libm. The caller's floating-point environment is the default one: rounding to
+ * nearest, subnormal numbers kept. NaN and infinity in an input harm no other point.
+ *
+ * SPDX-License-Identifier: MIT
+ * Copyright (c) the burnish authors
+ */
+#ifndef BURNISH_KERNELS_H
+#define BURNISH_KERNELS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "burnish/core.h"
+#include "burnish/lobe.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The kernels of one tier. Constant, never freed. */
+typedef struct burnish_kernels burnish_kernels;
+
+/* The kernels of the fastest tier that runs here, or of the one that the environment variable
+ * BURNISH_ISA names; a name that does not run here is passed over. Never NULL. Keep the result: it
+ * asks the processor. */
+BURNISH_API const burnish_kernels *burnish_kernels_best(void);
+
+/* The kernels of a tier, NULL where this build or processor lacks it. */
+BURNISH_API const burnish_kernels *burnish_kernels_for(burnish_isa isa);
+
+/* The tier of these kernels. */
+BURNISH_API burnish_isa burnish_kernels_isa(const burnish_kernels *batch);
+
+/* ---- Lobes ---- */
+
+typedef enum burnish_kernels_lobe_kind {
+    BURNISH_KERNELS_FAMILY,      /* burnish_lobe_at_cosine of burnish/lobe.h, bit for bit */
+    BURNISH_KERNELS_POWER,       /* max(0, c)^n within 1e-7, by polynomials */
+    BURNISH_KERNELS_WHOLE_POWER, /* the same for a whole n, by multiplications */
+    BURNISH_KERNELS_SCHLICK,     /* burnish_schlick_at_cosine, bit for bit */
+    BURNISH_KERNELS_GAUSSIAN,    /* exp(-(n + .775) (1 - c)) within 1e-7 */
+    BURNISH_KERNELS_GX,          /* burnish_gx_at_cosine, bit for bit */
+    BURNISH_KERNELS_DARK,        /* 0 */
+    BURNISH_KERNELS_LOBE_KIND_COUNT
+} burnish_kernels_lobe_kind;
+
+/* A lobe. Each gives a value in [0, 1] for every float, 0 for NaN. Powers and the Gaussian are 0
+ * where they are below 2^-126. */
+typedef struct burnish_kernels_lobe {
+    burnish_kernels_lobe_kind kind;
+    burnish_lobe family; /* FAMILY: from burnish_lobe_create or its siblings; the dark one is 0 */
+    float exponent;      /* the others' n: [1, 65536], a whole number for WHOLE_POWER */
+} burnish_kernels_lobe;
+
+/* values[i] = lobe(cosines[i]).
+ *   batch    from burnish_kernels_best or burnish_kernels_for
+ *   lobe     not NULL
+ *   count    number of cosines
+ *   cosines  any floats
+ *   values   receives count values; may be cosines itself, must not overlap it otherwise
+ *   error    receives the one line of an error; may be NULL
+ * Arrays of 8 MiB and more are written past the caches.
+ * Errors: ARGUMENT for a lobe out of range; nothing is written. */
+BURNISH_API burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels *batch,
+                                                           const burnish_kernels_lobe *lobe,
+                                                           size_t count, const float *cosines,
+                                                           float *values, burnish_error *error);
+
+/* values[i] = lobe at 1 - cosine = lambdas[i]: the form that keeps its digits for large exponents
+ * (family; the other lobes take the cosine 1 - lambda). Otherwise the same. */
+BURNISH_API burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *batch,
+                                                           const burnish_kernels_lobe *lobe,
+                                                           size_t count, const float *lambdas,
+                                                           float *values, burnish_error *error);
+
+/* ---- Vectors ---- */
+
+/* Scales vectors to unit length, each component within 2e-7 relative, with neither root nor
+ * division.
+ *   in   x, y, z of lengths in [2^-60, 2^60]; (0, 0, 0) stays (0, 0, 0), others give no unit
+ *        vector
+ *   out  receives x, y, z; may be in's arrays */
+BURNISH_API void burnish_kernels_normalize(const burnish_kernels *batch, size_t count,
+                                           const float *const in[3], float *const out[3]);
+
+/* ---- Lighting ----
+ *
+ * For a point with normal N, surface colour d and place P, toward the light L, toward the viewer V
+ * (all made unit vectors here), each colour channel is
+ *
+ *   d (ambient + sum over lights of diffuse colour max(0, N.L))
+ *     + sum over the lights with N.L > 0 of specular colour lobe(c)
+ *
+ * with c = N.H, H = (L + V) / |L + V| (Blinn), or c = R.V, R = 2 (N.L) N - L (Phong). Lights do not
+ * fall off with distance: scale their colour. Numbers are linear light.
+ *
+ * Accuracy: with the family, zeta and the half vector are one constant where both light and viewer
+ * are far; then, and with the cosines of point lights, rounding is that of c in float: about
+ * zeta 2^-22 in the lobe's base. */
+
+#define BURNISH_KERNELS_LIGHT_MAX 64
+
+typedef enum burnish_kernels_light_kind {
+    BURNISH_KERNELS_DIRECTIONAL,
+    BURNISH_KERNELS_POINT
+} burnish_kernels_light_kind;
+
+typedef struct burnish_kernels_light {
+    burnish_kernels_light_kind kind;
+    float vector[3]; /* DIRECTIONAL: unit vector toward the light; POINT: its place */
+    float color[3];  /* [0, 1e6] */
+} burnish_kernels_light;
+
+typedef enum burnish_kernels_highlight {
+    BURNISH_KERNELS_BLINN,
+    BURNISH_KERNELS_PHONG
+} burnish_kernels_highlight;
+
+/* Material, lights and viewer. Start from burnish_kernels_lighting_default(). */
+typedef struct burnish_kernels_lighting {
+    uint32_t cookie;   /* set by burnish_kernels_lighting_default() */
+    float ambient[3];  /* Ia ka, [0, 1e6] */
+    float diffuse[3];  /* kd, [0, 1e6] */
+    float specular[3]; /* ks, [0, 1e6]; all 0: no lobe is computed */
+    burnish_kernels_lobe lobe;
+    burnish_kernels_highlight highlight;
+    int lyon;        /* 1, FAMILY and BLINN only: N has nearly unit length and is scaled by
+                        burnish_lyon_normalize_factor for the lobe instead of exactly */
+    int near_viewer; /* 0: V is `viewer` everywhere; 1: the viewer stands at `viewer` */
+    float viewer[3]; /* unit vector toward the viewer, or its place */
+    int light_count; /* [0, BURNISH_KERNELS_LIGHT_MAX] */
+    burnish_kernels_light lights[BURNISH_KERNELS_LIGHT_MAX];
+} burnish_kernels_lighting;
+
+/* Ambient .05, diffuse .6, specular .35, energy:2 for exponent 32, Blinn, a distant viewer toward
+ * +z, one white directional light from (-.48, .6, .64). */
+BURNISH_API burnish_kernels_lighting burnish_kernels_lighting_default(void);
+
+/* A lobe worked out. Made by burnish_kernels_prepare; nobody else's business. */
+typedef struct burnish_kernels_lobe_constants {
+    int body;       /* which kernel */
+    int squarings;  /* family: log2 of the order */
+    float zeta;     /* family */
+    float exponent; /* n */
+    float slope;    /* factor in an exponent or denominator */
+    float least;    /* WHOLE_POWER: the cosine up to which the power is below 2^-126 */
+    uint32_t whole; /* WHOLE_POWER: n */
+} burnish_kernels_lobe_constants;
+
+/* A light worked out: colours times material, for results in [0, 1] and in [0, 255]. */
+typedef struct burnish_kernels_light_constants {
+    int is_point;
+    float vector[3];
+    float half[3]; /* of a distant light and viewer: H, with the family zeta H */
+    float diffuse[2][3], specular[2][3];
+} burnish_kernels_light_constants;
+
+/* Lighting, prepared. Copy it freely, change nothing. */
+typedef struct burnish_kernels_shader {
+    uint32_t cookie;
+    int geometry; /* which kernel */
+    int phong, lyon, near_viewer, needs_place;
+    int light_count;
+    float offset; /* family: 1 - zeta */
+    float cutoff; /* family: cosines below it are surely dark; -1 where there are none */
+    float viewer[3];
+    float ambient[2][3];
+    burnish_kernels_lobe_constants lobe;
+    burnish_kernels_light_constants lights[BURNISH_KERNELS_LIGHT_MAX];
+} burnish_kernels_shader;
+
+/* Checks a lighting and folds into constants what does not depend on the point. Cheap: some tens of
+ * operations a light.
+ *   lighting  not NULL
+ *   shader    becomes the prepared lighting; on error it shades nothing; not NULL
+ *   error     receives the one line of an error; may be NULL
+ * Errors: ARGUMENT for numbers out of range, directions that are not unit vectors (by more than
+ * 1e-3), a lighting that does not come from burnish_kernels_lighting_default. */
+BURNISH_API burnish_status burnish_kernels_prepare(const burnish_kernels_lighting *lighting,
+                                                   burnish_kernels_shader *shader,
+                                                   burnish_error *error);
+
+/* The points to shade: arrays of count floats. */
+typedef struct burnish_kernels_points {
+    const float *normal[3];   /* length in [2^-60, 2^60]; (0, 0, 0) gets the ambient term only */
+    const float *diffuse[3];  /* d, >= 0; all NULL: 1 */
+    const float *position[3]; /* times w; read where a light is a point or the viewer is near */
+    const float *w;           /* > 0: the point's place is position / w; NULL: 1 */
+} burnish_kernels_points;
+
+/* Shades points into pixels: channel = 255 min(1, value), halves to even; alpha 255.
+ *   batch   from burnish_kernels_best or burnish_kernels_for
+ *   shader  from burnish_kernels_prepare
+ *   points  no array overlaps the output; differences of places in [2^-60, 2^60]
+ *   count   number of points
+ *   rgba    receives 4 count bytes, R first
+ * Errors: ARGUMENT for a shader that was not prepared or a missing array; nothing is written. */
+BURNISH_API burnish_status burnish_kernels_shade_rgba8(const burnish_kernels *batch,
+                                                       const burnish_kernels_shader *shader,
+                                                       const burnish_kernels_points *points,
+                                                       size_t count, uint8_t *rgba,
+                                                       burnish_error *error);
+
+/* The same into linear floats, three arrays of count, not clamped above. */
+BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *batch,
+                                                       const burnish_kernels_shader *shader,
+                                                       const burnish_kernels_points *points,
+                                                       size_t count, float *const rgb[3],
+                                                       burnish_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,73 @@
+#include "core/error.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+const char *burnish_status_text(burnish_status status) {
+    switch (status) {
+#define BURNISH_STATUS_TEXT(name, code, text)                                                      \
+    case BURNISH_STATUS_##name:                                                                    \
+        return text;
+        BURNISH_STATUS_LIST(BURNISH_STATUS_TEXT)
+#undef BURNISH_STATUS_TEXT
+    case BURNISH_STATUS_COUNT:
+        break;
+    }
+    return "unknown status";
+}
+
+int burnish_status_exit_code(burnish_status status) {
+    switch (status) {
+#define BURNISH_STATUS_CODE(name, code, text)                                                      \
+    case BURNISH_STATUS_##name:                                                                    \
+        return code;
+        BURNISH_STATUS_LIST(BURNISH_STATUS_CODE)
+#undef BURNISH_STATUS_CODE
+    case BURNISH_STATUS_COUNT:
+        break;
+    }
+    return 1;
+}
+
+const char *burnish_version(void) {
+    return BURNISH_VERSION;
+}
+
+burnish_status burnish_fail(burnish_error *error, burnish_status status, const char *format, ...) {
+    if (error) {
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(error->text, sizeof error->text, format, arguments);
+        va_end(arguments);
+        for (char *c = error->text; *c; ++c) {
+            if ((unsigned char)*c < 32 || *c == 127) {
+                *c = '?';
+            }
+        }
+        error->status = status;
+    }
+    return status;
+}
+
+burnish_shown_name burnish_show_name(const char *name) {
+    burnish_shown_name shown;
+    const char *cut = "";
+    const size_t most = sizeof shown.text - sizeof "...";
+    size_t length = strlen(name);
+    if (length > most) {
+        name += length - most;
+        cut = "...";
+        while (((unsigned char)*name & 0xC0) == 0x80) { /* not from the middle of a character */
+            ++name;
+        }
+    }
+    snprintf(shown.text, sizeof shown.text, "%s%s", cut, name);
+    return shown;
+}
+
+burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes) {
+    return burnish_fail(error, BURNISH_STATUS_MEMORY,
+                        "out of memory: %s needs %zu bytes; free memory or use a smaller input",
+                        burnish_show_name(what).text, bytes);
+}

@@ -1,0 +1,23 @@
+/* Writes the one line of a burnish_error. */
+#ifndef BURNISH_CORE_ERROR_H
+#define BURNISH_CORE_ERROR_H
+
+#include <stddef.h>
+
+#include "burnish/core.h"
+
+/* Fills *error (may be NULL) and returns status, so that callers can `return burnish_fail(...)`.
+ * Control characters that came from an input are replaced by '?'. */
+__attribute__((format(printf, 3, 4))) burnish_status
+burnish_fail(burnish_error *error, burnish_status status, const char *format, ...);
+
+/* A file's name as messages show it: whole, or "..." and its end, so that the message fits. */
+typedef struct burnish_shown_name {
+    char text[164];
+} burnish_shown_name;
+burnish_shown_name burnish_show_name(const char *name);
+
+/* The same for a failed allocation of `bytes` for `what`, which may be a file's name. */
+burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes);
+
+#endif

@@ -1,0 +1,62 @@
+/* The sRGB tables and their look-up. */
+#include "core/srgb.h"
+
+#include <string.h>
+
+#include "core/srgb_table.h"
+
+const float burnish_srgb_to_linear[256] = {SRGB_LINEAR};
+
+static const float next_threshold[256] = {SRGB_NEXT_THRESHOLD};
+static const uint8_t bucket_code[SRGB_BUCKETS] = {SRGB_BUCKET_CODE};
+
+static float bits_float(uint32_t bits) {
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* The float's pattern names a bucket with at most one threshold in it, so one comparison decides.
+ * The order of the first clamp's operands sends NaN to the lowest bucket. */
+uint8_t burnish_linear_to_srgb(float linear) {
+    const float lowest = bits_float(SRGB_FIRST_BITS);
+    const float highest = bits_float(SRGB_LAST_BITS);
+    float x = linear > lowest ? linear : lowest;
+    x = x < highest ? x : highest;
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    unsigned code = bucket_code[(bits - SRGB_FIRST_BITS) >> SRGB_BUCKET_SHIFT];
+    return (uint8_t)(code + (x >= next_threshold[code]));
+}
+
+_Static_assert((int)BURNISH_SRGB_BUCKETS == SRGB_BUCKETS && SRGB_BUCKET_SHIFT == 16 &&
+                   BURNISH_SRGB_FIRST_BITS == SRGB_FIRST_BITS &&
+                   BURNISH_SRGB_LAST_BITS == SRGB_LAST_BITS,
+               "the packed table is that of srgb_table.h");
+
+void burnish_srgb_encoder_make(burnish_srgb_encoder *encoder) {
+    for (int i = 0; i < SRGB_BUCKETS; ++i) {
+        uint32_t bits, first = SRGB_FIRST_BITS + ((uint32_t)i << SRGB_BUCKET_SHIFT);
+        memcpy(&bits, &next_threshold[bucket_code[i]], sizeof bits);
+        uint32_t threshold = bits - first; /* beyond the bucket where it has none */
+        threshold = threshold < 1u << SRGB_BUCKET_SHIFT ? threshold : 1u << SRGB_BUCKET_SHIFT;
+        encoder->entries[i] = (int32_t)((uint32_t)bucket_code[i] << 17 | threshold);
+    }
+}
+
+float burnish_srgb_value_to_linear(float value) {
+    if (!(value > 0)) {
+        return 0;
+    }
+    if (value >= 1) {
+        return 1;
+    }
+    float position = value * 255.0F;
+    int code = (int)position;
+    if (code > 254) {
+        return 1; /* the product was rounded up to 255 */
+    }
+    float low = burnish_srgb_to_linear[code];
+    float high = burnish_srgb_to_linear[code + 1];
+    return low + (high - low) * (position - (float)code);
+}

@@ -1,0 +1,28 @@
+/* Triangles in an order in which neighbours in space are neighbours in memory. */
+#ifndef BURNISH_MESH_BUILD_ORDER_H
+#define BURNISH_MESH_BUILD_ORDER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/error.h"
+#include "core/pool.h"
+
+/* Fewer triangles than this keep the order of the file. */
+enum { BURNISH_ORDER_LEAST = 4096 };
+
+/* Sorts triangles by cells of space, which follow one another along a Z-order curve (G. M. Morton,
+ * "A computer oriented geodetic data base", IBM, 1966); within a cell they keep their order. O(n);
+ * the result depends on the positions and corners only.
+ *
+ * positions: 3 finite floats a position
+ * corners:   3 positions a triangle; the least of them is where the triangle is, so that the same
+ *            triangles are in the same cell
+ * count:     [1, 2^31)
+ * order:     count numbers of triangles, written
+ * Errors: MEMORY. */
+burnish_status burnish_order_triangles(const float *positions, size_t position_count,
+                                       const uint32_t *corners, size_t count, burnish_pool *pool,
+                                       uint32_t *order, burnish_error *error);
+
+#endif

@@ -1,0 +1,34 @@
+/* Finding equal vertices, in time that no input can make quadratic. */
+#ifndef BURNISH_MESH_BUILD_WELD_H
+#define BURNISH_MESH_BUILD_WELD_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/error.h"
+#include "core/pool.h"
+
+/* Numbers bitwise equal positions alike, in the order of their first appearance.
+ *
+ * O(n) for meshes as they are, O(n log n) for any input whatsoever; the result depends on the
+ * positions only.
+ *
+ * positions: 3 words a position (the bits of floats); -0.0 must have been made 0.0 before
+ * count:     [0, 2^32 - 2]
+ * pool:      threads to share the work
+ * remap:     count numbers, written
+ * unique:    how many different positions there are, written
+ * Errors: MEMORY, LIMIT. */
+burnish_status burnish_weld(const float *positions, size_t count, burnish_pool *pool,
+                            uint32_t *remap, size_t *unique, burnish_error *error);
+
+/* Something to be sorted by four words; the value breaks ties, so that the order is total. */
+typedef struct burnish_weld_record {
+    uint32_t key[4];
+    uint32_t value;
+} burnish_weld_record;
+
+/* Sorts in place, O(n log n) in the worst case, O(n) when the records are sorted already. */
+void burnish_weld_sort(burnish_weld_record *records, size_t count);
+
+#endif

@@ -1,0 +1,218 @@
+/* The built-in objects: y up, round the origin (the teapot stands on y = 0), watertight. */
+#include "mesh/builtin.h"
+
+#include <string.h>
+
+#include "mesh/read/reader.h"
+#include "mesh/scene.h"
+
+#define PI 3.14159265358979323846
+
+burnish_status burnish_surface_reserve(burnish_source *source, const char *name,
+                                       size_t vertex_count, size_t triangle_count,
+                                       const burnish_load_options *options, burnish_error *error) {
+    if (triangle_count > options->max_triangles) {
+        return burnish_fail(error, BURNISH_STATUS_LIMIT,
+                            "%s: %zu triangles are more than the limit of %llu; "
+                            "lower the tessellation (%d) or raise the limit",
+                            name, triangle_count, (unsigned long long)options->max_triangles,
+                            options->tessellation);
+    }
+    burnish_status status =
+        burnish_reserve((void **)&source->positions, &source->position_capacity, vertex_count,
+                        3 * sizeof *source->positions, name, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_reserve((void **)&source->normals, &source->normal_capacity, vertex_count,
+                                 3 * sizeof *source->normals, name, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_reserve((void **)&source->corner_positions, &source->corner_capacity,
+                                 triangle_count, 3 * sizeof *source->corner_positions, name, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_reserve((void **)&source->corner_normals, &source->corner_normal_capacity,
+                                 triangle_count, 3 * sizeof *source->corner_normals, name, error);
+    }
+    return status;
+}
+
+void burnish_surface_vertex(burnish_source *source, burnish_vec3 position, burnish_vec3 normal) {
+    float *p = source->positions + 3 * source->position_count++;
+    float *n = source->normals + 3 * source->normal_count++;
+    p[0] = (float)position.x;
+    p[1] = (float)position.y;
+    p[2] = (float)position.z;
+    normal = burnish_vec3_normalize(normal);
+    n[0] = (float)normal.x;
+    n[1] = (float)normal.y;
+    n[2] = (float)normal.z;
+}
+
+void burnish_surface_triangle(burnish_source *source, uint32_t a, uint32_t b, uint32_t c) {
+    uint32_t corners[3] = {a, b, c};
+    memcpy(source->corner_positions + 3 * source->triangle_count, corners, sizeof corners);
+    memcpy(source->corner_normals + 3 * source->triangle_count, corners, sizeof corners);
+    ++source->triangle_count;
+}
+
+/* Sine and cosine of i / n of a turn. */
+static void turn(uint32_t i, uint32_t n, double *sine, double *cosine) {
+    burnish_sincos(2 * PI * i / n, sine, cosine);
+}
+
+/* Two triangles for each cell of a grid whose both directions close on themselves; vertex (i, j) is
+ * number i * nj + j, and (i, j), (i + 1, j), (i, j + 1) are counter-clockwise seen from outside. */
+static void close_grid(burnish_source *source, uint32_t ni, uint32_t nj) {
+    for (uint32_t i = 0; i < ni; ++i) {
+        for (uint32_t j = 0; j < nj; ++j) {
+            uint32_t next_i = (i + 1) % ni, next_j = (j + 1) % nj;
+            uint32_t a = i * nj + j, b = next_i * nj + j, c = next_i * nj + next_j,
+                     d = i * nj + next_j;
+            burnish_surface_triangle(source, a, b, c);
+            burnish_surface_triangle(source, a, c, d);
+        }
+    }
+}
+
+/* A lattice point of the cube [-n, n]^3's surface, blown up to the unit sphere. The tangent spreads
+ * the lattice lines evenly in angle. It is odd and the same for equal coordinates, bit for bit. */
+static burnish_vec3 sphere_point(const int lattice[3], int n) {
+    double warped[3];
+    for (int k = 0; k < 3; ++k) {
+        double sine, cosine;
+        int size = lattice[k] < 0 ? -lattice[k] : lattice[k];
+        burnish_sincos(PI / 4 * size / n, &sine, &cosine);
+        double tangent = size == n ? 1 : sine / cosine;
+        warped[k] = lattice[k] < 0 ? -tangent : tangent;
+    }
+    return burnish_vec3_normalize(burnish_vec3_load(warped));
+}
+
+/* One face of the sphere: outside is the given axis, in the direction of sign. */
+static void make_sphere_face(burnish_source *source, int axis, int sign, int n) {
+    uint32_t base = (uint32_t)source->position_count, side = 2 * (uint32_t)n + 1;
+    for (int j = -n; j <= n; ++j) {
+        for (int i = -n; i <= n; ++i) {
+            /* (i, j, outside) stays right-handed: i turns round with the sign. */
+            int lattice[3];
+            lattice[axis] = sign * n;
+            lattice[(axis + 1) % 3] = sign * i;
+            lattice[(axis + 2) % 3] = j;
+            burnish_vec3 unit = sphere_point(lattice, n);
+            burnish_surface_vertex(source, unit, unit);
+        }
+    }
+    for (int j = -n; j < n; ++j) {
+        for (int i = -n; i < n; ++i) {
+            uint32_t a = base + (uint32_t)(j + n) * side + (uint32_t)(i + n);
+            uint32_t b = a + 1, c = a + side + 1, d = c - 1;
+            if ((i < 0) == (j < 0)) { /* diagonals run toward the middle: mirror symmetric */
+                burnish_surface_triangle(source, a, b, c);
+                burnish_surface_triangle(source, a, c, d);
+            } else {
+                burnish_surface_triangle(source, a, b, d);
+                burnish_surface_triangle(source, b, c, d);
+            }
+        }
+    }
+}
+
+/* Radius 1: a blown-up cube, 2n segments a quarter (n the tessellation), 48 n^2 triangles. A point
+ * depends on its lattice coordinates only, so that the six faces meet exactly. */
+static burnish_status make_sphere(const burnish_load_options *options, burnish_source *source,
+                                  burnish_error *error) {
+    size_t side = 2 * (size_t)options->tessellation + 1;
+    burnish_status status = burnish_surface_reserve(source, ":sphere", 6 * side * side,
+                                                    12 * (side - 1) * (side - 1), options, error);
+    for (int face = 0; status == BURNISH_STATUS_OK && face < 6; ++face) {
+        make_sphere_face(source, face % 3, face < 3 ? 1 : -1, options->tessellation);
+    }
+    return status;
+}
+
+/* Radii 1 and 0.4, lying in the plane y = 0; 8n segments around the axis, 4n around the tube. */
+static burnish_status make_torus(const burnish_load_options *options, burnish_source *source,
+                                 burnish_error *error) {
+    const double major = 1, minor = 0.4;
+    uint32_t ni = 8 * (uint32_t)options->tessellation, nj = 4 * (uint32_t)options->tessellation;
+    burnish_status status = burnish_surface_reserve(source, ":torus", (size_t)ni * nj,
+                                                    2 * (size_t)ni * nj, options, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    for (uint32_t i = 0; i < ni; ++i) {
+        double sine_i, cosine_i;
+        turn(i, ni, &sine_i, &cosine_i);
+        for (uint32_t j = 0; j < nj; ++j) {
+            double sine_j, cosine_j;
+            turn(j, nj, &sine_j, &cosine_j);
+            /* From +z toward +x, that is counter-clockwise seen from above, and up from outside. */
+            burnish_vec3 normal = {cosine_j * sine_i, sine_j, cosine_j * cosine_i};
+            burnish_vec3 center = {major * sine_i, 0, major * cosine_i};
+            burnish_surface_vertex(
+                source, burnish_vec3_add(center, burnish_vec3_scale(normal, minor)), normal);
+        }
+    }
+    close_grid(source, ni, nj);
+    return BURNISH_STATUS_OK;
+}
+
+/* A tube of radius 0.6 around the (2, 3) torus knot
+ *   p(a) = ((2 + cos 3a) cos 2a, (2 + cos 3a) sin 2a, sin 3a),
+ * facing +z; 16n segments along, 4n around. The torus that the knot lies on gives the frame: its
+ * normal is perpendicular to the knot everywhere and closes on itself. A circular tube's normal is
+ * the spoke of the circle, whichever frame it is measured from. */
+static burnish_status make_knot(const burnish_load_options *options, burnish_source *source,
+                                burnish_error *error) {
+    const double radius = 0.6;
+    uint32_t ni = 16 * (uint32_t)options->tessellation, nj = 4 * (uint32_t)options->tessellation;
+    burnish_status status = burnish_surface_reserve(source, ":knot", (size_t)ni * nj,
+                                                    2 * (size_t)ni * nj, options, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    for (uint32_t i = 0; i < ni; ++i) {
+        double s2, c2, s3, c3;
+        turn(2 * i % ni, ni, &s2, &c2);
+        turn(3 * i % ni, ni, &s3, &c3);
+        double distance = 2 + c3;
+        burnish_vec3 center = {distance * c2, distance * s2, s3};
+        burnish_vec3 tangent = {-3 * s3 * c2 - 2 * distance * s2, -3 * s3 * s2 + 2 * distance * c2,
+                                3 * c3};
+        burnish_vec3 normal = {c3 * c2, c3 * s2, s3};
+        burnish_vec3 binormal = burnish_vec3_normalize(burnish_vec3_cross(tangent, normal));
+        for (uint32_t j = 0; j < nj; ++j) {
+            double sine, cosine;
+            turn(j, nj, &sine, &cosine);
+            burnish_vec3 spoke = burnish_vec3_add(burnish_vec3_scale(normal, cosine),
+                                                  burnish_vec3_scale(binormal, sine));
+            burnish_surface_vertex(
+                source, burnish_vec3_add(center, burnish_vec3_scale(spoke, radius)), spoke);
+        }
+    }
+    close_grid(source, ni, nj);
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_make_builtin(const char *name, const burnish_load_options *options,
+                                    burnish_source *source, burnish_error *error) {
+    static const struct {
+        const char *name;
+        burnish_status (*make)(const burnish_load_options *, burnish_source *, burnish_error *);
+    } objects[] = {{"teapot", burnish_make_teapot},
+                   {"sphere", make_sphere},
+                   {"torus", make_torus},
+                   {"knot", make_knot}};
+    burnish_status status = burnish_check_load_options(options, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < sizeof objects / sizeof objects[0]; ++i) {
+        if (strcmp(name, objects[i].name) == 0) {
+            return objects[i].make(options, source, error);
+        }
+    }
+    return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                        ":%s: unknown built-in object; there are :teapot, :sphere, :torus, :knot",
+                        name);
+}

@@ -1,0 +1,381 @@
+/* Where to stand so that the whole mesh is in the picture, as large as the margin allows. */
+#include <float.h>
+
+#include "core/memory.h"
+#include "core/vector.h"
+#include "mesh/scene.h"
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+/* The three-quarter view: from the front, turned this far to the right and lifted this far. */
+#define THREE_QUARTER_AZIMUTH 35.0
+#define THREE_QUARTER_ELEVATION 20.0
+
+/* Below this sine of the angle between them, the direction counts as parallel to up. */
+#define PARALLEL 1e-6
+
+/* The camera stays this share of the mesh's diagonal in front of its nearest vertex: a needle seen
+ * from its tip would otherwise touch the camera. */
+#define CLEARANCE 0.01
+
+/* Newton steps to centre an axis; three to six do, see center_axis. */
+enum { CENTER_STEPS = 64 };
+
+/* The camera's axes: right, the picture's up, and back toward the viewer. */
+typedef struct view_frame {
+    burnish_vec3 right, up, back;
+} view_frame;
+
+burnish_framing burnish_framing_default(void) {
+    return (burnish_framing){.cookie = BURNISH_FIT_OPTIONS_COOKIE,
+                             .up = {0, 1, 0},
+                             .view_angle = 30,
+                             .aspect = 1,
+                             .margin = 0.05};
+}
+
+static burnish_status check_number(double value, double low, double high, const char *name,
+                                   burnish_error *error) {
+    if (value >= low && value <= high) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "options: %s %g is not in [%g, %g]", name,
+                        value, low, high);
+}
+
+/* Vectors are taken up to 1e100, so that their squares stay finite. */
+static burnish_status check_vector(const double v[3], const char *name, burnish_error *error) {
+    for (int i = 0; i < 3; ++i) {
+        if (!(v[i] >= -1e100 && v[i] <= 1e100)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "options: %s[%d] is %g, not a number within 1e100", name, i, v[i]);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_check_fit_options(const burnish_framing *options, burnish_error *error) {
+    if (!options) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: NULL; pass burnish_framing_default()");
+    }
+    if (options->cookie != BURNISH_FIT_OPTIONS_COOKIE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: not initialised; start from burnish_framing_default()");
+    }
+    if (!(options->view_angle > 0 && options->view_angle < 180)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: view_angle %g is not in (0, 180) degrees",
+                            options->view_angle);
+    }
+    burnish_status status = check_vector(options->up, "up", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_vector(options->direction, "direction", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_number(options->azimuth, -1e6, 1e6, "azimuth", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_number(options->elevation, -1e6, 1e6, "elevation", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_number(options->aspect, 1e-5, 1e5, "aspect", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_number(options->margin, 0, 0.45, "margin", error);
+    }
+    if (status == BURNISH_STATUS_OK && options->up[0] == 0 && options->up[1] == 0 &&
+        options->up[2] == 0) {
+        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "options: up is the zero vector; use for example 0, 1, 0");
+    }
+    return status;
+}
+
+/* Unit vector along v, whose largest coordinate may have any size. */
+static burnish_vec3 direction_of(const double v[3]) {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i) {
+        double size = v[i] < 0 ? -v[i] : v[i];
+        largest = size > largest ? size : largest;
+    }
+    burnish_vec3 scaled = {v[0] / largest, v[1] / largest, v[2] / largest};
+    return burnish_vec3_normalize(scaled);
+}
+
+/* The side from which an object with this up axis is seen from the front: where the smallest
+ * rotation that takes +Y to up takes +Z. Up +Y: +Z; up +Z: -Y, as in CAD; up -Y, where no rotation
+ * is the smallest: -Z, so that +X stays on the right. */
+static burnish_vec3 front_of(burnish_vec3 up) {
+    burnish_vec3 z = {0, 0, 1};
+    burnish_vec3 axis = {up.z, 0, -up.x}; /* Y x up, as long as the sine of the angle */
+    double cosine = up.y;
+    if (1 + cosine < 1e-9) {
+        return (burnish_vec3){0, 0, -1};
+    }
+    /* Rodrigues' formula: v + a x v + a x (a x v) / (1 + cos). */
+    burnish_vec3 first = burnish_vec3_cross(axis, z);
+    burnish_vec3 second = burnish_vec3_scale(burnish_vec3_cross(axis, first), 1 / (1 + cosine));
+    return burnish_vec3_normalize(burnish_vec3_add(burnish_vec3_add(z, first), second));
+}
+
+/* v turned by the angle around the unit axis, counter-clockwise seen against the axis. */
+static burnish_vec3 rotate(burnish_vec3 v, burnish_vec3 axis, double degrees) {
+    double sine, cosine;
+    burnish_sincos(degrees * DEGREE, &sine, &cosine);
+    burnish_vec3 along = burnish_vec3_scale(axis, burnish_vec3_dot(axis, v) * (1 - cosine));
+    burnish_vec3 across = burnish_vec3_scale(burnish_vec3_cross(axis, v), sine);
+    return burnish_vec3_add(burnish_vec3_add(burnish_vec3_scale(v, cosine), across), along);
+}
+
+/* The frame that looks against `back` with the picture's up as near to `up` as can be. Straight
+ * down the picture's top is the side away from the front (up +Y: -Z, up +Z: +Y), straight up it is
+ * the front: what tilting the front view by 90 degrees gives. */
+static view_frame look_against(burnish_vec3 back, burnish_vec3 up, burnish_vec3 front) {
+    burnish_vec3 right = burnish_vec3_cross(up, back);
+    if (burnish_vec3_length(right) < PARALLEL) {
+        right = burnish_vec3_cross(up, front);
+    }
+    right = burnish_vec3_normalize(right);
+    right = burnish_vec3_normalize(
+        burnish_vec3_sub(right, burnish_vec3_scale(back, burnish_vec3_dot(right, back))));
+    return (view_frame){right, burnish_vec3_cross(back, right), back};
+}
+
+static view_frame choose_frame(const burnish_framing *options) {
+    burnish_vec3 up = direction_of(options->up), front = front_of(up);
+    double azimuth = options->azimuth, elevation = options->elevation;
+    const double *d = options->direction;
+    view_frame frame;
+    if (d[0] == 0 && d[1] == 0 && d[2] == 0) {
+        frame = look_against(front, up, front);
+        azimuth += THREE_QUARTER_AZIMUTH;
+        elevation += THREE_QUARTER_ELEVATION;
+    } else {
+        frame = look_against(burnish_vec3_scale(direction_of(d), -1), up, front);
+    }
+    /* Lifting the camera tilts the picture's up with it, so that nothing jumps at the poles. */
+    frame.back = rotate(frame.back, frame.right, -elevation);
+    frame.right = burnish_vec3_normalize(rotate(frame.right, up, azimuth));
+    frame.back = burnish_vec3_normalize(rotate(frame.back, up, azimuth));
+    frame.up = burnish_vec3_normalize(burnish_vec3_cross(frame.back, frame.right));
+    return frame;
+}
+
+/* Neighbouring vertices, as the frame sees them: their bounds. */
+enum { GROUP = 64 };
+typedef struct group_bounds {
+    burnish_vec3 low, high;
+} group_bounds;
+
+/* The mesh as the frame sees it, relative to the middle of its bounds. */
+typedef struct view_mesh {
+    const burnish_mesh_view *mesh;
+    burnish_vec3 middle;
+    view_frame frame;
+    double diagonal; /* of the bounds */
+    group_bounds *groups;
+    size_t group_count;
+} view_mesh;
+
+static burnish_vec3 view_vertex(const view_mesh *view, size_t i) {
+    burnish_vec3 p =
+        burnish_vec3_sub(burnish_vec3_loadf(view->mesh->positions + 3 * i), view->middle);
+    return (burnish_vec3){burnish_vec3_dot(p, view->frame.right),
+                          burnish_vec3_dot(p, view->frame.up),
+                          burnish_vec3_dot(p, view->frame.back)};
+}
+
+/* An extreme value of a side and the depth of the vertex that has it. */
+typedef struct extreme {
+    double value, depth;
+} extreme;
+
+static void measure_group(const view_mesh *view, size_t first, size_t end, group_bounds *bounds) {
+    bounds->low = (burnish_vec3){DBL_MAX, DBL_MAX, DBL_MAX};
+    bounds->high = (burnish_vec3){-DBL_MAX, -DBL_MAX, -DBL_MAX};
+    for (size_t i = first; i < end; ++i) {
+        const burnish_vec3 p = view_vertex(view, i);
+        bounds->low.x = p.x < bounds->low.x ? p.x : bounds->low.x;
+        bounds->low.y = p.y < bounds->low.y ? p.y : bounds->low.y;
+        bounds->low.z = p.z < bounds->low.z ? p.z : bounds->low.z;
+        bounds->high.x = p.x > bounds->high.x ? p.x : bounds->high.x;
+        bounds->high.y = p.y > bounds->high.y ? p.y : bounds->high.y;
+        bounds->high.z = p.z > bounds->high.z ? p.z : bounds->high.z;
+    }
+}
+
+/* Measures all groups: one look at each vertex; what follows looks at few of them again. */
+static burnish_status measure_groups(view_mesh *view, burnish_error *error) {
+    const size_t count = view->mesh->vertex_count;
+    view->group_count = (count + GROUP - 1) / GROUP;
+    burnish_status status = burnish_allocate((void **)&view->groups, view->group_count,
+                                             sizeof *view->groups, "bounds", error);
+    for (size_t i = 0; i < view->group_count && status == BURNISH_STATUS_OK; ++i) {
+        const size_t first = i * GROUP, end = first + GROUP;
+        measure_group(view, first, end < count ? end : count, &view->groups[i]);
+    }
+    return status;
+}
+
+static void push_group(const view_mesh *view, size_t group, double tx, double ty, extreme side[4]) {
+    const size_t first = group * GROUP, count = view->mesh->vertex_count;
+    const size_t end = first + GROUP < count ? first + GROUP : count;
+    for (size_t i = first; i < end; ++i) {
+        burnish_vec3 p = view_vertex(view, i);
+        double value[4] = {p.x + tx * p.z, tx * p.z - p.x, p.y + ty * p.z, ty * p.z - p.y};
+        for (int k = 0; k < 4; ++k) {
+            if (value[k] > side[k].value) {
+                side[k] = (extreme){value[k], p.z};
+            }
+        }
+    }
+}
+
+/* side[0] = max(x + tx z), side[1] = max(-x + tx z), side[2], side[3] the same in y with ty: the
+ * planes of the four sides of a pyramid of view with these slopes >= 0, pushed against the mesh.
+ * Rounding is monotone, so that no vertex is beyond what the bounds of its group give. */
+static void push_sides(const view_mesh *view, double tx, double ty, extreme side[4]) {
+    for (int k = 0; k < 4; ++k) {
+        side[k] = (extreme){-DBL_MAX, 0};
+    }
+    for (size_t i = 0; i < view->group_count; ++i) {
+        const burnish_vec3 low = view->groups[i].low, high = view->groups[i].high;
+        if (high.x + tx * high.z > side[0].value || tx * high.z - low.x > side[1].value ||
+            high.y + ty * high.z > side[2].value || ty * high.z - low.y > side[3].value) {
+            push_group(view, i, tx, ty, side);
+        }
+    }
+}
+
+static void measure_depth(const view_mesh *view, double *near_depth, double *far_depth) {
+    *near_depth = -DBL_MAX;
+    *far_depth = DBL_MAX;
+    for (size_t i = 0; i < view->group_count; ++i) {
+        const group_bounds *group = &view->groups[i];
+        *near_depth = group->high.z > *near_depth ? group->high.z : *near_depth;
+        *far_depth = group->low.z < *far_depth ? group->low.z : *far_depth;
+    }
+}
+
+/* The place across the view, at distance cz, with equal room on both sides in both axes.
+ *
+ * In x: with slope s the sides touch the mesh at cz = (a(s) + b(s)) / 2s, a and b the maxima of
+ * push_sides. g(s) = a(s) + b(s) - 2 s cz is convex, falls strictly because cz is larger than every
+ * z, and is not negative at 0; its zero is the slope that fits this cz, and (a - b) / 2 the place.
+ * Newton's steps from 0 never overshoot and end on the zero, since g is piecewise linear. */
+static void center_axes(const view_mesh *view, double cz, double center[2]) {
+    double slope[2] = {0, 0};
+    for (int step = 0, moved = 1; moved && step < CENTER_STEPS; ++step) {
+        extreme side[4];
+        push_sides(view, slope[0], slope[1], side);
+        moved = 0;
+        for (int axis = 0; axis < 2; ++axis) {
+            const extreme *high = &side[2 * axis], *low = &side[2 * axis + 1];
+            double value = high->value + low->value - 2 * slope[axis] * cz;
+            double next = slope[axis] + value / ((cz - high->depth) + (cz - low->depth));
+            center[axis] = (high->value - low->value) / 2;
+            moved |= next > slope[axis];
+            slope[axis] = next > slope[axis] ? next : slope[axis];
+        }
+    }
+}
+
+/* Where the margins leave off, across and up, in halves of the picture's height. */
+static void picture_slopes(const burnish_framing *options, double slope[2]) {
+    double smaller = options->aspect < 1 ? options->aspect : 1; /* side, in heights */
+    slope[0] = options->aspect - 2 * options->margin * smaller;
+    slope[1] = 1 - 2 * options->margin * smaller;
+}
+
+static void fit_perspective(const view_mesh *view, const burnish_framing *options,
+                            burnish_vec3 *place, double *focus) {
+    double sine, cosine, slope[2], near_depth, far_depth, center[2];
+    extreme side[4];
+    burnish_sincos(options->view_angle * DEGREE / 2, &sine, &cosine);
+    picture_slopes(options, slope);
+    double tx = sine / cosine * slope[0], ty = sine / cosine * slope[1];
+    measure_depth(view, &near_depth, &far_depth);
+    push_sides(view, tx, ty, side);
+    double cz = near_depth + CLEARANCE * view->diagonal;
+    double needed_x = (side[0].value + side[1].value) / (2 * tx);
+    double needed_y = (side[2].value + side[3].value) / (2 * ty);
+    cz = needed_x > cz ? needed_x : cz;
+    cz = needed_y > cz ? needed_y : cz;
+    center_axes(view, cz, center);
+    *place = (burnish_vec3){center[0], center[1], cz};
+    *focus = (near_depth + far_depth) / 2;
+}
+
+static double fit_orthographic(const view_mesh *view, const burnish_framing *options,
+                               burnish_vec3 *place, double *focus) {
+    double slope[2], near_depth, far_depth;
+    extreme side[4];
+    picture_slopes(options, slope);
+    measure_depth(view, &near_depth, &far_depth);
+    push_sides(view, 0, 0, side);
+    double height_x = (side[0].value + side[1].value) / slope[0];
+    double height_y = (side[2].value + side[3].value) / slope[1];
+    double height = height_x > height_y ? height_x : height_y;
+    *focus = (near_depth + far_depth) / 2;
+    *place = (burnish_vec3){(side[0].value - side[1].value) / 2,
+                            (side[2].value - side[3].value) / 2, *focus + view->diagonal};
+    return height > 0 ? height : view->diagonal;
+}
+
+/* From the frame back to the scene's coordinates. */
+static burnish_vec3 to_scene(const view_mesh *view, burnish_vec3 p) {
+    burnish_vec3 across = burnish_vec3_add(burnish_vec3_scale(view->frame.right, p.x),
+                                           burnish_vec3_scale(view->frame.up, p.y));
+    return burnish_vec3_add(view->middle,
+                            burnish_vec3_add(across, burnish_vec3_scale(view->frame.back, p.z)));
+}
+
+static void store(burnish_vec3 v, double target[3]) {
+    target[0] = v.x;
+    target[1] = v.y;
+    target[2] = v.z;
+}
+
+burnish_status burnish_camera_frame(const burnish_mesh *scene, const burnish_framing *options,
+                                    burnish_camera *camera, burnish_error *error) {
+    if (!scene || !camera) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL", scene ? "camera" : "scene");
+    }
+    burnish_status status = burnish_check_fit_options(options, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    const burnish_mesh_view *mesh = &scene->mesh;
+    burnish_vec3 low = burnish_vec3_loadf(mesh->bounds_min);
+    burnish_vec3 high = burnish_vec3_loadf(mesh->bounds_max);
+    view_mesh view = {mesh,
+                      burnish_vec3_scale(burnish_vec3_add(low, high), 0.5),
+                      choose_frame(options),
+                      burnish_vec3_length(burnish_vec3_sub(high, low)),
+                      NULL,
+                      0};
+    burnish_vec3 place;
+    double focus, height = 0;
+    status = measure_groups(&view, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (options->orthographic) {
+        height = fit_orthographic(&view, options, &place, &focus);
+    } else {
+        fit_perspective(&view, options, &place, &focus);
+    }
+    free(view.groups);
+    if (!(place.z <= DBL_MAX)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: view_angle %g puts the camera out of all reach; use for "
+                            "example 30",
+                            options->view_angle);
+    }
+    *camera = (burnish_camera){.view_angle = options->view_angle, .orthographic_height = height};
+    store(to_scene(&view, place), camera->position);
+    store(to_scene(&view, (burnish_vec3){place.x, place.y, focus}), camera->focal_point);
+    store(view.frame.up, camera->view_up);
+    return BURNISH_STATUS_OK;
+}

@@ -1,0 +1,27 @@
+/* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
+ * screen. */
+#ifndef BURNISH_SHADING_ATTRIBUTES_H
+#define BURNISH_SHADING_ATTRIBUTES_H
+
+#include <stdint.h>
+
+#include "raster/raster.h"
+
+/* One item a screen vertex, those that clipping made included. Owned; all zero before the first
+ * frame, a later frame uses the arrays again. */
+typedef struct burnish_attributes {
+    burnish_float4 *normals; /* (x, y, z, 1) / w */
+    burnish_float4 *colors;  /* linear (r, g, b, 0) / w */
+    int has_colors;
+    size_t normal_capacity, color_capacity;
+} burnish_attributes;
+
+/* normals: 3 a vertex of the mesh; colors: 4 sRGB codes a vertex, or NULL; indices: the mesh's.
+ * Errors: MEMORY; destroy them all the same. */
+burnish_status burnish_attributes_update(burnish_attributes *attributes,
+                                         const burnish_geometry *geometry, const float *normals,
+                                         const uint8_t *colors, const uint32_t *indices,
+                                         burnish_pool *pool, burnish_error *error);
+void burnish_attributes_destroy(burnish_attributes *attributes);
+
+#endif

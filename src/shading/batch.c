@@ -1,0 +1,124 @@
+/* The public face of the kernels: checks arguments and hands over to a tier's table. */
+#include "burnish/kernels.h"
+
+#include <string.h>
+
+#include "core/error.h"
+#include "shading/table.h"
+#include "simd/isa.h"
+
+static const burnish_kernels *const TABLES[BURNISH_ISA_COUNT] = {
+    [BURNISH_ISA_SCALAR] = &burnish_kernels_scalar,
+#if defined(__SSE2__)
+    [BURNISH_ISA_SSE2] = &burnish_kernels_sse2,     [BURNISH_ISA_AVX2] = &burnish_kernels_avx2,
+    [BURNISH_ISA_AVX512] = &burnish_kernels_avx512,
+#endif
+#if defined(__aarch64__)
+    [BURNISH_ISA_NEON] = &burnish_kernels_neon,
+#endif
+#if defined(__wasm_simd128__)
+    [BURNISH_ISA_WASM] = &burnish_kernels_wasm,
+#endif
+};
+
+uint32_t burnish_isa_built(void) {
+    uint32_t mask = 0;
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        mask |= TABLES[isa] ? 1u << isa : 0;
+    }
+    return mask;
+}
+
+const burnish_kernels *burnish_kernels_for(burnish_isa isa) {
+    if ((unsigned)isa >= BURNISH_ISA_COUNT || !(burnish_isa_available() >> isa & 1)) {
+        return NULL;
+    }
+    return TABLES[isa];
+}
+
+const burnish_kernels *burnish_kernels_best(void) {
+    burnish_isa isa;
+    if (burnish_isa_choose(NULL, &isa, NULL) != BURNISH_STATUS_OK) {
+        isa = burnish_isa_best(burnish_isa_available());
+    }
+    return TABLES[isa];
+}
+
+burnish_isa burnish_kernels_isa(const burnish_kernels *batch) {
+    return batch->isa;
+}
+
+static burnish_status lobe_array(const burnish_kernels *batch, const burnish_kernels_lobe *lobe,
+                                 int input, size_t count, const float *in, float *out,
+                                 burnish_error *error) {
+    burnish_kernels_lobe_constants constants;
+    burnish_status status = burnish_lobe_constants_make(lobe, &constants, error);
+    if (status == BURNISH_STATUS_OK) {
+        batch->lobe[constants.body][input](&constants, count, in, out);
+    }
+    return status;
+}
+
+burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels *batch,
+                                               const burnish_kernels_lobe *lobe, size_t count,
+                                               const float *cosines, float *values,
+                                               burnish_error *error) {
+    return lobe_array(batch, lobe, BURNISH_LOBE_INPUT_COSINE, count, cosines, values, error);
+}
+
+burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *batch,
+                                               const burnish_kernels_lobe *lobe, size_t count,
+                                               const float *lambdas, float *values,
+                                               burnish_error *error) {
+    return lobe_array(batch, lobe, BURNISH_LOBE_INPUT_LAMBDA, count, lambdas, values, error);
+}
+
+void burnish_kernels_normalize(const burnish_kernels *batch, size_t count, const float *const in[3],
+                               float *const out[3]) {
+    batch->normalize(count, in, out);
+}
+
+static burnish_status check_points(const burnish_kernels_shader *shader,
+                                   const burnish_kernels_points *points, burnish_error *error) {
+    if (shader->cookie != BURNISH_SHADER_COOKIE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "shader: make it with burnish_kernels_prepare()");
+    }
+    const float *const *d = points->diffuse, *const *p = points->position;
+    if (!points->normal[0] || !points->normal[1] || !points->normal[2]) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "points: an array of normals is NULL");
+    }
+    if (!d[0] != !d[1] || !d[0] != !d[2]) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "points: give all three arrays of diffuse colours or none");
+    }
+    if (shader->needs_place && (!p[0] || !p[1] || !p[2])) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "points: point lights and near viewers need the arrays of positions");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_kernels_shade_rgba8(const burnish_kernels *batch,
+                                           const burnish_kernels_shader *shader,
+                                           const burnish_kernels_points *points, size_t count,
+                                           uint8_t *rgba, burnish_error *error) {
+    burnish_status status = check_points(shader, points, error);
+    if (status == BURNISH_STATUS_OK) {
+        batch->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_RGBA8](shader, points,
+                                                                               count, rgba, NULL);
+    }
+    return status;
+}
+
+burnish_status burnish_kernels_shade_float(const burnish_kernels *batch,
+                                           const burnish_kernels_shader *shader,
+                                           const burnish_kernels_points *points, size_t count,
+                                           float *const rgb[3], burnish_error *error) {
+    burnish_status status = check_points(shader, points, error);
+    if (status == BURNISH_STATUS_OK) {
+        batch->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](shader, points,
+                                                                               count, NULL, rgb);
+    }
+    return status;
+}

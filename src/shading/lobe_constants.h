@@ -1,0 +1,27 @@
+/* A lobe with everything worked out that does not depend on the point. */
+#ifndef BURNISH_SHADING_LOBE_CONSTANTS_H
+#define BURNISH_SHADING_LOBE_CONSTANTS_H
+
+#include <stdint.h>
+
+#include "burnish/kernels.h"
+
+/* The bodies that lobes are evaluated by. */
+typedef enum burnish_lobe_body {
+    BURNISH_LOBE_BODY_NONE,     /* 0 */
+    BURNISH_LOBE_BODY_SQUARE,   /* the family, m = 2 */
+    BURNISH_LOBE_BODY_SQUARES,  /* the family, m = 4 .. 32 */
+    BURNISH_LOBE_BODY_POWER,    /* any exponent, by polynomials */
+    BURNISH_LOBE_BODY_MULTIPLY, /* whole exponents, by multiplications */
+    BURNISH_LOBE_BODY_SCHLICK,
+    BURNISH_LOBE_BODY_GAUSSIAN,
+    BURNISH_LOBE_BODY_GX,
+    BURNISH_LOBE_BODY_COUNT
+} burnish_lobe_body;
+
+/* Fills *constants; a dark lobe becomes NONE. Returns OK or ARGUMENT, with a line. */
+burnish_status burnish_lobe_constants_make(const burnish_kernels_lobe *lobe,
+                                           burnish_kernels_lobe_constants *constants,
+                                           burnish_error *error);
+
+#endif

@@ -1,0 +1,295 @@
+/* The whole lighting equation over vectors of points. Included by the tiers.
+ *
+ * A skipped lobe is exactly 0 and sums are never negative, so that leaving out what a whole vector
+ * does not need changes no bit, however long the vector is. */
+
+/* The arrays of a call, at the place of a vector. */
+typedef struct shade_vectors {
+    vf normal[3], position[3], w;
+} shade_vectors;
+
+/* What every light adds to. */
+typedef struct shade_sums {
+    vf diffuse[3], specular[3];
+} shade_sums;
+
+BURNISH_INLINE vf shade_dot(const vf a[3], const vf b[3]) {
+    return vf_add(vf_add(vf_mul(a[0], b[0]), vf_mul(a[1], b[1])), vf_mul(a[2], b[2]));
+}
+
+BURNISH_INLINE vf shade_dot_constant(const vf a[3], const float b[3]) {
+    return vf_add(vf_add(vf_mul(a[0], vf_set(b[0])), vf_mul(a[1], vf_set(b[1]))),
+                  vf_mul(a[2], vf_set(b[2])));
+}
+
+BURNISH_INLINE int shade_is_family(int body) {
+    return body == BURNISH_LOBE_BODY_SQUARE || body == BURNISH_LOBE_BODY_SQUARES;
+}
+
+BURNISH_INLINE void shade_add_diffuse(const burnish_kernels_light_constants *light, int output,
+                                      vf n_dot_l, shade_sums *sums) {
+    for (int k = 0; k < 3; ++k) {
+        sums->diffuse[k] =
+            vf_add(sums->diffuse[k], vf_mul(n_dot_l, vf_set(light->diffuse[output][k])));
+    }
+}
+
+BURNISH_INLINE void shade_add_specular(const burnish_kernels_light_constants *light, int output,
+                                       vf lobe, shade_sums *sums) {
+    for (int k = 0; k < 3; ++k) {
+        sums->specular[k] =
+            vf_add(sums->specular[k], vf_mul(lobe, vf_set(light->specular[output][k])));
+    }
+}
+
+/* The family from its base u, where lit and above 0; adds nothing where no lane is. */
+BURNISH_INLINE void shade_add_family(int body, const burnish_kernels_shader *shader,
+                                     const burnish_kernels_light_constants *light, int output,
+                                     vm lit, vf u, shade_sums *sums) {
+    vm shines = vm_and(lit, vf_greater(u, vf_set(0.0f)));
+    if (vm_any(shines)) {
+        u = vf_keep(shines, vf_min(u, vf_set(1.0f)));
+        shade_add_specular(light, output, lobe_squares(u, body, shader->lobe.squarings), sums);
+    }
+}
+
+/* A directional light and a distant viewer: one constant half vector. */
+BURNISH_INLINE void shade_distant_light(int body, int output, const burnish_kernels_shader *shader,
+                                        const burnish_kernels_light_constants *light,
+                                        const shade_vectors *at, vf inverse, shade_sums *sums) {
+    const vf zero = vf_set(0.0f);
+    vf n_dot_l = vf_max(vf_mul(shade_dot_constant(at->normal, light->vector), inverse), zero);
+    shade_add_diffuse(light, output, n_dot_l, sums);
+    if (body == BURNISH_LOBE_BODY_NONE) {
+        return;
+    }
+    vm lit = vf_greater(n_dot_l, zero);
+    vf cosine = vf_mul(shade_dot_constant(at->normal, light->half), inverse);
+    if (shade_is_family(body)) {
+        vf u = vf_add(cosine, vf_set(shader->offset)); /* zeta is in the half vector */
+        shade_add_family(body, shader, light, output, lit, u, sums);
+    } else if (vm_any(lit)) {
+        vf lobe = vf_keep(lit, lobe_of_cosine(body, &shader->lobe, cosine));
+        shade_add_specular(light, output, lobe, sums);
+    }
+}
+
+/* Directions at a vector of points, toward the viewer and one light. */
+typedef struct shade_cosines {
+    vf n_dot_l, n_dot_v, l_dot_v;
+} shade_cosines;
+
+/* Lyon's lobe: N of length s is scaled by three terms of 1/s instead of exactly; what is left of
+ * the length, g, shows in the chord: lambda = (g^2 + 1)/2 - g c, u = 1 - zeta lambda. */
+BURNISH_INLINE vf shade_lyon(const burnish_kernels_shader *shader, vf squared, vf inverse,
+                             vf cosine) {
+    const vf one = vf_set(1.0f), half = vf_set(0.5f);
+    vf e = vf_sub(one, squared);
+    vf factor = vf_add(one, vf_mul(e, vf_add(half, vf_mul(vf_set(0.375f), e))));
+    vf g = vf_mul(vf_mul(squared, inverse), factor);
+    vf lambda = vf_sub(vf_mul(vf_add(vf_mul(g, g), one), half), vf_mul(g, cosine));
+    return vf_sub(one, vf_mul(vf_set(shader->lobe.zeta), lambda));
+}
+
+/* Whether the boundary cosine says that no lane can shine. |L + V|^2 = 2 + 2 L.V and
+ * N.(L + V) = N.L + N.V, so no root is needed to know. */
+BURNISH_INLINE int shade_is_dark(const burnish_kernels_shader *shader, vm lit, vf sum, vf squared) {
+    if (shader->cutoff <= 0.0f) {
+        return !vm_any(lit);
+    }
+    vf bound = vf_mul(vf_set(shader->cutoff * shader->cutoff), squared);
+    vm near = vm_and(vf_greater(sum, vf_set(0.0f)), vf_greater(vf_mul(sum, sum), bound));
+    return !vm_any(vm_and(lit, near));
+}
+
+BURNISH_INLINE void shade_general_specular(int body, int output,
+                                           const burnish_kernels_shader *shader,
+                                           const burnish_kernels_light_constants *light,
+                                           const shade_cosines *at, vf squared_n, vf inverse_n,
+                                           shade_sums *sums) {
+    const vf two = vf_set(2.0f);
+    vm lit = vf_greater(at->n_dot_l, vf_set(0.0f));
+    vf cosine;
+    if (shader->phong) {
+        cosine = vf_sub(vf_mul(vf_mul(two, at->n_dot_l), at->n_dot_v), at->l_dot_v);
+    } else {
+        /* opposite L and V leave no half vector: any bound that is not 0 will do */
+        vf squared = vf_max(vf_add(two, vf_mul(two, at->l_dot_v)), vf_set(0x1p-20f));
+        vf sum = vf_add(at->n_dot_l, at->n_dot_v);
+        if (shade_is_family(body) && shade_is_dark(shader, lit, sum, squared)) {
+            return;
+        }
+        cosine = vf_mul(sum, vector_inverse_sqrt(squared));
+    }
+    if (shade_is_family(body)) {
+        vf u = shader->lyon
+                   ? shade_lyon(shader, squared_n, inverse_n, cosine)
+                   : vf_add(vf_mul(cosine, vf_set(shader->lobe.zeta)), vf_set(shader->offset));
+        shade_add_family(body, shader, light, output, lit, u, sums);
+    } else if (vm_any(lit)) {
+        vf lobe = vf_keep(lit, lobe_of_cosine(body, &shader->lobe, cosine));
+        shade_add_specular(light, output, lobe, sums);
+    }
+}
+
+/* Any light and viewer. to_viewer is a unit vector. */
+BURNISH_INLINE void shade_general_light(int body, int output, const burnish_kernels_shader *shader,
+                                        const burnish_kernels_light_constants *light,
+                                        const shade_vectors *at, const vf to_viewer[3],
+                                        vf squared_n, vf inverse_n, vf n_dot_v, shade_sums *sums) {
+    vf to_light[3];
+    vf inverse = inverse_n;
+    shade_cosines cosines;
+    for (int k = 0; k < 3; ++k) {
+        to_light[k] = vf_set(light->vector[k]);
+        if (light->is_point) {
+            to_light[k] = vf_sub(vf_mul(to_light[k], at->w), at->position[k]);
+        }
+    }
+    cosines.n_dot_v = n_dot_v;
+    cosines.l_dot_v = shade_dot(to_light, to_viewer);
+    if (light->is_point) {
+        vf inverse_l = vector_inverse_sqrt(shade_dot(to_light, to_light));
+        inverse = vf_mul(inverse, inverse_l);
+        cosines.l_dot_v = vf_mul(cosines.l_dot_v, inverse_l);
+    }
+    cosines.n_dot_l = vf_mul(shade_dot(at->normal, to_light), inverse);
+    shade_add_diffuse(light, output, vf_max(cosines.n_dot_l, vf_set(0.0f)), sums);
+    if (body != BURNISH_LOBE_BODY_NONE) {
+        shade_general_specular(body, output, shader, light, &cosines, squared_n, inverse_n, sums);
+    }
+}
+
+BURNISH_INLINE void shade_general(int body, int output, const burnish_kernels_shader *shader,
+                                  const shade_vectors *at, vf squared_n, vf inverse_n,
+                                  shade_sums *sums) {
+    vf to_viewer[3];
+    for (int k = 0; k < 3; ++k) {
+        to_viewer[k] = vf_set(shader->viewer[k]);
+        if (shader->near_viewer) {
+            to_viewer[k] = vf_sub(vf_mul(to_viewer[k], at->w), at->position[k]);
+        }
+    }
+    if (shader->near_viewer) {
+        vf inverse = vector_inverse_sqrt(shade_dot(to_viewer, to_viewer));
+        for (int k = 0; k < 3; ++k) {
+            to_viewer[k] = vf_mul(to_viewer[k], inverse);
+        }
+    }
+    vf n_dot_v = vf_mul(shade_dot(at->normal, to_viewer), inverse_n);
+    for (int i = 0; i < shader->light_count; ++i) {
+        shade_general_light(body, output, shader, &shader->lights[i], at, to_viewer, squared_n,
+                            inverse_n, n_dot_v, sums);
+    }
+}
+
+BURNISH_INLINE void shade_load(int geometry, const burnish_kernels_shader *shader,
+                               const burnish_kernels_points *points, size_t i, shade_vectors *at) {
+    for (int k = 0; k < 3; ++k) {
+        at->normal[k] = vf_load(points->normal[k] + i);
+    }
+    if (geometry == BURNISH_SHADE_GENERAL) {
+        at->w = points->w ? vf_load(points->w + i) : vf_set(1.0f);
+        for (int k = 0; k < 3; ++k) {
+            at->position[k] = shader->needs_place ? vf_load(points->position[k] + i) : vf_set(0.0f);
+        }
+    }
+}
+
+/* One vector of points: the colours, in [0, 255] for RGBA8, not yet clamped. */
+BURNISH_INLINE void shade_points(int body, int geometry, int output,
+                                 const burnish_kernels_shader *shader,
+                                 const burnish_kernels_points *points, size_t i, vf color[3]) {
+    shade_vectors at;
+    shade_sums sums;
+    shade_load(geometry, shader, points, i, &at);
+    for (int k = 0; k < 3; ++k) {
+        sums.diffuse[k] = vf_set(shader->ambient[output][k]);
+        sums.specular[k] = vf_set(0.0f);
+    }
+    vf squared = shade_dot(at.normal, at.normal);
+    vf inverse = vector_inverse_sqrt(squared);
+    if (geometry == BURNISH_SHADE_GENERAL) {
+        shade_general(body, output, shader, &at, squared, inverse, &sums);
+    } else {
+        for (int l = 0; l < shader->light_count; ++l) {
+            shade_distant_light(body, output, shader, &shader->lights[l], &at, inverse, &sums);
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        if (points->diffuse[0]) {
+            sums.diffuse[k] = vf_mul(sums.diffuse[k], vf_load(points->diffuse[k] + i));
+        }
+        color[k] = vf_add(sums.diffuse[k], sums.specular[k]);
+        if (output == BURNISH_SHADE_FLOAT) { /* a NaN has other bits on other processors */
+            color[k] = vf_max(color[k], vf_set(0.0f));
+        }
+    }
+}
+
+/* Colours in [0, 255] to pixels. Adding 2^23 rounds to a whole number in the lowest bits; the
+ * exponent's bits fall out by the shifts, or under the alpha. */
+BURNISH_INLINE vi shade_pack(const vf color[3]) {
+    vi bits[3];
+    for (int k = 0; k < 3; ++k) {
+        bits[k] = vf_bits(vf_add(vf_min(color[k], vf_set(255.0f)), vf_set(0x1p23f)));
+    }
+    vi opaque = vi_or(bits[0], vi_set((int32_t)0xff000000u));
+    return vi_or(vi_or(opaque, vi_left(bits[1], 8)), vi_left(bits[2], 16));
+}
+
+/* Fewer points than a vector has. */
+BURNISH_INLINE void shade_rest(int body, int geometry, int output,
+                               const burnish_kernels_shader *shader,
+                               const burnish_kernels_points *points, size_t first, size_t count,
+                               uint8_t *rgba, float *const rgb[3]) {
+    enum { ARRAYS = 10 };
+    float block[ARRAYS][LANES];
+    const float *from[ARRAYS];
+    uint8_t bytes[4 * LANES];
+    burnish_kernels_points padded = *points;
+    const float **to[ARRAYS] = {
+        &padded.normal[0],   &padded.normal[1],  &padded.normal[2],   &padded.diffuse[0],
+        &padded.diffuse[1],  &padded.diffuse[2], &padded.position[0], &padded.position[1],
+        &padded.position[2], &padded.w};
+    memset(block, 0, sizeof block);
+    for (int k = 0; k < ARRAYS; ++k) {
+        from[k] = *to[k];
+        if (from[k]) {
+            memcpy(block[k], from[k] + first, count * sizeof(float));
+            *to[k] = block[k];
+        }
+    }
+    vf color[3];
+    shade_points(body, geometry, output, shader, &padded, 0, color);
+    if (output == BURNISH_SHADE_RGBA8) {
+        vi_store(bytes, shade_pack(color));
+        memcpy(rgba + 4 * first, bytes, 4 * count);
+        return;
+    }
+    for (int k = 0; k < 3; ++k) {
+        vf_store(block[k], color[k]);
+        memcpy(rgb[k] + first, block[k], count * sizeof(float));
+    }
+}
+
+BURNISH_INLINE void shade_array(int body, int geometry, int output,
+                                const burnish_kernels_shader *restrict shader,
+                                const burnish_kernels_points *restrict points, size_t count,
+                                uint8_t *restrict rgba, float *const rgb[3]) {
+    size_t i = 0;
+    vf color[3];
+    for (; i + LANES <= count; i += LANES) {
+        shade_points(body, geometry, output, shader, points, i, color);
+        if (output == BURNISH_SHADE_RGBA8) {
+            vi_store(rgba + 4 * i, shade_pack(color));
+        } else {
+            for (int k = 0; k < 3; ++k) {
+                vf_store(rgb[k] + i, color[k]);
+            }
+        }
+    }
+    if (i < count) {
+        shade_rest(body, geometry, output, shader, points, i, count - i, rgba, rgb);
+    }
+}

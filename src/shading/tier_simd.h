@@ -1,0 +1,84 @@
+/* One tier: defined BURNISH_VECTOR_... chooses the vector type, BATCH names the table, ISA the
+ * tier. */
+#include "shading/lobe_simd.h"
+/* needs the vector type */
+#include "shading/encode_simd.h"
+#include "shading/locate_simd.h"
+#include "shading/normalize_simd.h"
+#include "shading/shade_simd.h"
+
+#define LOBE_FUNCTIONS(name, body)                                                                 \
+    static void name##_of_cosines(const burnish_kernels_lobe_constants *lobe, size_t count,        \
+                                  const float *in, float *out) {                                   \
+        lobe_array(body, 0, lobe, count, in, out);                                                 \
+    }                                                                                              \
+    static void name##_of_lambdas(const burnish_kernels_lobe_constants *lobe, size_t count,        \
+                                  const float *in, float *out) {                                   \
+        lobe_array(body, 1, lobe, count, in, out);                                                 \
+    }
+
+LOBE_FUNCTIONS(none, BURNISH_LOBE_BODY_NONE)
+LOBE_FUNCTIONS(square, BURNISH_LOBE_BODY_SQUARE)
+LOBE_FUNCTIONS(squares, BURNISH_LOBE_BODY_SQUARES)
+LOBE_FUNCTIONS(power, BURNISH_LOBE_BODY_POWER)
+LOBE_FUNCTIONS(multiply, BURNISH_LOBE_BODY_MULTIPLY)
+LOBE_FUNCTIONS(schlick, BURNISH_LOBE_BODY_SCHLICK)
+LOBE_FUNCTIONS(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
+LOBE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
+#undef LOBE_FUNCTIONS
+
+#define SHADE_FUNCTION(name, body, geometry, output)                                               \
+    static void name(const burnish_kernels_shader *restrict shader,                                \
+                     const burnish_kernels_points *restrict points, size_t count,                  \
+                     uint8_t *restrict rgba, float *const rgb[3]) {                                \
+        shade_array(body, geometry, output, shader, points, count, rgba, rgb);                     \
+    }
+#define SHADE_FUNCTIONS(name, body)                                                                \
+    SHADE_FUNCTION(shade_##name##_distant_rgba8, body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_RGBA8) \
+    SHADE_FUNCTION(shade_##name##_distant_float, body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT) \
+    SHADE_FUNCTION(shade_##name##_general_rgba8, body, BURNISH_SHADE_GENERAL, BURNISH_SHADE_RGBA8) \
+    SHADE_FUNCTION(shade_##name##_general_float, body, BURNISH_SHADE_GENERAL, BURNISH_SHADE_FLOAT)
+
+SHADE_FUNCTIONS(none, BURNISH_LOBE_BODY_NONE)
+SHADE_FUNCTIONS(square, BURNISH_LOBE_BODY_SQUARE)
+SHADE_FUNCTIONS(squares, BURNISH_LOBE_BODY_SQUARES)
+SHADE_FUNCTIONS(power, BURNISH_LOBE_BODY_POWER)
+SHADE_FUNCTIONS(multiply, BURNISH_LOBE_BODY_MULTIPLY)
+SHADE_FUNCTIONS(schlick, BURNISH_LOBE_BODY_SCHLICK)
+SHADE_FUNCTIONS(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
+SHADE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
+#undef SHADE_FUNCTIONS
+#undef SHADE_FUNCTION
+
+#define LOBE_ROW(name)                                                                             \
+    { name##_of_cosines, name##_of_lambdas }
+#define SHADE_ROW(name)                                                                            \
+    {                                                                                              \
+        {shade_##name##_distant_rgba8, shade_##name##_distant_float}, {                            \
+            shade_##name##_general_rgba8, shade_##name##_general_float                             \
+        }                                                                                          \
+    }
+
+const struct burnish_kernels BATCH = {
+    .isa = ISA,
+    .lobe = {[BURNISH_LOBE_BODY_NONE] = LOBE_ROW(none),
+             [BURNISH_LOBE_BODY_SQUARE] = LOBE_ROW(square),
+             [BURNISH_LOBE_BODY_SQUARES] = LOBE_ROW(squares),
+             [BURNISH_LOBE_BODY_POWER] = LOBE_ROW(power),
+             [BURNISH_LOBE_BODY_MULTIPLY] = LOBE_ROW(multiply),
+             [BURNISH_LOBE_BODY_SCHLICK] = LOBE_ROW(schlick),
+             [BURNISH_LOBE_BODY_GAUSSIAN] = LOBE_ROW(gaussian),
+             [BURNISH_LOBE_BODY_GX] = LOBE_ROW(gx)},
+    .normalize = normalize_array,
+    .locate = locate_pixels,
+    .encode = encode_pixels,
+    .pack = pack_groups,
+    .shade = {[BURNISH_LOBE_BODY_NONE] = SHADE_ROW(none),
+              [BURNISH_LOBE_BODY_SQUARE] = SHADE_ROW(square),
+              [BURNISH_LOBE_BODY_SQUARES] = SHADE_ROW(squares),
+              [BURNISH_LOBE_BODY_POWER] = SHADE_ROW(power),
+              [BURNISH_LOBE_BODY_MULTIPLY] = SHADE_ROW(multiply),
+              [BURNISH_LOBE_BODY_SCHLICK] = SHADE_ROW(schlick),
+              [BURNISH_LOBE_BODY_GAUSSIAN] = SHADE_ROW(gaussian),
+              [BURNISH_LOBE_BODY_GX] = SHADE_ROW(gx)},
+};

@@ -1,0 +1,165 @@
+/* The vector type for processors without one: 1 float. See vector.h for what the operations mean.
+ */
+#ifndef BURNISH_SIMD_VECTOR_SCALAR_H
+#define BURNISH_SIMD_VECTOR_SCALAR_H
+
+#include <stdint.h>
+#include <string.h>
+
+enum { LANES = 1 };
+typedef float vf;
+typedef uint32_t vi;
+typedef uint32_t vm; /* 0 or all ones */
+
+static inline vf vf_set(float x) {
+    return x;
+}
+static inline vf vf_load(const float *from) {
+    return *from;
+}
+static inline void vf_store(float *to, vf x) {
+    *to = x;
+}
+static inline void vf_stream(float *to, vf x) {
+    *to = x;
+}
+static inline vf vf_add(vf a, vf b) {
+    return a + b;
+}
+static inline vf vf_sub(vf a, vf b) {
+    return a - b;
+}
+static inline vf vf_mul(vf a, vf b) {
+    return a * b;
+}
+static inline vf vf_div(vf a, vf b) {
+    return a / b;
+}
+static inline vf vf_max(vf a, vf b) {
+    return a > b ? a : b;
+}
+static inline vf vf_min(vf a, vf b) {
+    return a < b ? a : b;
+}
+static inline vi vi_set(int32_t x) {
+    return (uint32_t)x;
+}
+static inline vi vf_bits(vf x) {
+    vi bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+static inline vf vi_float(vi x) {
+    vf value;
+    memcpy(&value, &x, sizeof value);
+    return value;
+}
+static inline vm vf_greater(vf a, vf b) {
+    return a > b ? ~0u : 0u;
+}
+static inline vf vf_keep(vm mask, vf x) {
+    return vi_float(mask & vf_bits(x));
+}
+static inline vm vm_and(vm a, vm b) {
+    return a & b;
+}
+static inline int vm_any(vm mask) {
+    return mask != 0;
+}
+static inline vi vi_add(vi a, vi b) {
+    return a + b;
+}
+static inline vi vi_sub(vi a, vi b) {
+    return a - b;
+}
+static inline vi vi_and(vi a, vi b) {
+    return a & b;
+}
+static inline vi vi_xor(vi a, vi b) {
+    return a ^ b;
+}
+static inline vi vi_or(vi a, vi b) {
+    return a | b;
+}
+static inline vi vi_left(vi x, unsigned bits) {
+    return x << bits;
+}
+static inline vi vi_right(vi x, unsigned bits) {
+    return x >> bits;
+}
+static inline vi vi_right_signed(vi x, unsigned bits) {
+    return (uint32_t)((int32_t)x >> bits);
+}
+static inline vi vi_mul(vi a, vi b) {
+    return a * b;
+}
+static inline vi vi_dot16(vi a, vi b) {
+    const int32_t low = (int16_t)(uint16_t)a * (int16_t)(uint16_t)b;
+    const int32_t high = (int16_t)(uint16_t)(a >> 16) * (int16_t)(uint16_t)(b >> 16);
+    return (uint32_t)low + (uint32_t)high;
+}
+static inline vi vi_max(vi a, vi b) {
+    return (int32_t)a > (int32_t)b ? a : b;
+}
+static inline vi vi_min(vi a, vi b) {
+    return (int32_t)a < (int32_t)b ? a : b;
+}
+static inline vi vi_gather(const int32_t *table, vi index) {
+    return (uint32_t)table[index];
+}
+static inline vf vi_convert(vi x) {
+    return (float)(int32_t)x;
+}
+static inline vi vi_ramp(int32_t step) {
+    return 0 * (uint32_t)step;
+}
+static inline vi vi_load(const int32_t *from) {
+    return (uint32_t)*from;
+}
+static inline void vi_save(int32_t *to, vi x) {
+    *to = (int32_t)x;
+}
+static inline vm vi_not_negative(vi x) {
+    return (int32_t)x >= 0 ? ~0u : 0u;
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return mask ? a : b;
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return mask ? a : b;
+}
+static inline void vi_store(uint8_t *to, vi x) { /* the same bytes on a big-endian machine */
+    to[0] = (uint8_t)x;
+    to[1] = (uint8_t)(x >> 8);
+    to[2] = (uint8_t)(x >> 16);
+    to[3] = (uint8_t)(x >> 24);
+}
+static inline void vi_stream(uint8_t *to, vi x) {
+    vi_store(to, x);
+}
+static inline unsigned vm_bits(vm mask) {
+    return mask & 1;
+}
+static inline void vf_store_where(vm mask, float *to, vf x) {
+    *to = mask ? x : *to;
+}
+static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+    *to = mask ? (int32_t)x : *to;
+}
+static inline void vf_load_records(const void *const from[1], vf x[4]) {
+    memcpy(x, from[0], 4 * sizeof *x);
+}
+static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+    const vf x[4] = {a, b, c, d};
+    memcpy(to, x, sizeof x);
+}
+static inline void pack_pixels(uint8_t *to, const uint32_t *from) { /* on big-endian machines too */
+    for (int i = 0; i < 4; ++i) {
+        to[3 * i] = (uint8_t)from[i];
+        to[3 * i + 1] = (uint8_t)(from[i] >> 8);
+        to[3 * i + 2] = (uint8_t)(from[i] >> 16);
+    }
+}
+static inline void vector_fence(void) {}
+
+#endif

@@ -1,0 +1,176 @@
+/* The vector type for WebAssembly's SIMD128: 4 floats. See vector.h for what the operations mean.
+ */
+#ifndef BURNISH_SIMD_VECTOR_WASM_H
+#define BURNISH_SIMD_VECTOR_WASM_H
+
+#include <stdint.h>
+#include <string.h>
+#include <wasm_simd128.h>
+
+enum { LANES = 4 };
+typedef v128_t vf;
+typedef v128_t vi;
+typedef v128_t vm;
+
+static inline vf vf_set(float x) {
+    return wasm_f32x4_splat(x);
+}
+static inline vf vf_load(const float *from) {
+    return wasm_v128_load(from);
+}
+static inline void vf_store(float *to, vf x) {
+    wasm_v128_store(to, x);
+}
+static inline void vf_stream(float *to, vf x) {
+    wasm_v128_store(to, x);
+}
+static inline vf vf_add(vf a, vf b) {
+    return wasm_f32x4_add(a, b);
+}
+static inline vf vf_sub(vf a, vf b) {
+    return wasm_f32x4_sub(a, b);
+}
+static inline vf vf_mul(vf a, vf b) {
+    return wasm_f32x4_mul(a, b);
+}
+static inline vf vf_div(vf a, vf b) {
+    return wasm_f32x4_div(a, b);
+}
+static inline vf vf_max(vf a, vf b) {
+    return wasm_f32x4_pmax(b, a);
+}
+static inline vf vf_min(vf a, vf b) {
+    return wasm_f32x4_pmin(b, a);
+}
+static inline vm vf_greater(vf a, vf b) {
+    return wasm_f32x4_gt(a, b);
+}
+static inline vf vf_keep(vm mask, vf x) {
+    return wasm_v128_and(mask, x);
+}
+static inline vm vm_and(vm a, vm b) {
+    return wasm_v128_and(a, b);
+}
+static inline int vm_any(vm mask) {
+    return wasm_v128_any_true(mask);
+}
+static inline vi vi_set(int32_t x) {
+    return wasm_i32x4_splat(x);
+}
+static inline vi vf_bits(vf x) {
+    return x;
+}
+static inline vf vi_float(vi x) {
+    return x;
+}
+static inline vi vi_add(vi a, vi b) {
+    return wasm_i32x4_add(a, b);
+}
+static inline vi vi_sub(vi a, vi b) {
+    return wasm_i32x4_sub(a, b);
+}
+static inline vi vi_and(vi a, vi b) {
+    return wasm_v128_and(a, b);
+}
+static inline vi vi_xor(vi a, vi b) {
+    return wasm_v128_xor(a, b);
+}
+static inline vi vi_or(vi a, vi b) {
+    return wasm_v128_or(a, b);
+}
+static inline vi vi_left(vi x, unsigned bits) {
+    return wasm_i32x4_shl(x, bits);
+}
+static inline vi vi_right(vi x, unsigned bits) {
+    return wasm_u32x4_shr(x, bits);
+}
+static inline vi vi_right_signed(vi x, unsigned bits) {
+    return wasm_i32x4_shr(x, bits);
+}
+static inline vi vi_mul(vi a, vi b) {
+    return wasm_i32x4_mul(a, b);
+}
+static inline vi vi_dot16(vi a, vi b) {
+    return wasm_i32x4_dot_i16x8(a, b);
+}
+static inline vi vi_max(vi a, vi b) {
+    return wasm_i32x4_max(a, b);
+}
+static inline vi vi_min(vi a, vi b) {
+    return wasm_i32x4_min(a, b);
+}
+static inline vi vi_gather(const int32_t *table, vi index) {
+    int32_t lanes[4];
+    wasm_v128_store(lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        lanes[i] = table[lanes[i]];
+    }
+    return wasm_v128_load(lanes);
+}
+static inline vf vi_convert(vi x) {
+    return wasm_f32x4_convert_i32x4(x);
+}
+static inline vi vi_ramp(int32_t step) {
+    return wasm_i32x4_mul(wasm_i32x4_splat(step), wasm_i32x4_make(0, 1, 2, 3));
+}
+static inline vi vi_load(const int32_t *from) {
+    return wasm_v128_load(from);
+}
+static inline void vi_save(int32_t *to, vi x) {
+    wasm_v128_store(to, x);
+}
+static inline vm vi_not_negative(vi x) {
+    return wasm_i32x4_ge(x, wasm_i32x4_splat(0));
+}
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return wasm_v128_bitselect(a, b, mask);
+}
+static inline vi vi_blend(vm mask, vi a, vi b) {
+    return wasm_v128_bitselect(a, b, mask);
+}
+static inline void vi_store(uint8_t *to, vi x) {
+    wasm_v128_store(to, x);
+}
+static inline void vi_stream(uint8_t *to, vi x) {
+    wasm_v128_store(to, x);
+}
+static inline unsigned vm_bits(vm mask) {
+    return wasm_i32x4_bitmask(mask);
+}
+static inline void vf_store_where(vm mask, float *to, vf x) {
+    wasm_v128_store(to, wasm_v128_bitselect(x, wasm_v128_load(to), mask));
+}
+static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+    wasm_v128_store(to, wasm_v128_bitselect(x, wasm_v128_load(to), mask));
+}
+static inline void vector_transpose(vf a[4]) {
+    vf t0 = wasm_i32x4_shuffle(a[0], a[1], 0, 4, 1, 5),
+       t1 = wasm_i32x4_shuffle(a[0], a[1], 2, 6, 3, 7);
+    vf t2 = wasm_i32x4_shuffle(a[2], a[3], 0, 4, 1, 5),
+       t3 = wasm_i32x4_shuffle(a[2], a[3], 2, 6, 3, 7);
+    a[0] = wasm_i64x2_shuffle(t0, t2, 0, 2);
+    a[1] = wasm_i64x2_shuffle(t0, t2, 1, 3);
+    a[2] = wasm_i64x2_shuffle(t1, t3, 0, 2);
+    a[3] = wasm_i64x2_shuffle(t1, t3, 1, 3);
+}
+static inline void vf_load_records(const void *const from[4], vf x[4]) {
+    for (int i = 0; i < 4; ++i) {
+        x[i] = wasm_v128_load(from[i]);
+    }
+    vector_transpose(x);
+}
+static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+    vf x[4] = {a, b, c, d};
+    vector_transpose(x);
+    for (int i = 0; i < 4; ++i) {
+        wasm_v128_store((float *)to + 4 * i, x[i]);
+    }
+}
+static inline void pack_pixels(uint8_t *to, const uint32_t *from) {
+    const uint32_t words[3] = {from[0] | from[1] << 24, from[1] >> 8 | from[2] << 16,
+                               from[2] >> 16 | from[3] << 8};
+    memcpy(to, words, sizeof words);
+}
+static inline void vector_fence(void) {}
+
+#endif

@@ -1,0 +1,124 @@
+/* What lobes cost, and the cheapest one that is good enough. */
+#include <math.h>
+
+#include "core/error.h"
+#include "theory/internal.h"
+
+burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model) {
+    burnish_theory_cost cost = {0, 0, 1, 0, 0, 0, 0};
+    switch (model->kind) {
+    case BURNISH_THEORY_FAMILY:
+    case BURNISH_THEORY_LYON: /* A c + B, max, squarings */
+        cost.multiplications = cost.additions = 1;
+        for (int power = 1; power < model->order; power *= 2) {
+            ++cost.multiplications;
+        }
+        break;
+    case BURNISH_THEORY_POWER:
+        cost.transcendentals = 1;
+        break;
+    case BURNISH_THEORY_SCHLICK: /* c / (n - (n - 1) c) */
+        cost.multiplications = cost.additions = cost.divisions = 1;
+        break;
+    case BURNISH_THEORY_GAUSSIAN: /* exp(k c - k), positive everywhere */
+        cost.multiplications = cost.additions = cost.transcendentals = 1;
+        cost.comparisons = 0;
+        break;
+    case BURNISH_THEORY_GX: /* t = c c, t / (A + B t) */
+        cost.multiplications = 2;
+        cost.additions = cost.divisions = 1;
+        break;
+    case BURNISH_THEORY_NV2X:
+        cost.multiplications = cost.divisions = 1;
+        cost.additions = 2;
+        break;
+    case BURNISH_THEORY_KUIJK_BLAKE: /* the piece, then its square, its factor and an offset */
+        cost.multiplications = cost.comparisons = cost.additions = 2;
+        cost.transcendentals = 1;
+        break;
+    case BURNISH_THEORY_TABLE: /* place, rounding; linear: fraction, difference, sum */
+        cost.multiplications = model->linear ? 2 : 1;
+        cost.additions = model->linear ? 3 : 1;
+        cost.lookups = model->linear ? 2 : 1;
+        cost.memory = model->entries;
+        break;
+    case BURNISH_THEORY_KIND_COUNT:
+        break;
+    }
+    return cost;
+}
+
+static int order_of(long a, long b) {
+    return (a > b) - (a < b);
+}
+
+int burnish_theory_cost_order(const burnish_theory_cost *a, const burnish_theory_cost *b) {
+    int order = order_of(a->transcendentals, b->transcendentals);
+    order = order ? order : order_of(a->divisions, b->divisions);
+    order = order ? order : order_of(a->lookups, b->lookups);
+    return order ? order
+                 : order_of(a->multiplications + a->additions + a->comparisons,
+                            b->multiplications + b->additions + b->comparisons);
+}
+
+/* The best lobe so far. */
+typedef struct {
+    double epsilon, maximum;
+    burnish_theory_model model;
+    burnish_theory_cost cost;
+} choice;
+
+static void try_model(choice *best, const burnish_theory_model *model) {
+    burnish_theory_cost cost = burnish_theory_model_cost(model);
+    int order = burnish_theory_cost_order(&cost, &best->cost);
+    if (order > 0) {
+        return; /* dearer: its error does not matter */
+    }
+    double maximum = burnish_theory_maximum_error(model, 0.5 * BURNISH_PI);
+    if (maximum <= best->epsilon && (order < 0 || maximum < best->maximum)) {
+        best->maximum = maximum;
+        best->model = *model;
+        best->cost = cost;
+    }
+}
+
+burnish_status burnish_theory_choose(double exponent, double epsilon, int affine,
+                                     burnish_theory_model *model, burnish_theory_cost *cost,
+                                     double *maximum, burnish_error *error) {
+    choice best = {epsilon, 0, {.kind = BURNISH_THEORY_POWER}, {0}};
+    if (!model || !(epsilon > 0 && epsilon < 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "choose: the error allowed, %g, must be between 0 and 1", epsilon);
+    }
+    burnish_lobe_status status =
+        burnish_theory_model_other(&best.model, BURNISH_THEORY_POWER, 0, exponent);
+    if (status != BURNISH_LOBE_OK) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "choose: exponent %g: %s", exponent,
+                            burnish_lobe_status_text(status));
+    }
+    best.cost = burnish_theory_model_cost(&best.model);
+    for (int i = 0; i < 10; ++i) { /* lower orders first, so that dearer ones stop early */
+        burnish_theory_model candidate;
+        burnish_theory_fit fit = i % 2 ? BURNISH_THEORY_AFFINE : BURNISH_THEORY_MINIMAX;
+        if ((i % 2 == 0 || affine) && burnish_theory_model_family(&candidate, fit, 2 << i / 2,
+                                                                  exponent, 0) == BURNISH_LOBE_OK) {
+            try_model(&best, &candidate);
+        }
+    }
+    for (int kind = 0; kind < BURNISH_THEORY_KIND_COUNT; ++kind) {
+        burnish_theory_model candidate;
+        if (kind != BURNISH_THEORY_LYON &&
+            burnish_theory_model_other(&candidate, (burnish_theory_kind)kind, 2, exponent) ==
+                BURNISH_LOBE_OK) {
+            try_model(&best, &candidate);
+        }
+    }
+    *model = best.model;
+    if (cost) {
+        *cost = best.cost;
+    }
+    if (maximum) {
+        *maximum = best.maximum;
+    }
+    return BURNISH_STATUS_OK;
+}

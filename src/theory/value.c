@@ -1,0 +1,176 @@
+/* Values and derivatives of every lobe, by lambda = 1 - c so that narrow lobes keep their digits.
+ */
+#include <math.h>
+
+#include "theory/internal.h"
+
+double burnish_theory_lambda_of_angle(double angle) {
+    double s = sin(0.5 * angle);
+    return 2 * s * s;
+}
+
+double burnish_theory_angle_of_lambda(double lambda) {
+    return 2 * asin(sqrt(0.5 * lambda));
+}
+
+double burnish_theory_power_at_lambda(double lambda, double exponent) {
+    if (!(lambda < 1)) {
+        return 0;
+    }
+    return lambda > 0 ? exp(exponent * log1p(-lambda)) : 1;
+}
+
+/* max(0, u)^order by squarings. */
+static double base_power(double u, int order) {
+    u = u > 0 ? u : 0;
+    for (int power = 1; power < order; power *= 2) {
+        u *= u;
+    }
+    return u;
+}
+
+double burnish_theory_table_entry(const burnish_theory_model *model, long i) {
+    double last = model->entries - 1;
+    return i <= 0 ? 0 : burnish_theory_power_at_lambda((last - (double)i) / last, model->exponent);
+}
+
+static double table_value(const burnish_theory_model *model, double c) {
+    if (!(c > 0)) {
+        return 0;
+    }
+    double position = c * (model->entries - 1);
+    if (!model->linear) {
+        return burnish_theory_table_entry(model, (long)floor(position + 0.5));
+    }
+    long i = (long)position;
+    i = i > model->entries - 2 ? model->entries - 2 : i;
+    double low = burnish_theory_table_entry(model, i);
+    double high = burnish_theory_table_entry(model, i + 1);
+    return low + (high - low) * (position - (double)i);
+}
+
+static double kuijk_blake_value(const burnish_theory_model *model, double lambda) {
+    double a = model->k[0], b = model->k[1];
+    double x = burnish_theory_angle_of_lambda(lambda);
+    if (x <= a) {
+        return 1 - x * x / (a * b);
+    }
+    return x < b ? (b - x) * (b - x) / (b * (b - a)) : 0;
+}
+
+double burnish_theory_value_at_lambda(const burnish_theory_model *model, double lambda) {
+    double n = model->exponent;
+    if (!(lambda <= HUGE_VAL)) {
+        return 0;
+    }
+    lambda = lambda > 0 ? lambda : 0;
+    switch (model->kind) {
+    case BURNISH_THEORY_FAMILY:
+    case BURNISH_THEORY_LYON:
+        return model->scale * base_power(1 - model->zeta * lambda, model->order);
+    case BURNISH_THEORY_POWER:
+        return burnish_theory_power_at_lambda(lambda, n);
+    case BURNISH_THEORY_SCHLICK:
+        return lambda < 1 ? (1 - lambda) / ((1 - lambda) + n * lambda) : 0;
+    case BURNISH_THEORY_GAUSSIAN:
+        return exp(-(n + 0.775) * lambda);
+    case BURNISH_THEORY_GX: {
+        double c = 1 - lambda, squared = c * c;
+        return c > 0 ? squared / (squared + 0.5 * n * lambda * (1 + c)) : 0;
+    }
+    case BURNISH_THEORY_NV2X: {
+        double u = 1 - model->zeta * lambda;
+        return u > 0 ? u / (1 - model->k[1] * model->zeta * lambda) : 0;
+    }
+    case BURNISH_THEORY_KUIJK_BLAKE:
+        return kuijk_blake_value(model, lambda < 2 ? lambda : 2);
+    case BURNISH_THEORY_TABLE:
+        return table_value(model, 1 - lambda);
+    case BURNISH_THEORY_KIND_COUNT:
+        break;
+    }
+    return 0;
+}
+
+double burnish_theory_value(const burnish_theory_model *model, double cosine) {
+    return burnish_theory_value_at_lambda(model, 1 - cosine);
+}
+
+double burnish_theory_value_at_angle(const burnish_theory_model *model, double angle) {
+    return burnish_theory_value_at_lambda(model, burnish_theory_lambda_of_angle(angle));
+}
+
+/* First and second derivative in lambda of the lobes that are formulas in the cosine. */
+static void lambda_slopes(const burnish_theory_model *model, double lambda, double slope[2]) {
+    double n = model->exponent, c = 1 - lambda, m = model->order, a = model->zeta;
+    double u = 1 - a * lambda;
+    slope[0] = slope[1] = 0;
+    if (model->kind == BURNISH_THEORY_FAMILY || model->kind == BURNISH_THEORY_LYON) {
+        if (u >= -1e-14) { /* the zero itself belongs to the peak's side, rounding included */
+            u = u > 0 ? u : 0;
+            slope[0] = -model->scale * m * a * pow(u, m - 1);
+            slope[1] = model->scale * m * (m - 1) * a * a * pow(u, m - 2);
+        }
+    } else if (model->kind == BURNISH_THEORY_GAUSSIAN) {
+        double k = n + 0.775;
+        slope[0] = -k * exp(-k * lambda);
+        slope[1] = k * k * exp(-k * lambda);
+    } else if (model->kind == BURNISH_THEORY_NV2X && u >= -1e-14) {
+        double b = -model->k[1] * a, d = 1 + b * lambda;
+        slope[0] = -(a + b) / (d * d);
+        slope[1] = 2 * b * (a + b) / (d * d * d);
+    } else if (model->kind == BURNISH_THEORY_POWER && c >= 0) {
+        slope[0] = -n * pow(c, n - 1);
+        slope[1] = n > 1 ? n * (n - 1) * pow(c, n - 2) : 0;
+    } else if (model->kind == BURNISH_THEORY_SCHLICK && c >= 0) {
+        double d = c + n * lambda;
+        slope[0] = -n / (d * d);
+        slope[1] = 2 * n * (n - 1) / (d * d * d);
+    } else if (model->kind == BURNISH_THEORY_GX && c >= 0) {
+        double h = 0.5 * n, d = c * c + h * lambda * (1 + c);
+        slope[0] = -2 * h * c / (d * d);
+        slope[1] = 2 * h * (h - 3 * (1 - h) * c * c) / (d * d * d);
+    } else if (model->kind == BURNISH_THEORY_TABLE && model->linear && c >= 0) {
+        long last = model->entries - 1, i = (long)(c * (double)last);
+        i = i > last - 1 ? last - 1 : i;
+        slope[0] = (double)last * (burnish_theory_table_entry(model, i) -
+                                   burnish_theory_table_entry(model, i + 1));
+    }
+}
+
+void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
+                                double derivatives[3]) {
+    derivatives[0] = burnish_theory_value_at_angle(model, angle);
+    if (model->kind == BURNISH_THEORY_KUIJK_BLAKE) {
+        double a = model->k[0], b = model->k[1];
+        derivatives[1] = angle <= a   ? -2 * angle / (a * b)
+                         : angle <= b ? 2 * (angle - b) / (b * (b - a))
+                                      : 0;
+        derivatives[2] = angle <= a ? -2 / (a * b) : angle <= b ? 2 / (b * (b - a)) : 0;
+        return;
+    }
+    double slope[2], sine = sin(angle);
+    lambda_slopes(model, burnish_theory_lambda_of_angle(angle), slope);
+    derivatives[1] = slope[0] * sine;
+    derivatives[2] = slope[1] * sine * sine + slope[0] * cos(angle);
+}
+
+double burnish_theory_lyon_normalize_factor(double s) {
+    double e = 1 - s;
+    return 1 + e * (0.5 + 0.375 * e);
+}
+
+double burnish_theory_lyon_vectors(const double a[3], const double b[3], double exponent,
+                                   int order) {
+    double a_scale = burnish_theory_lyon_normalize_factor(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    double b_scale = burnish_theory_lyon_normalize_factor(b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
+    double squared = 0;
+    if (burnish_lobe_check(order, exponent) != BURNISH_LOBE_OK) {
+        return 0;
+    }
+    for (int i = 0; i < 3; ++i) {
+        double d = a[i] * a_scale - b[i] * b_scale;
+        squared += d * d;
+    }
+    return base_power(1 - exponent / order * 0.5 * squared, order);
+}

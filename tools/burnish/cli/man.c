@@ -1,0 +1,316 @@
+/* burnish(1) in roff (man macros), from the same tables as the help screens. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/help.h"
+#include "lobe/metrics.h"
+#include "render/settings.h"
+
+/* When the words below were last changed; part of the page's header. */
+#define PAGE_DATE "2026-11-21"
+
+/* Prints text for roff: *bold* and _italics_ where a word begins and ends so, everything else
+ * literally, control lines defused. An asterisk or underscore inside a word stands for itself. */
+static void print_text(const char *text) {
+    char open = 0;
+    int line_start = 1;
+    for (const char *c = text; *c; ++c) {
+        int marks = (*c == '*' || *c == '_') && (open ? open == *c : 1);
+        if (marks) {
+            open = open ? 0 : *c;
+            fputs(!open ? "\\fR" : *c == '*' ? "\\fB" : "\\fI", stdout);
+            line_start = 0;
+            continue;
+        }
+        if (line_start && (*c == '.' || *c == '\'')) {
+            fputs("\\&", stdout);
+        }
+        if (*c == '\\') {
+            fputs("\\e", stdout);
+        } else if (*c == '^') {
+            fputs("\\(ha", stdout);
+        } else if (*c == '-') {
+            fputs("\\-", stdout);
+        } else {
+            putchar(*c);
+        }
+        line_start = *c == '\n';
+    }
+    putchar('\n');
+}
+
+/* Paragraphs that newlines separate; the first follows what stands before. */
+static void print_paragraphs(const char *text) {
+    const char *rest = text;
+    while (rest) {
+        char paragraph[1024];
+        const char *item;
+        size_t length = burnish_cli_next_item(&rest, '\n', &item);
+        snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, item);
+        if (item != text) {
+            printf(".PP\n");
+        }
+        print_text(paragraph);
+    }
+}
+
+static void print_tagged(const char *tag, const char *text) {
+    printf(".TP\n");
+    print_text(tag);
+    print_paragraphs(text);
+}
+
+static void print_flag(const burnish_cli_flag *flag) {
+    char tag[160];
+    char letter[48] = "";
+    if (flag->letter) {
+        snprintf(letter, sizeof letter, flag->value ? "*-%c* _%s_, " : "*-%c*%s, ", flag->letter,
+                 flag->value ? flag->value : "");
+    }
+    if (flag->value) {
+        snprintf(tag, sizeof tag, "%s*--%s*=_%s_", letter, flag->name, flag->value);
+    } else {
+        snprintf(tag, sizeof tag, "%s*--%s*", letter, flag->name);
+    }
+    printf(".TP\n");
+    print_text(tag);
+    print_text(flag->manual);
+    char values[240] = "";
+    const char *shown = burnish_cli_flag_default(flag);
+    if (flag->words) {
+        strcpy(values, "Values: ");
+        burnish_cli_word_list(flag->words, values + strlen(values), sizeof values - strlen(values));
+    }
+    if (flag->words || *shown) {
+        char line[320];
+        snprintf(line, sizeof line, "%s%s%s%s.", values, flag->words && *shown ? ". " : "",
+                 *shown ? "Default: " : "", shown);
+        printf(".br\n");
+        print_text(line);
+    }
+}
+
+/* The commands, with those that consist of others opened up, each with its heading. */
+static void print_command(const burnish_cli_command *command) {
+    printf(".SH \"");
+    for (const char *c = command->name; *c; ++c) {
+        putchar(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
+    }
+    printf("\"\n");
+    print_paragraphs(command->manual);
+    for (size_t i = 0; i < command->flag_count; ++i) {
+        if (command->flags[i].group) {
+            printf(".SS %s\n", command->flags[i].group);
+        }
+        print_flag(&command->flags[i]);
+    }
+    for (size_t i = 0; command->parts && command->parts[i]; ++i) {
+        print_command(command->parts[i]);
+    }
+}
+
+static void print_synopsis(const burnish_cli_command *command) {
+    char line[160];
+    if (command->parts) {
+        for (size_t i = 0; command->parts[i]; ++i) {
+            print_synopsis(command->parts[i]);
+        }
+        return;
+    }
+    if (*command->operand) {
+        snprintf(line, sizeof line, "*burnish %s* _%s_ [_options_]", command->name,
+                 command->operand);
+    } else {
+        snprintf(line, sizeof line, "*burnish %s* [_options_]", command->name);
+    }
+    print_text(line);
+    printf(".br\n");
+}
+
+static void print_colors(void) {
+    printf(".SH COLOURS\n");
+    print_text(
+        "_COLOR_ is *#rgb* or *#rrggbb* in hexadecimal, *r,g,b* with sRGB values from 0 to 1, or a "
+        "name:");
+    for (size_t i = 0; burnish_cli_color_name(i); ++i) {
+        printf("%s%s", i > 0 ? ", " : "", burnish_cli_color_name(i));
+    }
+    printf(".\n");
+}
+
+static void print_materials(void) {
+    printf(".SH MATERIALS\n");
+    print_text(
+        "The names of *--material* and what they set. *--specular* and *--exponent* change the "
+        "strength and the exponent further.");
+    for (size_t i = 0; burnish_cli_preset_words[i].name; ++i) {
+        const burnish_cli_preset *preset = &burnish_cli_presets[i];
+        char text[200], tag[40];
+        snprintf(tag, sizeof tag, "*%s*", preset->name);
+        snprintf(text, sizeof text, "%s (ks %g, n %g%s).", preset->what, (double)preset->specular,
+                 (double)preset->exponent, preset->tint > 0 ? ", in the surface's colour" : "");
+        print_tagged(tag, text);
+    }
+}
+
+static void print_lobes(void) {
+    printf(".SH LOBES\n");
+    print_text("The family max(0, 1 + zeta (c - 1))^m needs no pow and no division: c is the "
+               "cosine, m the "
+               "order, and the fit chooses zeta from the exponent n. _FIT_:_ORDER_ names a member, "
+               "_ORDER_ being 2, 4, 8, 16 or 32, and 2 when left out. Where an exponent is too low "
+               "for the "
+               "order, a lower order is drawn, with a warning.");
+    print_tagged("*energy*",
+                 "zeta = (n + 1) / (m + 1): the same integral over solid angle as the power.");
+    print_tagged("*taylor*", "zeta = n / m: the same value and slope at the centre.");
+    print_tagged("*level*_Q_",
+                 "meets the power where it is _Q_, between 0 and 1, as in *level0.5:2*.");
+    print_tagged("*projected*", "the same cosine-weighted integral as the power.");
+    print_tagged("*shift7*, *shift3*", "zeta = 7n/16 and 3n/8, order 2, for integer hardware.");
+    print_tagged(
+        "*power*, *schlick*, *gaussian*, *gx*, *lyon*:_ORDER_",
+        "for comparison: c^n, c / (n - n c + c), exp(-(n + 0.775) (1 - c)), "
+        "c^2 / (n/2 + (1 - n/2) c^2), and the taylor fit taken from the chord of vectors that "
+        "are nearly of unit length.");
+}
+
+static void print_metrics(void) {
+    const burnish_cli_metric *metric;
+    printf(".SH METRICS\n");
+    print_text("The columns of *burnish lobe table*. The groups *shape*, *widths*, *energies*, "
+               "*errors* and *cost* are runs of them, *all* is everything. _BITS_ (8 when left "
+               "out), _DEG_ (10) and _LENGTH_ (0.9) follow a colon, as in *angle:4*.");
+    for (size_t i = 0; (metric = burnish_cli_metric_at(i)) != NULL; ++i) {
+        char tag[64];
+        snprintf(tag, sizeof tag, "*%s*%s", metric->name,
+                 metric->takes == 'q'   ? "[:_BITS_]"
+                 : metric->takes == 'a' ? "[:_DEG_]"
+                 : metric->takes == 'l' ? "[:_LENGTH_]"
+                                        : "");
+        print_tagged(tag, metric->what);
+    }
+}
+
+static void print_lights(void) {
+    printf(".SH LIGHTS\n");
+    print_text(
+        "_SPEC_ is _KIND_:_X_,_Y_,_Z_[:_INTENSITY_[:_COLOR_]] with an intensity from 0 to 1000, 1 "
+        "when left out, and a colour, white when left out. Lights have no falloff and cast no "
+        "shadows.");
+    print_tagged("*directional*",
+                 "from the direction _X_,_Y_,_Z_ as the camera sees it: x to the right, y "
+                 "up, z toward the viewer.");
+    print_tagged("*point*",
+                 "at that place as the camera sees it; the unit is the distance from the camera "
+                 "to the focal point.");
+    print_tagged("*world-directional*, *world-point*", "the same in the scene's coordinates.");
+    print_tagged("*none*", "takes away the default rig and every light given before.");
+    printf(".PP\n");
+    print_text("For example *--light=directional:-1,1,2:0.8:#fff2e0*.");
+}
+
+static void print_json(void) {
+    printf(".SH \"JSON OUTPUT\"\n");
+    print_text("One object. Numbers read back as exactly the values that were used.");
+    static const char *const keys[][2] = {
+        {"burnish", "the version"},
+        {"input, format, output", "*output* is null when nothing was written"},
+        {"width, height", "of the picture, in pixels"},
+        {"triangles, vertices, materials, exponents", "of the scene after loading"},
+        {"bounding_box", "*min* and *max* of the object in the scene's units"},
+        {"up, view", "the up axis; the standard view where one was asked for"},
+        {"triangles_drawn", "triangles that own at least one sample"},
+        {"covered_pixels, pixel_bounds",
+         "pixels that show the object; x0, y0, x1, y1, ends excluded"},
+        {"camera", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* (0: "
+                   "perspective)"},
+        {"lobe, equation, viewer, lights, samples, threads", "as used"},
+        {"seconds", "*start* (processor time before loading), *load* (of which *read* and "
+                    "*build*), *transform*, "
+                    "*draw*, *encode*, *write*, *total* (from *load* on)"},
+        {"hash, hash_algorithm",
+         "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
+        {"blank", "true when the picture, or a cell, shows nothing"},
+        {"warnings", "lines, also with *--quiet*"},
+        {"cells", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and "
+                  "what depends on view or lobe"},
+    };
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; ++i) {
+        printf(".TP\n.B %s\n", keys[i][0]);
+        print_text(keys[i][1]);
+    }
+}
+
+static void print_exit_status(void) {
+    printf(".SH \"EXIT STATUS\"\n");
+#define PRINT_CODE(code, text)                                                                     \
+    printf(".TP\n.B %d\n", code);                                                                  \
+    print_text(text);
+#define PRINT_STATUS(name, code, text) PRINT_CODE(code, text)
+    BURNISH_STATUS_LIST(PRINT_STATUS)
+    BURNISH_CLI_EXIT_LIST(PRINT_CODE)
+#undef PRINT_STATUS
+#undef PRINT_CODE
+    printf(".PP\n");
+    print_text(
+        "Every failure is one line on standard error, \"burnish: ...\", that says which file or "
+        "flag, where in it, what was wrong and what to do. No failed run leaves half a file "
+        "behind.");
+}
+
+static void print_example_list(const burnish_cli_example *examples) {
+    for (const burnish_cli_example *example = examples; example && example->command; ++example) {
+        printf(".TP\n.B ");
+        print_text(example->command);
+        print_text(example->what);
+    }
+}
+
+static void print_examples(void) {
+    printf(".SH EXAMPLES\n");
+    print_example_list(burnish_cli_examples);
+    for (size_t i = 0; burnish_cli_commands[i]; ++i) {
+        const burnish_cli_command *command = burnish_cli_commands[i];
+        for (size_t k = 0; command->parts && command->parts[k]; ++k) {
+            print_example_list(command->parts[k]->examples);
+        }
+    }
+}
+
+int burnish_cli_print_man(void) {
+    printf(
+        ".\\\" Made by burnish help --man; do not edit.\n"
+        ".TH BURNISH 1 \"%s\" \"burnish %s\" \"User Commands\"\n"
+        ".SH NAME\nburnish \\- pictures of meshes without a GPU, the same bits on every machine\n"
+        ".SH SYNOPSIS\n",
+        PAGE_DATE, burnish_version());
+    for (size_t i = 0; burnish_cli_commands[i]; ++i) {
+        print_synopsis(burnish_cli_commands[i]);
+    }
+    print_text("*burnish* *--help* | *--version*");
+    printf(".SH DESCRIPTION\n");
+    print_paragraphs("*burnish* draws a mesh into a PNG: no GPU, no display, no toolkit. Its "
+                     "highlights come from a "
+                     "family of specular lobes that need neither pow nor division.\n"
+                     "The same input and flags give the same pixels on every processor, with every "
+                     "compiler and any "
+                     "number of threads, so that the hash that *--json* prints can be compared "
+                     "between machines.");
+    for (size_t i = 0; burnish_cli_commands[i]; ++i) {
+        print_command(burnish_cli_commands[i]);
+    }
+    print_colors();
+    print_materials();
+    print_lobes();
+    print_metrics();
+    print_lights();
+    print_json();
+    print_exit_status();
+    printf(".SH ENVIRONMENT\n");
+    print_text(
+        "None is read. The locale has no influence: numbers are always written with a point.");
+    print_examples();
+    printf(".SH \"SEE ALSO\"\n.BR man (1),\n.BR xxhsum (1)\n");
+    return burnish_cli_finish_output();
+}

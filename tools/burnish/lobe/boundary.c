@@ -1,0 +1,360 @@
+/* `burnish lobe boundary`: the memory of boundary cosines as C, Verilog memory or CSV. */
+#include <ctype.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/help.h"
+#include "lobe/lobe.h"
+
+typedef enum boundary_form { FORM_C, FORM_MEM, FORM_CSV } boundary_form;
+
+enum { ROUNDING_AUTO = -1 };
+
+typedef struct boundary_settings {
+    const char *lobe, *exponents, *word, *name, *output;
+    burnish_cli_real bits;
+    int lambda, rounding, form, help;
+} boundary_settings;
+
+static int boundary_main(int argc, char **argv);
+
+static const burnish_cli_word form_words[] = {
+    {"c", FORM_C}, {"mem", FORM_MEM}, {"csv", FORM_CSV}, {NULL, 0}};
+static const burnish_cli_word rounding_words[] = {{"nearest", BURNISH_THEORY_NEAREST},
+                                                  {"down", BURNISH_THEORY_DOWN},
+                                                  {"up", BURNISH_THEORY_UP},
+                                                  {NULL, 0}};
+
+#define TARGET(member) .offset = offsetof(boundary_settings, member)
+
+static const burnish_cli_flag boundary_flags[] = {
+    {.group = "What is stored",
+     .name = "lobe",
+     .value = "LOBE",
+     .help = "such as energy:2, minimax:4, power",
+     .initial = "energy:2",
+     .manual = "The lobe, in the words of *LOBES* and *LOBE*. Exponents below its order get the "
+               "highest order that they allow.",
+     .handler = burnish_cli_flag_text,
+     TARGET(lobe)},
+    {.name = "exponents",
+     .value = "LIST",
+     .help = "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
+     .initial = "1-1023",
+     .manual = "Exponents, one word each, in this order; see *LOBE TABLE*.",
+     .handler = burnish_cli_flag_text,
+     TARGET(exponents)},
+    {.name = "bits",
+     .value = "Q",
+     .help = "where the lobe is 2^-Q, from 1; 0: where it is zero",
+     .initial = "8",
+     .low = 0,
+     .high = 1024,
+     .manual = "Threshold: the boundary is where the lobe has fallen to 2^-_Q_, from 1 to 1024. 0 "
+               "is where it has become zero.",
+     .handler = burnish_cli_flag_real,
+     TARGET(bits)},
+    {.name = "lambda",
+     .help = "store 1 - cosine, which keeps its digits for narrow lobes",
+     .manual = "Words hold 1 - cosine instead of the cosine.",
+     .handler = burnish_cli_flag_switch,
+     TARGET(lambda)},
+    {.group = "Words",
+     .name = "format-word",
+     .value = "FORMAT",
+     .help = "UQ0.15: 15 fraction bits; Q0.15: and a sign bit",
+     .initial = "UQ0.15",
+     .manual = "Fixed-point format, up to 32 bits: *UQ0.15* has no integer and 15 fraction bits, "
+               "*Q0.15* a sign bit too. What does not fit is limited, so that 1 becomes the "
+               "largest word of *UQ0.15*.",
+     .handler = burnish_cli_flag_text,
+     TARGET(word)},
+    {.name = "rounding",
+     .value = "NAME",
+     .help = "",
+     .shown = "keeps all that is visible",
+     .words = rounding_words,
+     .manual = "How words are rounded. Down for cosines and up for 1 - cosine, the default, cuts "
+               "nothing that is brighter than the threshold.",
+     .handler = burnish_cli_flag_word,
+     TARGET(rounding)},
+    {.group = "Output",
+     .name = "as",
+     .value = "NAME",
+     .help = "C array, Verilog memory for $readmemh, or table:",
+     .initial = "c",
+     .words = form_words,
+     .manual =
+         "*c* is a C array that compiles alone, *mem* a file for Verilog's $readmemh, *csv* a "
+         "table that also has the boundary before rounding.",
+     .handler = burnish_cli_flag_word,
+     TARGET(form)},
+    {.name = "name",
+     .value = "NAME",
+     .help = "of the C array",
+     .initial = "burnish_boundary",
+     .manual = "Name of the C array.",
+     .handler = burnish_cli_flag_text,
+     TARGET(name)},
+    BURNISH_CLI_OUTPUT_FLAG(boundary_settings, NULL),
+    BURNISH_CLI_HELP_FLAG(boundary_settings),
+};
+
+static const burnish_cli_example examples[] = {
+    {"burnish lobe boundary -o boundary.c", "a C array"},
+    {"burnish lobe boundary --exponents=1-255 --as=mem -o boundary.mem", "for $readmemh"},
+    {"burnish lobe boundary --lobe=power --lambda --format-word=UQ0.16 --as=csv", "table"},
+    {NULL, NULL},
+};
+
+const burnish_cli_command burnish_cli_lobe_boundary_command = {
+    .name = "lobe boundary",
+    .operand = "",
+    .summary = "the cosines from which on a lobe is dark",
+    .manual =
+        "Writes a memory with a word for every exponent: the cosine below which the lobe need "
+        "not be computed.",
+    .operands_max = 0,
+    .flags = boundary_flags,
+    .flag_count = sizeof boundary_flags / sizeof *boundary_flags,
+    .examples = examples,
+    .run = boundary_main,
+};
+
+/* The memory, and what was asked for. */
+typedef struct contents {
+    const boundary_settings *settings;
+    burnish_theory_memory memory;
+    burnish_cli_exponents exponents;
+    int64_t *words;
+    int consecutive; /* 1: exponents are whole numbers, each one more than the one before */
+    char lobe[BURNISH_CLI_LOBE_NAME], format[16], bits[BURNISH_CLI_REAL_SIZE];
+} contents;
+
+static const char *what_is_stored(const contents *c) {
+    return c->memory.lambda ? "value of 1 - cosine" : "cosine";
+}
+
+static const char *rounding_name(const contents *c) {
+    return rounding_words[c->memory.rounding].name;
+}
+
+/* The level that the boundary belongs to, in words. */
+static void level_text(const contents *c, char *text, size_t size) {
+    if (c->memory.bits == 0) {
+        snprintf(text, size, "zero");
+    } else {
+        snprintf(text, size, "2^-%s", c->bits);
+    }
+}
+
+static uint64_t word_bits(const contents *c, size_t i) {
+    int width = burnish_theory_format_width(&c->memory.format);
+    return (uint64_t)c->words[i] & ((UINT64_C(1) << width) - 1);
+}
+
+static int word_digits(const contents *c) {
+    return (burnish_theory_format_width(&c->memory.format) + 3) / 4;
+}
+
+/* ---- C ---- */
+
+static void print_exponent_array(FILE *stream, const contents *c) {
+    fprintf(stream,
+            "\n/* The exponents, in the same order. */\nstatic const float %s_exponents[%zu] = {\n",
+            c->settings->name, c->exponents.count);
+    for (size_t i = 0; i < c->exponents.count; ++i) {
+        char text[48];
+        snprintf(text, sizeof text, "%.9g", c->exponents.items[i]);
+        fprintf(stream, "%s%s%sF,%s", i % 8 == 0 ? "    " : "", text,
+                strpbrk(text, ".e") ? "" : ".0",
+                i % 8 == 7 || i + 1 == c->exponents.count ? "\n" : " ");
+    }
+    fprintf(stream, "};\n");
+}
+
+static void print_c(FILE *stream, const contents *c) {
+    int width = burnish_theory_format_width(&c->memory.format);
+    int storage = width <= 8 ? 8 : width <= 16 ? 16 : 32;
+    char level[64];
+    level_text(c, level, sizeof level);
+    fprintf(stream,
+            "/* Boundary memory of the lobe %s: the %s at which it has fallen to %s.\n"
+            " * Words are %s, %d bits, rounded %s: 1 is %" PRIu64 ".%s\n"
+            " * Written by burnish %s: burnish lobe boundary. */\n#include <stdint.h>\n\n",
+            c->lobe, what_is_stored(c), level, c->format, width, rounding_name(c),
+            UINT64_C(1) << c->memory.format.fraction_bits,
+            c->memory.format.integer_bits == 0 ? " It does not fit and is one less." : "",
+            burnish_version());
+    if (c->consecutive) {
+        fprintf(stream, "/* Entry i belongs to the exponent i + %.0f. */\n", c->exponents.items[0]);
+    }
+    fprintf(stream, "static const %sint%d_t %s[%zu] = {\n", c->memory.format.is_signed ? "" : "u",
+            storage, c->settings->name, c->exponents.count);
+    for (size_t i = 0; i < c->exponents.count; ++i) {
+        fprintf(stream, "%s%*" PRId64 ",%s", i % 10 == 0 ? "    " : "",
+                storage == 8    ? 3
+                : storage == 16 ? 5
+                                : 10,
+                c->words[i], i % 10 == 9 || i + 1 == c->exponents.count ? "\n" : " ");
+    }
+    fprintf(stream, "};\n");
+    if (!c->consecutive) {
+        print_exponent_array(stream, c);
+    }
+}
+
+/* ---- Verilog, CSV ---- */
+
+static void print_mem(FILE *stream, const contents *c) {
+    char level[64];
+    level_text(c, level, sizeof level);
+    fprintf(stream,
+            "// Boundary memory of the lobe %s: the %s at which it has fallen to %s.\n"
+            "// %zu words of %d bits, %s, rounded %s. For $readmemh.\n"
+            "// Written by burnish %s: burnish lobe boundary.\n@0\n",
+            c->lobe, what_is_stored(c), level, c->exponents.count,
+            burnish_theory_format_width(&c->memory.format), c->format, rounding_name(c),
+            burnish_version());
+    for (size_t i = 0; i < c->exponents.count; ++i) {
+        char number[BURNISH_CLI_REAL_SIZE];
+        fprintf(stream, "%0*" PRIx64 " // n = %s\n", word_digits(c), word_bits(c, i),
+                burnish_cli_shortest(c->exponents.items[i], number));
+    }
+}
+
+/* The boundary before rounding; NaN where the exponent has no such lobe, which then has a lower
+ * order in the memory. */
+static double exact_boundary(const contents *c, double exponent) {
+    burnish_theory_model model;
+    burnish_theory_model wanted = c->memory.model;
+    burnish_lobe_status status = burnish_theory_model_at(&wanted, exponent, &model);
+    while (status == BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT && wanted.order > 2) {
+        wanted.order /= 2;
+        status = burnish_theory_model_at(&wanted, exponent, &model);
+    }
+    if (status != BURNISH_LOBE_OK) {
+        return NAN;
+    }
+    return c->memory.lambda ? burnish_theory_boundary_lambda(&model, c->memory.bits)
+                            : burnish_theory_boundary_cosine(&model, c->memory.bits);
+}
+
+static void print_csv(FILE *stream, const contents *c) {
+    fprintf(stream, "exponent,word,hex,value,%s\n", c->memory.lambda ? "lambda" : "cosine");
+    for (size_t i = 0; i < c->exponents.count; ++i) {
+        char number[3][BURNISH_CLI_REAL_SIZE];
+        double n = c->exponents.items[i];
+        fprintf(stream, "%s,%" PRId64 ",%0*" PRIx64 ",%s,%s\n", burnish_cli_shortest(n, number[0]),
+                c->words[i], word_digits(c), word_bits(c, i),
+                burnish_cli_shortest(burnish_theory_format_decode(&c->memory.format, c->words[i]),
+                                     number[1]),
+                burnish_cli_shortest(exact_boundary(c, n), number[2]));
+    }
+}
+
+static burnish_status print(const contents *c, burnish_error *error) {
+    burnish_cli_output output;
+    burnish_status status = burnish_cli_output_begin(&output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    switch ((boundary_form)c->settings->form) {
+    case FORM_C:
+        print_c(output.stream, c);
+        break;
+    case FORM_MEM:
+        print_mem(output.stream, c);
+        break;
+    case FORM_CSV:
+        print_csv(output.stream, c);
+        break;
+    }
+    return burnish_cli_output_end(&output, c->settings->output, BURNISH_STATUS_OK, error);
+}
+
+/* ---- Settings ---- */
+
+static burnish_status check_name(const char *name, burnish_error *error) {
+    int good = isalpha((unsigned char)*name) || *name == '_';
+    for (const char *c = name; *c; ++c) {
+        good = good && (isalnum((unsigned char)*c) || *c == '_');
+    }
+    return good && strlen(name) < 128
+               ? BURNISH_STATUS_OK
+               : burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                  "--name: \"%.60s\" is not a name in C: letters, digits and _",
+                                  name);
+}
+
+static burnish_status read_model(const char *text, contents *c, burnish_error *error) {
+    burnish_cli_lobe_names names;
+    burnish_status status = burnish_cli_read_lobes("lobe", text, &names, error);
+    if (status == BURNISH_STATUS_OK && names.count != 1) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--lobe: \"%.60s\" is %zu lobes; a memory holds one", text,
+                                names.count);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        strcpy(c->lobe, names.items[0]);
+        status = burnish_theory_model_parse(c->lobe, 65536, &c->memory.model, error);
+    }
+    return status;
+}
+
+static burnish_status fill(contents *c, burnish_error *error) {
+    const boundary_settings *s = c->settings;
+    burnish_error reason;
+    burnish_status status = check_name(s->name, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = read_model(s->lobe, c, error);
+    }
+    if (status == BURNISH_STATUS_OK &&
+        burnish_theory_format_parse(s->word, &c->memory.format, &reason) != BURNISH_STATUS_OK) {
+        status = burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--format-word: %s", reason.text);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_cli_read_exponents("exponents", s->exponents, &c->exponents, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    c->memory.bits = s->bits.value;
+    c->memory.lambda = s->lambda;
+    c->memory.rounding = s->rounding != ROUNDING_AUTO ? (burnish_theory_rounding)s->rounding
+                         : s->lambda                  ? BURNISH_THEORY_UP
+                                                      : BURNISH_THEORY_DOWN;
+    burnish_theory_format_name(&c->memory.format, c->format, sizeof c->format);
+    burnish_cli_shortest(c->memory.bits, c->bits);
+    c->consecutive = c->exponents.items[0] == floor(c->exponents.items[0]);
+    for (size_t i = 1; i < c->exponents.count; ++i) {
+        c->consecutive = c->consecutive && c->exponents.items[i] == c->exponents.items[i - 1] + 1;
+    }
+    c->words = calloc(c->exponents.count, sizeof *c->words);
+    if (!c->words) {
+        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu words",
+                                c->exponents.count);
+    }
+    return burnish_theory_memory_fill(&c->memory, c->exponents.items, c->exponents.count, c->words,
+                                      error);
+}
+
+static burnish_status work(void *target, const burnish_cli_operands *operands,
+                           burnish_error *error) {
+    contents c = {.settings = target};
+    (void)operands;
+    burnish_status status = fill(&c, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = print(&c, error);
+    }
+    free(c.words);
+    free(c.exponents.items);
+    return status;
+}
+
+static int boundary_main(int argc, char **argv) {
+    boundary_settings settings = {.rounding = ROUNDING_AUTO};
+    return burnish_cli_run_work(&burnish_cli_lobe_boundary_command, argc, argv, &settings, work);
+}

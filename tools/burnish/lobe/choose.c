@@ -1,0 +1,314 @@
+/* `burnish lobe choose`: the cheapest lobe that is near enough to the power, ready to paste. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/help.h"
+#include "lobe/lobe.h"
+
+typedef struct choose_settings {
+    const char *output;
+    burnish_cli_real exponent, epsilon;
+    int affine, format, help;
+} choose_settings;
+
+static int choose_main(int argc, char **argv);
+
+#define TARGET(member) .offset = offsetof(choose_settings, member)
+
+static const burnish_cli_flag choose_flags[] = {
+    {.group = "What is wanted",
+     .name = "exponent",
+     .value = "N",
+     .help = "of the power that is to be replaced, from 1 to 65536",
+     .shown = "must be given",
+     .low = 1,
+     .high = 65536,
+     .manual = "Exponent of the power that the lobe stands for.",
+     .handler = burnish_cli_flag_real,
+     TARGET(exponent)},
+    {.name = "epsilon",
+     .value = "E",
+     .help = "largest error allowed, between 0 and 1, such as 0.02",
+     .shown = "must be given",
+     .low = 0,
+     .high = 1,
+     .manual =
+         "Largest absolute error against the power that is allowed, over all angles; 1/256 is "
+         "a step of an 8-bit display.",
+     .handler = burnish_cli_flag_angle,
+     TARGET(epsilon)},
+    {.name = "affine",
+     .help = "allow lobes whose peak is a little below 1",
+     .manual = "Allows the fit *affine*, whose A and B are both free: A + B is not 1, so that the "
+               "peak is lower by the error, and the error is a sixth smaller for the same cost.",
+     .handler = burnish_cli_flag_switch,
+     TARGET(affine)},
+    BURNISH_CLI_FORMAT_FLAG(choose_settings, burnish_cli_format_words, "text"),
+    BURNISH_CLI_OUTPUT_FLAG(choose_settings, NULL),
+    BURNISH_CLI_HELP_FLAG(choose_settings),
+};
+
+static const burnish_cli_example examples[] = {
+    {"burnish lobe choose --exponent=100 --epsilon=0.02", "constants for C, and what came near"},
+    {"burnish lobe choose --exponent=20 --epsilon=0.03 --affine", "with a peak below 1"},
+    {NULL, NULL},
+};
+
+const burnish_cli_command burnish_cli_lobe_choose_command = {
+    .name = "lobe choose",
+    .operand = "",
+    .summary = "the cheapest lobe near enough to the power, as C",
+    .operand_help = "cheapest: fewest functions, then divisions, then other operations",
+    .manual = "Finds the lobe with the least cost whose largest absolute error against the power "
+              "stays within the bound; of equally cheap ones that with the least error. Cost is "
+              "counted from the cosine, constants prepared: first calls of functions, then "
+              "divisions, then multiplications, additions and comparisons together. The other "
+              "candidates follow, the cheapest first.",
+    .operands_max = 0,
+    .flags = choose_flags,
+    .flag_count = sizeof choose_flags / sizeof *choose_flags,
+    .examples = examples,
+    .run = choose_main,
+};
+
+typedef struct candidate {
+    burnish_theory_model model;
+    burnish_theory_cost cost;
+    double maximum;
+    char name[BURNISH_CLI_LOBE_NAME];
+} candidate;
+
+enum { CANDIDATES_MAX = 24 };
+
+typedef struct result {
+    candidate best, others[CANDIDATES_MAX];
+    size_t count; /* of others */
+} result;
+
+static void add(result *r, const char *word, double exponent) {
+    candidate *c = &r->others[r->count];
+    if (strcmp(word, r->best.name) == 0 ||
+        burnish_theory_model_parse(word, exponent, &c->model, NULL) != BURNISH_STATUS_OK) {
+        return;
+    }
+    snprintf(c->name, sizeof c->name, "%s", word);
+    c->cost = burnish_theory_model_cost(&c->model);
+    c->maximum = burnish_theory_maximum_error(&c->model, BURNISH_CLI_RIGHT_ANGLE);
+    ++r->count;
+}
+
+static int compare_candidates(const void *a, const void *b) {
+    const candidate *x = a, *y = b;
+    int order = burnish_theory_cost_order(&x->cost, &y->cost);
+    return order ? order : (x->maximum > y->maximum) - (x->maximum < y->maximum);
+}
+
+static burnish_status choose(const choose_settings *settings, result *r, burnish_error *error) {
+    static const char *const words[] = {"minimax:2",  "minimax:4",   "minimax:8", "minimax:16",
+                                        "minimax:32", "schlick",     "gx",        "nv2x",
+                                        "gaussian",   "kuijk-blake", "power"};
+    static const char *const affine_words[] = {"affine:2", "affine:4", "affine:8", "affine:16",
+                                               "affine:32"};
+    double n = settings->exponent.value;
+    burnish_status status =
+        burnish_theory_choose(n, settings->epsilon.value, settings->affine, &r->best.model,
+                              &r->best.cost, &r->best.maximum, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    burnish_theory_model_name(&r->best.model, r->best.name, sizeof r->best.name);
+    for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
+        add(r, words[i], n);
+    }
+    for (size_t i = 0; settings->affine && i < sizeof affine_words / sizeof *affine_words; ++i) {
+        add(r, affine_words[i], n);
+    }
+    qsort(r->others, r->count, sizeof *r->others, compare_candidates);
+    return BURNISH_STATUS_OK;
+}
+
+/* A and B of u = max(0, A c + B) with S = u^m, as floats. For a peak of 1 the sum of the rounded
+ * ones is 1 as near as floats go. */
+static void constants_of(const burnish_theory_model *model, double *a, double *b) {
+    double root = pow(model->scale, 1.0 / model->order);
+    *a = (float)(model->zeta * root);
+    *b = (float)(root - *a);
+}
+
+/* ---- Text ---- */
+
+static void print_constant(FILE *stream, const char *name, double value) {
+    char text[48];
+    snprintf(text, sizeof text, "%.9g", (double)(float)value);
+    fprintf(stream, "    static const float %s = %s%sF;\n", name, text,
+            strpbrk(text, ".e") ? "" : ".0");
+}
+
+static void print_squarings(FILE *stream, int order) {
+    for (int power = 2; power < order; power *= 2) {
+        fprintf(stream, "    u *= u;\n");
+    }
+    fprintf(stream, "    specular = u * u;\n");
+}
+
+/* The lobe as C, c being the cosine. */
+static void print_code(FILE *stream, const burnish_theory_model *model) {
+    double a, b, n = model->exponent;
+    switch (model->kind) {
+    case BURNISH_THEORY_FAMILY:
+        constants_of(model, &a, &b);
+        print_constant(stream, "A", a);
+        print_constant(stream, "B", b);
+        fprintf(stream, "    u = fmaxf(A * c + B, 0.0F);\n");
+        print_squarings(stream, model->order);
+        break;
+    case BURNISH_THEORY_SCHLICK:
+        print_constant(stream, "n", n);
+        fprintf(stream, "    c = fmaxf(c, 0.0F);\n    specular = c / (n - n * c + c);\n");
+        break;
+    case BURNISH_THEORY_GX:
+        print_constant(stream, "A", n / 2);
+        print_constant(stream, "B", 1 - n / 2);
+        fprintf(stream, "    c = fmaxf(c, 0.0F);\n    specular = c * c / (A + B * c * c);\n");
+        break;
+    case BURNISH_THEORY_NV2X:
+        print_constant(stream, "K0", model->k[0]);
+        print_constant(stream, "K1", model->k[1]);
+        print_constant(stream, "K2", model->k[2]);
+        fprintf(stream, "    specular = fmaxf(c + K0, 0.0F) / (K2 + K1 * c);\n");
+        break;
+    case BURNISH_THEORY_GAUSSIAN:
+        print_constant(stream, "K", n + 0.775);
+        fprintf(stream, "    specular = expf(K * c - K);\n");
+        break;
+    default:
+        print_constant(stream, "n", n);
+        fprintf(stream, "    specular = powf(fmaxf(c, 0.0F), n);\n");
+        break;
+    }
+}
+
+/* The chosen lobe's row, then the others. */
+static void fill_table(const choose_settings *settings, const result *r, burnish_cli_table *table,
+                       burnish_cli_value *cells) {
+    static const char *const yes_no[] = {"no", "yes"};
+    for (size_t i = 0; i < table->row_count; ++i) {
+        const candidate *c = i == 0 ? &r->best : &r->others[i - 1];
+        burnish_cli_value *row = &cells[i * table->column_count];
+        row[0].text = c->name;
+        row[1].text = yes_no[c->maximum <= settings->epsilon.value];
+        row[2].number = c->maximum;
+        row[3].number = c->cost.multiplications;
+        row[4].number = c->cost.additions;
+        row[5].number = c->cost.comparisons;
+        row[6].number = c->cost.divisions;
+        row[7].number = c->cost.transcendentals;
+    }
+    table->cells = cells;
+}
+
+enum { COLUMNS = 8 };
+
+static void set_columns(burnish_cli_column columns[COLUMNS]) {
+    static const char *const keys[] = {
+        "lobe",      "within_epsilon", "max_error", "multiplications",
+        "additions", "comparisons",    "divisions", "functions"};
+    static const char *const headings[] = {"lobe", "within", "max error", "mul",
+                                           "add",  "max",    "div",       "fn"};
+    memset(columns, 0, COLUMNS * sizeof *columns);
+    for (int i = 0; i < COLUMNS; ++i) {
+        snprintf(columns[i].key, sizeof columns[i].key, "%s", keys[i]);
+        snprintf(columns[i].heading, sizeof columns[i].heading, "%s", headings[i]);
+        columns[i].is_text = i < 2;
+    }
+    columns[2].decimals = 5;
+}
+
+static void print_text(FILE *stream, const choose_settings *settings, const result *r,
+                       const burnish_cli_table *table) {
+    char exponent[BURNISH_CLI_REAL_SIZE], epsilon[BURNISH_CLI_REAL_SIZE], cost[64];
+    const burnish_theory_model *model = &r->best.model;
+    burnish_cli_cost_text(&r->best.cost, cost, sizeof cost);
+    fprintf(stream, "%s is the cheapest lobe within %s of c^%s at every angle.\n\n", r->best.name,
+            burnish_cli_shortest(settings->epsilon.value, epsilon),
+            burnish_cli_shortest(settings->exponent.value, exponent));
+    fprintf(stream, "  largest error  %.5f\n  cost           %s\n", r->best.maximum, cost);
+    if (model->kind == BURNISH_THEORY_FAMILY) {
+        fprintf(stream, "  zeta           %.9g\n", model->zeta);
+        if (model->scale < 1) {
+            fprintf(stream, "  peak           %.9g\n", model->scale);
+        }
+        fprintf(stream, "  zero below c = %.7g\n", burnish_theory_cutoff_cosine(model));
+    }
+    fprintf(stream, "\n");
+    print_code(stream, model);
+    fprintf(stream, "\nAll candidates, this one first, then the cheapest first:\n\n");
+    burnish_cli_table_text(stream, table);
+}
+
+static burnish_status print_json(FILE *stream, const choose_settings *settings, const result *r,
+                                 const burnish_cli_table *table, burnish_error *error) {
+    int failed = 0;
+    cJSON *root = cJSON_CreateObject();
+    const burnish_theory_model *model = &r->best.model;
+    burnish_cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    burnish_cli_json_add(root, "exponent", burnish_cli_json_real(settings->exponent.value),
+                         &failed);
+    burnish_cli_json_add(root, "epsilon", burnish_cli_json_real(settings->epsilon.value), &failed);
+    burnish_cli_json_add(root, "lobe", cJSON_CreateString(r->best.name), &failed);
+    burnish_cli_json_add(root, "max_error", burnish_cli_json_real(r->best.maximum), &failed);
+    if (model->kind == BURNISH_THEORY_FAMILY) {
+        double a, b;
+        constants_of(model, &a, &b);
+        burnish_cli_json_add(root, "zeta", burnish_cli_json_real(model->zeta), &failed);
+        burnish_cli_json_add(root, "peak", burnish_cli_json_real(model->scale), &failed);
+        burnish_cli_json_add(root, "a", burnish_cli_json_real(a), &failed);
+        burnish_cli_json_add(root, "b", burnish_cli_json_real(b), &failed);
+    }
+    burnish_cli_json_add(root, "candidates", burnish_cli_table_json(table, &failed), &failed);
+    return burnish_cli_json_print(stream, root, failed, error);
+}
+
+static burnish_status print(const choose_settings *settings, const result *r,
+                            burnish_error *error) {
+    burnish_cli_column columns[COLUMNS];
+    burnish_cli_value cells[(CANDIDATES_MAX + 1) * COLUMNS];
+    burnish_cli_table table = {
+        .columns = columns, .column_count = COLUMNS, .row_count = r->count + 1};
+    burnish_cli_output output;
+    burnish_status status = burnish_cli_output_begin(&output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    set_columns(columns);
+    fill_table(settings, r, &table, cells);
+    if (settings->format == BURNISH_CLI_FORMAT_CSV) {
+        burnish_cli_table_csv(output.stream, &table);
+    } else if (settings->format == BURNISH_CLI_FORMAT_JSON) {
+        status = print_json(output.stream, settings, r, &table, error);
+    } else {
+        print_text(output.stream, settings, r, &table);
+    }
+    return burnish_cli_output_end(&output, settings->output, status, error);
+}
+
+static burnish_status work(void *target, const burnish_cli_operands *operands,
+                           burnish_error *error) {
+    const choose_settings *settings = target;
+    result r = {0};
+    (void)operands;
+    if (!settings->exponent.given || !settings->epsilon.given) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "lobe choose: --%s is missing; try \"burnish lobe choose "
+                                "--exponent=100 --epsilon=0.02\"",
+                                settings->exponent.given ? "epsilon" : "exponent");
+    }
+    burnish_status status = choose(settings, &r, error);
+    return status == BURNISH_STATUS_OK ? print(settings, &r, error) : status;
+}
+
+static int choose_main(int argc, char **argv) {
+    choose_settings settings = {0};
+    return burnish_cli_run_work(&burnish_cli_lobe_choose_command, argc, argv, &settings, work);
+}

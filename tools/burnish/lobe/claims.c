@@ -1,0 +1,310 @@
+/* `burnish lobe claims`: what the paper states, computed now, with a verdict. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/help.h"
+#include "lobe/lobe.h"
+
+typedef struct claims_settings {
+    const char *output;
+    int format, help;
+} claims_settings;
+
+static int claims_main(int argc, char **argv);
+
+static const burnish_cli_flag claims_flags[] = {
+    BURNISH_CLI_FORMAT_FLAG(claims_settings, burnish_cli_table_format_words, "text"),
+    BURNISH_CLI_OUTPUT_FLAG(claims_settings, NULL),
+    BURNISH_CLI_HELP_FLAG(claims_settings),
+};
+
+static const burnish_cli_example examples[] = {
+    {"burnish lobe claims", "all of them, with a count of the verdicts"},
+    {"burnish lobe claims core-w", "one"},
+    {"burnish lobe claims --format=json -o claims.json", "for programs"},
+    {NULL, NULL},
+};
+
+const burnish_cli_command burnish_cli_lobe_claims_command = {
+    .name = "lobe claims",
+    .operand = "[ID]",
+    .summary = "what the paper states and what is true",
+    .operand_help = "a claim, such as core-w; without it all of them",
+    .manual = "Computes every number that the paper of the order 2 lobe states, and says whether "
+              "the statement holds, holds to the digits given (missed by less than one unit of "
+              "the last digit that the paper gives), or does not hold. The paper's W is "
+              "*taylor:2*, its W1 *energy:2*, its W with the index 0.5 *shift7*. Speeds are not "
+              "judged here but measured by *make bench*.\n"
+              "A verdict is a result, not a failure: the exit code stays 0.",
+    .operands_max = 1,
+    .flags = claims_flags,
+    .flag_count = sizeof claims_flags / sizeof *claims_flags,
+    .examples = examples,
+    .run = claims_main,
+};
+
+typedef struct claim_list {
+    burnish_theory_claim *items;
+    size_t count;
+} claim_list;
+
+static const char *relation_text(burnish_theory_relation relation) {
+    static const char *const texts[] = {"at most", "at least", "about", ""};
+    return texts[relation];
+}
+
+static burnish_status fail_id(const char *id, burnish_error *error) {
+    const char *closest = NULL;
+    size_t best = BURNISH_CLI_NAME_MAX;
+    burnish_theory_claim claim;
+    for (size_t i = 0; burnish_theory_claim_compute(i, &claim) == BURNISH_STATUS_OK; ++i) {
+        closest = burnish_cli_closer(id, claim.id, &best) ? claim.id : closest;
+    }
+    if (closest && burnish_cli_close_enough(id, best)) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "lobe claims: \"%.60s\": unknown claim; did you mean %s?", id,
+                                closest);
+    }
+    return burnish_cli_fail(
+        error, BURNISH_STATUS_ARGUMENT,
+        "lobe claims: \"%.60s\": unknown claim; \"burnish lobe claims\" lists them", id);
+}
+
+/* Computes all claims, or the one of that id. */
+static burnish_status compute(const char *id, claim_list *list, burnish_error *error) {
+    size_t count = burnish_theory_claim_count();
+    list->items = calloc(count, sizeof *list->items);
+    if (!list->items) {
+        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu claims",
+                                count);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        (void)burnish_theory_claim_compute(i, &list->items[list->count]); /* i is in range */
+        list->count += !id || strcmp(list->items[list->count].id, id) == 0;
+    }
+    return list->count > 0 ? BURNISH_STATUS_OK : fail_id(id, error);
+}
+
+/* ---- Text ---- */
+
+enum { INDENT = 4 };
+
+static void print_bound(FILE *stream, const burnish_theory_claim *claim) {
+    char number[BURNISH_CLI_REAL_SIZE];
+    if (claim->relation != BURNISH_THEORY_NONE) {
+        fprintf(stream, "%s %s", relation_text(claim->relation),
+                burnish_cli_shortest(claim->bound, number));
+    }
+}
+
+static void format_value(double value, char *text, size_t size) {
+    snprintf(text, size, "%.5g", fabs(value) < 1e-13 ? 0.0 : value);
+}
+
+/* The values in columns of one width, as many as a line holds; an asterisk marks those that are
+ * shown beside the others. */
+static void print_values(FILE *stream, const burnish_theory_claim *claim) {
+    int label = 0, number = 0, unjudged = 0;
+    char text[32];
+    for (int i = 0; i < claim->count; ++i) {
+        format_value(claim->values[i].value, text, sizeof text);
+        label = (int)strlen(claim->values[i].label) > label ? (int)strlen(claim->values[i].label)
+                                                            : label;
+        number = (int)strlen(text) > number ? (int)strlen(text) : number;
+        unjudged = unjudged || !claim->values[i].judged;
+    }
+    int width = label + number + unjudged + 5;
+    int columns = (BURNISH_CLI_TEXT_WIDTH - INDENT + 3) / width;
+    columns = columns > 6 ? 6 : columns < 1 ? 1 : columns;
+    for (int i = 0; i < claim->count; ++i) {
+        int last = i + 1 == claim->count || (i + 1) % columns == 0;
+        format_value(claim->values[i].value, text, sizeof text);
+        fprintf(stream, "%*s%-*s  %*s%s", i % columns == 0 ? INDENT : 0, "", label,
+                claim->values[i].label, number, text, claim->values[i].judged ? "" : "*");
+        fprintf(stream, "%*s", last ? 0 : 3 + (unjudged && claim->values[i].judged), "");
+        fputs(last ? "\n" : "", stream);
+    }
+    if (unjudged) {
+        fprintf(stream, "%*s(* beside the claim)\n", INDENT, "");
+    }
+}
+
+static void print_claim(FILE *stream, const burnish_theory_claim *claim) {
+    const char *verdict = burnish_theory_verdict_text(claim->verdict);
+    fprintf(stream, "%-*s%s\n%*s", BURNISH_CLI_TEXT_WIDTH - (int)strlen(verdict), claim->id,
+            verdict, 2, "");
+    burnish_cli_print_wrapped(stream, claim->claim, 2, BURNISH_CLI_TEXT_WIDTH);
+    if (claim->count > 0) {
+        fprintf(stream, "  %s: ", claim->quantity);
+        print_bound(stream, claim);
+        fputc('\n', stream);
+        print_values(stream, claim);
+    }
+    if (*claim->note) {
+        fprintf(stream, "  Note: ");
+        burnish_cli_print_wrapped(stream, claim->note, 8, BURNISH_CLI_TEXT_WIDTH);
+    }
+    fprintf(stream, "  $ %s\n", claim->command);
+}
+
+static void print_count(FILE *stream, const claim_list *list) {
+    int counts[BURNISH_THEORY_VERDICT_COUNT] = {0};
+    for (size_t i = 0; i < list->count; ++i) {
+        ++counts[list->items[i].verdict];
+    }
+    fprintf(stream, "\n%zu claims.", list->count);
+    for (int i = 0; i < BURNISH_THEORY_VERDICT_COUNT; ++i) {
+        fprintf(stream, "%s %s: %d", i > 0 ? ";" : "",
+                burnish_theory_verdict_text((burnish_theory_verdict)i), counts[i]);
+    }
+    fputc('\n', stream);
+}
+
+static void print_text(FILE *stream, const claim_list *list) {
+    for (size_t i = 0; i < list->count; ++i) {
+        fputs(i > 0 ? "\n" : "", stream);
+        print_claim(stream, &list->items[i]);
+    }
+    if (list->count > 1) {
+        print_count(stream, list);
+    }
+}
+
+/* ---- Markdown, CSV, JSON ---- */
+
+/* The least and the greatest of the judged values. */
+static void judged_range(const burnish_theory_claim *claim, double *low, double *high) {
+    *low = INFINITY;
+    *high = -INFINITY;
+    for (int i = 0; i < claim->count; ++i) {
+        if (claim->values[i].judged) {
+            *low = fmin(*low, claim->values[i].value);
+            *high = fmax(*high, claim->values[i].value);
+        }
+    }
+}
+
+static void print_markdown(FILE *stream, const claim_list *list) {
+    fprintf(stream, "| claim | what is computed | stated | computed | verdict |\n"
+                    "| --- | --- | --- | --- | --- |\n");
+    for (size_t i = 0; i < list->count; ++i) {
+        const burnish_theory_claim *claim = &list->items[i];
+        char low_text[32], high_text[32];
+        double low, high;
+        judged_range(claim, &low, &high);
+        format_value(low, low_text, sizeof low_text);
+        format_value(high, high_text, sizeof high_text);
+        fprintf(stream, "| %s | %s | ", claim->claim, claim->quantity);
+        print_bound(stream, claim);
+        fprintf(stream, " | %s%s%s | %s |\n", claim->count > 0 ? low_text : "",
+                strcmp(low_text, high_text) != 0 && claim->count > 0 ? " to " : "",
+                strcmp(low_text, high_text) != 0 && claim->count > 0 ? high_text : "",
+                burnish_theory_verdict_text(claim->verdict));
+    }
+}
+
+/* A row for every value; a claim without values has one row with empty fields. */
+static void print_csv(FILE *stream, const claim_list *list) {
+    fprintf(stream, "id,claim,quantity,label,value,judged,relation,bound,unit,verdict,command\n");
+    for (size_t i = 0; i < list->count; ++i) {
+        const burnish_theory_claim *claim = &list->items[i];
+        for (int k = 0; k < (claim->count > 0 ? claim->count : 1); ++k) {
+            char number[BURNISH_CLI_REAL_SIZE];
+            const char *texts[] = {claim->id, claim->claim, claim->quantity};
+            for (size_t t = 0; t < 3; ++t) {
+                burnish_cli_print_csv_text(stream, texts[t]);
+                fputc(',', stream);
+            }
+            if (k < claim->count) {
+                burnish_cli_print_csv_text(stream, claim->values[k].label);
+                fprintf(stream, ",%s,%d,", burnish_cli_shortest(claim->values[k].value, number),
+                        claim->values[k].judged);
+            } else {
+                fprintf(stream, ",,,");
+            }
+            fprintf(stream, "%s,%s,", relation_text(claim->relation),
+                    burnish_cli_shortest(claim->bound, number));
+            fprintf(stream, "%s,", burnish_cli_shortest(claim->unit, number));
+            burnish_cli_print_csv_text(stream, burnish_theory_verdict_text(claim->verdict));
+            fputc(',', stream);
+            burnish_cli_print_csv_text(stream, claim->command);
+            fputc('\n', stream);
+        }
+    }
+}
+
+static cJSON *claim_object(const burnish_theory_claim *claim, int *failed) {
+    cJSON *object = cJSON_CreateObject(), *values = cJSON_CreateArray();
+    burnish_cli_json_add(object, "id", cJSON_CreateString(claim->id), failed);
+    burnish_cli_json_add(object, "claim", cJSON_CreateString(claim->claim), failed);
+    burnish_cli_json_add(object, "quantity", cJSON_CreateString(claim->quantity), failed);
+    for (int i = 0; i < claim->count; ++i) {
+        cJSON *value = cJSON_CreateObject();
+        burnish_cli_json_add(value, "label", cJSON_CreateString(claim->values[i].label), failed);
+        burnish_cli_json_add(value, "value", burnish_cli_json_real(claim->values[i].value), failed);
+        burnish_cli_json_add(value, "judged", cJSON_CreateBool(claim->values[i].judged), failed);
+        burnish_cli_json_add(values, NULL, value, failed);
+    }
+    burnish_cli_json_add(object, "values", values, failed);
+    burnish_cli_json_add(object, "relation", cJSON_CreateString(relation_text(claim->relation)),
+                         failed);
+    burnish_cli_json_add(object, "bound", burnish_cli_json_real(claim->bound), failed);
+    burnish_cli_json_add(object, "unit", burnish_cli_json_real(claim->unit), failed);
+    burnish_cli_json_add(object, "verdict",
+                         cJSON_CreateString(burnish_theory_verdict_text(claim->verdict)), failed);
+    burnish_cli_json_add(object, "note", cJSON_CreateString(claim->note), failed);
+    burnish_cli_json_add(object, "command", cJSON_CreateString(claim->command), failed);
+    return object;
+}
+
+static burnish_status print_json(FILE *stream, const claim_list *list, burnish_error *error) {
+    int failed = 0;
+    cJSON *root = cJSON_CreateObject(), *claims = cJSON_CreateArray();
+    burnish_cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    for (size_t i = 0; i < list->count; ++i) {
+        burnish_cli_json_add(claims, NULL, claim_object(&list->items[i], &failed), &failed);
+    }
+    burnish_cli_json_add(root, "claims", claims, &failed);
+    return burnish_cli_json_print(stream, root, failed, error);
+}
+
+static burnish_status print_claims(const claims_settings *settings, const claim_list *list,
+                                   burnish_error *error) {
+    burnish_cli_output output;
+    burnish_status status = burnish_cli_output_begin(&output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    switch ((burnish_cli_format)settings->format) {
+    case BURNISH_CLI_FORMAT_TEXT:
+        print_text(output.stream, list);
+        break;
+    case BURNISH_CLI_FORMAT_MARKDOWN:
+        print_markdown(output.stream, list);
+        break;
+    case BURNISH_CLI_FORMAT_CSV:
+        print_csv(output.stream, list);
+        break;
+    case BURNISH_CLI_FORMAT_JSON:
+        status = print_json(output.stream, list, error);
+        break;
+    }
+    return burnish_cli_output_end(&output, settings->output, status, error);
+}
+
+static burnish_status work(void *target, const burnish_cli_operands *operands,
+                           burnish_error *error) {
+    claim_list list = {0};
+    burnish_status status = compute(operands->count > 0 ? operands->items[0] : NULL, &list, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = print_claims(target, &list, error);
+    }
+    free(list.items);
+    return status;
+}
+
+static int claims_main(int argc, char **argv) {
+    claims_settings settings = {0};
+    return burnish_cli_run_work(&burnish_cli_lobe_claims_command, argc, argv, &settings, work);
+}

@@ -1,0 +1,248 @@
+/* The fit of lobes to measured samples: variable projection (Golub and Pereyra 1973). For a given
+ * slope or exponent the best scale and offset are a linear problem in closed form; what is left is
+ * a function of one number, searched by NLopt: DIRECT over the whole range, since measured lobes
+ * make several minima, then a simplex. */
+#include <math.h>
+#include <nlopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "lobe/fit.h"
+#include "lobe/lobe.h"
+
+enum {
+    COARSE_SAMPLES = 2000, /* the global search looks at so many at most */
+    COARSE_EVALUATIONS = 300,
+    FINE_EVALUATIONS = 120
+};
+
+/* One search. */
+typedef struct problem {
+    const burnish_cli_samples *samples;
+    size_t stride; /* every so many samples count */
+    int with_offset;
+    double unit; /* largest intensity, so that squares neither overflow nor vanish */
+    burnish_theory_kind kind;
+    int order; /* FAMILY */
+} problem;
+
+/* The lobe for the logarithm of its slope or exponent. */
+static burnish_theory_model model_at(const problem *p, double logarithm) {
+    burnish_theory_model model;
+    double value = exp(logarithm);
+    value = value > 65536 ? 65536 : value;
+    if (p->kind == BURNISH_THEORY_FAMILY) {
+        (void)burnish_theory_model_family(&model, BURNISH_THEORY_GIVEN, p->order, 65536, value);
+    } else {
+        (void)burnish_theory_model_other(&model, p->kind, 2, value < 1 ? 1 : value);
+    }
+    return model;
+}
+
+/* Least squares of intensity = scale * lobe + offset in units of p->unit; returns the mean square
+ * that is left. A scale below 0 is no lobe: it counts as 0. */
+static double project(const problem *p, const burnish_theory_model *model, double *scale,
+                      double *offset) {
+    double n = 0, s = 0, ss = 0, y = 0, sy = 0;
+    for (size_t i = 0; i < p->samples->count; i += p->stride) {
+        double value = burnish_theory_value_at_lambda(model, p->samples->items[i].lambda);
+        double intensity = p->samples->items[i].intensity / p->unit;
+        n += 1;
+        s += value;
+        ss += value * value;
+        y += intensity;
+        sy += value * intensity;
+    }
+    double determinant = p->with_offset ? ss - s * s / n : ss;
+    double slope = p->with_offset ? sy - s * y / n : sy;
+    *scale = determinant > 1e-14 * n && slope > 0 ? slope / determinant : 0;
+    *offset = p->with_offset ? (y - *scale * s) / n : 0;
+    /* summed anew: the difference of large sums would lose the digits of a good fit */
+    double rest = 0;
+    for (size_t i = 0; i < p->samples->count; i += p->stride) {
+        double value = burnish_theory_value_at_lambda(model, p->samples->items[i].lambda);
+        double residual = p->samples->items[i].intensity / p->unit - *scale * value - *offset;
+        rest += residual * residual;
+    }
+    return rest / n;
+}
+
+static double objective(unsigned dimensions, const double *x, double *gradient, void *context) {
+    double scale, offset;
+    burnish_theory_model model = model_at(context, x[0]);
+    (void)dimensions, (void)gradient;
+    return project(context, &model, &scale, &offset);
+}
+
+/* Runs one algorithm from *x within [low, high]; what it finds replaces *x. 0 when out of memory.
+ */
+static int search(problem *p, nlopt_algorithm algorithm, int evaluations, double low, double high,
+                  double *x) {
+    double best = *x, value, step = 0.1 * (high - low);
+    nlopt_opt opt = nlopt_create(algorithm, 1);
+    if (!opt) {
+        return 0;
+    }
+    nlopt_set_min_objective(opt, objective, p);
+    nlopt_set_lower_bounds1(opt, low);
+    nlopt_set_upper_bounds1(opt, high);
+    nlopt_set_initial_step(opt, &step);
+    nlopt_set_xtol_abs1(opt, 1e-12);
+    nlopt_set_maxeval(opt, evaluations);
+    /* a result below 0 may only say that rounding stopped the search: the best point still counts
+     */
+    nlopt_result result = nlopt_optimize(opt, &best, &value);
+    nlopt_destroy(opt);
+    if (result == NLOPT_OUT_OF_MEMORY) {
+        return 0;
+    }
+    *x = best >= low && best <= high ? best : *x;
+    return 1;
+}
+
+static int fit_kind(problem *p, burnish_cli_fitted *fitted) {
+    double low = p->kind == BURNISH_THEORY_FAMILY ? log(0.25) : 0, high = log(65536);
+    double x = 0.5 * (low + high);
+    size_t count = p->samples->count;
+    p->stride = count > COARSE_SAMPLES ? (count + COARSE_SAMPLES - 1) / COARSE_SAMPLES : 1;
+    if (!search(p, NLOPT_GN_DIRECT_L, COARSE_EVALUATIONS, low, high, &x)) {
+        return 0;
+    }
+    p->stride = 1;
+    double from = x - 0.1 > low ? x - 0.1 : low, to = x + 0.1 < high ? x + 0.1 : high;
+    if (!search(p, NLOPT_LN_NELDERMEAD, FINE_EVALUATIONS, from, to, &x)) {
+        return 0;
+    }
+    fitted->model = model_at(p, x);
+    fitted->at_limit = x - low < 1e-6 || high - x < 1e-6;
+    fitted->rms = p->unit * sqrt(project(p, &fitted->model, &fitted->scale, &fitted->offset));
+    fitted->scale *= p->unit;
+    fitted->offset *= p->unit;
+    fitted->maximum = 0;
+    for (size_t i = 0; i < count; ++i) {
+        double residual = fabs(burnish_cli_residual(fitted, &p->samples->items[i]));
+        if (residual > fitted->maximum) {
+            fitted->maximum = residual;
+            fitted->worst = i;
+        }
+    }
+    return 1;
+}
+
+/* Better first. Lobes that fit equally well up to rounding: the cheaper one first. */
+static int compare_fitted(const void *a, const void *b) {
+    const burnish_cli_fitted *x = a, *y = b;
+    double tiny = 1e-9 * (fabs(x->scale) + fabs(y->scale));
+    if (fabs(x->rms - y->rms) <= tiny && x->rms + y->rms <= 4 * tiny) {
+        burnish_theory_cost cost_x = burnish_theory_model_cost(&x->model);
+        burnish_theory_cost cost_y = burnish_theory_model_cost(&y->model);
+        int order = burnish_theory_cost_order(&cost_x, &cost_y);
+        if (order) {
+            return order;
+        }
+    }
+    return (x->rms > y->rms) - (x->rms < y->rms);
+}
+
+static burnish_status fail_samples(const char *path, const char *what, burnish_error *error) {
+    return burnish_cli_fail(error, BURNISH_STATUS_FORMAT, "%.200s: %s", path, what);
+}
+
+/* What no fit can mend. */
+static burnish_status check_samples(const burnish_cli_samples *samples, int with_offset,
+                                    const char *path, double *unit, burnish_error *error) {
+    size_t needed = with_offset ? 4 : 3;
+    double first = samples->count > 0 ? samples->items[0].lambda : 0;
+    int angles_differ = 0;
+    *unit = 0;
+    for (size_t i = 0; i < samples->count; ++i) {
+        *unit = fmax(*unit, fabs(samples->items[i].intensity));
+        angles_differ = angles_differ || samples->items[i].lambda != first;
+    }
+    if (samples->count < needed) {
+        return burnish_cli_fail(error, BURNISH_STATUS_FORMAT,
+                                "%.200s: %zu sample%s; a fit%s needs %zu at least", path,
+                                samples->count, samples->count == 1 ? "" : "s",
+                                with_offset ? " with --offset" : "", needed);
+    }
+    if (!angles_differ) {
+        return fail_samples(path, "all samples are at one angle; a fit needs several", error);
+    }
+    if (!(*unit >= 1e-300)) {
+        return fail_samples(path, "every intensity is 0; there is no lobe to fit", error);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_cli_fit_samples(const burnish_cli_samples *samples, int with_offset,
+                                       const char *path,
+                                       burnish_cli_fitted fitted[BURNISH_CLI_FITTED_MAX],
+                                       size_t *count, burnish_error *error) {
+    static const burnish_theory_kind others[] = {BURNISH_THEORY_POWER, BURNISH_THEORY_SCHLICK,
+                                                 BURNISH_THEORY_GAUSSIAN, BURNISH_THEORY_GX};
+    problem p = {.samples = samples, .with_offset = with_offset};
+    burnish_status status = check_samples(samples, with_offset, path, &p.unit, error);
+    *count = 0;
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    for (int i = 0; i < BURNISH_CLI_FITTED_MAX; ++i) {
+        p.kind = i < 5 ? BURNISH_THEORY_FAMILY : others[i - 5];
+        p.order = i < 5 ? 2 << i : 0;
+        if (!fit_kind(&p, &fitted[*count])) {
+            return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the fit");
+        }
+        *count += fitted[*count].scale > 0;
+    }
+    qsort(fitted, *count, sizeof *fitted, compare_fitted);
+    if (*count == 0 || burnish_cli_explained(samples, &fitted[0]) < 0.5) {
+        return fail_samples(path,
+                            "no lobe fits: every one leaves more than half of the variation; does "
+                            "the intensity fall with the angle, is --unit right, is there an "
+                            "--offset?",
+                            error);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+double burnish_cli_residual(const burnish_cli_fitted *fitted, const burnish_cli_sample *sample) {
+    return sample->intensity - fitted->offset -
+           fitted->scale * burnish_theory_value_at_lambda(&fitted->model, sample->lambda);
+}
+
+double burnish_cli_explained(const burnish_cli_samples *samples, const burnish_cli_fitted *fitted) {
+    double unit = 0, mean = 0, variation = 0, rest = 0;
+    for (size_t i = 0; i < samples->count; ++i) {
+        unit = fmax(unit, fabs(samples->items[i].intensity));
+    }
+    for (size_t i = 0; i < samples->count; ++i) {
+        mean += samples->items[i].intensity / unit / (double)samples->count;
+    }
+    for (size_t i = 0; i < samples->count; ++i) {
+        double deviation = samples->items[i].intensity / unit - mean;
+        double residual = burnish_cli_residual(fitted, &samples->items[i]) / unit;
+        variation += deviation * deviation;
+        rest += residual * residual;
+    }
+    return variation > 1e-24 * (double)samples->count ? 1 - rest / variation : 0;
+}
+
+double burnish_cli_exponent_of_slope(burnish_theory_fit fit, int order, double zeta) {
+    double low = order > 2 ? order : 1, high = 65536, scale, at_low, at_high, at_middle;
+    if (fit == BURNISH_THEORY_MINIMAX || fit == BURNISH_THEORY_PROJECTED) {
+        low = order; /* n >= m there, for order 2 too */
+    }
+    if (burnish_theory_solve(fit, order, low, 0.5, &at_low, &scale) != BURNISH_LOBE_OK ||
+        burnish_theory_solve(fit, order, high, 0.5, &at_high, &scale) != BURNISH_LOBE_OK ||
+        zeta < at_low * (1 - 1e-9) || zeta > at_high * (1 + 1e-9)) {
+        return NAN;
+    }
+    for (int i = 0; i < 60; ++i) { /* slopes rise with the exponent */
+        double middle = 0.5 * (low + high);
+        if (burnish_theory_solve(fit, order, middle, 0.5, &at_middle, &scale) != BURNISH_LOBE_OK) {
+            return NAN;
+        }
+        *(at_middle < zeta ? &low : &high) = middle;
+    }
+    return 0.5 * (low + high);
+}

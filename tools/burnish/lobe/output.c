@@ -1,0 +1,334 @@
+/* What `burnish lobe` writes: tables as text, Markdown, CSV and JSON, whole files. */
+#include "lobe/output.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "burnish/core.h"
+
+const burnish_cli_word burnish_cli_format_words[] = {{"text", BURNISH_CLI_FORMAT_TEXT},
+                                                     {"csv", BURNISH_CLI_FORMAT_CSV},
+                                                     {"json", BURNISH_CLI_FORMAT_JSON},
+                                                     {NULL, 0}};
+const burnish_cli_word burnish_cli_table_format_words[] = {
+    {"text", BURNISH_CLI_FORMAT_TEXT},
+    {"csv", BURNISH_CLI_FORMAT_CSV},
+    {"json", BURNISH_CLI_FORMAT_JSON},
+    {"markdown", BURNISH_CLI_FORMAT_MARKDOWN},
+    {NULL, 0}};
+
+enum { CELL_SIZE = 64 };
+
+/* ---- Outputs ---- */
+
+burnish_status burnish_cli_output_begin(burnish_cli_output *output, burnish_error *error) {
+    *output = (burnish_cli_output){0};
+    output->stream = open_memstream(&output->text, &output->size);
+    return output->stream
+               ? BURNISH_STATUS_OK
+               : burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+}
+
+burnish_status burnish_cli_output_end(burnish_cli_output *output, const char *path,
+                                      burnish_status status, burnish_error *error) {
+    int failed = ferror(output->stream);
+    failed = fclose(output->stream) != 0 || failed;
+    if (status == BURNISH_STATUS_OK && failed) {
+        status = burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_file_write(path, output->text, output->size, error);
+    }
+    free(output->text);
+    return status;
+}
+
+/* ---- Numbers and words ---- */
+
+const char *burnish_cli_shortest(double value, char text[BURNISH_CLI_REAL_SIZE]) {
+    for (int digits = 15; digits <= 17; ++digits) { /* %g leaves out zeros at the end */
+        snprintf(text, BURNISH_CLI_REAL_SIZE, "%.*g", digits, value);
+        if (strtod(text, NULL) == value) { /* the program never leaves the C locale */
+            break;
+        }
+    }
+    return text;
+}
+
+void burnish_cli_print_wrapped(FILE *stream, const char *text, int indent, int width) {
+    int at = indent;
+    while (*text) {
+        int length = (int)strcspn(text, " ");
+        if (at > indent && at + 1 + length > width) {
+            fprintf(stream, "\n%*s", indent, "");
+            at = indent;
+        } else if (at > indent) {
+            fputc(' ', stream);
+            ++at;
+        }
+        fprintf(stream, "%.*s", length, text);
+        at += length;
+        text += length;
+        text += strspn(text, " ");
+    }
+    fputc('\n', stream);
+}
+
+/* ---- Tables for reading ---- */
+
+/* Numbers that the column's decimals would show as hardly more than 0 get two digits instead. */
+static void format_number(const burnish_cli_column *column, double value, char text[CELL_SIZE]) {
+    double magnitude = fabs(value);
+    if (isnan(value)) {
+        strcpy(text, "-");
+    } else if (isinf(value)) {
+        strcpy(text, value > 0 ? "inf" : "-inf");
+    } else if (magnitude < 1e-13) { /* rounding noise */
+        snprintf(text, CELL_SIZE, "%.*f", column->decimals > 0 ? column->decimals : 0, 0.0);
+    } else if (column->decimals < 0) {
+        snprintf(text, CELL_SIZE, "%.*g", -column->decimals, value);
+    } else if (magnitude >= 1e9 ||
+               (column->decimals > 0 && magnitude * pow(10, column->decimals) < 9.5)) {
+        snprintf(text, CELL_SIZE, "%.2g", value);
+    } else {
+        snprintf(text, CELL_SIZE, "%.*f", column->decimals, value);
+    }
+}
+
+static const burnish_cli_value *cell_of(const burnish_cli_table *table, size_t row, size_t column) {
+    return &table->cells[row * table->column_count + column];
+}
+
+static void format_cell(const burnish_cli_table *table, size_t row, size_t column,
+                        char text[CELL_SIZE]) {
+    const burnish_cli_value *cell = cell_of(table, row, column);
+    if (table->columns[column].is_text) {
+        snprintf(text, CELL_SIZE, "%s", cell->text);
+    } else {
+        format_number(&table->columns[column], cell->number, text);
+    }
+}
+
+static int column_width(const burnish_cli_table *table, size_t column) {
+    const burnish_cli_column *c = &table->columns[column];
+    size_t width = strlen(c->heading) > strlen(c->unit) ? strlen(c->heading) : strlen(c->unit);
+    for (size_t row = 0; row < table->row_count; ++row) {
+        char text[CELL_SIZE];
+        format_cell(table, row, column, text);
+        width = strlen(text) > width ? strlen(text) : width;
+    }
+    return (int)width;
+}
+
+/* The columns of one part: the repeated ones and those from first up to end. */
+typedef struct part {
+    const burnish_cli_table *table;
+    const int *widths;
+    size_t first, end;
+} part;
+
+static int shown(const part *p, size_t column) {
+    return column < p->table->repeated || (column >= p->first && column < p->end);
+}
+
+/* Prints a line of the part; get gives the text of a column. Blanks at its end are left out. */
+static void print_line(FILE *stream, const part *p, size_t row,
+                       void (*get)(const burnish_cli_table *table, size_t row, size_t column,
+                                   char text[CELL_SIZE])) {
+    int blanks = 0;
+    for (size_t i = 0; i < p->table->column_count; ++i) {
+        char text[CELL_SIZE];
+        if (!shown(p, i)) {
+            continue;
+        }
+        get(p->table, row, i, text);
+        int length = (int)strlen(text), left = p->widths[i] - length;
+        int is_text = p->table->columns[i].is_text;
+        blanks += is_text ? 0 : left;
+        if (length > 0) {
+            fprintf(stream, "%*s%s", blanks, "", text);
+            blanks = 0;
+        }
+        blanks += (is_text ? left : 0) + 2;
+    }
+    fputc('\n', stream);
+}
+
+static void get_heading(const burnish_cli_table *table, size_t row, size_t column,
+                        char text[CELL_SIZE]) {
+    (void)row;
+    snprintf(text, CELL_SIZE, "%s", table->columns[column].heading);
+}
+
+static void get_unit(const burnish_cli_table *table, size_t row, size_t column,
+                     char text[CELL_SIZE]) {
+    (void)row;
+    snprintf(text, CELL_SIZE, "%s", table->columns[column].unit);
+}
+
+static void print_rule(FILE *stream, const part *p) {
+    int first = 1;
+    for (size_t i = 0; i < p->table->column_count; ++i) {
+        if (shown(p, i)) {
+            fprintf(stream, "%s", first ? "" : "  ");
+            for (int k = 0; k < p->widths[i]; ++k) {
+                fputc('-', stream);
+            }
+            first = 0;
+        }
+    }
+    fputc('\n', stream);
+}
+
+static void print_part(FILE *stream, const part *p) {
+    int has_units = 0;
+    for (size_t i = 0; i < p->table->column_count; ++i) {
+        has_units = has_units || (shown(p, i) && p->table->columns[i].unit[0]);
+    }
+    print_line(stream, p, 0, get_heading);
+    if (has_units) {
+        print_line(stream, p, 0, get_unit);
+    }
+    print_rule(stream, p);
+    for (size_t row = 0; row < p->table->row_count; ++row) {
+        if (row > 0 && p->table->rows_in_group > 0 && row % p->table->rows_in_group == 0) {
+            fputc('\n', stream);
+        }
+        print_line(stream, p, row, format_cell);
+    }
+}
+
+void burnish_cli_table_text(FILE *stream, const burnish_cli_table *table) {
+    int *widths = calloc(table->column_count, sizeof *widths);
+    int repeated = 0;
+    if (!widths) {
+        return;
+    }
+    for (size_t i = 0; i < table->column_count; ++i) {
+        widths[i] = column_width(table, i);
+        repeated += i < table->repeated ? widths[i] + 2 : 0;
+    }
+    for (size_t first = table->repeated; first < table->column_count;) {
+        size_t end = first;
+        int width = repeated;
+        while (end < table->column_count &&
+               (end == first || width + widths[end] <= BURNISH_CLI_TEXT_WIDTH)) {
+            width += widths[end++] + 2;
+        }
+        part p = {table, widths, first, end};
+        if (first > table->repeated) {
+            fputc('\n', stream);
+        }
+        print_part(stream, &p);
+        first = end;
+    }
+    free(widths);
+}
+
+void burnish_cli_table_markdown(FILE *stream, const burnish_cli_table *table) {
+    for (size_t i = 0; i < table->column_count; ++i) {
+        const burnish_cli_column *c = &table->columns[i];
+        fprintf(stream, "| %s%s%s ", c->heading, c->unit[0] ? ", " : "", c->unit);
+    }
+    fprintf(stream, "|\n");
+    for (size_t i = 0; i < table->column_count; ++i) {
+        fprintf(stream, "| %s ", table->columns[i].is_text ? "---" : "---:");
+    }
+    fprintf(stream, "|\n");
+    for (size_t row = 0; row < table->row_count; ++row) {
+        for (size_t i = 0; i < table->column_count; ++i) {
+            char text[CELL_SIZE];
+            format_cell(table, row, i, text);
+            fprintf(stream, "| %s ", text);
+        }
+        fprintf(stream, "|\n");
+    }
+}
+
+/* ---- Tables for programs ---- */
+
+void burnish_cli_print_csv_text(FILE *stream, const char *text) {
+    if (!strpbrk(text, ",\"\n\r")) {
+        fputs(text, stream);
+        return;
+    }
+    fputc('"', stream);
+    for (; *text; ++text) {
+        if (*text == '"') {
+            fputc('"', stream);
+        }
+        fputc(*text, stream);
+    }
+    fputc('"', stream);
+}
+
+static void print_csv_number(FILE *stream, double value) {
+    char text[BURNISH_CLI_REAL_SIZE];
+    if (isinf(value)) {
+        fputs(value > 0 ? "inf" : "-inf", stream);
+    } else if (!isnan(value)) {
+        fputs(burnish_cli_shortest(value, text), stream);
+    }
+}
+
+void burnish_cli_table_csv(FILE *stream, const burnish_cli_table *table) {
+    for (size_t i = 0; i < table->column_count; ++i) {
+        fprintf(stream, "%s%s", i > 0 ? "," : "", table->columns[i].key);
+    }
+    fputc('\n', stream);
+    for (size_t row = 0; row < table->row_count; ++row) {
+        for (size_t i = 0; i < table->column_count; ++i) {
+            const burnish_cli_value *cell = cell_of(table, row, i);
+            fputs(i > 0 ? "," : "", stream);
+            if (table->columns[i].is_text) {
+                burnish_cli_print_csv_text(stream, cell->text);
+            } else {
+                print_csv_number(stream, cell->number);
+            }
+        }
+        fputc('\n', stream);
+    }
+}
+
+void burnish_cli_json_add(cJSON *object, const char *key, cJSON *item, int *failed) {
+    if (!item ||
+        !(key ? cJSON_AddItemToObject(object, key, item) : cJSON_AddItemToArray(object, item))) {
+        cJSON_Delete(item);
+        *failed = 1;
+    }
+}
+
+cJSON *burnish_cli_json_real(double value) {
+    char text[BURNISH_CLI_REAL_SIZE];
+    return isfinite(value) ? cJSON_CreateRaw(burnish_cli_shortest(value, text))
+                           : cJSON_CreateNull();
+}
+
+cJSON *burnish_cli_table_json(const burnish_cli_table *table, int *failed) {
+    cJSON *rows = cJSON_CreateArray();
+    for (size_t row = 0; row < table->row_count && !*failed; ++row) {
+        cJSON *object = cJSON_CreateObject();
+        for (size_t i = 0; i < table->column_count && !*failed; ++i) {
+            const burnish_cli_value *cell = cell_of(table, row, i);
+            burnish_cli_json_add(object, table->columns[i].key,
+                                 table->columns[i].is_text ? cJSON_CreateString(cell->text)
+                                                           : burnish_cli_json_real(cell->number),
+                                 failed);
+        }
+        burnish_cli_json_add(rows, NULL, object, failed);
+    }
+    return rows;
+}
+
+burnish_status burnish_cli_json_print(FILE *stream, cJSON *object, int failed,
+                                      burnish_error *error) {
+    char *text = failed ? NULL : cJSON_Print(object);
+    cJSON_Delete(object);
+    if (!text) {
+        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the JSON output");
+    }
+    fprintf(stream, "%s\n", text);
+    cJSON_free(text);
+    return BURNISH_STATUS_OK;
+}

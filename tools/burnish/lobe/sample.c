@@ -1,0 +1,187 @@
+/* `burnish lobe sample`: directions that are distributed like a lobe, as CSV. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "burnish/core.h"
+#include "cli/help.h"
+#include "lobe/lobe.h"
+
+typedef enum sample_pattern { PATTERN_RANDOM, PATTERN_STRATIFIED } sample_pattern;
+
+typedef struct sample_settings {
+    const char *lobe, *output;
+    burnish_cli_real exponent;
+    uint64_t count, seed;
+    int measure, pattern, help;
+} sample_settings;
+
+static int sample_main(int argc, char **argv);
+
+static const burnish_cli_word measure_words[] = {{"solid-angle", BURNISH_THEORY_SOLID_ANGLE},
+                                                 {"cosine", BURNISH_THEORY_COSINE_WEIGHTED},
+                                                 {NULL, 0}};
+static const burnish_cli_word pattern_words[] = {
+    {"random", PATTERN_RANDOM}, {"stratified", PATTERN_STRATIFIED}, {NULL, 0}};
+
+#define TARGET(member) .offset = offsetof(sample_settings, member)
+
+static const burnish_cli_flag sample_flags[] = {
+    {.group = "What is sampled",
+     .name = "lobe",
+     .value = "LOBE",
+     .help = "such as energy:2, minimax:4, power",
+     .initial = "energy:2",
+     .manual = "The lobe, in the words of *LOBES* and *LOBE*.",
+     .handler = burnish_cli_flag_text,
+     TARGET(lobe)},
+    {.name = "exponent",
+     .value = "N",
+     .help = "from 1 to 65536",
+     .initial = "100",
+     .low = 1,
+     .high = 65536,
+     .manual = "Exponent of the lobe.",
+     .handler = burnish_cli_flag_real,
+     TARGET(exponent)},
+    {.name = "measure",
+     .value = "NAME",
+     .help = "the lobe, or lobe times cosine:",
+     .initial = "solid-angle",
+     .words = measure_words,
+     .manual =
+         "*solid-angle* draws directions in proportion to the lobe, *cosine* in proportion to "
+         "the lobe times the cosine.",
+     .handler = burnish_cli_flag_word,
+     TARGET(measure)},
+    {.group = "How",
+     .name = "count",
+     .value = "N",
+     .help = "up to a thousand million",
+     .initial = "1000",
+     .low = 1,
+     .high = 1e9,
+     .manual = "How many directions, up to 1000000000. They are written as they are made, in no "
+               "more memory for many than for few.",
+     .handler = burnish_cli_flag_count,
+     TARGET(count)},
+    {.name = "pattern",
+     .value = "NAME",
+     .help = "",
+     .initial = "random",
+     .words = pattern_words,
+     .manual =
+         "*random* directions are independent, and the first ones of a longer run are those of "
+         "a shorter one. *stratified* ones have one in each of _N_ equal parts of the lobe, "
+         "from the centre outward, turned by the golden angle: less noise for the same "
+         "number.",
+     .handler = burnish_cli_flag_word,
+     TARGET(pattern)},
+    {.name = "seed",
+     .value = "N",
+     .help = "another seed, other directions",
+     .initial = "1",
+     .low = 0,
+     .high = 1e18,
+     .manual =
+         "Seed of the numbers, which are those of SplitMix64: the k-th number, k from 1, is a "
+         "mix of seed + k 0x9e3779b97f4a7c15, of which the upper 53 bits count. Direction i, "
+         "from 0, takes the numbers 2i+1 and 2i+2. The same seed gives the same directions.",
+     .handler = burnish_cli_flag_count,
+     TARGET(seed)},
+    BURNISH_CLI_OUTPUT_FLAG(sample_settings, "Output"),
+    BURNISH_CLI_HELP_FLAG(sample_settings),
+};
+
+static const burnish_cli_example examples[] = {
+    {"burnish lobe sample --lobe=energy:2 --exponent=50 -o rays.csv", "1000 directions"},
+    {"burnish lobe sample --lobe=power --measure=cosine --pattern=stratified --count=64", "evenly"},
+    {NULL, NULL},
+};
+
+const burnish_cli_command burnish_cli_lobe_sample_command = {
+    .name = "lobe sample",
+    .operand = "",
+    .summary = "directions distributed like a lobe, with their density",
+    .operand_help = "CSV: x,y,z,pdf; the lobe's axis is 0,0,1, the density is per steradian",
+    .manual = "Writes unit vectors around 0,0,1 as CSV, one a line: x,y,z and their density per "
+              "steradian.",
+    .operands_max = 0,
+    .flags = sample_flags,
+    .flag_count = sizeof sample_flags / sizeof *sample_flags,
+    .examples = examples,
+    .run = sample_main,
+};
+
+/* Number k of the sequence, in [0, 1). Source: Steele, Lea, Flood 2014, SplitMix64. */
+static double uniform(uint64_t seed, uint64_t k) {
+    uint64_t z = seed + k * UINT64_C(0x9e3779b97f4a7c15);
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    z ^= z >> 31;
+    return (double)(z >> 11) * 0x1p-53;
+}
+
+#define GOLDEN_TURN 0.38196601125010515 /* (3 - sqrt 5) / 2 */
+
+/* Where the output stands. */
+typedef struct sampler {
+    const sample_settings *settings;
+    burnish_theory_model model;
+    uint64_t next; /* direction */
+    int started;
+} sampler;
+
+static void draw(const sampler *s, uint64_t i, double direction[3]) {
+    double xi[2] = {uniform(s->settings->seed, 2 * i + 1), uniform(s->settings->seed, 2 * i + 2)};
+    if (s->settings->pattern == PATTERN_STRATIFIED) {
+        /* large xi lie at the centre */
+        double turn = (double)i * GOLDEN_TURN + uniform(s->settings->seed, 0);
+        xi[0] = 1 - ((double)i + xi[0]) / (double)s->settings->count;
+        xi[1] = turn - floor(turn);
+    }
+    burnish_theory_sample_direction(&s->model, (burnish_theory_measure)s->settings->measure, xi,
+                                    direction);
+}
+
+enum { LINE_MAX_BYTES = 4 * BURNISH_CLI_REAL_SIZE };
+
+/* A burnish_file_source: as many whole lines as fit. */
+static size_t produce(void *context, char *buffer, size_t size) {
+    sampler *s = context;
+    size_t used = 0;
+    if (!s->started) {
+        s->started = 1;
+        used = (size_t)snprintf(buffer, size, "x,y,z,pdf\n");
+    }
+    while (s->next < s->settings->count && size - used >= LINE_MAX_BYTES) {
+        char number[4][BURNISH_CLI_REAL_SIZE];
+        double direction[3];
+        draw(s, s->next++, direction);
+        double pdf = burnish_theory_pdf(&s->model, (burnish_theory_measure)s->settings->measure,
+                                        direction[2]);
+        for (int k = 0; k < 3; ++k) {
+            burnish_cli_shortest(direction[k], number[k]);
+        }
+        used += (size_t)snprintf(buffer + used, size - used, "%s,%s,%s,%s\n", number[0], number[1],
+                                 number[2], burnish_cli_shortest(pdf, number[3]));
+    }
+    return used;
+}
+
+static burnish_status work(void *target, const burnish_cli_operands *operands,
+                           burnish_error *error) {
+    sampler s = {.settings = target};
+    burnish_error reason;
+    (void)operands;
+    if (burnish_theory_model_parse(s.settings->lobe, s.settings->exponent.value, &s.model,
+                                   &reason) != BURNISH_STATUS_OK) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobe: %s", reason.text);
+    }
+    return burnish_file_write_stream(s.settings->output, produce, &s, error);
+}
+
+static int sample_main(int argc, char **argv) {
+    sample_settings settings = {0};
+    return burnish_cli_run_work(&burnish_cli_lobe_sample_command, argc, argv, &settings, work);
+}

@@ -1,0 +1,246 @@
+/* `burnish lobe table`: any lobes, exponents and metrics. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/help.h"
+#include "lobe/lobe.h"
+#include "lobe/metrics.h"
+
+typedef struct table_settings {
+    const char *lobes, *exponents, *metrics, *range, *output;
+    int format, help;
+} table_settings;
+
+static int table_main(int argc, char **argv);
+
+#define TARGET(member) .offset = offsetof(table_settings, member)
+
+static const burnish_cli_flag table_flags[] = {
+    {.group = "What is shown",
+     .name = "lobes",
+     .value = "LIST",
+     .help = "rows, such as power,energy:2,minimax:4",
+     .initial = "power,schlick,taylor:2,energy:2,minimax:2,minimax:4,minimax:8",
+     .shown = "a telling set",
+     .manual = "Lobes, between commas, in the words of *LOBES* and *LOBE*. A lobe whose order the "
+               "exponent does not allow has a row without numbers.",
+     .handler = burnish_cli_flag_text,
+     TARGET(lobes)},
+    {.name = "exponents",
+     .value = "LIST",
+     .help = "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
+     .initial = "10,100",
+     .manual = "Exponents from 1 to 65536 between commas, and ranges of them: *1-1023* in steps of "
+               "1, *10-100:10* in steps of 10, *2-1024x2* doubling.",
+     .handler = burnish_cli_flag_text,
+     TARGET(exponents)},
+    {.name = "metrics",
+     .value = "LIST",
+     .help = "columns: names, or shape, widths, energies, errors, cost, all",
+     .initial = "zeta,max-error,max-error-angle,rms,energy,zero-angle,ratio,multiplications,"
+                "additions,comparisons,divisions,functions",
+     .shown = "a telling set",
+     .manual = "Columns, between commas; see *METRICS*.",
+     .handler = burnish_cli_flag_text,
+     TARGET(metrics)},
+    {.name = "range",
+     .value = "NAME",
+     .help = "of errors: all, inflection, level:L (where the power is L)",
+     .initial = "all",
+     .manual = "Angles over which errors against the power are taken, from 0 on: *all* ends at 90 "
+               "degrees, *inflection* where the power has its inflection, *level:*_L_ where the "
+               "power has fallen to _L_.",
+     .handler = burnish_cli_flag_text,
+     TARGET(range)},
+    BURNISH_CLI_FORMAT_FLAG(table_settings, burnish_cli_table_format_words, "text"),
+    BURNISH_CLI_OUTPUT_FLAG(table_settings, NULL),
+    BURNISH_CLI_HELP_FLAG(table_settings),
+};
+
+static const burnish_cli_example examples[] = {
+    {"burnish lobe table", "a first look"},
+    {"burnish lobe table --lobes=taylor:2 --range=inflection --metrics=max-relative", "fig. 4"},
+    {"burnish lobe table --lobes=minimax:8 --exponents=8-1024x2 --metrics=errors", "against n"},
+    {"burnish lobe table --metrics=angle:4,angle:8,ratio:4,ratio:8", "widths"},
+    {"burnish lobe table --metrics=all --format=csv -o lobes.csv", "everything"},
+    {NULL, NULL},
+};
+
+const burnish_cli_command burnish_cli_lobe_table_command = {
+    .name = "lobe table",
+    .operand = "",
+    .summary = "lobes in numbers: errors, widths, energy, cost",
+    .operand_help = "burnish help --man lists the metrics; angles are degrees",
+    .manual = "Prints a table with a row for every lobe and exponent.",
+    .operands_max = 0,
+    .flags = table_flags,
+    .flag_count = sizeof table_flags / sizeof *table_flags,
+    .examples = examples,
+    .run = table_main,
+};
+
+/* What the table is made of, after the lists are read. */
+typedef struct plan {
+    burnish_cli_lobe_names lobes;
+    burnish_cli_exponents exponents;
+    burnish_cli_metric_list metrics;
+    int to_inflection;
+    double level; /* range level:L; 0: none */
+    int needs_difference;
+} plan;
+
+static burnish_status read_range(const char *text, plan *p, burnish_error *error) {
+    p->to_inflection = strcmp(text, "inflection") == 0;
+    if (p->to_inflection || strcmp(text, "all") == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    if (strncmp(text, "level:", 6) == 0 &&
+        burnish_cli_read_real(text + 6, strlen(text + 6), &p->level) && p->level > 0 &&
+        p->level < 1) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--range: \"%.60s\" is not all, inflection, nor level:L with L between "
+                            "0 and 1, such as level:0.5",
+                            text);
+}
+
+static burnish_status read_plan(const table_settings *settings, plan *p, burnish_error *error) {
+    burnish_status status = burnish_cli_read_lobes("lobes", settings->lobes, &p->lobes, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_cli_read_metrics("metrics", settings->metrics, &p->metrics, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = read_range(settings->range, p, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_cli_read_exponents("exponents", settings->exponents, &p->exponents, error);
+    }
+    for (size_t i = 0; i < p->metrics.count; ++i) {
+        p->needs_difference = p->needs_difference || p->metrics.items[i].metric->needs_difference;
+    }
+    return status;
+}
+
+/* Where errors end for an exponent. An inflection at 0 (n = 1) leaves no range: NaN. */
+static double range_end(const plan *p, double exponent) {
+    burnish_theory_model power;
+    if (p->to_inflection) {
+        return exponent > 1 ? burnish_theory_inflection_angle(exponent) : NAN;
+    }
+    if (p->level == 0) {
+        return BURNISH_CLI_RIGHT_ANGLE;
+    }
+    (void)burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, exponent);
+    return burnish_theory_angle_at(&power, p->level);
+}
+
+static void fill_row(const plan *p, const char *lobe, double exponent, burnish_cli_value *row) {
+    burnish_cli_lobe_facts facts;
+    int exists =
+        burnish_theory_model_parse(lobe, exponent, &facts.model, NULL) == BURNISH_STATUS_OK;
+    if (exists && p->needs_difference) {
+        burnish_theory_compare(&facts.model, range_end(p, exponent), &facts.difference);
+    }
+    row[0].number = exponent;
+    row[1].text = lobe;
+    for (size_t i = 0; i < p->metrics.count; ++i) {
+        facts.argument = p->metrics.items[i].argument;
+        row[2 + i].number = exists ? p->metrics.items[i].metric->compute(&facts) : NAN;
+    }
+}
+
+static burnish_status make_table(const plan *p, burnish_cli_table *table, burnish_error *error) {
+    table->column_count = 2 + p->metrics.count;
+    table->row_count = p->lobes.count * p->exponents.count;
+    table->repeated = 2;
+    table->rows_in_group = p->lobes.count > 1 && p->exponents.count > 1 ? p->lobes.count : 0;
+    if (table->row_count > BURNISH_CLI_CELLS_MAX / table->column_count) {
+        return burnish_cli_fail(error, BURNISH_STATUS_LIMIT,
+                                "lobe table: %zu rows of %zu columns are more than %d cells; ask "
+                                "for fewer lobes, exponents or metrics",
+                                table->row_count, table->column_count, BURNISH_CLI_CELLS_MAX);
+    }
+    table->columns = calloc(table->column_count, sizeof *table->columns);
+    table->cells = calloc(table->row_count * table->column_count, sizeof *table->cells);
+    if (!table->columns || !table->cells) {
+        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu rows",
+                                table->row_count);
+    }
+    table->columns[0] = (burnish_cli_column){.key = "exponent", .heading = "n", .decimals = -6};
+    table->columns[1] = (burnish_cli_column){.key = "lobe", .heading = "lobe", .is_text = 1};
+    for (size_t i = 0; i < p->metrics.count; ++i) {
+        burnish_cli_metric_column(&p->metrics.items[i], &table->columns[2 + i]);
+    }
+    burnish_cli_value *row = table->cells;
+    for (size_t k = 0; k < p->exponents.count; ++k) {
+        for (size_t i = 0; i < p->lobes.count; ++i) {
+            fill_row(p, p->lobes.items[i], p->exponents.items[k], row);
+            row += table->column_count;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status print_json(FILE *stream, const table_settings *settings,
+                                 const burnish_cli_table *table, burnish_error *error) {
+    int failed = 0;
+    cJSON *root = cJSON_CreateObject();
+    burnish_cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    burnish_cli_json_add(root, "range", cJSON_CreateString(settings->range), &failed);
+    burnish_cli_json_add(root, "rows", burnish_cli_table_json(table, &failed), &failed);
+    return burnish_cli_json_print(stream, root, failed, error);
+}
+
+static burnish_status print_table(const table_settings *settings, const burnish_cli_table *table,
+                                  burnish_error *error) {
+    burnish_cli_output output;
+    burnish_status status = burnish_cli_output_begin(&output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    switch ((burnish_cli_format)settings->format) {
+    case BURNISH_CLI_FORMAT_TEXT:
+        burnish_cli_table_text(output.stream, table);
+        break;
+    case BURNISH_CLI_FORMAT_MARKDOWN:
+        burnish_cli_table_markdown(output.stream, table);
+        break;
+    case BURNISH_CLI_FORMAT_CSV:
+        burnish_cli_table_csv(output.stream, table);
+        break;
+    case BURNISH_CLI_FORMAT_JSON:
+        status = print_json(output.stream, settings, table, error);
+        break;
+    }
+    return burnish_cli_output_end(&output, settings->output, status, error);
+}
+
+static burnish_status work(void *target, const burnish_cli_operands *operands,
+                           burnish_error *error) {
+    const table_settings *settings = target;
+    burnish_cli_table table = {0};
+    (void)operands;
+    plan *p = calloc(1, sizeof *p);
+    if (!p) {
+        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    }
+    burnish_status status = read_plan(settings, p, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = make_table(p, &table, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = print_table(settings, &table, error);
+    }
+    free(table.columns);
+    free(table.cells);
+    free(p->exponents.items);
+    free(p);
+    return status;
+}
+
+static int table_main(int argc, char **argv) {
+    table_settings settings = {0};
+    return burnish_cli_run_work(&burnish_cli_lobe_table_command, argc, argv, &settings, work);
+}

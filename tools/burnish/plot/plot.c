@@ -1,0 +1,433 @@
+/* `burnish lobe plot`: the paper's figures and our own, drawn from code for any lobes. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "burnish/core.h"
+#include "lobe/lobe.h"
+#include "plot/plot.h"
+
+typedef struct plot_settings {
+    const char *exponents, *lobes, *bits, *output;
+    double size[2];
+    int has_size, format, help;
+} plot_settings;
+
+typedef enum plot_format {
+    FORMAT_NONE,
+    FORMAT_SVG,
+    FORMAT_PNG,
+    FORMAT_CSV,
+    FORMAT_SCRIPT
+} plot_format;
+
+static const burnish_cli_word format_words[] = {{"svg", FORMAT_SVG},
+                                                {"png", FORMAT_PNG},
+                                                {"csv", FORMAT_CSV},
+                                                {"gp", FORMAT_SCRIPT},
+                                                {NULL, 0}};
+
+static int plot_main(int argc, char **argv);
+static burnish_cli_handler flag_size;
+
+#define TARGET(member) .offset = offsetof(plot_settings, member)
+
+static const burnish_cli_flag plot_flags[] = {
+    {.group = "What is plotted",
+     .name = "exponents",
+     .value = "LIST",
+     .help = "from 1 to 65536, as 3,10,30; of an axis its ends",
+     .shown = "the figure's own",
+     .manual = "Exponents to plot, between commas, or ranges as in *burnish lobe table*. In "
+               "figures whose horizontal axis is the exponent "
+               "the axis runs from the least to the greatest of them.",
+     .handler = burnish_cli_flag_text,
+     TARGET(exponents)},
+    {.name = "lobes",
+     .value = "LIST",
+     .help = "such as power,energy:2,schlick",
+     .shown = "the figure's own",
+     .manual = "Lobes to plot, between commas, in the words of *burnish lobe table*. The figure "
+               "*object* knows those of *burnish render*; the first one is what the others are "
+               "compared with.",
+     .handler = burnish_cli_flag_text,
+     TARGET(lobes)},
+    {.name = "bits",
+     .value = "LIST",
+     .help = "thresholds q: a lobe ends at 2^-q; ratio, widths",
+     .shown = "the figure's own",
+     .manual = "Thresholds of the figure *ratio*, from above 0 to 64 bits, between commas; for "
+               "*widths* the range of the axis.",
+     .handler = burnish_cli_flag_text,
+     TARGET(bits)},
+
+    {.group = "Output",
+     .name = "output",
+     .letter = 'o',
+     .value = "FILE",
+     .help = "where to; - is standard output",
+     .shown = "FIGURE.svg, object.png",
+     .manual = "File to write, whole or not at all; *-* is standard output, which *--format=csv* "
+               "and *--format=gp* write to unless told otherwise. Endings: _.svg_, _.csv_, _.gp_ "
+               "and, for *object*, _.png_ and _.csv_.",
+     .handler = burnish_cli_flag_text,
+     TARGET(output)},
+    {.name = "size",
+     .value = "W,H",
+     .help = "in pixels; for object of one picture",
+     .shown = "by figure, most 720,440",
+     .manual = "Width and height in pixels, from 160 to 4096; for the figure *object* those of one "
+               "picture of the sheet.",
+     .handler = flag_size,
+     TARGET(size)},
+    {.name = "format",
+     .value = "WORD",
+     .help = "what is written:",
+     .shown = "by FILE's ending, else the drawing",
+     .manual = "*svg* and *png* are the drawing (png that of *object*, svg that of the others), "
+               "*csv* the points of the curves, *gp* the gnuplot script with its data. Without it "
+               "FILE's ending decides.",
+     .handler = burnish_cli_flag_word,
+     .words = format_words,
+     TARGET(format)},
+    {.name = "help",
+     .letter = 'h',
+     .help = "this screen",
+     .manual = "Prints the flags on one screen.",
+     .handler = burnish_cli_flag_switch,
+     TARGET(help)},
+};
+
+static const burnish_cli_example plot_examples[] = {
+    {"burnish lobe plot curves --exponents=50", "the paper's figure 3 for another exponent"},
+    {"burnish lobe plot error --lobes=energy:4 -o error.svg", "another lobe"},
+    {"burnish lobe plot ratio --bits=8,10 --format=csv", "the numbers of a figure"},
+    {NULL, NULL},
+};
+
+const burnish_cli_command burnish_cli_lobe_plot_command = {
+    .name = "lobe plot",
+    .operand = "FIGURE",
+    .summary = "the paper's figures and our own, as SVG by gnuplot",
+    .operand_help =
+        "the paper's error, curves, core, ratio, w1, w1-extreme, object (figures 2 to 7);\n"
+        "          cost, energy, orders, widths",
+    .manual = "Draws a figure from numbers that are computed now. The paper's figures: *error* (2, "
+              "absolute error of W against the angle), *curves* (3, power, W and Schlick's "
+              "function), *core* (4, largest relative error up to the inflection), *ratio* (5, R "
+              "against the exponent), *w1* and *w1-extreme* (6, W1 beside the power and its "
+              "extreme relative error), *object* (7, a teapot shaded with each lobe, and the "
+              "differences).\n"
+              "And more: *cost* (error of every lobe against its cost), *energy* (against the "
+              "exponent), *orders* (error of every order), *widths* (R against the threshold).\n"
+              "gnuplot draws all but *object*; without it the command ends with exit code 7. The "
+              "same gnuplot gives the same bytes.",
+    .operands_max = 1,
+    .flags = plot_flags,
+    .flag_count = sizeof plot_flags / sizeof *plot_flags,
+    .examples = plot_examples,
+    .run = plot_main,
+};
+
+enum { SIZE_MIN = 160, SIZE_MAX_PX = 4096, BITS_MAX = 64 };
+
+static burnish_status flag_size(const burnish_cli_flag *flag, const char *text, void *target,
+                                burnish_error *error) {
+    plot_settings *settings = (plot_settings *)(void *)((char *)target - flag->offset);
+    double *size = settings->size;
+    int valid = burnish_cli_read_reals(text, strlen(text), size, 2);
+    for (int i = 0; valid && i < 2; ++i) {
+        valid = size[i] >= SIZE_MIN && size[i] <= SIZE_MAX_PX && size[i] == floor(size[i]);
+    }
+    if (!valid) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--size: \"%.60s\" is not a width and a height from %d to %d, such "
+                                "as 720,440",
+                                text, SIZE_MIN, SIZE_MAX_PX);
+    }
+    settings->has_size = 1;
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status fail_count(const char *flag, burnish_error *error) {
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: more than %d items; leave some out", flag,
+                            BURNISH_PLOT_LIST_MAX);
+}
+
+static burnish_status read_exponents(const char *list, burnish_plot_request *request,
+                                     burnish_error *error) {
+    burnish_cli_exponents exponents;
+    burnish_status status = burnish_cli_read_exponents("exponents", list, &exponents, error);
+    if (status == BURNISH_STATUS_OK && exponents.count > BURNISH_PLOT_LIST_MAX) {
+        status = fail_count("exponents", error);
+    }
+    for (size_t i = 0; status == BURNISH_STATUS_OK && i < exponents.count; ++i) {
+        request->exponents[request->exponent_count++] = exponents.items[i];
+    }
+    free(exponents.items);
+    return status;
+}
+
+static burnish_status read_lobes(const char *list, burnish_plot_request *request,
+                                 burnish_error *error) {
+    burnish_cli_lobe_names names;
+    burnish_status status = burnish_cli_read_lobes("lobes", list, &names, error);
+    if (status == BURNISH_STATUS_OK && names.count > BURNISH_PLOT_LIST_MAX) {
+        status = fail_count("lobes", error);
+    }
+    for (size_t i = 0; status == BURNISH_STATUS_OK && i < names.count; ++i) {
+        memcpy(request->lobes[request->lobe_count++], names.items[i], BURNISH_CLI_LOBE_NAME);
+    }
+    return status;
+}
+
+static burnish_status read_bits(const char *list, burnish_plot_request *request,
+                                burnish_error *error) {
+    while (list) {
+        const char *item;
+        double value = 0;
+        size_t length = burnish_cli_next_item(&list, ',', &item);
+        if (!burnish_cli_read_real(item, length, &value) || !(value > 0 && value <= BITS_MAX)) {
+            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                    "--bits: \"%.*s\" is not a number above 0 up to %d",
+                                    (int)(length < 60 ? length : 60), item, BITS_MAX);
+        }
+        if (request->bits_count == BURNISH_PLOT_LIST_MAX) {
+            return fail_count("bits", error);
+        }
+        request->bits[request->bits_count++] = value;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static int all_equal(const double *list, size_t count) {
+    for (size_t i = 1; i < count; ++i) {
+        if (list[i] != list[0]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static burnish_status check_lists(const burnish_plot_figure *figure,
+                                  const burnish_plot_request *request, burnish_error *error) {
+    if (figure->single_exponent && request->exponent_count > 1) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--exponents: the figure %s is drawn for one exponent",
+                                figure->name);
+    }
+    if (figure->exponents_are_range && all_equal(request->exponents, request->exponent_count)) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--exponents: the figure %s has an axis of exponents; give its two "
+                                "ends, such as 2,1000",
+                                figure->name);
+    }
+    if (figure->bits_are_range && all_equal(request->bits, request->bits_count)) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--bits: the figure %s has an axis of bits; give its two ends, "
+                                "such as 1,16",
+                                figure->name);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* A figure's own lobes are for its own exponents; others may be too small for some orders. */
+static void keep_existing_lobes(burnish_plot_request *request) {
+    size_t kept = 0;
+    double greatest = 1;
+    for (size_t i = 0; i < request->exponent_count; ++i) {
+        greatest = fmax(greatest, request->exponents[i]);
+    }
+    for (size_t i = 0; i < request->lobe_count; ++i) {
+        burnish_theory_model model;
+        if (burnish_theory_model_parse(request->lobes[i], greatest, &model, NULL) ==
+            BURNISH_STATUS_OK) {
+            memmove(request->lobes[kept++], request->lobes[i], sizeof request->lobes[i]);
+        }
+    }
+    request->lobe_count = kept;
+}
+
+static burnish_status make_request(const burnish_plot_figure *figure, const plot_settings *settings,
+                                   burnish_plot_request *request, burnish_error *error) {
+    if (settings->bits && !figure->bits) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--bits: the figure %s has no thresholds; leave it out",
+                                figure->name);
+    }
+    request->lenient = !settings->lobes || !settings->exponents;
+    request->width = settings->has_size ? (int)settings->size[0] : figure->width;
+    request->height = settings->has_size ? (int)settings->size[1] : figure->height;
+    burnish_status status = read_exponents(
+        settings->exponents ? settings->exponents : figure->exponents, request, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = read_lobes(settings->lobes ? settings->lobes : figure->lobes, request, error);
+    }
+    if (status == BURNISH_STATUS_OK && figure->bits) {
+        status = read_bits(settings->bits ? settings->bits : figure->bits, request, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_lists(figure, request, error);
+    }
+    if (status == BURNISH_STATUS_OK && !settings->lobes) {
+        keep_existing_lobes(request);
+    }
+    return status;
+}
+
+/* A chart's text, CSV or script, in memory. */
+static burnish_status chart_text(const burnish_plot_chart *chart, int data, char **text,
+                                 size_t *size, burnish_error *error) {
+    FILE *file = open_memstream(text, size);
+    if (file) {
+        if (data) {
+            burnish_plot_write_data(chart, file);
+        } else {
+            burnish_plot_write_script(chart, file);
+        }
+        if (fclose(file) == 0) {
+            return BURNISH_STATUS_OK;
+        }
+        free(*text);
+    }
+    *text = NULL;
+    return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+}
+
+static burnish_status check_size(const burnish_plot_chart *chart, burnish_error *error) {
+    int width = burnish_plot_least_width(chart), height = burnish_plot_least_height(chart);
+    if (chart->width >= width && chart->height >= height) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--size: %d,%d is too small for the names in this figure; it takes "
+                            "%d,%d or more",
+                            chart->width, chart->height, width, height);
+}
+
+static burnish_status plot_chart(const burnish_plot_figure *figure,
+                                 const burnish_plot_request *request, plot_format format,
+                                 const char *path, burnish_error *error) {
+    burnish_plot_chart *chart = calloc(1, sizeof *chart);
+    if (!chart) {
+        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+    }
+    char *text = NULL;
+    size_t size = 0;
+    chart->name = figure->name;
+    chart->title = figure->title;
+    chart->width = request->width;
+    chart->height = request->height;
+    burnish_status status = figure->fill(request, chart, error);
+    if (status == BURNISH_STATUS_OK) {
+        burnish_plot_finish_axes(chart);
+        status = check_size(chart, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = chart_text(chart, format == FORMAT_CSV, &text, &size, error);
+    }
+    if (status == BURNISH_STATUS_OK && format == FORMAT_SVG) {
+        char *script = text;
+        text = NULL;
+        status = burnish_plot_run(chart, script, size, &text, &size, error);
+        free(script);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_file_write(path, text, size, error);
+    }
+    free(text);
+    free(chart);
+    return status;
+}
+
+static const burnish_plot_figure *find_figure(const char *name, burnish_error *error) {
+    char names[160] = "";
+    const char *closest = NULL;
+    size_t best = BURNISH_CLI_NAME_MAX;
+    const burnish_plot_figure *figure;
+    for (size_t i = 0; (figure = burnish_plot_figure_at(i)) != NULL; ++i) {
+        if (strcmp(figure->name, name) == 0) {
+            return figure;
+        }
+        if (burnish_cli_closer(name, figure->name, &best)) {
+            closest = figure->name;
+        }
+        size_t used = strlen(names);
+        snprintf(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "", figure->name);
+    }
+    if (closest && burnish_cli_close_enough(name, best)) {
+        burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                         "lobe plot: \"%.60s\": unknown figure; did you mean %s?", name, closest);
+    } else {
+        burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                         "lobe plot: \"%.60s\": unknown figure; there are %s", name, names);
+    }
+    return NULL;
+}
+
+/* What the ending of a file's name asks for; FORMAT_NONE for an ending that isn't known. */
+static plot_format format_of_path(const char *path, plot_format drawing) {
+    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+    if (!dot || strcmp(path, "-") == 0) {
+        return drawing;
+    }
+    for (const burnish_cli_word *word = format_words; word->name; ++word) {
+        if (strcmp(dot + 1, word->name) == 0) {
+            return (plot_format)word->value;
+        }
+    }
+    return FORMAT_NONE;
+}
+
+static burnish_status choose_format(const burnish_plot_figure *figure,
+                                    const plot_settings *settings, plot_format *format,
+                                    burnish_error *error) {
+    plot_format drawing = figure->fill ? FORMAT_SVG : FORMAT_PNG;
+    const char *flag = settings->format ? "--format" : "--output";
+    *format = settings->format   ? (plot_format)settings->format
+              : settings->output ? format_of_path(settings->output, drawing)
+                                 : drawing;
+    int possible =
+        *format == drawing || *format == FORMAT_CSV || (*format == FORMAT_SCRIPT && figure->fill);
+    if (!possible) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "%s: the figure %s is written as %s", flag, figure->name,
+                                figure->fill ? "svg, csv or gp" : "png or csv");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status plot(void *from, const burnish_cli_operands *operands, burnish_error *error) {
+    const plot_settings *settings = from;
+    burnish_plot_request request = {0};
+    char default_path[32];
+    plot_format format = FORMAT_NONE;
+    if (operands->count == 0) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "lobe plot: no FIGURE; try \"burnish lobe plot curves\" or "
+                                "\"burnish lobe plot --help\"");
+    }
+    const burnish_plot_figure *figure = find_figure(operands->items[0], error);
+    if (!figure) {
+        return error->status;
+    }
+    burnish_status status = choose_format(figure, settings, &format, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = make_request(figure, settings, &request, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    snprintf(default_path, sizeof default_path, "%s.%s", figure->name,
+             figure->fill ? "svg" : "png");
+    int drawing = format == FORMAT_SVG || format == FORMAT_PNG;
+    const char *path = settings->output ? settings->output : drawing ? default_path : "-";
+    return figure->fill ? plot_chart(figure, &request, format, path, error)
+                        : burnish_plot_object(&request, format == FORMAT_CSV, path, error);
+}
+
+static int plot_main(int argc, char **argv) {
+    plot_settings settings = {0};
+    return burnish_cli_run_work(&burnish_cli_lobe_plot_command, argc, argv, &settings, plot);
+}

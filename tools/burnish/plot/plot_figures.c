@@ -1,0 +1,541 @@
+/* The figures: what each plots, for which lobes and exponents unless told otherwise. */
+#include <math.h>
+#include <string.h>
+
+#include "plot/plot.h"
+
+static const double DEGREES = 180 / 3.14159265358979323846;
+
+typedef burnish_status fill(const burnish_plot_request *request, burnish_plot_chart *chart,
+                            burnish_error *error);
+
+static fill fill_error, fill_curves, fill_core, fill_ratio, fill_extreme, fill_energy, fill_orders,
+    fill_widths;
+
+enum { WIDTH = 720, HEIGHT = 440 }; /* px, of most figures */
+
+static const burnish_plot_figure figures[] = {
+    {.name = "error",
+     .title = "Absolute error of W against the angle",
+     .exponents = "3,10,30,100,300,1000",
+     .lobes = "taylor:2",
+     .width = WIDTH,
+     .height = HEIGHT,
+     .fill = fill_error},
+    {.name = "curves",
+     .title = "The power, W and Schlick's function against the angle",
+     .exponents = "100",
+     .lobes = "power,taylor:2,schlick",
+     .width = WIDTH,
+     .height = HEIGHT,
+     .fill = fill_curves},
+    {.name = "core",
+     .title = "Largest relative error from the peak to the inflection against the exponent",
+     .exponents = "2,1000",
+     .exponents_are_range = 1,
+     .lobes = "taylor:2,schlick",
+     .width = WIDTH,
+     .height = HEIGHT,
+     .fill = fill_core},
+    {.name = "ratio",
+     .title = "Ratio R of the angles at which power and lobe fall to 2^-q against the exponent",
+     .exponents = "2,1000",
+     .exponents_are_range = 1,
+     .lobes = "taylor:2,schlick",
+     .bits = "2,4,8,12",
+     .width = WIDTH,
+     .height = HEIGHT,
+     .fill = fill_ratio},
+    {.name = "w1",
+     .title = "W1 and the power against the angle",
+     .exponents = "10",
+     .lobes = "power,energy:2",
+     .width = WIDTH,
+     .height = HEIGHT,
+     .fill = fill_curves},
+    {.name = "w1-extreme",
+     .title = "Extreme relative error of W1 against the exponent",
+     .exponents = "2,1000",
+     .exponents_are_range = 1,
+     .lobes = "energy:2",
+     .width = WIDTH,
+     .height = HEIGHT,
+     .fill = fill_extreme},
+    {.name = "object",
+     .title = "An object shaded with the power, W1 and Schlick's function, and the differences",
+     .exponents = "40",
+     .single_exponent = 1,
+     .lobes = "power,energy:2,schlick",
+     .width = 480,
+     .height = 360},
+    {.name = "cost",
+     .title = "Largest absolute error of every lobe against what it costs",
+     .exponents = "64",
+     .single_exponent = 1,
+     .lobes = "taylor:2,energy:2,minimax:2,affine:2,energy:4,minimax:4,minimax:8,minimax:16,"
+              "minimax:32,nv2x,power,schlick,gx,gaussian,kuijk-blake,table256,table256:linear",
+     .width = 960,
+     .height = 600,
+     .fill = burnish_plot_fill_cost},
+    {.name = "energy",
+     .title = "Energy over the hemisphere relative to the power's against the exponent",
+     .exponents = "2,1000",
+     .exponents_are_range = 1,
+     .lobes = "schlick,gx,energy:2,minimax:2,shift3,shift7,taylor:2",
+     .width = WIDTH,
+     .height = HEIGHT,
+     .fill = fill_energy},
+    {.name = "orders",
+     .title = "Largest absolute error of every order against the exponent",
+     .exponents = "2,5000",
+     .exponents_are_range = 1,
+     .lobes = "minimax:2,minimax:4,minimax:8,minimax:16,minimax:32",
+     .width = WIDTH,
+     .height = HEIGHT,
+     .fill = fill_orders},
+    {.name = "widths",
+     .title = "Ratio R of the angles at which power and lobe fall to 2^-q against q",
+     .exponents = "64",
+     .single_exponent = 1,
+     .lobes = "taylor:2,shift7,energy:2,minimax:2,shift3,minimax:4,minimax:8,gaussian,schlick",
+     .bits = "1,16",
+     .bits_are_range = 1,
+     .width = WIDTH,
+     .height = HEIGHT,
+     .fill = fill_widths},
+};
+
+const burnish_plot_figure *burnish_plot_figure_at(size_t index) {
+    return index < sizeof figures / sizeof *figures ? &figures[index] : NULL;
+}
+
+burnish_status burnish_plot_model(const char *word, double exponent, burnish_theory_model *model,
+                                  burnish_error *error) {
+    burnish_error inner;
+    if (burnish_theory_model_parse(word, exponent, model, &inner) == BURNISH_STATUS_OK) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
+}
+
+burnish_plot_series *burnish_plot_add_series(burnish_plot_chart *chart, burnish_error *error) {
+    if (chart->series_count == BURNISH_PLOT_SERIES_MAX) {
+        burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                         "%s: more than %d curves; leave out some lobes, exponents or bits",
+                         chart->name, BURNISH_PLOT_SERIES_MAX);
+        return NULL;
+    }
+    return &chart->series[chart->series_count++];
+}
+
+/* The lobe's name as text of a figure: the paper's where it has one. */
+static void lobe_text(const burnish_theory_model *model, char *text, size_t size) {
+    char word[BURNISH_PLOT_LOBE_SIZE];
+    burnish_theory_model_name(model, word, sizeof word);
+    if (strcmp(word, "taylor:2") == 0) {
+        snprintf(text, size, "{/:Italic W}");
+    } else if (strcmp(word, "energy:2") == 0) {
+        snprintf(text, size, "{/:Italic W}_1");
+    } else if (strcmp(word, "level0.5:2") == 0) {
+        snprintf(text, size, "{/:Italic W}_{0.5}");
+    } else if (strcmp(word, "power") == 0) {
+        snprintf(text, size, "cos^{{/:Italic n}}");
+    } else if (strcmp(word, "schlick") == 0) {
+        snprintf(text, size, "Schlick");
+    } else {
+        snprintf(text, size, "%s", word);
+    }
+}
+
+/* A lobe has the same hue in every figure; labels tell apart the few that share one. */
+static int lobe_ink(const burnish_theory_model *model) {
+    static const int kinds[BURNISH_THEORY_KIND_COUNT] = {
+        [BURNISH_THEORY_SCHLICK] = 1, [BURNISH_THEORY_LYON] = 0, [BURNISH_THEORY_GAUSSIAN] = 4,
+        [BURNISH_THEORY_GX] = 4,      [BURNISH_THEORY_NV2X] = 5, [BURNISH_THEORY_KUIJK_BLAKE] = 4,
+        [BURNISH_THEORY_TABLE] = 6,
+    };
+    static const int fits[BURNISH_THEORY_FIT_COUNT] = {
+        [BURNISH_THEORY_TAYLOR] = 0,  [BURNISH_THEORY_ENERGY] = 2,
+        [BURNISH_THEORY_LEVEL] = 4,   [BURNISH_THEORY_SHIFT7] = 5,
+        [BURNISH_THEORY_SHIFT3] = 6,  [BURNISH_THEORY_PROJECTED] = 2,
+        [BURNISH_THEORY_MINIMAX] = 3, [BURNISH_THEORY_LEAST_SQUARES] = 4,
+        [BURNISH_THEORY_AFFINE] = 5,  [BURNISH_THEORY_GIVEN] = 6,
+    };
+    if (model->kind == BURNISH_THEORY_POWER) {
+        return BURNISH_PLOT_INK_REFERENCE;
+    }
+    return BURNISH_PLOT_INK_LOBE +
+           (model->kind == BURNISH_THEORY_FAMILY ? fits[model->fit] : kinds[model->kind]);
+}
+
+/* The order shows as dashes. */
+static burnish_plot_style lobe_style(const burnish_theory_model *model) {
+    return model->order <= 2   ? BURNISH_PLOT_LINE
+           : model->order == 4 ? BURNISH_PLOT_DASHED
+           : model->order == 8 ? BURNISH_PLOT_DASH_DOT
+                               : BURNISH_PLOT_DOTTED;
+}
+
+/* The i-th style of curves that share their hues. */
+static burnish_plot_style style_of(size_t i) {
+    static const burnish_plot_style styles[] = {BURNISH_PLOT_LINE, BURNISH_PLOT_DASHED,
+                                                BURNISH_PLOT_DASH_DOT, BURNISH_PLOT_DOTTED};
+    return styles[i % (sizeof styles / sizeof *styles)];
+}
+
+static double least(const double *list, size_t count) {
+    double result = list[0];
+    for (size_t i = 1; i < count; ++i) {
+        result = list[i] < result ? list[i] : result;
+    }
+    return result;
+}
+
+static double greatest(const double *list, size_t count) {
+    double result = list[0];
+    for (size_t i = 1; i < count; ++i) {
+        result = list[i] > result ? list[i] : result;
+    }
+    return result;
+}
+
+/* Step i of the points of an axis between two values, in equal ratios or differences. */
+static double step_between(double low, double high, int logarithmic, size_t i) {
+    double share = (double)i / (BURNISH_PLOT_POINTS - 1);
+    if (i == 0 || i == BURNISH_PLOT_POINTS - 1) {
+        return i == 0 ? low : high;
+    }
+    return logarithmic ? low * pow(high / low, share) : low + (high - low) * share;
+}
+
+/* ---- Figures over the angle -------------------------------------------------------------------*/
+
+/* A figure for one exponent says which. */
+void burnish_plot_state_exponent(const burnish_plot_request *request, burnish_plot_chart *chart) {
+    snprintf(chart->condition, sizeof chart->condition, ", {/:Italic n} = %.6g",
+             request->exponents[0]);
+}
+
+/* Angles up to where the power has left the screen and the slowest comparison is in sight. */
+static double angle_range(const burnish_plot_request *request) {
+    burnish_theory_model power;
+    burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0,
+                               least(request->exponents, request->exponent_count));
+    double end = 2.4 * burnish_theory_angle_at(&power, 1.0 / 256) * DEGREES;
+    end = end < 80 ? ceil(end / 5) * 5 : 90;
+    return end;
+}
+
+/* Name, ink and style: several exponents are an ordered set and take the ramp, lobes have hues. */
+static void dress_angle_series(const burnish_plot_request *request, size_t l, size_t e,
+                               const burnish_theory_model *model, burnish_plot_series *series) {
+    double exponent = request->exponents[e];
+    int several = request->exponent_count > 1, many = request->lobe_count > 1;
+    char text[64];
+    lobe_text(model, text, sizeof text);
+    snprintf(series->name, sizeof series->name, "%s n=%.10g", request->lobes[l], exponent);
+    if (several) {
+        snprintf(series->text, sizeof series->text, "%s%s{/:Italic n} = %.6g", many ? text : "",
+                 many ? ", " : "", exponent);
+    } else {
+        snprintf(series->text, sizeof series->text, "%s", text);
+    }
+    series->ink = several ? burnish_plot_ramp_ink(e, request->exponent_count) : lobe_ink(model);
+    series->style = style_of(several && !many ? e : l);
+}
+
+static void sample_angles(const burnish_theory_model *model, double end, int error_wanted,
+                          burnish_plot_series *series) {
+    series->count = BURNISH_PLOT_POINTS;
+    for (size_t i = 0; i < BURNISH_PLOT_POINTS; ++i) {
+        /* Denser near the peak, where narrow lobes end. */
+        double share = (double)i / (BURNISH_PLOT_POINTS - 1);
+        double degrees = end * share * (error_wanted ? share : 1);
+        double value = burnish_theory_value_at_angle(model, degrees / DEGREES);
+        double power = burnish_theory_power(cos(degrees / DEGREES), model->exponent);
+        series->x[i] = degrees;
+        series->y[i] = error_wanted ? fabs(value - power) : value;
+    }
+}
+
+static burnish_status fill_angles(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                  int error_wanted, burnish_error *error) {
+    double end = angle_range(request);
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t l = 0; l < request->lobe_count; ++l) {
+        for (size_t e = 0; e < request->exponent_count; ++e) {
+            burnish_theory_model model;
+            status = burnish_plot_model(request->lobes[l], request->exponents[e], &model, error);
+            if (status != BURNISH_STATUS_OK && request->lenient) {
+                continue;
+            }
+            burnish_plot_series *series =
+                status == BURNISH_STATUS_OK ? burnish_plot_add_series(chart, error) : NULL;
+            if (!series) {
+                return error->status;
+            }
+            dress_angle_series(request, l, e, &model, series);
+            sample_angles(&model, end, error_wanted, series);
+        }
+    }
+    if (chart->series_count == 0) {
+        return status;
+    }
+    chart->x.title = "lobe angle {/:Italic γ} in degrees";
+    chart->x.column = "angle_deg";
+    chart->x.high = end;
+    if (request->exponent_count == 1) {
+        burnish_plot_state_exponent(request, chart);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status fill_error(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                 burnish_error *error) {
+    chart->y.title = "absolute error, |lobe − cos^{{/:Italic n}}{/:Italic γ}|";
+    chart->y.column = "absolute_error";
+    return fill_angles(request, chart, 1, error);
+}
+
+static burnish_status fill_curves(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                  burnish_error *error) {
+    chart->y.title = "value of the lobe";
+    chart->y.column = "value";
+    chart->y.high = 1;
+    return fill_angles(request, chart, 0, error);
+}
+
+/* ---- Figures over the exponent ----------------------------------------------------------------*/
+
+/* What a figure plots for one lobe: the lobe at an exponent, and q where the figure has bits. */
+typedef double metric(const burnish_theory_model *model, double bits);
+
+/* The least exponent between the one without (low) and the one with such a lobe (high). */
+static double first_exponent(const burnish_theory_model *pattern, double low, double high,
+                             burnish_theory_model *model) {
+    for (int i = 0; i < 50; ++i) {
+        double middle = 0.5 * (low + high);
+        if (burnish_theory_model_at(pattern, middle, model) == BURNISH_LOBE_OK) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    burnish_theory_model_at(pattern, high, model);
+    return high;
+}
+
+/* One curve against the exponent; it begins where the lobe begins to exist. */
+static burnish_status fill_curve(const burnish_plot_request *request, const char *word, double bits,
+                                 metric *measure, burnish_plot_series *series,
+                                 burnish_error *error) {
+    burnish_theory_model pattern, model;
+    double low = least(request->exponents, request->exponent_count);
+    double high = greatest(request->exponents, request->exponent_count);
+    int before = 0;
+    burnish_status status = burnish_plot_model(word, high, &pattern, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < BURNISH_PLOT_POINTS; ++i) {
+        double exponent = step_between(low, high, 1, i);
+        int exists = burnish_theory_model_at(&pattern, exponent, &model) == BURNISH_LOBE_OK;
+        series->x[i] = exponent;
+        series->y[i] = exists ? measure(&model, bits) : NAN;
+        if (i > 0 && exists && !before) {
+            series->x[i - 1] = first_exponent(&pattern, series->x[i - 1], exponent, &model);
+            series->y[i - 1] = measure(&model, bits);
+        }
+        before = exists;
+    }
+    series->count = BURNISH_PLOT_POINTS;
+    return BURNISH_STATUS_OK;
+}
+
+/* A curve a lobe, and a bit count where there are some. With ramp the lobes are an ordered set. */
+static burnish_status fill_exponents(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                     metric *measure, int paper_names, int ramp,
+                                     burnish_error *error) {
+    size_t bits_count = request->bits_count > 0 ? request->bits_count : 1;
+    double top = greatest(request->exponents, request->exponent_count);
+    for (size_t l = 0; l < request->lobe_count; ++l) {
+        for (size_t b = 0; b < bits_count; ++b) {
+            double bits = request->bits_count > 0 ? request->bits[b] : 0;
+            burnish_theory_model model;
+            burnish_plot_series *series = burnish_plot_add_series(chart, error);
+            burnish_status status =
+                series ? burnish_plot_model(request->lobes[l], top, &model, error) : error->status;
+            if (status == BURNISH_STATUS_OK) {
+                status = fill_curve(request, request->lobes[l], bits, measure, series, error);
+            }
+            if (status != BURNISH_STATUS_OK) {
+                return status;
+            }
+            char text[64];
+            lobe_text(&model, text, sizeof text);
+            snprintf(series->name, sizeof series->name, "%s", request->lobes[l]);
+            snprintf(series->text, sizeof series->text, "%s", paper_names ? text : series->name);
+            series->ink = ramp ? burnish_plot_ramp_ink(l, request->lobe_count) : lobe_ink(&model);
+            series->style = ramp ? BURNISH_PLOT_LINE : lobe_style(&model);
+            if (request->bits_count > 0) {
+                snprintf(series->name, sizeof series->name, "%s q=%.10g", request->lobes[l], bits);
+                snprintf(series->text, sizeof series->text, "%s, {/:Italic q} = %.6g", text, bits);
+                series->ink = burnish_plot_ramp_ink(b, bits_count);
+                series->style = style_of(l);
+            }
+        }
+    }
+    chart->labels_at_end = 1;
+    chart->x.title = "specular exponent {/:Italic n}";
+    chart->x.column = "exponent";
+    chart->x.logarithmic = 1;
+    chart->x.low = least(request->exponents, request->exponent_count);
+    chart->x.high = top;
+    return BURNISH_STATUS_OK;
+}
+
+static double core_error(const burnish_theory_model *model, double bits) {
+    burnish_theory_difference difference;
+    double end = burnish_theory_inflection_angle(model->exponent);
+    (void)bits;
+    if (!(end > 0)) {
+        return NAN;
+    }
+    burnish_theory_compare(model, end, &difference);
+    return 100 * difference.relative;
+}
+
+static burnish_status fill_core(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                burnish_error *error) {
+    chart->y.title =
+        "largest relative error up to the inflection of cos^{{/:Italic n}}, in percent";
+    chart->y.column = "relative_error_percent";
+    return fill_exponents(request, chart, core_error, 1, 0, error);
+}
+
+static burnish_status fill_ratio(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                 burnish_error *error) {
+    chart->y.title =
+        "{/:Italic R} = angle of the power / angle of the lobe, both at level 2^{−{/:Italic q}}";
+    chart->y.column = "ratio";
+    chart->rule = (burnish_plot_rule){"as wide as the power", 1};
+    return fill_exponents(request, chart, burnish_theory_width_ratio, 1, 0, error);
+}
+
+/* The relative error at an angle, in percent; NaN where there is no such angle. */
+static double percent_at(const burnish_theory_model *model, double angle) {
+    return isnan(angle) ? NAN : 100 * burnish_theory_relative_error(model, angle);
+}
+
+static double extreme_error(const burnish_theory_model *model, double bits) {
+    (void)bits;
+    return percent_at(model, burnish_theory_extreme_angle(model));
+}
+
+static double extreme_error_searched(const burnish_theory_model *model, double bits) {
+    (void)bits;
+    return percent_at(model, burnish_theory_extreme_angle_searched(model));
+}
+
+static burnish_status fill_extreme(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                   burnish_error *error) {
+    burnish_status status = fill_exponents(request, chart, extreme_error, 1, 0, error);
+    size_t lines = chart->series_count;
+    for (size_t l = 0; l < lines && status == BURNISH_STATUS_OK; ++l) {
+        burnish_plot_series *line = &chart->series[l];
+        burnish_plot_series *points = burnish_plot_add_series(chart, error);
+        if (!points) {
+            return error->status;
+        }
+        status = fill_curve(request, request->lobes[l], 0, extreme_error_searched, points, error);
+        if (status != BURNISH_STATUS_OK) {
+            break;
+        }
+        snprintf(points->name, sizeof points->name, "%s searched", request->lobes[l]);
+        snprintf(points->text, sizeof points->text, "found by search");
+        snprintf(line->text + strlen(line->text), sizeof line->text - strlen(line->text),
+                 ", place by formula");
+        points->ink = line->ink;
+        points->style = BURNISH_PLOT_RINGS;
+        points->count = 0;
+        for (size_t i = 0; i < BURNISH_PLOT_POINTS; i += 20) {
+            points->x[points->count] = points->x[i];
+            points->y[points->count++] = points->y[i];
+        }
+    }
+    chart->labels_at_end = 0;
+    chart->key_inside = 1;
+    chart->y.title = "extreme relative error, in percent";
+    chart->y.column = "relative_error_percent";
+    return status;
+}
+
+static double energy_ratio(const burnish_theory_model *model, double bits) {
+    burnish_theory_model power;
+    (void)bits;
+    burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, model->exponent);
+    return burnish_theory_integral(model, BURNISH_THEORY_SOLID_ANGLE) /
+           burnish_theory_integral(&power, BURNISH_THEORY_SOLID_ANGLE);
+}
+
+static burnish_status fill_energy(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                  burnish_error *error) {
+    chart->y.title = "integral over the hemisphere / that of cos^{{/:Italic n}}";
+    chart->y.column = "energy_ratio";
+    chart->y.logarithmic = 1;
+    chart->rule = (burnish_plot_rule){"", 1};
+    return fill_exponents(request, chart, energy_ratio, 0, 0, error);
+}
+
+static double whole_error(const burnish_theory_model *model, double bits) {
+    (void)bits;
+    return burnish_theory_maximum_error(model, acos(0));
+}
+
+static burnish_status fill_orders(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                  burnish_error *error) {
+    chart->y.title = "largest absolute error, angles from 0° to 90°";
+    chart->y.column = "maximum_error";
+    chart->y.logarithmic = 1;
+    chart->y.low = 5e-4;
+    chart->y.high = 0.1;
+    chart->rule = (burnish_plot_rule){"half a step of 8 bits", 1.0 / 510};
+    return fill_exponents(request, chart, whole_error, 0, 1, error);
+}
+
+/* ---- R over the threshold ---------------------------------------------------------------------*/
+
+static burnish_status fill_widths(const burnish_plot_request *request, burnish_plot_chart *chart,
+                                  burnish_error *error) {
+    double low = least(request->bits, request->bits_count);
+    double high = greatest(request->bits, request->bits_count);
+    for (size_t l = 0; l < request->lobe_count; ++l) {
+        burnish_theory_model model;
+        burnish_plot_series *series = burnish_plot_add_series(chart, error);
+        burnish_status status =
+            series ? burnish_plot_model(request->lobes[l], request->exponents[0], &model, error)
+                   : error->status;
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        snprintf(series->name, sizeof series->name, "%s", request->lobes[l]);
+        snprintf(series->text, sizeof series->text, "%s", request->lobes[l]);
+        series->ink = lobe_ink(&model);
+        series->style = lobe_style(&model);
+        series->count = BURNISH_PLOT_POINTS;
+        for (size_t i = 0; i < BURNISH_PLOT_POINTS; ++i) {
+            series->x[i] = step_between(low, high, 0, i);
+            series->y[i] = burnish_theory_width_ratio(&model, series->x[i]);
+        }
+    }
+    chart->labels_at_end = 1;
+    burnish_plot_state_exponent(request, chart);
+    chart->x.title = "threshold {/:Italic q} in bits: the lobe ends at 2^{−{/:Italic q}}";
+    chart->x.column = "bits";
+    chart->x.low = low;
+    chart->x.high = high;
+    chart->y.title = "{/:Italic R} = angle of the power / angle of the lobe";
+    chart->y.column = "ratio";
+    chart->rule = (burnish_plot_rule){"as wide as the power", 1};
+    return BURNISH_STATUS_OK;
+}

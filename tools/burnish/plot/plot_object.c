@@ -1,0 +1,260 @@
+/* The figure `object`: the teapot shaded with several lobes, and how each differs from the first.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "burnish/core.h"
+#include "burnish/render.h"
+#include "plot/plot.h"
+
+enum {
+    LOBES_MAX = 6,
+    SCALE_END = 80, /* 8-bit codes: from here on a difference has the strongest colour */
+    NAME_SIZE = 40,
+    LABEL_SIZE = 128
+};
+
+static const char object_name[] = ":teapot";
+
+/* Pictures: the lobes' in the first row, the differences in the second. */
+typedef struct gallery {
+    burnish_image images[2][LOBES_MAX];
+    char names[LOBES_MAX][NAME_SIZE], labels[LOBES_MAX][LABEL_SIZE]; /* under the rows */
+    int low[LOBES_MAX], high[LOBES_MAX]; /* extreme differences of a channel, 8-bit codes */
+    double mean[LOBES_MAX];              /* mean difference over all channels and pixels */
+    size_t count;
+} gallery;
+
+static burnish_status set_material(burnish_mesh *scene, double exponent, burnish_error *error) {
+    burnish_material material = burnish_material_default();
+    static const float color[3] = {0.030F, 0.110F, 0.250F}; /* linear: a dark glaze */
+    for (int k = 0; k < 3; ++k) {
+        material.diffuse[k] = material.ambient[k] = color[k];
+        material.specular[k] = 0.9F;
+    }
+    material.exponent = (float)exponent;
+    return burnish_mesh_set_material(scene, 0, &material, error);
+}
+
+static burnish_status load(double exponent, double aspect, burnish_mesh **scene,
+                           burnish_camera *camera, burnish_error *error) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_framing fit = burnish_framing_default();
+    options.tessellation = 32;
+    fit.aspect = aspect;
+    burnish_status status = burnish_mesh_load(object_name, &options, scene, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = set_material(*scene, exponent, error);
+    }
+    return status == BURNISH_STATUS_OK ? burnish_camera_frame(*scene, &fit, camera, error) : status;
+}
+
+/* The colour of a difference: blue below, orange above, both darker the larger it is. */
+static void difference_color(int difference, uint8_t color[3]) {
+    static const uint8_t inks[2][3][3] = {{{241, 243, 245}, {74, 159, 208}, {8, 54, 97}},
+                                          {{241, 243, 245}, {240, 138, 60}, {122, 42, 0}}};
+    const uint8_t(*ink)[3] = inks[difference > 0];
+    int size = difference < 0 ? -difference : difference;
+    size = 2 * (size < SCALE_END ? size : SCALE_END);
+    int from = size >= SCALE_END ? 1 : 0, rest = size - from * SCALE_END;
+    const uint8_t *low = ink[from], *high = ink[from + 1];
+    for (int k = 0; k < 3; ++k) {
+        color[k] =
+            (uint8_t)((low[k] * (SCALE_END - rest) + high[k] * rest + SCALE_END / 2) / SCALE_END);
+    }
+}
+
+static burnish_status create_like(const burnish_image *like, burnish_image *image,
+                                  burnish_error *error) {
+    return burnish_image_create(image, like->width, like->height, like->channels, error);
+}
+
+static void write_code(int difference, char *text, size_t size) {
+    snprintf(text, size, difference ? "%+d" : "%d", difference);
+}
+
+/* Of each pixel the difference to the first picture in the channel where it is largest. */
+static burnish_status subtract(gallery *g, size_t i, burnish_error *error) {
+    const burnish_image *reference = &g->images[0][0], *image = &g->images[0][i];
+    burnish_image *result = &g->images[1][i];
+    burnish_status status = create_like(image, result, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    size_t channels = (size_t)image->channels;
+    double sum = 0;
+    for (size_t p = 0; p < pixels; ++p) {
+        int extreme = 0;
+        for (size_t k = channels * p; k < channels * p + 3; ++k) {
+            int difference = image->pixels[k] - reference->pixels[k];
+            extreme = abs(difference) > abs(extreme) ? difference : extreme;
+            g->low[i] = difference < g->low[i] ? difference : g->low[i];
+            g->high[i] = difference > g->high[i] ? difference : g->high[i];
+            sum += difference;
+        }
+        difference_color(extreme, result->pixels + channels * p);
+        if (channels == 4) {
+            result->pixels[4 * p + 3] = 255;
+        }
+    }
+    g->mean[i] = sum / (3 * (double)pixels);
+    char low[16], high[16];
+    write_code(g->low[i], low, sizeof low);
+    write_code(g->high[i], high, sizeof high);
+    snprintf(g->labels[i], LABEL_SIZE, "%s minus %s: %s to %s", g->names[i], g->names[0], low,
+             high);
+    return BURNISH_STATUS_OK;
+}
+
+static void draw_centered(burnish_image *image, float x, float y, float height, const char *text) {
+    static const uint8_t ink[3] = {47, 54, 63};
+    float width = burnish_image_draw_text(NULL, 0, 0, height, ink, text);
+    burnish_image_draw_text(image, x - width / 2, y, height, ink, text);
+}
+
+/* The bar of colours with its numbers; top, left: of the bar. */
+static void draw_scale(burnish_image *card, int left, int top, int width, int thickness,
+                       float height) {
+    static const int marks[] = {-SCALE_END, -SCALE_END / 2, 0, SCALE_END / 2, SCALE_END};
+    for (int x = 0; x < width; ++x) {
+        uint8_t color[3];
+        difference_color((2 * x - width) * SCALE_END / width, color);
+        for (int y = 0; y < thickness; ++y) {
+            size_t pixel = (size_t)(top + y) * (size_t)card->width + (size_t)(left + x);
+            memcpy(card->pixels + (size_t)card->channels * pixel, color, 3);
+        }
+    }
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; ++i) {
+        char text[16];
+        write_code(marks[i], text, sizeof text);
+        float share = (float)(marks[i] + SCALE_END) / (2 * SCALE_END);
+        draw_centered(card, (float)left + share * (float)width,
+                      (float)(top + thickness) + 2 * height, height, text);
+    }
+}
+
+/* The place under the reference: the scale of the second row. */
+static burnish_status draw_legend(gallery *g, double exponent, burnish_error *error) {
+    burnish_image *card = &g->images[1][0];
+    burnish_status status = create_like(&g->images[0][0], card, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    memset(card->pixels, 255, (size_t)card->width * (size_t)card->height * (size_t)card->channels);
+    char line[LABEL_SIZE];
+    int size = card->width < card->height ? card->width : card->height;
+    float height = (float)size / 28, middle = (float)card->width / 2;
+    float y = (float)card->height * 0.3F;
+    height = height < 5 ? 5 : height;
+    snprintf(line, sizeof line, "Difference from %s, exponent %.6g", g->names[0], exponent);
+    draw_centered(card, middle, y, height, line);
+    draw_centered(card, middle, y + 2.2F * height, height, "in 8-bit codes of the channel");
+    draw_centered(card, middle, y + 4.4F * height, height, "that differs most");
+    draw_scale(card, card->width / 8, (int)(y + 6.6F * height), card->width * 3 / 4,
+               (int)(1.6F * height), height);
+    return BURNISH_STATUS_OK;
+}
+
+static void name_lobe(const char *word, char *name) {
+    static const char *const names[][2] = {{"power", "power"},
+                                           {"energy:2", "W1 (energy:2)"},
+                                           {"taylor:2", "W (taylor:2)"},
+                                           {"schlick", "Schlick"}};
+    snprintf(name, NAME_SIZE, "%s", word);
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+        if (strcmp(word, names[i][0]) == 0) {
+            snprintf(name, NAME_SIZE, "%s", names[i][1]);
+        }
+    }
+}
+
+static burnish_status draw_lobes(const burnish_plot_request *request, gallery *g,
+                                 burnish_error *error) {
+    burnish_mesh *scene = NULL;
+    burnish_render_options options = burnish_render_options_default();
+    burnish_status status = load(request->exponents[0], (double)request->width / request->height,
+                                 &scene, &options.camera, error);
+    options.width = request->width;
+    options.height = request->height;
+    options.samples = 16;
+    memset(options.background, 255, sizeof options.background);
+    for (size_t i = 0; i < request->lobe_count && status == BURNISH_STATUS_OK; ++i) {
+        burnish_error inner;
+        if (burnish_lobe_choice_parse(request->lobes[i], &options.lobe, &inner) !=
+            BURNISH_STATUS_OK) {
+            status = burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
+            break;
+        }
+        name_lobe(request->lobes[i], g->names[i]);
+        status = burnish_render(scene, &options, &g->images[0][i], NULL, error);
+        if (status == BURNISH_STATUS_OK && i > 0) {
+            status = subtract(g, i, error);
+        }
+    }
+    burnish_mesh_destroy(scene);
+    return status;
+}
+
+static burnish_status write_sheet(const gallery *g, const char *path, burnish_error *error) {
+    static const uint8_t background[3] = {255, 255, 255}, ink[3] = {47, 54, 63};
+    burnish_sheet_cell cells[2 * LOBES_MAX];
+    burnish_image sheet;
+    for (size_t row = 0; row < 2; ++row) {
+        for (size_t i = 0; i < g->count; ++i) {
+            cells[row * g->count + i] =
+                (burnish_sheet_cell){&g->images[row][i], row == 0 ? g->names[i] : g->labels[i]};
+        }
+    }
+    burnish_status status =
+        burnish_image_sheet(&sheet, cells, 2 * g->count, (int)g->count, background, ink, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_image_write_png(&sheet, path, error);
+        burnish_image_destroy(&sheet);
+    }
+    return status;
+}
+
+static burnish_status write_differences(const burnish_plot_request *request, const gallery *g,
+                                        const char *path, burnish_error *error) {
+    char text[64 + LOBES_MAX * 96];
+    size_t used = (size_t)snprintf(
+        text, sizeof text, "lobe,reference,lowest_difference,highest_difference,mean_difference\n");
+    for (size_t i = 1; i < g->count; ++i) {
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s,%s,%d,%d,%.6g\n",
+                                 request->lobes[i], request->lobes[0], g->low[i], g->high[i],
+                                 g->mean[i]);
+    }
+    return burnish_file_write(path, text, used, error);
+}
+
+burnish_status burnish_plot_object(const burnish_plot_request *request, int data, const char *path,
+                                   burnish_error *error) {
+    if (request->lobe_count < 2 || request->lobe_count > LOBES_MAX) {
+        return burnish_cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--lobes: the figure object takes 2 to %d lobes, the one to compare "
+            "with first",
+            LOBES_MAX);
+    }
+    gallery *g = calloc(1, sizeof *g);
+    if (!g) {
+        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+    }
+    g->count = request->lobe_count;
+    burnish_status status = draw_lobes(request, g, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_legend(g, request->exponents[0], error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = data ? write_differences(request, g, path, error) : write_sheet(g, path, error);
+    }
+    for (size_t row = 0; row < 2; ++row) {
+        for (size_t i = 0; i < g->count; ++i) {
+            burnish_image_destroy(&g->images[row][i]);
+        }
+    }
+    free(g);
+    return status;
+}

@@ -1,0 +1,215 @@
+/* From the camera flags to a camera. What reaches pixels is computed with plain IEEE operations. */
+#include "render/camera.h"
+
+#include <string.h>
+
+/* A right-handed frame for every up axis: right x up = front, front is toward the viewer. */
+typedef struct frame {
+    const char *name;
+    double up[3], right[3], front[3];
+} frame;
+
+static const frame frames[] = {
+    [BURNISH_CLI_UP_POSITIVE_X] = {"+X", {1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+    [BURNISH_CLI_UP_NEGATIVE_X] = {"-X", {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+    [BURNISH_CLI_UP_POSITIVE_Y] = {"+Y", {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+    [BURNISH_CLI_UP_NEGATIVE_Y] = {"-Y", {0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+    [BURNISH_CLI_UP_POSITIVE_Z] = {"+Z", {0, 0, 1}, {1, 0, 0}, {0, -1, 0}},
+    [BURNISH_CLI_UP_NEGATIVE_Z] = {"-Z", {0, 0, -1}, {1, 0, 0}, {0, 1, 0}},
+};
+
+/* Where a view's camera stands, in multiples of right, up and front, and what is upward there. */
+typedef struct standard_view {
+    const char *name;
+    double toward[3];
+    double upward[3];
+} standard_view;
+
+static const standard_view views[] = {
+    [BURNISH_CLI_VIEW_FREE] = {"view", {0, 0, 0}, {0, 1, 0}},
+    [BURNISH_CLI_VIEW_FRONT] = {"front", {0, 0, 1}, {0, 1, 0}},
+    [BURNISH_CLI_VIEW_RIGHT] = {"right", {1, 0, 0}, {0, 1, 0}},
+    [BURNISH_CLI_VIEW_BACK] = {"back", {0, 0, -1}, {0, 1, 0}},
+    [BURNISH_CLI_VIEW_LEFT] = {"left", {-1, 0, 0}, {0, 1, 0}},
+    [BURNISH_CLI_VIEW_TOP] = {"top", {0, 1, 0}, {0, 0, -1}},
+    [BURNISH_CLI_VIEW_BOTTOM] = {"bottom", {0, -1, 0}, {0, 0, 1}},
+    [BURNISH_CLI_VIEW_ISO] = {"iso", {1, 1, 1}, {0, 1, 0}},
+};
+
+const char *burnish_cli_view_name(burnish_cli_view view) {
+    return views[view].name;
+}
+
+static const frame *frame_in_use(const burnish_mesh *scene, const burnish_cli_render *settings) {
+    if (settings->up != BURNISH_CLI_UP_AUTO) {
+        return &frames[settings->up];
+    }
+    return &frames[burnish_mesh_format(scene) == BURNISH_FORMAT_STL ? BURNISH_CLI_UP_POSITIVE_Z
+                                                                    : BURNISH_CLI_UP_POSITIVE_Y];
+}
+
+const char *burnish_cli_up_name(const burnish_mesh *scene, const burnish_cli_render *settings) {
+    return frame_in_use(scene, settings)->name;
+}
+
+static void combine(const frame *axes, const double weights[3], double scale, double result[3]) {
+    for (int k = 0; k < 3; ++k) {
+        result[k] = scale * (weights[0] * axes->right[k] + weights[1] * axes->up[k] +
+                             weights[2] * axes->front[k]);
+    }
+}
+
+static void subtract(const double a[3], const double b[3], double result[3]) {
+    for (int k = 0; k < 3; ++k) {
+        result[k] = a[k] - b[k];
+    }
+}
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* 1 when the sine of the angle between a and b is below 1e-6: no upward direction is left. */
+static int parallel(const double a[3], const double b[3]) {
+    double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                       a[0] * b[1] - a[1] * b[0]};
+    return dot(cross, cross) <= 1e-12 * (dot(a, a) * dot(b, b));
+}
+
+/* The up axis, or, looking along it, what is upward in a plan: the back of the object. */
+static void usual_upward(const frame *axes, const double direction[3], double upward[3]) {
+    memcpy(upward, axes->up, sizeof axes->up);
+    if (parallel(direction, upward)) {
+        double sign = dot(direction, upward) < 0 ? -1 : 1;
+        for (int k = 0; k < 3; ++k) {
+            upward[k] = sign * axes->front[k];
+        }
+    }
+}
+
+static burnish_status choose_upward(const frame *axes, const burnish_cli_render *settings,
+                                    const double direction[3], double upward[3],
+                                    burnish_error *error) {
+    if (!settings->view_up.given) {
+        usual_upward(axes, direction, upward);
+        return BURNISH_STATUS_OK;
+    }
+    memcpy(upward, settings->view_up.values, sizeof settings->view_up.values);
+    if (parallel(direction, upward)) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--camera-view-up: it is parallel to the direction of view; give "
+                                "another vector");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_framing fit_options(const burnish_cli_render *settings) {
+    burnish_framing options = burnish_framing_default();
+    options.view_angle = settings->view_angle.value;
+    options.aspect = (double)settings->size[0] / settings->size[1];
+    options.margin = settings->margin.value;
+    options.orthographic = settings->orthographic;
+    return options;
+}
+
+/* Frames the object seen along direction with upward up. */
+static burnish_status fit_along(const burnish_mesh *scene, const burnish_cli_render *settings,
+                                const double direction[3], const double upward[3],
+                                burnish_camera *camera, burnish_error *error) {
+    burnish_framing options = fit_options(settings);
+    memcpy(options.direction, direction, sizeof options.direction);
+    memcpy(options.up, upward, sizeof options.up);
+    return burnish_camera_frame(scene, &options, camera, error);
+}
+
+static burnish_status explicit_camera(const burnish_mesh *scene, const burnish_cli_render *settings,
+                                      const frame *axes, burnish_camera *camera,
+                                      burnish_error *error) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
+    double focal[3], direction[3], upward[3];
+    for (int k = 0; k < 3; ++k) {
+        focal[k] = settings->focal_point.given
+                       ? settings->focal_point.values[k]
+                       : ((double)mesh->bounds_min[k] + mesh->bounds_max[k]) / 2;
+    }
+    subtract(focal, settings->position.values, direction);
+    if (dot(direction, direction) == 0) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--camera-position: it is the focal point; move one of them");
+    }
+    burnish_status status = choose_upward(axes, settings, direction, upward, error);
+    if (status == BURNISH_STATUS_OK && settings->orthographic) {
+        status = fit_along(scene, settings, direction, upward, camera, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    memcpy(camera->position, settings->position.values, sizeof camera->position);
+    memcpy(camera->focal_point, focal, sizeof camera->focal_point);
+    memcpy(camera->view_up, upward, sizeof camera->view_up);
+    camera->view_angle = settings->view_angle.value;
+    return BURNISH_STATUS_OK;
+}
+
+/* The camera that shows the whole object: standard views, --camera-direction, three-quarter view.
+ */
+static burnish_status framed_camera(const burnish_mesh *scene, const burnish_cli_render *settings,
+                                    burnish_cli_view view, const frame *axes,
+                                    burnish_camera *camera, burnish_error *error) {
+    double direction[3], upward[3];
+    burnish_status status;
+    if (view != BURNISH_CLI_VIEW_FREE) {
+        combine(axes, views[view].toward, -1, direction);
+        combine(axes, views[view].upward, 1, upward);
+        return fit_along(scene, settings, direction, upward, camera, error);
+    }
+    burnish_framing options = fit_options(settings);
+    memcpy(options.up, axes->up, sizeof options.up);
+    options.azimuth = settings->azimuth.value;
+    options.elevation = settings->elevation.value;
+    if (settings->direction.given) {
+        memcpy(options.direction, settings->direction.values, sizeof options.direction);
+        if (!settings->view_up.given && parallel(options.direction, options.up)) {
+            usual_upward(axes, options.direction, options.up);
+        }
+    }
+    status = burnish_camera_frame(scene, &options, camera, error);
+    if (status != BURNISH_STATUS_OK || !settings->view_up.given) {
+        return status;
+    }
+    /* A rolled picture has other extents: frame again along the direction just found. */
+    subtract(camera->focal_point, camera->position, direction);
+    status = choose_upward(axes, settings, direction, upward, error);
+    return status == BURNISH_STATUS_OK
+               ? fit_along(scene, settings, direction, upward, camera, error)
+               : status;
+}
+
+burnish_status burnish_cli_camera(const burnish_mesh *scene, const burnish_cli_render *settings,
+                                  burnish_cli_view view, burnish_camera *camera,
+                                  burnish_error *error) {
+    const frame *axes = frame_in_use(scene, settings);
+    *camera = (burnish_camera){.view_angle = settings->view_angle.value};
+    burnish_status status = settings->position.given
+                                ? explicit_camera(scene, settings, axes, camera, error)
+                                : framed_camera(scene, settings, view, axes, camera, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (settings->focal_point.given && !settings->position.given) {
+        for (int k = 0; k < 3; ++k) {
+            camera->position[k] += settings->focal_point.values[k] - camera->focal_point[k];
+            camera->focal_point[k] = settings->focal_point.values[k];
+        }
+    }
+    double zoom = settings->zoom.value;
+    if (camera->orthographic_height > 0) {
+        camera->orthographic_height /= zoom;
+    } else if (zoom != 1) {
+        for (int k = 0; k < 3; ++k) {
+            camera->position[k] =
+                camera->focal_point[k] + (camera->position[k] - camera->focal_point[k]) / zoom;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}

@@ -1,0 +1,200 @@
+/* From the flags of `burnish render` to what the library takes: names, load options, materials,
+ * options. */
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "render/settings.h"
+
+static int is_standard(const char *path) {
+    return strcmp(path, "-") == 0;
+}
+
+/* The name of the picture when none is given: the input's, in the current folder. */
+static burnish_status derive_output(burnish_cli_render *settings, burnish_error *error) {
+    const char *input = settings->input;
+    if (is_standard(input)) {
+        settings->output = "-";
+        return BURNISH_STATUS_OK;
+    }
+    const char *slash = strrchr(input, '/');
+    const char *base = input[0] == ':' ? input + 1 : slash ? slash + 1 : input;
+    const char *dot = strrchr(base, '.');
+    size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
+    char *name = settings->default_output;
+    if (length == 0 || length + sizeof ".png" > sizeof settings->default_output) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "\"%.60s\" gives the picture no name; name it with --output=FILE",
+                                input);
+    }
+    memcpy(name, base, length);
+    memcpy(name + length, ".png", sizeof ".png");
+    settings->output = name;
+    return BURNISH_STATUS_OK;
+}
+
+/* 1 when both paths lead to the same file. */
+static int same_file(const char *a, const char *b) {
+    struct stat a_status, b_status;
+    return stat(a, &a_status) == 0 && stat(b, &b_status) == 0 && S_ISREG(a_status.st_mode) &&
+           a_status.st_dev == b_status.st_dev && a_status.st_ino == b_status.st_ino;
+}
+
+static burnish_status check_output(const burnish_cli_render *settings, burnish_error *error) {
+    if (is_standard(settings->output)) {
+        if (settings->json) {
+            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                    "--json: standard output already carries the picture; name a "
+                                    "file with --output=FILE");
+        }
+        if (isatty(STDOUT_FILENO)) {
+            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                    "--output: standard output is a terminal, which can't show a "
+                                    "PNG; redirect it, or name a file with --output=FILE");
+        }
+        return BURNISH_STATUS_OK;
+    }
+    if (same_file(settings->input, settings->output)) {
+        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--output: \"%.200s\" is the input; name another file",
+                                settings->output);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_camera_flags(const burnish_cli_render *settings, burnish_error *error) {
+    const char *turn = settings->azimuth.value != 0     ? "camera-azimuth-angle"
+                       : settings->elevation.value != 0 ? "camera-elevation-angle"
+                                                        : NULL;
+    const char *aim = settings->direction.given ? "camera-direction" : turn;
+    const char *extra = NULL, *fixed = NULL;
+    if (settings->position.given && aim) {
+        extra = aim;
+        fixed = "camera-position";
+    } else if (settings->views.count > 0) {
+        extra = settings->position.given  ? "camera-position"
+                : settings->view_up.given ? "camera-view-up"
+                                          : aim;
+        fixed = "views";
+    }
+    if (!extra) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: --%s already says where the camera looks from; leave one out",
+                            extra, fixed);
+}
+
+static burnish_status check_labels(const burnish_cli_render *settings, burnish_error *error) {
+    size_t views = settings->views.count > 0 ? settings->views.count : 1, texts = 1;
+    size_t cells = views * settings->lobes.count;
+    for (const char *c = settings->labels; c && *c; ++c) {
+        texts += *c == ',';
+    }
+    if (!settings->labels || texts == cells) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--labels: %zu texts for %zu cells; give one text a cell, between "
+                            "commas",
+                            texts, cells);
+}
+
+burnish_status burnish_cli_render_finish(burnish_cli_render *settings, burnish_error *error) {
+    burnish_status status = check_camera_flags(settings, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_labels(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK && !settings->output) {
+        status = derive_output(settings, error);
+    }
+    return status == BURNISH_STATUS_OK ? check_output(settings, error) : status;
+}
+
+burnish_status burnish_cli_load(const burnish_cli_render *settings, burnish_mesh **scene,
+                                burnish_error *error) {
+    burnish_load_options options = burnish_load_options_default();
+    options.format = (burnish_format)settings->format;
+    if (settings->crease.given) {
+        options.crease_angle = settings->crease.value;
+    }
+    options.tessellation = settings->tessellation;
+    options.max_input_bytes = settings->max_input_bytes;
+    options.max_triangles = settings->max_triangles;
+    options.threads = settings->threads;
+    return burnish_mesh_load(settings->input, &options, scene, error);
+}
+
+/* One material as --color, --material, --specular and --exponent want it. */
+static burnish_material adjusted_material(const burnish_cli_render *settings,
+                                          burnish_material material) {
+    if (settings->color.given) {
+        for (int k = 0; k < 3; ++k) {
+            material.diffuse[k] = burnish_srgb_decode(settings->color.srgb[k]);
+            material.ambient[k] = material.diffuse[k];
+        }
+        material.has_diffuse = 1;
+    }
+    if (settings->material >= 0) {
+        const burnish_cli_preset *preset = &burnish_cli_presets[settings->material];
+        for (int k = 0; k < 3; ++k) {
+            float tint = 1 + preset->tint * (material.diffuse[k] - 1);
+            material.specular[k] = preset->specular * tint;
+            material.diffuse[k] *= preset->diffuse;
+            material.ambient[k] *= preset->diffuse;
+        }
+        material.exponent = preset->exponent;
+        material.has_exponent = 1;
+    }
+    if (settings->specular.given) {
+        for (int k = 0; k < 3; ++k) {
+            material.specular[k] = (float)settings->specular.value;
+        }
+    }
+    if (settings->exponent.given) {
+        material.exponent = (float)settings->exponent.value;
+        material.has_exponent = 1;
+    }
+    return material;
+}
+
+burnish_status burnish_cli_adjust_materials(const burnish_cli_render *settings, burnish_mesh *scene,
+                                            burnish_error *error) {
+    size_t count = burnish_mesh_material_count(scene);
+    for (size_t i = 0; i < count; ++i) {
+        burnish_material material = adjusted_material(settings, *burnish_mesh_material(scene, i));
+        burnish_status status = burnish_mesh_set_material(scene, i, &material, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_render_options burnish_cli_render_options(const burnish_cli_render *settings) {
+    burnish_render_options options = burnish_render_options_default();
+    options.width = settings->size[0];
+    options.height = settings->size[1];
+    options.samples = settings->samples;
+    options.threads = settings->threads;
+    options.batch = burnish_kernels_for(settings->isa);
+    options.equation = (burnish_specular_model)settings->equation;
+    options.viewer = (burnish_viewer)settings->viewer;
+    options.ignore_colors = settings->color.given;
+    options.cull_back_faces = settings->cull_back_faces;
+    options.transparent = settings->background.transparent;
+    if (settings->ambient.given) {
+        memcpy(options.ambient_light, settings->ambient.linear, sizeof options.ambient_light);
+    }
+    if (settings->lights.given) {
+        memcpy(options.lights, settings->lights.items, sizeof options.lights);
+        options.light_count = settings->lights.count;
+    }
+    if (settings->background.given) {
+        for (int k = 0; k < 3; ++k) {
+            options.background[k] = burnish_cli_color_code(settings->background.srgb[k]);
+        }
+    }
+    return options;
+}
