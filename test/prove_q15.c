@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 #include "burnish/shade_q15.h"
-#include "core/pool.h"
+#include "core/tasks.h"
 #include "q15_proof.h"
 
 /* Adds what another thread found. */
@@ -48,10 +48,10 @@ static void prove_exponent(void *of, size_t index, int thread) {
 static q15_result all(const q15_case *c, int of_lambdas) {
     static proof p;
     q15_result result = {0};
-    burnish_pool *pool = burnish_pool_create(0);
+    burnish_tasks tasks, *pool = &tasks;
+    burnish_tasks_begin(&tasks, NULL, 0);
     p = (proof){.c = c, .of_lambdas = of_lambdas};
-    burnish_pool_run(pool, EXPONENTS, 1, 0, prove_exponent, &p);
-    burnish_pool_destroy(pool);
+    burnish_tasks_run(pool, EXPONENTS, 1, 0, prove_exponent, &p);
     for (size_t i = 0; i < EXPONENTS; ++i) {
         merge(&result, &p.found[i]);
     }

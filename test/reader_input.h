@@ -19,7 +19,7 @@ typedef burnish_status open_beside_function(const char *input_name, const char *
 static inline burnish_status run_reader_threads(burnish_format format, const void *bytes,
                                                 size_t size, const burnish_load_options *options,
                                                 open_beside_function *open_beside,
-                                                burnish_pool *pool, burnish_source *source,
+                                                burnish_tasks *pool, burnish_source *source,
                                                 burnish_error *error) {
     uint8_t *copy = malloc(size > 0 ? size : 1);
     if (!copy) {

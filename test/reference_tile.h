@@ -157,11 +157,11 @@ static burnish_status reference_tile_create(reference_tile *tile, int samples,
     memset(tile, 0, sizeof *tile);
     tile->samples = samples;
     size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)samples;
-    burnish_status status = burnish_allocate((void **)&tile->triangles, count,
-                                             sizeof *tile->triangles, "a tile", error);
+    burnish_status status = burnish_legacy_allocate((void **)&tile->triangles, count,
+                                                    sizeof *tile->triangles, "a tile", error);
     if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_allocate((void **)&tile->depths, count, sizeof *tile->depths, "a tile", error);
+        status = burnish_legacy_allocate((void **)&tile->depths, count, sizeof *tile->depths,
+                                         "a tile", error);
     }
     if (status != BURNISH_STATUS_OK) {
         reference_tile_destroy(tile);

@@ -2,7 +2,7 @@
  * Usage: sweep_lobe [STRIDE]. */
 #include <stdlib.h>
 
-#include "core/pool.h"
+#include "core/tasks.h"
 #include "sweep.h"
 
 enum { PARTS = 256 };
@@ -23,10 +23,10 @@ static void sweep_part(void *of, size_t part, int thread) {
 }
 
 /* One case, in parts that threads share. */
-static sweep_result sweep_all(const sweep_case *c, uint64_t stride, burnish_pool *pool) {
+static sweep_result sweep_all(const sweep_case *c, uint64_t stride, burnish_tasks *pool) {
     sweep_context context = {.c = c, .stride = stride};
     sweep_result result = {0};
-    burnish_pool_run(pool, PARTS, 1, 0, sweep_part, &context);
+    burnish_tasks_run(pool, PARTS, 1, 0, sweep_part, &context);
     for (int part = 0; part < PARTS; ++part) {
         sweep_merge(&result, &context.found[part]);
     }
@@ -40,13 +40,13 @@ int main(int argc, char **argv) {
         fprintf(stderr, "sweep_lobe: the stride must be a whole number above 0\n");
         return EXIT_FAILURE;
     }
-    burnish_pool *pool = burnish_pool_create(0);
+    burnish_tasks tasks, *pool = &tasks;
+    burnish_tasks_begin(&tasks, NULL, 0);
     for (int i = 0; i < SWEEP_CASE_COUNT; ++i) {
         sweep_result result = sweep_all(&sweep_cases[i], stride, pool);
         bad += !sweep_report(&sweep_cases[i], &result);
         fflush(stdout);
     }
-    burnish_pool_destroy(pool);
     printf("sweep_lobe: %d of %d sweeps failed\n", bad, SWEEP_CASE_COUNT);
     return bad == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -214,7 +214,8 @@ static void check_bins(void) {
     reference_tile_create(&tile, 4, NULL);
     reference_tile_create(&expected, 4, NULL);
     for (int run = 0; run < 9; ++run) {
-        burnish_pool *pool = burnish_pool_create(THREADS[run % 3]);
+        burnish_tasks tasks, *pool = &tasks;
+        burnish_tasks_begin(&tasks, NULL, THREADS[run % 3]);
         burnish_bins bins = {0};
         burnish_bins_begin(&bins);
         bins.entry_budget = BUDGETS[run / 3];
@@ -241,7 +242,6 @@ static void check_bins(void) {
         CHECK(wrong == 0, "%d tiles differ with %d threads, budget %zu", wrong, THREADS[run % 3],
               BUDGETS[run / 3]);
         burnish_bins_destroy(&bins);
-        burnish_pool_destroy(pool);
     }
     reference_tile_destroy(&tile);
     reference_tile_destroy(&expected);

@@ -147,7 +147,8 @@ static burnish_status check(const char *what, burnish_format format, const text 
     CHECK(expected == ANYTHING || (expected == BROKEN) == (status != BURNISH_STATUS_OK),
           "%s: status %d, \"%s\"", what, (int)status, alone_error.text);
     for (int i = 0; i < POOLS; ++i) {
-        burnish_pool *pool = burnish_pool_create(THREADS[i]);
+        burnish_tasks tasks, *pool = &tasks;
+        burnish_tasks_begin(&tasks, NULL, THREADS[i]);
         burnish_status other = run_reader_threads(format, t->bytes, t->size, options, open_library,
                                                   pool, &shared, &shared_error);
         CHECK(status == other && strcmp(alone_error.text, shared_error.text) == 0,
@@ -161,7 +162,6 @@ static burnish_status check(const char *what, burnish_format format, const text 
                   exact ? "read by threads" : "given up");
         }
         burnish_source_destroy(&shared);
-        burnish_pool_destroy(pool);
     }
     burnish_source_destroy(&alone);
     return status;
@@ -556,7 +556,8 @@ static void test_stl_binary(void) {
     check("binary STL", BURNISH_FORMAT_STL, &t, &options, ANYTHING);
     burnish_source source;
     burnish_error error;
-    burnish_pool *pool = burnish_pool_create(3);
+    burnish_tasks tasks, *pool = &tasks;
+    burnish_tasks_begin(&tasks, NULL, 3);
     CHECK(run_reader_threads(BURNISH_FORMAT_STL, t.bytes, t.size, &options, NULL, pool, &source,
                              &error) == BURNISH_STATUS_OK,
           "%s", error.text);
@@ -570,7 +571,6 @@ static void test_stl_binary(void) {
     CHECK(source.triangle_count == COUNT && wrong == 0, "%zu facets, %zu wrong",
           source.triangle_count, wrong);
     burnish_source_destroy(&source);
-    burnish_pool_destroy(pool);
     memset(t.bytes + 84 + 50 * 70000 + 20, 255, 4);
     check("binary STL with nan", BURNISH_FORMAT_STL, &t, &options, BROKEN);
     t.size -= 50;

@@ -258,7 +258,8 @@ static void test_weld(void) {
     for (size_t i = 1; i < COUNT; ++i) {
         expected += memcmp(sorted + 3 * i, sorted + 3 * i - 3, 12) != 0;
     }
-    burnish_pool *pool = burnish_pool_create(3);
+    burnish_tasks tasks, *pool = &tasks;
+    burnish_tasks_begin(&tasks, NULL, 3);
     CHECK(burnish_weld(positions, COUNT, pool, remap, &unique, &error) == BURNISH_STATUS_OK, "%s",
           error.text);
     CHECK(unique == expected, "%zu of %zu", unique, expected);
@@ -272,7 +273,6 @@ static void test_weld(void) {
     }
     CHECK(ordered && next == unique, "numbers are not in order of appearance");
     CHECK(equal, "different positions share a number");
-    burnish_pool_destroy(pool);
     CHECK_THAT(burnish_weld(NULL, 0, NULL, NULL, &unique, &error) == BURNISH_STATUS_OK &&
                unique == 0);
     free(positions);
@@ -686,7 +686,7 @@ static uint32_t sheet_number(const float *positions, const uint32_t *corners) {
     return 2 * ((uint32_t)y * SHEET + (uint32_t)x) + (sum - 3 * (x + y) > 3);
 }
 
-static burnish_mesh *build_sheet(const sheet_mesh *mesh, burnish_pool *pool) {
+static burnish_mesh *build_sheet(const sheet_mesh *mesh, burnish_tasks *pool) {
     const size_t corners = (size_t)3 * SHEET_TRIANGLES;
     burnish_load_options options = burnish_load_options_default();
     burnish_source source = {.pool = pool};
@@ -724,9 +724,9 @@ static void test_order(void) {
     static sheet_mesh sheet;
     static uint8_t seen[SHEET_TRIANGLES];
     make_sheet(&sheet);
-    burnish_pool *pool = burnish_pool_create(3);
+    burnish_tasks tasks, *pool = &tasks;
+    burnish_tasks_begin(&tasks, NULL, 3);
     burnish_mesh *scene = build_sheet(&sheet, NULL), *other = build_sheet(&sheet, pool);
-    burnish_pool_destroy(pool);
     if (!CHECK_THAT(scene != NULL && other != NULL)) {
         return;
     }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/pool.h"
+#include "core/tasks.h"
 #include "worker.h"
 
 enum { TILE = 32, TILE_PIXELS = TILE * TILE, LANES = 16, SIDE = 4 };
@@ -25,7 +25,7 @@ typedef struct tracer {
     uint8_t *rgba;
     uint32_t *numbers; /* NULL while frames are timed */
     uint8_t *encoded;  /* NULL while frames are timed; 3 a pixel */
-    burnish_pool *pool;
+    burnish_tasks tasks;
 } tracer;
 
 /* Points of a tile that rays hit. */
@@ -58,7 +58,6 @@ static void build(tracer *t) {
 
 static void close_tracer(void *state) {
     tracer *t = state;
-    burnish_pool_destroy(t->pool);
     if (t->device) {
         rtcReleaseScene(t->scene);
         rtcReleaseDevice(t->device);
@@ -75,7 +74,7 @@ static int open_tracer(void **state, const burnish_peers_job *job, int threads, 
     t->job = job;
     t->mesh = burnish_mesh_get_view(job->scene);
     t->rgba = calloc(BURNISH_PEERS_PIXELS, 4);
-    t->pool = burnish_pool_create(threads);
+    burnish_tasks_begin(&t->tasks, NULL, threads);
     t->batch = burnish_kernels_best();
     t->device = rtcNewDevice(threads == 1 ? "threads=1" : "threads=2");
     if (t->device) {
@@ -230,7 +229,7 @@ static int draw(const tracer *t, const char *variant) {
     }
     memset(t->rgba, 0, (size_t)BURNISH_PEERS_PIXELS * 4);
     tile_context context = {t, &shader};
-    burnish_pool_run(t->pool, COLUMNS * ROWS, 1, 0, draw_task, &context);
+    burnish_tasks_run(&t->tasks, COLUMNS * ROWS, 1, 0, draw_task, &context);
     return 1;
 }
 

@@ -1,7 +1,12 @@
-/* burnish/core.h: how every function of the library reports what went wrong.
+/* burnish/core.h: what every part of the library shares: version, status and error, context,
+ * instruction sets, files.
  *
  * A function that can fail returns a burnish_status and, when the caller passes a burnish_error,
  * writes one clear line there: which file or argument, where in it, what was wrong, what to do.
+ *
+ * A burnish_context tells the library where to take memory from, where to run work, whom to tell
+ * about warnings and progress, and when to stop. NULL stands for the default: malloc and free, one
+ * pool of threads per process, silence.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -28,6 +33,20 @@ extern "C" {
 #define BURNISH_API
 #endif
 
+/* The version of these headers; burnish_version_number() is that of the library that is linked. */
+#define BURNISH_VERSION_MAJOR 0
+#define BURNISH_VERSION_MINOR 1
+#define BURNISH_VERSION_PATCH 0
+#define BURNISH_VERSION_NUMBER                                                                     \
+    (BURNISH_VERSION_MAJOR * 10000 + BURNISH_VERSION_MINOR * 100 + BURNISH_VERSION_PATCH)
+
+/* The library's version as text, for example "0.1.0", and as major * 10000 + minor * 100 + patch.
+ */
+BURNISH_API const char *burnish_version(void);
+BURNISH_API int burnish_version_number(void);
+
+/* ---- Status and error ---- */
+
 /* Every status of the library: X(name, exit code of the command line, text). */
 #define BURNISH_STATUS_LIST(X)                                                                     \
     X(OK, 0, "success")                                                                            \
@@ -36,7 +55,8 @@ extern "C" {
     X(FORMAT, 4, "an input is malformed")                                                          \
     X(LIMIT, 5, "an input is larger than the limits allow")                                        \
     X(MEMORY, 6, "out of memory")                                                                  \
-    X(WRITE, 7, "an output can't be written")
+    X(WRITE, 7, "an output can't be written")                                                      \
+    X(CANCELLED, 9, "the caller cancelled the call")
 
 typedef enum burnish_status {
 #define BURNISH_STATUS_ENUM(name, code, text) BURNISH_STATUS_##name,
@@ -57,8 +77,74 @@ BURNISH_API const char *burnish_status_text(burnish_status status);
 /* The exit code that the command line gives a status: 0 for OK, 1 for a value outside the list. */
 BURNISH_API int burnish_status_exit_code(burnish_status status);
 
-/* The library's version, for example "0.1.0". */
-BURNISH_API const char *burnish_version(void);
+/* ---- Context ---- */
+
+/* Where memory comes from. Both functions are called from any thread that runs burnish's work, also
+ * at the same time.
+ *   allocate  returns size > 0 bytes, aligned to alignment (a power of two, at most 64), or NULL
+ *   release   takes back what allocate returned; never NULL */
+typedef struct burnish_allocator {
+    void *(*allocate)(void *user_data, size_t size, size_t alignment);
+    void (*release)(void *user_data, void *memory);
+    void *user_data;
+} burnish_allocator;
+
+/* Who runs work that can be shared by threads.
+ *   thread_count  how many calls of a task may run at the same time, [1, 1024]
+ *   run           calls task(data, i) once for each i in [0, count), at the same time where it can,
+ *                 in any order and on any thread, and returns when all have returned; count is at
+ *                 most thread_count */
+typedef struct burnish_task_runner {
+    int thread_count;
+    void (*run)(void *user_data, int count, void (*task)(void *data, int index), void *data);
+    void *user_data;
+} burnish_task_runner;
+
+/* The steps of a call that progress speaks of. */
+typedef enum burnish_stage {
+    BURNISH_STAGE_READ,      /* bytes to attributes */
+    BURNISH_STAGE_BUILD,     /* welding, normals, order */
+    BURNISH_STAGE_TRANSFORM, /* vertices to the screen, triangles to tiles */
+    BURNISH_STAGE_DRAW,      /* tiles to pixels */
+    BURNISH_STAGE_ENCODE,    /* pixels to a file's bytes */
+    BURNISH_STAGE_COUNT
+} burnish_stage;
+
+/* How a context is made. Start from burnish_context_options_default(). NULL functions mean the
+ * default. */
+typedef struct burnish_context_options {
+    uint32_t cookie;             /* set by burnish_context_options_default() */
+    burnish_allocator allocator; /* both functions or neither */
+    burnish_task_runner tasks;   /* run NULL: the process' pool of threads */
+    /* A warning as it is found: one line of UTF-8 without a newline. */
+    void (*log)(void *user_data, const char *line);
+    void *log_user_data;
+    /* Asked every few milliseconds; anything but 0 ends the call with CANCELLED. */
+    int (*cancelled)(void *user_data);
+    void *cancelled_user_data;
+    /* How far a stage has come: [0, 1], not falling. */
+    void (*progress)(void *user_data, burnish_stage stage, double fraction);
+    void *progress_user_data;
+} burnish_context_options;
+
+BURNISH_API burnish_context_options burnish_context_options_default(void);
+
+/* Options that calls share. May be used by several threads at the same time where its functions
+ * allow that. log, cancelled and progress are called by the thread that called burnish or, with a
+ * task runner of the caller's, by the one that runs index 0. */
+typedef struct burnish_context burnish_context;
+
+/* *context is NULL on error. Destroy it after everything that was made with it.
+ * Errors: ARGUMENT, MEMORY. */
+BURNISH_API burnish_status burnish_context_create(const burnish_context_options *options,
+                                                  burnish_context **context, burnish_error *error);
+
+/* NULL is allowed. */
+BURNISH_API void burnish_context_destroy(burnish_context *context);
+
+/* Processors that this process may use: those of its affinity mask, fewer where its control group
+ * (a container's quota) has less time than that. At least 1. */
+BURNISH_API int burnish_processor_count(void);
 
 /* ---- Instruction sets ---- */
 

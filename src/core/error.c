@@ -31,7 +31,7 @@ int burnish_status_exit_code(burnish_status status) {
 }
 
 const char *burnish_version(void) {
-    return BURNISH_VERSION;
+    return BURNISH_VERSION_TEXT;
 }
 
 burnish_status burnish_fail(burnish_error *error, burnish_status status, const char *format, ...) {

@@ -1,59 +1,134 @@
 #include "core/memory.h"
 
-enum { ALIGNMENT = 64 };
+#include <string.h>
 
-burnish_status burnish_allocate(void **pointer, size_t count, size_t size, const char *what,
-                                burnish_error *error) {
-    size_t bytes;
-    *pointer = NULL;
-    if (count == 0) {
-        return BURNISH_STATUS_OK;
-    }
-    if (!burnish_size_multiply(count, size, &bytes) || bytes > PTRDIFF_MAX - ALIGNMENT) {
-        return burnish_fail(error, BURNISH_STATUS_LIMIT,
-                            "%s: %zu elements do not fit the address space", what, count);
-    }
-    *pointer = aligned_alloc(ALIGNMENT, (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
-    return *pointer ? BURNISH_STATUS_OK : burnish_fail_memory(error, what, bytes);
+#include "core/context.h"
+
+enum { FIRST_CAPACITY = 64 };
+
+/* Whether the context brings an allocator of its own. */
+static const burnish_allocator *own_allocator(const burnish_context *context) {
+    return context && context->options.allocator.allocate ? &context->options.allocator : NULL;
 }
 
-burnish_status burnish_reserve(void **pointer, size_t *capacity, size_t needed, size_t size,
-                               const char *what, burnish_error *error) {
-    if (needed <= *capacity) {
-        return BURNISH_STATUS_OK;
+static void *take(const burnish_context *context, size_t bytes) {
+    const burnish_allocator *own = own_allocator(context);
+    const size_t rounded = (bytes + BURNISH_ALIGNMENT - 1) / BURNISH_ALIGNMENT * BURNISH_ALIGNMENT;
+    return own ? own->allocate(own->user_data, rounded, BURNISH_ALIGNMENT)
+               : aligned_alloc(BURNISH_ALIGNMENT, rounded);
+}
+
+void burnish_release(const burnish_context *context, void *items) {
+    const burnish_allocator *own = own_allocator(context);
+    if (!own) {
+        free(items);
+    } else if (items) {
+        own->release(own->user_data, items);
     }
-    size_t next = *capacity < 64 ? 64 : *capacity;
+}
+
+/* count * size in *bytes, or a failure. */
+static int count_bytes(burnish_memory *memory, size_t count, size_t size, const char *what,
+                       size_t *bytes) {
+    if (memory->status != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    if (!burnish_size_multiply(count, size, bytes) || *bytes > PTRDIFF_MAX - BURNISH_ALIGNMENT) {
+        memory->status = burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
+                                      "%s: %zu elements do not fit the address space", what, count);
+        return 0;
+    }
+    return 1;
+}
+
+void *burnish_allocate(burnish_memory *memory, size_t count, size_t size, const char *what) {
+    size_t bytes;
+    if (count == 0 || !count_bytes(memory, count, size, what, &bytes)) {
+        return NULL;
+    }
+    void *items = take(memory->context, bytes);
+    if (!items) {
+        memory->status = burnish_fail_memory(memory->error, what, bytes);
+    }
+    return items;
+}
+
+void *burnish_allocate_zeroed(burnish_memory *memory, size_t count, size_t size, const char *what) {
+    void *items = burnish_allocate(memory, count, size, what);
+    if (items) {
+        memset(items, 0, count * size);
+    }
+    return items;
+}
+
+/* The next capacity that holds `needed`: doubled from the present one. */
+static size_t next_capacity(size_t capacity, size_t needed) {
+    size_t next = capacity < FIRST_CAPACITY ? FIRST_CAPACITY : capacity;
     while (next < needed) {
         if (next > SIZE_MAX / 2) {
-            next = needed;
-            break;
+            return needed;
         }
         next *= 2;
     }
-    size_t bytes;
-    if (!burnish_size_multiply(next, size, &bytes) || bytes > PTRDIFF_MAX) {
-        return burnish_fail(error, BURNISH_STATUS_LIMIT,
-                            "%s: %zu elements do not fit the address space", what, needed);
-    }
-    void *grown = realloc(*pointer, bytes);
-    if (!grown) {
-        return burnish_fail_memory(error, what, bytes);
-    }
-    *pointer = grown;
-    *capacity = next;
-    return BURNISH_STATUS_OK;
+    return next;
 }
 
-burnish_status burnish_reserve_discard(void **pointer, size_t *capacity, size_t count, size_t size,
-                                       const char *what, burnish_error *error) {
+void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, size_t needed,
+                      size_t size, const char *what) {
+    size_t bytes;
+    if (needed <= *capacity) {
+        return items;
+    }
+    const size_t next = next_capacity(*capacity, needed);
+    if (!count_bytes(memory, next, size, what, &bytes)) {
+        return items;
+    }
+    void *grown;
+    if (own_allocator(memory->context)) {
+        grown = take(memory->context, bytes);
+        if (grown && items) {
+            memcpy(grown, items, *capacity * size);
+            burnish_release(memory->context, items);
+        }
+    } else {
+        grown = realloc(items, bytes); /* moves large arrays without copying them */
+    }
+    if (!grown) {
+        memory->status = burnish_fail_memory(memory->error, what, bytes);
+        return items;
+    }
+    *capacity = next;
+    return grown;
+}
+
+void *burnish_reserve_discard(burnish_memory *memory, void *items, size_t *capacity, size_t count,
+                              size_t size, const char *what) {
     if (count <= *capacity) {
-        return BURNISH_STATUS_OK;
+        return items;
     }
-    free(*pointer);
-    *capacity = 0;
-    burnish_status status = burnish_allocate(pointer, count, size, what, error);
-    if (status == BURNISH_STATUS_OK) {
-        *capacity = count;
-    }
-    return status;
+    burnish_release(memory->context, items);
+    items = burnish_allocate(memory, count, size, what);
+    *capacity = items ? count : 0;
+    return items;
+}
+
+burnish_status burnish_legacy_allocate(void **pointer, size_t count, size_t size, const char *what,
+                                       burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(NULL, error);
+    *pointer = burnish_allocate(&memory, count, size, what);
+    return memory.status;
+}
+
+burnish_status burnish_legacy_reserve(void **pointer, size_t *capacity, size_t needed, size_t size,
+                                      const char *what, burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(NULL, error);
+    *pointer = burnish_reserve(&memory, *pointer, capacity, needed, size, what);
+    return memory.status;
+}
+
+burnish_status burnish_legacy_reserve_discard(void **pointer, size_t *capacity, size_t count,
+                                              size_t size, const char *what, burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(NULL, error);
+    *pointer = burnish_reserve_discard(&memory, *pointer, capacity, count, size, what);
+    return memory.status;
 }

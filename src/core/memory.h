@@ -1,4 +1,13 @@
-/* Allocation through checked arithmetic, and a growing array. */
+/* Memory through checked arithmetic and the context's allocator.
+ *
+ * Functions return the pointer. What goes wrong stays in the burnish_memory: after a failure every
+ * further allocation fails too, so that a function may ask for all it needs and look once:
+ *
+ *     burnish_memory memory = burnish_memory_of(context, error);
+ *     float *depths = burnish_allocate(&memory, count, sizeof *depths, "depths");
+ *     uint32_t *ids = burnish_allocate(&memory, count, sizeof *ids, "triangle ids");
+ *     if (memory.status != BURNISH_STATUS_OK) { ... release what is there ... }
+ */
 #ifndef BURNISH_CORE_MEMORY_H
 #define BURNISH_CORE_MEMORY_H
 
@@ -8,26 +17,52 @@
 
 #include "core/error.h"
 
+/* What every array is aligned to: enough for any vector type. */
+#define BURNISH_ALIGNMENT 64
+
 /* a * b in *product; returns 0 when it does not fit. */
 static inline int burnish_size_multiply(size_t a, size_t b, size_t *product) {
     return !__builtin_mul_overflow(a, b, product);
 }
 
-/* count elements of size bytes, not cleared, aligned for any vector type (64 bytes). *pointer
- * becomes NULL on error, and also for count 0. Release with free(). `what` names the array in the
- * message. */
-burnish_status burnish_allocate(void **pointer, size_t count, size_t size, const char *what,
-                                burnish_error *error);
+/* Who is asked for memory, and whether that has failed. One thread at a time may use it. */
+typedef struct burnish_memory {
+    const burnish_context *context; /* NULL: malloc and free */
+    burnish_status status;          /* OK, or that of the first failure: MEMORY or LIMIT */
+    burnish_error *error;           /* gets the line of the first failure; may be NULL */
+} burnish_memory;
 
-/* Makes room for at least `needed` elements in an array that malloc owns: doubles *capacity as
- * often as it must. The array is unchanged on error. */
-burnish_status burnish_reserve(void **pointer, size_t *capacity, size_t needed, size_t size,
-                               const char *what, burnish_error *error);
+static inline burnish_memory burnish_memory_of(const burnish_context *context,
+                                               burnish_error *error) {
+    return (burnish_memory){context, BURNISH_STATUS_OK, error};
+}
 
-/* Makes room for at least `count` elements whose old contents are of no interest, aligned as by
- * burnish_allocate. A capacity counts elements of one size. *pointer is NULL and *capacity 0 on
- * error. */
-burnish_status burnish_reserve_discard(void **pointer, size_t *capacity, size_t count, size_t size,
-                                       const char *what, burnish_error *error);
+/* count elements of size bytes, not cleared, aligned to BURNISH_ALIGNMENT. NULL on failure and for
+ * count 0. `what` names the array in the message. */
+void *burnish_allocate(burnish_memory *memory, size_t count, size_t size, const char *what);
+
+/* The same, all bytes 0. */
+void *burnish_allocate_zeroed(burnish_memory *memory, size_t count, size_t size, const char *what);
+
+/* items with room for at least `needed` elements, contents kept: doubles *capacity as often as it
+ * must. Returns where they are now; on failure items as they were. */
+void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, size_t needed,
+                      size_t size, const char *what);
+
+/* Room for at least `count` elements whose old contents are of no interest; *capacity counts
+ * elements of one size. NULL and *capacity 0 on failure. */
+void *burnish_reserve_discard(burnish_memory *memory, void *items, size_t *capacity, size_t count,
+                              size_t size, const char *what);
+
+/* Gives back what one of these returned; items may be NULL. */
+void burnish_release(const burnish_context *context, void *items);
+
+/* The forms that know no context; free() releases what they return. To be replaced. */
+burnish_status burnish_legacy_allocate(void **pointer, size_t count, size_t size, const char *what,
+                                       burnish_error *error);
+burnish_status burnish_legacy_reserve(void **pointer, size_t *capacity, size_t needed, size_t size,
+                                      const char *what, burnish_error *error);
+burnish_status burnish_legacy_reserve_discard(void **pointer, size_t *capacity, size_t count,
+                                              size_t size, const char *what, burnish_error *error);
 
 #endif

@@ -145,7 +145,8 @@ static burnish_status replace_file(const char *path, const char *target,
                                    burnish_error *error) {
     void *buffer;
     size_t name_size = strlen(target) + TEMPORARY_NAME_SIZE;
-    burnish_status status = burnish_allocate(&buffer, name_size, 1, "temporary file name", error);
+    burnish_status status =
+        burnish_legacy_allocate(&buffer, name_size, 1, "temporary file name", error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -232,7 +233,7 @@ burnish_status burnish_file_write(const char *path, const void *bytes, size_t si
 burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
                                          void *context, burnish_error *error) {
     void *buffer;
-    burnish_status status = burnish_allocate(&buffer, PIECE, 1, "output buffer", error);
+    burnish_status status = burnish_legacy_allocate(&buffer, PIECE, 1, "output buffer", error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

@@ -12,7 +12,7 @@
 #include "burnish/image.h"
 #include "core/memory.h"
 #include "core/output.h"
-#include "core/pool.h"
+#include "core/tasks.h"
 
 enum {
     SIGNATURE_SIZE = 8,
@@ -108,7 +108,7 @@ typedef struct band_maker {
 } band_maker;
 
 typedef struct encoder {
-    burnish_pool *pool;
+    burnish_tasks tasks;
     const burnish_image *image;
     int rows; /* a band */
     int band_count;
@@ -149,15 +149,15 @@ static size_t packed_bound(size_t bytes) {
 static burnish_status create_makers(encoder *e, int threads, burnish_error *error) {
     const char *what = "the PNG's bands";
     size_t bytes = band_bytes(e);
-    e->pool = e->band_count > 1 ? burnish_pool_create(threads) : NULL;
-    int count = burnish_pool_threads(e->pool);
+    burnish_tasks_begin(&e->tasks, NULL, threads);
+    int count = burnish_tasks_threads(&e->tasks);
     count = count < e->band_count ? count : e->band_count;
-    burnish_status status =
-        burnish_allocate((void **)&e->bands, (size_t)e->band_count, sizeof *e->bands, what, error);
+    burnish_status status = burnish_legacy_allocate((void **)&e->bands, (size_t)e->band_count,
+                                                    sizeof *e->bands, what, error);
     if (status == BURNISH_STATUS_OK) {
         memset(e->bands, 0, (size_t)e->band_count * sizeof *e->bands);
-        status =
-            burnish_allocate((void **)&e->makers, (size_t)count, sizeof *e->makers, what, error);
+        status = burnish_legacy_allocate((void **)&e->makers, (size_t)count, sizeof *e->makers,
+                                         what, error);
     }
     if (status == BURNISH_STATUS_OK) {
         memset(e->makers, 0, (size_t)count * sizeof *e->makers);
@@ -165,16 +165,17 @@ static burnish_status create_makers(encoder *e, int threads, burnish_error *erro
     }
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         band_maker *maker = &e->makers[i];
-        status = burnish_allocate((void **)&maker->filtered, bytes, 1, what, error);
+        status = burnish_legacy_allocate((void **)&maker->filtered, bytes, 1, what, error);
         if (status == BURNISH_STATUS_OK) {
-            status =
-                burnish_allocate((void **)&maker->stream, 1, sizeof *maker->stream, what, error);
+            status = burnish_legacy_allocate((void **)&maker->stream, 1, sizeof *maker->stream,
+                                             what, error);
         }
         if (status == BURNISH_STATUS_OK) {
-            status = burnish_allocate((void **)&maker->search, SEARCH_SIZE, 1, what, error);
+            status = burnish_legacy_allocate((void **)&maker->search, SEARCH_SIZE, 1, what, error);
         }
         if (status == BURNISH_STATUS_OK) {
-            status = burnish_allocate((void **)&maker->packed, packed_bound(bytes), 1, what, error);
+            status = burnish_legacy_allocate((void **)&maker->packed, packed_bound(bytes), 1, what,
+                                             error);
         }
     }
     return status;
@@ -192,7 +193,6 @@ static void destroy_encoder(encoder *e) {
     }
     free(e->bands);
     free(e->makers);
-    burnish_pool_destroy(e->pool);
 }
 
 /* Compresses the maker's filtered bytes; returns how many bytes that takes, 0 when the library did
@@ -310,7 +310,7 @@ burnish_status burnish_image_encode_png_threads(const burnish_image *image, int 
     divide(&e);
     burnish_status status = create_makers(&e, threads, error);
     if (status == BURNISH_STATUS_OK) {
-        burnish_pool_run(e.pool, (size_t)e.band_count, 1, e.maker_count, band_task, &e);
+        burnish_tasks_run(&e.tasks, (size_t)e.band_count, 1, e.maker_count, band_task, &e);
         status = bands_status(&e);
         status = status == BURNISH_STATUS_OK ? put_file(&e, bytes, size, error)
                                              : fail_bands(status, error);

@@ -19,19 +19,21 @@ burnish_status burnish_surface_reserve(burnish_source *source, const char *name,
                             options->tessellation);
     }
     burnish_status status =
-        burnish_reserve((void **)&source->positions, &source->position_capacity, vertex_count,
-                        3 * sizeof *source->positions, name, error);
+        burnish_legacy_reserve((void **)&source->positions, &source->position_capacity,
+                               vertex_count, 3 * sizeof *source->positions, name, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve((void **)&source->normals, &source->normal_capacity, vertex_count,
-                                 3 * sizeof *source->normals, name, error);
+        status = burnish_legacy_reserve((void **)&source->normals, &source->normal_capacity,
+                                        vertex_count, 3 * sizeof *source->normals, name, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve((void **)&source->corner_positions, &source->corner_capacity,
-                                 triangle_count, 3 * sizeof *source->corner_positions, name, error);
+        status = burnish_legacy_reserve((void **)&source->corner_positions,
+                                        &source->corner_capacity, triangle_count,
+                                        3 * sizeof *source->corner_positions, name, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve((void **)&source->corner_normals, &source->corner_normal_capacity,
-                                 triangle_count, 3 * sizeof *source->corner_normals, name, error);
+        status = burnish_legacy_reserve((void **)&source->corner_normals,
+                                        &source->corner_normal_capacity, triangle_count,
+                                        3 * sizeof *source->corner_normals, name, error);
     }
     return status;
 }

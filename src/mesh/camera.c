@@ -209,8 +209,8 @@ static void measure_group(const view_mesh *view, size_t first, size_t end, group
 static burnish_status measure_groups(view_mesh *view, burnish_error *error) {
     const size_t count = view->mesh->vertex_count;
     view->group_count = (count + GROUP - 1) / GROUP;
-    burnish_status status = burnish_allocate((void **)&view->groups, view->group_count,
-                                             sizeof *view->groups, "bounds", error);
+    burnish_status status = burnish_legacy_allocate((void **)&view->groups, view->group_count,
+                                                    sizeof *view->groups, "bounds", error);
     for (size_t i = 0; i < view->group_count && status == BURNISH_STATUS_OK; ++i) {
         const size_t first = i * GROUP, end = first + GROUP;
         measure_group(view, first, end < count ? end : count, &view->groups[i]);

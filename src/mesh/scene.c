@@ -4,7 +4,7 @@
 #include <float.h>
 #include <string.h>
 
-#include "core/pool.h"
+#include "core/tasks.h"
 #include "mesh/read/source.h"
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */
@@ -100,7 +100,7 @@ static burnish_status copy_array(void **copy, const void *values, size_t count, 
     if (!values) {
         return BURNISH_STATUS_OK;
     }
-    burnish_status status = burnish_allocate(copy, count, size, "copying the arrays", error);
+    burnish_status status = burnish_legacy_allocate(copy, count, size, "copying the arrays", error);
     if (status == BURNISH_STATUS_OK) {
         memcpy(*copy, values, count * size);
     }
@@ -145,10 +145,11 @@ burnish_status burnish_mesh_create(const float *positions, const float *normals,
                             triangle_count, 3 * sizeof(uint32_t), error);
     }
     if (status == BURNISH_STATUS_OK) {
-        source.pool = burnish_pool_create(options->threads);
+        burnish_tasks tasks;
+        burnish_tasks_begin(&tasks, NULL, options->threads);
+        source.pool = &tasks;
         status = burnish_mesh_build(&source, "burnish_mesh_create", options, BURNISH_FORMAT_AUTO,
                                     scene, error);
-        burnish_pool_destroy(source.pool);
     }
     burnish_source_destroy(&source);
     return status;

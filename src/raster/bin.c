@@ -40,9 +40,9 @@ static int choose_end_row(const burnish_bins *bins, const burnish_geometry *geom
 
 /* Makes room for the entries of a piece and those before it. */
 static burnish_status reserve_entries(burnish_bin_slice *slice, size_t piece) {
-    return burnish_reserve((void **)&slice->entries, &slice->entry_capacity,
-                           (piece + 1) * BURNISH_LIST_PIECE, sizeof *slice->entries, "tile lists",
-                           &slice->error);
+    return burnish_legacy_reserve((void **)&slice->entries, &slice->entry_capacity,
+                                  (piece + 1) * BURNISH_LIST_PIECE, sizeof *slice->entries,
+                                  "tile lists", &slice->error);
 }
 
 burnish_status burnish_list_start_piece(burnish_bin_slice *slice, burnish_list_chain *chain) {
@@ -53,8 +53,8 @@ burnish_status burnish_list_start_piece(burnish_bin_slice *slice, burnish_list_c
     }
     burnish_status status = reserve_entries(slice, piece);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve((void **)&slice->links, &slice->link_capacity, piece + 1,
-                                 sizeof *slice->links, "tile lists", &slice->error);
+        status = burnish_legacy_reserve((void **)&slice->links, &slice->link_capacity, piece + 1,
+                                        sizeof *slice->links, "tile lists", &slice->error);
     }
     if (status == BURNISH_STATUS_OK) {
         if (chain->first) {
@@ -74,8 +74,9 @@ static void fill_slice(const burnish_bins *bins, const burnish_raster_tier *tier
     burnish_bin_slice *slice = &bins->slices[number];
     const size_t lists = 2 * (size_t)bins->columns * (size_t)(bins->end_row - bins->first_row);
     slice->piece_count = 0;
-    slice->status = burnish_reserve_discard((void **)&slice->chains, &slice->chain_capacity, lists,
-                                            sizeof *slice->chains, "tile lists", &slice->error);
+    slice->status =
+        burnish_legacy_reserve_discard((void **)&slice->chains, &slice->chain_capacity, lists,
+                                       sizeof *slice->chains, "tile lists", &slice->error);
     if (slice->status != BURNISH_STATUS_OK) {
         return;
     }
@@ -105,10 +106,10 @@ static void fill_task(void *of, size_t index, int thread) {
 
 /* Fills the band; *fits becomes 0 where the slices had to stop. */
 static burnish_status fill(burnish_bins *bins, const burnish_raster_tier *tier,
-                           const burnish_geometry *geometry, size_t limit, burnish_pool *pool,
+                           const burnish_geometry *geometry, size_t limit, burnish_tasks *pool,
                            int *fits, burnish_error *error) {
     fill_context context = {bins, tier, geometry, limit / bins->slice_count};
-    burnish_pool_run(pool, bins->slice_count, 1, 0, fill_task, &context);
+    burnish_tasks_run(pool, bins->slice_count, 1, 0, fill_task, &context);
     *fits = 1;
     for (size_t i = 0; i < bins->slice_count; ++i) {
         const burnish_bin_slice *slice = &bins->slices[i];
@@ -135,8 +136,9 @@ static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *ge
     wanted = wanted > most ? most : wanted;
     const size_t before = bins->slice_capacity;
     bins->slice_count = wanted;
-    burnish_status status = burnish_reserve((void **)&bins->slices, &bins->slice_capacity, wanted,
-                                            sizeof *bins->slices, "tile lists", error);
+    burnish_status status =
+        burnish_legacy_reserve((void **)&bins->slices, &bins->slice_capacity, wanted,
+                               sizeof *bins->slices, "tile lists", error);
     if (status == BURNISH_STATUS_OK && bins->slice_capacity > before) {
         memset(bins->slices + before, 0, (bins->slice_capacity - before) * sizeof *bins->slices);
     }
@@ -145,11 +147,11 @@ static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *ge
 
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_raster_tier *tier,
                                  const burnish_geometry *geometry, const burnish_raster_view *view,
-                                 burnish_pool *pool, burnish_error *error) {
+                                 burnish_tasks *pool, burnish_error *error) {
     bins->columns = (view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->rows = (view->height + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->first_row = bins->end_row;
-    burnish_status status = make_slices(bins, geometry, burnish_pool_threads(pool), error);
+    burnish_status status = make_slices(bins, geometry, burnish_tasks_threads(pool), error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

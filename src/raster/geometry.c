@@ -127,9 +127,9 @@ static int set_up(const burnish_raster_view *view, const burnish_screen_vertex v
 }
 
 static burnish_status append_piece(chunk_output *output, const clipped_piece *piece) {
-    burnish_status status =
-        burnish_reserve((void **)&output->pieces, &output->piece_capacity, output->piece_count + 1,
-                        sizeof *piece, "clipped triangles", &output->error);
+    burnish_status status = burnish_legacy_reserve(
+        (void **)&output->pieces, &output->piece_capacity, output->piece_count + 1, sizeof *piece,
+        "clipped triangles", &output->error);
     if (status == BURNISH_STATUS_OK) {
         output->pieces[output->piece_count++] = *piece;
     }
@@ -154,8 +154,8 @@ static burnish_status append_clipped(const chunk_context *context, uint32_t sour
     }
     const size_t first = output->clip_count;
     burnish_status status =
-        burnish_reserve((void **)&output->clips, &output->clip_capacity, first + count,
-                        sizeof *output->clips, "clipped vertices", &output->error);
+        burnish_legacy_reserve((void **)&output->clips, &output->clip_capacity, first + count,
+                               sizeof *output->clips, "clipped vertices", &output->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -235,11 +235,12 @@ static burnish_status grow_vertices(burnish_screen_vertices *vertices, size_t ex
                             "clipping makes more than 2^32 vertices; split the mesh");
     }
     burnish_status status =
-        burnish_reserve((void **)&vertices->items, &vertices->item_capacity, count,
-                        sizeof *vertices->items, "screen vertices", error);
+        burnish_legacy_reserve((void **)&vertices->items, &vertices->item_capacity, count,
+                               sizeof *vertices->items, "screen vertices", error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve((void **)&vertices->inverse_w, &vertices->inverse_capacity, count,
-                                 sizeof *vertices->inverse_w, "screen vertices", error);
+        status =
+            burnish_legacy_reserve((void **)&vertices->inverse_w, &vertices->inverse_capacity,
+                                   count, sizeof *vertices->inverse_w, "screen vertices", error);
     }
     vertices->count = count;
     return status;
@@ -251,20 +252,20 @@ static burnish_status reserve_pieces(burnish_geometry *geometry, size_t pieces, 
     const size_t blocks = (pieces + BURNISH_SETUP_BLOCK - 1) / BURNISH_SETUP_BLOCK;
     geometry->block_count = geometry->mesh_blocks + blocks;
     burnish_status status =
-        burnish_reserve((void **)&geometry->blocks, &geometry->block_capacity,
-                        geometry->block_count, sizeof *geometry->blocks, "triangles", error);
+        burnish_legacy_reserve((void **)&geometry->blocks, &geometry->block_capacity,
+                               geometry->block_count, sizeof *geometry->blocks, "triangles", error);
     if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_reserve((void **)&geometry->heads, &geometry->head_capacity,
-                            geometry->block_count, sizeof *geometry->heads, "triangles", error);
+        status = burnish_legacy_reserve((void **)&geometry->heads, &geometry->head_capacity,
+                                        geometry->block_count, sizeof *geometry->heads, "triangles",
+                                        error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_reserve_discard((void **)&geometry->pieces, &geometry->piece_capacity, pieces,
-                                    sizeof *geometry->pieces, "clipped triangles", error);
+        status = burnish_legacy_reserve_discard(
+            (void **)&geometry->pieces, &geometry->piece_capacity, pieces, sizeof *geometry->pieces,
+            "clipped triangles", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve_discard(
+        status = burnish_legacy_reserve_discard(
             (void **)&geometry->clip_vertices, &geometry->clip_capacity, clips,
             sizeof *geometry->clip_vertices, "clipped vertices", error);
     }
@@ -339,23 +340,23 @@ static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
     geometry->mesh_blocks = (triangle_count + BURNISH_SETUP_BLOCK - 1) / BURNISH_SETUP_BLOCK;
     geometry->block_count = geometry->mesh_blocks;
     geometry->piece_count = geometry->triangle_count = 0;
-    burnish_status status =
-        burnish_reserve_discard((void **)&vertices->items, &vertices->item_capacity, vertex_count,
-                                sizeof *vertices->items, "screen vertices", error);
+    burnish_status status = burnish_legacy_reserve_discard(
+        (void **)&vertices->items, &vertices->item_capacity, vertex_count, sizeof *vertices->items,
+        "screen vertices", error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve_discard((void **)&vertices->inverse_w, &vertices->inverse_capacity,
-                                         vertex_count, sizeof *vertices->inverse_w,
-                                         "screen vertices", error);
+        status = burnish_legacy_reserve_discard(
+            (void **)&vertices->inverse_w, &vertices->inverse_capacity, vertex_count,
+            sizeof *vertices->inverse_w, "screen vertices", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve_discard((void **)&geometry->blocks, &geometry->block_capacity,
-                                         geometry->mesh_blocks, sizeof *geometry->blocks,
-                                         "triangles", error);
+        status = burnish_legacy_reserve_discard((void **)&geometry->blocks,
+                                                &geometry->block_capacity, geometry->mesh_blocks,
+                                                sizeof *geometry->blocks, "triangles", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve_discard((void **)&geometry->heads, &geometry->head_capacity,
-                                         geometry->mesh_blocks, sizeof *geometry->heads,
-                                         "triangles", error);
+        status = burnish_legacy_reserve_discard((void **)&geometry->heads, &geometry->head_capacity,
+                                                geometry->mesh_blocks, sizeof *geometry->heads,
+                                                "triangles", error);
     }
     return status;
 }
@@ -369,14 +370,15 @@ static void set_up_task(void *of, size_t index, int thread) {
         set_up_chunk(context, first, first + (rest < BURNISH_CHUNK ? rest : BURNISH_CHUNK), output);
 }
 
-static burnish_status set_up_all(chunk_context *context, burnish_pool *pool, burnish_error *error) {
+static burnish_status set_up_all(chunk_context *context, burnish_tasks *pool,
+                                 burnish_error *error) {
     const size_t count = (context->triangle_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK;
     chunk_output *chunks = calloc(count ? count : 1, sizeof *chunks);
     if (!chunks) {
         return burnish_fail_memory(error, "triangle chunks", count * sizeof *chunks);
     }
     context->chunks = chunks;
-    burnish_pool_run(pool, count, 1, 0, set_up_task, context);
+    burnish_tasks_run(pool, count, 1, 0, set_up_task, context);
     burnish_status status = join_chunks(context->geometry, chunks, count, error);
     for (size_t i = 0; i < count; ++i) {
         free(chunks[i].pieces);
@@ -389,14 +391,14 @@ static burnish_status set_up_all(chunk_context *context, burnish_pool *pool, bur
 burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_tier *tier,
                                        const burnish_raster_view *view, const float *positions,
                                        size_t vertex_count, const uint32_t *indices,
-                                       size_t triangle_count, burnish_pool *pool,
+                                       size_t triangle_count, burnish_tasks *pool,
                                        burnish_error *error) {
     burnish_status status = allocate(geometry, vertex_count, triangle_count, error);
     if (status == BURNISH_STATUS_OK) {
         chunk_context context = {geometry, tier, view, positions, triangle_count, NULL};
         geometry->indices = indices;
-        burnish_pool_run(pool, (vertex_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 0,
-                         transform_chunk, &context);
+        burnish_tasks_run(pool, (vertex_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 0,
+                          transform_chunk, &context);
         status = set_up_all(&context, pool, error);
     }
     return status;

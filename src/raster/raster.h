@@ -21,7 +21,7 @@
 
 #include "burnish/core.h"
 #include "core/error.h"
-#include "core/pool.h"
+#include "core/tasks.h"
 
 enum {
     BURNISH_SUBPIXELS = 256, /* fixed-point steps a pixel */
@@ -155,7 +155,7 @@ const burnish_raster_tier *burnish_raster_tier_of(burnish_isa isa);
 burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_tier *tier,
                                        const burnish_raster_view *view, const float *positions,
                                        size_t vertex_count, const uint32_t *indices,
-                                       size_t triangle_count, burnish_pool *pool,
+                                       size_t triangle_count, burnish_tasks *pool,
                                        burnish_error *error);
 void burnish_geometry_destroy(burnish_geometry *geometry);
 
@@ -222,7 +222,7 @@ void burnish_bins_begin(burnish_bins *bins);
  * the budget, at least one. The lists do not depend on the pool. */
 burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_raster_tier *tier,
                                  const burnish_geometry *geometry, const burnish_raster_view *view,
-                                 burnish_pool *pool, burnish_error *error);
+                                 burnish_tasks *pool, burnish_error *error);
 
 /* Reads a list in order. */
 typedef struct burnish_list_reader {

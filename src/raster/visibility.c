@@ -9,7 +9,7 @@
 
 static burnish_status allocate_floats(float **array, size_t count, burnish_error *error) {
     burnish_status status =
-        burnish_allocate((void **)array, count, sizeof **array, "a tile", error);
+        burnish_legacy_allocate((void **)array, count, sizeof **array, "a tile", error);
     if (status == BURNISH_STATUS_OK) {
         memset(*array, 0, count * sizeof **array); /* what no triangle covers may be shaded too */
     }
@@ -36,23 +36,23 @@ static burnish_status create_triangles(burnish_tile_triangles *triangles, size_t
                                        burnish_error *error) {
     const size_t count = capacity + BURNISH_TILE_TRIANGLES_EXTRA;
     const char *what = "a tile's triangles";
-    burnish_status status =
-        burnish_allocate((void **)&triangles->edges, count, sizeof *triangles->edges, what, error);
+    burnish_status status = burnish_legacy_allocate((void **)&triangles->edges, count,
+                                                    sizeof *triangles->edges, what, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&triangles->weights, count, sizeof *triangles->weights,
-                                  what, error);
+        status = burnish_legacy_allocate((void **)&triangles->weights, count,
+                                         sizeof *triangles->weights, what, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&triangles->depths, count, sizeof *triangles->depths,
-                                  what, error);
+        status = burnish_legacy_allocate((void **)&triangles->depths, count,
+                                         sizeof *triangles->depths, what, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&triangles->corners, count, sizeof *triangles->corners,
-                                  what, error);
+        status = burnish_legacy_allocate((void **)&triangles->corners, count,
+                                         sizeof *triangles->corners, what, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&triangles->constants, count,
-                                  sizeof *triangles->constants, what, error);
+        status = burnish_legacy_allocate((void **)&triangles->constants, count,
+                                         sizeof *triangles->constants, what, error);
     }
     triangles->capacity = capacity;
     return status;
@@ -75,8 +75,8 @@ burnish_status burnish_visibility_create(burnish_visibility *visibility,
         status = allocate_floats(&visibility->center_depths, BURNISH_TILE_PIXELS, error);
     }
     if (status == BURNISH_STATUS_OK && (samples > 1 || options->keep_owners)) {
-        status = burnish_allocate((void **)&visibility->owners, count, sizeof *visibility->owners,
-                                  "a tile", error);
+        status = burnish_legacy_allocate((void **)&visibility->owners, count,
+                                         sizeof *visibility->owners, "a tile", error);
     }
     if (status == BURNISH_STATUS_OK && samples > 1) {
         const size_t capacity = (size_t)BURNISH_TILE_TRIANGLES * (size_t)samples;
@@ -85,8 +85,9 @@ burnish_status burnish_visibility_create(burnish_visibility *visibility,
         }
         status = create_triangles(&visibility->triangles, capacity, error);
         if (status == BURNISH_STATUS_OK) {
-            status = burnish_allocate((void **)&visibility->places, capacity,
-                                      sizeof *visibility->places, "a tile's triangles", error);
+            status =
+                burnish_legacy_allocate((void **)&visibility->places, capacity,
+                                        sizeof *visibility->places, "a tile's triangles", error);
         }
     }
     return status;

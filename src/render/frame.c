@@ -265,8 +265,8 @@ static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tile
         }
         const int count = bins->columns * (bins->end_row - bins->first_row);
         band_context context = {frame, bins, tiles->workers};
-        burnish_pool_run(frame->pool, (size_t)count, tiles_at_once(count, tiles->worker_count),
-                         tiles->worker_count, draw_task, &context);
+        burnish_tasks_run(frame->pool, (size_t)count, tiles_at_once(count, tiles->worker_count),
+                          tiles->worker_count, draw_task, &context);
     } while (bins->end_row < bins->rows);
     return status;
 }
@@ -302,8 +302,8 @@ static void destroy_workers(burnish_tiles *tiles) {
 static burnish_status create_workers(burnish_tiles *tiles, int count,
                                      const burnish_visibility_options *options,
                                      burnish_error *error) {
-    burnish_status status = burnish_allocate((void **)&tiles->workers, (size_t)count,
-                                             sizeof *tiles->workers, "tiles", error);
+    burnish_status status = burnish_legacy_allocate((void **)&tiles->workers, (size_t)count,
+                                                    sizeof *tiles->workers, "tiles", error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -319,7 +319,7 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
 static int worker_count(const burnish_frame *frame) {
     const int columns = (frame->view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     const int rows = (frame->view->height + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
-    const int threads = burnish_pool_threads(frame->pool);
+    const int threads = burnish_tasks_threads(frame->pool);
     return threads < columns * rows ? threads : columns * rows;
 }
 
@@ -329,8 +329,8 @@ static burnish_status prepare_background(const burnish_frame *frame, burnish_til
     enum { MOST_CHANNELS = 4 };
     const size_t channels = (size_t)frame->image->channels, width = (size_t)frame->image->width;
     burnish_status status =
-        burnish_reserve_discard((void **)&tiles->background, &tiles->background_capacity, width,
-                                MOST_CHANNELS, "a row", error);
+        burnish_legacy_reserve_discard((void **)&tiles->background, &tiles->background_capacity,
+                                       width, MOST_CHANNELS, "a row", error);
     for (size_t i = 0; i < width && status == BURNISH_STATUS_OK; ++i) {
         const uint8_t *code = frame->options->background;
         for (size_t k = 0; k < channels; ++k) {

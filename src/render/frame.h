@@ -15,7 +15,7 @@ typedef struct burnish_frame {
     const burnish_shader *shader;
     const burnish_render_options *options;
     burnish_image *image; /* allocated; every pixel is written */
-    burnish_pool *pool;
+    burnish_tasks *pool;
     int wants_counts; /* 1: covered pixels and their bounds are wanted */
     uint8_t *drawn; /* a byte a triangle of the mesh, set when it owns a sample; NULL: not wanted */
 } burnish_frame;

@@ -64,7 +64,7 @@ burnish_status burnish_materials_create(const burnish_mesh *scene,
     size_t count = burnish_mesh_material_count(scene);
     int has_colors = burnish_mesh_get_view(scene)->colors && !options->ignore_colors;
     burnish_status status =
-        burnish_allocate((void **)materials, count, sizeof **materials, "materials", error);
+        burnish_legacy_allocate((void **)materials, count, sizeof **materials, "materials", error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

@@ -6,7 +6,7 @@
 
 #include "core/clock.h"
 #include "core/memory.h"
-#include "core/pool.h"
+#include "core/tasks.h"
 #include "render/frame.h"
 #include "render/materials.h"
 #include "render/view.h"
@@ -148,7 +148,7 @@ static int needs_place(const burnish_kernels_lighting *lighting) {
 
 /* What is kept from frame to frame. */
 struct burnish_renderer {
-    burnish_pool *pool;
+    burnish_tasks tasks;
     int pool_threads; /* that the pool was made for */
     burnish_geometry geometry;
     burnish_attributes attributes;
@@ -174,7 +174,6 @@ burnish_status burnish_renderer_create(burnish_renderer **renderer, burnish_erro
 
 void burnish_renderer_destroy(burnish_renderer *renderer) {
     if (renderer) {
-        burnish_pool_destroy(renderer->pool);
         burnish_tiles_destroy(&renderer->tiles);
         burnish_attributes_destroy(&renderer->attributes);
         burnish_geometry_destroy(&renderer->geometry);
@@ -190,11 +189,11 @@ static burnish_status transform(burnish_renderer *renderer, const burnish_mesh_v
                                 burnish_error *error) {
     burnish_status status = burnish_geometry_update(
         &renderer->geometry, tier, view, mesh->positions, mesh->vertex_count, mesh->indices,
-        mesh->triangle_count, renderer->pool, error);
+        mesh->triangle_count, &renderer->tasks, error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_attributes_update(
             &renderer->attributes, &renderer->geometry, mesh->normals,
-            options->ignore_colors ? NULL : mesh->colors, mesh->indices, renderer->pool, error);
+            options->ignore_colors ? NULL : mesh->colors, mesh->indices, &renderer->tasks, error);
     }
     return status;
 }
@@ -234,7 +233,7 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_mesh *scene
                                      .shader = shader,
                                      .options = options,
                                      .image = image,
-                                     .pool = renderer->pool,
+                                     .pool = &renderer->tasks,
                                      .wants_counts = counts != BURNISH_COUNTS_NONE,
                                      .drawn =
                                          counts == BURNISH_COUNTS_ALL ? renderer->drawn : NULL};
@@ -244,22 +243,12 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_mesh *scene
     return status;
 }
 
-/* The pool for so many threads, 0 for one a processor: that of the last frame if it fits. */
-static void prepare_pool(burnish_renderer *renderer, int threads) {
-    threads = threads > 0 ? threads : burnish_processor_count();
-    if (renderer->pool_threads != threads) {
-        burnish_pool_destroy(renderer->pool);
-        renderer->pool = burnish_pool_create(threads);
-        renderer->pool_threads = threads;
-    }
-}
-
 /* The bytes where drawn triangles are marked, all 0. */
 static burnish_status prepare_drawn(burnish_renderer *renderer, size_t triangles,
                                     burnish_error *error) {
     burnish_status status =
-        burnish_reserve_discard((void **)&renderer->drawn, &renderer->drawn_capacity, triangles, 1,
-                                "drawn triangles", error);
+        burnish_legacy_reserve_discard((void **)&renderer->drawn, &renderer->drawn_capacity,
+                                       triangles, 1, "drawn triangles", error);
     if (status == BURNISH_STATUS_OK && triangles > 0) {
         memset(renderer->drawn, 0, triangles);
     }
@@ -304,8 +293,8 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_m
     }
     const burnish_counts counts = report ? options->counts : BURNISH_COUNTS_NONE;
     own.triangles = burnish_mesh_get_view(scene)->triangle_count;
-    prepare_pool(renderer, options->threads);
-    own.threads = burnish_pool_threads(renderer->pool);
+    burnish_tasks_begin(&renderer->tasks, NULL, options->threads);
+    own.threads = burnish_tasks_threads(&renderer->tasks);
     status = burnish_materials_create(scene, options, &materials, &own.lobe_fallbacks, error);
     shader.materials = materials;
     if (status == BURNISH_STATUS_OK && counts == BURNISH_COUNTS_ALL) {

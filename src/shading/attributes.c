@@ -67,23 +67,23 @@ static void fill_chunk(void *of, size_t index, int thread) {
 burnish_status burnish_attributes_update(burnish_attributes *attributes,
                                          const burnish_geometry *geometry, const float *normals,
                                          const uint8_t *colors, const uint32_t *indices,
-                                         burnish_pool *pool, burnish_error *error) {
+                                         burnish_tasks *pool, burnish_error *error) {
     const burnish_screen_vertices *vertices = &geometry->vertices;
     attributes->has_colors = colors != NULL;
-    burnish_status status = burnish_reserve_discard(
+    burnish_status status = burnish_legacy_reserve_discard(
         (void **)&attributes->normals, &attributes->normal_capacity, vertices->count,
         sizeof *attributes->normals, "normals on the screen", error);
     if (status == BURNISH_STATUS_OK && colors) {
-        status = burnish_reserve_discard((void **)&attributes->colors, &attributes->color_capacity,
-                                         vertices->count, sizeof *attributes->colors,
-                                         "colours on the screen", error);
+        status = burnish_legacy_reserve_discard(
+            (void **)&attributes->colors, &attributes->color_capacity, vertices->count,
+            sizeof *attributes->colors, "colours on the screen", error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     fill_context context = {attributes, vertices, normals, colors};
-    burnish_pool_run(pool, (vertices->mesh_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 0,
-                     fill_chunk, &context);
+    burnish_tasks_run(pool, (vertices->mesh_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 0,
+                      fill_chunk, &context);
     fill_clipped(attributes, geometry, normals, colors, indices);
     return BURNISH_STATUS_OK;
 }

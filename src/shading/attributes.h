@@ -21,7 +21,7 @@ typedef struct burnish_attributes {
 burnish_status burnish_attributes_update(burnish_attributes *attributes,
                                          const burnish_geometry *geometry, const float *normals,
                                          const uint8_t *colors, const uint32_t *indices,
-                                         burnish_pool *pool, burnish_error *error);
+                                         burnish_tasks *pool, burnish_error *error);
 void burnish_attributes_destroy(burnish_attributes *attributes);
 
 #endif

@@ -8,7 +8,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "core/pool.h"
+#include "core/tasks.h"
 #include "mesh/build/normals.h"
 #include "mesh/build/order.h"
 #include "mesh/build/weld.h"
@@ -82,8 +82,8 @@ static burnish_status weld_positions(builder *b, uint32_t **remap) {
     for (size_t i = 0; i < 3 * source->position_count; ++i) {
         source->positions[i] += 0.0f; /* -0 becomes 0 */
     }
-    burnish_status status = burnish_allocate((void **)remap, source->position_count, sizeof **remap,
-                                             "welding", b->error);
+    burnish_status status = burnish_legacy_allocate((void **)remap, source->position_count,
+                                                    sizeof **remap, "welding", b->error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_weld(source->positions, source->position_count, b->source->pool, *remap,
                               &b->position_count, b->error);
@@ -122,7 +122,7 @@ static void prepare_normals(builder *b) {
     const uint32_t *corners = b->source->corner_normals;
     const size_t corner_count = corners ? 3 * b->source->triangle_count : 0;
     unit_context context = {.normals = b->source->normals};
-    burnish_pool_ranges(b->source->pool, b->source->normal_count, SHARE, unit_range, &context);
+    burnish_tasks_ranges(b->source->pool, b->source->normal_count, SHARE, unit_range, &context);
     size_t missing = atomic_load(&context.missing);
     for (size_t i = 0; i < corner_count; ++i) {
         missing += corners[i] == BURNISH_SOURCE_NONE;
@@ -202,7 +202,7 @@ static void weld_range(void *of, size_t first, size_t end) {
 /* Fills corner_vertices, oriented; returns how many triangles have an area. */
 static size_t weld_corners(builder *b, const uint32_t *remap) {
     weld_context context = {.b = b, .remap = remap};
-    burnish_pool_ranges(b->source->pool, b->source->triangle_count, SHARE, weld_range, &context);
+    burnish_tasks_ranges(b->source->pool, b->source->triangle_count, SHARE, weld_range, &context);
     return atomic_load(&context.with_area);
 }
 
@@ -223,8 +223,9 @@ static void move_triangle(builder *b, size_t from, size_t to) {
 /* Moves the triangles with area to the head of the source's arrays and fills corner_vertices. */
 static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
     burnish_source *source = b->source;
-    burnish_status status = burnish_allocate((void **)&b->corner_vertices, source->triangle_count,
-                                             3 * sizeof *b->corner_vertices, "triangles", b->error);
+    burnish_status status =
+        burnish_legacy_allocate((void **)&b->corner_vertices, source->triangle_count,
+                                3 * sizeof *b->corner_vertices, "triangles", b->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -280,10 +281,11 @@ static burnish_status permute(builder *b, const uint32_t *order, void **array, s
     if (!*array) {
         return BURNISH_STATUS_OK;
     }
-    burnish_status status = burnish_allocate(&made, b->triangle_count, size, "ordering", b->error);
+    burnish_status status =
+        burnish_legacy_allocate(&made, b->triangle_count, size, "ordering", b->error);
     if (status == BURNISH_STATUS_OK) {
         permute_context context = {order, *array, made};
-        burnish_pool_ranges(b->source->pool, b->triangle_count, SHARE, task, &context);
+        burnish_tasks_ranges(b->source->pool, b->triangle_count, SHARE, task, &context);
         free(*array);
         *array = made;
     }
@@ -299,7 +301,7 @@ static burnish_status order_triangles(builder *b) {
         return BURNISH_STATUS_OK;
     }
     burnish_status status =
-        burnish_allocate((void **)&order, count, sizeof *order, "ordering", b->error);
+        burnish_legacy_allocate((void **)&order, count, sizeof *order, "ordering", b->error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_order_triangles(source->positions, b->position_count, b->corner_vertices,
                                          count, source->pool, order, b->error);
@@ -327,11 +329,12 @@ static burnish_status order_triangles(builder *b) {
 /* Lists the corners of every welded position, in the order of the triangles. */
 static burnish_status list_corners(builder *b) {
     size_t corner_count = 3 * b->triangle_count;
-    burnish_status status = burnish_allocate((void **)&b->first_corner, b->position_count + 2,
-                                             sizeof *b->first_corner, "vertices", b->error);
+    burnish_status status =
+        burnish_legacy_allocate((void **)&b->first_corner, b->position_count + 2,
+                                sizeof *b->first_corner, "vertices", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&b->corners, corner_count, sizeof *b->corners,
-                                  "vertices", b->error);
+        status = burnish_legacy_allocate((void **)&b->corners, corner_count, sizeof *b->corners,
+                                         "vertices", b->error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -443,8 +446,8 @@ static void make_position(builder *b, vertex_maker *maker, uint32_t position, in
     const uint32_t *corners = b->corners + b->first_corner[position];
     size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
     maker->status =
-        burnish_reserve((void **)&maker->vertices, &maker->capacity, maker->count + count,
-                        sizeof *maker->vertices, "vertices", &maker->error);
+        burnish_legacy_reserve((void **)&maker->vertices, &maker->capacity, maker->count + count,
+                               sizeof *maker->vertices, "vertices", &maker->error);
     if (maker->status != BURNISH_STATUS_OK) {
         return;
     }
@@ -507,12 +510,12 @@ static burnish_status create_maker(vertex_maker *maker, size_t capacity, double 
                                    burnish_error *error) {
     burnish_status status = burnish_fan_create(&maker->fan, capacity, angle, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&maker->normals, capacity, 3 * sizeof *maker->normals,
-                                  "vertices", error);
+        status = burnish_legacy_allocate((void **)&maker->normals, capacity,
+                                         3 * sizeof *maker->normals, "vertices", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&maker->records, capacity, sizeof *maker->records,
-                                  "vertices", error);
+        status = burnish_legacy_allocate((void **)&maker->records, capacity, sizeof *maker->records,
+                                         "vertices", error);
     }
     return status;
 }
@@ -553,14 +556,14 @@ static burnish_status make_large(builder *b, double angle) {
 static burnish_status allocate_vertices(builder *b) {
     burnish_mesh *scene = b->scene;
     size_t count = b->vertex_count;
-    burnish_status status = burnish_allocate((void **)&scene->positions, count, 3 * sizeof(float),
-                                             "vertices", b->error);
+    burnish_status status = burnish_legacy_allocate((void **)&scene->positions, count,
+                                                    3 * sizeof(float), "vertices", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&scene->normals, count, 3 * sizeof(float), "vertices",
-                                  b->error);
+        status = burnish_legacy_allocate((void **)&scene->normals, count, 3 * sizeof(float),
+                                         "vertices", b->error);
     }
     if (status == BURNISH_STATUS_OK && b->has_colors) {
-        status = burnish_allocate((void **)&scene->colors, count, 4, "vertices", b->error);
+        status = burnish_legacy_allocate((void **)&scene->colors, count, 4, "vertices", b->error);
     }
     return status;
 }
@@ -607,9 +610,9 @@ static burnish_status find_given(builder *b, given_vertices *vertices, uint32_t 
     }
     *done = passed < MANY;
     if (vertices->count == vertices->capacity) {
-        burnish_status status =
-            burnish_reserve((void **)&vertices->items, &vertices->capacity, vertices->count + 1,
-                            sizeof *vertices->items, "vertices", b->error);
+        burnish_status status = burnish_legacy_reserve(
+            (void **)&vertices->items, &vertices->capacity, vertices->count + 1,
+            sizeof *vertices->items, "vertices", b->error);
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
@@ -665,11 +668,12 @@ static burnish_status take_given(builder *b, int *done) {
     if (!b->normals_complete || b->has_colors) {
         return BURNISH_STATUS_OK;
     }
-    burnish_status status = burnish_allocate((void **)&vertices.heads, b->position_count,
-                                             sizeof *vertices.heads, "vertices", b->error);
+    burnish_status status = burnish_legacy_allocate((void **)&vertices.heads, b->position_count,
+                                                    sizeof *vertices.heads, "vertices", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve((void **)&vertices.items, &vertices.capacity, b->position_count,
-                                 sizeof *vertices.items, "vertices", b->error);
+        status =
+            burnish_legacy_reserve((void **)&vertices.items, &vertices.capacity, b->position_count,
+                                   sizeof *vertices.items, "vertices", b->error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = number_given(b, &vertices, done);
@@ -681,7 +685,7 @@ static burnish_status take_given(builder *b, int *done) {
     }
     if (*done && status == BURNISH_STATUS_OK) {
         given_context context = {b, vertices.items};
-        burnish_pool_ranges(b->source->pool, vertices.count, SHARE, write_given, &context);
+        burnish_tasks_ranges(b->source->pool, vertices.count, SHARE, write_given, &context);
     }
     free(vertices.items);
     return status;
@@ -719,10 +723,10 @@ static burnish_status create_makers(builder *b, double angle) {
             3 * b->triangle_count < CORNERS_AT_ONCE ? 3 * b->triangle_count : CORNERS_AT_ONCE;
     }
     const size_t worth = b->position_count / (SHARE / 2),
-                 all = (size_t)burnish_pool_threads(b->source->pool);
+                 all = (size_t)burnish_tasks_threads(b->source->pool);
     const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
-    burnish_status status = burnish_allocate((void **)&b->makers, (size_t)count, sizeof *b->makers,
-                                             "vertices", b->error);
+    burnish_status status = burnish_legacy_allocate((void **)&b->makers, (size_t)count,
+                                                    sizeof *b->makers, "vertices", b->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -746,7 +750,7 @@ static burnish_status make_vertices(builder *b, double angle) {
         return status;
     }
     size_t turns = (b->position_count + POSITIONS_A_TURN - 1) / POSITIONS_A_TURN;
-    burnish_pool_run(b->source->pool, turns, 1, b->maker_count, turn_task, b);
+    burnish_tasks_run(b->source->pool, turns, 1, b->maker_count, turn_task, b);
     for (int i = 0; i < b->maker_count; ++i) {
         if (b->makers[i].status != BURNISH_STATUS_OK) {
             if (b->error) {
@@ -799,7 +803,7 @@ static void write_range(void *of, size_t first, size_t end) {
 static void write_vertices(builder *b) {
     for (int i = 0; i < b->maker_count; ++i) {
         write_context context = {b, b->makers[i].vertices};
-        burnish_pool_ranges(b->source->pool, b->makers[i].count, SHARE, write_range, &context);
+        burnish_tasks_ranges(b->source->pool, b->makers[i].count, SHARE, write_range, &context);
     }
 }
 
@@ -817,8 +821,8 @@ static burnish_status take_materials(builder *b) {
     burnish_source *source = b->source;
     burnish_mesh *scene = b->scene;
     if (source->material_count == 0) {
-        burnish_status status = burnish_allocate((void **)&scene->materials, 1,
-                                                 sizeof *scene->materials, "material", b->error);
+        burnish_status status = burnish_legacy_allocate(
+            (void **)&scene->materials, 1, sizeof *scene->materials, "material", b->error);
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
@@ -870,8 +874,9 @@ static void describe_mesh(burnish_mesh *scene, size_t vertex_count, size_t trian
 /* Vertices and indices of the triangles that are kept. */
 static burnish_status number_mesh(builder *b, double angle) {
     int done = 0;
-    burnish_status status = burnish_allocate((void **)&b->scene->indices, b->triangle_count,
-                                             3 * sizeof *b->scene->indices, "triangles", b->error);
+    burnish_status status =
+        burnish_legacy_allocate((void **)&b->scene->indices, b->triangle_count,
+                                3 * sizeof *b->scene->indices, "triangles", b->error);
     if (status == BURNISH_STATUS_OK) {
         status = take_given(b, &done);
     }
@@ -926,7 +931,7 @@ burnish_status burnish_mesh_build(burnish_source *source, const char *name,
     *scene = NULL;
     burnish_status status = burnish_check_load_options(options, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&b.scene, 1, sizeof *b.scene, "scene", error);
+        status = burnish_legacy_allocate((void **)&b.scene, 1, sizeof *b.scene, "scene", error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;

@@ -43,10 +43,10 @@ void burnish_store_unit(burnish_vec3 v, float unit[3]) {
 }
 
 static burnish_status allocate_doubles(double **array, size_t count, burnish_error *error) {
-    return burnish_allocate((void **)array, count, sizeof **array, "making normals", error);
+    return burnish_legacy_allocate((void **)array, count, sizeof **array, "making normals", error);
 }
 static burnish_status allocate_numbers(uint32_t **array, size_t count, burnish_error *error) {
-    return burnish_allocate((void **)array, count, sizeof **array, "making normals", error);
+    return burnish_legacy_allocate((void **)array, count, sizeof **array, "making normals", error);
 }
 
 burnish_status burnish_fan_create(burnish_fan *fan, size_t capacity, double crease_angle,
@@ -67,12 +67,12 @@ burnish_status burnish_fan_create(burnish_fan *fan, size_t capacity, double crea
         status = allocate_numbers(numbers[i], capacity + PAIRWISE_MAX, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&fan->sums, capacity, sizeof *fan->sums,
-                                  "making normals", error);
+        status = burnish_legacy_allocate((void **)&fan->sums, capacity, sizeof *fan->sums,
+                                         "making normals", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&fan->edges, capacity, 2 * sizeof *fan->edges,
-                                  "making normals", error);
+        status = burnish_legacy_allocate((void **)&fan->edges, capacity, 2 * sizeof *fan->edges,
+                                         "making normals", error);
     }
     if (status != BURNISH_STATUS_OK) {
         burnish_fan_destroy(fan);

@@ -110,7 +110,7 @@ static void add_up(sorter *s, size_t slices) {
 }
 
 burnish_status burnish_order_triangles(const float *positions, size_t position_count,
-                                       const uint32_t *corners, size_t count, burnish_pool *pool,
+                                       const uint32_t *corners, size_t count, burnish_tasks *pool,
                                        uint32_t *order, burnish_error *error) {
     const size_t slices = count < SLICE_LEAST ? 1 : SLICES;
     sorter s = {.positions = positions,
@@ -120,15 +120,15 @@ burnish_status burnish_order_triangles(const float *positions, size_t position_c
                 .order = order};
     find_cells(&s, position_count);
     burnish_status status =
-        burnish_allocate((void **)&s.cells, count, sizeof *s.cells, "ordering", error);
+        burnish_legacy_allocate((void **)&s.cells, count, sizeof *s.cells, "ordering", error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&s.places, slices * cell_count(&s), sizeof *s.places,
-                                  "ordering", error);
+        status = burnish_legacy_allocate((void **)&s.places, slices * cell_count(&s),
+                                         sizeof *s.places, "ordering", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        burnish_pool_run(pool, slices, 1, 0, count_slice, &s);
+        burnish_tasks_run(pool, slices, 1, 0, count_slice, &s);
         add_up(&s, slices);
-        burnish_pool_run(pool, slices, 1, 0, place_slice, &s);
+        burnish_tasks_run(pool, slices, 1, 0, place_slice, &s);
     }
     free(s.cells);
     free(s.places);

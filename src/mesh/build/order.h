@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "core/error.h"
-#include "core/pool.h"
+#include "core/tasks.h"
 
 /* Fewer triangles than this keep the order of the file. */
 enum { BURNISH_ORDER_LEAST = 4096 };
@@ -22,7 +22,7 @@ enum { BURNISH_ORDER_LEAST = 4096 };
  * order:     count numbers of triangles, written
  * Errors: MEMORY. */
 burnish_status burnish_order_triangles(const float *positions, size_t position_count,
-                                       const uint32_t *corners, size_t count, burnish_pool *pool,
+                                       const uint32_t *corners, size_t count, burnish_tasks *pool,
                                        uint32_t *order, burnish_error *error);
 
 #endif

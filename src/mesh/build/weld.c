@@ -91,7 +91,7 @@ typedef struct item {
 typedef struct welder {
     const float *positions;
     size_t count;
-    burnish_pool *pool;
+    burnish_tasks *pool;
     int threads; /* that take part */
     int bucket_bits;
     item *items;       /* by bucket, in the order of their index */
@@ -197,7 +197,7 @@ static burnish_status sort_bucket(const welder *w, const item *items, size_t cou
                                   burnish_error *error) {
     burnish_weld_record *records;
     burnish_status status =
-        burnish_allocate((void **)&records, count, sizeof *records, "welding", error);
+        burnish_legacy_allocate((void **)&records, count, sizeof *records, "welding", error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -234,8 +234,8 @@ static burnish_status allocate_tables(welder *w, size_t largest, burnish_error *
     while (w->table_size < 2 * largest && w->table_size < 2 * most) {
         w->table_size *= 2;
     }
-    return burnish_allocate((void **)&w->tables, (size_t)w->threads * w->table_size,
-                            sizeof *w->tables, "welding", error);
+    return burnish_legacy_allocate((void **)&w->tables, (size_t)w->threads * w->table_size,
+                                   sizeof *w->tables, "welding", error);
 }
 
 static void count_task(void *of, size_t share, int thread) {
@@ -250,14 +250,14 @@ static void deal_task(void *of, size_t share, int thread) {
 
 static burnish_status resolve(welder *w, burnish_error *error) {
     const size_t shares = (size_t)w->threads;
-    burnish_pool_run(w->pool, shares, 1, w->threads, count_task, w);
+    burnish_tasks_run(w->pool, shares, 1, w->threads, count_task, w);
     burnish_status status = allocate_tables(w, place_buckets(w), error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    burnish_pool_run(w->pool, shares, 1, w->threads, deal_task, w);
+    burnish_tasks_run(w->pool, shares, 1, w->threads, deal_task, w);
     const size_t buckets = (size_t)1 << w->bucket_bits;
-    burnish_pool_run(w->pool, buckets, 1, w->threads, resolve_bucket, w);
+    burnish_tasks_run(w->pool, buckets, 1, w->threads, resolve_bucket, w);
     for (int thread = 0; thread < w->threads; ++thread) {
         if (w->statuses[thread] != BURNISH_STATUS_OK) {
             if (error) {
@@ -269,7 +269,7 @@ static burnish_status resolve(welder *w, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_weld(const float *positions, size_t count, burnish_pool *pool,
+burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *pool,
                             uint32_t *remap, size_t *unique, burnish_error *error) {
     welder w = {.positions = positions, .count = count, .remap = remap, .pool = pool};
     const char *what = "welding";
@@ -277,24 +277,25 @@ burnish_status burnish_weld(const float *positions, size_t count, burnish_pool *
     if (count == 0) {
         return BURNISH_STATUS_OK;
     }
-    const size_t worth = count / SHARE, all = (size_t)burnish_pool_threads(pool);
+    const size_t worth = count / SHARE, all = (size_t)burnish_tasks_threads(pool);
     w.threads = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
     while (w.bucket_bits < BUCKET_BITS_MAX && count >> w.bucket_bits > BUCKET_TARGET) {
         ++w.bucket_bits;
     }
     size_t teams = (size_t)w.threads;
     burnish_status status =
-        burnish_allocate((void **)&w.items, count, sizeof *w.items, what, error);
+        burnish_legacy_allocate((void **)&w.items, count, sizeof *w.items, what, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&w.starts, teams << w.bucket_bits, sizeof *w.starts,
-                                  what, error);
+        status = burnish_legacy_allocate((void **)&w.starts, teams << w.bucket_bits,
+                                         sizeof *w.starts, what, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_allocate((void **)&w.statuses, teams, sizeof *w.statuses, what, error);
+        status =
+            burnish_legacy_allocate((void **)&w.statuses, teams, sizeof *w.statuses, what, error);
     }
     if (status == BURNISH_STATUS_OK) {
         memset(w.statuses, 0, teams * sizeof *w.statuses);
-        status = burnish_allocate((void **)&w.errors, teams, sizeof *w.errors, what, error);
+        status = burnish_legacy_allocate((void **)&w.errors, teams, sizeof *w.errors, what, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = resolve(&w, error);

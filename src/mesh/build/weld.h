@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "core/error.h"
-#include "core/pool.h"
+#include "core/tasks.h"
 
 /* Numbers bitwise equal positions alike, in the order of their first appearance.
  *
@@ -19,7 +19,7 @@
  * remap:     count numbers, written
  * unique:    how many different positions there are, written
  * Errors: MEMORY, LIMIT. */
-burnish_status burnish_weld(const float *positions, size_t count, burnish_pool *pool,
+burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *pool,
                             uint32_t *remap, size_t *unique, burnish_error *error);
 
 /* Something to be sorted by four words; the value breaks ties, so that the order is total. */

@@ -7,8 +7,8 @@
 #include "mesh/scene.h"
 
 static burnish_status reserve_colors(burnish_source *source, size_t count, burnish_error *error) {
-    return burnish_reserve((void **)&source->colors, &source->color_capacity, count, 4, "colours",
-                           error);
+    return burnish_legacy_reserve((void **)&source->colors, &source->color_capacity, count, 4,
+                                  "colours", error);
 }
 
 burnish_status burnish_append_position(burnish_source *source, burnish_place place,
@@ -21,8 +21,8 @@ burnish_status burnish_append_position(burnish_source *source, burnish_place pla
                                BURNISH_POSITION_LIMIT);
     }
     if (count == source->position_capacity) {
-        status = burnish_reserve((void **)&source->positions, &source->position_capacity, count + 1,
-                                 3 * sizeof(float), "positions", error);
+        status = burnish_legacy_reserve((void **)&source->positions, &source->position_capacity,
+                                        count + 1, 3 * sizeof(float), "positions", error);
     }
     if (status == BURNISH_STATUS_OK && source->colors) {
         status = reserve_colors(source, count + 1, error);
@@ -61,8 +61,9 @@ burnish_status burnish_append_normal(burnish_source *source, burnish_place place
                                BURNISH_POSITION_LIMIT);
     }
     if (count == source->normal_capacity) {
-        burnish_status status = burnish_reserve((void **)&source->normals, &source->normal_capacity,
-                                                count + 1, 3 * sizeof(float), "normals", error);
+        burnish_status status =
+            burnish_legacy_reserve((void **)&source->normals, &source->normal_capacity, count + 1,
+                                   3 * sizeof(float), "normals", error);
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
@@ -84,8 +85,9 @@ burnish_status burnish_reserve_triangles(burnish_source *source,
                                "more than %llu triangles; raise the limit or simplify the mesh",
                                (unsigned long long)limit);
     }
-    return burnish_reserve((void **)&source->corner_positions, &source->corner_capacity,
-                           source->triangle_count + more, 3 * sizeof(uint32_t), "triangles", error);
+    return burnish_legacy_reserve((void **)&source->corner_positions, &source->corner_capacity,
+                                  source->triangle_count + more, 3 * sizeof(uint32_t), "triangles",
+                                  error);
 }
 
 /* Room for the normal indices of `more` triangles; those so far get none when these are the first.
@@ -93,7 +95,7 @@ burnish_status burnish_reserve_triangles(burnish_source *source,
 static burnish_status reserve_corner_normals(burnish_source *source, size_t more,
                                              burnish_error *error) {
     int first = !source->corner_normals;
-    burnish_status status = burnish_reserve(
+    burnish_status status = burnish_legacy_reserve(
         (void **)&source->corner_normals, &source->corner_normal_capacity,
         source->triangle_count + more, 3 * sizeof(uint32_t), "normal indices", error);
     if (status == BURNISH_STATUS_OK && first) {

@@ -72,8 +72,8 @@ static burnish_status begin(mtl_state *mtl) {
                                "newmtl without a name; write newmtl NAME");
     }
     burnish_status status =
-        burnish_reserve((void **)&library->entries, &library->capacity, library->count + 1,
-                        sizeof *library->entries, "materials", mtl->error);
+        burnish_legacy_reserve((void **)&library->entries, &library->capacity, library->count + 1,
+                               sizeof *library->entries, "materials", mtl->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

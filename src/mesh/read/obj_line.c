@@ -204,12 +204,14 @@ static inline int scan_corner(burnish_text *text, size_t positions, size_t norma
 
 static burnish_status reserve_corner(burnish_obj_line *line) {
     const size_t needed = line->corner_count + 1;
-    burnish_status status = burnish_reserve((void **)&line->corners, &line->corner_capacity, needed,
-                                            sizeof *line->corners, "corners", line->error);
+    burnish_status status =
+        burnish_legacy_reserve((void **)&line->corners, &line->corner_capacity, needed,
+                               sizeof *line->corners, "corners", line->error);
     return status != BURNISH_STATUS_OK
                ? status
-               : burnish_reserve((void **)&line->corner_normals, &line->corner_normal_capacity,
-                                 needed, sizeof *line->corner_normals, "corners", line->error);
+               : burnish_legacy_reserve((void **)&line->corner_normals,
+                                        &line->corner_normal_capacity, needed,
+                                        sizeof *line->corner_normals, "corners", line->error);
 }
 
 burnish_status burnish_obj_read_face(burnish_obj_line *line, size_t positions, size_t normals) {

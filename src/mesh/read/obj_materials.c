@@ -27,9 +27,9 @@ burnish_status burnish_obj_begin_run(burnish_obj_materials *materials, size_t fi
     if (!materials->changed) {
         return BURNISH_STATUS_OK;
     }
-    burnish_status status = burnish_reserve((void **)&materials->runs, &materials->run_capacity,
-                                            materials->run_count + 1, sizeof *materials->runs,
-                                            "material runs", materials->error);
+    burnish_status status = burnish_legacy_reserve(
+        (void **)&materials->runs, &materials->run_capacity, materials->run_count + 1,
+        sizeof *materials->runs, "material runs", materials->error);
     if (status == BURNISH_STATUS_OK) {
         materials->runs[materials->run_count++] =
             (burnish_obj_run){.name = materials->name, .first_triangle = first_triangle};
@@ -213,7 +213,7 @@ static burnish_status sort_pointers(void *array, size_t count, size_t size,
                                     burnish_error *error) {
     void *memory;
     burnish_status status =
-        burnish_allocate(&memory, count, sizeof(void *), "sorting materials", error);
+        burnish_legacy_allocate(&memory, count, sizeof(void *), "sorting materials", error);
     *sorted = memory;
     if (status != BURNISH_STATUS_OK || count == 0) {
         return status;
@@ -256,9 +256,9 @@ static burnish_status add_material(burnish_obj_materials *materials,
                                burnish_place_file(materials->input->name),
                                "more than %d materials are in use; merge some", MATERIAL_LIMIT);
     }
-    burnish_status status = burnish_reserve((void **)&source->materials, &source->material_capacity,
-                                            source->material_count + 1, sizeof *source->materials,
-                                            "materials", materials->error);
+    burnish_status status = burnish_legacy_reserve(
+        (void **)&source->materials, &source->material_capacity, source->material_count + 1,
+        sizeof *source->materials, "materials", materials->error);
     if (status == BURNISH_STATUS_OK) {
         *index = (uint32_t)source->material_count;
         source->materials[source->material_count++] = *material;
@@ -312,10 +312,10 @@ static burnish_status write_triangle_materials(burnish_obj_materials *materials)
     if (source->material_count < 2) {
         return BURNISH_STATUS_OK;
     }
-    burnish_status status =
-        burnish_reserve((void **)&source->triangle_materials, &source->triangle_material_capacity,
-                        source->triangle_count, sizeof *source->triangle_materials,
-                        "triangle materials", materials->error);
+    burnish_status status = burnish_legacy_reserve(
+        (void **)&source->triangle_materials, &source->triangle_material_capacity,
+        source->triangle_count, sizeof *source->triangle_materials, "triangle materials",
+        materials->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

@@ -122,8 +122,9 @@ static void read_values(void *of, size_t index, int thread) {
 
 static int record_event(burnish_obj_part *p, const burnish_obj_line *line, size_t triangle,
                         int is_library) {
-    if (burnish_reserve((void **)&p->events, &p->event_capacity, p->event_count + 1,
-                        sizeof *p->events, "material statements", NULL) != BURNISH_STATUS_OK) {
+    if (burnish_legacy_reserve((void **)&p->events, &p->event_capacity, p->event_count + 1,
+                               sizeof *p->events, "material statements",
+                               NULL) != BURNISH_STATUS_OK) {
         return 0;
     }
     p->events[p->event_count++] = (burnish_obj_event){line->text.next, line->text.line,
@@ -227,19 +228,19 @@ static int cut_parts(obj_parts *obj) {
 /* Room for all vertices, with colours where `colors`. */
 static int reserve_values(obj_parts *obj, int colors) {
     burnish_source *source = obj->source;
-    return burnish_reserve_discard((void **)&source->positions, &source->position_capacity,
-                                   obj->total.vertices, 3 * sizeof(float), "positions",
-                                   NULL) == BURNISH_STATUS_OK &&
-           burnish_reserve_discard((void **)&source->normals, &source->normal_capacity,
-                                   obj->total.normals, 3 * sizeof(float), "normals",
-                                   NULL) == BURNISH_STATUS_OK &&
-           (!colors ||
-            burnish_reserve_discard((void **)&source->colors, &source->color_capacity,
-                                    obj->total.vertices, 4, "colours", NULL) == BURNISH_STATUS_OK);
+    return burnish_legacy_reserve_discard((void **)&source->positions, &source->position_capacity,
+                                          obj->total.vertices, 3 * sizeof(float), "positions",
+                                          NULL) == BURNISH_STATUS_OK &&
+           burnish_legacy_reserve_discard((void **)&source->normals, &source->normal_capacity,
+                                          obj->total.normals, 3 * sizeof(float), "normals",
+                                          NULL) == BURNISH_STATUS_OK &&
+           (!colors || burnish_legacy_reserve_discard((void **)&source->colors,
+                                                      &source->color_capacity, obj->total.vertices,
+                                                      4, "colours", NULL) == BURNISH_STATUS_OK);
 }
 
 static int run_pass(obj_parts *obj, burnish_task *task) {
-    burnish_pool_run(obj->source->pool, obj->count, 1, 0, task, obj);
+    burnish_tasks_run(obj->source->pool, obj->count, 1, 0, task, obj);
     return !atomic_load(&obj->give_up);
 }
 
@@ -275,13 +276,14 @@ static int read_all_values(obj_parts *obj) {
 
 static int read_all_faces(obj_parts *obj) {
     burnish_source *source = obj->source;
-    if (burnish_reserve_discard((void **)&source->corner_positions, &source->corner_capacity,
-                                obj->total.triangles, 3 * sizeof(uint32_t), "triangles",
-                                NULL) != BURNISH_STATUS_OK ||
+    if (burnish_legacy_reserve_discard((void **)&source->corner_positions, &source->corner_capacity,
+                                       obj->total.triangles, 3 * sizeof(uint32_t), "triangles",
+                                       NULL) != BURNISH_STATUS_OK ||
         (obj->total.normals > 0 &&
-         burnish_reserve_discard((void **)&source->corner_normals, &source->corner_normal_capacity,
-                                 obj->total.triangles, 3 * sizeof(uint32_t), "normal indices",
-                                 NULL) != BURNISH_STATUS_OK)) {
+         burnish_legacy_reserve_discard((void **)&source->corner_normals,
+                                        &source->corner_normal_capacity, obj->total.triangles,
+                                        3 * sizeof(uint32_t), "normal indices",
+                                        NULL) != BURNISH_STATUS_OK)) {
         return 0;
     }
     return run_pass(obj, read_faces);

@@ -65,7 +65,8 @@ static burnish_status read_stream(int descriptor, const char *name, uint64_t max
     size_t used = 0, capacity = 0, got = 0;
     burnish_status status = BURNISH_STATUS_OK;
     do {
-        status = burnish_reserve((void **)&memory, &capacity, used + FIRST_CHUNK, 1, name, error);
+        status =
+            burnish_legacy_reserve((void **)&memory, &capacity, used + FIRST_CHUNK, 1, name, error);
         if (status != BURNISH_STATUS_OK) {
             break;
         }
@@ -187,27 +188,29 @@ static burnish_status build(burnish_source *source, const char *name,
  * it was opened. */
 static burnish_status load(const burnish_reader_input *input, uint8_t *owned, double start,
                            burnish_mesh **scene, burnish_error *error) {
-    burnish_source source = {.pool = burnish_pool_create(input->options->threads)};
+    burnish_tasks tasks;
+    burnish_tasks_begin(&tasks, NULL, input->options->threads);
+    burnish_source source = {.pool = &tasks};
     burnish_format format;
     burnish_status status = read_format(input, &format, &source, error);
     free(owned);
     if (status == BURNISH_STATUS_OK) {
         status = build(&source, input->name, input->options, format, start, scene, error);
     }
-    burnish_pool_destroy(source.pool);
     burnish_source_destroy(&source);
     return status;
 }
 
 static burnish_status load_builtin(const char *name, const burnish_load_options *options,
                                    burnish_mesh **scene, burnish_error *error) {
-    burnish_source source = {.pool = burnish_pool_create(options->threads)};
+    burnish_tasks tasks;
+    burnish_tasks_begin(&tasks, NULL, options->threads);
+    burnish_source source = {.pool = &tasks};
     double start = burnish_seconds_now();
     burnish_status status = burnish_make_builtin(name + 1, options, &source, error);
     if (status == BURNISH_STATUS_OK) {
         status = build(&source, name, options, BURNISH_FORMAT_AUTO, start, scene, error);
     }
-    burnish_pool_destroy(source.pool);
     burnish_source_destroy(&source);
     return status;
 }

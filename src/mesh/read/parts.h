@@ -17,9 +17,9 @@ enum {
 };
 
 /* Whether text of this size is worth the threads of a pool. */
-static inline int burnish_parts_pay(const burnish_pool *pool, size_t size) {
+static inline int burnish_parts_pay(const burnish_tasks *pool, size_t size) {
     return size >= (size_t)BURNISH_PARTS_LEAST * BURNISH_PART_SIZE &&
-           burnish_pool_threads(pool) > 1;
+           burnish_tasks_threads(pool) > 1;
 }
 
 /* How many parts there are at most. */

@@ -259,9 +259,9 @@ static burnish_status copy_normal_indices(burnish_source *source, burnish_error 
     if (source->normal_count == 0) {
         return BURNISH_STATUS_OK;
     }
-    burnish_status status =
-        burnish_reserve((void **)&source->corner_normals, &source->corner_normal_capacity,
-                        source->triangle_count, 3 * sizeof(uint32_t), "normal indices", error);
+    burnish_status status = burnish_legacy_reserve(
+        (void **)&source->corner_normals, &source->corner_normal_capacity, source->triangle_count,
+        3 * sizeof(uint32_t), "normal indices", error);
     if (status == BURNISH_STATUS_OK) {
         memcpy(source->corner_normals, source->corner_positions,
                source->triangle_count * 3 * sizeof(uint32_t));

@@ -154,8 +154,8 @@ static burnish_status read_list_count(burnish_ply_cursor *ply, const burnish_ply
 static burnish_status read_corners(burnish_ply_cursor *ply, const burnish_ply_property *property,
                                    uint64_t count) {
     burnish_status status =
-        burnish_reserve((void **)&ply->corners, &ply->corner_capacity, (size_t)count,
-                        sizeof *ply->corners, "corners", ply->error);
+        burnish_legacy_reserve((void **)&ply->corners, &ply->corner_capacity, (size_t)count,
+                               sizeof *ply->corners, "corners", ply->error);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         double value;
         status = read_count(ply, property->type, &value);

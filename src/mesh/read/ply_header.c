@@ -125,9 +125,9 @@ static burnish_status read_element(header_state *ply) {
     } else if (burnish_token_is(element.name, "tristrips")) {
         element.kind = BURNISH_PLY_ELEMENT_STRIPS;
     }
-    burnish_status status = burnish_reserve((void **)&header->elements, &header->element_capacity,
-                                            header->element_count + 1, sizeof *header->elements,
-                                            "elements", ply->error);
+    burnish_status status = burnish_legacy_reserve(
+        (void **)&header->elements, &header->element_capacity, header->element_count + 1,
+        sizeof *header->elements, "elements", ply->error);
     if (status == BURNISH_STATUS_OK) {
         header->elements[header->element_count++] = element;
     }
@@ -174,9 +174,9 @@ static burnish_status read_property(header_state *ply) {
                                "property has no name; write property TYPE NAME");
     }
     property.role = role_of(element->kind, is_list, name);
-    burnish_status status = burnish_reserve((void **)&header->properties,
-                                            &header->property_capacity, header->property_count + 1,
-                                            sizeof *header->properties, "properties", ply->error);
+    burnish_status status = burnish_legacy_reserve(
+        (void **)&header->properties, &header->property_capacity, header->property_count + 1,
+        sizeof *header->properties, "properties", ply->error);
     if (status == BURNISH_STATUS_OK) {
         header->properties[header->property_count++] = property;
         ++element->property_count;

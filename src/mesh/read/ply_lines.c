@@ -180,14 +180,15 @@ static void read_faces(void *of, size_t index, int thread) {
 static int reserve_vertices(const ply_lines *lines) {
     burnish_source *source = lines->source;
     const size_t count = lines->row_count;
-    return burnish_reserve_discard((void **)&source->positions, &source->position_capacity, count,
-                                   3 * sizeof(float), "positions", NULL) == BURNISH_STATUS_OK &&
-           (!lines->has_normals ||
-            burnish_reserve_discard((void **)&source->normals, &source->normal_capacity, count,
-                                    3 * sizeof(float), "normals", NULL) == BURNISH_STATUS_OK) &&
+    return burnish_legacy_reserve_discard((void **)&source->positions, &source->position_capacity,
+                                          count, 3 * sizeof(float), "positions",
+                                          NULL) == BURNISH_STATUS_OK &&
+           (!lines->has_normals || burnish_legacy_reserve_discard(
+                                       (void **)&source->normals, &source->normal_capacity, count,
+                                       3 * sizeof(float), "normals", NULL) == BURNISH_STATUS_OK) &&
            (!lines->has_colors ||
-            burnish_reserve_discard((void **)&source->colors, &source->color_capacity, count, 4,
-                                    "colours", NULL) == BURNISH_STATUS_OK);
+            burnish_legacy_reserve_discard((void **)&source->colors, &source->color_capacity, count,
+                                           4, "colours", NULL) == BURNISH_STATUS_OK);
 }
 
 /* Sums up the triangles before each part, and makes room for all. The corners are the only list of
@@ -207,9 +208,9 @@ static int reserve_triangles(ply_lines *lines, const burnish_load_options *optio
         triangles += p->triangles;
     }
     return triangles <= BURNISH_TRIANGLE_LIMIT && triangles <= options->max_triangles &&
-           burnish_reserve_discard((void **)&source->corner_positions, &source->corner_capacity,
-                                   triangles, 3 * sizeof(uint32_t), "triangles",
-                                   NULL) == BURNISH_STATUS_OK;
+           burnish_legacy_reserve_discard((void **)&source->corner_positions,
+                                          &source->corner_capacity, triangles, 3 * sizeof(uint32_t),
+                                          "triangles", NULL) == BURNISH_STATUS_OK;
 }
 
 static int has_other_lists(const burnish_ply_cursor *ply) {
@@ -235,12 +236,12 @@ static int open_rows(ply_lines *lines, burnish_ply_cursor *first_row) {
     if (!cut_parts(lines)) {
         return 0;
     }
-    burnish_pool_run(lines->source->pool, lines->count, 1, 0, count_rows, lines);
+    burnish_tasks_run(lines->source->pool, lines->count, 1, 0, count_rows, lines);
     return find_rows(lines);
 }
 
 static int run_pass(ply_lines *lines, burnish_task *task) {
-    burnish_pool_run(lines->source->pool, lines->count, 1, 0, task, lines);
+    burnish_tasks_run(lines->source->pool, lines->count, 1, 0, task, lines);
     return !atomic_load(&lines->give_up);
 }
 
@@ -285,7 +286,7 @@ int burnish_ply_face_lines(burnish_ply_cursor *ply, const burnish_load_options *
         return 0;
     }
     if (open_rows(&lines, &first_row)) {
-        burnish_pool_run(source->pool, lines.count, 1, 0, count_words, &lines);
+        burnish_tasks_run(source->pool, lines.count, 1, 0, count_words, &lines);
         done = reserve_triangles(&lines, options) && run_pass(&lines, read_faces);
     }
     if (done) {

@@ -7,7 +7,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "core/pool.h"
+#include "core/tasks.h"
 #include "mesh/read/append.h"
 #include "mesh/scene.h"
 
@@ -107,15 +107,16 @@ static int convert_vertex(const burnish_ply_rows *rows, const vertex_layout *lay
 
 static burnish_status reserve_vertices(const vertex_layout *layout, size_t count,
                                        burnish_source *source, burnish_error *error) {
-    burnish_status status = burnish_reserve((void **)&source->positions, &source->position_capacity,
-                                            count, 3 * sizeof(float), "positions", error);
+    burnish_status status =
+        burnish_legacy_reserve((void **)&source->positions, &source->position_capacity, count,
+                               3 * sizeof(float), "positions", error);
     if (status == BURNISH_STATUS_OK && layout->has_normals) {
-        status = burnish_reserve((void **)&source->normals, &source->normal_capacity, count,
-                                 3 * sizeof(float), "normals", error);
+        status = burnish_legacy_reserve((void **)&source->normals, &source->normal_capacity, count,
+                                        3 * sizeof(float), "normals", error);
     }
     if (status == BURNISH_STATUS_OK && layout->has_colors) {
-        status = burnish_reserve((void **)&source->colors, &source->color_capacity, count, 4,
-                                 "colours", error);
+        status = burnish_legacy_reserve((void **)&source->colors, &source->color_capacity, count, 4,
+                                        "colours", error);
     }
     return status;
 }
@@ -151,7 +152,7 @@ burnish_status burnish_ply_vertex_rows(const burnish_ply_rows *rows, burnish_sou
         return status;
     }
     vertex_context context = {.rows = rows, .layout = &layout, .source = source};
-    burnish_pool_ranges(source->pool, rows->count, SHARE, convert_vertices, &context);
+    burnish_tasks_ranges(source->pool, rows->count, SHARE, convert_vertices, &context);
     if (atomic_load(&context.bad)) {
         free(source->colors); /* a colour array says that there are colours */
         source->colors = NULL;
@@ -297,7 +298,7 @@ burnish_status burnish_ply_triangle_rows(const burnish_ply_rows *rows, size_t ve
     uint32_t *corners = source->corner_positions + 3 * source->triangle_count;
     triangle_context context = {
         .rows = rows, .layout = &layout, .vertex_count = vertex_count, .corners = corners};
-    burnish_pool_ranges(source->pool, rows->count, SHARE, convert_triangles, &context);
+    burnish_tasks_ranges(source->pool, rows->count, SHARE, convert_triangles, &context);
     if (!atomic_load(&context.bad)) {
         source->triangle_count += rows->count;
         *used = rows->count * layout.row_size;

@@ -27,9 +27,9 @@ void burnish_source_destroy(burnish_source *source) {
 
 void burnish_source_warn(burnish_source *source, const char *format, ...) {
     if (source->warning_count >= WARNING_LIMIT ||
-        burnish_reserve((void **)&source->warnings, &source->warning_capacity,
-                        source->warning_count + 1, sizeof *source->warnings, "warnings",
-                        NULL) != BURNISH_STATUS_OK) {
+        burnish_legacy_reserve((void **)&source->warnings, &source->warning_capacity,
+                               source->warning_count + 1, sizeof *source->warnings, "warnings",
+                               NULL) != BURNISH_STATUS_OK) {
         return;
     }
     char line[WARNING_SIZE];

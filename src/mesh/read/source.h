@@ -10,7 +10,7 @@
 
 #include "burnish/mesh.h"
 #include "core/memory.h"
-#include "core/pool.h"
+#include "core/tasks.h"
 
 /* A corner or face without a value of its own. */
 #define BURNISH_SOURCE_NONE UINT32_MAX
@@ -44,7 +44,7 @@ typedef struct burnish_source {
     char **warnings;
     size_t warning_count, warning_capacity;
 
-    burnish_pool *pool; /* the loader's threads, not owned; NULL: the caller alone */
+    burnish_tasks *pool; /* the loader's threads, not owned; NULL: the caller alone */
 } burnish_source;
 
 void burnish_source_destroy(burnish_source *source);

@@ -101,15 +101,15 @@ static burnish_status read_facets(const burnish_reader_input *input, size_t coun
         return BURNISH_STATUS_OK;
     }
     burnish_status status =
-        burnish_reserve_discard((void **)&source->positions, &source->position_capacity, 3 * count,
-                                3 * sizeof(float), "positions", error);
+        burnish_legacy_reserve_discard((void **)&source->positions, &source->position_capacity,
+                                       3 * count, 3 * sizeof(float), "positions", error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     facet_context context = {.bytes = input->bytes + HEADER_SIZE,
                              .positions = source->positions,
                              .corners = source->corner_positions};
-    burnish_pool_ranges(source->pool, count, SHARE, convert_facets, &context);
+    burnish_tasks_ranges(source->pool, count, SHARE, convert_facets, &context);
     if (!atomic_load(&context.bad)) {
         source->position_count = 3 * count;
         source->triangle_count = count;

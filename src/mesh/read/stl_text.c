@@ -270,12 +270,12 @@ static int reserve_facets(stl_parts *stl) {
     return facets > 0 && facets <= stl->input->size / FACET_LEAST &&
            facets <= BURNISH_POSITION_LIMIT / 3 && facets <= BURNISH_TRIANGLE_LIMIT &&
            facets <= stl->input->options->max_triangles &&
-           burnish_reserve_discard((void **)&source->positions, &source->position_capacity,
-                                   3 * facets, 3 * sizeof(float), "positions",
-                                   NULL) == BURNISH_STATUS_OK &&
-           burnish_reserve_discard((void **)&source->corner_positions, &source->corner_capacity,
-                                   facets, 3 * sizeof(uint32_t), "triangles",
-                                   NULL) == BURNISH_STATUS_OK;
+           burnish_legacy_reserve_discard((void **)&source->positions, &source->position_capacity,
+                                          3 * facets, 3 * sizeof(float), "positions",
+                                          NULL) == BURNISH_STATUS_OK &&
+           burnish_legacy_reserve_discard((void **)&source->corner_positions,
+                                          &source->corner_capacity, facets, 3 * sizeof(uint32_t),
+                                          "triangles", NULL) == BURNISH_STATUS_OK;
 }
 
 /* Returns 0 when nothing was read: the sequential reader will find out why. */
@@ -283,9 +283,9 @@ static int read_parts(const burnish_reader_input *input, burnish_source *source)
     stl_parts stl = {.input = input, .source = source};
     int done = 0;
     if (cut_parts(&stl)) {
-        burnish_pool_run(source->pool, stl.count, 1, 0, count_facets, &stl);
+        burnish_tasks_run(source->pool, stl.count, 1, 0, count_facets, &stl);
         if (reserve_facets(&stl)) {
-            burnish_pool_run(source->pool, stl.count, 1, 0, read_part, &stl);
+            burnish_tasks_run(source->pool, stl.count, 1, 0, read_part, &stl);
             done = !atomic_load(&stl.give_up);
         }
     }
