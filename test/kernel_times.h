@@ -21,14 +21,14 @@ static double time_variant(const burnish_kernels *batch, int kind, int shading) 
     static float cosines[BENCH_POINTS], values[BENCH_POINTS];
     static uint8_t pixels[4 * BENCH_POINTS];
     double times[BENCH_ROUNDS];
-    uint32_t state = 3;
+    uint64_t state = 3;
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     burnish_kernels_shader shader;
     lighting.lobe = make(kind, 2, 32);
     burnish_kernels_prepare(&lighting, &shader, NULL);
     make_points(&arrays, BENCH_POINTS, 1, &state);
     for (int i = 0; i < BENCH_POINTS; ++i) {
-        cosines[i] = uniform(&state, 0.1f, 1);
+        cosines[i] = test_uniform_float(&state, 0.1f, 1);
     }
     burnish_kernels_points points = points_at(&arrays, 0, 0, 0);
     for (int round = 0; round < BENCH_ROUNDS; ++round) {

@@ -3,11 +3,8 @@
 #ifndef BURNISH_TEST_READER_INPUT_H
 #define BURNISH_TEST_READER_INPUT_H
 
-#include "harness.h"
 #include "mesh/read/reader.h"
-
-/* A CHECK whose condition says all. */
-#define CHECK_THAT(condition) CHECK(condition, "does not hold")
+#include "support.h"
 
 static const char *const reader_names[BURNISH_FORMAT_COUNT] = {"mesh", "mesh.obj", "mesh.ply",
                                                                "mesh.stl"};

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "bench/kernels.h"
-#include "harness.h"
+#include "support.h"
 
 /* Largest errors against max(0, c)^32 and 1/sqrt: the absolute one, and the relative one where the
  * power is at least 1e-6; 0: not asserted. */
@@ -81,12 +81,13 @@ static void check_keys(void) {
     CHECK(strcmp(key, "shade.point.libmvec_over") == 0, "%s", key);
 }
 
-int main(void) {
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
         if (burnish_bench_has((burnish_isa)isa)) {
-            check_tier((burnish_isa)isa);
+            RUN(check_tier((burnish_isa)isa));
         }
     }
-    check_keys();
+    RUN(check_keys());
     return test_end("bench");
 }

@@ -215,8 +215,8 @@ static void test_mtl_messages(void) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         burnish_mtl library = {0};
         burnish_error error = {0};
-        CHECK_THAT(burnish_read_mtl((const uint8_t *)cases[i].text, strlen(cases[i].text), "a.mtl",
-                                    &library, &error) == BURNISH_STATUS_FORMAT);
+        CHECK1(burnish_read_mtl((const uint8_t *)cases[i].text, strlen(cases[i].text), "a.mtl",
+                                &library, &error) == BURNISH_STATUS_FORMAT);
         CHECK_TEXT(error.text, cases[i].message);
         burnish_mtl_destroy(&library);
     }
@@ -229,20 +229,20 @@ static void test_binary_messages(void) {
     burnish_error error;
     byte_list stl = {.size = 0}, ply = {.size = 0};
     put_stl(&stl, "solid", 2);
-    CHECK_THAT(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size - 1, &options, NULL, &source,
-                          &error) == BURNISH_STATUS_FORMAT);
+    CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size - 1, &options, NULL, &source,
+                      &error) == BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "mesh.stl: byte 80: 2 triangles are announced, but the file ends after "
                            "1; it is truncated or not STL, fetch it again");
     burnish_source_destroy(&source);
     memcpy(stl.bytes + 84 + 50 + 12 + 8, "\0\0\x80\x7f", 4); /* infinity as z of facet 1 */
-    CHECK_THAT(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source,
-                          &error) == BURNISH_STATUS_FORMAT);
+    CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source, &error) ==
+           BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "mesh.stl: byte 154: coordinate is not finite; repair the mesh");
     burnish_source_destroy(&source);
 
     put_ply(&ply, 2);
-    CHECK_THAT(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size - 1, &options, NULL, &source,
-                          &error) == BURNISH_STATUS_FORMAT);
+    CHECK1(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size - 1, &options, NULL, &source,
+                      &error) == BURNISH_STATUS_FORMAT);
     char expected[200];
     snprintf(expected, sizeof expected,
              "mesh.ply: byte %zu: element face, row 2: a list of 3 values does not fit the rest of "
@@ -261,22 +261,22 @@ static void test_limits(void) {
     put_stl(&stl, "", 3);
     put_ply(&ply, 1);
     options.max_triangles = 2;
-    CHECK_THAT(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source,
-                          &error) == BURNISH_STATUS_LIMIT);
+    CHECK1(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source, &error) ==
+           BURNISH_STATUS_LIMIT);
     CHECK_TEXT(error.text,
                "mesh.obj:5: more than 2 triangles; raise the limit or simplify the mesh");
     burnish_source_destroy(&source);
-    CHECK_THAT(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source,
-                          &error) == BURNISH_STATUS_LIMIT);
+    CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source, &error) ==
+           BURNISH_STATUS_LIMIT);
     CHECK_TEXT(error.text,
                "mesh.stl: byte 80: more than 2 triangles; raise the limit or simplify the mesh");
     burnish_source_destroy(&source);
-    CHECK_THAT(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size, &options, NULL, &source,
-                          &error) == BURNISH_STATUS_LIMIT);
+    CHECK1(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size, &options, NULL, &source, &error) ==
+           BURNISH_STATUS_LIMIT);
     burnish_source_destroy(&source);
     options.max_triangles = 3;
-    CHECK_THAT(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source,
-                          &error) == BURNISH_STATUS_OK);
+    CHECK1(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source, &error) ==
+           BURNISH_STATUS_OK);
     burnish_source_destroy(&source);
 }
 
@@ -337,34 +337,25 @@ static void test_truncation(sample samples[SAMPLES]) {
     }
 }
 
-static uint32_t next_random(uint64_t *state) { /* splitmix64, upper half */
-    uint64_t z = *state += UINT64_C(0x9E3779B97F4A7C15);
-    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-    return (uint32_t)((z ^ z >> 31) >> 32);
-}
-
 /* Up to 8 changed bytes, favouring those that mean something, and sometimes a moved piece. */
 static void mutate(byte_list *list, uint64_t *state) {
     static const char telling[] = "0123456789-+.e/\\#\n\r \tvfnp\x00\xff\x7f\x80";
-    for (uint32_t count = 1 + next_random(state) % 8; count > 0; --count) {
-        size_t at = next_random(state) % list->size;
-        uint32_t random = next_random(state);
+    for (uint32_t count = 1 + test_random32(state) % 8; count > 0; --count) {
+        size_t at = test_random32(state) % list->size;
+        uint32_t random = test_random32(state);
         list->bytes[at] = random & 1 ? (uint8_t)(random >> 8)
                                      : (uint8_t)telling[(random >> 8) % (sizeof telling - 1)];
     }
-    if (next_random(state) % 8 == 0) {
-        size_t from = next_random(state) % list->size, to = next_random(state) % list->size;
+    if (test_random32(state) % 8 == 0) {
+        size_t from = test_random32(state) % list->size, to = test_random32(state) % list->size;
         size_t most = list->size - (from > to ? from : to);
-        memmove(list->bytes + to, list->bytes + from, next_random(state) % (most + 1));
+        memmove(list->bytes + to, list->bytes + from, test_random32(state) % (most + 1));
     }
 }
 
 static void test_mutation(sample samples[SAMPLES]) {
     enum { ROUNDS = 3000 };
-    const uint64_t seed = 77;
-    uint64_t state = seed;
-    printf("mutations: seed %llu\n", (unsigned long long)seed);
+    uint64_t state = test_seed(77);
     for (size_t i = 0; i < SAMPLES; ++i) {
         size_t refused = 0;
         for (size_t round = 0; round < ROUNDS; ++round) {
@@ -433,10 +424,10 @@ static void test_claims(void) {
     put_stl(&stl, "", 0);
     stl.bytes[83] = 0x01; /* 16,777,216 triangles, 839 MB, in 100 bytes */
     put(&stl, "sixteen bytes...", 16);
-    CHECK_THAT(refuses_within_16_mib(BURNISH_FORMAT_STL, &stl));
+    CHECK1(refuses_within_16_mib(BURNISH_FORMAT_STL, &stl));
     burnish_source source;
     burnish_error error;
-    CHECK_THAT(read_text(BURNISH_FORMAT_PLY, texts[0], &source, &error) == BURNISH_STATUS_FORMAT);
+    CHECK1(read_text(BURNISH_FORMAT_PLY, texts[0], &source, &error) == BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "mesh.ply:3: element vertex announces 80000000 rows, but the rest of "
                            "the file has room for 0 at most; it is truncated or damaged, fetch it "
                            "again");
@@ -465,7 +456,7 @@ static void write_file(const char *path, const char *text) {
 static void test_files(void) {
     burnish_load_options options = burnish_load_options_default();
     char folder[] = "/tmp/burnish-test-XXXXXX";
-    if (!CHECK_THAT(mkdtemp(folder) && chdir(folder) == 0)) {
+    if (!CHECK1(mkdtemp(folder) && chdir(folder) == 0)) {
         return;
     }
     check_load("missing.obj", &options, BURNISH_STATUS_READ,
@@ -482,7 +473,7 @@ static void test_files(void) {
     write_file("bad.obj", "mtllib bad.mtl\n" TRIANGLE "f 1 2 3\n");
     check_load("bad.obj", &options, BURNISH_STATUS_FORMAT,
                "bad.mtl:2: Kd \"x\" is not a number; write it like 1.5 or -2e-3");
-    CHECK_THAT(mkfifo("pipe.mtl", 0600) == 0);
+    CHECK1(mkfifo("pipe.mtl", 0600) == 0);
     write_file("pipe.obj", "mtllib pipe.mtl\nf 1 2 3\n");
     check_load("pipe.obj", &options, BURNISH_STATUS_FORMAT,
                "pipe.obj:2: face refers to vertex 1, but 0 stand before it; correct the index");
@@ -494,12 +485,12 @@ static void test_files(void) {
     options.cookie = 0;
     check_load("note.txt", &options, BURNISH_STATUS_ARGUMENT,
                "options: not initialised; start from burnish_load_options_default()");
-    CHECK_THAT(burnish_mesh_load("x", &options, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_load("x", &options, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
     options = burnish_load_options_default();
     check_load(NULL, &options, BURNISH_STATUS_ARGUMENT, "path: NULL; pass one");
     remove("empty.stl"), remove("note.txt"), remove("bad.mtl"), remove("bad.obj");
     remove("pipe.mtl"), remove("pipe.obj");
-    CHECK_THAT(chdir("/") == 0 && rmdir(folder) == 0);
+    CHECK1(chdir("/") == 0 && rmdir(folder) == 0);
 }
 
 /* A name of any length leaves room for the message. */
@@ -510,20 +501,20 @@ static void test_long_name(void) {
     burnish_error error = {0};
     memset(name, 'x', sizeof name - 5);
     strcpy(name + sizeof name - 5, ".obj");
-    CHECK_THAT(burnish_mesh_load_memory("v x", 3, name, &options, &scene, &error) ==
-               BURNISH_STATUS_FORMAT);
+    CHECK1(burnish_mesh_load_memory("v x", 3, name, &options, &scene, &error) ==
+           BURNISH_STATUS_FORMAT);
     CHECK(strncmp(error.text, "...xxx", 6) == 0 &&
               strstr(error.text, "xxx.obj:1: coordinate \"x\" is not a number; write it like 1.5"),
           "%s", error.text);
     static const char line[] = "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n";
-    CHECK_THAT(burnish_mesh_load_memory(line, sizeof line - 1, name, &options, &scene, &error) ==
-               BURNISH_STATUS_FORMAT);
+    CHECK1(burnish_mesh_load_memory(line, sizeof line - 1, name, &options, &scene, &error) ==
+           BURNISH_STATUS_FORMAT);
     CHECK(strstr(error.text, "xxx.obj: no triangle has any area; 1 triangles were read"), "%s",
           error.text);
-    CHECK_THAT(burnish_mesh_load_memory(NULL, 3, "a", &options, &scene, &error) ==
-               BURNISH_STATUS_ARGUMENT);
-    CHECK_THAT(burnish_mesh_load_memory(NULL, 0, "a.obj", &options, &scene, &error) ==
-               BURNISH_STATUS_FORMAT);
+    CHECK1(burnish_mesh_load_memory(NULL, 3, "a", &options, &scene, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_load_memory(NULL, 0, "a.obj", &options, &scene, &error) ==
+           BURNISH_STATUS_FORMAT);
 }
 
 /* Found by fuzzing: meshes at the ends of single precision are drawn, or refused in one line; none
@@ -582,22 +573,23 @@ static void test_short_normals(void) {
     }
     float none[3] = {1, 1, 1};
     burnish_store_unit((burnish_vec3){0, -0.0, 0}, none);
-    CHECK_THAT(none[0] == 0 && none[1] == 0 && none[2] == 0);
+    CHECK1(none[0] == 0 && none[1] == 0 && none[2] == 0);
 }
 
-int main(void) {
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
     static sample samples[SAMPLES];
     make_samples(samples);
-    test_messages();
-    test_mtl_messages();
-    test_binary_messages();
-    test_limits();
-    test_truncation(samples);
-    test_mutation(samples);
-    test_claims();
-    test_files();
-    test_long_name();
-    test_extreme_sizes();
-    test_short_normals();
+    RUN(test_messages());
+    RUN(test_mtl_messages());
+    RUN(test_binary_messages());
+    RUN(test_limits());
+    RUN(test_truncation(samples));
+    RUN(test_mutation(samples));
+    RUN(test_claims());
+    RUN(test_files());
+    RUN(test_long_name());
+    RUN(test_extreme_sizes());
+    RUN(test_short_normals());
     return test_end("broken_files");
 }

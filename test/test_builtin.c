@@ -2,12 +2,10 @@
 #include <math.h>
 
 #include "burnish/mesh.h"
-#include "harness.h"
 #include "mesh/read/reader.h"
+#include "support.h"
 
 #define PI 3.14159265358979323846
-
-#define CHECK_THAT(condition) CHECK(condition, "does not hold")
 
 static burnish_mesh *make(const char *name, int tessellation, double crease) {
     burnish_load_options options = burnish_load_options_default();
@@ -173,7 +171,7 @@ static void test_sphere(void) {
         CHECK(euler(&t, mesh) == 2, "%ld", euler(&t, mesh));
         CHECK(mesh->triangle_count == 48u * n * n, "%zu", mesh->triangle_count);
         CHECK(mesh->vertex_count == t.vertices, "%zu, %zu", mesh->vertex_count, t.vertices);
-        CHECK_THAT(burnish_mesh_warning_count(scene) == 0);
+        CHECK1(burnish_mesh_warning_count(scene) == 0);
         size_t equator = 0;
         for (size_t i = 0; i < mesh->vertex_count; ++i) {
             const float *p = mesh->positions + 3 * i;
@@ -194,7 +192,7 @@ static void test_sphere(void) {
         CHECK(fabs(area - 4 * PI) < 1.7 / (n * n), "area %g", area);
         check_normals(mesh, "sphere", 0.99);
         for (int axis = 0; axis < 3; ++axis) {
-            CHECK_THAT(mesh->bounds_min[axis] == -1 && mesh->bounds_max[axis] == 1);
+            CHECK1(mesh->bounds_min[axis] == -1 && mesh->bounds_max[axis] == 1);
         }
         burnish_mesh_destroy(scene);
     }
@@ -211,7 +209,7 @@ static void test_torus(void) {
         double volume, area, exact = 2 * PI * PI * 0.4 * 0.4;
         CHECK(t.open == 0 && t.wrong == 0 && euler(&t, mesh) == 0, "%zu open, Euler %ld", t.open,
               euler(&t, mesh));
-        CHECK_THAT(mesh->vertex_count == t.vertices && mesh->vertex_count == 32u * n * n);
+        CHECK1(mesh->vertex_count == t.vertices && mesh->vertex_count == 32u * n * n);
         measure(mesh, &volume, &area);
         error[k] = exact - volume;
         CHECK(error[k] > 0 && error[k] < 3.2 / (n * n), "volume %g of %g", volume, exact);
@@ -221,7 +219,7 @@ static void test_torus(void) {
             double ring = hypot((double)p[0], (double)p[2]), y = (double)p[1];
             CHECK(fabs(hypot(ring - 1, y) - 0.4) < 2e-7, "off the torus");
             CHECK(fabs((double)normal[1] - y / 0.4) < 1e-6, "normal");
-            CHECK_THAT(fabs((double)normal[0] - (double)p[0] / ring * (ring - 1) / 0.4) < 1e-6);
+            CHECK1(fabs((double)normal[0] - (double)p[0] / ring * (ring - 1) / 0.4) < 1e-6);
         }
         check_normals(mesh, "torus", 0.98);
         burnish_mesh_destroy(scene);
@@ -235,7 +233,7 @@ static void test_knot(void) {
     topology t = examine(mesh);
     CHECK(t.open == 0 && t.wrong == 0 && euler(&t, mesh) == 0, "%zu open, Euler %ld", t.open,
           euler(&t, mesh));
-    CHECK_THAT(mesh->vertex_count == t.vertices && burnish_mesh_warning_count(scene) == 0);
+    CHECK1(mesh->vertex_count == t.vertices && burnish_mesh_warning_count(scene) == 0);
     check_normals(mesh, "knot", 0.95);
     /* A tube's volume is its section times the length of the knot (Pappus). */
     double volume, area, length = 0;
@@ -295,18 +293,16 @@ static void test_arguments(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_source source = {0};
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK_THAT(burnish_make_builtin("kettle", &options, &source, &error) ==
-               BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_make_builtin("kettle", &options, &source, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text,
                ":kettle: unknown built-in object; there are :teapot, :sphere, :torus, :knot");
     const char *names[] = {"teapot", "sphere", "torus", "knot"};
     for (int i = 0; i < 4; ++i) {
         options = burnish_load_options_default();
         options.max_triangles = 100;
-        CHECK_THAT(burnish_make_builtin(names[i], &options, &source, &error) ==
-                   BURNISH_STATUS_LIMIT);
+        CHECK1(burnish_make_builtin(names[i], &options, &source, &error) == BURNISH_STATUS_LIMIT);
         CHECK(strstr(error.text, names[i]) && strstr(error.text, "100"), "%s", error.text);
-        CHECK_THAT(source.position_count == 0 && source.positions == NULL);
+        CHECK1(source.position_count == 0 && source.positions == NULL);
         burnish_mesh *scene = make(names[i], 1, 40);
         check_normals(burnish_mesh_get_view(scene), names[i], -1);
         burnish_mesh_destroy(scene);
@@ -315,23 +311,23 @@ static void test_arguments(void) {
     for (int i = 0; i < 3; ++i) {
         options = burnish_load_options_default();
         options.tessellation = wrong[i];
-        CHECK_THAT(burnish_make_builtin("sphere", &options, &source, &error) ==
-                   BURNISH_STATUS_ARGUMENT);
+        CHECK1(burnish_make_builtin("sphere", &options, &source, &error) ==
+               BURNISH_STATUS_ARGUMENT);
         CHECK(strstr(error.text, "tessellation"), "%s", error.text);
     }
     options = burnish_load_options_default();
     options.cookie = 1;
-    CHECK_THAT(burnish_make_builtin("sphere", &options, &source, &error) ==
-               BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_make_builtin("sphere", &options, &source, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK(strstr(error.text, "burnish_load_options_default()"), "%s", error.text);
     burnish_source_destroy(&source);
 }
 
-int main(void) {
-    test_sphere();
-    test_torus();
-    test_knot();
-    test_teapot();
-    test_arguments();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_sphere());
+    RUN(test_torus());
+    RUN(test_knot());
+    RUN(test_teapot());
+    RUN(test_arguments());
     return test_end("builtin");
 }

@@ -3,10 +3,9 @@
 #include <math.h>
 
 #include "burnish/mesh.h"
-#include "harness.h"
 #include "mesh/read/reader.h"
+#include "support.h"
 
-#define CHECK_THAT(condition) CHECK(condition, "does not hold")
 #define DEGREE (acos(-1.0) / 180)
 
 static burnish_mesh *builtin(const char *name) {
@@ -14,9 +13,9 @@ static burnish_mesh *builtin(const char *name) {
     burnish_source source = {0};
     burnish_mesh *scene = NULL;
     options.tessellation = 6;
-    CHECK_THAT(burnish_make_builtin(name, &options, &source, NULL) == BURNISH_STATUS_OK);
-    CHECK_THAT(burnish_mesh_build(&source, name, &options, BURNISH_FORMAT_AUTO, &scene, NULL) ==
-               BURNISH_STATUS_OK);
+    CHECK1(burnish_make_builtin(name, &options, &source, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_build(&source, name, &options, BURNISH_FORMAT_AUTO, &scene, NULL) ==
+           BURNISH_STATUS_OK);
     burnish_source_destroy(&source);
     return scene;
 }
@@ -28,8 +27,8 @@ static burnish_mesh *triangles(const float *positions, size_t triangle_count) {
     for (uint32_t i = 0; i < 64; ++i) {
         indices[i] = i;
     }
-    CHECK_THAT(burnish_mesh_create(positions, NULL, NULL, 3 * triangle_count, indices,
-                                   triangle_count, &options, &scene, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_create(positions, NULL, NULL, 3 * triangle_count, indices, triangle_count,
+                               &options, &scene, NULL) == BURNISH_STATUS_OK);
     return scene;
 }
 
@@ -102,8 +101,8 @@ static burnish_camera fit(const burnish_mesh *scene, const burnish_framing *opti
           e[3], limit_y);
     int touching = fabs(e[1] - limit_x) < 1e-9 || fabs(e[3] - limit_y) < 1e-9;
     CHECK(touching == touches, "x %.12g of %g, y %.12g of %g", e[1], limit_x, e[3], limit_y);
-    CHECK_THAT(camera.view_angle == options->view_angle);
-    CHECK_THAT((camera.orthographic_height > 0) == (options->orthographic != 0));
+    CHECK1(camera.view_angle == options->view_angle);
+    CHECK1((camera.orthographic_height > 0) == (options->orthographic != 0));
     return camera;
 }
 
@@ -138,9 +137,9 @@ static void test_sphere_distance(void) {
     burnish_source source = {0};
     burnish_mesh *scene = NULL;
     load.tessellation = 64;
-    CHECK_THAT(burnish_make_builtin("sphere", &load, &source, NULL) == BURNISH_STATUS_OK);
-    CHECK_THAT(burnish_mesh_build(&source, "sphere", &load, BURNISH_FORMAT_AUTO, &scene, NULL) ==
-               BURNISH_STATUS_OK);
+    CHECK1(burnish_make_builtin("sphere", &load, &source, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_build(&source, "sphere", &load, BURNISH_FORMAT_AUTO, &scene, NULL) ==
+           BURNISH_STATUS_OK);
     burnish_source_destroy(&source);
     burnish_framing options = burnish_framing_default();
     burnish_camera camera = fit(scene, &options, 1);
@@ -338,25 +337,26 @@ static void test_arguments(void) {
     }
     burnish_framing options = burnish_framing_default();
     options.view_angle = 1e-320;
-    CHECK_THAT(burnish_camera_frame(scene, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_camera_frame(scene, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK(strstr(error.text, "view_angle"), "%s", error.text);
     options.view_angle = 1e-3;
     fit(scene, &options, 1);
     options = burnish_framing_default();
-    CHECK_THAT(options.view_angle == 30 && options.margin == 0.05 && options.aspect == 1);
-    CHECK_THAT(burnish_camera_frame(NULL, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK_THAT(burnish_camera_frame(scene, NULL, &camera, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK_THAT(burnish_camera_frame(scene, &options, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(options.view_angle == 30 && options.margin == 0.05 && options.aspect == 1);
+    CHECK1(burnish_camera_frame(NULL, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_camera_frame(scene, NULL, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_camera_frame(scene, &options, NULL, &error) == BURNISH_STATUS_ARGUMENT);
     burnish_mesh_destroy(scene);
 }
 
-int main(void) {
-    test_exact_fit();
-    test_sphere_distance();
-    test_three_quarter();
-    test_named_views();
-    test_turns();
-    test_degenerate_shapes();
-    test_arguments();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_exact_fit());
+    RUN(test_sphere_distance());
+    RUN(test_three_quarter());
+    RUN(test_named_views());
+    RUN(test_turns());
+    RUN(test_degenerate_shapes());
+    RUN(test_arguments());
     return test_end("camera");
 }

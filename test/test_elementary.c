@@ -5,9 +5,7 @@
 #include <stdint.h>
 
 #include "core/elementary.h"
-#include "harness.h"
-
-#define HOLDS(condition) CHECK(condition, " ")
+#include "support.h"
 
 /* The largest error of one function, and where. */
 typedef struct {
@@ -38,23 +36,10 @@ static void report(const char *name, worst w, double bound) {
     CHECK(w.ulp > 0 && w.ulp <= bound, "%s", name);
 }
 
-/* A fixed sequence of 64-bit numbers (splitmix64, Steele et al. 2014). */
-static uint64_t next_bits(uint64_t *state) {
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-/* Uniform in [low, high). */
-static double uniform(uint64_t *state, double low, double high) {
-    return low + (high - low) * ((double)(next_bits(state) >> 11) * 0x1p-53);
-}
-
 /* Of either sign, abs between 2^low and 2^high, uniform in the exponent. */
 static double spread(uint64_t *state, int low, int high) {
-    uint64_t bits = next_bits(state);
-    double mantissa = uniform(state, 1, 2);
+    uint64_t bits = test_random64(state);
+    double mantissa = test_uniform(state, 1, 2);
     double x = ldexp(mantissa, low + (int)((bits >> 1) % (uint64_t)(high - low)));
     return bits & 1 ? x : -x;
 }
@@ -62,21 +47,21 @@ static double spread(uint64_t *state, int low, int high) {
 enum { SAMPLES = 400000 };
 
 static void check_square_root(void) {
-    uint64_t state = 1;
+    uint64_t state = test_seed(1);
     for (int i = 0; i < SAMPLES; ++i) {
         double x = fabs(spread(&state, -1040, 1023));
         CHECK(burnish_sqrt(x) == sqrt(x), "%a", x);
         CHECK(burnish_sqrtf((float)i) == sqrtf((float)i), "%d", i);
     }
-    HOLDS(isnan(burnish_sqrt(-1)) && isnan(burnish_sqrtf(-1)));
+    CHECK1(isnan(burnish_sqrt(-1)) && isnan(burnish_sqrtf(-1)));
 }
 
 static void check_sincos(void) {
-    uint64_t state = 2;
+    uint64_t state = test_seed(2);
     worst sine = {0}, cosine = {0};
     for (int i = 0; i < 3 * SAMPLES; ++i) {
-        double x = i < SAMPLES       ? uniform(&state, -10, 10)
-                   : i < 2 * SAMPLES ? uniform(&state, -1e6, 1e6)
+        double x = i < SAMPLES       ? test_uniform(&state, -10, 10)
+                   : i < 2 * SAMPLES ? test_uniform(&state, -1e6, 1e6)
                                      : (double)(i - 5 * SAMPLES / 2) * 1.57079632679489661923;
         double s, c;
         burnish_sincos(x, &s, &c);
@@ -100,17 +85,17 @@ static void check_sincos(void) {
     }
     double s, c;
     burnish_sincos(-0.0, &s, &c);
-    HOLDS(s == 0 && signbit(s) && c == 1);
+    CHECK1(s == 0 && signbit(s) && c == 1);
     burnish_sincos(1e6, &s, &c);
-    HOLDS(!isnan(s) && !isnan(c));
+    CHECK1(!isnan(s) && !isnan(c));
 }
 
 static void check_atan2(void) {
-    uint64_t state = 3;
+    uint64_t state = test_seed(3);
     worst w = {0};
     for (int i = 0; i < 2 * SAMPLES; ++i) {
-        double y = i < SAMPLES ? uniform(&state, -1, 1) : spread(&state, -1030, 1023);
-        double x = i < SAMPLES ? uniform(&state, -1, 1) : spread(&state, -1030, 1023);
+        double y = i < SAMPLES ? test_uniform(&state, -1, 1) : spread(&state, -1030, 1023);
+        double x = i < SAMPLES ? test_uniform(&state, -1, 1) : spread(&state, -1030, 1023);
         note(&w, burnish_atan2(y, x), atan2l(y, x), y, x);
     }
     for (int i = 0; i <= SAMPLES; ++i) { /* where the nearest atan(k/8) changes */
@@ -121,20 +106,20 @@ static void check_atan2(void) {
     report("atan2", w, 1.5);
 
     const double pi = 3.14159265358979323846;
-    HOLDS(burnish_atan2(0, 0) == 0 && burnish_atan2(-0.0, -0.0) == 0);
-    HOLDS(burnish_atan2(0, -1) == pi && burnish_atan2(-0.0, -1) == pi);
-    HOLDS(burnish_atan2(1, 0) == pi / 2 && burnish_atan2(-1, 0) == -pi / 2);
-    HOLDS(burnish_atan2(0, 1) == 0);
-    HOLDS(burnish_atan2(HUGE_VAL, HUGE_VAL) == pi / 4);
-    HOLDS(burnish_atan2(-HUGE_VAL, -HUGE_VAL) == -3 * pi / 4);
-    HOLDS(burnish_atan2(1, HUGE_VAL) == 0 && burnish_atan2(HUGE_VAL, 1) == pi / 2);
-    HOLDS(isnan(burnish_atan2(NAN, 1)) && isnan(burnish_atan2(1, NAN)));
+    CHECK1(burnish_atan2(0, 0) == 0 && burnish_atan2(-0.0, -0.0) == 0);
+    CHECK1(burnish_atan2(0, -1) == pi && burnish_atan2(-0.0, -1) == pi);
+    CHECK1(burnish_atan2(1, 0) == pi / 2 && burnish_atan2(-1, 0) == -pi / 2);
+    CHECK1(burnish_atan2(0, 1) == 0);
+    CHECK1(burnish_atan2(HUGE_VAL, HUGE_VAL) == pi / 4);
+    CHECK1(burnish_atan2(-HUGE_VAL, -HUGE_VAL) == -3 * pi / 4);
+    CHECK1(burnish_atan2(1, HUGE_VAL) == 0 && burnish_atan2(HUGE_VAL, 1) == pi / 2);
+    CHECK1(isnan(burnish_atan2(NAN, 1)) && isnan(burnish_atan2(1, NAN)));
 }
 
 /* Arrays of every length up to 9, every bit of them: ordinary points, axes, diagonals, and what any
  * bits make, the infinite and NaN left out. */
 static void check_atan2_array(void) {
-    uint64_t state = 5;
+    uint64_t state = test_seed(5);
     int equal = 1;
     for (int round = 0; round < 40000; ++round) {
         double y[9], x[9], angles[9];
@@ -143,14 +128,14 @@ static void check_atan2_array(void) {
             static const double special[] = {0, -0.0, 1, -1, DBL_MIN, -0x1p-1074, DBL_MAX};
             uint64_t bits[2];
             for (int k = 0; k < 2; ++k) {
-                bits[k] = (uint64_t)uniform(&state, 0, 0x1p32) << 32 |
-                          (uint64_t)uniform(&state, 0, 0x1p32);
+                bits[k] = (uint64_t)test_uniform(&state, 0, 0x1p32) << 32 |
+                          (uint64_t)test_uniform(&state, 0, 0x1p32);
             }
             memcpy(&y[i], &bits[0], sizeof y[i]);
             memcpy(&x[i], &bits[1], sizeof x[i]);
             if (round % 2 || !isfinite(y[i]) || !isfinite(x[i])) {
-                y[i] = uniform(&state, -1, 1);
-                x[i] = round % 8 == 1 ? y[i] : round % 8 == 3 ? -y[i] : uniform(&state, -1, 1);
+                y[i] = test_uniform(&state, -1, 1);
+                x[i] = round % 8 == 1 ? y[i] : round % 8 == 3 ? -y[i] : test_uniform(&state, -1, 1);
             }
             if (bits[0] % 8 == 0) {
                 y[i] = special[bits[0] / 8 % 7];
@@ -169,27 +154,27 @@ static void check_atan2_array(void) {
 }
 
 static void check_acos(void) {
-    uint64_t state = 4;
+    uint64_t state = test_seed(4);
     worst w = {0};
     for (int i = 0; i < SAMPLES; ++i) {
-        double x = uniform(&state, -1, 1);
+        double x = test_uniform(&state, -1, 1);
         double near_one = 1 - fabs(spread(&state, -53, -1));
         note(&w, burnish_acos(x), acosl(x), x, 0);
         note(&w, burnish_acos(near_one), acosl(near_one), near_one, 0);
         note(&w, burnish_acos(-near_one), acosl(-near_one), -near_one, 0);
     }
     report("acos", w, 2.5);
-    HOLDS(burnish_acos(1) == 0 && burnish_acos(2) == 0 && burnish_acos(HUGE_VAL) == 0);
-    HOLDS(burnish_acos(-1) == acos(-1) && burnish_acos(-2) == acos(-1));
-    HOLDS(burnish_acos(0) == acos(0));
-    HOLDS(isnan(burnish_acos(NAN)));
+    CHECK1(burnish_acos(1) == 0 && burnish_acos(2) == 0 && burnish_acos(HUGE_VAL) == 0);
+    CHECK1(burnish_acos(-1) == acos(-1) && burnish_acos(-2) == acos(-1));
+    CHECK1(burnish_acos(0) == acos(0));
+    CHECK1(isnan(burnish_acos(NAN)));
 }
 
 static void check_log(void) {
-    uint64_t state = 5;
+    uint64_t state = test_seed(5);
     worst w = {0};
     for (int i = 0; i < SAMPLES; ++i) {
-        double x = uniform(&state, 0, 4);
+        double x = test_uniform(&state, 0, 4);
         double near_one = 1 + spread(&state, -52, -1);
         double any = fabs(spread(&state, -1070, 1023));
         note(&w, burnish_log(x), logl(x), x, 0);
@@ -197,38 +182,38 @@ static void check_log(void) {
         note(&w, burnish_log(any), logl(any), any, 0);
     }
     report("log", w, 1);
-    HOLDS(burnish_log(1) == 0);
-    HOLDS(burnish_log(0) == -HUGE_VAL && burnish_log(-0.0) == -HUGE_VAL);
-    HOLDS(burnish_log(HUGE_VAL) == HUGE_VAL);
-    HOLDS(isnan(burnish_log(-1)) && isnan(burnish_log(-HUGE_VAL)) && isnan(burnish_log(NAN)));
+    CHECK1(burnish_log(1) == 0);
+    CHECK1(burnish_log(0) == -HUGE_VAL && burnish_log(-0.0) == -HUGE_VAL);
+    CHECK1(burnish_log(HUGE_VAL) == HUGE_VAL);
+    CHECK1(isnan(burnish_log(-1)) && isnan(burnish_log(-HUGE_VAL)) && isnan(burnish_log(NAN)));
 }
 
 static void check_expm1(void) {
-    uint64_t state = 6;
+    uint64_t state = test_seed(6);
     worst w = {0};
     for (int i = 0; i < SAMPLES; ++i) {
-        double x = uniform(&state, -3, 3);
-        double wide = uniform(&state, -60, 709.7);
+        double x = test_uniform(&state, -3, 3);
+        double wide = test_uniform(&state, -60, 709.7);
         double tiny = spread(&state, -1040, 1);
         note(&w, burnish_expm1(x), expm1l(x), x, 0);
         note(&w, burnish_expm1(wide), expm1l(wide), wide, 0);
         note(&w, burnish_expm1(tiny), expm1l(tiny), tiny, 0);
     }
     report("expm1", w, 1.5);
-    HOLDS(burnish_expm1(0) == 0 && signbit(burnish_expm1(-0.0)));
-    HOLDS(burnish_expm1(-745) == -1 && burnish_expm1(-HUGE_VAL) == -1);
-    HOLDS(isfinite(burnish_expm1(709)));
-    HOLDS(burnish_expm1(709.79) == HUGE_VAL && burnish_expm1(711) == HUGE_VAL);
-    HOLDS(burnish_expm1(HUGE_VAL) == HUGE_VAL && isnan(burnish_expm1(NAN)));
+    CHECK1(burnish_expm1(0) == 0 && signbit(burnish_expm1(-0.0)));
+    CHECK1(burnish_expm1(-745) == -1 && burnish_expm1(-HUGE_VAL) == -1);
+    CHECK1(isfinite(burnish_expm1(709)));
+    CHECK1(burnish_expm1(709.79) == HUGE_VAL && burnish_expm1(711) == HUGE_VAL);
+    CHECK1(burnish_expm1(HUGE_VAL) == HUGE_VAL && isnan(burnish_expm1(NAN)));
 }
 
 /* The bits themselves: one number over many results, the same for every compiler and machine. */
 static void check_bits(void) {
     uint64_t state = 7, hash = 0;
     for (int i = 0; i < 20000; ++i) {
-        double results[7], x = uniform(&state, -20, 20);
+        double results[7], x = test_uniform(&state, -20, 20);
         burnish_sincos(x * 1000, &results[0], &results[1]);
-        results[2] = burnish_atan2(x, uniform(&state, -20, 20));
+        results[2] = burnish_atan2(x, test_uniform(&state, -20, 20));
         results[3] = burnish_acos(x * 0.05);
         results[4] = burnish_log(x * x);
         results[5] = burnish_expm1(x);
@@ -244,14 +229,15 @@ static void check_bits(void) {
     CHECK(hash == 0xcfab5e56986bed8eu, "the bits changed");
 }
 
-int main(void) {
-    check_square_root();
-    check_sincos();
-    check_atan2();
-    check_atan2_array();
-    check_acos();
-    check_log();
-    check_expm1();
-    check_bits();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(check_square_root());
+    RUN(check_sincos());
+    RUN(check_atan2());
+    RUN(check_atan2_array());
+    RUN(check_acos());
+    RUN(check_log());
+    RUN(check_expm1());
+    RUN(check_bits());
     return test_end("elementary");
 }

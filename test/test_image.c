@@ -9,7 +9,7 @@
 
 #include "burnish/core.h"
 #include "burnish/image.h"
-#include "harness.h"
+#include "support.h"
 
 #define CHECK_STATUS(call, expected) CHECK((call) == (expected), "not the expected status")
 
@@ -63,8 +63,9 @@ static uint64_t reference_hash(const uint8_t *bytes, size_t size) {
     return hash ^ hash >> 32;
 }
 
-static burnish_image make(int width, int height, int channels, unsigned seed) {
+static burnish_image make(int width, int height, int channels, unsigned number) {
     burnish_image image;
+    uint64_t state = test_seed(number);
     burnish_error error;
     if (burnish_image_create(&image, width, height, channels, &error) != BURNISH_STATUS_OK) {
         printf("%s\n", error.text);
@@ -72,8 +73,7 @@ static burnish_image make(int width, int height, int channels, unsigned seed) {
     }
     size_t size = (size_t)width * (size_t)height * (size_t)channels;
     for (size_t i = 0; i < size; ++i) {
-        seed = seed * 1664525U + 1013904223U;
-        image.pixels[i] = (uint8_t)(seed >> 24);
+        image.pixels[i] = (uint8_t)test_random32(&state);
     }
     return image;
 }
@@ -381,21 +381,22 @@ static void test_long_file_name(void) {
           "%s", error.text);
 }
 
-int main(void) {
-    test_create();
-    test_hash();
-    test_copy();
-    test_copy_extremes();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_create());
+    RUN(test_hash());
+    RUN(test_copy());
+    RUN(test_copy_extremes());
     for (int channels = 3; channels <= 4; ++channels) {
-        check_sheet(channels, 1, 1, 1);
-        check_sheet(channels, 6, 3, 0);
-        check_sheet(channels, 7, 3, 1);
-        check_sheet(channels, 4, 1, 1);
+        RUN(check_sheet(channels, 1, 1, 1));
+        RUN(check_sheet(channels, 6, 3, 0));
+        RUN(check_sheet(channels, 7, 3, 1));
+        RUN(check_sheet(channels, 4, 1, 1));
     }
-    test_long_label();
-    test_smaller_labels();
-    test_sheet_errors();
-    test_killed_writer();
-    test_long_file_name();
+    RUN(test_long_label());
+    RUN(test_smaller_labels());
+    RUN(test_sheet_errors());
+    RUN(test_killed_writer());
+    RUN(test_long_file_name());
     return test_end("image");
 }

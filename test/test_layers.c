@@ -3,7 +3,7 @@
 #include <dirent.h>
 #include <sys/stat.h>
 
-#include "harness.h"
+#include "support.h"
 
 /* What the files of a folder may include: those of the same folder, and these folders' and files'.
  * "burnish/NAME" is include/burnish/NAME. A folder that is not listed fails. */
@@ -132,11 +132,12 @@ static void check_that_wrong_arrows_are_found(void) {
     CHECK(allowed(find_layer("src/render"), "raster/raster.h"), "render leads raster");
 }
 
-int main(void) {
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
     static const char *const ROOTS[] = {"src", "tools", "bench"};
     for (size_t i = 0; i < sizeof ROOTS / sizeof ROOTS[0]; ++i) {
         CHECK(check_folder(ROOTS[i]) > 0, "no include found in %s", ROOTS[i]);
     }
-    check_that_wrong_arrows_are_found();
+    RUN(check_that_wrong_arrows_are_found());
     return test_end("layers");
 }

@@ -1,6 +1,6 @@
 /* The integer lobes: the proofs of q15_proof.h over a part of the exponents, the steps over all
  * their inputs, how lobes are made, the boundary memory of theory.h. */
-#include "harness.h"
+#include "support.h"
 
 #include "burnish/theory.h"
 #include "q15_proof.h"
@@ -51,8 +51,11 @@ static void test_steps(void) {
         wrong += burnish_q15_lambda((uint16_t)x) != (x > 0x8000 ? 0 : 0x8000 - x);
     }
     CHECK(wrong == 0, "%d steps of 16 bits are wrong", wrong);
-    for (uint32_t i = 0, x = 1; i < 4000000; ++i, x = x * 1664525u + 1013904223u) {
-        const uint32_t at = i < 1000 ? i : i < 2000 ? 0xFFFFFFFFu - (i - 1000) : x;
+    uint64_t state = test_seed(1);
+    for (uint32_t i = 0; i < 4000000; ++i) {
+        const uint32_t at = i < 1000   ? i
+                            : i < 2000 ? 0xFFFFFFFFu - (i - 1000)
+                                       : test_random32(&state);
         const uint64_t square = (uint64_t)at * at;
         wrong += burnish_q15_square_wide(at) != square >> 32;
         wrong += burnish_q15_round(at) != (at >= 0xFFFF8000u ? 0xFFFF : (at + 0x8000u) >> 16);
@@ -160,12 +163,13 @@ static void test_boundary(void) {
     }
 }
 
-int main(void) {
-    test_proofs();
-    test_proof_can_fail();
-    test_steps();
-    test_errors();
-    test_zeta();
-    test_boundary();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_proofs());
+    RUN(test_proof_can_fail());
+    RUN(test_steps());
+    RUN(test_errors());
+    RUN(test_zeta());
+    RUN(test_boundary());
     return test_end("lobe_q15");
 }

@@ -1,15 +1,10 @@
 /* The command line's parser and values, without running the program: both forms of a flag, hints,
  * strict numbers, and that the table of flags agrees with the library's own defaults. */
-#include <locale.h>
-
 #include "../tools/burnish/cli/options.c"
 #include "../tools/burnish/cli/values.c"
 #include "../tools/burnish/render/flags.c"
 #include "../tools/burnish/render/values.c"
-#include "harness.h"
-
-/* A check whose condition says it all. */
-#define HOLDS(condition) CHECK(condition, "does not hold")
+#include "decimal_comma.h"
 
 /* The table names it; nothing here runs it. */
 int burnish_cli_render_main(int argc, char **argv) {
@@ -48,24 +43,25 @@ static void test_defaults(void) {
     burnish_load_options load = burnish_load_options_default();
     burnish_framing fit = burnish_framing_default();
     const burnish_cli_render *s = &p.settings;
-    HOLDS(s->size[0] == render.width && s->size[1] == render.height);
-    HOLDS(s->samples == render.samples && s->threads == render.threads);
-    HOLDS(s->lobes.count == 1 && s->lobes.items[0].kind == render.lobe.kind &&
-          s->lobes.items[0].fit == render.lobe.fit && s->lobes.items[0].order == render.lobe.order);
-    HOLDS(s->equation == (int)render.equation && s->viewer == (int)render.viewer);
+    CHECK1(s->size[0] == render.width && s->size[1] == render.height);
+    CHECK1(s->samples == render.samples && s->threads == render.threads);
+    CHECK1(s->lobes.count == 1 && s->lobes.items[0].kind == render.lobe.kind &&
+           s->lobes.items[0].fit == render.lobe.fit &&
+           s->lobes.items[0].order == render.lobe.order);
+    CHECK1(s->equation == (int)render.equation && s->viewer == (int)render.viewer);
     CHECK(render.background[0] == 255 && render.background[1] == 255 && render.background[2] == 255,
           "the help says that the background is white");
-    HOLDS(s->format == (int)load.format && s->tessellation == load.tessellation);
-    HOLDS(!s->crease.given && load.crease_angle == BURNISH_CREASE_AUTO);
-    HOLDS(s->max_triangles == load.max_triangles && s->max_input_bytes == load.max_input_bytes);
-    HOLDS(s->view_angle.value == fit.view_angle && s->margin.value == fit.margin);
-    HOLDS(s->azimuth.value == fit.azimuth && s->elevation.value == fit.elevation);
-    HOLDS(!s->json && !s->quiet && !s->fail_on_blank && !s->orthographic && s->material == -1);
+    CHECK1(s->format == (int)load.format && s->tessellation == load.tessellation);
+    CHECK1(!s->crease.given && load.crease_angle == BURNISH_CREASE_AUTO);
+    CHECK1(s->max_triangles == load.max_triangles && s->max_input_bytes == load.max_input_bytes);
+    CHECK1(s->view_angle.value == fit.view_angle && s->margin.value == fit.margin);
+    CHECK1(s->azimuth.value == fit.azimuth && s->elevation.value == fit.elevation);
+    CHECK1(!s->json && !s->quiet && !s->fail_on_blank && !s->orthographic && s->material == -1);
 }
 
 static void test_forms(void) {
-    HOLDS(parse("x|--samples=8").settings.samples == 8);
-    HOLDS(parse("--samples|8|x").settings.samples == 8);
+    CHECK1(parse("x|--samples=8").settings.samples == 8);
+    CHECK1(parse("--samples|8|x").settings.samples == 8);
     CHECK(parse("x|--samples=8|--samples|16").settings.samples == 16, "the last counts");
     parsed p = parse("-o|out.png|x.obj");
     CHECK_TEXT(p.settings.output, "out.png");
@@ -75,18 +71,18 @@ static void test_forms(void) {
     CHECK_TEXT(parse("--output=--json|x").settings.output, "--json");
     CHECK_TEXT(parse("--output=a=b|x").settings.output, "a=b");
     p = parse("--json|--|--quiet");
-    HOLDS(p.settings.json && !p.settings.quiet);
+    CHECK1(p.settings.json && !p.settings.quiet);
     CHECK_TEXT(p.operands.items[0], "--quiet");
     CHECK_TEXT(parse("-|--json").operands.items[0], "-");
     p = parse("x|--camera-azimuth-angle|-30|--camera-position|-1,-2,-3");
     CHECK(p.settings.azimuth.value == -30 && p.settings.position.values[2] == -3,
           "a negative number is a value, not a flag");
     p = parse("x|--size=64|--resolution=300,200");
-    HOLDS(p.settings.size[0] == 300 && p.settings.size[1] == 200);
+    CHECK1(p.settings.size[0] == 300 && p.settings.size[1] == 200);
     p = parse("x|--resolution=300x200|--size=64");
-    HOLDS(p.settings.size[0] == 64 && p.settings.size[1] == 64);
-    HOLDS(parse("x|--help|--nonsense").operands.help == 1);
-    HOLDS(parse("x|-h").operands.help == 1);
+    CHECK1(p.settings.size[0] == 64 && p.settings.size[1] == 64);
+    CHECK1(parse("x|--help|--nonsense").operands.help == 1);
+    CHECK1(parse("x|-h").operands.help == 1);
 }
 
 static void expect_error(const char *line, const char *text) {
@@ -144,25 +140,25 @@ static void test_numbers(void) {
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         CHECK(!burnish_cli_read_real(bad[i], strlen(bad[i]), &value), "\"%s\" accepted", bad[i]);
     }
-    HOLDS(parse("x|--max-input-bytes=3K").settings.max_input_bytes == 3072);
-    HOLDS(parse("x|--max-input-bytes=2G").settings.max_input_bytes == (uint64_t)2 << 30);
-    HOLDS(parse("x|--max-input-bytes=99999999999G").status == BURNISH_STATUS_ARGUMENT);
-    HOLDS(parse("x|--max-input-bytes=G").status == BURNISH_STATUS_ARGUMENT);
-    HOLDS(parse("x|--max-input-bytes=").status == BURNISH_STATUS_ARGUMENT);
-    HOLDS(parse("x|--max-triangles=2147483648").status == BURNISH_STATUS_ARGUMENT);
-    HOLDS(parse("x|--threads=1025").status == BURNISH_STATUS_ARGUMENT);
-    HOLDS(parse("x|--camera-view-angle=180").status == BURNISH_STATUS_ARGUMENT);
-    HOLDS(parse("x|--camera-direction=0,0,0").status == BURNISH_STATUS_ARGUMENT);
-    HOLDS(parse("x|--camera-position=1,2,3,4").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--max-input-bytes=3K").settings.max_input_bytes == 3072);
+    CHECK1(parse("x|--max-input-bytes=2G").settings.max_input_bytes == (uint64_t)2 << 30);
+    CHECK1(parse("x|--max-input-bytes=99999999999G").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--max-input-bytes=G").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--max-input-bytes=").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--max-triangles=2147483648").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--threads=1025").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--camera-view-angle=180").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--camera-direction=0,0,0").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--camera-position=1,2,3,4").status == BURNISH_STATUS_ARGUMENT);
 }
 
 static void test_colors(void) {
     float c[3];
-    HOLDS(burnish_cli_read_color("#fa0", 4, c) && c[0] == 1 && c[1] == 170 / 255.0F && c[2] == 0);
-    HOLDS(burnish_cli_read_color("#FF8000", 7, c) && c[0] == 1 && c[1] == 128 / 255.0F &&
-          c[2] == 0);
-    HOLDS(burnish_cli_read_color("0.25,.5,1", 9, c) && c[0] == 0.25F && c[1] == 0.5F && c[2] == 1);
-    HOLDS(burnish_cli_read_color("white", 5, c) && c[0] == 1 && c[1] == 1 && c[2] == 1);
+    CHECK1(burnish_cli_read_color("#fa0", 4, c) && c[0] == 1 && c[1] == 170 / 255.0F && c[2] == 0);
+    CHECK1(burnish_cli_read_color("#FF8000", 7, c) && c[0] == 1 && c[1] == 128 / 255.0F &&
+           c[2] == 0);
+    CHECK1(burnish_cli_read_color("0.25,.5,1", 9, c) && c[0] == 0.25F && c[1] == 0.5F && c[2] == 1);
+    CHECK1(burnish_cli_read_color("white", 5, c) && c[0] == 1 && c[1] == 1 && c[2] == 1);
     static const char *const bad[] = {"",        "#",     "#12",    "#12345", "#ggg",   "1,1",
                                       "1,1,1,1", "2,0,0", "-1,0,0", "whit",   "whites", "#1234567"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
@@ -173,21 +169,21 @@ static void test_colors(void) {
     }
     parsed p = parse("x|--no-background|--background-color=#123456");
     CHECK(!p.settings.background.transparent && p.settings.background.given, "the later counts");
-    HOLDS(parse("x|--background-color=#123456|--no-background").settings.background.transparent);
-    HOLDS(parse("x|--background-color=none").settings.background.transparent);
+    CHECK1(parse("x|--background-color=#123456|--no-background").settings.background.transparent);
+    CHECK1(parse("x|--background-color=none").settings.background.transparent);
 }
 
 static void test_lights(void) {
     parsed p = parse("x|--light=directional:-1,2.5,3:0.5:#f00|--light|world-point:1,2,3");
     const burnish_light *lights = p.settings.lights.items;
-    HOLDS(p.status == BURNISH_STATUS_OK && p.settings.lights.count == 2);
-    HOLDS(lights[0].kind == BURNISH_LIGHT_DIRECTIONAL && lights[0].follows_camera == 1);
-    HOLDS(lights[0].vector[0] == -1 && lights[0].vector[1] == 2.5 && lights[0].vector[2] == 3);
-    HOLDS(lights[0].color[0] == 0.5F && lights[0].color[1] == 0 && lights[0].color[2] == 0);
-    HOLDS(lights[1].kind == BURNISH_LIGHT_POINT && lights[1].follows_camera == 0);
-    HOLDS(lights[1].color[0] == 1 && lights[1].color[2] == 1);
+    CHECK1(p.status == BURNISH_STATUS_OK && p.settings.lights.count == 2);
+    CHECK1(lights[0].kind == BURNISH_LIGHT_DIRECTIONAL && lights[0].follows_camera == 1);
+    CHECK1(lights[0].vector[0] == -1 && lights[0].vector[1] == 2.5 && lights[0].vector[2] == 3);
+    CHECK1(lights[0].color[0] == 0.5F && lights[0].color[1] == 0 && lights[0].color[2] == 0);
+    CHECK1(lights[1].kind == BURNISH_LIGHT_POINT && lights[1].follows_camera == 0);
+    CHECK1(lights[1].color[0] == 1 && lights[1].color[2] == 1);
     p = parse("x|--light=point:1,2,3|--light=none");
-    HOLDS(p.settings.lights.given && p.settings.lights.count == 0);
+    CHECK1(p.settings.lights.given && p.settings.lights.count == 0);
     static const char *const bad[] = {"x|--light=sun:1,2,3",        "x|--light=point",
                                       "x|--light=point:",           "x|--light=point:1,2",
                                       "x|--light=point:1,2,3:",     "x|--light=point:1,2,3:-1",
@@ -197,14 +193,14 @@ static void test_lights(void) {
         CHECK(parse(bad[i]).status == BURNISH_STATUS_ARGUMENT, "%s accepted", bad[i]);
     }
     p = parse("x|--ambient=0.5");
-    HOLDS(p.settings.ambient.linear[0] == 0.5F && p.settings.ambient.linear[2] == 0.5F);
-    HOLDS(parse("x|--ambient=white").settings.ambient.linear[1] == 1);
+    CHECK1(p.settings.ambient.linear[0] == 0.5F && p.settings.ambient.linear[2] == 0.5F);
+    CHECK1(parse("x|--ambient=white").settings.ambient.linear[1] == 1);
 }
 
 /* What every row of the table must have for the help screen and the man page. */
 static void test_table(void) {
     const burnish_cli_command *command = &burnish_cli_render_command;
-    HOLDS(command->flags[0].group && command->flags[0].help);
+    CHECK1(command->flags[0].group && command->flags[0].help);
     for (size_t i = 0; i < command->flag_count; ++i) {
         const burnish_cli_flag *flag = &command->flags[i];
         CHECK(flag->handler && flag->manual && strlen(flag->manual) > 10, "--%s", flag->name);
@@ -217,24 +213,30 @@ static void test_table(void) {
         }
     }
     for (size_t i = 0; burnish_cli_preset_words[i].name; ++i) {
-        HOLDS(burnish_cli_preset_words[i].value == (int)i);
+        CHECK1(burnish_cli_preset_words[i].value == (int)i);
         CHECK_TEXT(burnish_cli_preset_words[i].name, burnish_cli_presets[i].name);
     }
 }
 
-int main(void) {
-    test_defaults();
-    test_forms();
-    test_errors();
-    test_numbers();
-    /* A locale with a decimal comma changes nothing, where the system has one. */
-    if (setlocale(LC_ALL, "de_DE.UTF-8")) {
-        double value;
-        HOLDS(burnish_cli_read_real("1.5", 3, &value) && value == 1.5);
-        HOLDS(setlocale(LC_ALL, "C") != NULL);
+/* A locale with a decimal comma changes nothing. */
+static void test_decimal_comma(void) {
+    double value;
+    if (test_decimal_comma_begin()) {
+        CHECK1(burnish_cli_read_real("1.5", 3, &value) && value == 1.5);
+        CHECK1(!burnish_cli_read_real("1,5", 3, &value));
+        test_decimal_comma_end();
     }
-    test_colors();
-    test_lights();
-    test_table();
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_defaults());
+    RUN(test_forms());
+    RUN(test_errors());
+    RUN(test_numbers());
+    RUN(test_decimal_comma());
+    RUN(test_colors());
+    RUN(test_lights());
+    RUN(test_table());
     return test_end("options");
 }

@@ -11,7 +11,7 @@
 
 #include "burnish/image.h"
 #include "core/output.h"
-#include "harness.h"
+#include "support.h"
 
 #define CHECK_STATUS(call, expected) CHECK((call) == (expected), "not the expected status")
 
@@ -23,12 +23,12 @@ static burnish_image make(int width, int height, int channels) {
         exit(EXIT_FAILURE);
     }
     size_t stride = (size_t)width * (size_t)channels;
-    unsigned seed = (unsigned)(width * 31 + height);
+    uint64_t state = test_seed((unsigned)(width * 31 + height));
     for (size_t i = 0; i < stride * (size_t)height; ++i) {
-        seed = seed * 1664525U + 1013904223U;
+        uint8_t noise = (uint8_t)test_random32(&state);
         /* Noise, runs and gradients, so that every kind of deflate block occurs. */
         size_t row = i / stride;
-        image.pixels[i] = (uint8_t)(row % 3 == 0 ? seed >> 24 : row % 3 == 1 ? 77 : i + row);
+        image.pixels[i] = (uint8_t)(row % 3 == 0 ? noise : row % 3 == 1 ? 77 : i + row);
     }
     return image;
 }
@@ -76,13 +76,13 @@ static void test_decoding(void) {
 static burnish_image make_kind(int width, int height, int channels, int kind) {
     burnish_image image = make(width, height, channels);
     size_t stride = (size_t)width * (size_t)channels, size = stride * (size_t)height;
-    uint32_t seed = 1;
+    uint64_t state = test_seed(1);
     size_t fibonacci[24] = {1, 1}, sum = 0, symbol = 0, left = 0;
     for (int i = 2; i < 24; ++i) {
         fibonacci[i] = fibonacci[i - 1] + fibonacci[i - 2];
     }
     for (size_t i = 0; i < size; ++i) {
-        seed = seed * 1664525U + 1013904223U;
+        uint8_t noise = (uint8_t)test_random32(&state);
         if (left == 0) {
             symbol = (symbol + 1) % 24;
             left = fibonacci[symbol];
@@ -90,7 +90,7 @@ static burnish_image make_kind(int width, int height, int channels, int kind) {
         --left;
         uint8_t above = i >= stride ? image.pixels[i - stride] : 0;
         uint8_t rare = (uint8_t)(symbol + (i % 5 == 0 ? 100 * (i % 2) : 0));
-        image.pixels[i] = (uint8_t)(above + (kind == 0   ? seed >> 24
+        image.pixels[i] = (uint8_t)(above + (kind == 0   ? noise
                                              : kind == 1 ? (i % 4000 == 0)
                                              : kind == 2 ? 0
                                                          : rare));
@@ -404,24 +404,25 @@ static void test_write_png(void) {
     CHECK(entry_count() == 0, "%d entries", entry_count());
 }
 
-int main(void) {
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
     if (!mkdtemp(folder)) {
         printf("can't make %s\n", folder);
         return EXIT_FAILURE;
     }
-    test_decoding();
-    test_bands();
-    test_chunks();
-    test_new_and_existing_file();
-    test_link();
-    test_bare_name();
-    test_bad_paths();
-    test_failing_write();
-    test_no_permission();
-    test_devices();
-    test_standard_output();
-    test_fifo();
-    test_write_png();
+    RUN(test_decoding());
+    RUN(test_bands());
+    RUN(test_chunks());
+    RUN(test_new_and_existing_file());
+    RUN(test_link());
+    RUN(test_bare_name());
+    RUN(test_bad_paths());
+    RUN(test_failing_write());
+    RUN(test_no_permission());
+    RUN(test_devices());
+    RUN(test_standard_output());
+    RUN(test_fifo());
+    RUN(test_write_png());
     CHECK(rmdir(folder) == 0, "something was left in %s", folder);
     return test_end("png");
 }

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "harness.h"
 #include "raster/raster.h"
 #include "reference_tile.h"
+#include "support.h"
 
 enum { GRID = 12, SIZE = BURNISH_TILE_SIZE, MAX_TRIANGLES = 4096 };
 
@@ -14,15 +14,6 @@ typedef struct test_mesh {
     uint32_t indices[3 * MAX_TRIANGLES];
     size_t vertex_count, triangle_count;
 } test_mesh;
-
-static uint32_t next_random(uint32_t *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return *state >> 8;
-}
-
-static double random_unit(uint32_t *state) {
-    return next_random(state) / 16777216.0;
-}
 
 /* Parallel view: a unit is a pixel, the image's centre at the origin, depth 1 + z/1000. */
 static burnish_raster_view parallel_view(int width, int height, int samples) {
@@ -42,14 +33,14 @@ static void add_triangle(test_mesh *mesh, size_t a, size_t b, size_t c) {
 
 /* A plane of GRID x GRID jittered cells reaching beyond the image on all sides; with snap the
  * vertices lie on pixel centres and corners, where the top-left rule decides. */
-static void make_plane(test_mesh *mesh, int snap, uint32_t seed) {
+static void make_plane(test_mesh *mesh, int snap, uint64_t state) {
     double cell = SIZE * 1.3 / GRID;
     mesh->vertex_count = mesh->triangle_count = 0;
     for (int y = 0; y <= GRID; ++y) {
         for (int x = 0; x <= GRID; ++x) {
             float *p = mesh->positions + 3 * mesh->vertex_count++;
-            double jitter_x = (random_unit(&seed) - 0.5) * 0.3;
-            double jitter_y = (random_unit(&seed) - 0.5) * 0.3;
+            double jitter_x = (test_uniform(&state, 0, 1) - 0.5) * 0.3;
+            double jitter_y = (test_uniform(&state, 0, 1) - 0.5) * 0.3;
             p[0] = (float)((x - GRID / 2 + jitter_x) * cell);
             p[1] = (float)((y - GRID / 2 + jitter_y) * cell);
             p[2] = 0;
@@ -62,7 +53,7 @@ static void make_plane(test_mesh *mesh, int snap, uint32_t seed) {
     for (size_t y = 0; y < GRID; ++y) {
         for (size_t x = 0; x < GRID; ++x) {
             size_t a = y * (GRID + 1) + x, b = a + 1, c = a + GRID + 1, d = c + 1;
-            if (next_random(&seed) & 1) {
+            if (test_random32(&state) & 1) {
                 add_triangle(mesh, a, b, d);
                 add_triangle(mesh, a, d, c);
             } else {
@@ -121,9 +112,9 @@ static void check_plane(void) {
     for (int i = 0; i < 4; ++i) {
         burnish_raster_view view = parallel_view(SIZE, SIZE, SAMPLES[i]);
         for (uint32_t seed = 1; seed <= 8; ++seed) {
-            make_plane(&mesh, 0, seed);
+            make_plane(&mesh, 0, test_seed(seed));
             check_each_sample_once("jittered plane", &view, &mesh);
-            make_plane(&mesh, 1, seed);
+            make_plane(&mesh, 1, test_seed(seed));
             check_each_sample_once("snapped plane", &view, &mesh);
         }
     }
@@ -136,7 +127,7 @@ static void check_box_from_inside(void) {
     static const uint8_t FACES[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
                                         {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
     for (uint32_t seed = 1; seed <= 20; ++seed) {
-        uint32_t state = seed;
+        uint64_t state = test_seed(seed);
         mesh.vertex_count = mesh.triangle_count = 0;
         for (int i = 0; i < 8; ++i) {
             float *p = mesh.positions + 3 * mesh.vertex_count++;
@@ -148,9 +139,10 @@ static void check_box_from_inside(void) {
             add_triangle(&mesh, FACES[f][0], FACES[f][1], FACES[f][2]);
             add_triangle(&mesh, FACES[f][0], FACES[f][2], FACES[f][3]);
         }
-        double eye[3], turn = random_unit(&state) * 6.28, tilt = random_unit(&state) - 0.5;
+        double eye[3], turn = test_uniform(&state, 0, 1) * 6.28,
+                       tilt = test_uniform(&state, 0, 1) - 0.5;
         for (int i = 0; i < 3; ++i) {
-            eye[i] = (random_unit(&state) - 0.5) * 1.99;
+            eye[i] = (test_uniform(&state, 0, 1) - 0.5) * 1.99;
         }
         double forward[3] = {sin(turn) * cos(tilt), sin(tilt), -cos(turn) * cos(tilt)};
         double right[3] = {cos(turn), 0, sin(turn)};
@@ -175,20 +167,20 @@ static void check_bins(void) {
     static test_mesh mesh;
     static const int THREADS[] = {1, 2, 7};
     static const size_t BUDGETS[] = {1, 200, 1u << 25};
-    uint32_t state = 7;
+    uint64_t state = test_seed(7);
     mesh.vertex_count = mesh.triangle_count = 0;
     double x = 0, y = 0;
     for (int i = 0; i < 300; ++i) {
         if (i / 32 % 2 || i % 8 == 0) { /* in parts of the mesh, neighbours lie together */
-            x = (random_unit(&state) - 0.5) * 400;
-            y = (random_unit(&state) - 0.5) * 300;
+            x = (test_uniform(&state, 0, 1) - 0.5) * 400;
+            y = (test_uniform(&state, 0, 1) - 0.5) * 300;
         }
         double reach = i % 10 ? 30 : 400;
         for (int k = 0; k < 3; ++k) {
             float *p = mesh.positions + 3 * mesh.vertex_count++;
-            p[0] = (float)(x + (random_unit(&state) - 0.5) * reach);
-            p[1] = (float)(y + (random_unit(&state) - 0.5) * reach);
-            p[2] = (float)((random_unit(&state) - 0.5) * 100);
+            p[0] = (float)(x + (test_uniform(&state, 0, 1) - 0.5) * reach);
+            p[1] = (float)(y + (test_uniform(&state, 0, 1) - 0.5) * reach);
+            p[2] = (float)((test_uniform(&state, 0, 1) - 0.5) * 100);
         }
         add_triangle(&mesh, 3 * (size_t)i, 3 * (size_t)i + 1, 3 * (size_t)i + 2);
     }
@@ -308,11 +300,12 @@ static void check_fragments(void) {
     burnish_geometry_destroy(&geometry);
 }
 
-int main(void) {
-    check_rounding();
-    check_plane();
-    check_box_from_inside();
-    check_bins();
-    check_fragments();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(check_rounding());
+    RUN(check_plane());
+    RUN(check_box_from_inside());
+    RUN(check_bins());
+    RUN(check_fragments());
     return test_end("raster");
 }

@@ -19,14 +19,8 @@ typedef struct text {
     const char *line_end;
 } text;
 
-static uint64_t next_random(text *t) { /* splitmix64 */
-    uint64_t z = t->random += UINT64_C(0x9E3779B97F4A7C15);
-    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-    return z ^ z >> 31;
-}
 static unsigned below(text *t, unsigned limit) {
-    return (unsigned)(next_random(t) % limit);
+    return (unsigned)(test_random64(&t->random) % limit);
 }
 
 static void add(text *t, const void *bytes, size_t size) {
@@ -54,7 +48,7 @@ static void end_line(text *t) {
 
 /* A number of one of the shapes that files hold. */
 static void say_number(text *t) {
-    double value = (double)(int64_t)next_random(t) / 4e17;
+    double value = (double)(int64_t)test_random64(&t->random) / 4e17;
     if (below(t, 100) == 0) {
         say(t, " %+.25f", value);
         return;
@@ -177,7 +171,7 @@ static void check_mutations(const char *what, burnish_format format, text *t, co
         size_t at[3];
         char old[3], name[64];
         for (int k = 0; k < bytes; ++k) {
-            at[k] = next_random(t) % t->size;
+            at[k] = test_random64(&t->random) % t->size;
             old[k] = t->bytes[at[k]];
             t->bytes[at[k]] = letters[below(t, (unsigned)strlen(letters))];
         }
@@ -296,7 +290,7 @@ static void cross_border(text *t, const obj_plan *plan, size_t vertices) {
 
 static text make_obj(uint64_t seed, const obj_plan *plan, const char *line_end) {
     const size_t total = (size_t)PARTS * BURNISH_PART_SIZE - 5000;
-    text t = {.random = seed, .line_end = line_end};
+    text t = {.random = test_seed(seed), .line_end = line_end};
     size_t vertices = 0, normals = 0;
     if (below(&t, 2)) {
         say(&t, "\xEF\xBB\xBF");
@@ -490,7 +484,7 @@ static void say_facet(text *t, int odd) {
 }
 
 static text make_stl(uint64_t seed, int odd, const char *line_end) {
-    text t = {.random = seed, .line_end = line_end};
+    text t = {.random = test_seed(seed), .line_end = line_end};
     say(&t, "solid one\n");
     while (t.size < (size_t)PARTS * BURNISH_PART_SIZE) {
         if (below(&t, 500) == 0) {
@@ -540,7 +534,7 @@ static void test_stl_broken(void) {
 static void test_stl_binary(void) {
     enum { COUNT = 100000 };
     burnish_load_options options = burnish_load_options_default();
-    text t = {.random = 9};
+    text t = {.random = test_seed(9)};
     const char head[80] = "solid";
     const uint32_t count = COUNT;
     add(&t, head, sizeof head);
@@ -587,7 +581,7 @@ typedef struct ply_plan {
 /* Rows of vertices begin with 5, those of faces with 77. */
 static text make_ply(uint64_t seed, const ply_plan *plan, const char *line_end) {
     enum { VERTICES = 20000, FACES = 30000 };
-    text t = {.random = seed, .line_end = line_end};
+    text t = {.random = test_seed(seed), .line_end = line_end};
     say(&t, "ply\nformat ascii 1.0\n");
     if (plan->extra) {
         say(&t, "element camera 2\nproperty list uchar int i\nproperty float f\n");
@@ -683,7 +677,7 @@ static void test_ply_broken(void) {
 
 /* One look at a number and a character at a time must agree. */
 static void test_numbers(void) {
-    text t = {.random = 5, .line_end = "\n"};
+    text t = {.random = test_seed(5), .line_end = "\n"};
     burnish_number_reader numbers = {0};
     size_t fast = 0, all = 0;
     while (t.size < 1500000) {
@@ -692,10 +686,12 @@ static void test_numbers(void) {
             say_number(&t);
         } else if (kind < 10) { /* digits around 2^53, any small exponent */
             say(&t, " %s%.*f", kind & 1 ? "-" : "", (int)below(&t, 25),
-                (double)(next_random(&t) >> below(&t, 64)) / (double)(1 + below(&t, 100000)));
+                (double)(test_random64(&t.random) >> below(&t, 64)) /
+                    (double)(1 + below(&t, 100000)));
         } else {
-            say(&t, " %llu.%0*lluE%+d", (unsigned long long)(next_random(&t) >> below(&t, 64)),
-                (int)below(&t, 12), (unsigned long long)below(&t, 1000), (int)below(&t, 50) - 25);
+            say(&t, " %llu.%0*lluE%+d",
+                (unsigned long long)(test_random64(&t.random) >> below(&t, 64)), (int)below(&t, 12),
+                (unsigned long long)below(&t, 1000), (int)below(&t, 50) - 25);
         }
     }
     burnish_text one = burnish_text_open((const uint8_t *)t.bytes, t.size, 0), other = one;
@@ -714,17 +710,18 @@ static void test_numbers(void) {
     free(t.bytes);
 }
 
-int main(void) {
-    test_numbers();
-    test_obj();
-    test_obj_unused();
-    test_obj_broken();
-    test_obj_mutations();
-    test_obj_shapes();
-    test_stl_text();
-    test_stl_broken();
-    test_stl_binary();
-    test_ply();
-    test_ply_broken();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_numbers());
+    RUN(test_obj());
+    RUN(test_obj_unused());
+    RUN(test_obj_broken());
+    RUN(test_obj_mutations());
+    RUN(test_obj_shapes());
+    RUN(test_stl_text());
+    RUN(test_stl_broken());
+    RUN(test_stl_binary());
+    RUN(test_ply());
+    RUN(test_ply_broken());
     return test_end("reader_threads");
 }

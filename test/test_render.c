@@ -5,7 +5,7 @@
 
 #include "burnish/render.h"
 #include "burnish/theory.h"
-#include "harness.h"
+#include "support.h"
 
 static double decode(uint8_t code) {
     return (double)burnish_srgb_decode((float)code / 255.0f);
@@ -577,30 +577,31 @@ static void check_errors(burnish_mesh *sphere) {
 #undef WRONG
 }
 
-int main(void) {
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
     burnish_mesh *sphere = load(":sphere", 96);
-    check_highlight_width(sphere);
-    check_highlight_everywhere(sphere, BURNISH_SPECULAR_BLINN);
-    check_highlight_everywhere(sphere, BURNISH_SPECULAR_PHONG);
-    check_perspective_colors();
-    check_point_light(0, 4);
-    check_point_light(1, 4);
-    check_point_light(0, 0);
-    check_point_light(1, 0);
-    check_edges();
+    RUN(check_highlight_width(sphere));
+    RUN(check_highlight_everywhere(sphere, BURNISH_SPECULAR_BLINN));
+    RUN(check_highlight_everywhere(sphere, BURNISH_SPECULAR_PHONG));
+    RUN(check_perspective_colors());
+    RUN(check_point_light(0, 4));
+    RUN(check_point_light(1, 4));
+    RUN(check_point_light(0, 0));
+    RUN(check_point_light(1, 0));
+    RUN(check_edges());
     for (int samples = 1; samples <= 4; samples += 3) {
-        check_symmetry(0, 3.7, samples);
-        check_symmetry(1, 3.7, samples);
-        check_symmetry(0, 0, samples);
-        check_symmetry(1, 0, samples);
+        RUN(check_symmetry(0, 3.7, samples));
+        RUN(check_symmetry(1, 3.7, samples));
+        RUN(check_symmetry(0, 0, samples));
+        RUN(check_symmetry(1, 0, samples));
     }
-    check_threads();
-    check_renderer(sphere);
-    check_blank(sphere);
-    check_lobe_words();
-    check_fallback(sphere);
-    check_culling(sphere);
-    check_errors(sphere);
+    RUN(check_threads());
+    RUN(check_renderer(sphere));
+    RUN(check_blank(sphere));
+    RUN(check_lobe_words());
+    RUN(check_fallback(sphere));
+    RUN(check_culling(sphere));
+    RUN(check_errors(sphere));
     burnish_mesh_destroy(sphere);
     return test_end("render");
 }

@@ -3,12 +3,10 @@
 
 #include "burnish/mesh.h"
 #include "core/memory.h"
-#include "harness.h"
 #include "mesh/build/normals.h"
 #include "mesh/build/weld.h"
 #include "mesh/read/source.h"
-
-#define CHECK_THAT(condition) CHECK(condition, "does not hold")
+#include "support.h"
 
 /* Allocations that are left before one fails; negative: none fails. The linker leads the library's
  * calls here (--wrap in test/CMakeLists.txt). */
@@ -31,11 +29,9 @@ void *__wrap_realloc(void *old, size_t size) {
     return allocation_fails() ? NULL : __real_realloc(old, size);
 }
 
-static uint32_t random_state = 12345;
-
-static uint32_t random_bits(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return random_state >> 8;
+/* 24 bits, which a float holds exactly. */
+static uint32_t random_bits(uint64_t *state) {
+    return test_random32(state) >> 8;
 }
 
 /* A unit cube's corners (bit k of the number is coordinate k) and its faces, from outside. */
@@ -130,9 +126,9 @@ static void test_cube(void) {
                        third * (double)p[2], 1e-7),
                   "cut %d", turned);
         }
-        CHECK_THAT(mesh->bounds_min[1] == -1 && mesh->bounds_max[2] == 1);
-        CHECK_THAT(mesh->colors == NULL && mesh->triangle_materials == NULL);
-        CHECK_THAT(burnish_mesh_format(smooth) == BURNISH_FORMAT_STL);
+        CHECK1(mesh->bounds_min[1] == -1 && mesh->bounds_max[2] == 1);
+        CHECK1(mesh->colors == NULL && mesh->triangle_materials == NULL);
+        CHECK1(burnish_mesh_format(smooth) == BURNISH_FORMAT_STL);
         burnish_mesh_destroy(flat);
         burnish_mesh_destroy(smooth);
     }
@@ -202,7 +198,7 @@ static void test_large_fan(void) {
     CHECK(mesh->vertex_count > 0 && near(mesh->positions, 0, 0, 1, 0) &&
               near(mesh->normals, 0, 0, 1, 1e-6),
           "%g %g %g", (double)mesh->normals[0], (double)mesh->normals[1], (double)mesh->normals[2]);
-    CHECK_THAT(burnish_mesh_warning_count(scene) == 0);
+    CHECK1(burnish_mesh_warning_count(scene) == 0);
     burnish_mesh_destroy(scene);
 
     for (uint32_t i = 0; i < count; ++i) {
@@ -210,7 +206,7 @@ static void test_large_fan(void) {
     }
     scene = plain(positions, count + 2, indices, count, 40);
     mesh = burnish_mesh_get_view(scene);
-    CHECK_THAT(mesh->triangle_count == count);
+    CHECK1(mesh->triangle_count == count);
     /* Joined one to the next they make some groups, none of which goes all the way round: at the
        outer end each face has one vertex, at the edge's ends the groups have one each. */
     CHECK(mesh->vertex_count > count + 2 && mesh->vertex_count < count + 200, "all around: %zu",
@@ -245,12 +241,13 @@ static void test_weld(void) {
     uint32_t *remap = malloc(COUNT * sizeof *remap);
     size_t unique = 0, expected = 1, next = 0;
     burnish_error error = {BURNISH_STATUS_OK, ""};
+    uint64_t state = test_seed(1);
     for (size_t i = 0; i < COUNT; ++i) {
         for (int k = 0; k < 3; ++k) {
-            positions[3 * i + k] = (float)random_bits();
+            positions[3 * i + k] = (float)random_bits(&state);
         }
         if (i % 3 == 2) {
-            memcpy(positions + 3 * i, positions + 3 * (random_bits() % i), 12);
+            memcpy(positions + 3 * i, positions + 3 * (random_bits(&state) % i), 12);
         }
     }
     memcpy(sorted, positions, COUNT * 12);
@@ -273,8 +270,7 @@ static void test_weld(void) {
     }
     CHECK(ordered && next == unique, "numbers are not in order of appearance");
     CHECK(equal, "different positions share a number");
-    CHECK_THAT(burnish_weld(NULL, 0, NULL, NULL, &unique, &error) == BURNISH_STATUS_OK &&
-               unique == 0);
+    CHECK1(burnish_weld(NULL, 0, NULL, NULL, &unique, &error) == BURNISH_STATUS_OK && unique == 0);
     free(positions);
     free(sorted);
     free(remap);
@@ -283,12 +279,13 @@ static void test_weld(void) {
 static void test_weld_sort(void) {
     enum { MOST = 300 };
     burnish_weld_record records[MOST];
+    uint64_t state = test_seed(2);
     for (size_t count = 0; count < MOST; count += count < 40 ? 1 : 37) {
         uint64_t sum = 0;
         for (size_t i = 0; i < count; ++i) {
-            records[i] = (burnish_weld_record){
-                {random_bits() % 3, random_bits() % 3, random_bits() % 3, random_bits() % 3},
-                (uint32_t)i};
+            records[i] = (burnish_weld_record){{random_bits(&state) % 3, random_bits(&state) % 3,
+                                                random_bits(&state) % 3, random_bits(&state) % 3},
+                                               (uint32_t)i};
         }
         burnish_weld_sort(records, count);
         int ordered = 1;
@@ -315,25 +312,25 @@ static void test_zero_area(void) {
     burnish_mesh *scene = plain(positions, 6, indices, 6, 40);
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     CHECK(mesh->triangle_count == 2 && mesh->vertex_count == 4, "%zu", mesh->vertex_count);
-    CHECK_THAT(near(mesh->positions + 3 * mesh->indices[4], 2, 0, 0, 0));
-    CHECK_THAT(mesh->bounds_max[0] == 2 && mesh->bounds_max[2] == 0);
-    CHECK_THAT(burnish_mesh_warning_count(scene) == 1);
+    CHECK1(near(mesh->positions + 3 * mesh->indices[4], 2, 0, 0, 0));
+    CHECK1(mesh->bounds_max[0] == 2 && mesh->bounds_max[2] == 0);
+    CHECK1(burnish_mesh_warning_count(scene) == 1);
     CHECK_TEXT(burnish_mesh_warning(scene, 0),
                "burnish_mesh_create: 4 of 6 triangles have no area and were left out");
-    CHECK_THAT(burnish_mesh_warning(scene, 1) == NULL);
+    CHECK1(burnish_mesh_warning(scene, 1) == NULL);
     burnish_mesh_destroy(scene);
 
     burnish_error error;
     scene = (burnish_mesh *)&error;
-    CHECK_THAT(create(positions, NULL, NULL, 6, indices + 3, 4, 40, &scene, &error) ==
-               BURNISH_STATUS_FORMAT);
-    CHECK_THAT(scene == NULL && error.status == BURNISH_STATUS_FORMAT);
+    CHECK1(create(positions, NULL, NULL, 6, indices + 3, 4, 40, &scene, &error) ==
+           BURNISH_STATUS_FORMAT);
+    CHECK1(scene == NULL && error.status == BURNISH_STATUS_FORMAT);
     CHECK(strstr(error.text, "burnish_mesh_create: no triangle has any area; 4 triangles"), "%s",
           error.text);
     burnish_source empty = {0};
     burnish_load_options options = burnish_load_options_default();
-    CHECK_THAT(burnish_mesh_build(&empty, "empty.obj", &options, BURNISH_FORMAT_OBJ, &scene,
-                                  &error) == BURNISH_STATUS_FORMAT);
+    CHECK1(burnish_mesh_build(&empty, "empty.obj", &options, BURNISH_FORMAT_OBJ, &scene, &error) ==
+           BURNISH_STATUS_FORMAT);
     CHECK(strstr(error.text, "empty.obj: no triangle has any area; 0 triangles"), "%s", error.text);
 }
 
@@ -363,12 +360,12 @@ static void test_given_normals(void) {
     const float *n = mesh->normals;
     /* Both triangles are turned, and the made normals follow. */
     CHECK(mesh->vertex_count == 4, "%zu", mesh->vertex_count);
-    CHECK_THAT(near(mesh->positions + 3 * mesh->indices[1], 0, 1, 0, 0));
-    CHECK_THAT(near(mesh->positions + 3 * mesh->indices[4], 0, 1, 0, 0));
-    CHECK_THAT(near(n + 3 * mesh->indices[0], 0, -sqrt(0.5), -sqrt(0.5), 1e-7));
-    CHECK_THAT(near(n + 3 * mesh->indices[1], 0, 0, -1, 0));
-    CHECK_THAT(near(n + 3 * mesh->indices[2], 0, 0, -1, 0));
-    CHECK_THAT(near(n + 3 * mesh->indices[5], 0, 0, -1, 0));
+    CHECK1(near(mesh->positions + 3 * mesh->indices[1], 0, 1, 0, 0));
+    CHECK1(near(mesh->positions + 3 * mesh->indices[4], 0, 1, 0, 0));
+    CHECK1(near(n + 3 * mesh->indices[0], 0, -sqrt(0.5), -sqrt(0.5), 1e-7));
+    CHECK1(near(n + 3 * mesh->indices[1], 0, 0, -1, 0));
+    CHECK1(near(n + 3 * mesh->indices[2], 0, 0, -1, 0));
+    CHECK1(near(n + 3 * mesh->indices[5], 0, 0, -1, 0));
     burnish_mesh_destroy(scene);
 }
 
@@ -379,8 +376,7 @@ static void test_colors(void) {
                               5, 6, 7, 255, 8, 8, 8, 255, 9, 9, 200, 255};
     const uint32_t indices[] = {0, 1, 2, 3, 4, 5};
     burnish_mesh *scene = NULL;
-    CHECK_THAT(create(positions, NULL, colors, 6, indices, 2, 40, &scene, NULL) ==
-               BURNISH_STATUS_OK);
+    CHECK1(create(positions, NULL, colors, 6, indices, 2, 40, &scene, NULL) == BURNISH_STATUS_OK);
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     CHECK(mesh->vertex_count == 5, "%zu", mesh->vertex_count);
     for (int i = 0; i < 6; ++i) {
@@ -424,46 +420,46 @@ static void test_material_numbers(void) {
     const uint16_t numbers[4] = {2, 1, 0, 2};
     CHECK(build_materials(3, numbers, &scene, &error) == BURNISH_STATUS_OK, "%s", error.text);
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    CHECK_THAT(mesh->triangle_count == 3 && burnish_mesh_material_count(scene) == 3);
+    CHECK1(mesh->triangle_count == 3 && burnish_mesh_material_count(scene) == 3);
     const uint16_t *kept = mesh->triangle_materials;
-    if (CHECK_THAT(kept != NULL)) {
+    if (CHECK1(kept != NULL)) {
         CHECK(kept[0] == 2 && kept[1] == 0 && kept[2] == 2, "%d %d %d", kept[0], kept[1], kept[2]);
     }
-    CHECK_THAT(burnish_mesh_material(scene, 2)->exponent == 12);
-    CHECK_THAT(burnish_mesh_material(scene, 3) == NULL);
+    CHECK1(burnish_mesh_material(scene, 2)->exponent == 12);
+    CHECK1(burnish_mesh_material(scene, 3) == NULL);
     burnish_mesh_destroy(scene);
 
-    CHECK_THAT(build_materials(1, numbers, &scene, &error) == BURNISH_STATUS_OK);
-    CHECK_THAT(burnish_mesh_get_view(scene)->triangle_materials == NULL);
-    CHECK_THAT(burnish_mesh_material_count(scene) == 1);
-    CHECK_THAT(burnish_mesh_material(scene, 0)->exponent == 10);
+    CHECK1(build_materials(1, numbers, &scene, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_get_view(scene)->triangle_materials == NULL);
+    CHECK1(burnish_mesh_material_count(scene) == 1);
+    CHECK1(burnish_mesh_material(scene, 0)->exponent == 10);
     burnish_mesh_destroy(scene);
 
-    CHECK_THAT(build_materials(0, numbers, &scene, &error) == BURNISH_STATUS_OK);
+    CHECK1(build_materials(0, numbers, &scene, &error) == BURNISH_STATUS_OK);
     burnish_material grey = burnish_material_default();
-    CHECK_THAT(burnish_mesh_material_count(scene) == 1);
-    CHECK_THAT(memcmp(burnish_mesh_material(scene, 0), &grey, sizeof grey) == 0);
+    CHECK1(burnish_mesh_material_count(scene) == 1);
+    CHECK1(memcmp(burnish_mesh_material(scene, 0), &grey, sizeof grey) == 0);
     burnish_mesh_destroy(scene);
 
-    CHECK_THAT(build_materials(2, numbers, &scene, &error) == BURNISH_STATUS_FORMAT);
+    CHECK1(build_materials(2, numbers, &scene, &error) == BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "row.obj: triangle 0 has material 2, but there are only 2");
-    CHECK_THAT(scene == NULL);
+    CHECK1(scene == NULL);
 }
 
 static void test_set_material(void) {
     burnish_mesh *scene = soup(40, 0);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_material m = burnish_material_default();
-    CHECK_THAT(m.has_diffuse == 0 && m.has_exponent == 0 && m.exponent >= 1);
+    CHECK1(m.has_diffuse == 0 && m.has_exponent == 0 && m.exponent >= 1);
     m.exponent = 65536;
     m.diffuse[1] = 1;
     m.specular[2] = 0;
-    CHECK_THAT(burnish_mesh_set_material(scene, 0, &m, &error) == BURNISH_STATUS_OK);
-    CHECK_THAT(memcmp(burnish_mesh_material(scene, 0), &m, sizeof m) == 0);
-    CHECK_THAT(burnish_mesh_set_material(scene, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_set_material(scene, 0, &m, &error) == BURNISH_STATUS_OK);
+    CHECK1(memcmp(burnish_mesh_material(scene, 0), &m, sizeof m) == 0);
+    CHECK1(burnish_mesh_set_material(scene, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "index: 1 is out of range, the scene has 1 material");
-    CHECK_THAT(burnish_mesh_set_material(NULL, 0, &m, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK_THAT(burnish_mesh_set_material(scene, 0, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_set_material(NULL, 0, &m, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_set_material(scene, 0, NULL, &error) == BURNISH_STATUS_ARGUMENT);
     const float bad[] = {-0.1f, 1.5f, NAN, INFINITY};
     for (int i = 0; i < 4; ++i) {
         burnish_material wrong[4] = {m, m, m, m};
@@ -471,8 +467,8 @@ static void test_set_material(void) {
         wrong[3].exponent = bad[i] == 1.5f ? 0.5f : bad[i];
         const char *words[] = {"ambient[0]", "diffuse[1]", "specular[2]", "exponent"};
         for (int k = 0; k < 4; ++k) {
-            CHECK_THAT(burnish_mesh_set_material(scene, 0, &wrong[k], &error) ==
-                       BURNISH_STATUS_ARGUMENT);
+            CHECK1(burnish_mesh_set_material(scene, 0, &wrong[k], &error) ==
+                   BURNISH_STATUS_ARGUMENT);
             CHECK(strstr(error.text, words[k]), "%s", error.text);
         }
     }
@@ -510,10 +506,10 @@ static void test_arguments(void) {
     refused(positions, 3, indices, 1, "positions[4]: not finite");
     positions[4] = 0;
     burnish_load_options options = burnish_load_options_default();
-    CHECK_THAT(burnish_mesh_create(positions, NULL, NULL, 3, indices, 1, &options, NULL, NULL) ==
-               BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_create(positions, NULL, NULL, 3, indices, 1, &options, NULL, NULL) ==
+           BURNISH_STATUS_ARGUMENT);
     burnish_mesh_destroy(NULL);
-    CHECK_THAT(burnish_mesh_get_view(NULL) == NULL && burnish_mesh_material_count(NULL) == 0);
+    CHECK1(burnish_mesh_get_view(NULL) == NULL && burnish_mesh_material_count(NULL) == 0);
 }
 
 static void test_options(void) {
@@ -553,13 +549,13 @@ static void test_options(void) {
               "%d", i);
     }
     burnish_load_options options = burnish_load_options_default();
-    CHECK_THAT(options.crease_angle == BURNISH_CREASE_AUTO && options.tessellation == 16);
-    CHECK_THAT(options.max_triangles == 2147483647 && options.max_input_bytes >> 30 == 16);
+    CHECK1(options.crease_angle == BURNISH_CREASE_AUTO && options.tessellation == 16);
+    CHECK1(options.max_triangles == 2147483647 && options.max_input_bytes >> 30 == 16);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_mesh *scene = NULL;
     options.max_triangles = 1;
-    CHECK_THAT(burnish_mesh_create(positions, NULL, NULL, 4, indices, 2, &options, &scene,
-                                   &error) == BURNISH_STATUS_LIMIT);
+    CHECK1(burnish_mesh_create(positions, NULL, NULL, 4, indices, 2, &options, &scene, &error) ==
+           BURNISH_STATUS_LIMIT);
     CHECK(strstr(error.text, "2 triangles are more than the limit of 1"), "%s", error.text);
 }
 
@@ -618,7 +614,7 @@ static void check_out_of_memory(const float *positions, const float *normals, co
             CHECK(strncmp(error.text, "out of memory", 13) == 0, "%s", error.text);
         } else if (left < 0) {
             status = BURNISH_STATUS_MEMORY; /* only the warning was lost: go on */
-            CHECK_THAT(burnish_mesh_warning_count(scene) == 0);
+            CHECK1(burnish_mesh_warning_count(scene) == 0);
         }
         burnish_mesh_destroy(scene);
     }
@@ -653,6 +649,7 @@ typedef struct sheet_mesh {
 } sheet_mesh;
 
 static void make_sheet(sheet_mesh *mesh) {
+    uint64_t state = test_seed(3);
     memset(mesh, 0, sizeof *mesh);
     for (uint32_t i = 0; i < SHEET_VERTICES; ++i) {
         mesh->positions[3 * i] = (float)(i % (SHEET + 1));
@@ -666,7 +663,7 @@ static void make_sheet(sheet_mesh *mesh) {
         memcpy(mesh->indices + 3 * i, i % 2 ? (uint32_t[]){b, d, c} : (uint32_t[]){a, b, c}, 12);
     }
     for (uint32_t i = SHEET_TRIANGLES - 1; i > 0; --i) {
-        const uint32_t j = random_bits() % (i + 1);
+        const uint32_t j = random_bits(&state) % (i + 1);
         uint32_t kept[3];
         memcpy(kept, mesh->indices + 3 * i, sizeof kept);
         memcpy(mesh->indices + 3 * i, mesh->indices + 3 * j, sizeof kept);
@@ -727,14 +724,14 @@ static void test_order(void) {
     burnish_tasks tasks, *pool = &tasks;
     burnish_tasks_begin(&tasks, NULL, 3);
     burnish_mesh *scene = build_sheet(&sheet, NULL), *other = build_sheet(&sheet, pool);
-    if (!CHECK_THAT(scene != NULL && other != NULL)) {
+    if (!CHECK1(scene != NULL && other != NULL)) {
         return;
     }
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene),
                             *same = burnish_mesh_get_view(other);
-    CHECK_THAT(mesh->triangle_count == SHEET_TRIANGLES && mesh->vertex_count == SHEET_VERTICES);
-    CHECK_THAT(memcmp(mesh->indices, same->indices, sizeof(uint32_t) * 3 * SHEET_TRIANGLES) == 0);
-    CHECK_THAT(memcmp(mesh->positions, same->positions, sizeof sheet.positions) == 0);
+    CHECK1(mesh->triangle_count == SHEET_TRIANGLES && mesh->vertex_count == SHEET_VERTICES);
+    CHECK1(memcmp(mesh->indices, same->indices, sizeof(uint32_t) * 3 * SHEET_TRIANGLES) == 0);
+    CHECK1(memcmp(mesh->positions, same->positions, sizeof sheet.positions) == 0);
     double way = 0;
     int wrong = 0;
     for (size_t i = 0; i < SHEET_TRIANGLES; ++i) {
@@ -768,24 +765,26 @@ static void test_wide_fans(void) {
     enum { MOST = 10, ROUNDS = 20000 };
     burnish_fan fan;
     int different = 0, apart = 0;
-    if (!CHECK_THAT(burnish_fan_create(&fan, MOST, 60, NULL) == BURNISH_STATUS_OK)) {
+    uint64_t state = test_seed(4);
+    if (!CHECK1(burnish_fan_create(&fan, MOST, 60, NULL) == BURNISH_STATUS_OK)) {
         return;
     }
     int wide = fan.wide;
     for (int round = 0; round < ROUNDS; ++round) {
-        size_t faces = 1 + random_bits() % MOST;
+        size_t faces = 1 + random_bits(&state) % MOST;
         float positions[3 * (MOST + 2)], normals[2][3 * MOST];
         uint32_t triangles[3 * MOST], corners[MOST];
         int common[2];
         for (size_t i = 0; i < 3 * (MOST + 2); ++i) {
-            positions[i] = (float)(random_bits() % 2001) / 1000 - 1;
+            positions[i] = (float)(random_bits(&state) % 2001) / 1000 - 1;
             positions[i] *= i % 3 == 2 && round % 2 ? 0.1f : 1;
         }
         for (size_t i = 0; i < faces; ++i) {
-            uint32_t at = random_bits() % 3, first = 1 + (uint32_t)i, second = 2 + (uint32_t)i;
+            uint32_t at = random_bits(&state) % 3, first = 1 + (uint32_t)i,
+                     second = 2 + (uint32_t)i;
             second = i + 1 == faces && round % 3 ? 1 : second; /* closed, or an edge is free */
             triangles[3 * i + at] = 0;
-            triangles[3 * i + (at + 1) % 3] = random_bits() % 8 ? first : 1;
+            triangles[3 * i + (at + 1) % 3] = random_bits(&state) % 8 ? first : 1;
             triangles[3 * i + (at + 2) % 3] = second == first ? MOST + 1 : second;
             corners[i] = (uint32_t)(3 * i) + at;
         }
@@ -804,24 +803,25 @@ static void test_wide_fans(void) {
     burnish_fan_destroy(&fan);
 }
 
-int main(void) {
-    test_cube();
-    test_cylinder();
-    test_large_fan();
-    test_wide_fans();
-    test_double_sided();
-    test_weld();
-    test_weld_sort();
-    test_zero_area();
-    test_extreme_sizes();
-    test_given_normals();
-    test_colors();
-    test_material_numbers();
-    test_set_material();
-    test_arguments();
-    test_options();
-    test_crease_auto();
-    test_out_of_memory();
-    test_order();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_cube());
+    RUN(test_cylinder());
+    RUN(test_large_fan());
+    RUN(test_wide_fans());
+    RUN(test_double_sided());
+    RUN(test_weld());
+    RUN(test_weld_sort());
+    RUN(test_zero_area());
+    RUN(test_extreme_sizes());
+    RUN(test_given_normals());
+    RUN(test_colors());
+    RUN(test_material_numbers());
+    RUN(test_set_material());
+    RUN(test_arguments());
+    RUN(test_options());
+    RUN(test_crease_auto());
+    RUN(test_out_of_memory());
+    RUN(test_order());
     return test_end("scene");
 }

@@ -3,15 +3,9 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "harness.h"
+#include "support.h"
 
 #include "burnish/shade_q15.h"
-
-/* A generator of our own, so that a failure repeats. */
-static double uniform(uint64_t *state) { /* [-1, 1) */
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(int64_t)(*state & ~(uint64_t)2047) / 9223372036854775808.0;
-}
 
 static double length_of(const double v[3]) {
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -22,7 +16,7 @@ static void direction(uint64_t *state, double length, double exact[3], int16_t r
     double size;
     do {
         for (int k = 0; k < 3; ++k) {
-            exact[k] = uniform(state);
+            exact[k] = test_uniform(state, -1, 1);
         }
         size = length_of(exact);
     } while (size > 1 || size < .01);
@@ -46,13 +40,13 @@ static void measure(const double v[3], const int16_t unit[3], double *length, do
 
 static void test_normalize_near(void) {
     static const double spreads[] = {.02, .05, .1}, bounds[] = {2, 12, 95};
-    uint64_t state = 1;
+    uint64_t state = test_seed(1);
     for (int i = 0; i < 3; ++i) {
         double length = 0, component = 0;
         for (int j = 0; j < 1000000; ++j) {
             double exact[3];
             int16_t v[3], unit[3];
-            direction(&state, 1 + spreads[i] * uniform(&state), exact, v);
+            direction(&state, 1 + spreads[i] * test_uniform(&state, -1, 1), exact, v);
             const double given[3] = {v[0], v[1], v[2]};
             if (fabs(length_of(given) / 32768 - 1) > spreads[i]) {
                 continue; /* limited on the way */
@@ -70,14 +64,14 @@ static void test_normalize_near(void) {
 
 /* Every number of bits from 1 to 31, every small vector. */
 static void test_normalize(void) {
-    uint64_t state = 2;
+    uint64_t state = test_seed(2);
     double length = 0, component = 0;
     for (int bits = 1; bits <= 31; ++bits) {
         for (int j = 0; j < 60000; ++j) {
             int32_t v[3];
             int16_t unit[3];
             for (int k = 0; k < 3; ++k) {
-                v[k] = (int32_t)lrint(uniform(&state) * (pow(2, bits) - 1));
+                v[k] = (int32_t)lrint(test_uniform(&state, -1, 1) * (pow(2, bits) - 1));
             }
             const double given[3] = {v[0], v[1], v[2]};
             if (burnish_q15_normalize(v, unit)) {
@@ -118,7 +112,7 @@ static void test_inverse_root(void) {
 
 /* Cosines: N.L, the half vector's, the mirrored ray's, the chord. */
 static void test_cosines(void) {
-    uint64_t state = 3;
+    uint64_t state = test_seed(3);
     double dot_off = 0, mirror_off = 0, chord_off = 0, half_off = 0;
     for (int j = 0; j < 1000000; ++j) {
         double n[3], l[3], v[3], sum[3];
@@ -214,7 +208,7 @@ static double shade_real(const burnish_q15_shader *shader, const burnish_q15_lig
 /* Random lamps, surfaces and normals: codes within their own rounding and what 16-bit sums and a
  * cosine of 15 bits cost. The edge of the lit side is left out: there a lobe begins at once. */
 static void test_equation(void) {
-    uint64_t state = 4;
+    uint64_t state = test_seed(4);
     static const uint16_t exponents[] = {4, 16, 32, 64, 100, 128, 400, 1023};
     for (size_t e = 0; e < sizeof exponents / sizeof *exponents; ++e) {
         const uint16_t n = exponents[e];
@@ -230,11 +224,11 @@ static void test_equation(void) {
             uint8_t rgb[3];
             direction(&state, 1, exact, viewer);
             for (int k = 0; k < 3; ++k) {
-                material.ambient[k] = (uint16_t)(16384 + 16384 * uniform(&state));
-                material.diffuse[k] = (uint16_t)(16384 + 16384 * uniform(&state));
-                material.specular[k] = (uint16_t)(16384 + 16384 * uniform(&state));
-                ambient[k] = (uint16_t)(4096 + 4096 * uniform(&state));
-                color[k] = (uint16_t)(16384 + 16384 * uniform(&state));
+                material.ambient[k] = (uint16_t)(16384 + 16384 * test_uniform(&state, -1, 1));
+                material.diffuse[k] = (uint16_t)(16384 + 16384 * test_uniform(&state, -1, 1));
+                material.specular[k] = (uint16_t)(16384 + 16384 * test_uniform(&state, -1, 1));
+                ambient[k] = (uint16_t)(4096 + 4096 * test_uniform(&state, -1, 1));
+                color[k] = (uint16_t)(16384 + 16384 * test_uniform(&state, -1, 1));
             }
             CHECK(burnish_q15_shader_create(&shader, BURNISH_Q15_ENERGY, 2, n, &material,
                                             ambient) == BURNISH_Q15_OK,
@@ -272,12 +266,13 @@ static void test_equation(void) {
     }
 }
 
-int main(void) {
-    test_normalize_near();
-    test_normalize();
-    test_inverse_root();
-    test_cosines();
-    test_colors();
-    test_equation();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_normalize_near());
+    RUN(test_normalize());
+    RUN(test_inverse_root());
+    RUN(test_cosines());
+    RUN(test_colors());
+    RUN(test_equation());
     return test_end("shade_q15");
 }

@@ -3,8 +3,8 @@
 #include "../tools/generate/srgb_table.c"
 
 #include "core/srgb.h"
-#include "harness.h"
 #include "shading/table.h"
+#include "support.h"
 
 /* The nearest code by the encoding formula; the generator uses the decoding one. */
 static int exact_code(float linear) {
@@ -192,15 +192,16 @@ static void test_packing(void) {
     }
 }
 
-int main(void) {
-    test_generated();
-    test_around_thresholds();
-    test_bucket_edges();
-    test_all_patterns();
-    test_monotone();
-    test_codes();
-    test_values_between();
-    test_encoders();
-    test_packing();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_generated());
+    RUN(test_around_thresholds());
+    RUN(test_bucket_edges());
+    RUN(test_all_patterns());
+    RUN(test_monotone());
+    RUN(test_codes());
+    RUN(test_values_between());
+    RUN(test_encoders());
+    RUN(test_packing());
     return test_end("srgb");
 }

@@ -8,7 +8,7 @@
 
 #include "core/processors.h"
 #include "core/tasks.h"
-#include "harness.h"
+#include "support.h"
 
 enum { MOST = 1000, THREADS = 5 };
 
@@ -175,29 +175,42 @@ static void check_quota(void) {
     }
 }
 
-int main(void) {
+static void check_runs(int threads) {
     static const size_t COUNTS[] = {0, 1, 2, 3, 17, 100, MOST};
+    burnish_tasks tasks;
+    burnish_tasks_begin(&tasks, NULL, threads);
+    CHECK(burnish_tasks_threads(&tasks) == threads, "%d threads", threads);
+    for (int round = 0; round < 200; ++round) {
+        check_run(&tasks, COUNTS[round % 7], (size_t)(1 + round % 9), round % 4);
+    }
+    check_ranges(&tasks);
+}
+
+static void check_alone(void) {
     CHECK(burnish_tasks_threads(NULL) == 1, "no tasks: the caller alone");
     CHECK(burnish_processor_count() >= 1, "a processor");
     check_run(NULL, MOST, 3, 0);
-    for (int threads = 1; threads <= THREADS; ++threads) {
-        burnish_tasks tasks;
-        burnish_tasks_begin(&tasks, NULL, threads);
-        CHECK(burnish_tasks_threads(&tasks) == threads, "%d threads", threads);
-        for (int round = 0; round < 200; ++round) {
-            check_run(&tasks, COUNTS[round % 7], (size_t)(1 + round % 9), round % 4);
-        }
-        check_ranges(&tasks);
-    }
+}
+
+static void check_signal_masks(void) {
     burnish_tasks tasks;
     atomic_int open_to_signals = 0;
     burnish_tasks_begin(&tasks, NULL, THREADS);
     burnish_tasks_run(&tasks, MOST, 1, 0, check_signals, &open_to_signals);
     CHECK(atomic_load(&open_to_signals) == 0, "threads of the pool take no signals");
-    check_runner();
-    check_cancel();
-    check_nested();
-    check_fork();
-    check_quota();
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(check_alone());
+    for (int threads = 1; threads <= THREADS; ++threads) {
+        RUN(check_runs(threads));
+    }
+    RUN(check_signal_masks());
+    RUN(check_runner());
+    RUN(check_cancel());
+    RUN(check_nested());
+    RUN(check_fork());
+    RUN(check_quota());
     return test_end("tasks");
 }

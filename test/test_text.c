@@ -3,8 +3,8 @@
 
 #include "burnish/image.h"
 #include "core/srgb.h"
-#include "harness.h"
 #include "image/stroke_font.h"
+#include "support.h"
 
 static const uint8_t black[3] = {0, 0, 0};
 
@@ -216,17 +216,18 @@ static void test_golden(void) {
     burnish_image_destroy(&image);
 }
 
-int main(void) {
-    test_clipping();
-    test_extremes();
-    test_measuring();
-    test_glyphs(8);
-    test_glyphs(14);
-    test_glyphs(50);
-    test_stroke_limit();
-    test_other_characters();
-    test_exact_stem();
-    test_blending();
-    test_golden();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_clipping());
+    RUN(test_extremes());
+    RUN(test_measuring());
+    RUN(test_glyphs(8));
+    RUN(test_glyphs(14));
+    RUN(test_glyphs(50));
+    RUN(test_stroke_limit());
+    RUN(test_other_characters());
+    RUN(test_exact_stem());
+    RUN(test_blending());
+    RUN(test_golden());
     return test_end("text");
 }

@@ -4,9 +4,7 @@
 #include <math.h>
 
 #include "burnish/theory.h"
-#include "harness.h"
-
-#define HOLDS(condition) CHECK(condition, " ")
+#include "support.h"
 
 static const double exponents[] = {1,  1.5, 2,  2.999, 3,   4,    5,    8,    10,    16,
                                    18, 32,  50, 99.5,  100, 1000, 1024, 4096, 65535, 65536};
@@ -87,7 +85,7 @@ static void check_same_as_header(void) {
         CHECK(a == b && header.zeta == theory.zeta && header.order == theory.order,
               "fit %d order %d n=%.9g", (int)fit, order, (double)n);
     }
-    HOLDS(n > 60000 && n < 70000);
+    CHECK1(n > 60000 && n < 70000);
 }
 
 static double zeta_of(burnish_lobe_fit fit, int order, double n, double level) {
@@ -169,10 +167,10 @@ static void check_level(void) {
 static void check_limits(void) {
     for (int order = 2; order <= 32; order *= 2) {
         double m = order;
-        HOLDS(zeta_of(BURNISH_FIT_PROJECTED, order, m, 0.5) == 1);
-        HOLDS(zeta_of(BURNISH_FIT_ENERGY, order, m, 0.5) == 1);
-        HOLDS(zeta_of(BURNISH_FIT_TAYLOR, order, m, 0.5) == 1);
-        HOLDS(zeta_of(BURNISH_FIT_LEVEL, order, m, 0.5) == 1);
+        CHECK1(zeta_of(BURNISH_FIT_PROJECTED, order, m, 0.5) == 1);
+        CHECK1(zeta_of(BURNISH_FIT_ENERGY, order, m, 0.5) == 1);
+        CHECK1(zeta_of(BURNISH_FIT_TAYLOR, order, m, 0.5) == 1);
+        CHECK1(zeta_of(BURNISH_FIT_LEVEL, order, m, 0.5) == 1);
         /* narrow lobes do not see the cosine's weight, and Q near 1 is the peak itself */
         double energy = zeta_of(BURNISH_FIT_ENERGY, order, 65536, 0.5);
         double projected = zeta_of(BURNISH_FIT_PROJECTED, order, 65536, 0.5);
@@ -187,9 +185,9 @@ static void check_limits(void) {
             double n = exponents[i];
             if (n > m) {
                 double t = zeta_of(BURNISH_FIT_TAYLOR, order, n, 0.5);
-                HOLDS(zeta_of(BURNISH_FIT_ENERGY, order, n, 0.5) < t);
-                HOLDS(zeta_of(BURNISH_FIT_LEVEL, order, n, 0.5) < t);
-                HOLDS(zeta_of(BURNISH_FIT_LEVEL, order, n, 0.5) > 1);
+                CHECK1(zeta_of(BURNISH_FIT_ENERGY, order, n, 0.5) < t);
+                CHECK1(zeta_of(BURNISH_FIT_LEVEL, order, n, 0.5) < t);
+                CHECK1(zeta_of(BURNISH_FIT_LEVEL, order, n, 0.5) > 1);
             }
         }
     }
@@ -212,7 +210,7 @@ static void check_errors(void) {
     static const double bad_exponents[] = {0, 1 - 1e-15, 65536.00000001, NAN, HUGE_VAL, -10};
     for (int i = 0; i < 7; ++i) {
         check_refused(BURNISH_FIT_LEVEL, 2, 10, bad_levels[i], BURNISH_LOBE_ERROR_LEVEL);
-        HOLDS(zeta_of(BURNISH_FIT_ENERGY, 2, 8, bad_levels[i]) == 3); /* not read */
+        CHECK1(zeta_of(BURNISH_FIT_ENERGY, 2, 8, bad_levels[i]) == 3); /* not read */
     }
     for (int fit = 0; fit < BURNISH_FIT_COUNT; ++fit) {
         for (int i = 0; i < 6; ++i) {
@@ -233,16 +231,16 @@ static void check_errors(void) {
 }
 
 static void check_values(void) {
-    HOLDS(burnish_theory_family(4, 2, 0.875) == 0.25 &&
-          burnish_theory_family(4, 4, 0.875) == 0.0625);
-    HOLDS(burnish_theory_family(4, 2, 0.75) == 0 && burnish_theory_family(4, 3, 1) == 0);
-    HOLDS(burnish_theory_family(0.25, 2, -1) == 0.25);
-    HOLDS(burnish_theory_power(0.5, 3) == 0.125 && burnish_theory_power(0, 3) == 0);
-    HOLDS(burnish_theory_power(0.25, 0) == 1 && burnish_theory_power(0, 0) == 0);
-    HOLDS(burnish_theory_power(-0.5, 2) == 0);
-    HOLDS(fabs(burnish_theory_schlick(0.5, 3) - 0.25) < 1e-16);
-    HOLDS(fabs(burnish_theory_gx(0.5, 6) - 0.1) < 1e-16);
-    HOLDS(fabs(burnish_theory_gaussian(0.5, 1.225) - exp(-1)) < 1e-16);
+    CHECK1(burnish_theory_family(4, 2, 0.875) == 0.25 &&
+           burnish_theory_family(4, 4, 0.875) == 0.0625);
+    CHECK1(burnish_theory_family(4, 2, 0.75) == 0 && burnish_theory_family(4, 3, 1) == 0);
+    CHECK1(burnish_theory_family(0.25, 2, -1) == 0.25);
+    CHECK1(burnish_theory_power(0.5, 3) == 0.125 && burnish_theory_power(0, 3) == 0);
+    CHECK1(burnish_theory_power(0.25, 0) == 1 && burnish_theory_power(0, 0) == 0);
+    CHECK1(burnish_theory_power(-0.5, 2) == 0);
+    CHECK1(fabs(burnish_theory_schlick(0.5, 3) - 0.25) < 1e-16);
+    CHECK1(fabs(burnish_theory_gx(0.5, 6) - 0.1) < 1e-16);
+    CHECK1(fabs(burnish_theory_gaussian(0.5, 1.225) - exp(-1)) < 1e-16);
     for (double c = 0.001; c < 1; c += 0.001) {
         double n = 20, book = c / (n - n * c + c);
         CHECK(fabs(burnish_theory_schlick(c, n) - book) < 1e-14, "schlick at %g", c);
@@ -276,14 +274,15 @@ static void check_special_values(void) {
     }
 }
 
-int main(void) {
-    check_formulas();
-    check_same_as_header();
-    check_integrals();
-    check_level();
-    check_limits();
-    check_errors();
-    check_values();
-    check_special_values();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(check_formulas());
+    RUN(check_same_as_header());
+    RUN(check_integrals());
+    RUN(check_level());
+    RUN(check_limits());
+    RUN(check_errors());
+    RUN(check_values());
+    RUN(check_special_values());
     return test_end("theory");
 }

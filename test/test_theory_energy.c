@@ -7,9 +7,7 @@
 #include <stdint.h>
 
 #include "burnish/theory.h"
-#include "harness.h"
-
-#define HOLDS(condition) CHECK(condition, " ")
+#include "support.h"
 
 static const double PI = 3.14159265358979323846;
 static const double exponents[] = {1, 1.5, 2, 3, 10, 64, 1000, 65536};
@@ -93,15 +91,16 @@ static void check_integrals(const burnish_theory_model *model, const char *name)
             }
         }
     }
-    HOLDS(burnish_theory_partial_integral(model, BURNISH_THEORY_SOLID_ANGLE, 1) == 0);
+    CHECK1(burnish_theory_partial_integral(model, BURNISH_THEORY_SOLID_ANGLE, 1) == 0);
     if (model->kind != BURNISH_THEORY_TABLE) {
         double expected = 1 / by_gsl(model, 2, 1 - sqrt(0.5));
         double factor = burnish_theory_blinn_factor(model);
         CHECK(fabs(factor / expected - 1) < 1e-10, "%s, Blinn: %.15g, %.15g", name, factor,
               expected);
     }
-    HOLDS(fabs(burnish_theory_phong_factor(model) * burnish_theory_integral(model, 1) - 1) < 1e-15);
-    HOLDS(burnish_theory_normal_factor(model) == burnish_theory_phong_factor(model));
+    CHECK1(fabs(burnish_theory_phong_factor(model) * burnish_theory_integral(model, 1) - 1) <
+           1e-15);
+    CHECK1(burnish_theory_normal_factor(model) == burnish_theory_phong_factor(model));
 }
 
 /* The formulas of model.md as they stand there. */
@@ -115,30 +114,23 @@ static void check_formulas(void) {
             }
             double zeta = model.zeta, solid = 2 * PI / (zeta * (m + 1));
             solid *= zeta < 1 ? 1 - pow(1 - zeta, m + 1) : 1;
-            HOLDS(fabs(burnish_theory_integral(&model, 0) / solid - 1) < 1e-13);
+            CHECK1(fabs(burnish_theory_integral(&model, 0) / solid - 1) < 1e-13);
             double weighted = 2 * PI * (zeta * (m + 2) - 1) / (zeta * zeta * (m + 1) * (m + 2));
             if (zeta >= 1) {
-                HOLDS(fabs(burnish_theory_integral(&model, 1) / weighted - 1) < 1e-13);
+                CHECK1(fabs(burnish_theory_integral(&model, 1) / weighted - 1) < 1e-13);
             }
             if (zeta >= 1 && order == 2) {
                 double factor = 6 * zeta * zeta / (PI * (4 * zeta - 1));
-                HOLDS(fabs(burnish_theory_normal_factor(&model) / factor - 1) < 1e-13);
+                CHECK1(fabs(burnish_theory_normal_factor(&model) / factor - 1) < 1e-13);
             }
         }
     }
-    HOLDS(fabs(burnish_theory_blinn_factor_common(100) - 108 / (8 * PI)) < 1e-14);
+    CHECK1(fabs(burnish_theory_blinn_factor_common(100) - 108 / (8 * PI)) < 1e-14);
 }
 
 /* ---- Sampling ---- */
 
 static uint64_t random_state;
-
-static double uniform(void) { /* splitmix64 */
-    uint64_t z = random_state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
 
 typedef double (*sampler)(const burnish_theory_model *, burnish_theory_measure, double);
 enum { BINS = 40, FEW = 4000, MANY = 80000 };
@@ -149,7 +141,7 @@ static double chi_square(const burnish_theory_model *model, burnish_theory_measu
     double total = burnish_theory_integral(model, measure), sum = 0;
     int bins[BINS] = {0};
     for (int i = 0; i < count; ++i) {
-        double c = sample(model, measure, uniform());
+        double c = sample(model, measure, test_uniform(&random_state, 0, 1));
         int bin = (int)(BINS * burnish_theory_partial_integral(model, measure, c) / total);
         ++bins[bin < BINS ? bin : BINS - 1];
     }
@@ -194,13 +186,13 @@ static void check_wrong_samplers(void) {
     static const char *const words[] = {"energy:2", "minimax:8", "taylor:16", "energy:32"};
     for (int i = 0; i < 4; ++i) {
         burnish_theory_model model;
-        HOLDS(!burnish_theory_model_parse(words[i], 100, &model, NULL));
+        CHECK1(!burnish_theory_model_parse(words[i], 100, &model, NULL));
         double x = chi_square(&model, BURNISH_THEORY_SOLID_ANGLE, wrong_sampler, MANY);
         CHECK(x > limit(), "%s: a wrong sampler passed with %g", words[i], x);
     }
     burnish_theory_model model;
-    HOLDS(!burnish_theory_model_parse("energy:2", 10, &model, NULL));
-    HOLDS(chi_square(&model, BURNISH_THEORY_COSINE_WEIGHTED, unweighted_sampler, MANY) > limit());
+    CHECK1(!burnish_theory_model_parse("energy:2", 10, &model, NULL));
+    CHECK1(chi_square(&model, BURNISH_THEORY_COSINE_WEIGHTED, unweighted_sampler, MANY) > limit());
 }
 
 static double pdf_value(double c, void *context) {
@@ -214,18 +206,19 @@ static void check_densities(void) {
     static const char *const words[] = {"energy:2", "power", "schlick", "gaussian", "affine:4"};
     for (int i = 0; i < 10; ++i) {
         burnish_theory_model model;
-        HOLDS(!burnish_theory_model_parse(words[i / 2], 20, &model, NULL));
+        CHECK1(!burnish_theory_model_parse(words[i / 2], 20, &model, NULL));
         gsl_function f = {pdf_value, &(integrand){&model, i % 2}};
         double value, error;
         gsl_integration_qag(&f, 0, 1, 0, 1e-9, 2000, GSL_INTEG_GAUSS31, workspace, &value, &error);
         CHECK(fabs(value - 1) < 1e-8, "%s: %.12g", words[i / 2], value);
-        HOLDS(burnish_theory_pdf(&model, BURNISH_THEORY_SOLID_ANGLE, -0.1) == 0);
+        CHECK1(burnish_theory_pdf(&model, BURNISH_THEORY_SOLID_ANGLE, -0.1) == 0);
         int azimuths[16] = {0};
         double sum = 0;
         for (int k = 0; k < FEW; ++k) {
-            double xi[2] = {uniform(), uniform()}, d[3];
+            double xi[2] = {test_uniform(&random_state, 0, 1), test_uniform(&random_state, 0, 1)},
+                   d[3];
             burnish_theory_sample_direction(&model, (burnish_theory_measure)(i % 2), xi, d);
-            HOLDS(fabs(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1) < 1e-14 && d[2] >= 0);
+            CHECK1(fabs(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1) < 1e-14 && d[2] >= 0);
             ++azimuths[(int)(8 * (1 + atan2(d[1], d[0]) / PI)) & 15];
         }
         for (int k = 0; k < 16; ++k) {
@@ -243,7 +236,8 @@ static void furnace(const burnish_theory_model *model, double phong, double blin
     double solid = burnish_theory_integral(model, BURNISH_THEORY_SOLID_ANGLE);
     double sum[2] = {0, 0}, squares[2] = {0, 0};
     for (int i = 0; i < MANY; ++i) {
-        double c = burnish_theory_sample_cosine(model, BURNISH_THEORY_SOLID_ANGLE, uniform());
+        double c = burnish_theory_sample_cosine(model, BURNISH_THEORY_SOLID_ANGLE,
+                                                test_uniform(&random_state, 0, 1));
         double light = 2 * c * c - 1;
         double weight[2] = {phong * solid * c, blinn * solid * (light > 0 ? 4 * c * light : 0)};
         for (int k = 0; k < 2; ++k) {
@@ -262,7 +256,7 @@ static void check_furnace(void) {
     for (int i = 0; i < 15; ++i) {
         burnish_theory_model model;
         double n = i % 3 == 0 ? 5 : i % 3 == 1 ? 30 : 300, mean[2], deviation[2];
-        HOLDS(!burnish_theory_model_parse(words[i / 3], n, &model, NULL));
+        CHECK1(!burnish_theory_model_parse(words[i / 3], n, &model, NULL));
         double phong = burnish_theory_phong_factor(&model);
         double blinn = burnish_theory_blinn_factor(&model);
         furnace(&model, phong, blinn, mean, deviation);
@@ -277,10 +271,9 @@ static void check_furnace(void) {
     }
 }
 
-int main(void) {
-    int count = 0;
-    gsl_set_error_handler_off();
-    check_formulas();
+static void check_models(void) {
+    int models = 0;
+    random_state = test_seed(0);
     for (size_t w = 0; burnish_theory_model_word(w); ++w) {
         for (int i = 0; i < EXPONENT_COUNT; ++i) {
             const char *word = burnish_theory_model_word(w);
@@ -294,12 +287,19 @@ int main(void) {
             if (i % 3 == 1) {
                 check_sampling(&model, name);
             }
-            ++count;
+            ++models;
         }
     }
-    CHECK(count > 120, "only %d models", count);
-    check_wrong_samplers();
-    check_densities();
-    check_furnace();
+    CHECK(models > 120, "only %d models", models);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    gsl_set_error_handler_off();
+    RUN(check_formulas());
+    RUN(check_models());
+    RUN(check_wrong_samplers());
+    RUN(check_densities());
+    RUN(check_furnace());
     return test_end("theory_energy");
 }

@@ -3,9 +3,7 @@
 #include <math.h>
 
 #include "burnish/theory.h"
-#include "harness.h"
-
-#define HOLDS(condition) CHECK(condition, " ")
+#include "support.h"
 
 static const double HALF_PI = 1.57079632679489661923;
 
@@ -36,9 +34,10 @@ static void check_published_minimax(void) {
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) {
         const double *row = table[i];
         burnish_theory_model model, theirs;
-        HOLDS(!burnish_theory_model_family(&model, BURNISH_THEORY_MINIMAX, (int)row[0], row[1], 0));
-        HOLDS(!burnish_theory_model_family(&theirs, BURNISH_THEORY_GIVEN, (int)row[0], row[1],
-                                           row[2]));
+        CHECK1(
+            !burnish_theory_model_family(&model, BURNISH_THEORY_MINIMAX, (int)row[0], row[1], 0));
+        CHECK1(!burnish_theory_model_family(&theirs, BURNISH_THEORY_GIVEN, (int)row[0], row[1],
+                                            row[2]));
         double error = burnish_theory_maximum_error(&model, HALF_PI);
         CHECK(fabs(model.zeta - row[2]) < 0.00075, "%g:%g zeta %.5f", row[0], row[1], model.zeta);
         CHECK(fabs(error - row[3]) < 1e-4, "%g:%g error %.5f", row[0], row[1], error);
@@ -110,8 +109,8 @@ static void check_optima(void) {
     }
     CHECK(error_of("affine:2", 4096) < 0.83 * error_of("minimax:2", 4096), "two parameters");
     burnish_theory_model affine = model_of("affine:2", 100);
-    HOLDS(fabs(1 - affine.scale - burnish_theory_maximum_error(&affine, HALF_PI)) < 1e-9);
-    HOLDS(error_of("nv2x", 100) < 0.025 && error_of("kuijk-blake", 18) < 0.014);
+    CHECK1(fabs(1 - affine.scale - burnish_theory_maximum_error(&affine, HALF_PI)) < 1e-9);
+    CHECK1(error_of("nv2x", 100) < 0.025 && error_of("kuijk-blake", 18) < 0.014);
 }
 
 /* The certified maxima against 20,000 places, places against the values there. */
@@ -157,7 +156,7 @@ static void check_maxima(void) {
     burnish_theory_model model = model_of("energy:2", 10);
     burnish_theory_difference d;
     burnish_theory_compare(&model, 2, &d);
-    HOLDS(isnan(d.absolute) && isnan(burnish_theory_maximum_error(&model, 0)));
+    CHECK1(isnan(d.absolute) && isnan(burnish_theory_maximum_error(&model, 0)));
 }
 
 /* Integral and mean of the error in closed form: (1 - l/2)^2 .. against c^3, n = 3, all of c. */
@@ -188,7 +187,7 @@ static void check_extremes(void) {
         }
     }
     burnish_theory_model schlick = model_of("schlick", 10);
-    HOLDS(isnan(burnish_theory_extreme_angle(&schlick)));
+    CHECK1(isnan(burnish_theory_extreme_angle(&schlick)));
 }
 
 static double claimed(const burnish_theory_claim *claim, const char *label) {
@@ -250,15 +249,15 @@ static const struct {
 
 static void check_claims(void) {
     size_t count = burnish_theory_claim_count(), compared = 0;
-    HOLDS(count == sizeof verdicts / sizeof verdicts[0]);
+    CHECK1(count == sizeof verdicts / sizeof verdicts[0]);
     for (size_t i = 0; i < count; ++i) {
         burnish_theory_claim claim;
-        HOLDS(burnish_theory_claim_compute(i, &claim) == BURNISH_STATUS_OK);
+        CHECK1(burnish_theory_claim_compute(i, &claim) == BURNISH_STATUS_OK);
         CHECK_TEXT(claim.id, verdicts[i].id);
         CHECK(claim.verdict == verdicts[i].verdict, "%s: %s", claim.id,
               burnish_theory_verdict_text(claim.verdict));
-        HOLDS(claim.command[0] && claim.claim[0] &&
-              (claim.count > 0) == (claim.relation != BURNISH_THEORY_NONE));
+        CHECK1(claim.command[0] && claim.claim[0] &&
+               (claim.count > 0) == (claim.relation != BURNISH_THEORY_NONE));
         for (size_t k = 0; k < sizeof figures / sizeof figures[0]; ++k) {
             if (strcmp(figures[k].id, claim.id) == 0) {
                 double value = claimed(&claim, figures[k].label);
@@ -268,9 +267,9 @@ static void check_claims(void) {
             }
         }
     }
-    HOLDS(compared == sizeof figures / sizeof figures[0]);
+    CHECK1(compared == sizeof figures / sizeof figures[0]);
     burnish_theory_claim claim;
-    HOLDS(burnish_theory_claim_compute(count, &claim) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_claim_compute(count, &claim) == BURNISH_STATUS_ARGUMENT);
 }
 
 static void check_choice(void) {
@@ -286,12 +285,12 @@ static void check_choice(void) {
         burnish_theory_cost cost;
         char name[32];
         double maximum;
-        HOLDS(!burnish_theory_choose(rows[i].n, rows[i].epsilon, rows[i].affine, &model, &cost,
-                                     &maximum, NULL));
+        CHECK1(!burnish_theory_choose(rows[i].n, rows[i].epsilon, rows[i].affine, &model, &cost,
+                                      &maximum, NULL));
         burnish_theory_model_name(&model, name, sizeof name);
         CHECK_TEXT(name, rows[i].words);
-        HOLDS(maximum <= rows[i].epsilon &&
-              fabs(maximum - burnish_theory_maximum_error(&model, HALF_PI)) < 1e-12);
+        CHECK1(maximum <= rows[i].epsilon &&
+               fabs(maximum - burnish_theory_maximum_error(&model, HALF_PI)) < 1e-12);
         for (size_t w = 0; burnish_theory_model_word(w); ++w) { /* nothing cheaper is as good */
             burnish_theory_model other;
             if (burnish_theory_model_parse(burnish_theory_model_word(w), rows[i].n, &other, NULL) ||
@@ -305,11 +304,11 @@ static void check_choice(void) {
         }
     }
     burnish_theory_model model;
-    HOLDS(burnish_theory_choose(10, 0, 0, &model, NULL, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
-    HOLDS(burnish_theory_choose(0, 0.1, 0, &model, NULL, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_choose(10, 0, 0, &model, NULL, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_choose(0, 0.1, 0, &model, NULL, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
     burnish_theory_model w = model_of("taylor:16", 100);
     burnish_theory_cost cost = burnish_theory_model_cost(&w);
-    HOLDS(cost.multiplications == 5 && cost.additions == 1 && cost.comparisons == 1);
+    CHECK1(cost.multiplications == 5 && cost.additions == 1 && cost.comparisons == 1);
 }
 
 static void check_formats(void) {
@@ -321,22 +320,22 @@ static void check_formats(void) {
         CHECK(burnish_theory_format_parse(bad[i], &format, NULL) == BURNISH_STATUS_ARGUMENT,
               "\"%s\"", bad[i]);
     }
-    HOLDS(format.integer_bits == 7);
-    HOLDS(!burnish_theory_format_parse("Q15", &format, NULL));
+    CHECK1(format.integer_bits == 7);
+    CHECK1(!burnish_theory_format_parse("Q15", &format, NULL));
     burnish_theory_format_name(&format, name, sizeof name);
     CHECK_TEXT(name, "Q0.15");
-    HOLDS(burnish_theory_format_width(&format) == 16);
-    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, 1) == 32767);
-    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, -1) == -32768);
-    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_DOWN, 0.5 + 0.9 / 32768) == 16384);
-    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_UP, 0.5 + 0.1 / 32768) == 16385);
-    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, 2.5 / 32768) == 3);
-    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, NAN) == 0);
-    HOLDS(burnish_theory_format_decode(&format, 16384) == 0.5);
-    HOLDS(!burnish_theory_format_parse("UQ0.15", &format, NULL) && !format.is_signed);
-    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, -0.1) == 0);
-    HOLDS(!burnish_theory_format_parse("UQ1.31", &format, NULL));
-    HOLDS(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, 1) == 1ll << 31);
+    CHECK1(burnish_theory_format_width(&format) == 16);
+    CHECK1(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, 1) == 32767);
+    CHECK1(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, -1) == -32768);
+    CHECK1(burnish_theory_format_encode(&format, BURNISH_THEORY_DOWN, 0.5 + 0.9 / 32768) == 16384);
+    CHECK1(burnish_theory_format_encode(&format, BURNISH_THEORY_UP, 0.5 + 0.1 / 32768) == 16385);
+    CHECK1(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, 2.5 / 32768) == 3);
+    CHECK1(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, NAN) == 0);
+    CHECK1(burnish_theory_format_decode(&format, 16384) == 0.5);
+    CHECK1(!burnish_theory_format_parse("UQ0.15", &format, NULL) && !format.is_signed);
+    CHECK1(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, -0.1) == 0);
+    CHECK1(!burnish_theory_format_parse("UQ1.31", &format, NULL));
+    CHECK1(burnish_theory_format_encode(&format, BURNISH_THEORY_NEAREST, 1) == 1ll << 31);
 }
 
 static void check_memories(void) {
@@ -344,7 +343,7 @@ static void check_memories(void) {
     int64_t words[6];
     burnish_theory_memory memory = {
         .model = model_of("taylor:2", 10), .format = {0, 0, 15}, .rounding = BURNISH_THEORY_DOWN};
-    HOLDS(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
+    CHECK1(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
     for (int i = 0; i < 6; ++i) { /* 1 - 2/n, in whole words, downward */
         double cosine = n[i] > 2 ? (n[i] - 2) / n[i] : 0;
         CHECK(words[i] == (int64_t)floor(cosine * 32768 + 1e-9), "n=%g: %d", n[i], (int)words[i]);
@@ -353,60 +352,61 @@ static void check_memories(void) {
     memory.lambda = 1;
     memory.rounding = BURNISH_THEORY_UP;
     memory.model = model_of("power", 10);
-    HOLDS(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
+    CHECK1(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
     for (int i = 0; i < 6; ++i) {
         double stored = burnish_theory_format_decode(&memory.format, words[i]);
-        HOLDS(words[i] == 32767 || pow(1 - stored, n[i]) <= 1.0 / 256 + 1e-15);
-        HOLDS(pow(1 - stored + 1.0 / 32768, n[i]) >= 1.0 / 256);
+        CHECK1(words[i] == 32767 || pow(1 - stored, n[i]) <= 1.0 / 256 + 1e-15);
+        CHECK1(pow(1 - stored + 1.0 / 32768, n[i]) >= 1.0 / 256);
     }
     memory.model = model_of("energy:32", 100); /* lower orders for the low exponents */
-    HOLDS(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
+    CHECK1(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
     memory.model = model_of("projected:2", 100);
-    HOLDS(burnish_theory_memory_fill(&memory, n, 6, words, NULL) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_memory_fill(&memory, n, 6, words, NULL) == BURNISH_STATUS_ARGUMENT);
     memory.bits = 0.5;
-    HOLDS(burnish_theory_memory_fill(&memory, n + 1, 1, words, NULL) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_memory_fill(&memory, n + 1, 1, words, NULL) == BURNISH_STATUS_ARGUMENT);
     memory.bits = 4;
     memory.format.fraction_bits = 40;
-    HOLDS(burnish_theory_memory_fill(&memory, n + 1, 1, words, NULL) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_memory_fill(&memory, n + 1, 1, words, NULL) == BURNISH_STATUS_ARGUMENT);
 }
 
 static void check_roughness(void) {
-    HOLDS(fabs(burnish_theory_exponent_from_alpha(0.1) - 198) < 1e-12);
-    HOLDS(burnish_theory_exponent_from_alpha(1) == 0);
-    HOLDS(fabs(burnish_theory_exponent_from_roughness(0.5) - 30) < 1e-12);
+    CHECK1(fabs(burnish_theory_exponent_from_alpha(0.1) - 198) < 1e-12);
+    CHECK1(burnish_theory_exponent_from_alpha(1) == 0);
+    CHECK1(fabs(burnish_theory_exponent_from_roughness(0.5) - 30) < 1e-12);
     for (double n = 1; n < 65536; n *= 3) {
         double alpha = burnish_theory_alpha_from_exponent(n);
-        HOLDS(fabs(burnish_theory_exponent_from_alpha(alpha) / n - 1) < 1e-11);
+        CHECK1(fabs(burnish_theory_exponent_from_alpha(alpha) / n - 1) < 1e-11);
         double roughness = burnish_theory_roughness_from_exponent(n);
-        HOLDS(fabs(burnish_theory_exponent_from_roughness(roughness) / n - 1) < 1e-11);
-        HOLDS(burnish_theory_phong_from_blinn(burnish_theory_blinn_from_phong(n)) == n);
+        CHECK1(fabs(burnish_theory_exponent_from_roughness(roughness) / n - 1) < 1e-11);
+        CHECK1(burnish_theory_phong_from_blinn(burnish_theory_blinn_from_phong(n)) == n);
     }
-    HOLDS(burnish_theory_blinn_from_phong(10) == 40);
-    HOLDS(burnish_theory_toksvig_exponent(100, 1) == 100);
-    HOLDS(burnish_theory_toksvig_exponent(100, 0) == 0);
-    HOLDS(fabs(burnish_theory_toksvig_exponent(100, 0.5) - 50 / 50.5) < 1e-14);
+    CHECK1(burnish_theory_blinn_from_phong(10) == 40);
+    CHECK1(burnish_theory_toksvig_exponent(100, 1) == 100);
+    CHECK1(burnish_theory_toksvig_exponent(100, 0) == 0);
+    CHECK1(fabs(burnish_theory_toksvig_exponent(100, 0.5) - 50 / 50.5) < 1e-14);
     /* Toksvig's exponent is n times Schlick's lobe of the length */
     burnish_theory_model schlick = model_of("schlick", 100);
-    HOLDS(fabs(burnish_theory_toksvig_exponent(100, 0.9) -
-               100 * burnish_theory_value(&schlick, 0.9)) < 1e-11);
+    CHECK1(fabs(burnish_theory_toksvig_exponent(100, 0.9) -
+                100 * burnish_theory_value(&schlick, 0.9)) < 1e-11);
     double normals[2][3] = {{0.6, 0, 0.8}, {-0.6, 0, 0.8}}, mean[3];
-    HOLDS(fabs(burnish_theory_mean_normal((const double(*)[3])normals, 2, mean) - 0.8) < 1e-15);
-    HOLDS(mean[0] == 0 && mean[2] == 0.8);
-    HOLDS(burnish_theory_mean_normal(NULL, 0, mean) == 0 && mean[2] == 0);
+    CHECK1(fabs(burnish_theory_mean_normal((const double(*)[3])normals, 2, mean) - 0.8) < 1e-15);
+    CHECK1(mean[0] == 0 && mean[2] == 0.8);
+    CHECK1(burnish_theory_mean_normal(NULL, 0, mean) == 0 && mean[2] == 0);
 }
 
-int main(void) {
-    check_published_minimax();
-    check_limits();
-    check_comparison_lobes();
-    check_optima();
-    check_maxima();
-    check_error_integrals();
-    check_extremes();
-    check_claims();
-    check_choice();
-    check_formats();
-    check_memories();
-    check_roughness();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(check_published_minimax());
+    RUN(check_limits());
+    RUN(check_comparison_lobes());
+    RUN(check_optima());
+    RUN(check_maxima());
+    RUN(check_error_integrals());
+    RUN(check_extremes());
+    RUN(check_claims());
+    RUN(check_choice());
+    RUN(check_formats());
+    RUN(check_memories());
+    RUN(check_roughness());
     return test_end("theory_errors");
 }

@@ -4,16 +4,14 @@
 #include <math.h>
 
 #include "burnish/theory.h"
-#include "harness.h"
-
-#define HOLDS(condition) CHECK(condition, " ")
+#include "support.h"
 
 static const double PI = 3.14159265358979323846;
 static const double exponents[] = {1, 1.5, 2, 3, 10, 64, 99.5, 1000, 65536};
 enum { EXPONENT_COUNT = sizeof exponents / sizeof exponents[0] };
 
 /* Calls check(model) for every word and exponent that go together; returns how many did. */
-static int for_each_model(void (*check)(const burnish_theory_model *, const char *)) {
+static void for_each_model(void (*check)(const burnish_theory_model *, const char *)) {
     int count = 0;
     for (size_t w = 0; burnish_theory_model_word(w); ++w) {
         for (int i = 0; i < EXPONENT_COUNT; ++i) {
@@ -27,7 +25,7 @@ static int for_each_model(void (*check)(const burnish_theory_model *, const char
             }
         }
     }
-    return count;
+    CHECK(count > 150, "only %d models", count);
 }
 
 /* The model of one line of lobes.csv; 0 when it can't be made. */
@@ -110,7 +108,7 @@ static void check_derivatives(const burnish_theory_model *model, const char *nam
         burnish_theory_derivatives(model, x, d);
         double low = burnish_theory_value_at_angle(model, x - h);
         double high = burnish_theory_value_at_angle(model, x + h);
-        HOLDS(d[0] == burnish_theory_value_at_angle(model, x));
+        CHECK1(d[0] == burnish_theory_value_at_angle(model, x));
         CHECK(fabs((high - low) / (2 * h) - d[1]) < 1e-6 / width, "%s: first at %g", name, x);
         CHECK(fabs((high - 2 * d[0] + low) / (h * h) - d[2]) < 2e-6 * (n + model->zeta),
               "%s: second at %g: %g", name, x, d[2]);
@@ -121,19 +119,19 @@ static void check_derivatives(const burnish_theory_model *model, const char *nam
 static void check_slopes(void) {
     burnish_theory_model model;
     double d[3], x = 0.2;
-    HOLDS(burnish_theory_model_parse("zeta4:2", 10, &model, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_theory_model_parse("zeta4:2", 10, &model, NULL) == BURNISH_STATUS_OK);
     burnish_theory_derivatives(&model, x, d);
     double u = 1 + 4 * (cos(x) - 1);
-    HOLDS(fabs(d[1] + 8 * sin(x) * u) < 1e-14);
-    HOLDS(fabs(d[2] - (32 * sin(x) * sin(x) - 8 * cos(x) * u)) < 1e-13);
-    HOLDS(burnish_theory_model_parse("table11:linear", 2, &model, NULL) == BURNISH_STATUS_OK);
+    CHECK1(fabs(d[1] + 8 * sin(x) * u) < 1e-14);
+    CHECK1(fabs(d[2] - (32 * sin(x) * sin(x) - 8 * cos(x) * u)) < 1e-13);
+    CHECK1(burnish_theory_model_parse("table11:linear", 2, &model, NULL) == BURNISH_STATUS_OK);
     burnish_theory_derivatives(&model, acos(0.75), d); /* from .49 at .7 to .64 at .8 */
-    HOLDS(fabs(d[0] - 0.565) < 1e-14 && fabs(d[1] + 1.5 * sin(acos(0.75))) < 1e-12);
-    HOLDS(burnish_theory_model_parse("table11", 2, &model, NULL) == BURNISH_STATUS_OK);
-    HOLDS(fabs(burnish_theory_value(&model, 0.7499) - 0.49) < 1e-14);
-    HOLDS(fabs(burnish_theory_value(&model, 0.7501) - 0.64) < 1e-14);
+    CHECK1(fabs(d[0] - 0.565) < 1e-14 && fabs(d[1] + 1.5 * sin(acos(0.75))) < 1e-12);
+    CHECK1(burnish_theory_model_parse("table11", 2, &model, NULL) == BURNISH_STATUS_OK);
+    CHECK1(fabs(burnish_theory_value(&model, 0.7499) - 0.49) < 1e-14);
+    CHECK1(fabs(burnish_theory_value(&model, 0.7501) - 0.64) < 1e-14);
     burnish_theory_derivatives(&model, acos(0.76), d);
-    HOLDS(d[1] == 0 && d[2] == 0);
+    CHECK1(d[1] == 0 && d[2] == 0);
 }
 
 static void check_monotone(const burnish_theory_model *model, const char *name) {
@@ -145,8 +143,8 @@ static void check_monotone(const burnish_theory_model *model, const char *name) 
               2 * s * s * s * s);
         before = value;
     }
-    HOLDS(burnish_theory_value(model, NAN) == 0 && burnish_theory_value(model, 2) == model->scale);
-    HOLDS(burnish_theory_value_at_lambda(model, HUGE_VAL) == 0);
+    CHECK1(burnish_theory_value(model, NAN) == 0 && burnish_theory_value(model, 2) == model->scale);
+    CHECK1(burnish_theory_value_at_lambda(model, HUGE_VAL) == 0);
 }
 
 /* taylor <= power <= schlick, on every interval: an upper bound of one against a lower bound of the
@@ -164,13 +162,13 @@ static int ordered(const burnish_theory_model *low, const burnish_theory_model *
 static void check_order(void) {
     for (int i = 2; i < EXPONENT_COUNT; ++i) {
         burnish_theory_model power, schlick, taylor;
-        HOLDS(!burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, exponents[i]));
-        HOLDS(!burnish_theory_model_other(&schlick, BURNISH_THEORY_SCHLICK, 0, exponents[i]));
+        CHECK1(!burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, exponents[i]));
+        CHECK1(!burnish_theory_model_other(&schlick, BURNISH_THEORY_SCHLICK, 0, exponents[i]));
         CHECK(ordered(&power, &schlick, 0, 1, 40), "power <= schlick, n=%g", exponents[i]);
         CHECK(!ordered(&schlick, &power, 0, 1, 40), "schlick <= power, n=%g", exponents[i]);
         for (int order = 2; order <= 32 && order <= exponents[i]; order *= 2) {
-            HOLDS(!burnish_theory_model_family(&taylor, BURNISH_THEORY_TAYLOR, order, exponents[i],
-                                               0));
+            CHECK1(!burnish_theory_model_family(&taylor, BURNISH_THEORY_TAYLOR, order, exponents[i],
+                                                0));
             CHECK(ordered(&taylor, &power, 0, 1, 40), "taylor:%d <= power, n=%g", order,
                   exponents[i]);
         }
@@ -196,7 +194,7 @@ static void check_widths(const burnish_theory_model *model, const char *name) {
         CHECK(fabs(burnish_theory_boundary_cosine(model, bits) - fmax(0, cos(angle))) < 1e-14,
               "%s: boundary 2^-%g", name, bits);
         burnish_theory_model power;
-        HOLDS(!burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, model->exponent));
+        CHECK1(!burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, model->exponent));
         double ratio = burnish_theory_angle_at(&power, level) / angle;
         CHECK(fabs(burnish_theory_width_ratio(model, bits) / ratio - 1) < 1e-12, "%s: R", name);
     }
@@ -216,7 +214,7 @@ static void check_radii(void) {
         for (int i = 3; i < 6; ++i) {
             burnish_theory_model model;
             double d[3], n = exponents[i];
-            HOLDS(!burnish_theory_model_parse(words[w], n, &model, NULL));
+            CHECK1(!burnish_theory_model_parse(words[w], n, &model, NULL));
             burnish_theory_derivatives(&model, burnish_theory_zero_angle(&model) * (1 - 1e-9), d);
             double radius = pow(1 + d[1] * d[1], 1.5) / fabs(d[2]);
             double r = burnish_theory_zero_curvature_radius(&model);
@@ -225,7 +223,7 @@ static void check_radii(void) {
             CHECK(w > 2 || fabs(r / known - 1) < 1e-12, "%s n=%g: %g", words[w], n, r);
         }
     }
-    HOLDS(fabs(burnish_theory_inflection_angle(100) - acos(sqrt(0.99))) < 1e-14);
+    CHECK1(fabs(burnish_theory_inflection_angle(100) - acos(sqrt(0.99))) < 1e-14);
 }
 
 static void check_words(void) {
@@ -244,50 +242,51 @@ static void check_words(void) {
     }
     memset(long_text, 'z', sizeof long_text);
     long_text[sizeof long_text - 1] = 0;
-    HOLDS(burnish_theory_model_parse(long_text, 10, &model, &error) == BURNISH_STATUS_ARGUMENT);
-    HOLDS(burnish_theory_model_parse("energy:2", 0.5, &model, &error) == BURNISH_STATUS_ARGUMENT);
-    HOLDS(burnish_theory_model_parse("power", NAN, &model, &error) == BURNISH_STATUS_ARGUMENT);
-    HOLDS(burnish_theory_model_parse("minimax:32", 31, &model, &error) == BURNISH_STATUS_ARGUMENT);
-    HOLDS(burnish_theory_model_parse(NULL, 10, &model, NULL) == BURNISH_STATUS_ARGUMENT);
-    HOLDS(model.exponent == 7); /* untouched by every error */
+    CHECK1(burnish_theory_model_parse(long_text, 10, &model, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_model_parse("energy:2", 0.5, &model, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_model_parse("power", NAN, &model, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_model_parse("minimax:32", 31, &model, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_theory_model_parse(NULL, 10, &model, NULL) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(model.exponent == 7); /* untouched by every error */
     for (size_t w = 0; burnish_theory_model_word(w); ++w) {
-        HOLDS(!burnish_theory_model_parse(burnish_theory_model_word(w), 64, &model, NULL));
+        CHECK1(!burnish_theory_model_parse(burnish_theory_model_word(w), 64, &model, NULL));
         burnish_theory_model_name(&model, name, sizeof name);
         CHECK_TEXT(name, burnish_theory_model_word(w));
         burnish_theory_model other, again;
-        HOLDS(!burnish_theory_model_at(&model, 200, &other));
-        HOLDS(!burnish_theory_model_parse(name, 200, &again, NULL));
-        HOLDS(other.kind == again.kind && other.zeta == again.zeta && other.exponent == 200);
+        CHECK1(!burnish_theory_model_at(&model, 200, &other));
+        CHECK1(!burnish_theory_model_parse(name, 200, &again, NULL));
+        CHECK1(other.kind == again.kind && other.zeta == again.zeta && other.exponent == 200);
     }
-    HOLDS(!burnish_theory_model_parse("energy", 10, &model, NULL) && model.order == 2);
-    HOLDS(!burnish_theory_model_parse("table16:nearest", 10, &model, NULL) && !model.linear);
-    HOLDS(!burnish_theory_model_parse("zeta6.645:2", 10, &model, NULL) && model.zeta == 6.645);
+    CHECK1(!burnish_theory_model_parse("energy", 10, &model, NULL) && model.order == 2);
+    CHECK1(!burnish_theory_model_parse("table16:nearest", 10, &model, NULL) && !model.linear);
+    CHECK1(!burnish_theory_model_parse("zeta6.645:2", 10, &model, NULL) && model.zeta == 6.645);
 }
 
 static void check_lyon(void) {
     double a[3] = {0.6, 0, 0.8}, b[3] = {0, 0, 1}, long_a[3] = {0.63, 0, 0.84};
     burnish_theory_model model;
-    HOLDS(!burnish_theory_model_parse("lyon:4", 10, &model, NULL));
-    HOLDS(fabs(burnish_theory_lyon_vectors(a, b, 10, 4) - burnish_theory_value(&model, 0.8)) <
-          1e-15);
+    CHECK1(!burnish_theory_model_parse("lyon:4", 10, &model, NULL));
+    CHECK1(fabs(burnish_theory_lyon_vectors(a, b, 10, 4) - burnish_theory_value(&model, 0.8)) <
+           1e-15);
     /* a vector that is 5 % too long: normalised to three terms, error 5 e^3 / 16 */
-    HOLDS(fabs(burnish_theory_lyon_vectors(long_a, b, 10, 4) - burnish_theory_value(&model, 0.8)) <
-          1e-3);
-    HOLDS(burnish_theory_lyon_vectors(a, b, 3, 4) == 0);
+    CHECK1(fabs(burnish_theory_lyon_vectors(long_a, b, 10, 4) - burnish_theory_value(&model, 0.8)) <
+           1e-3);
+    CHECK1(burnish_theory_lyon_vectors(a, b, 3, 4) == 0);
     for (double s = 0.9; s <= 1.1; s += 0.01) {
-        HOLDS(fabs(burnish_theory_lyon_normalize_factor(s) * sqrt(s) - 1) < 0.0004);
+        CHECK1(fabs(burnish_theory_lyon_normalize_factor(s) * sqrt(s) - 1) < 0.0004);
     }
 }
 
-int main(void) {
-    check_vectors();
-    CHECK(for_each_model(check_derivatives) > 150, "too few models");
-    for_each_model(check_monotone);
-    for_each_model(check_widths);
-    check_slopes();
-    check_order();
-    check_radii();
-    check_words();
-    check_lyon();
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(check_vectors());
+    RUN(for_each_model(check_derivatives));
+    RUN(for_each_model(check_monotone));
+    RUN(for_each_model(check_widths));
+    RUN(check_slopes());
+    RUN(check_order());
+    RUN(check_radii());
+    RUN(check_words());
+    RUN(check_lyon());
     return test_end("theory_values");
 }

@@ -3,11 +3,11 @@
  */
 #include <stdint.h>
 
-#include "harness.h"
 #include "raster/visibility.h"
 #include "reference_geometry.h"
 #include "reference_tile.h"
 #include "shading/strip.h"
+#include "support.h"
 
 enum { MOST_VERTICES = 1200, MOST_TRIANGLES = 400, SCENES = 2000 };
 
@@ -19,79 +19,68 @@ typedef struct random_scene {
     size_t vertex_count, triangle_count;
 } random_scene;
 
-static uint32_t next_random(uint32_t *state) {
-    *state ^= *state << 13;
-    *state ^= *state >> 17;
-    *state ^= *state << 5;
-    return *state;
-}
-
-static float uniform(uint32_t *state, float low, float high) {
-    return low + (high - low) * (float)(next_random(state) >> 8) * 0x1p-24f;
-}
-
-static void add_vertex(random_scene *scene, const float p[3], uint32_t *state) {
+static void add_vertex(random_scene *scene, const float p[3], uint64_t *state) {
     size_t i = scene->vertex_count++;
     for (int k = 0; k < 3; ++k) {
         scene->positions[3 * i + (size_t)k] = p[k];
-        scene->normals[3 * i + (size_t)k] = uniform(state, -1, 1);
+        scene->normals[3 * i + (size_t)k] = test_uniform_float(state, -1, 1);
     }
     for (int k = 0; k < 4; ++k) {
-        scene->colors[4 * i + (size_t)k] = (uint8_t)next_random(state);
+        scene->colors[4 * i + (size_t)k] = (uint8_t)test_random32(state);
     }
 }
 
 /* Triangles around random places, from a fraction of a pixel to far larger than the picture; some
  * share vertices, some lie exactly on one another, seen from either side. */
-static void make_scene(random_scene *scene, uint32_t *state) {
+static void make_scene(random_scene *scene, uint64_t *state) {
     static const float sizes[] = {0.3f, 1.5f, 4, 12, 40, 300, 4000, 60000};
     scene->vertex_count = scene->triangle_count = 0;
-    size_t count = 1 + next_random(state) % (MOST_TRIANGLES - 1);
-    float size = sizes[next_random(state) % 8];
+    size_t count = 1 + test_random32(state) % (MOST_TRIANGLES - 1);
+    float size = sizes[test_random32(state) % 8];
     while (scene->triangle_count < count) {
         uint32_t *corners = scene->indices + 3 * scene->triangle_count;
         uint32_t base = (uint32_t)scene->vertex_count;
         float center[3];
-        if (next_random(state) % 16 == 0) {
-            size = sizes[next_random(state) % 8];
+        if (test_random32(state) % 16 == 0) {
+            size = sizes[test_random32(state) % 8];
         }
         for (int k = 0; k < 3; ++k) {
-            center[k] = uniform(state, -90, 90);
+            center[k] = test_uniform_float(state, -90, 90);
         }
         for (uint32_t i = 0; i < 3; ++i) {
             float p[3];
             for (int k = 0; k < 3; ++k) {
-                p[k] = center[k] + uniform(state, -size, size);
-                if (next_random(state) % 4 == 0) { /* on the grid of samples */
+                p[k] = center[k] + test_uniform_float(state, -size, size);
+                if (test_random32(state) % 4 == 0) { /* on the grid of samples */
                     p[k] = (float)(int)p[k] + 0.5f;
                 }
             }
             corners[i] = base + i;
             add_vertex(scene, p, state);
         }
-        if (scene->triangle_count > 0 && next_random(state) % 3 == 0) { /* share an edge */
+        if (scene->triangle_count > 0 && test_random32(state) % 3 == 0) { /* share an edge */
             const uint32_t *before = corners - 3;
             corners[0] = before[1];
             corners[1] = before[0];
-            corners[2] = next_random(state) % 4 ? corners[2] : before[2];
+            corners[2] = test_random32(state) % 4 ? corners[2] : before[2];
         }
-        scene->materials[scene->triangle_count++] = (uint16_t)(next_random(state) % 3);
+        scene->materials[scene->triangle_count++] = (uint16_t)(test_random32(state) % 3);
     }
 }
 
 /* A pixel a unit, or in perspective with the eye in the midst of the scene. */
-static burnish_raster_view make_view(int width, int height, int samples, uint32_t *state) {
+static burnish_raster_view make_view(int width, int height, int samples, uint64_t *state) {
     burnish_raster_view view;
     memset(&view, 0, sizeof view);
     view.width = width;
     view.height = height;
     view.samples = samples;
     view.rows[0][0] = view.rows[1][1] = 1;
-    if (next_random(state) % 2) {
-        view.rows[0][0] = view.rows[1][1] = uniform(state, 50, 400);
+    if (test_random32(state) % 2) {
+        view.rows[0][0] = view.rows[1][1] = test_uniform_float(state, 50, 400);
         view.rows[2][3] = 0x1p-14f;
         view.rows[3][2] = -1;
-        view.rows[3][3] = uniform(state, -50, 200);
+        view.rows[3][3] = test_uniform_float(state, -50, 200);
     } else {
         view.rows[2][2] = 0.002f;
         view.rows[2][3] = 0.5f;
@@ -100,7 +89,7 @@ static burnish_raster_view make_view(int width, int height, int samples, uint32_
     return view;
 }
 
-static burnish_isa pick_isa(uint32_t *state) {
+static burnish_isa pick_isa(uint64_t *state) {
     static const burnish_isa isas[] = {
         BURNISH_ISA_SCALAR,
 #if defined(__SSE2__)
@@ -113,7 +102,7 @@ static burnish_isa pick_isa(uint32_t *state) {
     };
     uint32_t available = burnish_isa_available(), i;
     do {
-        i = next_random(state) % (sizeof isas / sizeof isas[0]);
+        i = test_random32(state) % (sizeof isas / sizeof isas[0]);
     } while (!(available >> isas[i] & 1));
     return isas[i];
 }
@@ -289,13 +278,13 @@ static int compare_points(reference_tile *tile, burnish_visibility *fast,
 
 static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
                         burnish_shade_material materials[3], const random_scene *scene,
-                        const burnish_geometry *geometry, uint32_t *state) {
+                        const burnish_geometry *geometry, uint64_t *state) {
     memset(shader, 0, sizeof *shader);
     shader->batch = burnish_kernels_best();
     shader->lighting = burnish_kernels_lighting_default();
-    shader->lighting.near_viewer = (int)(next_random(state) & 1);
+    shader->lighting.near_viewer = (int)(test_random32(state) & 1);
     shader->lighting.viewer[2] = shader->lighting.near_viewer ? 0 : 1;
-    shader->lighting.lyon = next_random(state) % 4 == 0;
+    shader->lighting.lyon = test_random32(state) % 4 == 0;
     shader->needs_place = 1; /* the reference always gives places */
     shader->rays.q_per_depth = 0x1p14f;
     shader->rays.ray[2] = -1;
@@ -307,18 +296,18 @@ static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
         materials[i].specular[2 - i] = 0.5f;
     }
     shader->materials = materials;
-    shader->triangle_materials = next_random(state) & 1 ? scene->materials : NULL;
+    shader->triangle_materials = test_random32(state) & 1 ? scene->materials : NULL;
     shader->attributes = attributes;
     burnish_attributes_update(attributes, geometry, scene->normals,
-                              next_random(state) & 1 ? scene->colors : NULL, scene->indices, NULL,
+                              test_random32(state) & 1 ? scene->colors : NULL, scene->indices, NULL,
                               NULL);
 }
 
-static void check_scene(const random_scene *scene, int number, uint32_t *state, int *points) {
+static void check_scene(const random_scene *scene, int number, uint64_t *state, int *points) {
     static const int counts[] = {1, 4, 1, 8, 1, 16};
     const int samples = counts[number % 6];
-    burnish_raster_view view = make_view(65 + (int)(next_random(state) % 90),
-                                         1 + (int)(next_random(state) % 130), samples, state);
+    burnish_raster_view view = make_view(65 + (int)(test_random32(state) % 90),
+                                         1 + (int)(test_random32(state) % 130), samples, state);
     view.culls = number % 5 == 4;
     static burnish_geometry geometry; /* kept, as a renderer keeps them */
     static burnish_attributes attributes;
@@ -341,7 +330,7 @@ static void check_scene(const random_scene *scene, int number, uint32_t *state, 
     burnish_visibility_create(&fast, &options, NULL);
     fast.attributes[0] = attributes.normals;
     fast.attributes[1] = attributes.colors;
-    if (samples > 1 && next_random(state) % 4 == 0) { /* forget triangles often */
+    if (samples > 1 && test_random32(state) % 4 == 0) { /* forget triangles often */
         size_t least = 2 * (size_t)BURNISH_TILE_PIXELS * (size_t)samples; /* own at most half */
         fast.triangles.capacity = least < fast.triangles.capacity ? least : fast.triangles.capacity;
     }
@@ -415,11 +404,9 @@ static void check_forgetting(void) {
     burnish_geometry_destroy(&geometry);
 }
 
-/* An argument: how many scenes, for slow machines. */
-int main(int count, char **arguments) {
+static void check_scenes(int scenes) {
     static random_scene scene;
-    const int scenes = count > 1 ? atoi(arguments[1]) : SCENES;
-    uint32_t state = 0x9e3779b9;
+    uint64_t state = test_seed(1);
     int points = 0;
     for (int i = 0; i < scenes; ++i) {
         make_scene(&scene, &state);
@@ -427,6 +414,13 @@ int main(int count, char **arguments) {
     }
     printf("%d scenes, %d points\n", scenes, points);
     CHECK(points > 2500 * scenes && scenes > 0, "the scenes show something: %d points", points);
-    check_forgetting();
+}
+
+/* --scenes N: fewer for slow machines. */
+int main(int count, char **arguments) {
+    test_begin(count, arguments, "--scenes");
+    const int scenes = test_option() ? atoi(test_option()) : SCENES;
+    RUN(check_scenes(scenes));
+    RUN(check_forgetting());
     return test_end("visibility");
 }

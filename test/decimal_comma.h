@@ -1,0 +1,32 @@
+/* A locale with a decimal comma, made on the spot: systems without further locales have none. */
+#ifndef BURNISH_TEST_DECIMAL_COMMA_H
+#define BURNISH_TEST_DECIMAL_COMMA_H
+
+#include <locale.h>
+
+#include "support.h"
+
+/* Sets the locale; 0 where the system has no localedef (musl knows no decimal comma at all). */
+static inline int test_decimal_comma_begin(void) {
+    static const char *const make =
+        "command -v localedef >/dev/null || exit 0\n"
+        "cd '" TEST_BINARY_DIR "' || exit 1\n"
+        "printf 'LC_NUMERIC\\ndecimal_point \",\"\\nthousands_sep \"\"\\ngrouping -1\\n"
+        "END LC_NUMERIC\\n' >comma.txt\n"
+        "localedef -c -i comma.txt -f ANSI_X3.4-1968 ./xx_XX >/dev/null 2>&1 || true\n";
+    if (!CHECK1(system(make) == 0) || setenv("LOCPATH", TEST_BINARY_DIR, 1) ||
+        !setlocale(LC_NUMERIC, "xx_XX")) {
+        printf("no locale with a decimal comma: left out\n");
+        return 0;
+    }
+    char text[8];
+    snprintf(text, sizeof text, "%.1f", 1.5);
+    CHECK_TEXT(text, "1,5");
+    return 1;
+}
+
+static inline void test_decimal_comma_end(void) {
+    CHECK1(setlocale(LC_NUMERIC, "C") != NULL);
+}
+
+#endif
