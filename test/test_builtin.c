@@ -9,17 +9,17 @@
 
 static burnish_mesh *make(const char *name, int tessellation, double crease) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_source source = {0};
+    burnish_mesh_data data = {0};
     burnish_mesh *scene = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     options.tessellation = tessellation;
     options.crease_angle = crease;
-    burnish_status status = burnish_make_builtin(name, &options, &source, &error);
+    burnish_status status = burnish_make_builtin(name, &options, &data, &error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_mesh_build(&source, name, &options, BURNISH_FORMAT_AUTO, &scene, &error);
+        status = burnish_mesh_build(&data, name, &options, BURNISH_FORMAT_AUTO, &scene, &error);
     }
     CHECK(status == BURNISH_STATUS_OK, "%s", error.text);
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&data);
     return scene;
 }
 
@@ -291,18 +291,18 @@ static void test_teapot(void) {
 
 static void test_arguments(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_source source = {0};
+    burnish_mesh_data data = {0};
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK1(burnish_make_builtin("kettle", &options, &source, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_make_builtin("kettle", &options, &data, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text,
                ":kettle: unknown built-in object; there are :teapot, :sphere, :torus, :knot");
     const char *names[] = {"teapot", "sphere", "torus", "knot"};
     for (int i = 0; i < 4; ++i) {
         options = burnish_load_options_default();
         options.max_triangles = 100;
-        CHECK1(burnish_make_builtin(names[i], &options, &source, &error) == BURNISH_STATUS_LIMIT);
+        CHECK1(burnish_make_builtin(names[i], &options, &data, &error) == BURNISH_STATUS_LIMIT);
         CHECK(strstr(error.text, names[i]) && strstr(error.text, "100"), "%s", error.text);
-        CHECK1(source.position_count == 0 && source.positions == NULL);
+        CHECK1(data.streams[BURNISH_POSITION].count == 0 && !data.streams[BURNISH_POSITION].items);
         burnish_mesh *scene = make(names[i], 1, 40);
         check_normals(burnish_mesh_get_view(scene), names[i], -1);
         burnish_mesh_destroy(scene);
@@ -311,15 +311,14 @@ static void test_arguments(void) {
     for (int i = 0; i < 3; ++i) {
         options = burnish_load_options_default();
         options.tessellation = wrong[i];
-        CHECK1(burnish_make_builtin("sphere", &options, &source, &error) ==
-               BURNISH_STATUS_ARGUMENT);
+        CHECK1(burnish_make_builtin("sphere", &options, &data, &error) == BURNISH_STATUS_ARGUMENT);
         CHECK(strstr(error.text, "tessellation"), "%s", error.text);
     }
     options = burnish_load_options_default();
     options.cookie = 1;
-    CHECK1(burnish_make_builtin("sphere", &options, &source, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_make_builtin("sphere", &options, &data, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK(strstr(error.text, "burnish_load_options_default()"), "%s", error.text);
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&data);
 }
 
 int main(int count, char **arguments) {

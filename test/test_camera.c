@@ -10,13 +10,13 @@
 
 static burnish_mesh *builtin(const char *name) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_source source = {0};
+    burnish_mesh_data data = {0};
     burnish_mesh *scene = NULL;
     options.tessellation = 6;
-    CHECK1(burnish_make_builtin(name, &options, &source, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_build(&source, name, &options, BURNISH_FORMAT_AUTO, &scene, NULL) ==
+    CHECK1(burnish_make_builtin(name, &options, &data, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_build(&data, name, &options, BURNISH_FORMAT_AUTO, &scene, NULL) ==
            BURNISH_STATUS_OK);
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&data);
     return scene;
 }
 
@@ -134,13 +134,13 @@ static void test_exact_fit(void) {
 /* A fine sphere's camera stands at r / sin of the angle that is left, on the three-quarter axis. */
 static void test_sphere_distance(void) {
     burnish_load_options load = burnish_load_options_default();
-    burnish_source source = {0};
+    burnish_mesh_data data = {0};
     burnish_mesh *scene = NULL;
     load.tessellation = 64;
-    CHECK1(burnish_make_builtin("sphere", &load, &source, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_build(&source, "sphere", &load, BURNISH_FORMAT_AUTO, &scene, NULL) ==
+    CHECK1(burnish_make_builtin("sphere", &load, &data, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_build(&data, "sphere", &load, BURNISH_FORMAT_AUTO, &scene, NULL) ==
            BURNISH_STATUS_OK);
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&data);
     burnish_framing options = burnish_framing_default();
     burnish_camera camera = fit(scene, &options, 1);
     double distance = sqrt(dot(camera.position, camera.position));

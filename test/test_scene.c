@@ -5,7 +5,7 @@
 #include "core/memory.h"
 #include "mesh/build/normals.h"
 #include "mesh/build/weld.h"
-#include "mesh/read/source.h"
+#include "mesh/mesh_data.h"
 #include "support.h"
 
 /* Allocations that are left before one fails; negative: none fails. The linker leads the library's
@@ -58,24 +58,24 @@ static void cube_point(uint32_t number, float p[3]) {
 /* The cube as an STL file states it: nothing shared. */
 static burnish_mesh *soup(double crease, int turned) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_source source = {0};
+    burnish_mesh_data data = {0};
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_mesh *scene = NULL;
     uint32_t corners[36];
     options.crease_angle = crease;
     cube_corners(corners, turned);
-    source.positions = malloc(36 * 3 * sizeof(float));
-    source.corner_positions = malloc(36 * sizeof(uint32_t));
+    data.streams[BURNISH_POSITION].items = malloc(36 * 3 * sizeof(float));
+    data.streams[BURNISH_POSITION].corners = malloc(36 * sizeof(uint32_t));
     for (uint32_t i = 0; i < 36; ++i) {
-        cube_point(corners[i], source.positions + 3 * i);
-        source.corner_positions[i] = i;
+        cube_point(corners[i], burnish_positions(&data) + 3 * i);
+        data.streams[BURNISH_POSITION].corners[i] = i;
     }
-    source.position_count = 36;
-    source.triangle_count = 12;
-    CHECK(burnish_mesh_build(&source, "cube.stl", &options, BURNISH_FORMAT_STL, &scene, &error) ==
+    data.streams[BURNISH_POSITION].count = 36;
+    data.triangle_count = 12;
+    CHECK(burnish_mesh_build(&data, "cube.stl", &options, BURNISH_FORMAT_STL, &scene, &error) ==
               BURNISH_STATUS_OK,
           "%s", error.text);
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&data);
     return scene;
 }
 
@@ -327,7 +327,7 @@ static void test_zero_area(void) {
     CHECK1(scene == NULL && error.status == BURNISH_STATUS_FORMAT);
     CHECK(strstr(error.text, "burnish_mesh_create: no triangle has any area; 4 triangles"), "%s",
           error.text);
-    burnish_source empty = {0};
+    burnish_mesh_data empty = {0};
     burnish_load_options options = burnish_load_options_default();
     CHECK1(burnish_mesh_build(&empty, "empty.obj", &options, BURNISH_FORMAT_OBJ, &scene, &error) ==
            BURNISH_STATUS_FORMAT);
@@ -391,26 +391,26 @@ static void test_colors(void) {
 static burnish_status build_materials(size_t material_count, const uint16_t numbers[4],
                                       burnish_mesh **scene, burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_source source = {0};
+    burnish_mesh_data data = {0};
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
     const uint32_t corners[] = {0, 1, 2, 1, 1, 2, 1, 3, 2, 2, 3, 4};
-    source.positions = malloc(sizeof positions);
-    source.corner_positions = malloc(sizeof corners);
-    source.triangle_materials = malloc(4 * sizeof(uint16_t));
-    source.materials = malloc(sizeof(burnish_material) * (material_count + 1));
-    memcpy(source.positions, positions, sizeof positions);
-    memcpy(source.corner_positions, corners, sizeof corners);
-    memcpy(source.triangle_materials, numbers, 4 * sizeof(uint16_t));
+    data.streams[BURNISH_POSITION].items = malloc(sizeof positions);
+    data.streams[BURNISH_POSITION].corners = malloc(sizeof corners);
+    data.triangle_materials = malloc(4 * sizeof(uint16_t));
+    data.materials = malloc(sizeof(burnish_material) * (material_count + 1));
+    memcpy(burnish_positions(&data), positions, sizeof positions);
+    memcpy(data.streams[BURNISH_POSITION].corners, corners, sizeof corners);
+    memcpy(data.triangle_materials, numbers, 4 * sizeof(uint16_t));
     for (size_t i = 0; i < material_count; ++i) {
-        source.materials[i] = burnish_material_default();
-        source.materials[i].exponent = (float)(10 + i);
+        data.materials[i] = burnish_material_default();
+        data.materials[i].exponent = (float)(10 + i);
     }
-    source.position_count = 5;
-    source.triangle_count = 4;
-    source.material_count = material_count;
+    data.streams[BURNISH_POSITION].count = 5;
+    data.triangle_count = 4;
+    data.material_count = material_count;
     burnish_status status =
-        burnish_mesh_build(&source, "row.obj", &options, BURNISH_FORMAT_OBJ, scene, error);
-    burnish_source_destroy(&source);
+        burnish_mesh_build(&data, "row.obj", &options, BURNISH_FORMAT_OBJ, scene, error);
+    burnish_mesh_data_destroy(&data);
     return status;
 }
 
@@ -538,13 +538,13 @@ static void test_options(void) {
     for (int i = 0; i < 9; ++i) {
         burnish_error error = {BURNISH_STATUS_OK, ""};
         burnish_mesh *scene = (burnish_mesh *)&error;
-        burnish_source source = {0};
+        burnish_mesh_data data = {0};
         const burnish_load_options *options = i < 8 ? &wrong[i] : NULL;
         CHECK(burnish_mesh_create(positions, NULL, NULL, 4, indices, 2, options, &scene, &error) ==
                   BURNISH_STATUS_ARGUMENT,
               "%d", i);
         CHECK(scene == NULL && strstr(error.text, i < 8 ? words[i] : "NULL"), "%s", error.text);
-        CHECK(burnish_mesh_build(&source, "x", options, BURNISH_FORMAT_OBJ, &scene, &error) ==
+        CHECK(burnish_mesh_build(&data, "x", options, BURNISH_FORMAT_OBJ, &scene, &error) ==
                   BURNISH_STATUS_ARGUMENT,
               "%d", i);
     }
@@ -686,32 +686,33 @@ static uint32_t sheet_number(const float *positions, const uint32_t *corners) {
 static burnish_mesh *build_sheet(const sheet_mesh *mesh, burnish_tasks *pool) {
     const size_t corners = (size_t)3 * SHEET_TRIANGLES;
     burnish_load_options options = burnish_load_options_default();
-    burnish_source source = {.pool = pool};
+    burnish_mesh_data data = {.tasks = pool};
     burnish_mesh *scene = NULL;
-    source.positions = malloc(sizeof mesh->positions);
-    source.colors = malloc(sizeof mesh->colors);
-    source.normals = malloc(sizeof mesh->normals);
-    source.corner_positions = malloc(corners * sizeof(uint32_t));
-    source.corner_normals = malloc(corners * sizeof(uint32_t));
-    source.triangle_materials = malloc(SHEET_TRIANGLES * sizeof(uint16_t));
-    source.materials = malloc(7 * sizeof *source.materials);
-    memcpy(source.positions, mesh->positions, sizeof mesh->positions);
-    memcpy(source.colors, mesh->colors, sizeof mesh->colors);
-    memcpy(source.normals, mesh->normals, sizeof mesh->normals);
-    memcpy(source.corner_positions, mesh->indices, corners * sizeof(uint32_t));
-    memcpy(source.corner_normals, mesh->indices, corners * sizeof(uint32_t));
+    data.streams[BURNISH_POSITION].items = malloc(sizeof mesh->positions);
+    data.streams[BURNISH_COLOR].items = malloc(sizeof mesh->colors);
+    data.streams[BURNISH_NORMAL].items = malloc(sizeof mesh->normals);
+    data.streams[BURNISH_POSITION].corners = malloc(corners * sizeof(uint32_t));
+    data.streams[BURNISH_NORMAL].corners = malloc(corners * sizeof(uint32_t));
+    data.triangle_materials = malloc(SHEET_TRIANGLES * sizeof(uint16_t));
+    data.materials = malloc(7 * sizeof *data.materials);
+    memcpy(burnish_positions(&data), mesh->positions, sizeof mesh->positions);
+    memcpy(burnish_colors(&data), mesh->colors, sizeof mesh->colors);
+    memcpy(burnish_normals(&data), mesh->normals, sizeof mesh->normals);
+    memcpy(data.streams[BURNISH_POSITION].corners, mesh->indices, corners * sizeof(uint32_t));
+    memcpy(data.streams[BURNISH_NORMAL].corners, mesh->indices, corners * sizeof(uint32_t));
     for (size_t i = 0; i < SHEET_TRIANGLES; ++i) {
-        source.triangle_materials[i] =
+        data.triangle_materials[i] =
             (uint16_t)(sheet_number(mesh->positions, mesh->indices + 3 * i) % 7);
     }
     for (int i = 0; i < 7; ++i) {
-        source.materials[i] = burnish_material_default();
+        data.materials[i] = burnish_material_default();
     }
-    source.position_count = source.normal_count = SHEET_VERTICES;
-    source.triangle_count = SHEET_TRIANGLES;
-    source.material_count = 7;
-    burnish_mesh_build(&source, "sheet.obj", &options, BURNISH_FORMAT_OBJ, &scene, NULL);
-    burnish_source_destroy(&source);
+    data.streams[BURNISH_POSITION].count = data.streams[BURNISH_NORMAL].count =
+        data.streams[BURNISH_COLOR].count = SHEET_VERTICES;
+    data.triangle_count = SHEET_TRIANGLES;
+    data.material_count = 7;
+    burnish_mesh_build(&data, "sheet.obj", &options, BURNISH_FORMAT_OBJ, &scene, NULL);
+    burnish_mesh_data_destroy(&data);
     return scene;
 }
 

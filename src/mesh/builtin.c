@@ -8,7 +8,7 @@
 
 #define PI 3.14159265358979323846
 
-burnish_status burnish_surface_reserve(burnish_source *source, const char *name,
+burnish_status burnish_surface_reserve(burnish_mesh_data *data, const char *name,
                                        size_t vertex_count, size_t triangle_count,
                                        const burnish_load_options *options, burnish_error *error) {
     if (triangle_count > options->max_triangles) {
@@ -18,29 +18,14 @@ burnish_status burnish_surface_reserve(burnish_source *source, const char *name,
                             name, triangle_count, (unsigned long long)options->max_triangles,
                             options->tessellation);
     }
-    burnish_status status =
-        burnish_legacy_reserve((void **)&source->positions, &source->position_capacity,
-                               vertex_count, 3 * sizeof *source->positions, name, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_legacy_reserve((void **)&source->normals, &source->normal_capacity,
-                                        vertex_count, 3 * sizeof *source->normals, name, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_legacy_reserve((void **)&source->corner_positions,
-                                        &source->corner_capacity, triangle_count,
-                                        3 * sizeof *source->corner_positions, name, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_legacy_reserve((void **)&source->corner_normals,
-                                        &source->corner_normal_capacity, triangle_count,
-                                        3 * sizeof *source->corner_normals, name, error);
-    }
-    return status;
+    burnish_mesh_data_reserve(data, BURNISH_POSITION, vertex_count);
+    burnish_mesh_data_reserve(data, BURNISH_NORMAL, vertex_count);
+    return burnish_mesh_data_reserve_corners(data, BURNISH_POSITION, triangle_count);
 }
 
-void burnish_surface_vertex(burnish_source *source, burnish_vec3 position, burnish_vec3 normal) {
-    float *p = source->positions + 3 * source->position_count++;
-    float *n = source->normals + 3 * source->normal_count++;
+void burnish_surface_vertex(burnish_mesh_data *data, burnish_vec3 position, burnish_vec3 normal) {
+    float *p = burnish_positions(data) + 3 * data->streams[BURNISH_POSITION].count++;
+    float *n = burnish_normals(data) + 3 * data->streams[BURNISH_NORMAL].count++;
     p[0] = (float)position.x;
     p[1] = (float)position.y;
     p[2] = (float)position.z;
@@ -50,11 +35,11 @@ void burnish_surface_vertex(burnish_source *source, burnish_vec3 position, burni
     n[2] = (float)normal.z;
 }
 
-void burnish_surface_triangle(burnish_source *source, uint32_t a, uint32_t b, uint32_t c) {
+void burnish_surface_triangle(burnish_mesh_data *data, uint32_t a, uint32_t b, uint32_t c) {
     uint32_t corners[3] = {a, b, c};
-    memcpy(source->corner_positions + 3 * source->triangle_count, corners, sizeof corners);
-    memcpy(source->corner_normals + 3 * source->triangle_count, corners, sizeof corners);
-    ++source->triangle_count;
+    memcpy(data->streams[BURNISH_POSITION].corners + 3 * data->triangle_count, corners,
+           sizeof corners);
+    ++data->triangle_count;
 }
 
 /* Sine and cosine of i / n of a turn. */
@@ -64,14 +49,14 @@ static void turn(uint32_t i, uint32_t n, double *sine, double *cosine) {
 
 /* Two triangles for each cell of a grid whose both directions close on themselves; vertex (i, j) is
  * number i * nj + j, and (i, j), (i + 1, j), (i, j + 1) are counter-clockwise seen from outside. */
-static void close_grid(burnish_source *source, uint32_t ni, uint32_t nj) {
+static void close_grid(burnish_mesh_data *data, uint32_t ni, uint32_t nj) {
     for (uint32_t i = 0; i < ni; ++i) {
         for (uint32_t j = 0; j < nj; ++j) {
             uint32_t next_i = (i + 1) % ni, next_j = (j + 1) % nj;
             uint32_t a = i * nj + j, b = next_i * nj + j, c = next_i * nj + next_j,
                      d = i * nj + next_j;
-            burnish_surface_triangle(source, a, b, c);
-            burnish_surface_triangle(source, a, c, d);
+            burnish_surface_triangle(data, a, b, c);
+            burnish_surface_triangle(data, a, c, d);
         }
     }
 }
@@ -91,8 +76,8 @@ static burnish_vec3 sphere_point(const int lattice[3], int n) {
 }
 
 /* One face of the sphere: outside is the given axis, in the direction of sign. */
-static void make_sphere_face(burnish_source *source, int axis, int sign, int n) {
-    uint32_t base = (uint32_t)source->position_count, side = 2 * (uint32_t)n + 1;
+static void make_sphere_face(burnish_mesh_data *data, int axis, int sign, int n) {
+    uint32_t base = (uint32_t)data->streams[BURNISH_POSITION].count, side = 2 * (uint32_t)n + 1;
     for (int j = -n; j <= n; ++j) {
         for (int i = -n; i <= n; ++i) {
             /* (i, j, outside) stays right-handed: i turns round with the sign. */
@@ -101,7 +86,7 @@ static void make_sphere_face(burnish_source *source, int axis, int sign, int n) 
             lattice[(axis + 1) % 3] = sign * i;
             lattice[(axis + 2) % 3] = j;
             burnish_vec3 unit = sphere_point(lattice, n);
-            burnish_surface_vertex(source, unit, unit);
+            burnish_surface_vertex(data, unit, unit);
         }
     }
     for (int j = -n; j < n; ++j) {
@@ -109,11 +94,11 @@ static void make_sphere_face(burnish_source *source, int axis, int sign, int n) 
             uint32_t a = base + (uint32_t)(j + n) * side + (uint32_t)(i + n);
             uint32_t b = a + 1, c = a + side + 1, d = c - 1;
             if ((i < 0) == (j < 0)) { /* diagonals run toward the middle: mirror symmetric */
-                burnish_surface_triangle(source, a, b, c);
-                burnish_surface_triangle(source, a, c, d);
+                burnish_surface_triangle(data, a, b, c);
+                burnish_surface_triangle(data, a, c, d);
             } else {
-                burnish_surface_triangle(source, a, b, d);
-                burnish_surface_triangle(source, b, c, d);
+                burnish_surface_triangle(data, a, b, d);
+                burnish_surface_triangle(data, b, c, d);
             }
         }
     }
@@ -121,23 +106,23 @@ static void make_sphere_face(burnish_source *source, int axis, int sign, int n) 
 
 /* Radius 1: a blown-up cube, 2n segments a quarter (n the tessellation), 48 n^2 triangles. A point
  * depends on its lattice coordinates only, so that the six faces meet exactly. */
-static burnish_status make_sphere(const burnish_load_options *options, burnish_source *source,
+static burnish_status make_sphere(const burnish_load_options *options, burnish_mesh_data *data,
                                   burnish_error *error) {
     size_t side = 2 * (size_t)options->tessellation + 1;
-    burnish_status status = burnish_surface_reserve(source, ":sphere", 6 * side * side,
+    burnish_status status = burnish_surface_reserve(data, ":sphere", 6 * side * side,
                                                     12 * (side - 1) * (side - 1), options, error);
     for (int face = 0; status == BURNISH_STATUS_OK && face < 6; ++face) {
-        make_sphere_face(source, face % 3, face < 3 ? 1 : -1, options->tessellation);
+        make_sphere_face(data, face % 3, face < 3 ? 1 : -1, options->tessellation);
     }
     return status;
 }
 
 /* Radii 1 and 0.4, lying in the plane y = 0; 8n segments around the axis, 4n around the tube. */
-static burnish_status make_torus(const burnish_load_options *options, burnish_source *source,
+static burnish_status make_torus(const burnish_load_options *options, burnish_mesh_data *data,
                                  burnish_error *error) {
     const double major = 1, minor = 0.4;
     uint32_t ni = 8 * (uint32_t)options->tessellation, nj = 4 * (uint32_t)options->tessellation;
-    burnish_status status = burnish_surface_reserve(source, ":torus", (size_t)ni * nj,
+    burnish_status status = burnish_surface_reserve(data, ":torus", (size_t)ni * nj,
                                                     2 * (size_t)ni * nj, options, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -152,10 +137,10 @@ static burnish_status make_torus(const burnish_load_options *options, burnish_so
             burnish_vec3 normal = {cosine_j * sine_i, sine_j, cosine_j * cosine_i};
             burnish_vec3 center = {major * sine_i, 0, major * cosine_i};
             burnish_surface_vertex(
-                source, burnish_vec3_add(center, burnish_vec3_scale(normal, minor)), normal);
+                data, burnish_vec3_add(center, burnish_vec3_scale(normal, minor)), normal);
         }
     }
-    close_grid(source, ni, nj);
+    close_grid(data, ni, nj);
     return BURNISH_STATUS_OK;
 }
 
@@ -164,11 +149,11 @@ static burnish_status make_torus(const burnish_load_options *options, burnish_so
  * facing +z; 16n segments along, 4n around. The torus that the knot lies on gives the frame: its
  * normal is perpendicular to the knot everywhere and closes on itself. A circular tube's normal is
  * the spoke of the circle, whichever frame it is measured from. */
-static burnish_status make_knot(const burnish_load_options *options, burnish_source *source,
+static burnish_status make_knot(const burnish_load_options *options, burnish_mesh_data *data,
                                 burnish_error *error) {
     const double radius = 0.6;
     uint32_t ni = 16 * (uint32_t)options->tessellation, nj = 4 * (uint32_t)options->tessellation;
-    burnish_status status = burnish_surface_reserve(source, ":knot", (size_t)ni * nj,
+    burnish_status status = burnish_surface_reserve(data, ":knot", (size_t)ni * nj,
                                                     2 * (size_t)ni * nj, options, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -189,18 +174,18 @@ static burnish_status make_knot(const burnish_load_options *options, burnish_sou
             burnish_vec3 spoke = burnish_vec3_add(burnish_vec3_scale(normal, cosine),
                                                   burnish_vec3_scale(binormal, sine));
             burnish_surface_vertex(
-                source, burnish_vec3_add(center, burnish_vec3_scale(spoke, radius)), spoke);
+                data, burnish_vec3_add(center, burnish_vec3_scale(spoke, radius)), spoke);
         }
     }
-    close_grid(source, ni, nj);
+    close_grid(data, ni, nj);
     return BURNISH_STATUS_OK;
 }
 
 burnish_status burnish_make_builtin(const char *name, const burnish_load_options *options,
-                                    burnish_source *source, burnish_error *error) {
+                                    burnish_mesh_data *data, burnish_error *error) {
     static const struct {
         const char *name;
-        burnish_status (*make)(const burnish_load_options *, burnish_source *, burnish_error *);
+        burnish_status (*make)(const burnish_load_options *, burnish_mesh_data *, burnish_error *);
     } objects[] = {{"teapot", burnish_make_teapot},
                    {"sphere", make_sphere},
                    {"torus", make_torus},
@@ -211,7 +196,7 @@ burnish_status burnish_make_builtin(const char *name, const burnish_load_options
     }
     for (size_t i = 0; i < sizeof objects / sizeof objects[0]; ++i) {
         if (strcmp(name, objects[i].name) == 0) {
-            return objects[i].make(options, source, error);
+            return objects[i].make(options, data, error);
         }
     }
     return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/tasks.h"
-#include "mesh/read/source.h"
+#include "mesh/mesh_data.h"
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */
 static const burnish_material DEFAULT_MATERIAL = {
@@ -93,18 +93,14 @@ static burnish_status check_arrays(const float *positions, size_t vertex_count,
     return BURNISH_STATUS_OK;
 }
 
-/* A copy that the source owns; with values NULL it stays NULL. */
-static burnish_status copy_array(void **copy, const void *values, size_t count, size_t size,
-                                 burnish_error *error) {
-    *copy = NULL;
-    if (!values) {
-        return BURNISH_STATUS_OK;
+/* A copy of an attribute's values; NULL: there are none. */
+static void copy_values(burnish_mesh_data *data, burnish_attribute attribute, const void *values,
+                        size_t count) {
+    burnish_stream *stream = &data->streams[attribute];
+    if (values && burnish_mesh_data_reserve(data, attribute, count) == BURNISH_STATUS_OK) {
+        memcpy(stream->items, values, count * burnish_attribute_size(attribute));
+        stream->count = count;
     }
-    burnish_status status = burnish_legacy_allocate(copy, count, size, "copying the arrays", error);
-    if (status == BURNISH_STATUS_OK) {
-        memcpy(*copy, values, count * size);
-    }
-    return status;
 }
 
 burnish_status burnish_mesh_create(const float *positions, const float *normals,
@@ -116,7 +112,6 @@ burnish_status burnish_mesh_create(const float *positions, const float *normals,
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "scene: NULL; pass where to put it");
     }
     *scene = NULL;
-    burnish_source source = {0};
     burnish_status status = burnish_check_load_options(options, error);
     if (status == BURNISH_STATUS_OK) {
         status = check_arrays(positions, vertex_count, indices, triangle_count, error);
@@ -124,34 +119,21 @@ burnish_status burnish_mesh_create(const float *positions, const float *normals,
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    source.position_count = vertex_count;
-    source.normal_count = normals ? vertex_count : 0;
-    source.triangle_count = triangle_count;
-    status =
-        copy_array((void **)&source.positions, positions, vertex_count, 3 * sizeof(float), error);
+    burnish_tasks tasks;
+    burnish_tasks_begin(&tasks, NULL, options->threads);
+    burnish_mesh_data data = burnish_mesh_data_begin(NULL, &tasks, error);
+    copy_values(&data, BURNISH_POSITION, positions, vertex_count);
+    copy_values(&data, BURNISH_NORMAL, normals, vertex_count);
+    copy_values(&data, BURNISH_COLOR, colors, vertex_count);
+    status = burnish_mesh_data_reserve_corners(&data, BURNISH_POSITION, triangle_count);
     if (status == BURNISH_STATUS_OK) {
-        status =
-            copy_array((void **)&source.normals, normals, vertex_count, 3 * sizeof(float), error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = copy_array((void **)&source.colors, colors, vertex_count, 4, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = copy_array((void **)&source.corner_positions, indices, triangle_count,
-                            3 * sizeof(uint32_t), error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = copy_array((void **)&source.corner_normals, normals ? indices : NULL,
-                            triangle_count, 3 * sizeof(uint32_t), error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        burnish_tasks tasks;
-        burnish_tasks_begin(&tasks, NULL, options->threads);
-        source.pool = &tasks;
-        status = burnish_mesh_build(&source, "burnish_mesh_create", options, BURNISH_FORMAT_AUTO,
+        memcpy(data.streams[BURNISH_POSITION].corners, indices,
+               3 * triangle_count * sizeof *indices);
+        data.triangle_count = triangle_count;
+        status = burnish_mesh_build(&data, "burnish_mesh_create", options, BURNISH_FORMAT_AUTO,
                                     scene, error);
     }
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&data);
     return status;
 }
 

@@ -12,7 +12,7 @@
 #include "mesh/build/normals.h"
 #include "mesh/build/order.h"
 #include "mesh/build/weld.h"
-#include "mesh/read/source.h"
+#include "mesh/mesh_data.h"
 #include "mesh/read/text.h"
 #include "mesh/scene.h"
 
@@ -42,13 +42,13 @@ typedef struct vertex_maker {
 } vertex_maker;
 
 typedef struct builder {
-    burnish_source *source;
+    burnish_mesh_data *data;
     const char *name;
     burnish_error *error;
     burnish_mesh *scene;
 
-    size_t position_count;     /* welded positions, at the head of source->positions */
-    size_t triangle_count;     /* triangles with area, at the head of the source's arrays */
+    size_t position_count;     /* welded positions, at the head of the positions */
+    size_t triangle_count;     /* triangles with area, at the head of the data's arrays */
     uint32_t *corner_vertices; /* 3 a triangle: welded positions */
 
     uint32_t *first_corner; /* position_count + 1: where a position's corners start in ... */
@@ -63,7 +63,7 @@ typedef struct builder {
 } builder;
 
 static burnish_status check_counts(const builder *b, const burnish_load_options *options) {
-    size_t count = b->source->triangle_count;
+    size_t count = b->data->triangle_count;
     uint64_t limit = options->max_triangles < BURNISH_TRIANGLE_LIMIT ? options->max_triangles
                                                                      : BURNISH_TRIANGLE_LIMIT;
     if (count > limit) {
@@ -78,21 +78,21 @@ static burnish_status check_counts(const builder *b, const burnish_load_options 
 /* Moves the different positions to the head of the array; remap gives each old one its new number.
  */
 static burnish_status weld_positions(builder *b, uint32_t **remap) {
-    burnish_source *source = b->source;
-    for (size_t i = 0; i < 3 * source->position_count; ++i) {
-        source->positions[i] += 0.0f; /* -0 becomes 0 */
+    burnish_mesh_data *data = b->data;
+    for (size_t i = 0; i < 3 * data->streams[BURNISH_POSITION].count; ++i) {
+        burnish_positions(data)[i] += 0.0f; /* -0 becomes 0 */
     }
-    burnish_status status = burnish_legacy_allocate((void **)remap, source->position_count,
-                                                    sizeof **remap, "welding", b->error);
+    burnish_status status = burnish_legacy_allocate(
+        (void **)remap, data->streams[BURNISH_POSITION].count, sizeof **remap, "welding", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_weld(source->positions, source->position_count, b->source->pool, *remap,
-                              &b->position_count, b->error);
+        status = burnish_weld(burnish_positions(data), data->streams[BURNISH_POSITION].count,
+                              b->data->tasks, *remap, &b->position_count, b->error);
     }
-    if (status == BURNISH_STATUS_OK && b->position_count < source->position_count) {
+    if (status == BURNISH_STATUS_OK && b->position_count < data->streams[BURNISH_POSITION].count) {
         size_t next = 0;
-        for (size_t i = 0; i < source->position_count; ++i) {
+        for (size_t i = 0; i < data->streams[BURNISH_POSITION].count; ++i) {
             if ((*remap)[i] == next) {
-                memmove(source->positions + 3 * next++, source->positions + 3 * i,
+                memmove(burnish_positions(data) + 3 * next++, burnish_positions(data) + 3 * i,
                         3 * sizeof(float));
             }
         }
@@ -117,25 +117,41 @@ static void unit_range(void *of, size_t first, size_t end) {
     atomic_fetch_add(&context->missing, missing);
 }
 
+/* Normals that are numbered as positions are get corners of their own: orienting moves both. */
+static burnish_status number_normals(builder *b) {
+    burnish_mesh_data *data = b->data;
+    burnish_stream *normals = &data->streams[BURNISH_NORMAL];
+    if (normals->count > 0 && !normals->corners &&
+        burnish_mesh_data_reserve_corners(data, BURNISH_NORMAL, data->triangle_count) ==
+            BURNISH_STATUS_OK) {
+        memcpy(normals->corners, data->streams[BURNISH_POSITION].corners,
+               3 * data->triangle_count * sizeof *normals->corners);
+    }
+    return data->memory.status;
+}
+
 /* Makes the file's normals unit vectors; those without a direction become 0: to be made. */
 static void prepare_normals(builder *b) {
-    const uint32_t *corners = b->source->corner_normals;
-    const size_t corner_count = corners ? 3 * b->source->triangle_count : 0;
-    unit_context context = {.normals = b->source->normals};
-    burnish_tasks_ranges(b->source->pool, b->source->normal_count, SHARE, unit_range, &context);
+    const uint32_t *corners = b->data->streams[BURNISH_NORMAL].corners;
+    const size_t corner_count = corners ? 3 * b->data->triangle_count : 0;
+    unit_context context = {.normals = burnish_normals(b->data)};
+    burnish_tasks_ranges(b->data->tasks, b->data->streams[BURNISH_NORMAL].count, SHARE, unit_range,
+                         &context);
     size_t missing = atomic_load(&context.missing);
     for (size_t i = 0; i < corner_count; ++i) {
-        missing += corners[i] == BURNISH_SOURCE_NONE;
+        missing += corners[i] == BURNISH_NONE;
     }
     b->normals_complete = corners && missing == 0;
 }
 
 /* The file's normal of a corner, or NULL when one must be made. */
-static const float *file_normal(const burnish_source *source, size_t corner) {
-    if (!source->corner_normals || source->corner_normals[corner] == BURNISH_SOURCE_NONE) {
+static const float *file_normal(const burnish_mesh_data *data, size_t corner) {
+    if (!data->streams[BURNISH_NORMAL].corners ||
+        data->streams[BURNISH_NORMAL].corners[corner] == BURNISH_NONE) {
         return NULL;
     }
-    const float *n = source->normals + 3 * (size_t)source->corner_normals[corner];
+    const float *n =
+        burnish_normals(data) + 3 * (size_t)data->streams[BURNISH_NORMAL].corners[corner];
     return n[0] != 0 || n[1] != 0 || n[2] != 0 ? n : NULL;
 }
 
@@ -150,18 +166,18 @@ static void swap_corners(uint32_t *corners, size_t triangle) {
 /* Turns a triangle whose winding contradicts the file's normals. It comes before normals are made,
  * because those follow the winding. */
 static void orient(const builder *b, size_t triangle, burnish_vec3 cross) {
-    burnish_source *source = b->source;
+    burnish_mesh_data *data = b->data;
     burnish_vec3 sum = {0, 0, 0};
     for (size_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-        const float *normal = file_normal(source, corner);
+        const float *normal = file_normal(data, corner);
         if (normal) {
             sum = burnish_vec3_add(sum, burnish_vec3_loadf(normal));
         }
     }
     if (burnish_vec3_dot(cross, sum) < 0) {
         swap_corners(b->corner_vertices, triangle);
-        swap_corners(source->corner_positions, triangle);
-        swap_corners(source->corner_normals, triangle);
+        swap_corners(data->streams[BURNISH_POSITION].corners, triangle);
+        swap_corners(data->streams[BURNISH_NORMAL].corners, triangle);
     }
 }
 
@@ -171,7 +187,7 @@ static int is_area(burnish_vec3 cross) {
 }
 
 static burnish_vec3 cross_of(const builder *b, size_t triangle) {
-    return burnish_face_cross(b->source->positions, b->corner_vertices + 3 * triangle);
+    return burnish_face_cross(burnish_positions(b->data), b->corner_vertices + 3 * triangle);
 }
 
 /* What the tasks of weld_corners share. */
@@ -184,7 +200,7 @@ typedef struct weld_context {
 static void weld_range(void *of, size_t first, size_t end) {
     weld_context *context = of;
     builder *b = context->b;
-    const uint32_t *corners = b->source->corner_positions;
+    const uint32_t *corners = b->data->streams[BURNISH_POSITION].corners;
     size_t with_area = 0;
     for (size_t i = first; i < end; ++i) {
         for (size_t k = 3 * i; k < 3 * i + 3; ++k) {
@@ -192,7 +208,7 @@ static void weld_range(void *of, size_t first, size_t end) {
         }
         const burnish_vec3 cross = cross_of(b, i);
         with_area += (size_t)is_area(cross);
-        if (b->source->corner_normals) {
+        if (b->data->streams[BURNISH_NORMAL].corners) {
             orient(b, i, cross);
         }
     }
@@ -202,29 +218,29 @@ static void weld_range(void *of, size_t first, size_t end) {
 /* Fills corner_vertices, oriented; returns how many triangles have an area. */
 static size_t weld_corners(builder *b, const uint32_t *remap) {
     weld_context context = {.b = b, .remap = remap};
-    burnish_tasks_ranges(b->source->pool, b->source->triangle_count, SHARE, weld_range, &context);
+    burnish_tasks_ranges(b->data->tasks, b->data->triangle_count, SHARE, weld_range, &context);
     return atomic_load(&context.with_area);
 }
 
 static void move_triangle(builder *b, size_t from, size_t to) {
-    burnish_source *source = b->source;
+    burnish_mesh_data *data = b->data;
     memmove(b->corner_vertices + 3 * to, b->corner_vertices + 3 * from, 3 * sizeof(uint32_t));
-    memmove(source->corner_positions + 3 * to, source->corner_positions + 3 * from,
-            3 * sizeof(uint32_t));
-    if (source->corner_normals) {
-        memmove(source->corner_normals + 3 * to, source->corner_normals + 3 * from,
-                3 * sizeof(uint32_t));
+    memmove(data->streams[BURNISH_POSITION].corners + 3 * to,
+            data->streams[BURNISH_POSITION].corners + 3 * from, 3 * sizeof(uint32_t));
+    if (data->streams[BURNISH_NORMAL].corners) {
+        memmove(data->streams[BURNISH_NORMAL].corners + 3 * to,
+                data->streams[BURNISH_NORMAL].corners + 3 * from, 3 * sizeof(uint32_t));
     }
-    if (source->triangle_materials) {
-        source->triangle_materials[to] = source->triangle_materials[from];
+    if (data->triangle_materials) {
+        data->triangle_materials[to] = data->triangle_materials[from];
     }
 }
 
-/* Moves the triangles with area to the head of the source's arrays and fills corner_vertices. */
+/* Moves the triangles with area to the head of the data's arrays and fills corner_vertices. */
 static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
-    burnish_source *source = b->source;
+    burnish_mesh_data *data = b->data;
     burnish_status status =
-        burnish_legacy_allocate((void **)&b->corner_vertices, source->triangle_count,
+        burnish_legacy_allocate((void **)&b->corner_vertices, data->triangle_count,
                                 3 * sizeof *b->corner_vertices, "triangles", b->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -234,14 +250,14 @@ static burnish_status keep_triangles(builder *b, const uint32_t *remap) {
         return burnish_fail_at(b->error, BURNISH_STATUS_FORMAT, burnish_place_file(b->name),
                                "no triangle has any area; %zu triangles were read, and a mesh "
                                "needs at least one whose corners are not on a line",
-                               source->triangle_count);
+                               data->triangle_count);
     }
-    if (kept < source->triangle_count) {
-        burnish_warn_at(source, burnish_place_file(b->name),
-                        "%zu of %zu triangles have no area and were left out",
-                        source->triangle_count - kept, source->triangle_count);
+    if (kept < data->triangle_count) {
+        burnish_mesh_data_warn(data, "%s: %zu of %zu triangles have no area and were left out",
+                               burnish_show_name(b->name).text, data->triangle_count - kept,
+                               data->triangle_count);
         size_t next = 0;
-        for (size_t i = 0; i < source->triangle_count; ++i) {
+        for (size_t i = 0; i < data->triangle_count; ++i) {
             if (is_area(cross_of(b, i))) {
                 move_triangle(b, i, next++);
             }
@@ -285,7 +301,7 @@ static burnish_status permute(builder *b, const uint32_t *order, void **array, s
         burnish_legacy_allocate(&made, b->triangle_count, size, "ordering", b->error);
     if (status == BURNISH_STATUS_OK) {
         permute_context context = {order, *array, made};
-        burnish_tasks_ranges(b->source->pool, b->triangle_count, SHARE, task, &context);
+        burnish_tasks_ranges(b->data->tasks, b->triangle_count, SHARE, task, &context);
         free(*array);
         *array = made;
     }
@@ -294,7 +310,7 @@ static burnish_status permute(builder *b, const uint32_t *order, void **array, s
 
 /* Orders the triangles in space. */
 static burnish_status order_triangles(builder *b) {
-    burnish_source *source = b->source;
+    burnish_mesh_data *data = b->data;
     const size_t count = b->triangle_count, triple = 3 * sizeof(uint32_t);
     uint32_t *order = NULL;
     if (count < BURNISH_ORDER_LEAST) {
@@ -303,24 +319,26 @@ static burnish_status order_triangles(builder *b) {
     burnish_status status =
         burnish_legacy_allocate((void **)&order, count, sizeof *order, "ordering", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_order_triangles(source->positions, b->position_count, b->corner_vertices,
-                                         count, source->pool, order, b->error);
+        status = burnish_order_triangles(burnish_positions(data), b->position_count,
+                                         b->corner_vertices, count, data->tasks, order, b->error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = permute(b, order, (void **)&b->corner_vertices, triple, permute_triples);
     }
     if (status == BURNISH_STATUS_OK && b->has_colors) {
-        status = permute(b, order, (void **)&source->corner_positions, triple, permute_triples);
-        source->corner_capacity = count;
+        status = permute(b, order, (void **)&data->streams[BURNISH_POSITION].corners, triple,
+                         permute_triples);
+        data->streams[BURNISH_POSITION].corner_capacity = count;
     }
     if (status == BURNISH_STATUS_OK) {
-        status = permute(b, order, (void **)&source->corner_normals, triple, permute_triples);
-        source->corner_normal_capacity = count;
+        status = permute(b, order, (void **)&data->streams[BURNISH_NORMAL].corners, triple,
+                         permute_triples);
+        data->streams[BURNISH_NORMAL].corner_capacity = count;
     }
     if (status == BURNISH_STATUS_OK) {
-        status = permute(b, order, (void **)&source->triangle_materials, sizeof(uint16_t),
+        status = permute(b, order, (void **)&data->triangle_materials, sizeof(uint16_t),
                          permute_materials);
-        source->triangle_material_capacity = count;
+        data->triangle_material_capacity = count;
     }
     free(order);
     return status;
@@ -360,7 +378,7 @@ static burnish_status list_corners(builder *b) {
 
 static int needs_normal(const builder *b, const uint32_t *corners, size_t count) {
     for (size_t i = 0; i < count && !b->normals_complete; ++i) {
-        if (!file_normal(b->source, corners[i])) {
+        if (!file_normal(b->data, corners[i])) {
             return 1;
         }
     }
@@ -372,7 +390,9 @@ static void describe_corner(const builder *b, uint32_t corner, const float *norm
     *record = (burnish_weld_record){{0}, corner};
     memcpy(record->key, normal, 3 * sizeof(float));
     if (b->has_colors) {
-        memcpy(&record->key[3], b->source->colors + 4 * (size_t)b->source->corner_positions[corner],
+        memcpy(&record->key[3],
+               burnish_colors(b->data) +
+                   4 * (size_t)b->data->streams[BURNISH_POSITION].corners[corner],
                4);
     }
 }
@@ -431,7 +451,7 @@ static void share_vertex(builder *b, vertex_maker *maker, uint32_t position) {
 
 /* Whether corners that have normals of the file's have the same one. */
 static int have_one_normal(const builder *b, const uint32_t *corners, size_t count) {
-    const uint32_t *normals = b->source->corner_normals;
+    const uint32_t *normals = b->data->streams[BURNISH_NORMAL].corners;
     for (size_t i = 1; i < count; ++i) {
         if (normals[corners[i]] != normals[corners[0]]) {
             return 0;
@@ -452,13 +472,13 @@ static void make_position(builder *b, vertex_maker *maker, uint32_t position, in
         return;
     }
     if (b->normals_complete && !b->has_colors && have_one_normal(b, corners, count)) {
-        memcpy(maker->normals, file_normal(b->source, corners[0]), 3 * sizeof(float));
+        memcpy(maker->normals, file_normal(b->data, corners[0]), 3 * sizeof(float));
         share_vertex(b, maker, position);
         return;
     }
     if (measured && needs_normal(b, corners, count) &&
         burnish_fan_normals(&maker->fan, first, count, maker->normals)) {
-        if (!b->source->corner_normals && !b->has_colors) {
+        if (!b->data->streams[BURNISH_NORMAL].corners && !b->has_colors) {
             share_vertex(b, maker, position);
             return;
         }
@@ -466,8 +486,8 @@ static void make_position(builder *b, vertex_maker *maker, uint32_t position, in
             memcpy(maker->normals + 3 * i, maker->normals, 3 * sizeof(float));
         }
     }
-    for (size_t i = 0; i < count && b->source->corner_normals; ++i) {
-        const float *given = file_normal(b->source, corners[i]);
+    for (size_t i = 0; i < count && b->data->streams[BURNISH_NORMAL].corners; ++i) {
+        const float *given = file_normal(b->data, corners[i]);
         if (given) {
             memcpy(maker->normals + 3 * i, given, 3 * sizeof(float));
         }
@@ -481,7 +501,7 @@ static void make_block(builder *b, vertex_maker *maker, size_t first, size_t end
     size_t count = b->first_corner[end] - start;
     int measured = needs_normal(b, b->corners + start, count);
     if (measured) {
-        burnish_fan_measure(&maker->fan, b->source->positions, b->corner_vertices,
+        burnish_fan_measure(&maker->fan, burnish_positions(b->data), b->corner_vertices,
                             b->corners + start, count);
     }
     for (size_t i = first; i < end && maker->status == BURNISH_STATUS_OK; ++i) {
@@ -572,13 +592,13 @@ static burnish_status allocate_vertices(builder *b) {
 
 /* A vertex: a position with a normal. */
 typedef struct given_vertex {
-    uint32_t position, normal; /* in the source */
-    uint32_t next;             /* of the same position, or BURNISH_SOURCE_NONE */
+    uint32_t position, normal; /* in the mesh data */
+    uint32_t next;             /* of the same position, or BURNISH_NONE */
 } given_vertex;
 
 /* The vertex of a position that was found last: mostly the only one. */
 typedef struct given_head {
-    uint32_t vertex, normal; /* BURNISH_SOURCE_NONE: none yet */
+    uint32_t vertex, normal; /* BURNISH_NONE: none yet */
 } given_head;
 
 typedef struct given_vertices {
@@ -588,7 +608,7 @@ typedef struct given_vertices {
 } given_vertices;
 
 static int same_normal(const builder *b, uint32_t x, uint32_t y) {
-    const float *normals = b->source->normals;
+    const float *normals = burnish_normals(b->data);
     return memcmp(normals + 3 * (size_t)x, normals + 3 * (size_t)y, 3 * sizeof(float)) == 0;
 }
 
@@ -600,12 +620,11 @@ static burnish_status find_given(builder *b, given_vertices *vertices, uint32_t 
     given_head *head = &vertices->heads[position];
     int passed = 0;
     *vertex = head->vertex;
-    while (*vertex != BURNISH_SOURCE_NONE &&
-           !same_normal(b, vertices->items[*vertex].normal, normal)) {
+    while (*vertex != BURNISH_NONE && !same_normal(b, vertices->items[*vertex].normal, normal)) {
         *vertex = vertices->items[*vertex].next;
         ++passed;
     }
-    if (*vertex != BURNISH_SOURCE_NONE) {
+    if (*vertex != BURNISH_NONE) {
         return BURNISH_STATUS_OK;
     }
     *done = passed < MANY;
@@ -626,7 +645,7 @@ static burnish_status find_given(builder *b, given_vertices *vertices, uint32_t 
 /* Numbers the vertices in the order in which the triangles first use them, into the scene's
  * indices. Gives up, *done is 0, where a position has many. */
 static burnish_status number_given(builder *b, given_vertices *vertices, int *done) {
-    const uint32_t *normals = b->source->corner_normals;
+    const uint32_t *normals = b->data->streams[BURNISH_NORMAL].corners;
     burnish_status status = BURNISH_STATUS_OK;
     memset(vertices->heads, 0xff, b->position_count * sizeof *vertices->heads);
     *done = 1;
@@ -650,13 +669,13 @@ typedef struct given_context {
 
 static void write_given(void *of, size_t first, size_t end) {
     const given_context *context = of;
-    const burnish_source *source = context->b->source;
+    const burnish_mesh_data *data = context->b->data;
     burnish_mesh *scene = context->b->scene;
     for (size_t i = first; i < end; ++i) {
         const given_vertex *vertex = &context->vertices[i];
-        memcpy(scene->positions + 3 * i, source->positions + 3 * (size_t)vertex->position,
+        memcpy(scene->positions + 3 * i, burnish_positions(data) + 3 * (size_t)vertex->position,
                3 * sizeof(float));
-        memcpy(scene->normals + 3 * i, source->normals + 3 * (size_t)vertex->normal,
+        memcpy(scene->normals + 3 * i, burnish_normals(data) + 3 * (size_t)vertex->normal,
                3 * sizeof(float));
     }
 }
@@ -685,7 +704,7 @@ static burnish_status take_given(builder *b, int *done) {
     }
     if (*done && status == BURNISH_STATUS_OK) {
         given_context context = {b, vertices.items};
-        burnish_tasks_ranges(b->source->pool, vertices.count, SHARE, write_given, &context);
+        burnish_tasks_ranges(b->data->tasks, vertices.count, SHARE, write_given, &context);
     }
     free(vertices.items);
     return status;
@@ -693,20 +712,16 @@ static burnish_status take_given(builder *b, int *done) {
 
 /* Everything that is kept per corner, once the vertices stand: most of the memory. */
 static void release_corners(builder *b) {
-    burnish_source *source = b->source;
+    burnish_mesh_data *data = b->data;
     free(b->corners);
     free(b->first_corner);
     free(b->corner_vertices);
     b->corners = b->first_corner = b->corner_vertices = NULL;
-    free(source->corner_positions);
-    free(source->corner_normals);
-    free(source->normals);
-    free(source->colors);
-    source->corner_positions = source->corner_normals = NULL;
-    source->normals = NULL;
-    source->colors = NULL;
-    source->triangle_count = source->corner_capacity = source->corner_normal_capacity = 0;
-    source->normal_count = source->normal_capacity = source->color_capacity = 0;
+    burnish_release(data->memory.context, data->streams[BURNISH_POSITION].corners);
+    data->streams[BURNISH_POSITION].corners = NULL;
+    data->streams[BURNISH_POSITION].corner_capacity = data->triangle_count = 0;
+    burnish_mesh_data_drop(data, BURNISH_NORMAL);
+    burnish_mesh_data_drop(data, BURNISH_COLOR);
 }
 
 static double crease_angle(const burnish_load_options *options, burnish_format format) {
@@ -723,7 +738,7 @@ static burnish_status create_makers(builder *b, double angle) {
             3 * b->triangle_count < CORNERS_AT_ONCE ? 3 * b->triangle_count : CORNERS_AT_ONCE;
     }
     const size_t worth = b->position_count / (SHARE / 2),
-                 all = (size_t)burnish_tasks_threads(b->source->pool);
+                 all = (size_t)burnish_tasks_threads(b->data->tasks);
     const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
     burnish_status status = burnish_legacy_allocate((void **)&b->makers, (size_t)count,
                                                     sizeof *b->makers, "vertices", b->error);
@@ -750,7 +765,7 @@ static burnish_status make_vertices(builder *b, double angle) {
         return status;
     }
     size_t turns = (b->position_count + POSITIONS_A_TURN - 1) / POSITIONS_A_TURN;
-    burnish_tasks_run(b->source->pool, turns, 1, b->maker_count, turn_task, b);
+    burnish_tasks_run(b->data->tasks, turns, 1, b->maker_count, turn_task, b);
     for (int i = 0; i < b->maker_count; ++i) {
         if (b->makers[i].status != BURNISH_STATUS_OK) {
             if (b->error) {
@@ -786,13 +801,13 @@ typedef struct write_context {
 
 static void write_range(void *of, size_t first, size_t end) {
     const write_context *context = of;
-    const burnish_source *source = context->b->source;
+    const burnish_mesh_data *data = context->b->data;
     burnish_mesh *scene = context->b->scene;
     for (size_t k = first; k < end; ++k) {
         const built_vertex *vertex = &context->vertices[k];
         size_t number = scene->indices[vertex->corner];
-        memcpy(scene->positions + 3 * number, source->positions + 3 * (size_t)vertex->position,
-               3 * sizeof(float));
+        memcpy(scene->positions + 3 * number,
+               burnish_positions(data) + 3 * (size_t)vertex->position, 3 * sizeof(float));
         memcpy(scene->normals + 3 * number, vertex->normal, 3 * sizeof(float));
         if (scene->colors) {
             memcpy(scene->colors + 4 * number, &vertex->color, 4);
@@ -803,7 +818,7 @@ static void write_range(void *of, size_t first, size_t end) {
 static void write_vertices(builder *b) {
     for (int i = 0; i < b->maker_count; ++i) {
         write_context context = {b, b->makers[i].vertices};
-        burnish_tasks_ranges(b->source->pool, b->makers[i].count, SHARE, write_range, &context);
+        burnish_tasks_ranges(b->data->tasks, b->makers[i].count, SHARE, write_range, &context);
     }
 }
 
@@ -818,9 +833,9 @@ static burnish_status finish_vertices(builder *b) {
 
 /* Moves the materials to the scene, and their numbers where there is more than one. */
 static burnish_status take_materials(builder *b) {
-    burnish_source *source = b->source;
+    burnish_mesh_data *data = b->data;
     burnish_mesh *scene = b->scene;
-    if (source->material_count == 0) {
+    if (data->material_count == 0) {
         burnish_status status = burnish_legacy_allocate(
             (void **)&scene->materials, 1, sizeof *scene->materials, "material", b->error);
         if (status != BURNISH_STATUS_OK) {
@@ -829,22 +844,22 @@ static burnish_status take_materials(builder *b) {
         scene->materials[0] = burnish_material_default();
         scene->material_count = 1;
     } else {
-        scene->materials = source->materials;
-        scene->material_count = source->material_count;
-        source->materials = NULL;
-        source->material_count = source->material_capacity = 0;
+        scene->materials = data->materials;
+        scene->material_count = data->material_count;
+        data->materials = NULL;
+        data->material_count = data->material_capacity = 0;
     }
-    if (scene->material_count > 1 && source->triangle_materials) {
+    if (scene->material_count > 1 && data->triangle_materials) {
         for (size_t i = 0; i < b->triangle_count; ++i) {
-            if (source->triangle_materials[i] >= scene->material_count) {
+            if (data->triangle_materials[i] >= scene->material_count) {
                 return burnish_fail_at(b->error, BURNISH_STATUS_FORMAT, burnish_place_file(b->name),
                                        "triangle %zu has material %d, but there are only %zu", i,
-                                       source->triangle_materials[i], scene->material_count);
+                                       data->triangle_materials[i], scene->material_count);
             }
         }
-        scene->triangle_materials = source->triangle_materials;
-        source->triangle_materials = NULL;
-        source->triangle_material_capacity = 0;
+        scene->triangle_materials = data->triangle_materials;
+        data->triangle_materials = NULL;
+        data->triangle_material_capacity = 0;
     }
     return BURNISH_STATUS_OK;
 }
@@ -899,6 +914,9 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
     uint32_t *remap = NULL;
     burnish_status status = check_counts(b, options);
     if (status == BURNISH_STATUS_OK) {
+        status = number_normals(b);
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = weld_positions(b, &remap);
     }
     if (status == BURNISH_STATUS_OK) {
@@ -907,9 +925,9 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
     }
     free(remap);
     if (!b->has_colors) { /* corner_vertices tell all that is still needed */
-        free(b->source->corner_positions);
-        b->source->corner_positions = NULL;
-        b->source->corner_capacity = 0;
+        free(b->data->streams[BURNISH_POSITION].corners);
+        b->data->streams[BURNISH_POSITION].corners = NULL;
+        b->data->streams[BURNISH_POSITION].corner_capacity = 0;
     }
     if (status == BURNISH_STATUS_OK) {
         status = order_triangles(b);
@@ -923,11 +941,13 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
     return status;
 }
 
-burnish_status burnish_mesh_build(burnish_source *source, const char *name,
+burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                                   const burnish_load_options *options, burnish_format format,
                                   burnish_mesh **scene, burnish_error *error) {
-    builder b = {
-        .source = source, .name = name, .error = error, .has_colors = source->colors != NULL};
+    builder b = {.data = data,
+                 .name = name,
+                 .error = error,
+                 .has_colors = data->streams[BURNISH_COLOR].count > 0};
     *scene = NULL;
     burnish_status status = burnish_check_load_options(options, error);
     if (status == BURNISH_STATUS_OK) {
@@ -945,10 +965,10 @@ burnish_status burnish_mesh_build(burnish_source *source, const char *name,
         return status;
     }
     describe_mesh(b.scene, b.vertex_count, b.triangle_count);
-    b.scene->warnings = source->warnings;
-    b.scene->warning_count = source->warning_count;
-    source->warnings = NULL;
-    source->warning_count = source->warning_capacity = 0;
+    b.scene->warnings = data->warnings;
+    b.scene->warning_count = data->warning_count;
+    data->warnings = NULL;
+    data->warning_count = data->warning_capacity = 0;
     *scene = b.scene;
     return BURNISH_STATUS_OK;
 }

@@ -172,11 +172,11 @@ static burnish_status read_format(const burnish_reader_input *input, burnish_for
 }
 
 /* Builds; start: when reading began. */
-static burnish_status build(burnish_source *source, const char *name,
+static burnish_status build(burnish_mesh_data *data, const char *name,
                             const burnish_load_options *options, burnish_format format,
                             double start, burnish_mesh **scene, burnish_error *error) {
     double read = burnish_seconds_now();
-    burnish_status status = burnish_mesh_build(source, name, options, format, scene, error);
+    burnish_status status = burnish_mesh_build(data, name, options, format, scene, error);
     if (status == BURNISH_STATUS_OK) {
         (*scene)->seconds_read = read - start;
         (*scene)->seconds_build = burnish_seconds_now() - read;
@@ -194,9 +194,12 @@ static burnish_status load(const burnish_reader_input *input, uint8_t *owned, do
     burnish_format format;
     burnish_status status = read_format(input, &format, &source, error);
     free(owned);
+    burnish_mesh_data data = burnish_mesh_data_begin(NULL, &tasks, error);
     if (status == BURNISH_STATUS_OK) {
-        status = build(&source, input->name, input->options, format, start, scene, error);
+        burnish_source_move(&source, &data);
+        status = build(&data, input->name, input->options, format, start, scene, error);
     }
+    burnish_mesh_data_destroy(&data);
     burnish_source_destroy(&source);
     return status;
 }
@@ -205,13 +208,13 @@ static burnish_status load_builtin(const char *name, const burnish_load_options 
                                    burnish_mesh **scene, burnish_error *error) {
     burnish_tasks tasks;
     burnish_tasks_begin(&tasks, NULL, options->threads);
-    burnish_source source = {.pool = &tasks};
+    burnish_mesh_data data = burnish_mesh_data_begin(NULL, &tasks, error);
     double start = burnish_seconds_now();
-    burnish_status status = burnish_make_builtin(name + 1, options, &source, error);
+    burnish_status status = burnish_make_builtin(name + 1, options, &data, error);
     if (status == BURNISH_STATUS_OK) {
-        status = build(&source, name, options, BURNISH_FORMAT_AUTO, start, scene, error);
+        status = build(&data, name, options, BURNISH_FORMAT_AUTO, start, scene, error);
     }
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&data);
     return status;
 }
 

@@ -38,7 +38,7 @@ void burnish_mtl_destroy(burnish_mtl *library);
 
 /* name without the colon: "teapot", "sphere", "torus", "knot". */
 burnish_status burnish_make_builtin(const char *name, const burnish_load_options *options,
-                                    burnish_source *source, burnish_error *error);
+                                    burnish_mesh_data *data, burnish_error *error);
 
 /* The format that bytes and name tell of; AUTO when neither does. */
 burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name);

@@ -11,9 +11,10 @@
 #include "burnish/mesh.h"
 #include "core/memory.h"
 #include "core/tasks.h"
+#include "mesh/mesh_data.h"
 
 /* A corner or face without a value of its own. */
-#define BURNISH_SOURCE_NONE UINT32_MAX
+#define BURNISH_SOURCE_NONE BURNISH_NONE
 
 /* Growing arrays, all owned (malloc family). Readers guarantee: finite positions, corner indices in
  * range, counts below 2^32 - 1. Zero-area and repeated-index triangles may be present: build drops
@@ -53,10 +54,7 @@ void burnish_source_destroy(burnish_source *source);
 __attribute__((format(printf, 2, 3))) void burnish_source_warn(burnish_source *source,
                                                                const char *format, ...);
 
-/* Weld, make normals, orient, drop triangles without area. Takes the warnings out of source; the
- * caller still destroys source. name stands in messages. */
-burnish_status burnish_mesh_build(burnish_source *source, const char *name,
-                                  const burnish_load_options *options, burnish_format format,
-                                  burnish_mesh **scene, burnish_error *error);
+/* Moves what was read into mesh, which is empty. */
+void burnish_source_move(burnish_source *source, burnish_mesh_data *mesh);
 
 #endif
