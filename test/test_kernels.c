@@ -685,6 +685,11 @@ static void check_errors(void) {
     REFUSED((bad.lyon = 1, bad.highlight = BURNISH_KERNELS_PHONG));
     REFUSED(bad.lobe.family.order = 3);
 #undef REFUSED
+    bad = good;
+    bad.lights[0].color[0] = -1;
+    CHECK(burnish_kernels_prepare(&bad, &shader, &error) == BURNISH_STATUS_ARGUMENT &&
+              strstr(error.text, "light 1"),
+          "lights count from 1: \"%s\"", error.text);
     good.near_viewer = 1;
     CHECK(burnish_kernels_prepare(&good, &shader, &error) == BURNISH_STATUS_OK, "%s", error.text);
     CHECK(burnish_kernels_shade_rgba8(scalar(), &shader, &points, 1, pixel, &error) ==

@@ -312,6 +312,9 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         status = burnish_visibility_create(&tiles->workers[i].tile, options, error);
     }
+    if (status != BURNISH_STATUS_OK) {
+        destroy_workers(tiles); /* no later frame takes a half-made one for its own */
+    }
     return status;
 }
 

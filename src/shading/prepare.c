@@ -141,7 +141,7 @@ static burnish_status check_lights(const burnish_kernels_lighting *lighting, bur
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "light %d: needs a place within 2^60 or a unit vector, and a "
                                 "colour in [0, 1e6]",
-                                i);
+                                i + 1);
         }
     }
     return BURNISH_STATUS_OK;
