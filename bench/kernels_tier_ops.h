@@ -41,7 +41,7 @@ BURNISH_INLINE vf bench_gather(const float *table, vi index) {
 }
 BURNISH_INLINE vf bench_mantissa(vf x) {
     vi bits = _mm256_and_si256(vf_bits(x), vi_set(0x007fffff));
-    return vi_float(vi_or(bits, vi_set(0x3f800000)));
+    return vf_from_bits(vi_or(bits, vi_set(0x3f800000)));
 }
 
 #elif defined(BURNISH_VECTOR_SSE2)
@@ -66,7 +66,7 @@ BURNISH_INLINE vf bench_gather(const float *table, vi index) {
 }
 BURNISH_INLINE vf bench_mantissa(vf x) {
     vi bits = _mm_and_si128(vf_bits(x), vi_set(0x007fffff));
-    return vi_float(vi_or(bits, vi_set(0x3f800000)));
+    return vf_from_bits(vi_or(bits, vi_set(0x3f800000)));
 }
 
 #elif defined(BURNISH_VECTOR_NEON)
@@ -88,7 +88,7 @@ BURNISH_INLINE vf bench_gather(const float *table, vi index) {
 }
 BURNISH_INLINE vf bench_mantissa(vf x) {
     vi bits = vandq_s32(vf_bits(x), vi_set(0x007fffff));
-    return vi_float(vi_or(bits, vi_set(0x3f800000)));
+    return vf_from_bits(vi_or(bits, vi_set(0x3f800000)));
 }
 
 #else
@@ -106,7 +106,7 @@ BURNISH_INLINE vf bench_gather(const float *table, vi index) {
     return table[index];
 }
 BURNISH_INLINE vf bench_mantissa(vf x) {
-    return vi_float((vf_bits(x) & 0x007fffffu) | 0x3f800000u);
+    return vf_from_bits((vf_bits(x) & 0x007fffffu) | 0x3f800000u);
 }
 
 #endif

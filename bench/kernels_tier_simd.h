@@ -36,7 +36,7 @@ BURNISH_INLINE vf bench_pow(vf c, vf n) {
 BURNISH_INLINE vf bench_pow(vf c, vf n) {
     const vf rounder = vf_set(12582912.0f); /* 1.5 * 2^23: its last bits take the integer */
     c = vf_max(c, vf_set(0x1p-126f));
-    vf bits = vi_convert(vi_sub(vf_bits(c), vi_set(0x3f800000))); /* 2^23 (exponent + m - 1) */
+    vf bits = vf_from_int(vi_sub(vf_bits(c), vi_set(0x3f800000))); /* 2^23 (exponent + m - 1) */
     vf y = bench_fma(bits, vf_mul(n, vf_set(0x1p-23f)), bench_log2(bench_mantissa(c), n, 1.0f));
     y = vf_max(y, vf_set(-126.0f));
     vf shifted = vf_add(y, rounder);
@@ -45,7 +45,7 @@ BURNISH_INLINE vf bench_pow(vf c, vf n) {
     p = bench_fma(p, r, vf_set(0.2426111221f));
     p = bench_fma(p, r, vf_set(0.6932609855f));
     p = bench_fma(p, r, vf_set(0.9999280735f));
-    return vi_float(vi_add(vf_bits(p), vi_left(vf_bits(shifted), 23)));
+    return vf_from_bits(vi_add(vf_bits(p), vi_shl(vf_bits(shifted), 23)));
 }
 #endif
 
@@ -124,12 +124,12 @@ BURNISH_INLINE vf bench_root(int kind, vf x) {
     case BURNISH_BENCH_ROOT_IEEE:
         return vf_div(vf_set(1.0f), bench_sqrt(x));
     case BURNISH_BENCH_ROOT_TUNED:
-        y = vi_float(vi_sub(vi_set(0x5f200000), vi_right(vf_bits(x), 1)));
+        y = vf_from_bits(vi_sub(vi_set(0x5f200000), vi_shr(vf_bits(x), 1)));
         y = vf_mul(y, vf_sub(vf_set(0x1.ae91e4p+0f),
                              vf_mul(vf_set(0x1.686c5ap-1f), vf_mul(vf_mul(x, y), y))));
         return vf_mul(y, vf_sub(vf_set(0x1.800006p+0f), vf_mul(vf_mul(half, y), y)));
     case BURNISH_BENCH_ROOT_NEWTON:
-        y = vi_float(vi_sub(vi_set(0x5f3759df), vi_right(vf_bits(x), 1)));
+        y = vf_from_bits(vi_sub(vi_set(0x5f3759df), vi_shr(vf_bits(x), 1)));
         for (int k = 0; k < 3; ++k) {
             y = vf_mul(y, vf_sub(plain, vf_mul(vf_mul(half, y), y)));
         }

@@ -38,7 +38,7 @@ BURNISH_INLINE vi to_fixed(vf pixels) {
     return vi_sub(vf_bits(sum), vf_bits(rounder));
 }
 
-/* LANES vertices: their places as four vectors for vf_store_records, and 1 / w. */
+/* LANES vertices: their places as four vectors for vf_store_aos4, and 1 / w. */
 BURNISH_INLINE vf place_vertices(const burnish_raster_view *view, const vf position[3], vf to[4]) {
     vf p[3], clip[4];
     for (int k = 0; k < 3; ++k) {
@@ -51,17 +51,17 @@ BURNISH_INLINE vf place_vertices(const burnish_raster_view *view, const vf posit
     }
     vi code = find_outcodes(view, clip);
     /* nothing but the code of a vertex that only clipped triangles use */
-    vm whole = vi_not_negative(vi_sub(vi_set(0), vi_and(code, vi_set(BURNISH_OUT_CLIP))));
+    vm whole = vi_equal(vi_and(code, vi_set(BURNISH_OUT_CLIP)), vi_set(0));
     vf inverse_w = vf_div(vf_set(1.0f), clip[3]);
     vi center_x = vi_set(view->width * (BURNISH_SUBPIXELS / 2));
     vi center_y = vi_set(view->height * (BURNISH_SUBPIXELS / 2));
     vi x = vi_add(to_fixed(vf_mul(clip[0], inverse_w)), center_x);
     vi y = vi_sub(center_y, to_fixed(vf_mul(clip[1], inverse_w)));
-    to[0] = vf_keep(whole, vi_float(x));
-    to[1] = vf_keep(whole, vi_float(y));
-    to[2] = vf_keep(whole, vf_mul(clip[2], inverse_w));
-    to[3] = vi_float(code);
-    return vf_keep(whole, inverse_w);
+    to[0] = vf_and_mask(whole, vf_from_bits(x));
+    to[1] = vf_and_mask(whole, vf_from_bits(y));
+    to[2] = vf_and_mask(whole, vf_mul(clip[2], inverse_w));
+    to[3] = vf_from_bits(code);
+    return vf_and_mask(whole, inverse_w);
 }
 
 static void transform_vertices(burnish_screen_vertices *vertices, const burnish_raster_view *view,
@@ -70,12 +70,11 @@ static void transform_vertices(burnish_screen_vertices *vertices, const burnish_
     vf p[3], to[4];
     size_t i = first;
     for (; i + LANES <= end; i += LANES) {
-        const int32_t *from = (const int32_t *)(const void *)(positions + 3 * i);
         for (int k = 0; k < 3; ++k) {
-            p[k] = vi_float(vi_gather(from + k, apart));
+            p[k] = vf_gather(positions + 3 * i + k, apart);
         }
         vf_store(vertices->inverse_w + i, place_vertices(view, p, to));
-        vf_store_records(&vertices->items[i], to[0], to[1], to[2], to[3]);
+        vf_store_aos4(&vertices->items[i], to[0], to[1], to[2], to[3]);
     }
     if (i < end) { /* fewer than a vector has */
         float rest[3][LANES], inverse_w[LANES];
@@ -90,7 +89,7 @@ static void transform_vertices(burnish_screen_vertices *vertices, const burnish_
             p[k] = vf_load(rest[k]);
         }
         vf_store(inverse_w, place_vertices(view, p, to));
-        vf_store_records(items, to[0], to[1], to[2], to[3]);
+        vf_store_aos4(items, to[0], to[1], to[2], to[3]);
         memcpy(vertices->inverse_w + i, inverse_w, (end - i) * sizeof *inverse_w);
         memcpy(&vertices->items[i], items, (end - i) * sizeof *items);
     }
@@ -100,10 +99,8 @@ BURNISH_INLINE vi magnitude(vi x) {
     return vi_max(x, vi_sub(vi_set(0), x));
 }
 
-/* Lanes whose number is not 0. */
-BURNISH_INLINE unsigned bits_of_nonzero(vi x) {
-    vi minus = vi_sub(vi_set(0), x);
-    return ~vm_bits(vi_not_negative(vi_or(x, minus)));
+BURNISH_INLINE vm is_nonzero(vi x) {
+    return vm_not(vi_equal(x, vi_set(0)));
 }
 
 /* First and last pixel along one axis whose samples can lie between the least and the greatest of
@@ -112,8 +109,8 @@ BURNISH_INLINE void find_pixels(int samples, const vi at[3], int size, vi *first
     const int to_first = samples == 1 ? BURNISH_SUBPIXELS / 2 - 1 : 0;
     const int to_last = samples == 1 ? BURNISH_SUBPIXELS / 2 : 0;
     vi low = vi_min(vi_min(at[0], at[1]), at[2]), high = vi_max(vi_max(at[0], at[1]), at[2]);
-    low = vi_right_signed(vi_add(low, vi_set(to_first)), 8);
-    high = vi_right_signed(vi_sub(high, vi_set(to_last)), 8);
+    low = vi_sar(vi_add(low, vi_set(to_first)), 8);
+    high = vi_sar(vi_sub(high, vi_set(to_last)), 8);
     *first = vi_max(low, vi_set(0));
     *last = vi_min(high, vi_set(size - 1));
 }
@@ -133,7 +130,7 @@ BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
     vf depth[3];
     for (int i = 0; i < 3; ++i) {
         vf vertex[4];
-        vf_load_records(vertices[i], vertex);
+        vf_load_aos4(vertices[i], vertex);
         x[i] = vf_bits(vertex[0]);
         y[i] = vf_bits(vertex[1]);
         depth[i] = vertex[2];
@@ -148,23 +145,24 @@ BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
     longest = vi_max(longest, vi_max(magnitude(vi_sub(x[2], x[1])), magnitude(vi_sub(y[2], y[1]))));
     vi area = vi_sub(vi_mul(dx1, dy2), vi_mul(dx2, dy1));
     vi x0, y0, x1, y1;
-    unsigned out = bits_of_nonzero(vi_and(all, vi_set(BURNISH_OUT_REJECT)));
-    unsigned cut = bits_of_nonzero(vi_and(any, vi_set(BURNISH_OUT_CLIP)));
-    unsigned large = ~vm_bits(vi_not_negative(vi_sub(vi_set(BURNISH_SMALL_EDGE), longest)));
-    bits.others = ~out & (cut | large);
-    bits.back = ~vm_bits(vi_not_negative(vi_sub(vi_set(0), area))); /* the area is positive */
-    unsigned kept = ~(out | cut | large) & bits_of_nonzero(area);
-    kept &= view->culls ? ~bits.back : ~0u;
-    if (!(kept & ALL_LANES)) { /* neighbours often are seen from one side */
+    vm out = is_nonzero(vi_and(all, vi_set(BURNISH_OUT_REJECT)));
+    vm cut = is_nonzero(vi_and(any, vi_set(BURNISH_OUT_CLIP)));
+    vm other = vm_or(cut, vi_greater(longest, vi_set(BURNISH_SMALL_EDGE)));
+    vm back = vi_greater(area, vi_set(0));
+    vm kept = vm_and_not(vm_and_not(is_nonzero(area), out), other);
+    kept = view->culls ? vm_and_not(kept, back) : kept;
+    bits.others = vm_bits(vm_and_not(other, out));
+    bits.back = vm_bits(back);
+    if (!vm_any(kept)) { /* neighbours are often seen from one side */
         return bits;
     }
     find_pixels(view->samples, x, view->width, &x0, &x1);
     find_pixels(view->samples, y, view->height, &y0, &y1);
-    unsigned touches = vm_bits(vi_not_negative(vi_or(vi_sub(x1, x0), vi_sub(y1, y0))));
+    vm outside = vm_or(vi_greater(x0, x1), vi_greater(y0, y1));
     vf_store(block->nearest + at, vf_max(vf_max(depth[0], depth[1]), depth[2]));
-    vi_save((int32_t *)block->first + at, vi_or(vi_right(x0, 3), vi_left(vi_right(y0, 3), 16)));
-    vi_save((int32_t *)block->last + at, vi_or(vi_right(x1, 3), vi_left(vi_right(y1, 3), 16)));
-    bits.kept = kept & touches;
+    vi_store((int32_t *)block->first + at, vi_or(vi_shr(x0, 3), vi_shl(vi_shr(y0, 3), 16)));
+    vi_store((int32_t *)block->last + at, vi_or(vi_shr(x1, 3), vi_shl(vi_shr(y1, 3), 16)));
+    bits.kept = vm_bits(vm_and_not(kept, outside));
     return bits;
 }
 
@@ -175,7 +173,7 @@ BURNISH_INLINE unsigned find_apart(const burnish_setup_block *block) {
         vi first = vi_load((const int32_t *)block->first + at);
         vi last = vi_load((const int32_t *)block->last + at);
         vi difference = vi_and(vi_xor(first, last), vi_set((int32_t)BURNISH_TILE_BITS));
-        apart |= (bits_of_nonzero(difference) & ALL_LANES) << at;
+        apart |= vm_bits(is_nonzero(difference)) << at;
     }
     return apart;
 }
@@ -186,8 +184,7 @@ BURNISH_INLINE unsigned find_elsewhere(const burnish_setup_block *block, uint32_
     unsigned elsewhere = 0;
     for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
         vi first = vi_load((const int32_t *)block->first + at);
-        vi difference = vi_xor(vi_and(first, bits), wanted);
-        elsewhere |= (bits_of_nonzero(difference) & ALL_LANES) << at;
+        elsewhere |= vm_bits(vm_not(vi_equal(vi_and(first, bits), wanted))) << at;
     }
     return elsewhere;
 }
@@ -206,9 +203,9 @@ static int set_up_triangles(const burnish_screen_vertices *vertices,
             }
         }
         const setup_bits bits = set_up_vector(view, corners, block, at);
-        kept |= (bits.kept & ALL_LANES) << at;
-        back |= (bits.back & ALL_LANES) << at;
-        more |= (bits.others & ALL_LANES) << at;
+        kept |= bits.kept << at;
+        back |= bits.back << at;
+        more |= bits.others << at;
     }
     const unsigned real = (1u << count) - 1;
     kept &= real;

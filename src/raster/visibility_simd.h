@@ -68,22 +68,22 @@ BURNISH_INLINE void load_block(const burnish_visibility *tile, const burnish_geo
                                setup_block *block, vi x[3], vi y[3], vf depth[3]) {
     const corner_block *corners = &block->corners;
     /* 1 for triangles seen from their front, -1 from their back: exact */
-    const vi sign = vi_left(vi_load((const int32_t *)corners->source), 31);
-    const vf turn = vi_float(vi_or(sign, vi_set(0x3f800000)));
+    const vi sign = vi_shl(vi_load((const int32_t *)corners->source), 31);
+    const vf turn = vf_from_bits(vi_or(sign, vi_set(0x3f800000)));
     for (int i = 0; i < 3; ++i) {
         const void *from[LANES];
         vf at[4];
         for (int lane = 0; lane < LANES; ++lane) {
             from[lane] = &geometry->vertices.items[corners->vertices[i][lane]];
         }
-        vf_load_records(from, at);
+        vf_load_aos4(from, at);
         x[i] = vi_sub(vf_bits(at[0]), vi_set(tile->x * BURNISH_SUBPIXELS));
         y[i] = vi_sub(vf_bits(at[1]), vi_set(tile->y * BURNISH_SUBPIXELS));
         depth[i] = at[2];
         for (int lane = 0; lane < LANES; ++lane) {
             from[lane] = &tile->attributes[0][corners->vertices[i][lane]];
         }
-        vf_load_records(from, at);
+        vf_load_aos4(from, at);
         for (int k = 0; k < 3; ++k) {
             vf_store(block->attributes[i][k], vf_mul(at[k], turn));
         }
@@ -94,7 +94,7 @@ BURNISH_INLINE void load_block(const burnish_visibility *tile, const burnish_geo
         for (int lane = 0; lane < LANES; ++lane) {
             from[lane] = &tile->attributes[1][corners->vertices[i][lane]];
         }
-        vf_load_records(from, at);
+        vf_load_aos4(from, at);
         for (int k = 0; k < 3; ++k) {
             vf_store(block->attributes[i][BURNISH_PLANE_R + k], at[k]);
         }
@@ -109,54 +109,50 @@ BURNISH_INLINE void set_up_block(const burnish_visibility *tile, size_t count, c
     vi dx[3], dy[3], x0, y0, x1, y1, longest = vi_set(0);
     find_pixels(samples, x, tile->width, &x0, &x1);
     find_pixels(samples, y, tile->height, &y0, &y1);
-    vi_save(block->x0, x0);
-    vi_save(block->y0, y0);
-    vi_save(block->x1, x1);
-    vi_save(block->y1, y1);
+    vi_store(block->x0, x0);
+    vi_store(block->y0, y0);
+    vi_store(block->x1, x1);
+    vi_store(block->y1, y1);
     const vi wide = vi_sub(x1, x0), high = vi_sub(y1, y0);
-    const vi at_x = vi_add(vi_left(x0, 8), vi_set(HALF_PIXEL));
-    const vi at_y = vi_add(vi_left(y0, 8), vi_set(HALF_PIXEL));
+    const vi at_x = vi_add(vi_shl(x0, 8), vi_set(HALF_PIXEL));
+    const vi at_y = vi_add(vi_shl(y0, 8), vi_set(HALF_PIXEL));
     for (int i = 0; i < 3; ++i) {
         const int a = i == 2 ? 0 : i + 1, b = i == 0 ? 2 : i - 1;
         dx[i] = vi_sub(x[b], x[a]);
         dy[i] = vi_sub(y[b], y[a]);
         longest = vi_max(longest, vi_max(magnitude(dx[i]), magnitude(dy[i])));
-        /* top or left: dy < 0, or dy = 0 and dx > 0; as signs of whole numbers */
-        vi left = vi_right_signed(dy[i], 31);
-        vi level = vi_right_signed(vi_sub(magnitude(dy[i]), vi_set(1)), 31);
-        vi right = vi_right_signed(vi_sub(vi_set(0), dx[i]), 31);
-        vi bias = vi_sub(vi_set(-1), vi_or(left, vi_and(level, right)));
+        const vi zero = vi_set(0);
+        vm left = vi_greater(zero, dy[i]);
+        vm top = vm_and(vi_equal(dy[i], zero), vi_greater(dx[i], zero));
+        vi bias = vi_blend(vm_or(left, top), zero, vi_set(-1));
         vi start = vi_sub(vi_mul(dx[i], vi_sub(at_y, y[a])), vi_mul(dy[i], vi_sub(at_x, x[a])));
-        vi_save(block->x[i], x[i]);
-        vi_save(block->y[i], y[i]);
-        vi_save(block->dx[i], dx[i]);
-        vi_save(block->dy[i], dy[i]);
-        vi_save(block->bias[i], bias);
+        vi_store(block->x[i], x[i]);
+        vi_store(block->y[i], y[i]);
+        vi_store(block->dx[i], dx[i]);
+        vi_store(block->dy[i], dy[i]);
+        vi_store(block->bias[i], bias);
         start = vi_add(start, bias);
-        vi_save(block->start[i], start);
-        start = vi_add(start, vi_left(vi_mul(dy[i], vi_and(x0, vi_set(UNIT_WIDTH - 1))), 8));
-        start = vi_sub(start, vi_left(vi_mul(dx[i], vi_and(y0, vi_set(UNIT_HEIGHT - 1))), 8));
-        vi_save(block->unit[i], start);
+        vi_store(block->start[i], start);
+        start = vi_add(start, vi_shl(vi_mul(dy[i], vi_and(x0, vi_set(UNIT_WIDTH - 1))), 8));
+        start = vi_sub(start, vi_shl(vi_mul(dx[i], vi_and(y0, vi_set(UNIT_HEIGHT - 1))), 8));
+        vi_store(block->unit[i], start);
         vi minus = vi_and(vi_sub(vi_set(0), dy[i]), vi_set(0xffff));
-        vi_save(block->slope[i], vi_or(minus, vi_left(dx[i], 16)));
+        vi_store(block->slope[i], vi_or(minus, vi_shl(dx[i], 16)));
     }
-    vf area = vi_convert(vi_sub(vi_mul(dx[2], dy[0]), vi_mul(dy[2], dx[0])));
+    vf area = vf_from_int(vi_sub(vi_mul(dx[2], dy[0]), vi_mul(dy[2], dx[0])));
     vf_store(block->inverse_area, vf_div(vf_set(1.0f), area));
-    vi_save(block->longest, longest);
+    vi_store(block->longest, longest);
     vf_store(block->depth[0], depth[0]);
     vf_store(block->depth[1], vf_sub(depth[1], depth[0]));
     vf_store(block->depth[2], vf_sub(depth[2], depth[0]));
     const unsigned real = (unsigned)((1ull << count) - 1);
     block->live = vm_bits(vi_not_negative(vi_or(wide, high))) & real;
-    block->small = vm_bits(vi_not_negative(vi_sub(vi_set(BURNISH_SMALL_EDGE), longest)));
-    block->tiny = block->live & block->small &
-                  vm_bits(vi_not_negative(vi_sub(vi_set(1), vi_max(wide, high))));
-    const vi columns = vi_sub(vi_right_signed(x1, 2), vi_right_signed(x0, 2));
-    const vi rows =
-        vi_sub(vi_right_signed(y1, UNIT_HEIGHT_BITS), vi_right_signed(y0, UNIT_HEIGHT_BITS));
+    block->small = vm_bits(vm_not(vi_greater(longest, vi_set(BURNISH_SMALL_EDGE))));
+    block->tiny = block->live & block->small & vm_bits(vi_greater(vi_set(2), vi_max(wide, high)));
+    const vi columns = vi_sub(vi_sar(x1, 2), vi_sar(x0, 2));
+    const vi rows = vi_sub(vi_sar(y1, UNIT_HEIGHT_BITS), vi_sar(y0, UNIT_HEIGHT_BITS));
     block->wide = block->live &
-                  ~(block->small &
-                    vm_bits(vi_not_negative(vi_sub(vi_set(UNIT_SIDE - 1), vi_max(columns, rows)))));
+                  ~(block->small & vm_bits(vi_greater(vi_set(UNIT_SIDE), vi_max(columns, rows))));
 }
 
 /* One triangle of a block in the form that its units are drawn from. */
@@ -185,7 +181,7 @@ BURNISH_INLINE vf depth_from(const vf depth[3], vf weight1, vf weight2) {
 
 /* Weights of vertices 1 and 2 from edge functions with their bias. */
 BURNISH_INLINE vf weight_from(const unit_constants *constants, const vi e[3], int i) {
-    return vf_mul(vi_convert(vi_sub(e[i], constants->bias[i])), constants->inverse_area);
+    return vf_mul(vf_from_int(vi_sub(e[i], constants->bias[i])), constants->inverse_area);
 }
 
 /* Attributes of the pixels of a unit from `place` on that `mask` holds. */
@@ -214,11 +210,11 @@ BURNISH_INLINE void find_steps(const setup_block *block, int samples, sample_ste
         vi farthest = vi_set(INT32_MIN);
         for (int s = 0; s < samples; ++s) {
             const vi offset = vi_set((offsets[s][0] & 0xffff) | offsets[s][1] * 0x10000);
-            const vi step = vi_left(vi_dot16(slope, offset), 4);
+            const vi step = vi_shl(vi_dot16(slope, offset), 4);
             farthest = vi_max(farthest, step);
-            vi_save(steps->step[i][s], step);
+            vi_store(steps->step[i][s], step);
         }
-        vi_save(steps->farthest[i], farthest);
+        vi_store(steps->farthest[i], farthest);
     }
 }
 
@@ -240,7 +236,7 @@ BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_const
         vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->depths + sample)));
         whole = vm_and(whole, nearer);
         vf_store_where(nearer, tile->depths + sample, depth);
-        vi_save_where(nearer, tile->owners + sample, constants->owner);
+        vi_store_where(nearer, tile->owners + sample, constants->owner);
         drawn |= vm_bits(nearer);
     }
     if (vm_any(whole)) {
@@ -267,7 +263,7 @@ BURNISH_INLINE vi edge_of_unit(const setup_block *block, size_t lane, int i, vi 
     *across = vi_set(block->dy[i][lane] * (-BURNISH_SUBPIXELS * UNIT_WIDTH));
     *down = vi_set(block->dx[i][lane] * (BURNISH_SUBPIXELS * UNIT_HEIGHT));
     vi along = vi_dot16(vi_set(block->slope[i][lane]), vi_load(UNIT_PLACES));
-    return vi_add(vi_set(block->unit[i][lane]), vi_left(along, 8));
+    return vi_add(vi_set(block->unit[i][lane]), vi_shl(along, 8));
 }
 
 /* Marks the block of a place that shows a triangle. */
@@ -286,7 +282,7 @@ BURNISH_INLINE void draw_unit(burnish_visibility *tile, const unit_constants *co
     vm nearer = vm_and(covered, vf_greater(depth, before));
     vf_store(tile->depths + place, vf_blend(nearer, depth, before));
     if (owners) {
-        vi_save_where(nearer, tile->owners + place, constants->owner);
+        vi_store_where(nearer, tile->owners + place, constants->owner);
     }
     interpolate_unit(tile, constants, planes, nearer, weight1, weight2, place);
     touch(tile, place, vm_any(nearer));
@@ -325,9 +321,9 @@ static const int32_t BOX_UNITS[UNIT_SIDE][MOST_UNITS] = {
 
 /* burnish_tile_place of first pixels of units: x, and y in the upper half. */
 BURNISH_INLINE vi places_of(vi pixel) {
-    const vi x = vi_and(pixel, vi_set(0xffff)), y = vi_right(pixel, 16);
-    const vi strip = vi_left(vi_and(y, vi_set(~3)), 6), row = vi_left(vi_and(y, vi_set(3)), 2);
-    return vi_or(vi_or(strip, row), vi_left(x, 2));
+    const vi x = vi_and(pixel, vi_set(0xffff)), y = vi_shr(pixel, 16);
+    const vi strip = vi_shl(vi_and(y, vi_set(~3)), 6), row = vi_shl(vi_and(y, vi_set(3)), 2);
+    return vi_or(vi_or(strip, row), vi_shl(x, 2));
 }
 
 /* Lists the units of the triangles `lanes`; returns how many. */
@@ -344,18 +340,18 @@ BURNISH_INLINE int list_units(const setup_block *block, unsigned lanes, unit_lis
         for (int i = 0; i < 3; ++i) {
             slope[i] = vi_set(block->slope[i][lane]);
             vi along = vi_dot16(slope[i], vi_load(UNIT_PLACES));
-            vi_save(list->along[i][lane], vi_left(along, 8));
+            vi_store(list->along[i][lane], vi_shl(along, 8));
         }
         for (int k = 0; k < MOST_UNITS; k += LANES) { /* behind the last one is room */
             const vi unit = vi_load(box + k);
             for (int i = 0; i < 3; ++i) {
                 vi start =
-                    vi_add(vi_set(block->unit[i][lane]), vi_left(vi_dot16(slope[i], unit), 8));
-                vi_save(list->start[i] + count + k, start);
+                    vi_add(vi_set(block->unit[i][lane]), vi_shl(vi_dot16(slope[i], unit), 8));
+                vi_store(list->start[i] + count + k, start);
             }
             const vi place = places_of(vi_add(unit, vi_set(x0 | y0 << 16)));
-            vi_save(list->place + count + k,
-                    vi_or(place, vi_set((int32_t)lane * BURNISH_TILE_PIXELS)));
+            vi_store(list->place + count + k,
+                     vi_or(place, vi_set((int32_t)lane * BURNISH_TILE_PIXELS)));
         }
         count += wide * high;
     }
@@ -473,8 +469,8 @@ BURNISH_INLINE void find_tiny(const setup_block *block, int planes, tiny_pixels 
     vi start[3], right[3], down[3];
     for (int i = 0; i < 3; ++i) {
         start[i] = vi_load(block->start[i]);
-        right[i] = vi_sub(vi_set(0), vi_left(vi_load(block->dy[i]), 8));
-        down[i] = vi_left(vi_load(block->dx[i]), 8);
+        right[i] = vi_sub(vi_set(0), vi_shl(vi_load(block->dy[i]), 8));
+        down[i] = vi_shl(vi_load(block->dx[i]), 8);
     }
     for (int c = 0; c < 4; ++c) {
         vi e[3], inside = vi_set(0);
@@ -491,8 +487,8 @@ BURNISH_INLINE void find_tiny(const setup_block *block, int planes, tiny_pixels 
         }
         const vf depth[3] = {vf_load(block->depth[0]), vf_load(block->depth[1]),
                              vf_load(block->depth[2])};
-        vf weight1 = vf_mul(vi_convert(vi_sub(e[1], vi_load(block->bias[1]))), inverse_area);
-        vf weight2 = vf_mul(vi_convert(vi_sub(e[2], vi_load(block->bias[2]))), inverse_area);
+        vf weight1 = vf_mul(vf_from_int(vi_sub(e[1], vi_load(block->bias[1]))), inverse_area);
+        vf weight2 = vf_mul(vf_from_int(vi_sub(e[2], vi_load(block->bias[2]))), inverse_area);
         vf weight0 = vf_sub(vf_sub(vf_set(1.0f), weight1), weight2);
         vf_store(pixels->depth[c], depth_from(depth, weight1, weight2));
         for (int k = 0; k < planes; ++k) {
@@ -699,9 +695,8 @@ static int draw_large(burnish_visibility *tile, setup_block *block, size_t lane,
  * each. */
 BURNISH_INLINE void remember(burnish_tile_triangles *triangles, const setup_block *block) {
     const size_t at = triangles->count;
-    const vi large =
-        vi_blend(vi_not_negative(vi_sub(vi_set(BURNISH_SMALL_EDGE), vi_load(block->longest))),
-                 vi_set(0), vi_set(1));
+    const vi large = vi_blend(vi_greater(vi_load(block->longest), vi_set(BURNISH_SMALL_EDGE)),
+                              vi_set(1), vi_set(0));
     vi constant[2], dx[2], dy[2];
     for (int i = 0; i < 2; ++i) {
         const int a = i == 1 ? 0 : 2;
@@ -710,17 +705,17 @@ BURNISH_INLINE void remember(burnish_tile_triangles *triangles, const setup_bloc
         constant[i] =
             vi_sub(vi_mul(dy[i], vi_load(block->x[a])), vi_mul(dx[i], vi_load(block->y[a])));
     }
-    vf_store_records(&triangles->edges[at], vi_float(constant[0]), vi_float(constant[1]),
-                     vi_float(dx[0]), vi_float(dx[1]));
-    vf_store_records(&triangles->weights[at], vi_float(dy[0]), vi_float(dy[1]),
-                     vf_load(block->inverse_area), vi_float(large));
-    vf_store_records(&triangles->depths[at], vf_load(block->depth[0]), vf_load(block->depth[1]),
-                     vf_load(block->depth[2]), vf_set(0.0f));
-    vf_store_records(&triangles->corners[at],
-                     vi_float(vi_load((const int32_t *)block->corners.vertices[0])),
-                     vi_float(vi_load((const int32_t *)block->corners.vertices[1])),
-                     vi_float(vi_load((const int32_t *)block->corners.vertices[2])),
-                     vi_float(vi_load((const int32_t *)block->corners.source)));
+    vf_store_aos4(&triangles->edges[at], vf_from_bits(constant[0]), vf_from_bits(constant[1]),
+                  vf_from_bits(dx[0]), vf_from_bits(dx[1]));
+    vf_store_aos4(&triangles->weights[at], vf_from_bits(dy[0]), vf_from_bits(dy[1]),
+                  vf_load(block->inverse_area), vf_from_bits(large));
+    vf_store_aos4(&triangles->depths[at], vf_load(block->depth[0]), vf_load(block->depth[1]),
+                  vf_load(block->depth[2]), vf_set(0.0f));
+    vf_store_aos4(&triangles->corners[at],
+                  vf_from_bits(vi_load((const int32_t *)block->corners.vertices[0])),
+                  vf_from_bits(vi_load((const int32_t *)block->corners.vertices[1])),
+                  vf_from_bits(vi_load((const int32_t *)block->corners.vertices[2])),
+                  vf_from_bits(vi_load((const int32_t *)block->corners.source)));
 }
 
 /* The rest of it for a large triangle, drawn before. */
@@ -787,7 +782,7 @@ BURNISH_INLINE void draw_multiple(burnish_visibility *tile, setup_block *block, 
     int32_t owners[LANES];
     remember(triangles, block);
     triangles->count = first + LANES;
-    vi_save(owners, vi_add(vi_set((int32_t)first), vi_ramp(1)));
+    vi_store(owners, vi_add(vi_set((int32_t)first), vi_ramp(1)));
     find_steps(block, samples, &steps);
     if (is_listed(block)) {
         draw_listed(tile, block, &steps, block->live, samples, planes, owners, list);
@@ -859,24 +854,23 @@ BURNISH_INLINE unsigned find_seen_vector(const burnish_visibility *tile,
     const vi first = vi_load((const int32_t *)block->first + at);
     const vi end = vi_load((const int32_t *)block->last + at);
     vi x0 = vi_max(vi_sub(vi_and(first, low), left), zero);
-    vi y0 = vi_max(vi_sub(vi_right(first, 16), top), zero);
+    vi y0 = vi_max(vi_sub(vi_shr(first, 16), top), zero);
     vi x1 = vi_min(vi_sub(vi_and(end, low), left), last);
-    vi y1 = vi_min(vi_sub(vi_right(end, 16), top), last);
+    vi y1 = vi_min(vi_sub(vi_shr(end, 16), top), last);
     /* places of triangles that are not asked for may be anywhere */
-    vi place = vi_and(vi_or(vi_left(y0, 3), x0), vi_set(63));
-    vf coarse = vi_float(vi_gather((const int32_t *)(const void *)tile->coarse[1], place));
+    vi place = vi_and(vi_or(vi_shl(y0, 3), x0), vi_set(63));
+    vf coarse = vf_gather(tile->coarse[1][0], place);
     vf nearest = vf_mul(vf_load(block->nearest + at), vf_set(1.00001f));
     unsigned hidden =
         vm_bits(vm_and(vf_greater(coarse, nearest), vf_greater(nearest, vf_set(0.0f))));
-    unsigned large =
-        ~vm_bits(vi_not_negative(vi_sub(vi_set(1), vi_max(vi_sub(x1, x0), vi_sub(y1, y0)))));
+    unsigned large = vm_bits(vi_greater(vi_max(vi_sub(x1, x0), vi_sub(y1, y0)), vi_set(1)));
     for (unsigned rest = large & lanes; rest; rest &= rest - 1) {
         const unsigned lane = (unsigned)__builtin_ctz(rest);
         int32_t box[4][LANES];
-        vi_save(box[0], x0);
-        vi_save(box[1], y0);
-        vi_save(box[2], x1);
-        vi_save(box[3], y1);
+        vi_store(box[0], x0);
+        vi_store(box[1], y0);
+        vi_store(box[2], x1);
+        vi_store(box[3], y1);
         const int is = is_hidden(tile, block->nearest[at + lane], box[0][lane], box[1][lane],
                                  box[2][lane], box[3][lane]);
         hidden = (hidden & ~(1u << lane)) | (unsigned)is << lane;
@@ -941,20 +935,19 @@ BURNISH_INLINE unsigned find_block(const burnish_visibility *tile, int block, in
     for (int i = 0; i < BURNISH_BLOCK_PIXELS; i += LANES) {
         if (samples == 1) {
             vm mask = vf_greater(vf_load(tile->depths + block * size + i), farthest);
-            vi_save(whole + i, vi_blend(mask, vi_set(0), vi_set(-1)));
+            vi_store(whole + i, vi_blend(mask, vi_set(0), vi_set(-1)));
             shown |= vm_bits(mask) << i;
             continue;
         }
         const int32_t *owners = tile->owners + block * size + i;
-        vi first = vi_load(owners), all = first, different = vi_set(0);
+        vi first = vi_load(owners), all = first;
+        vm same = vi_equal(first, first);
         for (int s = 1; s < samples; ++s) {
             vi owner = vi_load(owners + s * BURNISH_BLOCK_PIXELS);
             all = vi_and(all, owner); /* -1, none, only where all are */
-            different = vi_or(different, vi_xor(owner, first));
+            same = vm_and(same, vi_equal(owner, first));
         }
-        /* all ones where there is a difference */
-        vi shared = vi_right_signed(vi_or(different, vi_sub(vi_set(0), different)), 31);
-        vi_save(whole + i, vi_or(first, shared));
+        vi_store(whole + i, vi_blend(same, first, vi_set(-1)));
         shown |= vm_bits(vi_not_negative(all)) << i;
     }
     return shown;
@@ -965,29 +958,29 @@ BURNISH_INLINE unsigned find_block(const burnish_visibility *tile, int block, in
 BURNISH_INLINE void find_points(const burnish_visibility *tile, int samples, int block, int first,
                                 burnish_shared_points *points) {
     const int32_t *owners = tile->owners + block * samples * BURNISH_BLOCK_PIXELS + first;
-    vi owner[BURNISH_MAX_SAMPLES], group[BURNISH_MAX_SAMPLES], different = vi_set(0);
+    const vi none = vi_set(0);
+    vi owner[BURNISH_MAX_SAMPLES], group[BURNISH_MAX_SAMPLES], different = none;
     for (int s = 0; s < samples; ++s) {
         owner[s] = vi_load(owners + s * BURNISH_BLOCK_PIXELS);
         group[s] = vi_set(1 << s);
         different = vi_or(different, vi_xor(owner[s], owner[0]));
     }
-    const unsigned shared = bits_of_nonzero(different);
-    if (!(shared & ((1ull << LANES) - 1))) {
+    const vm shared = is_nonzero(different);
+    if (!vm_any(shared)) {
         return;
     }
     for (int s = 0; s < samples; ++s) {
         for (int t = s + 1; t < samples; ++t) {
-            vi x = vi_xor(owner[s], owner[t]);
-            vi same = vi_sub(vi_set(-1), vi_right_signed(vi_or(x, vi_sub(vi_set(0), x)), 31));
-            group[s] = vi_or(group[s], vi_and(same, vi_set(1 << t)));
-            group[t] = vi_or(group[t], vi_and(same, vi_set(1 << s)));
+            const vm same = vi_equal(owner[s], owner[t]);
+            group[s] = vi_or(group[s], vi_blend(same, vi_set(1 << t), none));
+            group[t] = vi_or(group[t], vi_blend(same, vi_set(1 << s), none));
         }
     }
     for (int s = 0; s < samples; ++s) { /* the first sample of a group stands for it */
         int32_t groups[LANES];
-        unsigned rest = vm_bits(vi_not_negative(owner[s])) & shared &
-                        ~bits_of_nonzero(vi_and(group[s], vi_set((1 << s) - 1)));
-        vi_save(groups, group[s]);
+        const vm is_first = vi_equal(vi_and(group[s], vi_set((1 << s) - 1)), none);
+        unsigned rest = vm_bits(vm_and(vm_and(is_first, shared), vi_not_negative(owner[s])));
+        vi_store(groups, group[s]);
         for (; rest; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest), i = points->count++;
             points->pixel[i] = (uint8_t)(first + lane);
@@ -1035,18 +1028,17 @@ BURNISH_INLINE void place_vector(const burnish_visibility *tile, const burnish_r
         weights[lane] = &triangles->weights[owner];
         depths[lane] = &triangles->depths[owner];
     }
-    vf_load_records(edges, edge);
-    vf_load_records(weights, weight);
-    vf_load_records(depths, depth);
+    vf_load_aos4(edges, edge);
+    vf_load_aos4(weights, weight);
+    vf_load_aos4(depths, depth);
     const vi x = vi_load(points->x + first), y = vi_load(points->y + first);
     float *to[2] = {fragments->weight1 + first, fragments->weight2 + first};
     for (int i = 0; i < 2; ++i) {
         vi e = vi_sub(vi_mul(vf_bits(edge[2 + i]), y), vi_mul(vf_bits(weight[i]), x));
         e = vi_add(e, vf_bits(edge[i]));
-        vf_store(to[i], vf_mul(vi_convert(e), weight[2]));
+        vf_store(to[i], vf_mul(vf_from_int(e), weight[2]));
     }
-    for (unsigned large = bits_of_nonzero(vf_bits(weight[3])) & ALL_LANES; large;
-         large &= large - 1) {
+    for (unsigned large = vm_bits(is_nonzero(vf_bits(weight[3]))); large; large &= large - 1) {
         const int at = first + __builtin_ctz(large);
         if (at < points->count) {
             place_large(triangles, (size_t)points->owner[at], points->x[at], points->y[at],
@@ -1058,8 +1050,8 @@ BURNISH_INLINE void place_vector(const burnish_visibility *tile, const burnish_r
         const vf step = vf_set(1.0f / BURNISH_SUBPIXELS);
         const vi left = vi_set(tile->x * BURNISH_SUBPIXELS - view->width * half);
         const vi below = vi_set(view->height * half - tile->y * BURNISH_SUBPIXELS);
-        vf_store(fragments->x + first, vf_mul(vi_convert(vi_add(x, left)), step));
-        vf_store(fragments->y + first, vf_mul(vi_convert(vi_sub(below, y)), step));
+        vf_store(fragments->x + first, vf_mul(vf_from_int(vi_add(x, left)), step));
+        vf_store(fragments->y + first, vf_mul(vf_from_int(vi_sub(below, y)), step));
         vf_store(fragments->depth + first, depth_from(depth, vf_load(to[0]), vf_load(to[1])));
     }
 }
@@ -1093,10 +1085,9 @@ static void mark_block(const burnish_visibility *tile, int first, uint8_t *drawn
     owners[0] = ~tile->owners[first]; /* another one */
     memcpy(owners + 1, tile->owners + first, (size_t)count * sizeof *owners);
     for (int i = 0; i < count; i += LANES) {
-        vi change = vi_xor(vi_load(owners + 1 + i), vi_load(owners + i));
-        unsigned rest = bits_of_nonzero(change);
-        rest &= vm_bits(vf_greater(vf_load(tile->depths + first + i), vf_set(BURNISH_FARTHEST)));
-        for (; rest; rest &= rest - 1) {
+        vm same = vi_equal(vi_load(owners + 1 + i), vi_load(owners + i));
+        vm shown = vf_greater(vf_load(tile->depths + first + i), vf_set(BURNISH_FARTHEST));
+        for (unsigned rest = vm_bits(vm_and_not(shown, same)); rest; rest &= rest - 1) {
             const int32_t owner = owners[1 + i + __builtin_ctz(rest)];
             const uint32_t source = tile->options.samples == 1
                                         ? (uint32_t)owner

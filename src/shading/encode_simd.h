@@ -3,14 +3,14 @@
 BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) {
     const vi first = vi_set(BURNISH_SRGB_FIRST_BITS);
     /* the order of the first clamp's operands sends NaN to the lowest bucket */
-    vf x = vf_max(linear, vi_float(first));
-    x = vf_min(x, vi_float(vi_set(BURNISH_SRGB_LAST_BITS)));
+    vf x = vf_max(linear, vf_from_bits(first));
+    x = vf_min(x, vf_from_bits(vi_set(BURNISH_SRGB_LAST_BITS)));
     vi place = vi_sub(vf_bits(x), first);
-    vi entry = vi_gather(encoder->entries, vi_right(place, 16));
+    vi entry = vi_gather(encoder->entries, vi_shr(place, 16));
     /* threshold - 1 - low is negative where the float has reached the threshold */
-    vi low = vi_right(vi_left(place, 16), 16), threshold = vi_right(vi_left(entry, 15), 15);
-    vi reached = vi_right(vi_sub(vi_sub(threshold, vi_set(1)), low), 31);
-    return vi_add(vi_right(entry, 17), reached);
+    vi low = vi_shr(vi_shl(place, 16), 16), threshold = vi_shr(vi_shl(entry, 15), 15);
+    vi reached = vi_shr(vi_sub(vi_sub(threshold, vi_set(1)), low), 31);
+    return vi_add(vi_shr(entry, 17), reached);
 }
 
 static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
@@ -20,12 +20,12 @@ static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
         vi red = encode_vector(encoder, vf_load(rgb[0] + i));
         vi green = encode_vector(encoder, vf_load(rgb[1] + i));
         vi blue = encode_vector(encoder, vf_load(rgb[2] + i));
-        vi pixel = vi_or(vi_or(red, vi_left(green, 8)), vi_left(blue, 16));
+        vi pixel = vi_or(vi_or(red, vi_shl(green, 8)), vi_shl(blue, 16));
         if (shown) {
             vm mask = vi_not_negative(vi_load(shown + i));
             pixel = vi_blend(mask, vi_or(pixel, vi_set((int32_t)alpha)), vi_set((int32_t)behind));
         }
-        vi_save((int32_t *)pixels + i, pixel);
+        vi_store((int32_t *)pixels + i, pixel);
     }
 }
 

@@ -49,15 +49,15 @@ BURNISH_INLINE vf lobe_of_cosine(int body, const burnish_kernels_lobe_constants 
         return vector_power(cosine, exponent);
     case BURNISH_LOBE_BODY_MULTIPLY:
         c = vector_saturate(cosine);
-        return lobe_multiply(vf_keep(vf_greater(c, vf_set(lobe->least)), c), lobe->whole);
+        return lobe_multiply(vf_and_mask(vf_greater(c, vf_set(lobe->least)), c), lobe->whole);
     case BURNISH_LOBE_BODY_SCHLICK:
         c = vector_saturate(cosine);
         lambda = vf_mul(exponent, vf_sub(one, c));
         return vector_saturate(vf_div(c, vf_add(c, lambda)));
     case BURNISH_LOBE_BODY_GAUSSIAN:
         lambda = vf_max(vf_sub(one, cosine), vf_set(0.0f));
-        return vf_keep(vf_greater(cosine, vf_set(-0x1.fffffep127f)),
-                       vf_min(vector_exp2(vf_mul(vf_set(lobe->slope), lambda)), one));
+        return vf_and_mask(vf_greater(cosine, vf_set(-0x1.fffffep127f)),
+                           vf_min(vector_exp2(vf_mul(vf_set(lobe->slope), lambda)), one));
     case BURNISH_LOBE_BODY_GX:
         c = vector_saturate(cosine);
         lambda = vf_mul(vf_sub(one, c), vf_add(one, c));

@@ -48,7 +48,7 @@ BURNISH_INLINE void shade_add_family(int body, const burnish_kernels_shader *sha
                                      vm lit, vf u, shade_sums *sums) {
     vm shines = vm_and(lit, vf_greater(u, vf_set(0.0f)));
     if (vm_any(shines)) {
-        u = vf_keep(shines, vf_min(u, vf_set(1.0f)));
+        u = vf_and_mask(shines, vf_min(u, vf_set(1.0f)));
         shade_add_specular(light, output, lobe_squares(u, body, shader->lobe.squarings), sums);
     }
 }
@@ -69,7 +69,7 @@ BURNISH_INLINE void shade_distant_light(int body, int output, const burnish_kern
         vf u = vf_add(cosine, vf_set(shader->offset)); /* zeta is in the half vector */
         shade_add_family(body, shader, light, output, lit, u, sums);
     } else if (vm_any(lit)) {
-        vf lobe = vf_keep(lit, lobe_of_cosine(body, &shader->lobe, cosine));
+        vf lobe = vf_and_mask(lit, lobe_of_cosine(body, &shader->lobe, cosine));
         shade_add_specular(light, output, lobe, sums);
     }
 }
@@ -127,7 +127,7 @@ BURNISH_INLINE void shade_general_specular(int body, int output,
                    : vf_add(vf_mul(cosine, vf_set(shader->lobe.zeta)), vf_set(shader->offset));
         shade_add_family(body, shader, light, output, lit, u, sums);
     } else if (vm_any(lit)) {
-        vf lobe = vf_keep(lit, lobe_of_cosine(body, &shader->lobe, cosine));
+        vf lobe = vf_and_mask(lit, lobe_of_cosine(body, &shader->lobe, cosine));
         shade_add_specular(light, output, lobe, sums);
     }
 }
@@ -235,7 +235,7 @@ BURNISH_INLINE vi shade_pack(const vf color[3]) {
         bits[k] = vf_bits(vf_add(vf_min(color[k], vf_set(255.0f)), vf_set(0x1p23f)));
     }
     vi opaque = vi_or(bits[0], vi_set((int32_t)0xff000000u));
-    return vi_or(vi_or(opaque, vi_left(bits[1], 8)), vi_left(bits[2], 16));
+    return vi_or(vi_or(opaque, vi_shl(bits[1], 8)), vi_shl(bits[2], 16));
 }
 
 /* Fewer points than a vector has. */
@@ -263,7 +263,7 @@ BURNISH_INLINE void shade_rest(int body, int geometry, int output,
     vf color[3];
     shade_points(body, geometry, output, shader, &padded, 0, color);
     if (output == BURNISH_SHADE_RGBA8) {
-        vi_store(bytes, shade_pack(color));
+        vi_store_le_bytes(bytes, shade_pack(color));
         memcpy(rgba + 4 * first, bytes, 4 * count);
         return;
     }
@@ -282,7 +282,7 @@ BURNISH_INLINE void shade_array(int body, int geometry, int output,
     for (; i + LANES <= count; i += LANES) {
         shade_points(body, geometry, output, shader, points, i, color);
         if (output == BURNISH_SHADE_RGBA8) {
-            vi_store(rgba + 4 * i, shade_pack(color));
+            vi_store_le_bytes(rgba + 4 * i, shade_pack(color));
         } else {
             for (int k = 0; k < 3; ++k) {
                 vf_store(rgb[k] + i, color[k]);

@@ -1,31 +1,42 @@
-/* The small vector type that every kernel body is written over. A tier's source defines one
- * BURNISH_VECTOR_... and includes the bodies; each tier's header gives the same operations:
+/* The vector type that every template (*_simd.h) is written over. The file that includes a template
+ * defines one BURNISH_VECTOR_...; each instruction set's header gives the same operations:
  *
- *   LANES       floats in a vector
- *   vf, vi, vm  floats, 32-bit integers, a mask a lane
- *   vf_max      a > b ? a : b, and vf_min a < b ? a : b: b where one of them is NaN or both are
- *               zeros, on every tier (x86's own rule; the others' maximum differs)
- *   vf_keep     x where the mask holds, +0 elsewhere
- *   vf_bits, vi_float  the same 32 bits under the other type
- *   vi_left, vi_right, vi_right_signed  shifts by a constant
- *   vi_mul      the low 32 bits; vi_max, vi_min of signed numbers
- *   vi_dot16    the product of the lower 16-bit halves plus that of the upper ones, signed
- *   vi_convert  integers to floats, to nearest even
- *   vi_store    four bytes a lane, the lowest first; vi_load, vi_save whole integers
- *   vi_gather   table[index] a lane
- *   vi_ramp     0, step, 2 step ... a lane
- *   vf_blend, vi_blend  a where the mask holds, b elsewhere
- *   vf_store_where, vi_save_where  stores where the mask holds and leaves the rest of a vector's
- *               memory as it is
- *   vm_bits     the mask as a number: bit i is lane i
- *   vf_load_records   item i of the record at from[lane], four floats each, in lane `lane` of x[i]
- *   vf_store_records  the other way round, LANES records of four one after another
- *   pack_pixels three bytes of each of 4 pixels, the lowest first; may write 16 bytes
- *   vf_stream, vi_stream  stores past the caches to aligned places, for what vector_fence then
- *               orders; plain stores where there are none
+ *   LANES                floats per vector
+ *   vf, vi, vm           floats, 32-bit integers, one truth value per lane
+ *
+ *   vf_set, vi_set       one number in all lanes; vi_ramp: 0, step, 2 step ...
+ *   vf_load, vi_load     from unaligned memory, as are the stores
+ *   vf_store, vi_store   vf_store_where, vi_store_where: only where the mask holds; the rest of the
+ *                        vector's memory keeps its contents, but may be written
+ *   vi_store_le_bytes    four bytes per lane, the lowest first
+ *   vf_stream            past the caches, to an aligned address; vector_fence orders what follows
+ *   vf_gather, vi_gather table[index] per lane
+ *   vf_load_aos4         x[i] = number i of the four floats at from[lane]: an array of structures
+ *   vf_store_aos4        the reverse, LANES structures one after another
+ *
+ *   vf_add, vf_sub, vf_mul, vf_div
+ *   vf_max, vf_min       a > b ? a : b, a < b ? a : b: b where one is NaN or both are zeros (x86's
+ *                        rule; other processors' own maximum differs)
+ *   vf_greater           a > b, false for NaN
+ *   vf_and_mask          x where the mask holds, +0 elsewhere
+ *   vf_blend, vi_blend   a where the mask holds, b elsewhere
+ *   vf_bits, vf_from_bits  the same 32 bits as the other type
+ *   vf_from_int          rounded to nearest even
+ *
+ *   vi_add, vi_sub, vi_and, vi_or, vi_xor; vi_mul: the low 32 bits
+ *   vi_shl, vi_shr, vi_sar  shifts by a constant: left, right, right with the sign
+ *   vi_max, vi_min, vi_equal, vi_greater, vi_not_negative  of signed numbers
+ *   vi_dot16             low half times low half plus high half times high half, signed 16 bits
+ * each
+ *
+ *   vm_and, vm_or, vm_not, vm_and_not  a & b, a | b, ~a, a & ~b
+ *   vm_any               whether it holds in any lane
+ *   vm_bits              bit i is lane i; higher bits are 0
+ *
+ *   pack_pixels          the three low bytes of each of 4 pixels; may write 16 bytes
  *
  * There is no fused multiply-add, no approximate reciprocal and no horizontal sum, so a lane's
- * result has the same bits in every tier. */
+ * result has the same bits for every instruction set. */
 #ifndef BURNISH_SIMD_VECTOR_H
 #define BURNISH_SIMD_VECTOR_H
 

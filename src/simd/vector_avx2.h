@@ -43,11 +43,20 @@ static inline vf vf_min(vf a, vf b) {
 static inline vm vf_greater(vf a, vf b) {
     return _mm256_cmp_ps(a, b, _CMP_GT_OQ);
 }
-static inline vf vf_keep(vm mask, vf x) {
+static inline vf vf_and_mask(vm mask, vf x) {
     return _mm256_and_ps(mask, x);
 }
 static inline vm vm_and(vm a, vm b) {
     return _mm256_and_ps(a, b);
+}
+static inline vm vm_or(vm a, vm b) {
+    return _mm256_or_ps(a, b);
+}
+static inline vm vm_and_not(vm a, vm b) {
+    return _mm256_andnot_ps(b, a);
+}
+static inline vm vm_not(vm a) {
+    return _mm256_xor_ps(a, _mm256_castsi256_ps(_mm256_set1_epi32(-1)));
 }
 static inline int vm_any(vm mask) {
     return _mm256_movemask_ps(mask) != 0;
@@ -58,7 +67,7 @@ static inline vi vi_set(int32_t x) {
 static inline vi vf_bits(vf x) {
     return _mm256_castps_si256(x);
 }
-static inline vf vi_float(vi x) {
+static inline vf vf_from_bits(vi x) {
     return _mm256_castsi256_ps(x);
 }
 static inline vi vi_add(vi a, vi b) {
@@ -76,9 +85,9 @@ static inline vi vi_xor(vi a, vi b) {
 static inline vi vi_or(vi a, vi b) {
     return _mm256_or_si256(a, b);
 }
-#define vi_left(x, bits) _mm256_slli_epi32(x, bits)
-#define vi_right(x, bits) _mm256_srli_epi32(x, bits)
-#define vi_right_signed(x, bits) _mm256_srai_epi32(x, bits)
+#define vi_shl(x, bits) _mm256_slli_epi32(x, bits)
+#define vi_shr(x, bits) _mm256_srli_epi32(x, bits)
+#define vi_sar(x, bits) _mm256_srai_epi32(x, bits)
 static inline vi vi_mul(vi a, vi b) {
     return _mm256_mullo_epi32(a, b);
 }
@@ -94,7 +103,10 @@ static inline vi vi_min(vi a, vi b) {
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm256_i32gather_epi32((const int *)table, index, 4);
 }
-static inline vf vi_convert(vi x) {
+static inline vf vf_gather(const float *table, vi index) {
+    return _mm256_i32gather_ps(table, index, 4);
+}
+static inline vf vf_from_int(vi x) {
     return _mm256_cvtepi32_ps(x);
 }
 static inline vi vi_ramp(int32_t step) {
@@ -103,11 +115,17 @@ static inline vi vi_ramp(int32_t step) {
 static inline vi vi_load(const int32_t *from) {
     return _mm256_loadu_si256((const __m256i *)(const void *)from);
 }
-static inline void vi_save(int32_t *to, vi x) {
+static inline void vi_store(int32_t *to, vi x) {
     _mm256_storeu_si256((__m256i *)(void *)to, x);
 }
 static inline vm vi_not_negative(vi x) {
     return _mm256_castsi256_ps(_mm256_cmpgt_epi32(x, _mm256_set1_epi32(-1)));
+}
+static inline vm vi_equal(vi a, vi b) {
+    return _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b));
+}
+static inline vm vi_greater(vi a, vi b) {
+    return _mm256_castsi256_ps(_mm256_cmpgt_epi32(a, b));
 }
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return _mm256_blendv_ps(b, a, mask);
@@ -116,11 +134,8 @@ static inline vi vi_blend(vm mask, vi a, vi b) {
     return _mm256_castps_si256(
         _mm256_blendv_ps(_mm256_castsi256_ps(b), _mm256_castsi256_ps(a), mask));
 }
-static inline void vi_store(uint8_t *to, vi x) {
+static inline void vi_store_le_bytes(uint8_t *to, vi x) {
     _mm256_storeu_si256((__m256i *)(void *)to, x);
-}
-static inline void vi_stream(uint8_t *to, vi x) {
-    _mm256_stream_si256((__m256i *)(void *)to, x);
 }
 static inline unsigned vm_bits(vm mask) {
     return (unsigned)_mm256_movemask_ps(mask);
@@ -128,7 +143,7 @@ static inline unsigned vm_bits(vm mask) {
 static inline void vf_store_where(vm mask, float *to, vf x) {
     _mm256_storeu_ps(to, _mm256_blendv_ps(_mm256_loadu_ps(to), x, mask));
 }
-static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+static inline void vi_store_where(vm mask, int32_t *to, vi x) {
     vf_store_where(mask, (float *)(void *)to, _mm256_castsi256_ps(x));
 }
 static inline void vector_transpose(vf a[4]) {
@@ -139,14 +154,14 @@ static inline void vector_transpose(vf a[4]) {
     a[2] = _mm256_shuffle_ps(t1, t3, _MM_SHUFFLE(1, 0, 1, 0));
     a[3] = _mm256_shuffle_ps(t1, t3, _MM_SHUFFLE(3, 2, 3, 2));
 }
-static inline void vf_load_records(const void *const from[8], vf x[4]) {
+static inline void vf_load_aos4(const void *const from[8], vf x[4]) {
     for (int i = 0; i < 4; ++i) {
         __m256 row = _mm256_castps128_ps256(_mm_loadu_ps(from[i]));
         x[i] = _mm256_insertf128_ps(row, _mm_loadu_ps(from[4 + i]), 1);
     }
     vector_transpose(x);
 }
-static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+static inline void vf_store_aos4(void *to, vf a, vf b, vf c, vf d) {
     vf x[4] = {a, b, c, d};
     float *out = to;
     vector_transpose(x);

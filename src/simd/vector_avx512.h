@@ -43,11 +43,20 @@ static inline vf vf_min(vf a, vf b) {
 static inline vm vf_greater(vf a, vf b) {
     return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ);
 }
-static inline vf vf_keep(vm mask, vf x) {
+static inline vf vf_and_mask(vm mask, vf x) {
     return _mm512_maskz_mov_ps(mask, x);
 }
 static inline vm vm_and(vm a, vm b) {
     return (vm)(a & b);
+}
+static inline vm vm_or(vm a, vm b) {
+    return (vm)(a | b);
+}
+static inline vm vm_and_not(vm a, vm b) {
+    return (vm)(a & ~b);
+}
+static inline vm vm_not(vm a) {
+    return (vm)~a;
 }
 static inline int vm_any(vm mask) {
     return mask != 0;
@@ -58,7 +67,7 @@ static inline vi vi_set(int32_t x) {
 static inline vi vf_bits(vf x) {
     return _mm512_castps_si512(x);
 }
-static inline vf vi_float(vi x) {
+static inline vf vf_from_bits(vi x) {
     return _mm512_castsi512_ps(x);
 }
 static inline vi vi_add(vi a, vi b) {
@@ -76,9 +85,9 @@ static inline vi vi_xor(vi a, vi b) {
 static inline vi vi_or(vi a, vi b) {
     return _mm512_or_si512(a, b);
 }
-#define vi_left(x, bits) _mm512_slli_epi32(x, bits)
-#define vi_right(x, bits) _mm512_srli_epi32(x, bits)
-#define vi_right_signed(x, bits) _mm512_srai_epi32(x, bits)
+#define vi_shl(x, bits) _mm512_slli_epi32(x, bits)
+#define vi_shr(x, bits) _mm512_srli_epi32(x, bits)
+#define vi_sar(x, bits) _mm512_srai_epi32(x, bits)
 static inline vi vi_mul(vi a, vi b) {
     return _mm512_mullo_epi32(a, b);
 }
@@ -94,7 +103,10 @@ static inline vi vi_min(vi a, vi b) {
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm512_i32gather_epi32(index, table, 4);
 }
-static inline vf vi_convert(vi x) {
+static inline vf vf_gather(const float *table, vi index) {
+    return _mm512_i32gather_ps(index, table, 4);
+}
+static inline vf vf_from_int(vi x) {
     return _mm512_cvtepi32_ps(x);
 }
 static inline vi vi_ramp(int32_t step) {
@@ -104,11 +116,17 @@ static inline vi vi_ramp(int32_t step) {
 static inline vi vi_load(const int32_t *from) {
     return _mm512_loadu_si512((const void *)from);
 }
-static inline void vi_save(int32_t *to, vi x) {
+static inline void vi_store(int32_t *to, vi x) {
     _mm512_storeu_si512((void *)to, x);
 }
 static inline vm vi_not_negative(vi x) {
     return _mm512_cmpge_epi32_mask(x, _mm512_setzero_si512());
+}
+static inline vm vi_equal(vi a, vi b) {
+    return _mm512_cmpeq_epi32_mask(a, b);
+}
+static inline vm vi_greater(vi a, vi b) {
+    return _mm512_cmpgt_epi32_mask(a, b);
 }
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return _mm512_mask_blend_ps(mask, b, a);
@@ -116,11 +134,8 @@ static inline vf vf_blend(vm mask, vf a, vf b) {
 static inline vi vi_blend(vm mask, vi a, vi b) {
     return _mm512_mask_blend_epi32(mask, b, a);
 }
-static inline void vi_store(uint8_t *to, vi x) {
+static inline void vi_store_le_bytes(uint8_t *to, vi x) {
     _mm512_storeu_si512((void *)to, x);
-}
-static inline void vi_stream(uint8_t *to, vi x) {
-    _mm512_stream_si512((__m512i *)(void *)to, x);
 }
 static inline unsigned vm_bits(vm mask) {
     return mask;
@@ -128,7 +143,7 @@ static inline unsigned vm_bits(vm mask) {
 static inline void vf_store_where(vm mask, float *to, vf x) {
     _mm512_mask_storeu_ps(to, mask, x);
 }
-static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+static inline void vi_store_where(vm mask, int32_t *to, vi x) {
     _mm512_mask_storeu_epi32(to, mask, x);
 }
 static inline void vector_transpose(vf a[4]) {
@@ -139,7 +154,7 @@ static inline void vector_transpose(vf a[4]) {
     a[2] = _mm512_shuffle_ps(t1, t3, _MM_SHUFFLE(1, 0, 1, 0));
     a[3] = _mm512_shuffle_ps(t1, t3, _MM_SHUFFLE(3, 2, 3, 2));
 }
-static inline void vf_load_records(const void *const from[16], vf x[4]) {
+static inline void vf_load_aos4(const void *const from[16], vf x[4]) {
     for (int i = 0; i < 4; ++i) {
         __m512 row = _mm512_castps128_ps512(_mm_loadu_ps(from[i]));
         row = _mm512_insertf32x4(row, _mm_loadu_ps(from[4 + i]), 1);
@@ -148,7 +163,7 @@ static inline void vf_load_records(const void *const from[16], vf x[4]) {
     }
     vector_transpose(x);
 }
-static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+static inline void vf_store_aos4(void *to, vf a, vf b, vf c, vf d) {
     vf x[4] = {a, b, c, d};
     float *out = to;
     vector_transpose(x);

@@ -18,7 +18,7 @@
  * Moroz, Walczyk, Hrynchyshyn, Holimath, Cieslinski 2018; the constants are solved anew for this
  * guess. Eleven operations and no division: why it is preferred says bench/NOTES.md. */
 BURNISH_INLINE vf vector_inverse_sqrt(vf x) {
-    vf y = vi_float(vi_sub(vi_set(0x5f200000), vi_right(vf_bits(x), 1)));
+    vf y = vf_from_bits(vi_sub(vi_set(0x5f200000), vi_shr(vf_bits(x), 1)));
     vf squared = vf_mul(vf_mul(x, y), y);
     y = vf_mul(y, vf_sub(vf_set(0x1.ae91e4p+0f), vf_mul(vf_set(0x1.686c5ap-1f), squared)));
     vf rest = vf_sub(vf_set(1.0f), vf_mul(vf_mul(x, y), y));
@@ -29,8 +29,8 @@ BURNISH_INLINE vf vector_inverse_sqrt(vf x) {
 /* Base-2 logarithm of x in [2^-126, 2^126], relative error about 1e-7, also near x = 1: x = 2^e m
  * with m in [sqrt(1/2), sqrt(2)), then (m - 1) P(m - 1), P by Remez exchange to 2.6e-8 relative. */
 BURNISH_INLINE vf vector_log2(vf x) {
-    vi exponent = vi_right_signed(vi_sub(vf_bits(x), vi_set(0x3f3504f3)), 23);
-    vf f = vf_sub(vi_float(vi_sub(vf_bits(x), vi_left(exponent, 23))), vf_set(1.0f));
+    vi exponent = vi_sar(vi_sub(vf_bits(x), vi_set(0x3f3504f3)), 23);
+    vf f = vf_sub(vf_from_bits(vi_sub(vf_bits(x), vi_shl(exponent, 23))), vf_set(1.0f));
     vf p = vf_set(0.125836993602f);
     p = vf_sub(vf_mul(p, f), vf_set(0.207269727418f));
     p = vf_add(vf_mul(p, f), vf_set(0.215715607726f));
@@ -40,7 +40,7 @@ BURNISH_INLINE vf vector_log2(vf x) {
     p = vf_add(vf_mul(p, f), vf_set(0.480910642927f));
     p = vf_sub(vf_mul(p, f), vf_set(0.721347346807f));
     p = vf_add(vf_mul(p, f), vf_set(1.44269500365f));
-    return vf_add(vf_mul(p, f), vi_convert(exponent));
+    return vf_add(vf_mul(p, f), vf_from_int(exponent));
 }
 
 /* 2^y for y <= 0, relative error below 1e-7; 0 below 2^-126 and for NaN, 1 exactly at y = 0.
@@ -59,8 +59,8 @@ BURNISH_INLINE vf vector_exp2(vf y) {
     p = vf_add(vf_mul(p, r), vf_set(0.693147180704f));
     p = vf_add(vf_mul(p, r), vf_set(1.0f));
     vi k = vi_sub(vf_bits(shifted), vf_bits(rounder));
-    vf scale = vi_float(vi_left(vi_add(k, vi_set(127)), 23));
-    return vf_keep(vf_greater(y, vf_set(-126.0f)), vf_mul(p, scale));
+    vf scale = vf_from_bits(vi_shl(vi_add(k, vi_set(127)), 23));
+    return vf_and_mask(vf_greater(y, vf_set(-126.0f)), vf_mul(p, scale));
 }
 
 /* max(0, cosine)^exponent, exponent in [1, 65536]; in [0, 1] for every float, NaN gives 0. */
@@ -68,7 +68,7 @@ BURNISH_INLINE vf vector_power(vf cosine, vf exponent) {
     const vf least = vf_set(0x1p-126f);
     vf c = vf_max(vf_min(cosine, vf_set(1.0f)), least);
     vf value = vf_min(vector_exp2(vf_mul(exponent, vector_log2(c))), vf_set(1.0f));
-    return vf_keep(vf_greater(cosine, least), value);
+    return vf_and_mask(vf_greater(cosine, least), value);
 }
 
 /* x clamped to [0, 1]; NaN gives 0. */

@@ -44,11 +44,20 @@ static inline vf vf_min(vf a, vf b) {
 static inline vm vf_greater(vf a, vf b) {
     return vcgtq_f32(a, b);
 }
-static inline vf vf_keep(vm mask, vf x) {
+static inline vf vf_and_mask(vm mask, vf x) {
     return vreinterpretq_f32_u32(vandq_u32(mask, vreinterpretq_u32_f32(x)));
 }
 static inline vm vm_and(vm a, vm b) {
     return vandq_u32(a, b);
+}
+static inline vm vm_or(vm a, vm b) {
+    return vorrq_u32(a, b);
+}
+static inline vm vm_and_not(vm a, vm b) {
+    return vbicq_u32(a, b);
+}
+static inline vm vm_not(vm a) {
+    return vmvnq_u32(a);
 }
 static inline int vm_any(vm mask) {
     return vmaxvq_u32(mask) != 0;
@@ -59,7 +68,7 @@ static inline vi vi_set(int32_t x) {
 static inline vi vf_bits(vf x) {
     return vreinterpretq_s32_f32(x);
 }
-static inline vf vi_float(vi x) {
+static inline vf vf_from_bits(vi x) {
     return vreinterpretq_f32_s32(x);
 }
 static inline vi vi_add(vi a, vi b) {
@@ -77,9 +86,9 @@ static inline vi vi_xor(vi a, vi b) {
 static inline vi vi_or(vi a, vi b) {
     return vorrq_s32(a, b);
 }
-#define vi_left(x, bits) vshlq_n_s32(x, bits)
-#define vi_right(x, bits) vreinterpretq_s32_u32(vshrq_n_u32(vreinterpretq_u32_s32(x), bits))
-#define vi_right_signed(x, bits) vshrq_n_s32(x, bits)
+#define vi_shl(x, bits) vshlq_n_s32(x, bits)
+#define vi_shr(x, bits) vreinterpretq_s32_u32(vshrq_n_u32(vreinterpretq_u32_s32(x), bits))
+#define vi_sar(x, bits) vshrq_n_s32(x, bits)
 static inline vi vi_mul(vi a, vi b) {
     return vmulq_s32(a, b);
 }
@@ -101,7 +110,13 @@ static inline vi vi_gather(const int32_t *table, vi index) {
     }
     return vld1q_s32(lanes);
 }
-static inline vf vi_convert(vi x) {
+static inline vf vf_gather(const float *table, vi index) {
+    int32_t at[4];
+    vst1q_s32(at, index);
+    const float lanes[4] = {table[at[0]], table[at[1]], table[at[2]], table[at[3]]};
+    return vld1q_f32(lanes);
+}
+static inline vf vf_from_int(vi x) {
     return vcvtq_f32_s32(x);
 }
 static inline vi vi_ramp(int32_t step) {
@@ -111,11 +126,17 @@ static inline vi vi_ramp(int32_t step) {
 static inline vi vi_load(const int32_t *from) {
     return vld1q_s32(from);
 }
-static inline void vi_save(int32_t *to, vi x) {
+static inline void vi_store(int32_t *to, vi x) {
     vst1q_s32(to, x);
 }
 static inline vm vi_not_negative(vi x) {
     return vcgeq_s32(x, vdupq_n_s32(0));
+}
+static inline vm vi_equal(vi a, vi b) {
+    return vceqq_s32(a, b);
+}
+static inline vm vi_greater(vi a, vi b) {
+    return vcgtq_s32(a, b);
 }
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return vbslq_f32(mask, a, b);
@@ -123,11 +144,8 @@ static inline vf vf_blend(vm mask, vf a, vf b) {
 static inline vi vi_blend(vm mask, vi a, vi b) {
     return vbslq_s32(mask, a, b);
 }
-static inline void vi_store(uint8_t *to, vi x) {
+static inline void vi_store_le_bytes(uint8_t *to, vi x) {
     vst1q_u8(to, vreinterpretq_u8_s32(x));
-}
-static inline void vi_stream(uint8_t *to, vi x) {
-    vi_store(to, x);
 }
 static inline unsigned vm_bits(vm mask) {
     const uint32_t bits[4] = {1, 2, 4, 8};
@@ -136,7 +154,7 @@ static inline unsigned vm_bits(vm mask) {
 static inline void vf_store_where(vm mask, float *to, vf x) {
     vst1q_f32(to, vbslq_f32(mask, x, vld1q_f32(to)));
 }
-static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+static inline void vi_store_where(vm mask, int32_t *to, vi x) {
     vst1q_s32(to, vbslq_s32(mask, x, vld1q_s32(to)));
 }
 static inline void vector_transpose(vf a[4]) {
@@ -146,13 +164,13 @@ static inline void vector_transpose(vf a[4]) {
     a[2] = vcombine_f32(vget_high_f32(low.val[0]), vget_high_f32(high.val[0]));
     a[3] = vcombine_f32(vget_high_f32(low.val[1]), vget_high_f32(high.val[1]));
 }
-static inline void vf_load_records(const void *const from[4], vf x[4]) {
+static inline void vf_load_aos4(const void *const from[4], vf x[4]) {
     for (int i = 0; i < 4; ++i) {
         x[i] = vld1q_f32(from[i]);
     }
     vector_transpose(x);
 }
-static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+static inline void vf_store_aos4(void *to, vf a, vf b, vf c, vf d) {
     const float32x4x4_t x = {{a, b, c, d}};
     vst4q_f32(to, x);
 }

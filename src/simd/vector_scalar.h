@@ -49,7 +49,7 @@ static inline vi vf_bits(vf x) {
     memcpy(&bits, &x, sizeof bits);
     return bits;
 }
-static inline vf vi_float(vi x) {
+static inline vf vf_from_bits(vi x) {
     vf value;
     memcpy(&value, &x, sizeof value);
     return value;
@@ -57,11 +57,20 @@ static inline vf vi_float(vi x) {
 static inline vm vf_greater(vf a, vf b) {
     return a > b ? ~0u : 0u;
 }
-static inline vf vf_keep(vm mask, vf x) {
-    return vi_float(mask & vf_bits(x));
+static inline vf vf_and_mask(vm mask, vf x) {
+    return vf_from_bits(mask & vf_bits(x));
 }
 static inline vm vm_and(vm a, vm b) {
     return a & b;
+}
+static inline vm vm_or(vm a, vm b) {
+    return a | b;
+}
+static inline vm vm_and_not(vm a, vm b) {
+    return a & ~b;
+}
+static inline vm vm_not(vm a) {
+    return ~a;
 }
 static inline int vm_any(vm mask) {
     return mask != 0;
@@ -81,13 +90,13 @@ static inline vi vi_xor(vi a, vi b) {
 static inline vi vi_or(vi a, vi b) {
     return a | b;
 }
-static inline vi vi_left(vi x, unsigned bits) {
+static inline vi vi_shl(vi x, unsigned bits) {
     return x << bits;
 }
-static inline vi vi_right(vi x, unsigned bits) {
+static inline vi vi_shr(vi x, unsigned bits) {
     return x >> bits;
 }
-static inline vi vi_right_signed(vi x, unsigned bits) {
+static inline vi vi_sar(vi x, unsigned bits) {
     return (uint32_t)((int32_t)x >> bits);
 }
 static inline vi vi_mul(vi a, vi b) {
@@ -107,7 +116,10 @@ static inline vi vi_min(vi a, vi b) {
 static inline vi vi_gather(const int32_t *table, vi index) {
     return (uint32_t)table[index];
 }
-static inline vf vi_convert(vi x) {
+static inline vf vf_gather(const float *table, vi index) {
+    return table[index];
+}
+static inline vf vf_from_int(vi x) {
     return (float)(int32_t)x;
 }
 static inline vi vi_ramp(int32_t step) {
@@ -116,11 +128,17 @@ static inline vi vi_ramp(int32_t step) {
 static inline vi vi_load(const int32_t *from) {
     return (uint32_t)*from;
 }
-static inline void vi_save(int32_t *to, vi x) {
+static inline void vi_store(int32_t *to, vi x) {
     *to = (int32_t)x;
 }
 static inline vm vi_not_negative(vi x) {
     return (int32_t)x >= 0 ? ~0u : 0u;
+}
+static inline vm vi_equal(vi a, vi b) {
+    return a == b ? ~0u : 0u;
+}
+static inline vm vi_greater(vi a, vi b) {
+    return (int32_t)a > (int32_t)b ? ~0u : 0u;
 }
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return mask ? a : b;
@@ -128,14 +146,12 @@ static inline vf vf_blend(vm mask, vf a, vf b) {
 static inline vi vi_blend(vm mask, vi a, vi b) {
     return mask ? a : b;
 }
-static inline void vi_store(uint8_t *to, vi x) { /* the same bytes on a big-endian machine */
+static inline void vi_store_le_bytes(uint8_t *to,
+                                     vi x) { /* the same bytes on a big-endian machine */
     to[0] = (uint8_t)x;
     to[1] = (uint8_t)(x >> 8);
     to[2] = (uint8_t)(x >> 16);
     to[3] = (uint8_t)(x >> 24);
-}
-static inline void vi_stream(uint8_t *to, vi x) {
-    vi_store(to, x);
 }
 static inline unsigned vm_bits(vm mask) {
     return mask & 1;
@@ -143,13 +159,13 @@ static inline unsigned vm_bits(vm mask) {
 static inline void vf_store_where(vm mask, float *to, vf x) {
     *to = mask ? x : *to;
 }
-static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+static inline void vi_store_where(vm mask, int32_t *to, vi x) {
     *to = mask ? (int32_t)x : *to;
 }
-static inline void vf_load_records(const void *const from[1], vf x[4]) {
+static inline void vf_load_aos4(const void *const from[1], vf x[4]) {
     memcpy(x, from[0], 4 * sizeof *x);
 }
-static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+static inline void vf_store_aos4(void *to, vf a, vf b, vf c, vf d) {
     const vf x[4] = {a, b, c, d};
     memcpy(to, x, sizeof x);
 }

@@ -44,11 +44,20 @@ static inline vf vf_min(vf a, vf b) {
 static inline vm vf_greater(vf a, vf b) {
     return _mm_cmpgt_ps(a, b);
 }
-static inline vf vf_keep(vm mask, vf x) {
+static inline vf vf_and_mask(vm mask, vf x) {
     return _mm_and_ps(mask, x);
 }
 static inline vm vm_and(vm a, vm b) {
     return _mm_and_ps(a, b);
+}
+static inline vm vm_or(vm a, vm b) {
+    return _mm_or_ps(a, b);
+}
+static inline vm vm_and_not(vm a, vm b) {
+    return _mm_andnot_ps(b, a);
+}
+static inline vm vm_not(vm a) {
+    return _mm_xor_ps(a, _mm_castsi128_ps(_mm_set1_epi32(-1)));
 }
 static inline int vm_any(vm mask) {
     return _mm_movemask_ps(mask) != 0;
@@ -59,7 +68,7 @@ static inline vi vi_set(int32_t x) {
 static inline vi vf_bits(vf x) {
     return _mm_castps_si128(x);
 }
-static inline vf vi_float(vi x) {
+static inline vf vf_from_bits(vi x) {
     return _mm_castsi128_ps(x);
 }
 static inline vi vi_add(vi a, vi b) {
@@ -77,9 +86,9 @@ static inline vi vi_xor(vi a, vi b) {
 static inline vi vi_or(vi a, vi b) {
     return _mm_or_si128(a, b);
 }
-#define vi_left(x, bits) _mm_slli_epi32(x, bits)
-#define vi_right(x, bits) _mm_srli_epi32(x, bits)
-#define vi_right_signed(x, bits) _mm_srai_epi32(x, bits)
+#define vi_shl(x, bits) _mm_slli_epi32(x, bits)
+#define vi_shr(x, bits) _mm_srli_epi32(x, bits)
+#define vi_sar(x, bits) _mm_srai_epi32(x, bits)
 static inline vi vi_mul(vi a, vi b) {
     vi even = _mm_mul_epu32(a, b);
     vi odd = _mm_mul_epu32(_mm_srli_si128(a, 4), _mm_srli_si128(b, 4));
@@ -105,7 +114,12 @@ static inline vi vi_gather(const int32_t *table, vi index) {
     }
     return _mm_loadu_si128((const __m128i *)(const void *)lanes);
 }
-static inline vf vi_convert(vi x) {
+static inline vf vf_gather(const float *table, vi index) {
+    int32_t lanes[4];
+    _mm_storeu_si128((__m128i *)(void *)lanes, index);
+    return _mm_setr_ps(table[lanes[0]], table[lanes[1]], table[lanes[2]], table[lanes[3]]);
+}
+static inline vf vf_from_int(vi x) {
     return _mm_cvtepi32_ps(x);
 }
 static inline vi vi_ramp(int32_t step) {
@@ -114,11 +128,17 @@ static inline vi vi_ramp(int32_t step) {
 static inline vi vi_load(const int32_t *from) {
     return _mm_loadu_si128((const __m128i *)(const void *)from);
 }
-static inline void vi_save(int32_t *to, vi x) {
+static inline void vi_store(int32_t *to, vi x) {
     _mm_storeu_si128((__m128i *)(void *)to, x);
 }
 static inline vm vi_not_negative(vi x) {
     return _mm_castsi128_ps(_mm_cmpgt_epi32(x, _mm_set1_epi32(-1)));
+}
+static inline vm vi_equal(vi a, vi b) {
+    return _mm_castsi128_ps(_mm_cmpeq_epi32(a, b));
+}
+static inline vm vi_greater(vi a, vi b) {
+    return _mm_castsi128_ps(_mm_cmpgt_epi32(a, b));
 }
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return _mm_or_ps(_mm_and_ps(mask, a), _mm_andnot_ps(mask, b));
@@ -126,11 +146,8 @@ static inline vf vf_blend(vm mask, vf a, vf b) {
 static inline vi vi_blend(vm mask, vi a, vi b) {
     return _mm_castps_si128(vf_blend(mask, _mm_castsi128_ps(a), _mm_castsi128_ps(b)));
 }
-static inline void vi_store(uint8_t *to, vi x) {
+static inline void vi_store_le_bytes(uint8_t *to, vi x) {
     _mm_storeu_si128((__m128i *)(void *)to, x);
-}
-static inline void vi_stream(uint8_t *to, vi x) {
-    _mm_stream_si128((__m128i *)(void *)to, x);
 }
 static inline unsigned vm_bits(vm mask) {
     return (unsigned)_mm_movemask_ps(mask);
@@ -138,16 +155,16 @@ static inline unsigned vm_bits(vm mask) {
 static inline void vf_store_where(vm mask, float *to, vf x) {
     _mm_storeu_ps(to, vf_blend(mask, x, _mm_loadu_ps(to)));
 }
-static inline void vi_save_where(vm mask, int32_t *to, vi x) {
-    vi_save(to, vi_blend(mask, x, vi_load(to)));
+static inline void vi_store_where(vm mask, int32_t *to, vi x) {
+    vi_store(to, vi_blend(mask, x, vi_load(to)));
 }
-static inline void vf_load_records(const void *const from[4], vf x[4]) {
+static inline void vf_load_aos4(const void *const from[4], vf x[4]) {
     for (int i = 0; i < 4; ++i) {
         x[i] = _mm_loadu_ps(from[i]);
     }
     _MM_TRANSPOSE4_PS(x[0], x[1], x[2], x[3]);
 }
-static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+static inline void vf_store_aos4(void *to, vf a, vf b, vf c, vf d) {
     float *out = to;
     _MM_TRANSPOSE4_PS(a, b, c, d);
     _mm_storeu_ps(out, a);

@@ -45,11 +45,20 @@ static inline vf vf_min(vf a, vf b) {
 static inline vm vf_greater(vf a, vf b) {
     return wasm_f32x4_gt(a, b);
 }
-static inline vf vf_keep(vm mask, vf x) {
+static inline vf vf_and_mask(vm mask, vf x) {
     return wasm_v128_and(mask, x);
 }
 static inline vm vm_and(vm a, vm b) {
     return wasm_v128_and(a, b);
+}
+static inline vm vm_or(vm a, vm b) {
+    return wasm_v128_or(a, b);
+}
+static inline vm vm_and_not(vm a, vm b) {
+    return wasm_v128_andnot(a, b);
+}
+static inline vm vm_not(vm a) {
+    return wasm_v128_not(a);
 }
 static inline int vm_any(vm mask) {
     return wasm_v128_any_true(mask);
@@ -60,7 +69,7 @@ static inline vi vi_set(int32_t x) {
 static inline vi vf_bits(vf x) {
     return x;
 }
-static inline vf vi_float(vi x) {
+static inline vf vf_from_bits(vi x) {
     return x;
 }
 static inline vi vi_add(vi a, vi b) {
@@ -78,13 +87,13 @@ static inline vi vi_xor(vi a, vi b) {
 static inline vi vi_or(vi a, vi b) {
     return wasm_v128_or(a, b);
 }
-static inline vi vi_left(vi x, unsigned bits) {
+static inline vi vi_shl(vi x, unsigned bits) {
     return wasm_i32x4_shl(x, bits);
 }
-static inline vi vi_right(vi x, unsigned bits) {
+static inline vi vi_shr(vi x, unsigned bits) {
     return wasm_u32x4_shr(x, bits);
 }
-static inline vi vi_right_signed(vi x, unsigned bits) {
+static inline vi vi_sar(vi x, unsigned bits) {
     return wasm_i32x4_shr(x, bits);
 }
 static inline vi vi_mul(vi a, vi b) {
@@ -107,7 +116,12 @@ static inline vi vi_gather(const int32_t *table, vi index) {
     }
     return wasm_v128_load(lanes);
 }
-static inline vf vi_convert(vi x) {
+static inline vf vf_gather(const float *table, vi index) {
+    int32_t at[4];
+    wasm_v128_store(at, index);
+    return wasm_f32x4_make(table[at[0]], table[at[1]], table[at[2]], table[at[3]]);
+}
+static inline vf vf_from_int(vi x) {
     return wasm_f32x4_convert_i32x4(x);
 }
 static inline vi vi_ramp(int32_t step) {
@@ -116,11 +130,17 @@ static inline vi vi_ramp(int32_t step) {
 static inline vi vi_load(const int32_t *from) {
     return wasm_v128_load(from);
 }
-static inline void vi_save(int32_t *to, vi x) {
+static inline void vi_store(int32_t *to, vi x) {
     wasm_v128_store(to, x);
 }
 static inline vm vi_not_negative(vi x) {
     return wasm_i32x4_ge(x, wasm_i32x4_splat(0));
+}
+static inline vm vi_equal(vi a, vi b) {
+    return wasm_i32x4_eq(a, b);
+}
+static inline vm vi_greater(vi a, vi b) {
+    return wasm_i32x4_gt(a, b);
 }
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return wasm_v128_bitselect(a, b, mask);
@@ -128,10 +148,7 @@ static inline vf vf_blend(vm mask, vf a, vf b) {
 static inline vi vi_blend(vm mask, vi a, vi b) {
     return wasm_v128_bitselect(a, b, mask);
 }
-static inline void vi_store(uint8_t *to, vi x) {
-    wasm_v128_store(to, x);
-}
-static inline void vi_stream(uint8_t *to, vi x) {
+static inline void vi_store_le_bytes(uint8_t *to, vi x) {
     wasm_v128_store(to, x);
 }
 static inline unsigned vm_bits(vm mask) {
@@ -140,7 +157,7 @@ static inline unsigned vm_bits(vm mask) {
 static inline void vf_store_where(vm mask, float *to, vf x) {
     wasm_v128_store(to, wasm_v128_bitselect(x, wasm_v128_load(to), mask));
 }
-static inline void vi_save_where(vm mask, int32_t *to, vi x) {
+static inline void vi_store_where(vm mask, int32_t *to, vi x) {
     wasm_v128_store(to, wasm_v128_bitselect(x, wasm_v128_load(to), mask));
 }
 static inline void vector_transpose(vf a[4]) {
@@ -153,13 +170,13 @@ static inline void vector_transpose(vf a[4]) {
     a[2] = wasm_i64x2_shuffle(t1, t3, 0, 2);
     a[3] = wasm_i64x2_shuffle(t1, t3, 1, 3);
 }
-static inline void vf_load_records(const void *const from[4], vf x[4]) {
+static inline void vf_load_aos4(const void *const from[4], vf x[4]) {
     for (int i = 0; i < 4; ++i) {
         x[i] = wasm_v128_load(from[i]);
     }
     vector_transpose(x);
 }
-static inline void vf_store_records(void *to, vf a, vf b, vf c, vf d) {
+static inline void vf_store_aos4(void *to, vf a, vf b, vf c, vf d) {
     vf x[4] = {a, b, c, d};
     vector_transpose(x);
     for (int i = 0; i < 4; ++i) {
