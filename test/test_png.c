@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "burnish/image.h"
-#include "core/output.h"
 #include "support.h"
 
 #define CHECK_STATUS(call, expected) CHECK((call) == (expected), "not the expected status")
@@ -54,6 +53,14 @@ static void check_decoded(const burnish_image *image, const void *bytes, size_t 
     free(pixels);
 }
 
+static burnish_status encode(const burnish_image *image, int threads, uint8_t **bytes, size_t *size,
+                             burnish_error *error) {
+    const burnish_pixels pixels = burnish_image_pixels(image);
+    burnish_png_options options = burnish_png_options_default();
+    options.threads = threads;
+    return burnish_png_encode(&pixels, &options, bytes, size, error);
+}
+
 static void test_decoding(void) {
     static const int sizes[][2] = {{1, 1},    {1, 2},   {2, 1},     {1, 300},   {300, 1},
                                    {3, 3},    {7, 5},   {16, 16},   {17, 31},   {255, 9},
@@ -63,9 +70,9 @@ static void test_decoding(void) {
             burnish_image image = make(sizes[i][0], sizes[i][1], channels);
             uint8_t *bytes;
             size_t size;
-            CHECK_STATUS(burnish_image_encode_png(&image, &bytes, &size, NULL), BURNISH_STATUS_OK);
+            CHECK_STATUS(encode(&image, 0, &bytes, &size, NULL), BURNISH_STATUS_OK);
             check_decoded(&image, bytes, size);
-            free(bytes);
+            burnish_release(NULL, bytes);
             burnish_image_destroy(&image);
         }
     }
@@ -114,18 +121,16 @@ static void test_bands(void) {
                 burnish_image image = make_kind(widths[w], chosen, channels, height % 4);
                 uint8_t *bytes, *again;
                 size_t size, again_size;
-                CHECK_STATUS(burnish_image_encode_png_threads(&image, 1, &bytes, &size, NULL),
-                             BURNISH_STATUS_OK);
+                CHECK_STATUS(encode(&image, 1, &bytes, &size, NULL), BURNISH_STATUS_OK);
                 check_decoded(&image, bytes, size);
                 for (int threads = 2; threads <= 7; threads += 5) {
-                    CHECK_STATUS(burnish_image_encode_png_threads(&image, threads, &again,
-                                                                  &again_size, NULL),
+                    CHECK_STATUS(encode(&image, threads, &again, &again_size, NULL),
                                  BURNISH_STATUS_OK);
                     CHECK(size == again_size && memcmp(bytes, again, size) == 0,
                           "%d x %d: %d threads make another file", widths[w], chosen, threads);
-                    free(again);
+                    burnish_release(NULL, again);
                 }
-                free(bytes);
+                burnish_release(NULL, bytes);
                 burnish_image_destroy(&image);
             }
         }
@@ -142,17 +147,132 @@ static void test_chunks(void) {
     burnish_image image = make(258, 3, 4);
     uint8_t *bytes;
     size_t size;
-    CHECK_STATUS(burnish_image_encode_png(&image, &bytes, &size, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(encode(&image, 0, &bytes, &size, NULL), BURNISH_STATUS_OK);
     CHECK(memcmp(bytes, start, 29) == 0, "IHDR");
     CHECK(memcmp(bytes + 33, start + 33, sizeof start - 33) == 0, "sRGB");
     CHECK(memcmp(bytes + sizeof start + 4, "IDAT", 4) == 0, "IDAT");
     CHECK(memcmp(bytes + size - sizeof end, end, sizeof end) == 0, "IEND");
-    free(bytes);
+    burnish_release(NULL, bytes);
     burnish_image_destroy(&image);
     burnish_error error;
-    CHECK_STATUS(burnish_image_encode_png(&image, &bytes, &size, &error), BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(encode(&image, 0, &bytes, &size, &error), BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "PNG: the image is empty; create or render it first");
     CHECK(!bytes && size == 0, "no bytes on error");
+}
+
+/* Rows apart and channels in another order make the same file and hash. */
+static void test_views(void) {
+    enum { WIDTH = 2100, HEIGHT = 70, GAP = 13 };
+    burnish_image image = make_kind(WIDTH, HEIGHT, 4, 3);
+    const size_t row = WIDTH * 4;
+    uint8_t *apart = calloc(HEIGHT, row + GAP), *bytes, *again;
+    size_t size, again_size;
+    CHECK_STATUS(encode(&image, 0, &bytes, &size, NULL), BURNISH_STATUS_OK);
+    for (int format = BURNISH_PIXELS_RGBA8; apart && format <= BURNISH_PIXELS_BGRA8; ++format) {
+        const size_t red = format == BURNISH_PIXELS_BGRA8 ? 2 : 0;
+        for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; ++i) {
+            const uint8_t *from = image.pixels + 4 * i;
+            uint8_t *to = apart + i / WIDTH * (row + GAP) + i % WIDTH * 4;
+            to[red] = from[0], to[1] = from[1], to[2 - red] = from[2], to[3] = from[3];
+        }
+        const burnish_pixels view = {WIDTH, HEIGHT, (burnish_pixel_format)format, row + GAP, apart};
+        CHECK(burnish_pixels_hash(&view) == burnish_image_hash(&image), "format %d: hash", format);
+        CHECK_STATUS(burnish_png_encode(&view, NULL, &again, &again_size, NULL), BURNISH_STATUS_OK);
+        CHECK(size == again_size && memcmp(bytes, again, size) == 0, "format %d: file", format);
+        burnish_release(NULL, again);
+    }
+    burnish_release(NULL, bytes);
+    free(apart);
+    burnish_image_destroy(&image);
+}
+
+static void test_bad_views(void) {
+    uint8_t pixel[4] = {0}, *bytes;
+    size_t size;
+    burnish_error error;
+    static const struct {
+        int width, height;
+        burnish_pixel_format format;
+        size_t stride;
+        const char *text;
+    } CASES[] = {{0, 1, BURNISH_PIXELS_RGB8, 3,
+                  "PNG: a size of 0 x 1 pixels; width and height must be 1 to 16384"},
+                 {1, 16385, BURNISH_PIXELS_RGB8, 3,
+                  "PNG: a size of 1 x 16385 pixels; width and height must be 1 to 16384"},
+                 {1, 1, BURNISH_PIXELS_RGBA8, 3, "PNG: a stride of 3 bytes; a row has 4"},
+                 {1, 1, BURNISH_PIXELS_COUNT, 4,
+                  "PNG: 3 is no pixel format; expected RGB8, RGBA8 or BGRA8"}};
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; ++i) {
+        const burnish_pixels view = {CASES[i].width, CASES[i].height, CASES[i].format,
+                                     CASES[i].stride, pixel};
+        CHECK_STATUS(burnish_png_encode(&view, NULL, &bytes, &size, &error),
+                     BURNISH_STATUS_ARGUMENT);
+        CHECK_TEXT(error.text, CASES[i].text);
+    }
+    const burnish_pixels view = {1, 1, BURNISH_PIXELS_RGB8, 3, pixel};
+    const burnish_png_options unset = {0};
+    CHECK_STATUS(burnish_png_encode(&view, &unset, &bytes, &size, &error), BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text,
+               "PNG options: not initialised; start from burnish_png_options_default()");
+}
+
+typedef struct counted_memory {
+    int left, live; /* allocations that succeed; not released */
+} counted_memory;
+
+static void *counted_allocate(void *user_data, size_t size, size_t alignment) {
+    counted_memory *counted = user_data;
+    if (counted->left-- <= 0) {
+        return NULL;
+    }
+    ++counted->live;
+    return aligned_alloc(alignment, size);
+}
+
+static void counted_release(void *user_data, void *memory) {
+    --((counted_memory *)user_data)->live;
+    free(memory);
+}
+
+static int cancel_at_once(void *unused) {
+    (void)unused;
+    return 1;
+}
+
+/* Every allocation goes through the context, and any of them may fail. */
+static void test_context(void) {
+    counted_memory counted = {1000, 0};
+    burnish_image image = make_kind(600, 400, 3, 1);
+    const burnish_pixels pixels = burnish_image_pixels(&image);
+    burnish_context_options wanted = burnish_context_options_default();
+    wanted.allocator = (burnish_allocator){counted_allocate, counted_release, &counted};
+    burnish_png_options options = burnish_png_options_default();
+    options.threads = 1;
+    uint8_t *bytes;
+    size_t size;
+    burnish_error error;
+    CHECK_STATUS(burnish_context_create(&wanted, &options.context, NULL), BURNISH_STATUS_OK);
+    int failed = 0;
+    for (;; ++failed) {
+        counted.left = failed;
+        if (burnish_png_encode(&pixels, &options, &bytes, &size, &error) == BURNISH_STATUS_OK) {
+            break;
+        }
+        CHECK(error.status == BURNISH_STATUS_MEMORY && !bytes && counted.live == 1,
+              "allocation %d: %s, %d left", failed, error.text, counted.live);
+    }
+    CHECK(failed > 5 && counted.live == 2, "%d failures, %d allocations", failed, counted.live);
+    burnish_release(options.context, bytes);
+    burnish_context_destroy(options.context);
+    CHECK(counted.live == 0, "%d allocations left", counted.live);
+
+    wanted = burnish_context_options_default();
+    wanted.cancelled = cancel_at_once;
+    CHECK_STATUS(burnish_context_create(&wanted, &options.context, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_png_encode(&pixels, &options, &bytes, &size, &error),
+                 BURNISH_STATUS_CANCELLED);
+    burnish_context_destroy(options.context);
+    burnish_image_destroy(&image);
 }
 
 static const char *path_of(const char *name) {
@@ -191,15 +311,15 @@ static mode_t mode_of(const char *path) {
 
 static void test_new_and_existing_file(void) {
     mode_t old_mask = umask(027);
-    CHECK_STATUS(burnish_write_file(path_of("a"), "one", 3, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write(path_of("a"), "one", 3, NULL), BURNISH_STATUS_OK);
     CHECK(holds(path_of("a"), "one") && mode_of(path_of("a")) == 0640, "a new file, mode %o",
           mode_of(path_of("a")));
     CHECK(chmod(path_of("a"), 0604) == 0, "chmod");
-    CHECK_STATUS(burnish_write_file(path_of("a"), "second", 6, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write(path_of("a"), "second", 6, NULL), BURNISH_STATUS_OK);
     CHECK(holds(path_of("a"), "second") && mode_of(path_of("a")) == 0604, "replaced, mode %o",
           mode_of(path_of("a")));
     umask(old_mask);
-    CHECK_STATUS(burnish_write_file(path_of("a"), NULL, 0, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write(path_of("a"), NULL, 0, NULL), BURNISH_STATUS_OK);
     CHECK(holds(path_of("a"), ""), "an empty file");
     CHECK(entry_count() == 1, "%d entries", entry_count());
     unlink(path_of("a"));
@@ -207,8 +327,8 @@ static void test_new_and_existing_file(void) {
 
 static void test_link(void) {
     CHECK(symlink("target", path_of("link")) == 0, "symlink");
-    CHECK_STATUS(burnish_write_file(path_of("target"), "old", 3, NULL), BURNISH_STATUS_OK);
-    CHECK_STATUS(burnish_write_file(path_of("link"), "new", 3, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write(path_of("target"), "old", 3, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write(path_of("link"), "new", 3, NULL), BURNISH_STATUS_OK);
     struct stat state = {0};
     CHECK(lstat(path_of("link"), &state) == 0 && S_ISLNK(state.st_mode), "the link must stay");
     CHECK(holds(path_of("target"), "new"), "the link's target");
@@ -219,7 +339,7 @@ static void test_link(void) {
 static void test_bare_name(void) {
     int here = open(".", O_RDONLY | O_DIRECTORY);
     CHECK(here >= 0 && chdir(folder) == 0, "chdir");
-    CHECK_STATUS(burnish_write_file("bare", "x", 1, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write("bare", "x", 1, NULL), BURNISH_STATUS_OK);
     CHECK(holds(path_of("bare"), "x") && entry_count() == 1, "a name without a folder");
     unlink("bare");
     CHECK(fchdir(here) == 0, "fchdir");
@@ -229,20 +349,20 @@ static void test_bare_name(void) {
 static void test_bad_paths(void) {
     burnish_error error;
     char expected[sizeof folder + 200];
-    CHECK_STATUS(burnish_write_file(NULL, "x", 1, &error), BURNISH_STATUS_ARGUMENT);
-    CHECK_STATUS(burnish_write_file("", "x", 1, &error), BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_file_write(NULL, "x", 1, &error), BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_file_write("", "x", 1, &error), BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "output: no file name; give one, or - for standard output");
-    CHECK_STATUS(burnish_write_file(folder, "x", 1, &error), BURNISH_STATUS_WRITE);
+    CHECK_STATUS(burnish_file_write(folder, "x", 1, &error), BURNISH_STATUS_WRITE);
     snprintf(expected, sizeof expected, "%s: can't be written: it is a folder; name a file in it",
              folder);
     CHECK_TEXT(error.text, expected);
-    CHECK_STATUS(burnish_write_file(path_of("no/x.png"), "x", 1, &error), BURNISH_STATUS_WRITE);
+    CHECK_STATUS(burnish_file_write(path_of("no/x.png"), "x", 1, &error), BURNISH_STATUS_WRITE);
     snprintf(expected, sizeof expected,
              "%s/no/x.png: can't be written: No such file or directory; create the folder first",
              folder);
     CHECK_TEXT(error.text, expected);
-    CHECK_STATUS(burnish_write_file(path_of("f"), "x", 1, NULL), BURNISH_STATUS_OK);
-    CHECK_STATUS(burnish_write_file(path_of("f/x.png"), "x", 1, &error), BURNISH_STATUS_WRITE);
+    CHECK_STATUS(burnish_file_write(path_of("f"), "x", 1, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write(path_of("f/x.png"), "x", 1, &error), BURNISH_STATUS_WRITE);
     CHECK(entry_count() == 1 && holds(path_of("f"), "x"), "nothing new");
     unlink(path_of("f"));
 }
@@ -254,12 +374,12 @@ static void test_failing_write(void) {
     low = old;
     low.rlim_cur = 1000;
     static char bytes[5000];
-    CHECK_STATUS(burnish_write_file(path_of("kept"), "kept", 4, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write(path_of("kept"), "kept", 4, NULL), BURNISH_STATUS_OK);
     signal(SIGXFSZ, SIG_IGN);
     setrlimit(RLIMIT_FSIZE, &low);
     burnish_error error = {0};
-    burnish_status over = burnish_write_file(path_of("kept"), bytes, sizeof bytes, &error);
-    burnish_status fresh = burnish_write_file(path_of("fresh"), bytes, sizeof bytes, NULL);
+    burnish_status over = burnish_file_write(path_of("kept"), bytes, sizeof bytes, &error);
+    burnish_status fresh = burnish_file_write(path_of("fresh"), bytes, sizeof bytes, NULL);
     setrlimit(RLIMIT_FSIZE, &old);
     CHECK(over == BURNISH_STATUS_WRITE && fresh == BURNISH_STATUS_WRITE, "%d %d", over, fresh);
     CHECK(strstr(error.text, "/kept: can't be written: ") != NULL, "%s", error.text);
@@ -270,19 +390,19 @@ static void test_failing_write(void) {
 
 /* As an ordinary user in a folder without permission; root may write everywhere. */
 static void test_no_permission(void) {
-    CHECK_STATUS(burnish_write_file(path_of("mine"), "mine", 4, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write(path_of("mine"), "mine", 4, NULL), BURNISH_STATUS_OK);
     chmod(path_of("mine"), 0444);
     chmod(folder, 0555);
     int root = geteuid() == 0;
     if (root && seteuid(65534) != 0) {
         printf("no permission tests: can't become an ordinary user\n");
     } else {
-        CHECK_STATUS(burnish_write_file(path_of("x"), "x", 1, NULL), BURNISH_STATUS_WRITE);
+        CHECK_STATUS(burnish_file_write(path_of("x"), "x", 1, NULL), BURNISH_STATUS_WRITE);
         CHECK(!root || seteuid(0) == 0, "seteuid");
         /* The folder allows a rename now; the file itself says no. */
         chmod(folder, 0777);
         CHECK(!root || seteuid(65534) == 0, "seteuid");
-        CHECK_STATUS(burnish_write_file(path_of("mine"), "x", 1, NULL), BURNISH_STATUS_WRITE);
+        CHECK_STATUS(burnish_file_write(path_of("mine"), "x", 1, NULL), BURNISH_STATUS_WRITE);
         CHECK(!root || seteuid(0) == 0, "seteuid");
     }
     chmod(folder, 0755);
@@ -293,9 +413,9 @@ static void test_no_permission(void) {
 static void test_devices(void) {
     burnish_error error;
     struct stat state = {0};
-    CHECK_STATUS(burnish_write_file("/dev/null", "x", 1, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write("/dev/null", "x", 1, NULL), BURNISH_STATUS_OK);
     CHECK(stat("/dev/null", &state) == 0 && S_ISCHR(state.st_mode), "/dev/null must stay");
-    CHECK_STATUS(burnish_write_file("/dev/full", "x", 1, &error), BURNISH_STATUS_WRITE);
+    CHECK_STATUS(burnish_file_write("/dev/full", "x", 1, &error), BURNISH_STATUS_WRITE);
     CHECK_TEXT(error.text, "/dev/full: can't be written: No space left on device; free some space");
     CHECK(stat("/dev/full", &state) == 0 && S_ISCHR(state.st_mode), "/dev/full must stay");
 }
@@ -347,7 +467,7 @@ static void test_standard_output(void) {
     int saved = dup(STDOUT_FILENO);
     dup2(ends[1], STDOUT_FILENO);
     fcntl(STDOUT_FILENO, F_SETFL, O_NONBLOCK);
-    burnish_status whole = burnish_write_file("-", bytes, SIZE, NULL);
+    burnish_status whole = burnish_file_write("-", bytes, SIZE, NULL);
     close(ends[1]);
     dup2(saved, STDOUT_FILENO);
     CHECK_STATUS(whole, BURNISH_STATUS_OK);
@@ -359,7 +479,7 @@ static void test_standard_output(void) {
     fflush(stdout);
     dup2(ends[1], STDOUT_FILENO);
     close(ends[1]);
-    burnish_status closed = burnish_write_file("-", bytes, SIZE, &error);
+    burnish_status closed = burnish_file_write("-", bytes, SIZE, &error);
     dup2(saved, STDOUT_FILENO);
     close(saved);
     CHECK_STATUS(closed, BURNISH_STATUS_WRITE);
@@ -377,7 +497,7 @@ static void test_fifo(void) {
     /* Opened for both ends, so that neither open blocks. */
     int held = open(path_of("fifo"), O_RDWR);
     int file = open(path_of("fifo"), O_RDONLY);
-    CHECK_STATUS(burnish_write_file(path_of("fifo"), bytes, sizeof bytes, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_file_write(path_of("fifo"), bytes, sizeof bytes, NULL), BURNISH_STATUS_OK);
     close(held);
     pid_t reader = start_reader(file, -1, sizeof bytes);
     close(file);
@@ -413,6 +533,9 @@ int main(int count, char **arguments) {
     RUN(test_decoding());
     RUN(test_bands());
     RUN(test_chunks());
+    RUN(test_views());
+    RUN(test_bad_views());
+    RUN(test_context());
     RUN(test_new_and_existing_file());
     RUN(test_link());
     RUN(test_bare_name());

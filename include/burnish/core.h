@@ -142,6 +142,11 @@ BURNISH_API burnish_status burnish_context_create(const burnish_context_options 
 /* NULL is allowed. */
 BURNISH_API void burnish_context_destroy(burnish_context *context);
 
+/* Releases memory that the library handed over.
+ *   context  the one that the call had which returned it; NULL for the default
+ *   memory   NULL is allowed */
+BURNISH_API void burnish_release(const burnish_context *context, void *memory);
+
 /* Processors that this process may use: those of its affinity mask, fewer where its control group
  * (a container's quota) has less time than that. At least 1. */
 BURNISH_API int burnish_processor_count(void);

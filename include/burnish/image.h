@@ -1,6 +1,6 @@
 /* burnish/image.h: keep a picture: 8-bit pixels, PNG, hash, labels, contact sheets.
  *
- * What it does not do: read pictures, resample them, or hold more than 8 bits a channel.
+ * What it does not do: read pictures, resample them, or hold more than 8 bits per channel.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -20,8 +20,8 @@ extern "C" {
 /* The largest width and height of an image, in pixels. */
 #define BURNISH_IMAGE_MAX_SIZE 16384
 
-/* Pixels as they go into a PNG: sRGB, 8 bits a channel, rows from the top, no padding between rows.
- * With four channels the fourth is straight (not premultiplied) alpha. */
+/* Pixels as they go into a PNG: sRGB, 8 bits per channel, rows from the top, no padding between
+ * rows. With four channels the fourth is straight (not premultiplied) alpha. */
 typedef struct burnish_image {
     int width, height; /* pixels, [1, BURNISH_IMAGE_MAX_SIZE]; 0 in an empty image */
     int channels;      /* 3 (RGB) or 4 (RGBA) */
@@ -36,23 +36,61 @@ BURNISH_API burnish_status burnish_image_create(burnish_image *image, int width,
 /* Releases the pixels and makes the image empty. An empty image and NULL are allowed. */
 BURNISH_API void burnish_image_destroy(burnish_image *image);
 
-/* XXH64 (seed 0) of the pixel bytes: what `xxhsum -H64` prints for them as a raw file. */
+/* How 8-bit pixels lie in memory, sRGB. A fourth channel is straight (not premultiplied) alpha. */
+typedef enum burnish_pixel_format {
+    BURNISH_PIXELS_RGB8,
+    BURNISH_PIXELS_RGBA8,
+    BURNISH_PIXELS_BGRA8, /* what most window systems show */
+    BURNISH_PIXELS_COUNT
+} burnish_pixel_format;
+
+/* Pixels that belong to the caller: a view, copied nowhere. */
+typedef struct burnish_pixels {
+    int width, height; /* pixels, [1, BURNISH_IMAGE_MAX_SIZE] */
+    burnish_pixel_format format;
+    size_t stride;   /* bytes from one row to the next, at least those of its pixels */
+    uint8_t *pixels; /* the top left one; height rows, stride bytes apart */
+} burnish_pixels;
+
+/* The view of an image. It lasts as long as the image's pixels. */
+BURNISH_API burnish_pixels burnish_image_pixels(const burnish_image *image);
+
+/* XXH64 (seed 0) of the pixel bytes in the order RGB or RGBA, without what lies between rows: what
+ * `xxhsum -H64` prints for them as a raw file. The same picture has the same hash in RGBA8 and
+ * BGRA8. Of nothing for a view that can't be read (see burnish_png_encode). */
+BURNISH_API uint64_t burnish_pixels_hash(const burnish_pixels *pixels);
 BURNISH_API uint64_t burnish_image_hash(const burnish_image *image);
 
-/* Encodes as PNG (8-bit RGB or RGBA, sRGB chunk). *bytes is allocated, release it with free().
- * The bytes depend on the pixels and on no thread or option; on x86-64 processors without SSE4.2
- * and on other families the compressor may find other matches, so compare pixels or their hash
- * across machines, not files. */
-BURNISH_API burnish_status burnish_image_encode_png(const burnish_image *image, uint8_t **bytes,
-                                                    size_t *size, burnish_error *error);
+/* How a PNG is made. Start from burnish_png_options_default(). */
+typedef struct burnish_png_options {
+    uint32_t cookie;          /* set by burnish_png_options_default() */
+    burnish_context *context; /* NULL: the default */
+    int threads;              /* at most so many, [0, 1024]; 0: one per processor */
+} burnish_png_options;
+BURNISH_API burnish_png_options burnish_png_options_default(void);
 
-/* The same with a bound on the threads: 0 for one a processor. The bytes do not depend on it. */
-BURNISH_API burnish_status burnish_image_encode_png_threads(const burnish_image *image, int threads,
-                                                            uint8_t **bytes, size_t *size,
-                                                            burnish_error *error);
+/* Encodes as PNG: 8-bit RGB or RGBA, sRGB chunk.
+ *   pixels   what to encode; only read
+ *   options  NULL for the defaults
+ *   bytes    receives the file's bytes, NULL on error; give them to burnish_release() with the
+ *            options' context
+ *   size     receives how many there are
+ *   error    receives the one line of an error; may be NULL
+ * The bytes depend on the pixels and on no thread or option. Another compressor (ISA-L or zlib, as
+ * the library was built) and ISA-L on other processors find other matches, so compare pixels or
+ * their hash across machines, not files.
+ * Errors: ARGUMENT (no pixels; a size, format or stride out of range), MEMORY, CANCELLED. */
+BURNISH_API burnish_status burnish_png_encode(const burnish_pixels *pixels,
+                                              const burnish_png_options *options, uint8_t **bytes,
+                                              size_t *size, burnish_error *error);
 
-/* Writes a PNG file; "-" is standard output. A file appears whole or not at all: the bytes go to
- * a temporary in the same folder, which is renamed over path. Errors: ARGUMENT, MEMORY, WRITE. */
+/* The same into a file, as burnish_file_write writes it; "-" is standard output.
+ * Errors: as both. */
+BURNISH_API burnish_status burnish_png_write(const burnish_pixels *pixels, const char *path,
+                                             const burnish_png_options *options,
+                                             burnish_error *error);
+
+/* burnish_png_write for an image, with the default options. */
 BURNISH_API burnish_status burnish_image_write_png(const burnish_image *image, const char *path,
                                                    burnish_error *error);
 

@@ -6,7 +6,7 @@
  *     burnish_memory memory = burnish_memory_of(context, error);
  *     float *depths = burnish_allocate(&memory, count, sizeof *depths, "depths");
  *     uint32_t *ids = burnish_allocate(&memory, count, sizeof *ids, "triangle ids");
- *     if (memory.status != BURNISH_STATUS_OK) { ... release what is there ... }
+ *     if (memory.status != BURNISH_STATUS_OK) { ... burnish_release() what is there ... }
  */
 #ifndef BURNISH_CORE_MEMORY_H
 #define BURNISH_CORE_MEMORY_H
@@ -53,9 +53,6 @@ void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, siz
  * elements of one size. NULL and *capacity 0 on failure. */
 void *burnish_reserve_discard(burnish_memory *memory, void *items, size_t *capacity, size_t count,
                               size_t size, const char *what);
-
-/* Gives back what one of these returned; items may be NULL. */
-void burnish_release(const burnish_context *context, void *items);
 
 /* The forms that know no context; free() releases what they return. To be replaced. */
 burnish_status burnish_legacy_allocate(void **pointer, size_t count, size_t size, const char *what,

@@ -1,6 +1,4 @@
 /* Outputs that appear whole or not at all. */
-#include "core/output.h"
-
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -143,14 +141,13 @@ static int name_temporary(int file, const char *target, char *name, size_t name_
 static burnish_status replace_file(const char *path, const char *target,
                                    const struct stat *existing, const content *what,
                                    burnish_error *error) {
-    void *buffer;
     size_t name_size = strlen(target) + TEMPORARY_NAME_SIZE;
-    burnish_status status =
-        burnish_legacy_allocate(&buffer, name_size, 1, "temporary file name", error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    burnish_memory memory = burnish_memory_of(NULL, error);
+    char *name = burnish_allocate(&memory, name_size, 1, "temporary file name");
+    if (!name) {
+        return memory.status;
     }
-    char *name = buffer;
+    burnish_status status = BURNISH_STATUS_OK;
     int file = create_nameless(target, name, name_size);
     int named = file < 0;
     if (named) {
@@ -158,7 +155,7 @@ static burnish_status replace_file(const char *path, const char *target,
     }
     if (file < 0) {
         status = fail_write(error, path, errno);
-        free(name);
+        burnish_release(NULL, name);
         return status;
     }
     int code = existing && fchmod(file, existing->st_mode & 0777) != 0 ? errno : 0;
@@ -181,7 +178,7 @@ static burnish_status replace_file(const char *path, const char *target,
         }
         status = fail_write(error, path, code);
     }
-    free(name);
+    burnish_release(NULL, name);
     return status;
 }
 
@@ -219,26 +216,21 @@ static burnish_status write_content(const char *path, const content *what, burni
     return status;
 }
 
-burnish_status burnish_write_file(const char *path, const void *bytes, size_t size,
+burnish_status burnish_file_write(const char *path, const void *bytes, size_t size,
                                   burnish_error *error) {
     content what = {.bytes = bytes, .size = size};
     return write_content(path, &what, error);
 }
 
-burnish_status burnish_file_write(const char *path, const void *bytes, size_t size,
-                                  burnish_error *error) {
-    return burnish_write_file(path, bytes, size, error);
-}
-
 burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
                                          void *context, burnish_error *error) {
-    void *buffer;
-    burnish_status status = burnish_legacy_allocate(&buffer, PIECE, 1, "output buffer", error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    burnish_memory memory = burnish_memory_of(NULL, error);
+    char *buffer = burnish_allocate(&memory, PIECE, 1, "output buffer");
+    if (!buffer) {
+        return memory.status;
     }
     content what = {.source = source, .context = context, .buffer = buffer};
-    status = write_content(path, &what, error);
-    free(buffer);
+    burnish_status status = write_content(path, &what, error);
+    burnish_release(NULL, buffer);
     return status;
 }

@@ -1,12 +1,10 @@
 /* Images in memory: making, copying, hashing. */
-#include "burnish/image.h"
-
-#include <stdlib.h>
 #include <string.h>
 #define XXH_INLINE_ALL /* one function: no library to load for it */
 #include <xxhash.h>
 
 #include "core/memory.h"
+#include "image/pixels.h"
 
 static size_t image_size(const burnish_image *image) {
     return (size_t)image->width * (size_t)image->height * (size_t)image->channels;
@@ -30,23 +28,99 @@ burnish_status burnish_image_create(burnish_image *image, int width, int height,
     }
     /* The largest product is 2^30, so it fits a 32-bit size_t too. */
     burnish_image made = {.width = width, .height = height, .channels = channels};
-    made.pixels = calloc(image_size(&made), 1);
-    if (!made.pixels) {
-        return burnish_fail_memory(error, "the image's pixels", image_size(&made));
+    burnish_memory memory = burnish_memory_of(NULL, error);
+    made.pixels = burnish_allocate_zeroed(&memory, image_size(&made), 1, "the image's pixels");
+    if (made.pixels) {
+        *image = made;
     }
-    *image = made;
-    return BURNISH_STATUS_OK;
+    return memory.status;
 }
 
 void burnish_image_destroy(burnish_image *image) {
     if (image) {
-        free(image->pixels);
+        burnish_release(NULL, image->pixels);
         *image = (burnish_image){0};
     }
 }
 
+burnish_pixels burnish_image_pixels(const burnish_image *image) {
+    const burnish_pixel_format format =
+        image->channels == 4 ? BURNISH_PIXELS_RGBA8 : BURNISH_PIXELS_RGB8;
+    return (burnish_pixels){image->width, image->height, format,
+                            (size_t)image->width * (size_t)image->channels, image->pixels};
+}
+
+burnish_status burnish_pixels_check(const burnish_pixels *pixels, const char *what,
+                                    burnish_error *error) {
+    if (!pixels || !pixels->pixels) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "%s: the image is empty; create or render it first", what);
+    }
+    if (pixels->width < 1 || pixels->width > BURNISH_IMAGE_MAX_SIZE || pixels->height < 1 ||
+        pixels->height > BURNISH_IMAGE_MAX_SIZE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "%s: a size of %d x %d pixels; width and height must be 1 to %d", what,
+                            pixels->width, pixels->height, BURNISH_IMAGE_MAX_SIZE);
+    }
+    if ((unsigned)pixels->format >= BURNISH_PIXELS_COUNT) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "%s: %d is no pixel format; expected RGB8, RGBA8 or BGRA8", what,
+                            (int)pixels->format);
+    }
+    if (pixels->stride < burnish_pixels_row(pixels)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "%s: a stride of %zu bytes; a row has %zu", what, pixels->stride,
+                            burnish_pixels_row(pixels));
+    }
+    return BURNISH_STATUS_OK;
+}
+
+void burnish_pixels_swap(const uint8_t *from, uint8_t *to, size_t count) {
+    for (size_t i = 0; i < count; ++i, from += 4, to += 4) {
+        const uint8_t first = from[0];
+        to[0] = from[2];
+        to[1] = from[1];
+        to[2] = first;
+        to[3] = from[3];
+    }
+}
+
+/* A row of BGRA in pieces of this many pixels, in RGBA's order. */
+enum { SWAPPED = 1024 };
+
+static void hash_swapped(XXH64_state_t *state, const uint8_t *row, size_t count) {
+    uint8_t swapped[4 * SWAPPED];
+    for (size_t i = 0; i < count; i += SWAPPED) {
+        const size_t part = count - i < SWAPPED ? count - i : SWAPPED;
+        burnish_pixels_swap(row + 4 * i, swapped, part);
+        XXH64_update(state, swapped, 4 * part);
+    }
+}
+
+uint64_t burnish_pixels_hash(const burnish_pixels *pixels) {
+    if (burnish_pixels_check(pixels, "hash", NULL) != BURNISH_STATUS_OK) {
+        return XXH64(NULL, 0, 0);
+    }
+    const size_t row = burnish_pixels_row(pixels);
+    if (pixels->stride == row && pixels->format != BURNISH_PIXELS_BGRA8) {
+        return XXH64(pixels->pixels, row * (size_t)pixels->height, 0);
+    }
+    XXH64_state_t state;
+    XXH64_reset(&state, 0);
+    for (int y = 0; y < pixels->height; ++y) {
+        const uint8_t *bytes = pixels->pixels + pixels->stride * (size_t)y;
+        if (pixels->format == BURNISH_PIXELS_BGRA8) {
+            hash_swapped(&state, bytes, (size_t)pixels->width);
+        } else {
+            XXH64_update(&state, bytes, row);
+        }
+    }
+    return XXH64_digest(&state);
+}
+
 uint64_t burnish_image_hash(const burnish_image *image) {
-    return XXH64(image->pixels, image->pixels ? image_size(image) : 0, 0);
+    const burnish_pixels pixels = burnish_image_pixels(image);
+    return burnish_pixels_hash(&pixels);
 }
 
 void burnish_image_copy(burnish_image *target, int x, int y, const burnish_image *source) {

@@ -1,18 +1,14 @@
-/* PNG (ISO/IEC 15948): 8-bit RGB and RGBA, compressed in bands of rows by ISA-L.
+/* PNG (ISO/IEC 15948): 8-bit RGB and RGBA, compressed in bands of rows.
  *
- * A band knows nothing of the others and ends at a byte boundary (an empty stored block), so that
- * bands are made in any order and the stream is their concatenation. The file does not depend on
- * the number of threads; its compressed bytes may depend on the processor where ISA-L searches by
- * another hash (x86-64 without SSE4.2: 3 % longer), its pixels never. */
-#include <isa-l/crc.h>
-#include <isa-l/igzip_lib.h>
-#include <stdlib.h>
+ * A band knows nothing of the others and ends at a byte boundary, so that bands are made in any
+ * order and the stream is their concatenation. The file does not depend on the number of threads;
+ * its compressed bytes depend on the library that compresses, its pixels never. */
 #include <string.h>
 
-#include "burnish/image.h"
 #include "core/memory.h"
-#include "core/output.h"
 #include "core/tasks.h"
+#include "image/deflate.h"
+#include "image/pixels.h"
 
 enum {
     SIGNATURE_SIZE = 8,
@@ -23,18 +19,20 @@ enum {
     FILTER_UP = 2,
     ZLIB_HEAD_SIZE = 2,
     ADLER_SIZE = 4,
-    BAND_SIZE = 1 << 17, /* filtered bytes: a smaller band loses bytes to its codes */
-    LEVEL = 1,           /* level 2 takes 3 % longer and saves nothing, level 0 adds a fifth */
-    SEARCH_SIZE = ISAL_DEF_LVL1_DEFAULT,
-    BLOCK_FRAME = 1024 /* room for what is added to bytes that nothing shortens */
+    BAND_SIZE = 1 << 17 /* filtered bytes: a smaller band loses bytes to its codes */
 };
+#define COOKIE 0x706e6731u /* "png1" */
 
 /* Deflate with a window of 32 KiB, fastest algorithm (RFC 1950). */
 static const uint8_t zlib_head[ZLIB_HEAD_SIZE] = {0x78, 0x01};
 
+burnish_png_options burnish_png_options_default(void) {
+    return (burnish_png_options){.cookie = COOKIE};
+}
+
 /* Bytes of a filtered row. */
-static size_t row_size(const burnish_image *image) {
-    return (size_t)image->width * (size_t)image->channels + 1;
+static size_t row_size(const burnish_pixels *image) {
+    return burnish_pixels_row(image) + 1;
 }
 
 static uint8_t *put_u32(uint8_t *to, uint32_t value) {
@@ -49,43 +47,54 @@ static uint8_t *put_u32(uint8_t *to, uint32_t value) {
 static uint8_t *put_chunk_frame(uint8_t *to, const char type[4], size_t size) {
     put_u32(to, (uint32_t)size);
     memcpy(to + 4, type, 4);
-    return put_u32(to + 8 + size, crc32_gzip_refl(0, to + 4, size + 4));
+    return put_u32(to + 8 + size, burnish_deflate_crc32(to + 4, size + 4));
 }
 
-static uint8_t *put_header(uint8_t *to, const burnish_image *image) {
+static uint8_t *put_header(uint8_t *to, const burnish_pixels *image) {
     static const uint8_t signature[SIGNATURE_SIZE] = {137, 'P', 'N', 'G', 13, 10, 26, 10};
     memcpy(to, signature, SIGNATURE_SIZE);
     to += SIGNATURE_SIZE;
     uint8_t *header = to + 8;
     header = put_u32(header, (uint32_t)image->width);
     header = put_u32(header, (uint32_t)image->height);
-    *header++ = 8;                            /* bits a channel */
-    *header++ = image->channels == 4 ? 6 : 2; /* RGBA, RGB */
-    *header++ = 0;                            /* deflate */
-    *header++ = 0;                            /* adaptive filtering */
-    *header = 0;                              /* not interlaced */
+    *header++ = 8;                                                  /* bits per channel */
+    *header++ = burnish_pixel_channels(image->format) == 4 ? 6 : 2; /* RGBA, RGB */
+    *header++ = 0;                                                  /* deflate */
+    *header++ = 0;                                                  /* adaptive filtering */
+    *header = 0;                                                    /* not interlaced */
     to = put_chunk_frame(to, "IHDR", IHDR_SIZE);
     to[8] = 0; /* rendering intent: perceptual */
     return put_chunk_frame(to, "sRGB", SRGB_SIZE);
 }
 
+/* The difference of two rows in memory, or of one to zero, in PNG's order of channels. */
+static void filter_row(const burnish_pixels *image, const uint8_t *restrict row,
+                       const uint8_t *restrict above, uint8_t *restrict filtered) {
+    const size_t size = burnish_pixels_row(image);
+    for (size_t i = 0; i < size; ++i) {
+        filtered[i] = (uint8_t)(row[i] - above[i]);
+    }
+    if (image->format == BURNISH_PIXELS_BGRA8) {
+        burnish_pixels_swap(filtered, filtered, (size_t)image->width);
+    }
+}
+
 /* Every row as its difference to the row above: of the filters, the one with the best ratio of size
  * to time for rendered pictures. */
-static void filter_rows(const burnish_image *image, int first, int end,
+static void filter_rows(const burnish_pixels *image, int first, int end,
                         uint8_t *restrict filtered) {
-    size_t stride = row_size(image) - 1;
+    const size_t size = burnish_pixels_row(image);
     for (int y = first; y < end; ++y) {
-        const uint8_t *row = image->pixels + stride * (size_t)y;
+        const uint8_t *row = image->pixels + image->stride * (size_t)y;
         *filtered++ = FILTER_UP;
-        if (y == 0) {
-            memcpy(filtered, row, stride);
+        if (y > 0) {
+            filter_row(image, row, row - image->stride, filtered);
+        } else if (image->format == BURNISH_PIXELS_BGRA8) {
+            burnish_pixels_swap(row, filtered, (size_t)image->width);
         } else {
-            const uint8_t *above = row - stride;
-            for (size_t i = 0; i < stride; ++i) {
-                filtered[i] = (uint8_t)(row[i] - above[i]);
-            }
+            memcpy(filtered, row, size);
         }
-        filtered += stride;
+        filtered += size;
     }
 }
 
@@ -102,19 +111,20 @@ typedef struct band {
 /* What one thread needs to make a band. */
 typedef struct band_maker {
     uint8_t *filtered;
-    struct isal_zstream *stream;
-    uint8_t *search; /* SEARCH_SIZE bytes of the library's */
+    burnish_deflate *deflate;
     uint8_t *packed;
 } band_maker;
 
 typedef struct encoder {
     burnish_tasks tasks;
-    const burnish_image *image;
-    int rows; /* a band */
+    const burnish_context *context;
+    const burnish_pixels *image;
+    int rows; /* per band */
     int band_count;
     band *bands;
     int maker_count;
     band_maker *makers;
+    atomic_int done; /* bands */
 } encoder;
 
 /* The Adler-32 checksum of two pieces, the second of `size` bytes (RFC 1950: b is the sum of all
@@ -141,77 +151,33 @@ static size_t band_bytes(const encoder *e) {
     return row_size(e->image) * (size_t)e->rows;
 }
 
-/* Room for `bytes` compressed bytes. */
-static size_t packed_bound(size_t bytes) {
-    return bytes + bytes / 8 + BLOCK_FRAME;
-}
-
-static burnish_status create_makers(encoder *e, int threads, burnish_error *error) {
+static void create_makers(encoder *e, burnish_memory *memory) {
     const char *what = "the PNG's bands";
-    size_t bytes = band_bytes(e);
-    burnish_tasks_begin(&e->tasks, NULL, threads);
+    const size_t bytes = band_bytes(e);
     int count = burnish_tasks_threads(&e->tasks);
     count = count < e->band_count ? count : e->band_count;
-    burnish_status status = burnish_legacy_allocate((void **)&e->bands, (size_t)e->band_count,
-                                                    sizeof *e->bands, what, error);
-    if (status == BURNISH_STATUS_OK) {
-        memset(e->bands, 0, (size_t)e->band_count * sizeof *e->bands);
-        status = burnish_legacy_allocate((void **)&e->makers, (size_t)count, sizeof *e->makers,
-                                         what, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        memset(e->makers, 0, (size_t)count * sizeof *e->makers);
-        e->maker_count = count;
-    }
-    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+    e->bands = burnish_allocate_zeroed(memory, (size_t)e->band_count, sizeof *e->bands, what);
+    e->makers = burnish_allocate_zeroed(memory, (size_t)count, sizeof *e->makers, what);
+    e->maker_count = e->makers ? count : 0;
+    for (int i = 0; i < e->maker_count; ++i) {
         band_maker *maker = &e->makers[i];
-        status = burnish_legacy_allocate((void **)&maker->filtered, bytes, 1, what, error);
-        if (status == BURNISH_STATUS_OK) {
-            status = burnish_legacy_allocate((void **)&maker->stream, 1, sizeof *maker->stream,
-                                             what, error);
-        }
-        if (status == BURNISH_STATUS_OK) {
-            status = burnish_legacy_allocate((void **)&maker->search, SEARCH_SIZE, 1, what, error);
-        }
-        if (status == BURNISH_STATUS_OK) {
-            status = burnish_legacy_allocate((void **)&maker->packed, packed_bound(bytes), 1, what,
-                                             error);
-        }
+        maker->filtered = burnish_allocate(memory, bytes, 1, what);
+        maker->deflate = burnish_deflate_create(memory);
+        maker->packed = burnish_allocate(memory, burnish_deflate_bound(bytes), 1, what);
     }
-    return status;
 }
 
 static void destroy_encoder(encoder *e) {
     for (int i = 0; e->bands && i < e->band_count; ++i) {
-        free(e->bands[i].chunk);
+        burnish_release(e->context, e->bands[i].chunk);
     }
     for (int i = 0; i < e->maker_count; ++i) {
-        free(e->makers[i].filtered);
-        free(e->makers[i].stream);
-        free(e->makers[i].search);
-        free(e->makers[i].packed);
+        burnish_release(e->context, e->makers[i].filtered);
+        burnish_deflate_destroy(e->context, e->makers[i].deflate);
+        burnish_release(e->context, e->makers[i].packed);
     }
-    free(e->bands);
-    free(e->makers);
-}
-
-/* Compresses the maker's filtered bytes; returns how many bytes that takes, 0 when the library did
- * not keep to its bounds. */
-static size_t pack(band_maker *maker, size_t bytes, int last) {
-    struct isal_zstream *stream = maker->stream;
-    isal_deflate_init(stream);
-    stream->level = LEVEL;
-    stream->level_buf = maker->search;
-    stream->level_buf_size = SEARCH_SIZE;
-    stream->flush = FULL_FLUSH; /* a band starts without a history */
-    stream->end_of_stream = (uint16_t)last;
-    stream->next_in = maker->filtered;
-    stream->avail_in = (uint32_t)bytes;
-    stream->next_out = maker->packed;
-    stream->avail_out = (uint32_t)packed_bound(bytes);
-    int code = isal_deflate(stream);
-    return code == COMP_OK && stream->avail_in == 0 && stream->avail_out > 0 ? stream->total_out
-                                                                             : 0;
+    burnish_release(e->context, e->bands);
+    burnish_release(e->context, e->makers);
 }
 
 /* The chunk of one band; the first one begins the stream, the last one leaves room for its end. */
@@ -223,16 +189,18 @@ static burnish_status make_band(const encoder *e, int index, band_maker *maker) 
     size_t bytes = row_size(e->image) * (size_t)(end - first);
     filter_rows(e->image, first, end, maker->filtered);
     made->filtered = bytes;
-    made->adler = isal_adler32(1, maker->filtered, bytes);
-    size_t packed = pack(maker, bytes, last);
+    made->adler = burnish_deflate_adler32(maker->filtered, bytes);
+    size_t packed = burnish_deflate_band(maker->deflate, maker->filtered, bytes, last,
+                                         maker->packed, burnish_deflate_bound(bytes));
     if (packed == 0) {
         return BURNISH_STATUS_LIMIT;
     }
     size_t head = index == 0 ? ZLIB_HEAD_SIZE : 0, tail = last ? ADLER_SIZE : 0;
+    burnish_memory memory = burnish_memory_of(e->context, NULL);
     made->size = head + packed + tail;
-    made->chunk = malloc(CHUNK_FRAME + made->size);
+    made->chunk = burnish_allocate(&memory, CHUNK_FRAME + made->size, 1, "a band");
     if (!made->chunk) {
-        return BURNISH_STATUS_MEMORY;
+        return memory.status;
     }
     if (index == 0) {
         memcpy(made->chunk + 8, zlib_head, ZLIB_HEAD_SIZE);
@@ -244,9 +212,13 @@ static burnish_status make_band(const encoder *e, int index, band_maker *maker) 
     return BURNISH_STATUS_OK;
 }
 
-static void band_task(void *of, size_t index, int thread) {
-    encoder *e = of;
+static void band_task(void *context, size_t index, int thread) {
+    encoder *e = context;
     e->bands[index].status = make_band(e, (int)index, &e->makers[thread]);
+    const int done = atomic_fetch_add(&e->done, 1) + 1;
+    if (thread == 0) {
+        burnish_tasks_progress(&e->tasks, BURNISH_STAGE_ENCODE, (double)done / e->band_count);
+    }
 }
 
 /* The first failure. */
@@ -267,27 +239,27 @@ static uint32_t whole_adler(const encoder *e) {
     return adler;
 }
 
-static burnish_status put_file(encoder *e, uint8_t **bytes, size_t *size, burnish_error *error) {
+static void put_file(encoder *e, burnish_memory *memory, uint8_t **bytes, size_t *size) {
     band *last = &e->bands[e->band_count - 1];
     put_u32(last->chunk + 8 + last->size - ADLER_SIZE, whole_adler(e));
     put_chunk_frame(last->chunk, "IDAT", last->size);
-    *size = HEAD_SIZE + CHUNK_FRAME;
+    size_t sum = HEAD_SIZE + CHUNK_FRAME;
     for (int i = 0; i < e->band_count; ++i) {
-        *size += CHUNK_FRAME + e->bands[i].size;
+        sum += CHUNK_FRAME + e->bands[i].size;
     }
-    *bytes = malloc(*size);
+    *bytes = burnish_allocate(memory, sum, 1, "the PNG file");
     if (!*bytes) {
-        return burnish_fail_memory(error, "the PNG file", *size);
+        return;
     }
+    *size = sum;
     uint8_t *to = put_header(*bytes, e->image);
     for (int i = 0; i < e->band_count; ++i) {
         memcpy(to, e->bands[i].chunk, CHUNK_FRAME + e->bands[i].size);
         to += CHUNK_FRAME + e->bands[i].size;
-        free(e->bands[i].chunk);
+        burnish_release(e->context, e->bands[i].chunk);
         e->bands[i].chunk = NULL;
     }
     put_chunk_frame(to, "IEND", 0);
-    return BURNISH_STATUS_OK;
 }
 
 static burnish_status fail_bands(burnish_status status, burnish_error *error) {
@@ -297,41 +269,71 @@ static burnish_status fail_bands(burnish_status status, burnish_error *error) {
                             : "PNG: the compressed rows outgrow their bound; write a smaller one");
 }
 
-burnish_status burnish_image_encode_png_threads(const burnish_image *image, int threads,
-                                                uint8_t **bytes, size_t *size,
-                                                burnish_error *error) {
-    encoder e = {.image = image};
+static burnish_status encode(encoder *e, uint8_t **bytes, size_t *size, burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(e->context, error);
+    divide(e);
+    create_makers(e, &memory);
+    if (memory.status != BURNISH_STATUS_OK) {
+        return memory.status;
+    }
+    burnish_tasks_run(&e->tasks, (size_t)e->band_count, 1, e->maker_count, band_task, e);
+    burnish_status status = burnish_tasks_check(&e->tasks, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    status = bands_status(e);
+    if (status != BURNISH_STATUS_OK) {
+        return fail_bands(status, error);
+    }
+    put_file(e, &memory, bytes, size);
+    return memory.status;
+}
+
+static burnish_status check_options(const burnish_png_options *options, burnish_error *error) {
+    if (options && options->cookie != COOKIE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "PNG options: not initialised; start from "
+                            "burnish_png_options_default()");
+    }
+    if (options && (options->threads < 0 || options->threads > BURNISH_THREADS_MAX)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "PNG options: %d threads; expected 0 to %d", options->threads,
+                            BURNISH_THREADS_MAX);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_png_encode(const burnish_pixels *pixels, const burnish_png_options *options,
+                                  uint8_t **bytes, size_t *size, burnish_error *error) {
+    encoder e = {.image = pixels, .context = options ? options->context : NULL};
     *bytes = NULL;
     *size = 0;
-    if (!image || !image->pixels) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "PNG: the image is empty; create or render it first");
-    }
-    divide(&e);
-    burnish_status status = create_makers(&e, threads, error);
+    burnish_status status = check_options(options, error);
     if (status == BURNISH_STATUS_OK) {
-        burnish_tasks_run(&e.tasks, (size_t)e.band_count, 1, e.maker_count, band_task, &e);
-        status = bands_status(&e);
-        status = status == BURNISH_STATUS_OK ? put_file(&e, bytes, size, error)
-                                             : fail_bands(status, error);
+        status = burnish_pixels_check(pixels, "PNG", error);
     }
-    destroy_encoder(&e);
+    if (status == BURNISH_STATUS_OK) {
+        burnish_tasks_begin(&e.tasks, e.context, options ? options->threads : 0);
+        status = encode(&e, bytes, size, error);
+        destroy_encoder(&e);
+    }
     return status;
 }
 
-burnish_status burnish_image_encode_png(const burnish_image *image, uint8_t **bytes, size_t *size,
-                                        burnish_error *error) {
-    return burnish_image_encode_png_threads(image, 0, bytes, size, error);
+burnish_status burnish_png_write(const burnish_pixels *pixels, const char *path,
+                                 const burnish_png_options *options, burnish_error *error) {
+    uint8_t *bytes;
+    size_t size;
+    burnish_status status = burnish_png_encode(pixels, options, &bytes, &size, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_file_write(path, bytes, size, error);
+        burnish_release(options ? options->context : NULL, bytes);
+    }
+    return status;
 }
 
 burnish_status burnish_image_write_png(const burnish_image *image, const char *path,
                                        burnish_error *error) {
-    uint8_t *bytes;
-    size_t size;
-    burnish_status status = burnish_image_encode_png(image, &bytes, &size, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_write_file(path, bytes, size, error);
-        free(bytes);
-    }
-    return status;
+    const burnish_pixels pixels = burnish_image_pixels(image);
+    return burnish_png_write(&pixels, path, NULL, error);
 }

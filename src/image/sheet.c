@@ -1,6 +1,7 @@
 /* Contact sheets: equal pictures in rows, a centred label under each. */
 #include <string.h>
 
+#include "core/environment.h"
 #include "core/error.h"
 #include "image/text.h"
 
@@ -58,7 +59,7 @@ static burnish_status check_cells(const burnish_sheet_cell *cells, size_t count,
 
 static float measure(const char *text, size_t length, int height) {
     static const uint8_t unused[3] = {0};
-    return burnish_draw_text(NULL, 0, 0, (float)height, unused, text, length);
+    return burnish_text_draw(NULL, 0, 0, (float)height, unused, text, length);
 }
 
 /* The label height at which every label fits its cell, or the smallest. */
@@ -132,20 +133,20 @@ static void draw_label(burnish_image *sheet, const layout *made, int x, int base
     float advance = measure(text, length, made->label);
     if (advance <= width) {
         float left = (float)x + (width - advance) * 0.5F;
-        burnish_draw_text(sheet, left, (float)baseline, height, ink, text, length);
+        burnish_text_draw(sheet, left, (float)baseline, height, ink, text, length);
         return;
     }
     length = cut_length(text, length, made->label, width);
     if (length > 0) {
         float left = (float)x;
-        left += burnish_draw_text(sheet, left, (float)baseline, height, ink, text, length);
-        burnish_draw_text(sheet, left, (float)baseline, height, ink, ellipsis, sizeof ellipsis - 1);
+        left += burnish_text_draw(sheet, left, (float)baseline, height, ink, text, length);
+        burnish_text_draw(sheet, left, (float)baseline, height, ink, ellipsis, sizeof ellipsis - 1);
     }
 }
 
-burnish_status burnish_image_sheet(burnish_image *sheet, const burnish_sheet_cell *cells,
-                                   size_t count, int columns, const uint8_t background[3],
-                                   const uint8_t ink[3], burnish_error *error) {
+static burnish_status lay_out(burnish_image *sheet, const burnish_sheet_cell *cells, size_t count,
+                              int columns, const uint8_t background[3], const uint8_t ink[3],
+                              burnish_error *error) {
     *sheet = (burnish_image){0};
     burnish_status status = check_cells(cells, count, columns, error);
     if (status != BURNISH_STATUS_OK) {
@@ -180,4 +181,13 @@ burnish_status burnish_image_sheet(burnish_image *sheet, const burnish_sheet_cel
         }
     }
     return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_image_sheet(burnish_image *sheet, const burnish_sheet_cell *cells,
+                                   size_t count, int columns, const uint8_t background[3],
+                                   const uint8_t ink[3], burnish_error *error) {
+    const burnish_environment before = burnish_environment_enter();
+    const burnish_status status = lay_out(sheet, cells, count, columns, background, ink, error);
+    burnish_environment_leave(before);
+    return status;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/elementary.h"
+#include "core/environment.h"
 #include "core/srgb.h"
 #include "image/stroke_font.h"
 
@@ -155,7 +156,7 @@ static float gap_pixels(const burnish_glyph_scale *scale, const burnish_glyph *b
 
 /* Positions and advances are whole pixels: every stem of a line is then equally sharp, and the same
  * letters are spaced alike wherever they stand. */
-float burnish_draw_text(burnish_image *image, float x, float y, float height,
+float burnish_text_draw(burnish_image *image, float x, float y, float height,
                         const uint8_t color[3], const char *text, size_t length) {
     float seat;
     burnish_glyph_scale scale = make_scale(height, &seat);
@@ -186,5 +187,11 @@ float burnish_draw_text(burnish_image *image, float x, float y, float height,
 
 float burnish_image_draw_text(burnish_image *image, float x, float y, float height,
                               const uint8_t color[3], const char *text) {
-    return text ? burnish_draw_text(image, x, y, height, color, text, strlen(text)) : 0;
+    if (!text) {
+        return 0;
+    }
+    const burnish_environment before = burnish_environment_enter();
+    const float advance = burnish_text_draw(image, x, y, height, color, text, strlen(text));
+    burnish_environment_leave(before);
+    return advance;
 }

@@ -7,7 +7,7 @@
 #include "burnish/image.h"
 
 /* burnish_image_draw_text for the first length bytes of text. */
-float burnish_draw_text(burnish_image *image, float x, float y, float height,
+float burnish_text_draw(burnish_image *image, float x, float y, float height,
                         const uint8_t color[3], const char *text, size_t length);
 
 #endif

@@ -204,12 +204,14 @@ static burnish_status write_picture(burnish_cli_result *result, burnish_error *e
     uint8_t *bytes;
     size_t size;
     double start = seconds_now();
-    burnish_status status =
-        burnish_image_encode_png_threads(result->picture, settings->threads, &bytes, &size, error);
+    const burnish_pixels pixels = burnish_image_pixels(result->picture);
+    burnish_png_options options = burnish_png_options_default();
+    options.threads = settings->threads;
+    burnish_status status = burnish_png_encode(&pixels, &options, &bytes, &size, error);
     double encoded = seconds_now();
     if (status == BURNISH_STATUS_OK) {
         status = burnish_file_write(settings->output, bytes, size, error);
-        free(bytes);
+        burnish_release(NULL, bytes);
     }
     result->seconds.encode = encoded - start;
     result->seconds.write = seconds_now() - encoded;

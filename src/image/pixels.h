@@ -1,0 +1,25 @@
+/* Views of pixels within the library. */
+#ifndef BURNISH_IMAGE_PIXELS_H
+#define BURNISH_IMAGE_PIXELS_H
+
+#include "burnish/image.h"
+#include "core/error.h"
+
+/* Channels of a format of the list, which are its bytes per pixel. */
+static inline int burnish_pixel_channels(burnish_pixel_format format) {
+    return format == BURNISH_PIXELS_RGB8 ? 3 : 4;
+}
+
+/* Bytes of a row's pixels. */
+static inline size_t burnish_pixels_row(const burnish_pixels *pixels) {
+    return (size_t)pixels->width * (size_t)burnish_pixel_channels(pixels->format);
+}
+
+/* ARGUMENT, with what is wrong in a line that begins with `what`, unless the view can be read. */
+burnish_status burnish_pixels_check(const burnish_pixels *pixels, const char *what,
+                                    burnish_error *error);
+
+/* BGRA to RGBA or back; from and to may be the same. */
+void burnish_pixels_swap(const uint8_t *from, uint8_t *to, size_t count);
+
+#endif
