@@ -1,42 +1,8 @@
 /* Every allocation of rendering fails once: the call says so, nothing leaks (the sanitizers look),
  * and the same renderer then draws what it would have drawn. */
-#include <stdatomic.h>
-
 #include "burnish/render.h"
+#include "short_memory.h"
 #include "support.h"
-
-/* Allocations that are left before one fails; negative: none fails. The linker leads the library's
- * calls here (--wrap in test/CMakeLists.txt). */
-static atomic_long allocations_left = -1;
-
-static int allocation_fails(void) {
-    return allocations_left >= 0 && atomic_fetch_sub(&allocations_left, 1) == 0;
-}
-
-void *__real_malloc(size_t size);
-void *__wrap_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__real_aligned_alloc(size_t alignment, size_t size);
-void *__wrap_aligned_alloc(size_t alignment, size_t size);
-void *__real_realloc(void *old, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-
-void *__wrap_malloc(size_t size) {
-    return allocation_fails() ? NULL : __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size) {
-    return allocation_fails() ? NULL : __real_calloc(count, size);
-}
-
-void *__wrap_aligned_alloc(size_t alignment, size_t size) {
-    return allocation_fails() ? NULL : __real_aligned_alloc(alignment, size);
-}
-
-void *__wrap_realloc(void *old, size_t size) {
-    return allocation_fails() ? NULL : __real_realloc(old, size);
-}
 
 /* Inside a coloured box: every kind of array is needed, those of clipped triangles too. */
 static burnish_mesh *make_box(void) {

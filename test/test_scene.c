@@ -6,28 +6,8 @@
 #include "mesh/build/normals.h"
 #include "mesh/build/weld.h"
 #include "mesh/mesh_data.h"
+#include "short_memory.h"
 #include "support.h"
-
-/* Allocations that are left before one fails; negative: none fails. The linker leads the library's
- * calls here (--wrap in test/CMakeLists.txt). */
-static long allocations_left = -1;
-
-static int allocation_fails(void) {
-    return allocations_left >= 0 && allocations_left-- == 0;
-}
-
-void *__real_aligned_alloc(size_t alignment, size_t size);
-void *__wrap_aligned_alloc(size_t alignment, size_t size);
-void *__real_realloc(void *old, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-
-void *__wrap_aligned_alloc(size_t alignment, size_t size) {
-    return allocation_fails() ? NULL : __real_aligned_alloc(alignment, size);
-}
-
-void *__wrap_realloc(void *old, size_t size) {
-    return allocation_fails() ? NULL : __real_realloc(old, size);
-}
 
 /* 24 bits, which a float holds exactly. */
 static uint32_t random_bits(uint64_t *state) {
