@@ -37,7 +37,10 @@ static burnish_status work(const picture_job *job, uint64_t *hash, burnish_error
         status = burnish_render(mesh, &render, &image, NULL, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_image_encode_png(&image, &png, &png_size, error);
+        const burnish_pixels pixels = burnish_image_pixels(&image);
+        burnish_png_options options = burnish_png_options_default();
+        options.threads = job->threads;
+        status = burnish_png_encode(&pixels, &options, &png, &png_size, error);
     }
     if (status == BURNISH_STATUS_OK) {
         *hash = burnish_image_hash(&image) * 31;
@@ -45,7 +48,7 @@ static burnish_status work(const picture_job *job, uint64_t *hash, burnish_error
             *hash = (*hash ^ png[i]) * UINT64_C(0x100000001B3);
         }
     }
-    free(png);
+    burnish_release(NULL, png);
     burnish_image_destroy(&image);
     burnish_mesh_destroy(mesh);
     return status;
