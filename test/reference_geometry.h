@@ -52,13 +52,13 @@ static int reference_range(int a, int b, int c, int samples, int size, int *firs
 
 /* An unclipped triangle; returns 0 when it can't be seen. */
 static int reference_set_up(const burnish_raster_view *view, const burnish_screen_vertex v[3],
-                            burnish_setup_triangle *made, int *back) {
+                            burnish_triangle_bounds *made, int *back) {
     const int64_t area = (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
                          (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
     int x0, x1, y0, y1;
     memset(made, 0, sizeof *made);
     if ((v[0].outcode & v[1].outcode & v[2].outcode & BURNISH_OUT_REJECT) || area == 0 ||
-        (view->culls && area > 0) ||
+        (view->cull_back_faces && area > 0) ||
         !reference_range(v[0].x, v[1].x, v[2].x, view->samples, view->width, &x0, &x1) ||
         !reference_range(v[0].y, v[1].y, v[2].y, view->samples, view->height, &y0, &y1)) {
         return 0;

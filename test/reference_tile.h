@@ -1,4 +1,4 @@
-/* The reference renderer of a tile, kept plain: what src/raster/visibility does fast must come out
+/* The reference renderer of a tile, kept plain: what src/raster/tile does fast must come out
  * as it comes out here, bit for bit. Included by tests.
  *
  * The rules. A sample belongs to the triangle that is nearest there; of two at the same depth to
@@ -16,18 +16,18 @@
 
 /* All slots, of triangles that may be seen and of others. */
 static inline size_t reference_slot_count(const burnish_geometry *geometry) {
-    return geometry->block_count * BURNISH_SETUP_BLOCK;
+    return geometry->batch_count * BURNISH_BATCH_SIZE;
 }
 
 /* The side from which the triangle in a slot is seen: 0 front, 1 back, -1 none. */
 static inline int reference_side(const burnish_geometry *geometry, size_t slot) {
-    const burnish_setup_head *head = &geometry->heads[slot / BURNISH_SETUP_BLOCK];
-    const unsigned lane = slot % BURNISH_SETUP_BLOCK;
+    const burnish_batch_header *head = &geometry->headers[slot / BURNISH_BATCH_SIZE];
+    const unsigned lane = slot % BURNISH_BATCH_SIZE;
     return head->lanes[0] >> lane & 1 ? 0 : head->lanes[1] >> lane & 1 ? 1 : -1;
 }
 
-static inline burnish_corners reference_corners(const burnish_geometry *geometry, size_t slot) {
-    return burnish_geometry_corners(geometry, slot, reference_side(geometry, slot) == 1);
+static inline burnish_primitive reference_corners(const burnish_geometry *geometry, size_t slot) {
+    return burnish_geometry_primitive(geometry, slot, reference_side(geometry, slot) == 1);
 }
 
 /* Visibility of one tile: sample s of the tile's pixel p is entry p * samples + s. */
@@ -36,7 +36,8 @@ typedef struct reference_tile {
     int samples;
     uint32_t *triangles; /* slot of the nearest triangle or BURNISH_NO_TRIANGLE */
     float *depths;
-    int next_place; /* where reference_next_fragments goes on: in the order of burnish_tile_place */
+    int next_place; /* where reference_next_fragments goes on: in the order of burnish_pixel_index
+                     */
 } reference_tile;
 
 /* Steps of 1/256 pixel in 1/16 pixel, the unit of sample positions. */
@@ -55,7 +56,7 @@ typedef struct triangle_edges {
 
 static void load_edges(const burnish_geometry *geometry, uint32_t triangle, triangle_edges *edges) {
     const burnish_screen_vertex *items = geometry->vertices.items;
-    const burnish_corners corners = reference_corners(geometry, triangle);
+    const burnish_primitive corners = reference_corners(geometry, triangle);
     const uint32_t *v = corners.vertices;
     for (int i = 0; i < 3; ++i) {
         const burnish_screen_vertex *a = &items[v[i == 2 ? 0 : i + 1]];
@@ -203,13 +204,13 @@ static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *
     size_t count = 0, more;
     for (int back = 0; back < 2; ++back) {
         burnish_list_reader reader = burnish_list_begin(bins, column, row, back);
-        burnish_list_entry part[BURNISH_LIST_PIECE];
-        while ((more = burnish_list_read(&reader, part, BURNISH_LIST_PIECE)) > 0) {
-            for (size_t i = 0; i < more * BURNISH_SETUP_BLOCK; ++i) {
-                const burnish_list_entry entry = part[i / BURNISH_SETUP_BLOCK];
-                const uint32_t lane = i % BURNISH_SETUP_BLOCK;
-                if (entry.lanes >> lane & 1) {
-                    slots[count++] = entry.block * BURNISH_SETUP_BLOCK + lane;
+        burnish_bin_entry part[BURNISH_CHUNK_ENTRIES];
+        while ((more = burnish_list_read(&reader, part, BURNISH_CHUNK_ENTRIES)) > 0) {
+            for (size_t i = 0; i < more * BURNISH_BATCH_SIZE; ++i) {
+                const burnish_bin_entry entry = part[i / BURNISH_BATCH_SIZE];
+                const uint32_t lane = i % BURNISH_BATCH_SIZE;
+                if (entry.mask >> lane & 1) {
+                    slots[count++] = entry.batch * BURNISH_BATCH_SIZE + lane;
                 }
             }
         }
@@ -237,10 +238,10 @@ static void append_fragment(const reference_tile *tile, const burnish_raster_vie
     float weight1 = (float)edge_at(&edges, 1, x, y) * edges.inverse_area;
     float weight2 = (float)edge_at(&edges, 2, x, y) * edges.inverse_area;
     int i = fragments->count++;
-    fragments->place[i] =
-        (uint16_t)burnish_tile_place(pixel % BURNISH_TILE_SIZE, pixel / BURNISH_TILE_SIZE);
+    fragments->pixels[i] =
+        (uint16_t)burnish_pixel_index(pixel % BURNISH_TILE_SIZE, pixel / BURNISH_TILE_SIZE);
     fragments->weight[i] = (uint8_t)weight;
-    fragments->corners[i] = reference_corners(geometry, triangle);
+    fragments->primitives[i] = reference_corners(geometry, triangle);
     fragments->x[i] = (float)(x - view->width * (BURNISH_SUBPIXELS / 2)) / BURNISH_SUBPIXELS;
     fragments->y[i] = (float)(view->height * (BURNISH_SUBPIXELS / 2) - y) / BURNISH_SUBPIXELS;
     fragments->depth[i] = depth_at(&edges, weight1, weight2);
@@ -277,10 +278,10 @@ static int reference_next_fragments(reference_tile *tile, const burnish_raster_v
                                     burnish_fragments *fragments) {
     fragments->count = 0;
     while (tile->next_place < BURNISH_TILE_PIXELS &&
-           fragments->count + tile->samples <= BURNISH_FRAGMENT_BLOCK) {
+           fragments->count + tile->samples <= BURNISH_FRAGMENT_BATCH) {
         const int place = tile->next_place++;
         append_pixel(tile, view, geometry,
-                     burnish_place_y(place) * BURNISH_TILE_SIZE + burnish_place_x(place),
+                     burnish_pixel_y(place) * BURNISH_TILE_SIZE + burnish_pixel_x(place),
                      fragments);
     }
     return fragments->count > 0;

@@ -266,7 +266,7 @@ static void check_fragments(void) {
     burnish_geometry geometry = {0};
     const burnish_raster_tier *tier = burnish_raster_tier_of(BURNISH_ISA_SCALAR);
     burnish_geometry_update(&geometry, tier, &view, mesh.positions, 6, mesh.indices, 2, NULL, NULL);
-    CHECK(geometry.triangle_count == 2 && geometry.heads[0].lanes[0] == 3, "two front faces");
+    CHECK(geometry.triangle_count == 2 && geometry.headers[0].lanes[0] == 3, "two front faces");
     burnish_bins bins = {0};
     burnish_bins_begin(&bins);
     burnish_bin_tiles(&bins, tier, &geometry, &view, NULL, NULL);
@@ -277,7 +277,7 @@ static void check_fragments(void) {
     int front = 0, samples = 0, wrong = 0;
     while (reference_next_fragments(&tile, &view, &geometry, &fragments)) {
         for (int i = 0; i < fragments.count; ++i) {
-            const uint32_t *v = fragments.corners[i].vertices;
+            const uint32_t *v = fragments.primitives[i].vertices;
             double w[3] = {1.0 - fragments.weight1[i] - fragments.weight2[i], fragments.weight1[i],
                            fragments.weight2[i]};
             double p[3] = {0, 0, 0};
@@ -289,7 +289,7 @@ static void check_fragments(void) {
             wrong += !(fabs(p[0] - fragments.x[i]) < 0.01 && fabs(p[1] - fragments.y[i]) < 0.01 &&
                        fabs(0.5 + 0.001 * p[2] - fragments.depth[i]) < 1e-6);
             samples += fragments.weight[i];
-            front += fragments.corners[i].source >> 1 == 1 ? fragments.weight[i] : 0;
+            front += fragments.primitives[i].id_and_facing >> 1 == 1 ? fragments.weight[i] : 0;
         }
     }
     CHECK(wrong == 0, "%d fragments whose weights do not give their place", wrong);

@@ -1,9 +1,9 @@
 /* The fast renderer against the reference: thousands of random scenes, every tier and number of
- * samples; the same owner of every sample, the same visible points, the same colours, bit for bit.
+ * samples; the same id of every sample, the same visible points, the same colours, bit for bit.
  */
 #include <stdint.h>
 
-#include "raster/visibility.h"
+#include "raster/tile.h"
 #include "reference_geometry.h"
 #include "reference_tile.h"
 #include "shading/strip.h"
@@ -121,10 +121,10 @@ static void check_geometry(const random_scene *scene, const burnish_raster_view 
     }
     CHECK(wrong == 0, "scene %d: %d vertices differ", number, wrong);
     for (size_t i = 0; i < scene->triangle_count; ++i) {
-        const burnish_setup_block *block = &geometry->blocks[i / BURNISH_SETUP_BLOCK];
-        const size_t lane = i % BURNISH_SETUP_BLOCK;
+        const burnish_triangle_batch *block = &geometry->batches[i / BURNISH_BATCH_SIZE];
+        const size_t lane = i % BURNISH_BATCH_SIZE;
         burnish_screen_vertex v[3];
-        burnish_setup_triangle made = {0, 0, 0};
+        burnish_triangle_bounds made = {0, 0, 0};
         int side = -1;
         for (size_t k = 0; k < 3; ++k) {
             v[k] = geometry->vertices.items[scene->indices[3 * i + k]];
@@ -143,37 +143,36 @@ static void check_geometry(const random_scene *scene, const burnish_raster_view 
     CHECK(wrong == 0, "scene %d: %d triangles differ", number, wrong);
 }
 
-static int same_corners(const burnish_corners *a, const burnish_corners *b) {
+static int same_corners(const burnish_primitive *a, const burnish_primitive *b) {
     return memcmp(a, b, sizeof *a) == 0;
 }
 
-/* The owner of a sample in the fast tile: its corners' source, and with several samples its
+/* The id of a sample in the fast tile: its corners' source, and with several samples its
  * corners; 0 when it is not the expected triangle. */
-static int same_owner(const burnish_visibility *fast, const burnish_geometry *geometry, int place,
-                      int s, uint32_t triangle) {
-    const int samples = fast->options.samples, at = burnish_sample_place(samples, place, s);
+static int same_owner(const burnish_tile *fast, const burnish_geometry *geometry, int place, int s,
+                      uint32_t triangle) {
+    const int samples = fast->options.samples, at = burnish_sample_index(samples, place, s);
     const int is_none = fast->depths[at] == -1e30f;
     if (triangle == BURNISH_NO_TRIANGLE || is_none) {
-        return triangle == BURNISH_NO_TRIANGLE && is_none &&
-               (samples == 1 || fast->owners[at] == -1);
+        return triangle == BURNISH_NO_TRIANGLE && is_none && (samples == 1 || fast->ids[at] == -1);
     }
-    const burnish_corners corners = reference_corners(geometry, triangle);
-    return samples == 1 ? (uint32_t)fast->owners[at] == corners.source
-                        : same_corners(&fast->triangles.corners[fast->owners[at]], &corners);
+    const burnish_primitive corners = reference_corners(geometry, triangle);
+    return samples == 1 ? (uint32_t)fast->ids[at] == corners.id_and_facing
+                        : same_corners(&fast->primitives.primitives[fast->ids[at]], &corners);
 }
 
-/* Samples of the tile whose owners or depths differ. */
-static int compare_owners(const reference_tile *tile, const burnish_visibility *fast,
+/* Samples of the tile whose ids or depths differ. */
+static int compare_owners(const reference_tile *tile, const burnish_tile *fast,
                           const burnish_geometry *geometry) {
     int wrong = 0;
     for (int y = 0; y < tile->height; ++y) {
         for (int x = 0; x < tile->width; ++x) {
-            const int pixel = y * BURNISH_TILE_SIZE + x, place = burnish_tile_place(x, y);
+            const int pixel = y * BURNISH_TILE_SIZE + x, place = burnish_pixel_index(x, y);
             for (int s = 0; s < tile->samples; ++s) {
                 const int entry = pixel * tile->samples + s;
                 wrong += !same_owner(fast, geometry, place, s, tile->triangles[entry]);
                 wrong += tile->depths[entry] !=
-                         fast->depths[burnish_sample_place(tile->samples, place, s)];
+                         fast->depths[burnish_sample_index(tile->samples, place, s)];
             }
         }
     }
@@ -183,16 +182,16 @@ static int compare_owners(const reference_tile *tile, const burnish_visibility *
 /* A visible point by the reference, with its colour. */
 typedef struct point {
     int place, weight, number;
-    burnish_corners corners;
+    burnish_primitive corners;
     float x, y, depth, weights[2], color[3];
 } point;
 
 static point take_point(const burnish_fragments *fragments, const burnish_shaded *shaded, int i) {
     point made;
     memset(&made, 0, sizeof made);
-    made.place = fragments->place[i];
+    made.place = fragments->pixels[i];
     made.weight = fragments->weight[i];
-    made.corners = fragments->corners[i];
+    made.corners = fragments->primitives[i];
     made.x = fragments->x[i];
     made.y = fragments->y[i];
     made.depth = fragments->depth[i];
@@ -211,10 +210,9 @@ static int compare_places(const void *a, const void *b) {
 }
 
 /* What the fast renderer makes of a pixel that is one triangle's alone. */
-static int same_whole(const burnish_visibility *fast, const burnish_strip *strip,
-                      const point *expected) {
-    const int i = expected->place % BURNISH_STRIP_PIXELS;
-    if (strip->pixels.whole[i] < 0) {
+static int same_whole(const burnish_tile *fast, const burnish_strip *strip, const point *expected) {
+    const int i = expected->place % BURNISH_BLOCK_ROW_PIXELS;
+    if (strip->pixels.simple[i] < 0) {
         return 0;
     }
     const float got[4] = {fast->center_depths[expected->place], strip->rgb[0][i], strip->rgb[1][i],
@@ -222,15 +220,14 @@ static int same_whole(const burnish_visibility *fast, const burnish_strip *strip
     const float want[4] = {expected->depth, expected->color[0], expected->color[1],
                            expected->color[2]};
     return memcmp(got, want, sizeof got) == 0 &&
-           burnish_visibility_source(fast, expected->place / BURNISH_STRIP_PIXELS, i,
-                                     strip->pixels.whole[i]) == expected->corners.source;
+           burnish_tile_id_and_facing(fast, expected->place / BURNISH_BLOCK_ROW_PIXELS, i,
+                                      strip->pixels.simple[i]) == expected->corners.id_and_facing;
 }
 
 /* All points of a tile by both paths; *points counts them. */
-static int compare_points(reference_tile *tile, burnish_visibility *fast,
-                          const burnish_raster_tier *tier, const burnish_raster_view *view,
-                          const burnish_geometry *geometry, const burnish_shader *shader,
-                          burnish_shade_cache *cache, int *points) {
+static int compare_points(reference_tile *tile, burnish_tile *fast, const burnish_raster_tier *tier,
+                          const burnish_raster_view *view, const burnish_geometry *geometry,
+                          const burnish_shader *shader, burnish_shade_cache *cache, int *points) {
     static point expected[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
     static burnish_fragments fragments;
     static burnish_shaded shaded;
@@ -244,7 +241,7 @@ static int compare_points(reference_tile *tile, burnish_visibility *fast,
     }
     *points += count;
     for (int i = 0; i < count; ++i) { /* whole pixels, a strip after another */
-        const int number = expected[i].place / BURNISH_STRIP_PIXELS;
+        const int number = expected[i].place / BURNISH_BLOCK_ROW_PIXELS;
         if (number != known) {
             burnish_shade_strip(shader, cache, tier, fast, view, number, &strip);
             known = number;
@@ -253,7 +250,7 @@ static int compare_points(reference_tile *tile, burnish_visibility *fast,
     }
     static point got[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
     int got_count = 0;
-    while (burnish_visibility_next(fast, view, &fragments)) {
+    while (burnish_tile_next_fragments(fast, view, &fragments)) {
         burnish_shade(shader, cache, &fragments, &shaded);
         for (int i = 0; i < fragments.count; ++i) {
             got[got_count] = take_point(&fragments, &shaded, i);
@@ -285,7 +282,7 @@ static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
     shader->lighting.near_viewer = (int)(test_random32(state) & 1);
     shader->lighting.viewer[2] = shader->lighting.near_viewer ? 0 : 1;
     shader->lighting.lyon = test_random32(state) % 4 == 0;
-    shader->needs_place = 1; /* the reference always gives places */
+    shader->needs_position = 1; /* the reference always gives places */
     shader->rays.q_per_depth = 0x1p14f;
     shader->rays.ray[2] = -1;
     shader->rays.ray_x[0] = shader->rays.ray_y[1] = 0.01f;
@@ -308,12 +305,12 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
     const int samples = counts[number % 6];
     burnish_raster_view view = make_view(65 + (int)(test_random32(state) % 90),
                                          1 + (int)(test_random32(state) % 130), samples, state);
-    view.culls = number % 5 == 4;
+    view.cull_back_faces = number % 5 == 4;
     static burnish_geometry geometry; /* kept, as a renderer keeps them */
     static burnish_attributes attributes;
     static burnish_bins bins;
     reference_tile tile;
-    burnish_visibility fast;
+    burnish_tile fast;
     burnish_shader shader;
     burnish_shade_material materials[3];
     burnish_shade_cache cache = {.material = -1};
@@ -323,16 +320,17 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
     check_geometry(scene, &view, &geometry, number);
     make_shader(&shader, &attributes, materials, scene, &geometry, state);
     reference_tile_create(&tile, samples, NULL);
-    const burnish_visibility_options options = {.samples = samples,
-                                                .planes = burnish_shade_planes(&shader),
-                                                .keep_owners = 1,
-                                                .needs_place = 1};
-    burnish_visibility_create(&fast, &options, NULL);
+    const burnish_tile_options options = {.samples = samples,
+                                          .planes = burnish_shade_planes(&shader),
+                                          .keep_ids = 1,
+                                          .needs_position = 1};
+    burnish_tile_create(&fast, &options, NULL);
     fast.attributes[0] = attributes.normals;
     fast.attributes[1] = attributes.colors;
     if (samples > 1 && test_random32(state) % 4 == 0) { /* forget triangles often */
         size_t least = 2 * (size_t)BURNISH_TILE_PIXELS * (size_t)samples; /* own at most half */
-        fast.triangles.capacity = least < fast.triangles.capacity ? least : fast.triangles.capacity;
+        fast.primitives.capacity =
+            least < fast.primitives.capacity ? least : fast.primitives.capacity;
     }
     burnish_bins_begin(&bins);
     do {
@@ -340,11 +338,11 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
         for (int row = bins.first_row; row < bins.end_row; ++row) {
             for (int column = 0; column < bins.columns; ++column) {
                 int drawn = reference_draw_tile(&tile, &view, &geometry, &bins, column, row);
-                int wrong = burnish_visibility_draw(&fast, tier, &view, &geometry, &bins, column,
-                                                    row) != drawn;
+                int wrong =
+                    burnish_tile_draw(&fast, tier, &view, &geometry, &bins, column, row) != drawn;
                 if (drawn && !wrong) {
                     wrong = compare_owners(&tile, &fast, &geometry);
-                    CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: %d owners differ", number,
+                    CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: %d ids differ", number,
                           samples, column, row, wrong);
                     wrong = compare_points(&tile, &fast, tier, &view, &geometry, &shader, &cache,
                                            points);
@@ -354,13 +352,13 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
             }
         }
     } while (bins.end_row < bins.rows);
-    burnish_visibility_destroy(&fast);
+    burnish_tile_destroy(&fast);
     reference_tile_destroy(&tile);
 }
 
 /* More triangles than a tile remembers, each nearer than the last: old ones must be forgotten. */
 static void check_forgetting(void) {
-    enum { SAMPLES = 4, LAYERS = 3 * BURNISH_TILE_TRIANGLES * SAMPLES };
+    enum { SAMPLES = 4, LAYERS = 3 * BURNISH_TILE_PRIMITIVES * SAMPLES };
     static float positions[9 * LAYERS], normals[9 * LAYERS];
     static uint32_t indices[3 * LAYERS];
     for (uint32_t i = 0; i < LAYERS; ++i) {
@@ -381,23 +379,23 @@ static void check_forgetting(void) {
     burnish_attributes attributes = {0};
     burnish_bins bins = {0};
     reference_tile tile;
-    burnish_visibility fast;
+    burnish_tile fast;
     const burnish_raster_tier *tier = burnish_raster_tier_of(BURNISH_ISA_SCALAR);
-    const burnish_visibility_options options = {.samples = SAMPLES, .planes = 3};
+    const burnish_tile_options options = {.samples = SAMPLES, .planes = 3};
     burnish_geometry_update(&geometry, tier, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS,
                             NULL, NULL);
     burnish_attributes_update(&attributes, &geometry, normals, NULL, indices, NULL, NULL);
     burnish_bins_begin(&bins);
     burnish_bin_tiles(&bins, tier, &geometry, &view, NULL, NULL);
     reference_tile_create(&tile, SAMPLES, NULL);
-    burnish_visibility_create(&fast, &options, NULL);
+    burnish_tile_create(&fast, &options, NULL);
     fast.attributes[0] = attributes.normals;
     reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
-    burnish_visibility_draw(&fast, tier, &view, &geometry, &bins, 0, 0);
+    burnish_tile_draw(&fast, tier, &view, &geometry, &bins, 0, 0);
     CHECK(geometry.triangle_count == LAYERS, "all may be seen: %zu", geometry.triangle_count);
-    CHECK(fast.triangles.count < LAYERS, "forgot some: %zu", fast.triangles.count);
-    CHECK(compare_owners(&tile, &fast, &geometry) == 0, "owners after forgetting");
-    burnish_visibility_destroy(&fast);
+    CHECK(fast.primitives.count < LAYERS, "forgot some: %zu", fast.primitives.count);
+    CHECK(compare_owners(&tile, &fast, &geometry) == 0, "ids after forgetting");
+    burnish_tile_destroy(&fast);
     reference_tile_destroy(&tile);
     burnish_attributes_destroy(&attributes);
     burnish_bins_destroy(&bins);

@@ -175,7 +175,7 @@ typedef struct burnish_kernels_light_constants {
 typedef struct burnish_kernels_shader {
     uint32_t cookie;
     int geometry; /* which kernel */
-    int phong, lyon, near_viewer, needs_place;
+    int phong, lyon, near_viewer, needs_position;
     int light_count;
     float offset; /* family: 1 - zeta */
     float cutoff; /* family: cosines below it are surely dark; -1 where there are none */

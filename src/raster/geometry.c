@@ -7,11 +7,11 @@
 
 /* A piece of a clipped triangle; vertices count from the chunk's own clipped ones. */
 typedef struct clipped_piece {
-    burnish_setup_triangle triangle;
-    burnish_corners corners;
+    burnish_triangle_bounds triangle;
+    burnish_primitive corners;
 } clipped_piece;
 
-static void put_lane(burnish_setup_block *block, size_t lane, burnish_setup_triangle triangle) {
+static void put_lane(burnish_triangle_batch *block, size_t lane, burnish_triangle_bounds triangle) {
     block->nearest[lane] = triangle.nearest;
     block->first[lane] = triangle.first;
     block->last[lane] = triangle.last;
@@ -74,7 +74,7 @@ typedef struct chunk_context {
 static void transform_chunk(void *of, size_t index, int thread) {
     const chunk_context *context = of;
     burnish_screen_vertices *vertices = &context->geometry->vertices;
-    const size_t first = index * BURNISH_CHUNK, end = first + BURNISH_CHUNK;
+    const size_t first = index * BURNISH_TASK_GRAIN, end = first + BURNISH_TASK_GRAIN;
     (void)thread;
     context->tier->transform(vertices, context->view, context->positions, first,
                              end < vertices->mesh_count ? end : vertices->mesh_count);
@@ -100,10 +100,10 @@ static void pixel_range(int64_t low, int64_t high, int samples, int64_t *first, 
 
 /* Finds the side that is seen and the coarse blocks; returns 0 when it can't cover a sample. */
 static int set_up(const burnish_raster_view *view, const burnish_screen_vertex v[3],
-                  burnish_setup_triangle *triangle, unsigned *back) {
+                  burnish_triangle_bounds *triangle, unsigned *back) {
     int64_t area = (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
                    (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
-    if (area == 0 || (view->culls && area > 0)) {
+    if (area == 0 || (view->cull_back_faces && area > 0)) {
         return 0;
     }
     int64_t x0, x1, y0, y1;
@@ -120,8 +120,8 @@ static int set_up(const burnish_raster_view *view, const burnish_screen_vertex v
     }
     float nearest = v[0].depth > v[1].depth ? v[0].depth : v[1].depth;
     triangle->nearest = nearest > v[2].depth ? nearest : v[2].depth;
-    triangle->first = (uint32_t)(x0 / BURNISH_COARSE_BLOCK | y0 / BURNISH_COARSE_BLOCK << 16);
-    triangle->last = (uint32_t)(x1 / BURNISH_COARSE_BLOCK | y1 / BURNISH_COARSE_BLOCK << 16);
+    triangle->first = (uint32_t)(x0 / BURNISH_HIZ_PIXELS | y0 / BURNISH_HIZ_PIXELS << 16);
+    triangle->last = (uint32_t)(x1 / BURNISH_HIZ_PIXELS | y1 / BURNISH_HIZ_PIXELS << 16);
     *back = area > 0;
     return 1;
 }
@@ -173,7 +173,7 @@ static burnish_status append_clipped(const chunk_context *context, uint32_t sour
         clipped_piece piece;
         unsigned back;
         if (set_up(context->view, v, &piece.triangle, &back)) {
-            piece.corners = (burnish_corners){{base, a + 1 - back, a + back}, 2 * source + back};
+            piece.corners = (burnish_primitive){{base, a + 1 - back, a + back}, 2 * source + back};
             status = append_piece(output, &piece);
         }
     }
@@ -182,11 +182,11 @@ static burnish_status append_clipped(const chunk_context *context, uint32_t sour
 
 /* A triangle that the tier leaves to us: clipped or large. */
 static burnish_status set_up_other(const chunk_context *context, size_t triangle,
-                                   burnish_setup_block *block, burnish_setup_head *head,
+                                   burnish_triangle_batch *block, burnish_batch_header *head,
                                    chunk_output *output) {
-    const size_t lane = triangle % BURNISH_SETUP_BLOCK;
+    const size_t lane = triangle % BURNISH_BATCH_SIZE;
     burnish_screen_vertex v[3];
-    burnish_setup_triangle made;
+    burnish_triangle_bounds made;
     unsigned outcodes = 0, back;
     for (size_t i = 0; i < 3; ++i) {
         v[i] = context->geometry->vertices.items[context->geometry->indices[3 * triangle + i]];
@@ -208,10 +208,10 @@ static burnish_status set_up_other(const chunk_context *context, size_t triangle
 static burnish_status set_up_chunk(const chunk_context *context, size_t first, size_t end,
                                    chunk_output *output) {
     burnish_geometry *geometry = context->geometry;
-    for (size_t at = first; at < end; at += BURNISH_SETUP_BLOCK) {
-        const size_t count = end - at < BURNISH_SETUP_BLOCK ? end - at : BURNISH_SETUP_BLOCK;
-        burnish_setup_block *block = &geometry->blocks[at / BURNISH_SETUP_BLOCK];
-        burnish_setup_head *head = &geometry->heads[at / BURNISH_SETUP_BLOCK];
+    for (size_t at = first; at < end; at += BURNISH_BATCH_SIZE) {
+        const size_t count = end - at < BURNISH_BATCH_SIZE ? end - at : BURNISH_BATCH_SIZE;
+        burnish_triangle_batch *block = &geometry->batches[at / BURNISH_BATCH_SIZE];
+        burnish_batch_header *head = &geometry->headers[at / BURNISH_BATCH_SIZE];
         unsigned others;
         output->triangle_count += (size_t)context->tier->set_up(
             &geometry->vertices, context->view, geometry->indices, at, count, block, head, &others);
@@ -249,15 +249,15 @@ static burnish_status grow_vertices(burnish_screen_vertices *vertices, size_t ex
 /* Makes room for the pieces of clipped triangles and their vertices. */
 static burnish_status reserve_pieces(burnish_geometry *geometry, size_t pieces, size_t clips,
                                      burnish_error *error) {
-    const size_t blocks = (pieces + BURNISH_SETUP_BLOCK - 1) / BURNISH_SETUP_BLOCK;
-    geometry->block_count = geometry->mesh_blocks + blocks;
-    burnish_status status =
-        burnish_legacy_reserve((void **)&geometry->blocks, &geometry->block_capacity,
-                               geometry->block_count, sizeof *geometry->blocks, "triangles", error);
+    const size_t blocks = (pieces + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
+    geometry->batch_count = geometry->mesh_batches + blocks;
+    burnish_status status = burnish_legacy_reserve((void **)&geometry->batches,
+                                                   &geometry->batch_capacity, geometry->batch_count,
+                                                   sizeof *geometry->batches, "triangles", error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_legacy_reserve((void **)&geometry->heads, &geometry->head_capacity,
-                                        geometry->block_count, sizeof *geometry->heads, "triangles",
-                                        error);
+        status = burnish_legacy_reserve((void **)&geometry->headers, &geometry->header_capacity,
+                                        geometry->batch_count, sizeof *geometry->headers,
+                                        "triangles", error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_legacy_reserve_discard(
@@ -273,19 +273,19 @@ static burnish_status reserve_pieces(burnish_geometry *geometry, size_t pieces, 
 }
 
 static void add_piece(burnish_geometry *geometry, const clipped_piece *piece, size_t clip_base) {
-    const size_t number = geometry->piece_count++, lane = number % BURNISH_SETUP_BLOCK;
-    const size_t block = geometry->mesh_blocks + number / BURNISH_SETUP_BLOCK;
-    burnish_setup_head *head = &geometry->heads[block];
-    burnish_corners *corners = &geometry->pieces[number];
+    const size_t number = geometry->piece_count++, lane = number % BURNISH_BATCH_SIZE;
+    const size_t block = geometry->mesh_batches + number / BURNISH_BATCH_SIZE;
+    burnish_batch_header *head = &geometry->headers[block];
+    burnish_primitive *corners = &geometry->pieces[number];
     *corners = piece->corners;
     for (int i = 0; i < 3; ++i) {
         corners->vertices[i] += (uint32_t)clip_base;
     }
     if (lane == 0) {
-        *head = (burnish_setup_head){{0, 0}, BURNISH_NO_TILE};
+        *head = (burnish_batch_header){{0, 0}, BURNISH_NO_TILE};
     }
-    put_lane(&geometry->blocks[block], lane, piece->triangle);
-    head->lanes[corners->source & 1] |= (uint16_t)(1u << lane);
+    put_lane(&geometry->batches[block], lane, piece->triangle);
+    head->lanes[corners->id_and_facing & 1] |= (uint16_t)(1u << lane);
 }
 
 /* Appends the pieces of clipped triangles and their vertices in the order of the chunks. */
@@ -337,8 +337,8 @@ static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
                                size_t triangle_count, burnish_error *error) {
     burnish_screen_vertices *vertices = &geometry->vertices;
     vertices->mesh_count = vertices->count = vertex_count;
-    geometry->mesh_blocks = (triangle_count + BURNISH_SETUP_BLOCK - 1) / BURNISH_SETUP_BLOCK;
-    geometry->block_count = geometry->mesh_blocks;
+    geometry->mesh_batches = (triangle_count + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
+    geometry->batch_count = geometry->mesh_batches;
     geometry->piece_count = geometry->triangle_count = 0;
     burnish_status status = burnish_legacy_reserve_discard(
         (void **)&vertices->items, &vertices->item_capacity, vertex_count, sizeof *vertices->items,
@@ -349,30 +349,30 @@ static burnish_status allocate(burnish_geometry *geometry, size_t vertex_count,
             sizeof *vertices->inverse_w, "screen vertices", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_legacy_reserve_discard((void **)&geometry->blocks,
-                                                &geometry->block_capacity, geometry->mesh_blocks,
-                                                sizeof *geometry->blocks, "triangles", error);
+        status = burnish_legacy_reserve_discard((void **)&geometry->batches,
+                                                &geometry->batch_capacity, geometry->mesh_batches,
+                                                sizeof *geometry->batches, "triangles", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_legacy_reserve_discard((void **)&geometry->heads, &geometry->head_capacity,
-                                                geometry->mesh_blocks, sizeof *geometry->heads,
-                                                "triangles", error);
+        status = burnish_legacy_reserve_discard((void **)&geometry->headers,
+                                                &geometry->header_capacity, geometry->mesh_batches,
+                                                sizeof *geometry->headers, "triangles", error);
     }
     return status;
 }
 
 static void set_up_task(void *of, size_t index, int thread) {
     const chunk_context *context = of;
-    const size_t first = index * BURNISH_CHUNK, rest = context->triangle_count - first;
+    const size_t first = index * BURNISH_TASK_GRAIN, rest = context->triangle_count - first;
     chunk_output *output = &context->chunks[index];
     (void)thread;
-    output->status =
-        set_up_chunk(context, first, first + (rest < BURNISH_CHUNK ? rest : BURNISH_CHUNK), output);
+    output->status = set_up_chunk(
+        context, first, first + (rest < BURNISH_TASK_GRAIN ? rest : BURNISH_TASK_GRAIN), output);
 }
 
 static burnish_status set_up_all(chunk_context *context, burnish_tasks *pool,
                                  burnish_error *error) {
-    const size_t count = (context->triangle_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK;
+    const size_t count = (context->triangle_count + BURNISH_TASK_GRAIN - 1) / BURNISH_TASK_GRAIN;
     chunk_output *chunks = calloc(count ? count : 1, sizeof *chunks);
     if (!chunks) {
         return burnish_fail_memory(error, "triangle chunks", count * sizeof *chunks);
@@ -397,7 +397,7 @@ burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish
     if (status == BURNISH_STATUS_OK) {
         chunk_context context = {geometry, tier, view, positions, triangle_count, NULL};
         geometry->indices = indices;
-        burnish_tasks_run(pool, (vertex_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 0,
+        burnish_tasks_run(pool, (vertex_count + BURNISH_TASK_GRAIN - 1) / BURNISH_TASK_GRAIN, 1, 0,
                           transform_chunk, &context);
         status = set_up_all(&context, pool, error);
     }
@@ -408,8 +408,8 @@ void burnish_geometry_destroy(burnish_geometry *geometry) {
     free(geometry->vertices.items);
     free(geometry->vertices.inverse_w);
     free(geometry->clip_vertices);
-    free(geometry->blocks);
-    free(geometry->heads);
+    free(geometry->batches);
+    free(geometry->headers);
     free(geometry->pieces);
     memset(geometry, 0, sizeof *geometry);
 }

@@ -124,8 +124,8 @@ typedef struct setup_bits {
 /* Set-up of LANES triangles, whose items in the block begin at `at`; vertices[i] are pointers to
  * corner i. */
 BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
-                                        const void *vertices[3][LANES], burnish_setup_block *block,
-                                        size_t at) {
+                                        const void *vertices[3][LANES],
+                                        burnish_triangle_batch *block, size_t at) {
     vi x[3], y[3], all = vi_set(-1), any = vi_set(0), longest = vi_set(0);
     vf depth[3];
     for (int i = 0; i < 3; ++i) {
@@ -150,7 +150,7 @@ BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
     vm other = vm_or(cut, vi_greater(longest, vi_set(BURNISH_SMALL_EDGE)));
     vm back = vi_greater(area, vi_set(0));
     vm kept = vm_and_not(vm_and_not(is_nonzero(area), out), other);
-    kept = view->culls ? vm_and_not(kept, back) : kept;
+    kept = view->cull_back_faces ? vm_and_not(kept, back) : kept;
     bits.others = vm_bits(vm_and_not(other, out));
     bits.back = vm_bits(back);
     if (!vm_any(kept)) { /* neighbours are often seen from one side */
@@ -167,9 +167,9 @@ BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
 }
 
 /* Triangles of a block whose bounds touch more than one tile. */
-BURNISH_INLINE unsigned find_apart(const burnish_setup_block *block) {
+BURNISH_INLINE unsigned find_apart(const burnish_triangle_batch *block) {
     unsigned apart = 0;
-    for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
+    for (size_t at = 0; at < BURNISH_BATCH_SIZE; at += LANES) {
         vi first = vi_load((const int32_t *)block->first + at);
         vi last = vi_load((const int32_t *)block->last + at);
         vi difference = vi_and(vi_xor(first, last), vi_set((int32_t)BURNISH_TILE_BITS));
@@ -179,10 +179,10 @@ BURNISH_INLINE unsigned find_apart(const burnish_setup_block *block) {
 }
 
 /* Triangles of a block whose bounds begin in another tile. */
-BURNISH_INLINE unsigned find_elsewhere(const burnish_setup_block *block, uint32_t tile) {
+BURNISH_INLINE unsigned find_elsewhere(const burnish_triangle_batch *block, uint32_t tile) {
     const vi wanted = vi_set((int32_t)tile), bits = vi_set((int32_t)BURNISH_TILE_BITS);
     unsigned elsewhere = 0;
-    for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
+    for (size_t at = 0; at < BURNISH_BATCH_SIZE; at += LANES) {
         vi first = vi_load((const int32_t *)block->first + at);
         elsewhere |= vm_bits(vm_not(vi_equal(vi_and(first, bits), wanted))) << at;
     }
@@ -191,11 +191,11 @@ BURNISH_INLINE unsigned find_elsewhere(const burnish_setup_block *block, uint32_
 
 static int set_up_triangles(const burnish_screen_vertices *vertices,
                             const burnish_raster_view *view, const uint32_t *indices, size_t first,
-                            size_t count, burnish_setup_block *block, burnish_setup_head *head,
+                            size_t count, burnish_triangle_batch *block, burnish_batch_header *head,
                             unsigned *others) {
     const void *corners[3][LANES];
     unsigned kept = 0, back = 0, more = 0;
-    for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
+    for (size_t at = 0; at < BURNISH_BATCH_SIZE; at += LANES) {
         for (size_t lane = 0; lane < LANES; ++lane) {
             const size_t place = at + lane < count ? at + lane : 0;
             for (size_t i = 0; i < 3; ++i) {
@@ -214,6 +214,6 @@ static int set_up_triangles(const burnish_screen_vertices *vertices,
     head->lanes[1] = (uint16_t)(kept & back);
     const uint32_t tile = kept ? block->first[__builtin_ctz(kept)] & BURNISH_TILE_BITS : 0;
     const unsigned apart = find_apart(block) | find_elsewhere(block, tile);
-    head->tile = apart & kept ? BURNISH_NO_TILE : tile / BURNISH_TILE_BLOCKS;
+    head->tile = apart & kept ? BURNISH_NO_TILE : tile / BURNISH_HIZ_SIZE;
     return __builtin_popcount(kept);
 }

@@ -4,7 +4,7 @@
  *   positions -> burnish_geometry_update -> screen vertices (fixed point, 1/w, depth);
  *                                           oriented, clipped, culled triangles
  *             -> burnish_bin_tiles       -> triangle lists per tile, one band of tiles at a time
- *             -> burnish_visibility_draw -> depth and attributes of a tile's pixels (visibility.h)
+ *             -> burnish_tile_draw -> depth and attributes of a tile's pixels (tile.h)
  *
  * Transform, set-up and drawing run by vectors: src/raster's bodies, compiled for each instruction
  * set into a burnish_raster_tier.
@@ -29,8 +29,8 @@ enum {
     BURNISH_TILE_PIXELS = BURNISH_TILE_SIZE * BURNISH_TILE_SIZE,
     BURNISH_MAX_SAMPLES = 16,    /* coverage samples a pixel */
     BURNISH_MAX_TILES = 256,     /* along an image's edge */
-    BURNISH_COARSE_BLOCK = 8,    /* pixels along the edge of a block of the coarse depth */
-    BURNISH_FRAGMENT_BLOCK = 256 /* visible points handed over at once: their arrays stay in L1 */
+    BURNISH_HIZ_PIXELS = 8,      /* pixels along the edge of a block of the coarse depth */
+    BURNISH_FRAGMENT_BATCH = 256 /* visible points handed over at once: their arrays stay in L1 */
 };
 
 /* A sample or pixel that no triangle covers. */
@@ -39,9 +39,9 @@ enum {
 /* From model space to the screen. clip = rows * (p - origin, 1); x and y come out in pixels from
  * the image's centre (y up) times w; a point is in front of the near plane when z <= w. */
 typedef struct burnish_raster_view {
-    int width, height; /* pixels */
-    int samples;       /* 1, 4, 8 or 16 */
-    int culls;         /* 1: triangles seen from their back are left out */
+    int width, height;   /* pixels */
+    int samples;         /* 1, 4, 8 or 16 */
+    int cull_back_faces; /* 1: triangles seen from their back are left out */
     float origin[3];
     float rows[4][4]; /* x, y, z, w */
 } burnish_raster_view;
@@ -85,34 +85,34 @@ typedef struct burnish_clip_vertex {
 } burnish_clip_vertex;
 
 /* The corners of a triangle, its area on the screen positive. */
-typedef struct burnish_corners {
-    uint32_t vertices[3]; /* into burnish_screen_vertices */
-    uint32_t source;      /* the mesh's triangle * 2, + 1 when seen from its back */
-} burnish_corners;
+typedef struct burnish_primitive {
+    uint32_t vertices[3];   /* into burnish_screen_vertices */
+    uint32_t id_and_facing; /* the mesh's triangle * 2, + 1 when it is back-facing */
+} burnish_primitive;
 
 enum {
-    BURNISH_CHUNK = 4096,    /* triangles or vertices of the mesh that one task handles */
-    BURNISH_SETUP_BLOCK = 16 /* triangles that are set up, and listed, at once */
+    BURNISH_TASK_GRAIN = 4096, /* triangles or vertices of the mesh that one task handles */
+    BURNISH_BATCH_SIZE = 16    /* triangles that are set up, and listed, at once */
 };
 
 /* What is known of a triangle before it is drawn. */
-typedef struct burnish_setup_triangle {
+typedef struct burnish_triangle_bounds {
     float nearest; /* depth of its nearest vertex */
     /* the coarse blocks that its bounds touch, from one to the other: x, and y in the upper half */
     uint32_t first, last;
-} burnish_setup_triangle;
+} burnish_triangle_bounds;
 
 /* Neighbouring triangles, an item each. Only those that may be seen have been set up. */
-typedef struct burnish_setup_block {
-    float nearest[BURNISH_SETUP_BLOCK];
-    uint32_t first[BURNISH_SETUP_BLOCK], last[BURNISH_SETUP_BLOCK];
-} burnish_setup_block;
+typedef struct burnish_triangle_batch {
+    float nearest[BURNISH_BATCH_SIZE];
+    uint32_t first[BURNISH_BATCH_SIZE], last[BURNISH_BATCH_SIZE];
+} burnish_triangle_batch;
 
 /* Which triangles of a block may be seen. */
-typedef struct burnish_setup_head {
+typedef struct burnish_batch_header {
     uint16_t lanes[2]; /* bits: those seen from their front, from their back */
     uint32_t tile;     /* that holds all of them: x, and y in the upper half; or BURNISH_NO_TILE */
-} burnish_setup_head;
+} burnish_batch_header;
 #define BURNISH_NO_TILE UINT32_MAX
 
 /* A frame's geometry; every array but the indices is owned. All zero before the first frame; a
@@ -121,26 +121,26 @@ typedef struct burnish_setup_head {
 typedef struct burnish_geometry {
     burnish_screen_vertices vertices;
     burnish_clip_vertex *clip_vertices; /* vertices.count - vertices.mesh_count of them */
-    burnish_setup_block *blocks;        /* the mesh's, then those of the pieces */
-    burnish_setup_head *heads;          /* one a block */
-    burnish_corners *pieces;            /* piece_count */
+    burnish_triangle_batch *batches;    /* the mesh's, then those of the pieces */
+    burnish_batch_header *headers;      /* one a block */
+    burnish_primitive *pieces;          /* piece_count */
     const uint32_t *indices;            /* the mesh's */
-    size_t mesh_blocks, piece_count;
-    size_t block_count;    /* with those of the pieces */
+    size_t mesh_batches, piece_count;
+    size_t batch_count;    /* with those of the pieces */
     size_t triangle_count; /* that may be seen */
-    size_t block_capacity, head_capacity, piece_capacity, clip_capacity;
+    size_t batch_capacity, header_capacity, piece_capacity, clip_capacity;
 } burnish_geometry;
 
 /* The corners of the triangle in a slot, which is seen from its back or not. A front face's winding
  * turns round on the screen, where y points down. */
-static inline burnish_corners burnish_geometry_corners(const burnish_geometry *geometry,
-                                                       size_t slot, unsigned back) {
-    const size_t mesh_slots = geometry->mesh_blocks * BURNISH_SETUP_BLOCK;
+static inline burnish_primitive burnish_geometry_primitive(const burnish_geometry *geometry,
+                                                           size_t slot, unsigned back) {
+    const size_t mesh_slots = geometry->mesh_batches * BURNISH_BATCH_SIZE;
     if (slot >= mesh_slots) {
         return geometry->pieces[slot - mesh_slots];
     }
     const uint32_t *v = geometry->indices + 3 * slot;
-    return (burnish_corners){{v[0], v[2 - back], v[1 + back]}, (uint32_t)slot * 2 + back};
+    return (burnish_primitive){{v[0], v[2 - back], v[1 + back]}, (uint32_t)slot * 2 + back};
 }
 
 /* What is compiled for each instruction set; see the bodies. */
@@ -149,9 +149,9 @@ typedef struct burnish_raster_tier burnish_raster_tier;
 /* The tier of an instruction set; the scalar one where there is no other. */
 const burnish_raster_tier *burnish_raster_tier_of(burnish_isa isa);
 
-/* Transforms, clips, culls. positions: 3 floats a vertex; indices: 3 a triangle, which must outlive
- * the geometry's use. The result does not depend on the pool or the tier.
- * Errors: MEMORY, LIMIT; destroy it all the same. */
+/* Transforms, clips, cull_back_faces. positions: 3 floats a vertex; indices: 3 a triangle, which
+ * must outlive the geometry's use. The result does not depend on the pool or the tier. Errors:
+ * MEMORY, LIMIT; destroy it all the same. */
 burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_tier *tier,
                                        const burnish_raster_view *view, const float *positions,
                                        size_t vertex_count, const uint32_t *indices,
@@ -184,23 +184,23 @@ int burnish_clip_triangle(burnish_clip_corner *corners);
  * of those seen from their back. Where two triangles have the same depth, the first one drawn
  * stays. A list is a chain of fixed pieces, so that one look at each triangle fills all lists; each
  * slice of the triangles has its own chains, which follow one another. */
-enum { BURNISH_LIST_PIECE = 16 }; /* entries */
+enum { BURNISH_CHUNK_ENTRIES = 16 }; /* entries */
 
 /* Triangles of a block. */
-typedef struct burnish_list_entry {
-    uint32_t block;
-    uint32_t lanes; /* bits */
-} burnish_list_entry;
+typedef struct burnish_bin_entry {
+    uint32_t batch;
+    uint32_t mask; /* bit i: triangle i of it */
+} burnish_bin_entry;
 
 /* Where a chain begins, and its next entry goes; 0: it is empty. Pieces count from 1. */
-typedef struct burnish_list_chain {
+typedef struct burnish_tile_list {
     uint32_t first, next; /* a piece; a place in entries */
-} burnish_list_chain;
+} burnish_tile_list;
 
 typedef struct burnish_bin_slice {
-    burnish_list_chain *chains;  /* a list each */
-    burnish_list_entry *entries; /* blocks ascending in a chain; a piece after another */
-    uint32_t *links;             /* the piece after each piece of a chain */
+    burnish_tile_list *chains;  /* a list each */
+    burnish_bin_entry *entries; /* blocks ascending in a chain; a piece after another */
+    uint32_t *links;            /* the piece after each piece of a chain */
     size_t piece_count;
     size_t chain_capacity, entry_capacity, link_capacity;
     burnish_status status;
@@ -234,8 +234,8 @@ burnish_list_reader burnish_list_begin(const burnish_bins *bins, int column, int
 
 int burnish_list_is_empty(burnish_list_reader reader);
 
-/* Copies as many of the next entries as fit capacity >= BURNISH_LIST_PIECE; 0 at the end. */
-size_t burnish_list_read(burnish_list_reader *reader, burnish_list_entry *entries, size_t capacity);
+/* Copies as many of the next entries as fit capacity >= BURNISH_CHUNK_ENTRIES; 0 at the end. */
+size_t burnish_list_read(burnish_list_reader *reader, burnish_bin_entry *entries, size_t capacity);
 void burnish_bins_destroy(burnish_bins *bins);
 
 /* Pixels of a tile lie in memory as blocks of 4 x 4, row of blocks after row of blocks, so that 4,
@@ -243,17 +243,17 @@ void burnish_bins_destroy(burnish_bins *bins);
 enum {
     BURNISH_BLOCK_SIZE = 4,
     BURNISH_BLOCK_PIXELS = BURNISH_BLOCK_SIZE * BURNISH_BLOCK_SIZE,
-    BURNISH_STRIP_PIXELS = BURNISH_TILE_SIZE * BURNISH_BLOCK_SIZE, /* in a row of blocks */
-    BURNISH_TILE_STRIPS = BURNISH_TILE_SIZE / BURNISH_BLOCK_SIZE
+    BURNISH_BLOCK_ROW_PIXELS = BURNISH_TILE_SIZE * BURNISH_BLOCK_SIZE, /* in a row of blocks */
+    BURNISH_TILE_BLOCKS = BURNISH_TILE_SIZE / BURNISH_BLOCK_SIZE
 };
-static inline int burnish_tile_place(int x, int y) {
+static inline int burnish_pixel_index(int x, int y) {
     return (y >> 2) << 8 | (x >> 2) << 4 | (y & 3) << 2 | (x & 3);
 }
-static inline int burnish_place_x(int place) {
-    return (place >> 4 & 15) << 2 | (place & 3);
+static inline int burnish_pixel_x(int pixel) {
+    return (pixel >> 4 & 15) << 2 | (pixel & 3);
 }
-static inline int burnish_place_y(int place) {
-    return (place >> 8) << 2 | (place >> 2 & 3);
+static inline int burnish_pixel_y(int pixel) {
+    return (pixel >> 8) << 2 | (pixel >> 2 & 3);
 }
 
 /* Visible points: all samples of a pixel that show the same triangle are one point, at the pixel's
@@ -261,15 +261,15 @@ static inline int burnish_place_y(int place) {
  * triangle. */
 typedef struct burnish_fragments {
     int count;
-    uint16_t place[BURNISH_FRAGMENT_BLOCK]; /* of the pixel in the tile */
-    uint8_t weight[BURNISH_FRAGMENT_BLOCK]; /* samples */
-    burnish_corners corners[BURNISH_FRAGMENT_BLOCK];
-    float x[BURNISH_FRAGMENT_BLOCK]; /* pixels from the image's centre, right */
-    float y[BURNISH_FRAGMENT_BLOCK]; /* up */
-    float depth[BURNISH_FRAGMENT_BLOCK];
+    uint16_t pixels[BURNISH_FRAGMENT_BATCH]; /* index in the tile */
+    uint8_t weight[BURNISH_FRAGMENT_BATCH];  /* samples */
+    burnish_primitive primitives[BURNISH_FRAGMENT_BATCH];
+    float x[BURNISH_FRAGMENT_BATCH]; /* pixels from the image's centre, right */
+    float y[BURNISH_FRAGMENT_BATCH]; /* up */
+    float depth[BURNISH_FRAGMENT_BATCH];
     float
-        weight1[BURNISH_FRAGMENT_BLOCK]; /* screen-space barycentric weights of vertices 1 and 2 */
-    float weight2[BURNISH_FRAGMENT_BLOCK];
+        weight1[BURNISH_FRAGMENT_BATCH]; /* screen-space barycentric weights of vertices 1 and 2 */
+    float weight2[BURNISH_FRAGMENT_BATCH];
 } burnish_fragments;
 
 /* Sample positions in 1/16 pixel from the pixel's centre: (x, y) pairs. */

@@ -1,8 +1,8 @@
 /* One tier: a defined BURNISH_VECTOR_... chooses the vector type, RASTER_TIER names the table. */
 #include "raster/geometry_simd.h"
 /* needs the vector type and its helpers */
-#include "raster/bin_simd.h"
-#include "raster/visibility_simd.h"
+#include "raster/bins_simd.h"
+#include "raster/tile_simd.h"
 
 const burnish_raster_tier RASTER_TIER = {.transform = transform_vertices,
                                          .set_up = set_up_triangles,

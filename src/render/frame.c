@@ -7,14 +7,14 @@
 
 /* What one thread needs to draw tiles, and what it counted. */
 struct burnish_tile_worker {
-    burnish_visibility tile;
+    burnish_tile tile;
     burnish_fragments fragments;
     burnish_shaded shaded;
     burnish_shade_cache cache;
     burnish_strip strip;
     float sum[3][BURNISH_TILE_PIXELS];    /* of shared pixels: linear light times samples */
     uint8_t covered[BURNISH_TILE_PIXELS]; /* of shared pixels: samples */
-    uint32_t pixels[BURNISH_STRIP_PIXELS];
+    uint32_t pixels[BURNISH_BLOCK_ROW_PIXELS];
     const uint8_t *background; /* a row of the image where nothing is */
     size_t covered_pixels;
     int bounds[4];
@@ -23,7 +23,7 @@ struct burnish_tile_worker {
 static void add_fragments(burnish_tile_worker *worker) {
     const burnish_fragments *fragments = &worker->fragments;
     for (int i = 0; i < fragments->count; ++i) {
-        const int place = fragments->place[i];
+        const int place = fragments->pixels[i];
         const float weight = (float)fragments->weight[i];
         for (int channel = 0; channel < 3; ++channel) {
             const float value = worker->shaded.channel[channel][i];
@@ -37,15 +37,15 @@ static void add_fragments(burnish_tile_worker *worker) {
 static uint64_t row_bits(const burnish_tile_worker *worker, int y) {
     const uint64_t all = ~0ull >> (BURNISH_TILE_SIZE - worker->tile.width);
     uint64_t bits = 0;
-    for (int x = 0; x < BURNISH_TILE_STRIPS; ++x) {
-        bits |= (uint64_t)(worker->strip.pixels.shown[x] >> 4 * y & 15) << 4 * x;
+    for (int x = 0; x < BURNISH_TILE_BLOCKS; ++x) {
+        bits |= (uint64_t)(worker->strip.pixels.covered[x] >> 4 * y & 15) << 4 * x;
     }
     return bits & all;
 }
 
 /* Counts the pixels of a strip that show something, and their bounds. */
 static void count_strip(burnish_tile_worker *worker, int number) {
-    const burnish_visibility *tile = &worker->tile;
+    const burnish_tile *tile = &worker->tile;
     int *bounds = worker->bounds;
     for (int y = 0; y < BURNISH_BLOCK_SIZE; ++y) {
         const uint64_t bits = row_bits(worker, y);
@@ -67,10 +67,10 @@ static void count_strip(burnish_tile_worker *worker, int number) {
     }
 }
 
-/* a where the owner is one (>= 0), b elsewhere; without a branch, since owners are hard to foresee.
+/* a where the id is one (>= 0), b elsewhere; without a branch, since ids are hard to foresee.
  */
-static inline float pick(int32_t owner, float a, float b) {
-    uint32_t none = (uint32_t)(owner >> 31), a_bits, b_bits;
+static inline float pick(int32_t id, float a, float b) {
+    uint32_t none = (uint32_t)(id >> 31), a_bits, b_bits;
     memcpy(&a_bits, &a, sizeof a_bits);
     memcpy(&b_bits, &b, sizeof b_bits);
     a_bits = (a_bits & ~none) | (b_bits & none);
@@ -82,7 +82,7 @@ static inline float pick(int32_t owner, float a, float b) {
  * mixed with the background, or with alpha the mean of their covered samples. Pixels that nothing
  * covers get the background, whose code comes back from its linear value. */
 static void mix_strip(const burnish_frame *frame, burnish_tile_worker *worker, int number) {
-    const int base = number * BURNISH_STRIP_PIXELS, samples = frame->options->samples;
+    const int base = number * BURNISH_BLOCK_ROW_PIXELS, samples = frame->options->samples;
     const int transparent = frame->options->transparent;
     const uint8_t *covered = worker->covered + base;
     const float all = 1.0f / (float)samples; /* a power of two */
@@ -91,14 +91,14 @@ static void mix_strip(const burnish_frame *frame, burnish_tile_worker *worker, i
             transparent ? 0.0f : burnish_srgb_to_linear[frame->options->background[channel]];
         const float *sum = worker->sum[channel] + base;
         float *light = worker->strip.rgb[channel];
-        for (int i = 0; i < BURNISH_STRIP_PIXELS; ++i) {
+        for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
             const float missing = (float)(samples - covered[i]);
             float mixed = (sum[i] + missing * behind) * all;
             if (transparent) {
                 mixed = covered[i] ? sum[i] * (1.0f / (float)covered[i]) : 0.0f;
             }
             const float value = light[i] < 1.0f ? light[i] : 1.0f;
-            light[i] = pick(worker->strip.pixels.whole[i], value, mixed);
+            light[i] = pick(worker->strip.pixels.simple[i], value, mixed);
         }
     }
 }
@@ -116,15 +116,15 @@ static void encode_blocks(const burnish_frame *frame, burnish_tile_worker *worke
                           uint32_t alpha) {
     const burnish_strip *strip = &worker->strip;
     const uint32_t behind = code_behind(frame->options);
-    const unsigned touched = worker->tile.touched[number];
-    for (int block = 0; block < BURNISH_TILE_STRIPS; ++block) {
+    const unsigned dirty_blocks = worker->tile.dirty_blocks[number];
+    for (int block = 0; block < BURNISH_TILE_BLOCKS; ++block) {
         const int first = block * BURNISH_BLOCK_PIXELS;
         uint32_t *pixels = worker->pixels + first;
-        if (touched >> block & 1) {
+        if (dirty_blocks >> block & 1) {
             const float *const rgb[3] = {strip->rgb[0] + first, strip->rgb[1] + first,
                                          strip->rgb[2] + first};
             frame->shader->batch->encode(frame->encoder, BURNISH_BLOCK_PIXELS, rgb,
-                                         strip->pixels.whole + first, alpha, behind, pixels);
+                                         strip->pixels.simple + first, alpha, behind, pixels);
         } else {
             for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
                 pixels[i] = behind;
@@ -144,10 +144,10 @@ static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker
         return;
     }
     mix_strip(frame, worker, number);
-    batch->encode(frame->encoder, BURNISH_STRIP_PIXELS, rgb, NULL, 0, 0, worker->pixels);
-    const uint8_t *covered = worker->covered + number * BURNISH_STRIP_PIXELS;
-    for (int i = 0; i < BURNISH_STRIP_PIXELS && alpha; ++i) {
-        const int count = strip->pixels.whole[i] >= 0 ? samples : covered[i];
+    batch->encode(frame->encoder, BURNISH_BLOCK_ROW_PIXELS, rgb, NULL, 0, 0, worker->pixels);
+    const uint8_t *covered = worker->covered + number * BURNISH_BLOCK_ROW_PIXELS;
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && alpha; ++i) {
+        const int count = strip->pixels.simple[i] >= 0 ? samples : covered[i];
         worker->pixels[i] |= (uint32_t)((255 * count + samples / 2) / samples) << 24;
     }
 }
@@ -188,11 +188,11 @@ static uint8_t *pixels_at(const burnish_frame *frame, int x, int y) {
 }
 
 static void finish_tile(const burnish_frame *frame, burnish_tile_worker *worker, int is_empty) {
-    const burnish_visibility *tile = &worker->tile;
+    const burnish_tile *tile = &worker->tile;
     for (int y = 0; y < tile->height; ++y) {
         const int number = y / BURNISH_BLOCK_SIZE;
         uint8_t *to = pixels_at(frame, tile->x, tile->y + y);
-        if (is_empty || !tile->touched[number]) {
+        if (is_empty || !tile->dirty_blocks[number]) {
             fill_row(frame, worker->background, tile->width, to);
             continue;
         }
@@ -210,9 +210,8 @@ static void finish_tile(const burnish_frame *frame, burnish_tile_worker *worker,
 
 static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
                       burnish_tile_worker *worker, int column, int row) {
-    burnish_visibility *tile = &worker->tile;
-    if (!burnish_visibility_draw(tile, frame->tier, frame->view, frame->geometry, bins, column,
-                                 row)) {
+    burnish_tile *tile = &worker->tile;
+    if (!burnish_tile_draw(tile, frame->tier, frame->view, frame->geometry, bins, column, row)) {
         finish_tile(frame, worker, 1);
         return;
     }
@@ -220,7 +219,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
         memset(worker->covered, 0, sizeof worker->covered);
         memset(worker->sum, 0, sizeof worker->sum);
     }
-    while (burnish_visibility_next(tile, frame->view, &worker->fragments)) {
+    while (burnish_tile_next_fragments(tile, frame->view, &worker->fragments)) {
         burnish_shade(frame->shader, &worker->cache, &worker->fragments, &worker->shaded);
         add_fragments(worker);
     }
@@ -292,7 +291,7 @@ static void merge_counts(const burnish_tiles *tiles, burnish_render_report *repo
 
 static void destroy_workers(burnish_tiles *tiles) {
     for (int i = 0; i < tiles->worker_count; ++i) {
-        burnish_visibility_destroy(&tiles->workers[i].tile);
+        burnish_tile_destroy(&tiles->workers[i].tile);
     }
     free(tiles->workers);
     tiles->workers = NULL;
@@ -300,8 +299,7 @@ static void destroy_workers(burnish_tiles *tiles) {
 }
 
 static burnish_status create_workers(burnish_tiles *tiles, int count,
-                                     const burnish_visibility_options *options,
-                                     burnish_error *error) {
+                                     const burnish_tile_options *options, burnish_error *error) {
     burnish_status status = burnish_legacy_allocate((void **)&tiles->workers, (size_t)count,
                                                     sizeof *tiles->workers, "tiles", error);
     if (status != BURNISH_STATUS_OK) {
@@ -310,7 +308,7 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
     memset(tiles->workers, 0, (size_t)count * sizeof *tiles->workers);
     tiles->worker_count = count;
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        status = burnish_visibility_create(&tiles->workers[i].tile, options, error);
+        status = burnish_tile_create(&tiles->workers[i].tile, options, error);
     }
     if (status != BURNISH_STATUS_OK) {
         destroy_workers(tiles); /* no later frame takes a half-made one for its own */
@@ -347,11 +345,11 @@ static burnish_status prepare_background(const burnish_frame *frame, burnish_til
 static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles *tiles,
                                       burnish_error *error) {
     const burnish_shader *shader = frame->shader;
-    const burnish_visibility_options wanted = {.samples = frame->options->samples,
-                                               .planes = burnish_shade_planes(shader),
-                                               .keep_owners = shader->triangle_materials != NULL ||
-                                                              frame->drawn != NULL,
-                                               .needs_place = shader->needs_place};
+    const burnish_tile_options wanted = {.samples = frame->options->samples,
+                                         .planes = burnish_shade_planes(shader),
+                                         .keep_ids = shader->triangle_materials != NULL ||
+                                                     frame->drawn != NULL,
+                                         .needs_position = shader->needs_position};
     burnish_status status = prepare_background(frame, tiles, error);
     const int threads = worker_count(frame);
     if (status != BURNISH_STATUS_OK) {

@@ -3,7 +3,7 @@
 #define BURNISH_RENDER_FRAME_H
 
 #include "burnish/render.h"
-#include "raster/visibility.h"
+#include "raster/tile.h"
 #include "shading/strip.h"
 #include "shading/table.h"
 

@@ -138,7 +138,7 @@ static size_t count_drawn(const uint8_t *drawn, size_t count) {
     return sum;
 }
 
-static int needs_place(const burnish_kernels_lighting *lighting) {
+static int needs_position(const burnish_kernels_lighting *lighting) {
     int needs = lighting->near_viewer;
     for (int i = 0; i < lighting->light_count; ++i) {
         needs |= lighting->lights[i].kind == BURNISH_KERNELS_POINT;
@@ -217,7 +217,7 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_mesh *scene
     shader->batch = options->batch ? options->batch : renderer->best;
     shader->attributes = &renderer->attributes;
     shader->triangle_materials = mesh->triangle_materials;
-    shader->needs_place = needs_place(&shader->lighting);
+    shader->needs_position = needs_position(&shader->lighting);
     report->isa = burnish_kernels_isa(shader->batch);
     const burnish_raster_tier *tier = burnish_raster_tier_of(report->isa);
     status = burnish_shader_check(shader, burnish_mesh_material_count(scene), error);

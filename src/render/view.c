@@ -216,7 +216,7 @@ burnish_status burnish_view_create(const burnish_mesh_view *mesh,
     raster->width = options->width;
     raster->height = options->height;
     raster->samples = options->samples;
-    raster->culls = options->cull_back_faces;
+    raster->cull_back_faces = options->cull_back_faces;
     store(bounds_center(mesh), raster->origin);
     if (camera->orthographic_height > 0) {
         make_orthographic(&frame, camera->orthographic_height, options->height, raster, shade);

@@ -52,8 +52,8 @@ typedef struct fill_context {
 
 static void fill_chunk(void *of, size_t index, int thread) {
     const fill_context *context = of;
-    const size_t first = index * BURNISH_CHUNK, rest = context->vertices->mesh_count - first;
-    const size_t end = first + (rest < BURNISH_CHUNK ? rest : BURNISH_CHUNK);
+    const size_t first = index * BURNISH_TASK_GRAIN, rest = context->vertices->mesh_count - first;
+    const size_t end = first + (rest < BURNISH_TASK_GRAIN ? rest : BURNISH_TASK_GRAIN);
     (void)thread;
     for (size_t i = first; i < end; ++i) {
         float inverse_w = context->vertices->inverse_w[i];
@@ -82,8 +82,8 @@ burnish_status burnish_attributes_update(burnish_attributes *attributes,
         return status;
     }
     fill_context context = {attributes, vertices, normals, colors};
-    burnish_tasks_run(pool, (vertices->mesh_count + BURNISH_CHUNK - 1) / BURNISH_CHUNK, 1, 0,
-                      fill_chunk, &context);
+    burnish_tasks_run(pool, (vertices->mesh_count + BURNISH_TASK_GRAIN - 1) / BURNISH_TASK_GRAIN, 1,
+                      0, fill_chunk, &context);
     fill_clipped(attributes, geometry, normals, colors, indices);
     return BURNISH_STATUS_OK;
 }

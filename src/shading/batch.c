@@ -92,7 +92,7 @@ static burnish_status check_points(const burnish_kernels_shader *shader,
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "points: give all three arrays of diffuse colours or none");
     }
-    if (shader->needs_place && (!p[0] || !p[1] || !p[2])) {
+    if (shader->needs_position && (!p[0] || !p[1] || !p[2])) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "points: point lights and near viewers need the arrays of positions");
     }

@@ -14,10 +14,10 @@ void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *
     const int needs_w = attributes->has_colors || shader->lighting.lyon;
     points->count = fragments->count;
     for (int i = 0; i < fragments->count; ++i) {
-        const burnish_corners *corners = &fragments->corners[i];
+        const burnish_primitive *corners = &fragments->primitives[i];
         const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
         burnish_float4 normal = mix(attributes->normals, corners->vertices, weight1, weight2);
-        float scale = corners->source & 1 ? -1.0f : 1.0f;
+        float scale = corners->id_and_facing & 1 ? -1.0f : 1.0f;
         if (needs_w) {
             const float w = 1.0f / normal[3];
             scale = shader->lighting.lyon ? scale * w : scale;
@@ -33,7 +33,8 @@ void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *
         points->normal[0][i] = normal[0];
         points->normal[1][i] = normal[1];
         points->normal[2][i] = normal[2];
-        points->material[i] =
-            shader->triangle_materials ? shader->triangle_materials[corners->source >> 1] : 0;
+        points->material[i] = shader->triangle_materials
+                                  ? shader->triangle_materials[corners->id_and_facing >> 1]
+                                  : 0;
     }
 }

@@ -7,10 +7,10 @@
 /* A block of points while it is shaded. */
 typedef struct burnish_points {
     int count;
-    float normal[3][BURNISH_FRAGMENT_BLOCK];  /* turned toward the viewer's side; times 1/w, for
+    float normal[3][BURNISH_FRAGMENT_BATCH];  /* turned toward the viewer's side; times 1/w, for
                                                  Lyon's lobe as interpolated, near unit length */
-    float diffuse[3][BURNISH_FRAGMENT_BLOCK]; /* colour of the surface at the vertices, 1 without */
-    uint16_t material[BURNISH_FRAGMENT_BLOCK];
+    float diffuse[3][BURNISH_FRAGMENT_BATCH]; /* colour of the surface at the vertices, 1 without */
+    uint16_t material[BURNISH_FRAGMENT_BATCH];
 } burnish_points;
 
 /* Normals, vertex colours (where the mesh has any) and materials of a block. */

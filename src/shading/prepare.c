@@ -228,7 +228,7 @@ burnish_status burnish_kernels_prepare(const burnish_kernels_lighting *lighting,
     shader->phong = lighting->highlight == BURNISH_KERNELS_PHONG;
     shader->lyon = lighting->lyon != 0;
     shader->near_viewer = lighting->near_viewer != 0;
-    shader->needs_place = shader->near_viewer;
+    shader->needs_position = shader->near_viewer;
     shader->light_count = lighting->light_count;
     shader->offset = (float)(1.0 - (double)shader->lobe.zeta);
     shader->cutoff = shader->lyon ? -1.0f : find_cutoff(&shader->lobe);
@@ -239,10 +239,11 @@ burnish_status burnish_kernels_prepare(const burnish_kernels_lighting *lighting,
     }
     for (int i = 0; i < lighting->light_count; ++i) {
         fold_light(lighting, &lighting->lights[i], shader, &shader->lights[i]);
-        shader->needs_place |= shader->lights[i].is_point;
+        shader->needs_position |= shader->lights[i].is_point;
     }
-    shader->geometry = shader->phong || shader->lyon || shader->needs_place ? BURNISH_SHADE_GENERAL
-                                                                            : BURNISH_SHADE_DISTANT;
+    shader->geometry = shader->phong || shader->lyon || shader->needs_position
+                           ? BURNISH_SHADE_GENERAL
+                           : BURNISH_SHADE_DISTANT;
     shader->cookie = BURNISH_SHADER_COOKIE;
     return BURNISH_STATUS_OK;
 }

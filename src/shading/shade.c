@@ -6,8 +6,8 @@
 
 /* Places from the eye, times w. */
 typedef struct block_places {
-    float position[3][BURNISH_FRAGMENT_BLOCK];
-    float w[BURNISH_FRAGMENT_BLOCK];
+    float position[3][BURNISH_FRAGMENT_BATCH];
+    float w[BURNISH_FRAGMENT_BATCH];
 } block_places;
 
 static void locate(const burnish_rays *view, const burnish_fragments *fragments,
@@ -67,7 +67,7 @@ void burnish_shade(const burnish_shader *shader, burnish_shade_cache *cache,
     burnish_points points;
     block_places places;
     burnish_interpolate(shader, fragments, &points);
-    if (shader->needs_place) {
+    if (shader->needs_position) {
         locate(&shader->rays, fragments, &places);
     }
     for (int first = 0, end; first < points.count; first = end) {

@@ -28,12 +28,12 @@ typedef struct burnish_shader {
     /* the mesh */
     const burnish_attributes *attributes;
     const uint16_t *triangle_materials; /* or NULL */
-    int needs_place; /* 1: a light or the viewer is near, points must have x, y and depth */
+    int needs_position; /* 1: a light or the viewer is near, points must have x, y and depth */
 } burnish_shader;
 
 /* Colours of a block of visible points, each channel >= 0, not yet clamped. */
 typedef struct burnish_shaded {
-    float channel[3][BURNISH_FRAGMENT_BLOCK];
+    float channel[3][BURNISH_FRAGMENT_BATCH];
 } burnish_shaded;
 
 /* The material that a thread shaded last, folded with the lights. */

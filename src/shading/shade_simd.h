@@ -191,7 +191,8 @@ BURNISH_INLINE void shade_load(int geometry, const burnish_kernels_shader *shade
     if (geometry == BURNISH_SHADE_GENERAL) {
         at->w = points->w ? vf_load(points->w + i) : vf_set(1.0f);
         for (int k = 0; k < 3; ++k) {
-            at->position[k] = shader->needs_place ? vf_load(points->position[k] + i) : vf_set(0.0f);
+            at->position[k] =
+                shader->needs_position ? vf_load(points->position[k] + i) : vf_set(0.0f);
         }
     }
 }

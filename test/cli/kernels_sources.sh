@@ -14,7 +14,7 @@ sources() {
 renderer_sources() {
     echo "-pthread -I$1/include -I$1/src -I$1/test -DBURNISH_VERSION_TEXT=\"0\" $1/test/test_visibility.c"
     for file in simd/isa shading/batch shading/prepare core/elementary core/error core/context core/memory core/processors core/srgb core/tasks \
-        raster/bin raster/clip raster/geometry raster/samples raster/tier raster/visibility \
+        raster/bins raster/clip raster/geometry raster/samples raster/tier raster/tile \
         shading/attributes shading/interpolate shading/strip shading/shade; do
         echo "$1/src/$file.c"
     done

@@ -21,9 +21,9 @@ enum {
 };
 
 /* Corners of as many triangles as a vector has lanes. */
-typedef struct corner_block {
-    uint32_t vertices[3][LANES], source[LANES];
-} corner_block;
+typedef struct primitive_group {
+    uint32_t vertices[3][LANES], id_and_facing[LANES];
+} primitive_group;
 
 /* As many triangles as a vector has lanes, relative to the tile. */
 typedef struct setup_block {
@@ -39,7 +39,7 @@ typedef struct setup_block {
     int32_t longest[LANES];                             /* edge, along an axis */
     float inverse_area[LANES]; /* of triangles whose edge functions fit 32 bits */
     float attributes[3][BURNISH_PLANE_COUNT][LANES];
-    corner_block corners;
+    primitive_group corners;
     unsigned live, small, tiny, wide; /* bits: touch a pixel; have 32-bit edge functions; have at
                                          most 2 x 2 pixels; are too large to have their units
                                          listed */
@@ -47,13 +47,13 @@ typedef struct setup_block {
 
 /* Finds the corners of some slots, `count` <= LANES, and asks for what will be loaded of them:
  * lists are in the mesh's order, not in that of memory. */
-BURNISH_INLINE void find_corners(const burnish_visibility *tile, const burnish_geometry *geometry,
+BURNISH_INLINE void find_corners(const burnish_tile *tile, const burnish_geometry *geometry,
                                  const uint32_t *slots, size_t count, unsigned back,
-                                 corner_block *corners) {
+                                 primitive_group *corners) {
     for (size_t lane = 0; lane < LANES && count > 0; ++lane) {
-        const burnish_corners found =
-            burnish_geometry_corners(geometry, slots[lane < count ? lane : 0], back);
-        corners->source[lane] = found.source;
+        const burnish_primitive found =
+            burnish_geometry_primitive(geometry, slots[lane < count ? lane : 0], back);
+        corners->id_and_facing[lane] = found.id_and_facing;
         for (int i = 0; i < 3; ++i) {
             const size_t vertex = found.vertices[i];
             corners->vertices[i][lane] = found.vertices[i];
@@ -64,11 +64,11 @@ BURNISH_INLINE void find_corners(const burnish_visibility *tile, const burnish_g
 }
 
 /* Loads corners and attributes of a block. */
-BURNISH_INLINE void load_block(const burnish_visibility *tile, const burnish_geometry *geometry,
+BURNISH_INLINE void load_block(const burnish_tile *tile, const burnish_geometry *geometry,
                                setup_block *block, vi x[3], vi y[3], vf depth[3]) {
-    const corner_block *corners = &block->corners;
+    const primitive_group *corners = &block->corners;
     /* 1 for triangles seen from their front, -1 from their back: exact */
-    const vi sign = vi_shl(vi_load((const int32_t *)corners->source), 31);
+    const vi sign = vi_shl(vi_load((const int32_t *)corners->id_and_facing), 31);
     const vf turn = vf_from_bits(vi_or(sign, vi_set(0x3f800000)));
     for (int i = 0; i < 3; ++i) {
         const void *from[LANES];
@@ -103,7 +103,7 @@ BURNISH_INLINE void load_block(const burnish_visibility *tile, const burnish_geo
 
 /* Bounds, edges and depth of a block. Numbers of triangles that are too large wrap round and are
  * not used. */
-BURNISH_INLINE void set_up_block(const burnish_visibility *tile, size_t count, const vi x[3],
+BURNISH_INLINE void set_up_block(const burnish_tile *tile, size_t count, const vi x[3],
                                  const vi y[3], const vf depth[3], setup_block *block) {
     const int samples = tile->options.samples;
     vi dx[3], dy[3], x0, y0, x1, y1, longest = vi_set(0);
@@ -158,14 +158,14 @@ BURNISH_INLINE void set_up_block(const burnish_visibility *tile, size_t count, c
 /* One triangle of a block in the form that its units are drawn from. */
 typedef struct unit_constants {
     vf inverse_area, depth[3];
-    vi bias[3], owner;
+    vi bias[3], id;
     vf attributes[3][BURNISH_PLANE_COUNT];
 } unit_constants;
 
-BURNISH_INLINE void load_constants(const setup_block *block, size_t lane, int planes, int32_t owner,
+BURNISH_INLINE void load_constants(const setup_block *block, size_t lane, int planes, int32_t id,
                                    unit_constants *constants) {
     constants->inverse_area = vf_set(block->inverse_area[lane]);
-    constants->owner = vi_set(owner);
+    constants->id = vi_set(id);
     for (int i = 0; i < 3; ++i) {
         constants->depth[i] = vf_set(block->depth[i][lane]);
         constants->bias[i] = vi_set(block->bias[i][lane]);
@@ -185,9 +185,8 @@ BURNISH_INLINE vf weight_from(const unit_constants *constants, const vi e[3], in
 }
 
 /* Attributes of the pixels of a unit from `place` on that `mask` holds. */
-BURNISH_INLINE void interpolate_unit(const burnish_visibility *tile,
-                                     const unit_constants *constants, int planes, vm mask,
-                                     vf weight1, vf weight2, int place) {
+BURNISH_INLINE void interpolate_unit(const burnish_tile *tile, const unit_constants *constants,
+                                     int planes, vm mask, vf weight1, vf weight2, int place) {
     vf weight0 = vf_sub(vf_sub(vf_set(1.0f), weight1), weight2);
     for (int k = 0; k < planes; ++k) {
         vf sum = vf_add(vf_mul(constants->attributes[0][k], weight0),
@@ -219,12 +218,12 @@ BURNISH_INLINE void find_steps(const setup_block *block, int samples, sample_ste
 }
 
 /* A unit with several samples a pixel; e are the edge functions at the pixels' centres. */
-BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_constants *constants,
+BURNISH_INLINE int draw_samples(const burnish_tile *tile, const unit_constants *constants,
                                 int samples, int planes, const vi e[3], const sample_steps *steps,
                                 size_t lane, int place) {
     vm whole = vi_not_negative(vi_set(0));
     unsigned drawn = 0;
-    int sample = burnish_sample_place(samples, place, 0);
+    int sample = burnish_sample_index(samples, place, 0);
     for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
         vi at[3];
         for (int i = 0; i < 3; ++i) {
@@ -236,12 +235,12 @@ BURNISH_INLINE int draw_samples(const burnish_visibility *tile, const unit_const
         vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->depths + sample)));
         whole = vm_and(whole, nearer);
         vf_store_where(nearer, tile->depths + sample, depth);
-        vi_store_where(nearer, tile->owners + sample, constants->owner);
+        vi_store_where(nearer, tile->ids + sample, constants->id);
         drawn |= vm_bits(nearer);
     }
     if (vm_any(whole)) {
         vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
-        if (tile->options.needs_place) {
+        if (tile->options.needs_position) {
             vf_store_where(whole, tile->center_depths + place,
                            depth_from(constants->depth, weight1, weight2));
         }
@@ -267,22 +266,22 @@ BURNISH_INLINE vi edge_of_unit(const setup_block *block, size_t lane, int i, vi 
 }
 
 /* Marks the block of a place that shows a triangle. */
-BURNISH_INLINE void touch(burnish_visibility *tile, int place, int hit) {
-    tile->touched[place / BURNISH_STRIP_PIXELS] |=
-        (uint16_t)(hit << (place / BURNISH_BLOCK_PIXELS) % BURNISH_TILE_STRIPS);
+BURNISH_INLINE void touch(burnish_tile *tile, int place, int hit) {
+    tile->dirty_blocks[place / BURNISH_BLOCK_ROW_PIXELS] |=
+        (uint16_t)(hit << (place / BURNISH_BLOCK_PIXELS) % BURNISH_TILE_BLOCKS);
 }
 
 /* Draws a unit, one sample a pixel, where `covered` holds. Whether it is nearer is too hard to
  * foresee for a branch. */
-BURNISH_INLINE void draw_unit(burnish_visibility *tile, const unit_constants *constants, int planes,
-                              int owners, vm covered, const vi e[3], int place) {
+BURNISH_INLINE void draw_unit(burnish_tile *tile, const unit_constants *constants, int planes,
+                              int ids, vm covered, const vi e[3], int place) {
     vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
     vf depth = depth_from(constants->depth, weight1, weight2);
     vf before = vf_load(tile->depths + place);
     vm nearer = vm_and(covered, vf_greater(depth, before));
     vf_store(tile->depths + place, vf_blend(nearer, depth, before));
-    if (owners) {
-        vi_store_where(nearer, tile->owners + place, constants->owner);
+    if (ids) {
+        vi_store_where(nearer, tile->ids + place, constants->id);
     }
     interpolate_unit(tile, constants, planes, nearer, weight1, weight2, place);
     touch(tile, place, vm_any(nearer));
@@ -319,7 +318,7 @@ static const int32_t BOX_UNITS[UNIT_SIDE][MOST_UNITS] = {
 #undef ROW1
 #undef AT
 
-/* burnish_tile_place of first pixels of units: x, and y in the upper half. */
+/* burnish_pixel_index of first pixels of units: x, and y in the upper half. */
 BURNISH_INLINE vi places_of(vi pixel) {
     const vi x = vi_and(pixel, vi_set(0xffff)), y = vi_shr(pixel, 16);
     const vi strip = vi_shl(vi_and(y, vi_set(~3)), 6), row = vi_shl(vi_and(y, vi_set(3)), 2);
@@ -372,26 +371,26 @@ BURNISH_INLINE int may_cover(const sample_steps *steps, size_t lane, const vi e[
     return vm_any(vi_not_negative(inside));
 }
 
-/* A triangle of up to 96 pixels; owners: they are wanted; steps: with several samples. */
-BURNISH_INLINE void draw_small(burnish_visibility *tile, const setup_block *block,
+/* A triangle of up to 96 pixels; ids: they are wanted; steps: with several samples. */
+BURNISH_INLINE void draw_small(burnish_tile *tile, const setup_block *block,
                                const sample_steps *steps, size_t lane, int samples, int planes,
-                               int owners, int32_t owner) {
+                               int ids, int32_t id) {
     const int x0 = block->x0[lane] & ~(UNIT_WIDTH - 1), x1 = block->x1[lane];
     const int y0 = block->y0[lane] & ~(UNIT_HEIGHT - 1), y1 = block->y1[lane];
     unit_constants constants;
     vi row[3], across[3], down[3];
-    load_constants(block, lane, planes, owner, &constants);
+    load_constants(block, lane, planes, id, &constants);
     for (int i = 0; i < 3; ++i) {
         row[i] = edge_of_unit(block, lane, i, &across[i], &down[i]);
     }
     for (int y = y0; y <= y1; y += UNIT_HEIGHT) {
         vi e[3] = {row[0], row[1], row[2]};
         for (int x = x0; x <= x1; x += UNIT_WIDTH) {
-            const int place = burnish_tile_place(x, y);
+            const int place = burnish_pixel_index(x, y);
             if (samples == 1) {
                 const vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
                 if (vm_any(covered)) {
-                    draw_unit(tile, &constants, planes, owners, covered, e, place);
+                    draw_unit(tile, &constants, planes, ids, covered, e, place);
                 }
             } else if (may_cover(steps, lane, e)) {
                 touch(tile, place,
@@ -430,22 +429,22 @@ BURNISH_INLINE int find_covering(const sample_steps *steps, int samples, int cou
 }
 
 /* Draws the triangles `lanes` of a block: none has more than UNIT_SIDE units across or down.
- * owners: a triangle's in each lane, where they are wanted; steps: with several samples. */
-BURNISH_INLINE void draw_listed(burnish_visibility *tile, const setup_block *block,
+ * ids: a triangle's in each lane, where they are wanted; steps: with several samples. */
+BURNISH_INLINE void draw_listed(burnish_tile *tile, const setup_block *block,
                                 const sample_steps *steps, unsigned lanes, int samples, int planes,
-                                const int32_t *owners, unit_list *list) {
+                                const int32_t *ids, unit_list *list) {
     const int covering = find_covering(steps, samples, list_units(block, lanes, list), list);
     for (int i = 0; i < covering; ++i) {
         const int unit = list->covering[i], place = list->place[unit] % BURNISH_TILE_PIXELS;
         const size_t lane = (size_t)list->place[unit] / BURNISH_TILE_PIXELS;
         unit_constants constants;
         vi e[3];
-        load_constants(block, lane, planes, owners ? owners[lane] : 0, &constants);
+        load_constants(block, lane, planes, ids ? ids[lane] : 0, &constants);
         for (int k = 0; k < 3; ++k) {
             e[k] = edge_of_listed(list, lane, unit, k);
         }
         if (samples == 1) {
-            draw_unit(tile, &constants, planes, owners != NULL, list->covered[i], e, place);
+            draw_unit(tile, &constants, planes, ids != NULL, list->covered[i], e, place);
         } else {
             touch(tile, place,
                   draw_samples(tile, &constants, samples, planes, e, steps, lane, place));
@@ -510,12 +509,12 @@ BURNISH_INLINE uint64_t spread(unsigned bits) {
 }
 
 /* Draws covered pixels: bit 4 lane + c of `hits`. */
-BURNISH_INLINE void draw_tiny(burnish_visibility *tile, const setup_block *block,
-                              const tiny_pixels *pixels, uint64_t hits, int planes, int owners) {
+BURNISH_INLINE void draw_tiny(burnish_tile *tile, const setup_block *block,
+                              const tiny_pixels *pixels, uint64_t hits, int planes, int ids) {
     for (; hits; hits &= hits - 1) {
         const int hit = __builtin_ctzll(hits), lane = hit >> 2, c = hit & 3;
         const int x = block->x0[lane] + (c & 1), y = block->y0[lane] + (c >> 1);
-        const int place = burnish_tile_place(x, y);
+        const int place = burnish_pixel_index(x, y);
         if (!(pixels->depth[c][lane] > tile->depths[place])) {
             continue;
         }
@@ -523,8 +522,8 @@ BURNISH_INLINE void draw_tiny(burnish_visibility *tile, const setup_block *block
         for (int k = 0; k < planes; ++k) {
             tile->planes[k][place] = pixels->planes[c][k][lane];
         }
-        if (owners) {
-            tile->owners[place] = (int32_t)block->corners.source[lane];
+        if (ids) {
+            tile->ids[place] = (int32_t)block->corners.id_and_facing[lane];
         }
         touch(tile, place, 1);
     }
@@ -591,8 +590,8 @@ static void put_row(const float *from, const int32_t *mask, int apart, int x0, i
 }
 
 /* One sample of a row's pixels; `place` is the sample's of the row's first pixel. */
-static int draw_row(const burnish_visibility *tile, const setup_block *block, size_t lane,
-                    int owners, int32_t owner, int place, large_row *row) {
+static int draw_row(const burnish_tile *tile, const setup_block *block, size_t lane, int ids,
+                    int32_t id, int place, large_row *row) {
     const double start0 = row->start[0], step0 = row->step[0];
     const double start1 = row->start[1], step1 = row->step[1];
     const double start2 = row->start[2], step2 = row->step[2];
@@ -613,19 +612,19 @@ static int draw_row(const burnish_visibility *tile, const setup_block *block, si
     }
     if (drawn) {
         put_row(row->values, row->nearer, apart, row->x0, row->x1, tile->depths + place);
-        for (int x = row->x0; x <= row->x1 && owners; ++x) {
-            int32_t *kept = tile->owners + place + x / 4 * apart + x % 4;
-            *kept = row->nearer[x] ? owner : *kept;
+        for (int x = row->x0; x <= row->x1 && ids; ++x) {
+            int32_t *kept = tile->ids + place + x / 4 * apart + x % 4;
+            *kept = row->nearer[x] ? id : *kept;
         }
     }
     return drawn;
 }
 
 /* Attributes of a row's whole pixels. */
-static void interpolate_row(const burnish_visibility *tile, const setup_block *block, size_t lane,
+static void interpolate_row(const burnish_tile *tile, const setup_block *block, size_t lane,
                             int place, large_row *row) {
     const int samples = tile->options.samples;
-    if (samples > 1 && tile->options.needs_place) {
+    if (samples > 1 && tile->options.needs_position) {
         for (int x = row->x0; x <= row->x1; ++x) {
             row->values[x] = (block->depth[0][lane] + row->weight1[x] * block->depth[1][lane]) +
                              row->weight2[x] * block->depth[2][lane];
@@ -645,17 +644,17 @@ static void interpolate_row(const burnish_visibility *tile, const setup_block *b
     }
 }
 
-static void touch_row(burnish_visibility *tile, const large_row *row, int line) {
-    unsigned touched = 0;
+static void touch_row(burnish_tile *tile, const large_row *row, int line) {
+    unsigned dirty_blocks = 0;
     for (int x = row->x0; x <= row->x1; ++x) {
-        touched |= (unsigned)(row->nearer[x] != 0) << x / BURNISH_BLOCK_SIZE;
+        dirty_blocks |= (unsigned)(row->nearer[x] != 0) << x / BURNISH_BLOCK_SIZE;
     }
-    tile->touched[line / BURNISH_BLOCK_SIZE] |= (uint16_t)touched;
+    tile->dirty_blocks[line / BURNISH_BLOCK_SIZE] |= (uint16_t)dirty_blocks;
 }
 
 /* A triangle of any size: its edge functions are below 2^49. */
-static int draw_large(burnish_visibility *tile, setup_block *block, size_t lane, int owners,
-                      int32_t owner, const int8_t (*offsets)[2]) {
+static int draw_large(burnish_tile *tile, setup_block *block, size_t lane, int ids, int32_t id,
+                      const int8_t (*offsets)[2]) {
     const int64_t area = (int64_t)block->dx[2][lane] * block->dy[0][lane] -
                          (int64_t)block->dy[2][lane] * block->dx[0][lane];
     const int samples = tile->options.samples;
@@ -663,7 +662,7 @@ static int draw_large(burnish_visibility *tile, setup_block *block, size_t lane,
     large_row row = {.x0 = block->x0[lane], .x1 = block->x1[lane]};
     block->inverse_area[lane] = 1.0f / (float)area;
     for (int line = block->y0[lane]; line <= block->y1[lane]; ++line) {
-        const int place = burnish_tile_place(0, line);
+        const int place = burnish_pixel_index(0, line);
         int whole = 1;
         memset(row.whole, 0xff, sizeof row.whole);
         for (int s = 0; s < samples; ++s) {
@@ -672,8 +671,8 @@ static int draw_large(burnish_visibility *tile, setup_block *block, size_t lane,
                 whole = 0;
                 continue;
             }
-            const int hit = draw_row(tile, block, lane, owners, owner,
-                                     burnish_sample_place(samples, place, s), &row);
+            const int hit =
+                draw_row(tile, block, lane, ids, id, burnish_sample_index(samples, place, s), &row);
             if (hit) {
                 touch_row(tile, &row, line);
             }
@@ -693,7 +692,7 @@ static int draw_large(burnish_visibility *tile, setup_block *block, size_t lane,
 
 /* What the points of shared pixels will need of a block's triangles: behind the last one, a lane
  * each. */
-BURNISH_INLINE void remember(burnish_tile_triangles *triangles, const setup_block *block) {
+BURNISH_INLINE void remember(burnish_tile_primitives *triangles, const setup_block *block) {
     const size_t at = triangles->count;
     const vi large = vi_blend(vi_greater(vi_load(block->longest), vi_set(BURNISH_SMALL_EDGE)),
                               vi_set(1), vi_set(0));
@@ -711,15 +710,15 @@ BURNISH_INLINE void remember(burnish_tile_triangles *triangles, const setup_bloc
                   vf_load(block->inverse_area), vf_from_bits(large));
     vf_store_aos4(&triangles->depths[at], vf_load(block->depth[0]), vf_load(block->depth[1]),
                   vf_load(block->depth[2]), vf_set(0.0f));
-    vf_store_aos4(&triangles->corners[at],
+    vf_store_aos4(&triangles->primitives[at],
                   vf_from_bits(vi_load((const int32_t *)block->corners.vertices[0])),
                   vf_from_bits(vi_load((const int32_t *)block->corners.vertices[1])),
                   vf_from_bits(vi_load((const int32_t *)block->corners.vertices[2])),
-                  vf_from_bits(vi_load((const int32_t *)block->corners.source)));
+                  vf_from_bits(vi_load((const int32_t *)block->corners.id_and_facing)));
 }
 
 /* The rest of it for a large triangle, drawn before. */
-static void remember_large(burnish_tile_triangles *triangles, size_t at, const setup_block *block,
+static void remember_large(burnish_tile_primitives *triangles, size_t at, const setup_block *block,
                            size_t lane) {
     triangles->weights[at].inverse_area = block->inverse_area[lane];
     for (int i = 0; i < 2; ++i) {
@@ -736,16 +735,16 @@ BURNISH_INLINE int is_listed(const setup_block *block) {
 }
 
 /* The triangles of a block, one sample a pixel. */
-BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, tiny_pixels *pixels,
-                                int planes, int owners, unit_list *list) {
+BURNISH_INLINE void draw_single(burnish_tile *tile, setup_block *block, tiny_pixels *pixels,
+                                int planes, int ids, unit_list *list) {
     static const int8_t CENTER[1][2] = {{0, 0}};
     unsigned others = block->live;
     uint64_t hits = 0;
     const int tiny = __builtin_popcount(block->tiny);
     if (is_listed(block) &&
         2 * tiny < LANES) { /* else the pixels of all tiny ones are found at once */
-        const int32_t *sources = (const int32_t *)block->corners.source;
-        draw_listed(tile, block, NULL, others, 1, planes, owners ? sources : NULL, list);
+        const int32_t *sources = (const int32_t *)block->corners.id_and_facing;
+        draw_listed(tile, block, NULL, others, 1, planes, ids ? sources : NULL, list);
         return;
     }
     if (tiny > 1) {
@@ -756,82 +755,81 @@ BURNISH_INLINE void draw_single(burnish_visibility *tile, setup_block *block, ti
     }
     for (; others; others &= others - 1) {
         const unsigned lane = (unsigned)__builtin_ctz(others);
-        const int32_t owner = (int32_t)block->corners.source[lane];
+        const int32_t id = (int32_t)block->corners.id_and_facing[lane];
         const uint64_t before = hits & ((1ull << 4 * lane) - 1);
-        draw_tiny(tile, block, pixels, before, planes, owners);
+        draw_tiny(tile, block, pixels, before, planes, ids);
         hits ^= before;
         if (block->small >> lane & 1) {
-            draw_small(tile, block, NULL, lane, 1, planes, owners, owner);
+            draw_small(tile, block, NULL, lane, 1, planes, ids, id);
         } else {
-            draw_large(tile, block, lane, owners, owner, CENTER);
+            draw_large(tile, block, lane, ids, id, CENTER);
         }
     }
-    draw_tiny(tile, block, pixels, hits, planes, owners);
+    draw_tiny(tile, block, pixels, hits, planes, ids);
 }
 
 /* The triangles of a block, several samples a pixel. */
-BURNISH_INLINE void draw_multiple(burnish_visibility *tile, setup_block *block, int samples,
-                                  int planes, unit_list *list) {
-    burnish_tile_triangles *triangles = &tile->triangles;
+BURNISH_INLINE void draw_multiple(burnish_tile *tile, setup_block *block, int samples, int planes,
+                                  unit_list *list) {
+    burnish_tile_primitives *triangles = &tile->primitives;
     const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
     sample_steps steps;
     if (triangles->count + LANES > triangles->capacity) {
-        burnish_visibility_compact(tile);
+        burnish_tile_evict_hidden(tile);
     }
     const size_t first = triangles->count;
-    int32_t owners[LANES];
+    int32_t ids[LANES];
     remember(triangles, block);
     triangles->count = first + LANES;
-    vi_store(owners, vi_add(vi_set((int32_t)first), vi_ramp(1)));
+    vi_store(ids, vi_add(vi_set((int32_t)first), vi_ramp(1)));
     find_steps(block, samples, &steps);
     if (is_listed(block)) {
-        draw_listed(tile, block, &steps, block->live, samples, planes, owners, list);
+        draw_listed(tile, block, &steps, block->live, samples, planes, ids, list);
         return;
     }
     for (unsigned rest = block->live; rest; rest &= rest - 1) {
         const size_t lane = (size_t)__builtin_ctz(rest);
         if (block->small >> lane & 1) {
-            draw_small(tile, block, &steps, lane, samples, planes, 1, owners[lane]);
+            draw_small(tile, block, &steps, lane, samples, planes, 1, ids[lane]);
         } else {
-            draw_large(tile, block, lane, 1, owners[lane], offsets);
+            draw_large(tile, block, lane, 1, ids[lane], offsets);
             remember_large(triangles, first + lane, block, lane);
         }
     }
 }
 
-static void draw_slots(burnish_visibility *visibility, const burnish_geometry *geometry,
-                       const uint32_t *slots, size_t count, unsigned back) {
-    const burnish_visibility_options *options = &visibility->options;
+static void draw_slots(burnish_tile *tile, const burnish_geometry *geometry, const uint32_t *slots,
+                       size_t count, unsigned back) {
+    const burnish_tile_options *options = &tile->options;
     setup_block block;
     tiny_pixels pixels = {0};
     unit_list list;
-    corner_block next;
-    find_corners(visibility, geometry, slots, count < LANES ? count : LANES, back, &next);
+    primitive_group next;
+    find_corners(tile, geometry, slots, count < LANES ? count : LANES, back, &next);
     for (size_t first = 0; first < count; first += LANES) {
         const size_t lanes = count - first < LANES ? count - first : LANES;
         const size_t after = first + lanes, ahead = count - after < LANES ? count - after : LANES;
         vi x[3], y[3];
         vf depth[3];
         block.corners = next;
-        find_corners(visibility, geometry, slots + after, ahead, back, &next);
-        load_block(visibility, geometry, &block, x, y, depth);
-        set_up_block(visibility, lanes, x, y, depth, &block);
+        find_corners(tile, geometry, slots + after, ahead, back, &next);
+        load_block(tile, geometry, &block, x, y, depth);
+        set_up_block(tile, lanes, x, y, depth, &block);
         if (options->samples == 4 && options->planes == 3) {
-            draw_multiple(visibility, &block, 4, 3, &list);
+            draw_multiple(tile, &block, 4, 3, &list);
         } else if (options->samples > 1) {
-            draw_multiple(visibility, &block, options->samples, options->planes, &list);
-        } else if (options->planes == 3 && !options->keep_owners) {
-            draw_single(visibility, &block, &pixels, 3, 0, &list);
+            draw_multiple(tile, &block, options->samples, options->planes, &list);
+        } else if (options->planes == 3 && !options->keep_ids) {
+            draw_single(tile, &block, &pixels, 3, 0, &list);
         } else {
-            draw_single(visibility, &block, &pixels, options->planes, options->keep_owners, &list);
+            draw_single(tile, &block, &pixels, options->planes, options->keep_ids, &list);
         }
     }
 }
 
 /* Interpolated depths may pass the nearest vertex by rounding: the factor is far more than that. It
  * would make depths below 0 farther, so those are always seen. */
-static int is_hidden(const burnish_visibility *tile, float nearest, int x0, int y0, int x1,
-                     int y1) {
+static int is_hidden(const burnish_tile *tile, float nearest, int x0, int y0, int x1, int y1) {
     nearest *= 1.00001f;
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
@@ -845,12 +843,12 @@ static int is_hidden(const burnish_visibility *tile, float nearest, int x0, int 
 
 /* LANES triangles of a block, from item `at` on: bits of those that may be seen. All but large ones
  * touch at most 2 x 2 coarse blocks. */
-BURNISH_INLINE unsigned find_seen_vector(const burnish_visibility *tile,
-                                         const burnish_setup_block *block, size_t at,
+BURNISH_INLINE unsigned find_seen_vector(const burnish_tile *tile,
+                                         const burnish_triangle_batch *block, size_t at,
                                          unsigned lanes) {
-    const vi last = vi_set(BURNISH_TILE_BLOCKS - 1), zero = vi_set(0), low = vi_set(0xffff);
-    const vi left = vi_set(tile->x / BURNISH_COARSE_BLOCK);
-    const vi top = vi_set(tile->y / BURNISH_COARSE_BLOCK);
+    const vi last = vi_set(BURNISH_HIZ_SIZE - 1), zero = vi_set(0), low = vi_set(0xffff);
+    const vi left = vi_set(tile->x / BURNISH_HIZ_PIXELS);
+    const vi top = vi_set(tile->y / BURNISH_HIZ_PIXELS);
     const vi first = vi_load((const int32_t *)block->first + at);
     const vi end = vi_load((const int32_t *)block->last + at);
     vi x0 = vi_max(vi_sub(vi_and(first, low), left), zero);
@@ -878,36 +876,36 @@ BURNISH_INLINE unsigned find_seen_vector(const burnish_visibility *tile,
     return lanes & ~hidden;
 }
 
-static size_t find_seen(const burnish_visibility *visibility, const burnish_geometry *geometry,
-                        burnish_list_entry *entries, size_t count) {
+static size_t find_seen(const burnish_tile *tile, const burnish_geometry *geometry,
+                        burnish_bin_entry *entries, size_t count) {
     size_t kept = 0;
     for (size_t i = 0; i < count; ++i) {
-        const burnish_list_entry entry = entries[i];
-        const burnish_setup_block *block = &geometry->blocks[entry.block];
+        const burnish_bin_entry entry = entries[i];
+        const burnish_triangle_batch *block = &geometry->batches[entry.batch];
         unsigned seen = 0;
-        for (size_t at = 0; at < BURNISH_SETUP_BLOCK; at += LANES) {
-            const unsigned lanes = entry.lanes >> at & ALL_LANES;
-            seen |= lanes ? find_seen_vector(visibility, block, at, lanes) << at : 0;
+        for (size_t at = 0; at < BURNISH_BATCH_SIZE; at += LANES) {
+            const unsigned lanes = entry.mask >> at & ALL_LANES;
+            seen |= lanes ? find_seen_vector(tile, block, at, lanes) << at : 0;
         }
-        entries[kept] = (burnish_list_entry){entry.block, seen};
+        entries[kept] = (burnish_bin_entry){entry.batch, seen};
         kept += seen != 0;
     }
     return kept;
 }
 
 /* A coarse block is four blocks of pixels: lane by lane, then over the lanes. */
-static void find_least(burnish_visibility *visibility) {
+static void find_least(burnish_tile *tile) {
     enum { PARTS = BURNISH_BLOCK_PIXELS / LANES };
-    const int samples = visibility->options.samples, size = samples * BURNISH_BLOCK_PIXELS;
-    for (int y = 0; y < BURNISH_TILE_BLOCKS; ++y) {
-        for (int x = 0; x < BURNISH_TILE_BLOCKS; ++x) {
-            const float *depths = visibility->depths + (2 * y * BURNISH_TILE_STRIPS + 2 * x) * size;
+    const int samples = tile->options.samples, size = samples * BURNISH_BLOCK_PIXELS;
+    for (int y = 0; y < BURNISH_HIZ_SIZE; ++y) {
+        for (int x = 0; x < BURNISH_HIZ_SIZE; ++x) {
+            const float *depths = tile->depths + (2 * y * BURNISH_TILE_BLOCKS + 2 * x) * size;
             vf least[PARTS];
             float lanes[BURNISH_BLOCK_PIXELS];
             for (int part = 0; part < PARTS; ++part) {
                 least[part] = vf_load(depths + part * LANES);
             }
-            for (int row = 0; row < 2; ++row, depths += BURNISH_TILE_STRIPS * size) {
+            for (int row = 0; row < 2; ++row, depths += BURNISH_TILE_BLOCKS * size) {
                 for (int i = 0; i < 2 * size; i += BURNISH_BLOCK_PIXELS) {
                     for (int part = 0; part < PARTS; ++part) {
                         least[part] = vf_min(vf_load(depths + i + part * LANES), least[part]);
@@ -922,13 +920,13 @@ static void find_least(burnish_visibility *visibility) {
                     lanes[i] = lanes[half + i] < lanes[i] ? lanes[half + i] : lanes[i];
                 }
             }
-            visibility->coarse[0][y][x] = lanes[0];
+            tile->coarse[0][y][x] = lanes[0];
         }
     }
 }
 
 /* The vectors of a block: bits where a sample shows a triangle. */
-BURNISH_INLINE unsigned find_block(const burnish_visibility *tile, int block, int32_t *whole) {
+BURNISH_INLINE unsigned find_block(const burnish_tile *tile, int block, int32_t *whole) {
     const int samples = tile->options.samples, size = samples * BURNISH_BLOCK_PIXELS;
     const vf farthest = vf_set(BURNISH_FARTHEST);
     unsigned shown = 0;
@@ -939,13 +937,13 @@ BURNISH_INLINE unsigned find_block(const burnish_visibility *tile, int block, in
             shown |= vm_bits(mask) << i;
             continue;
         }
-        const int32_t *owners = tile->owners + block * size + i;
-        vi first = vi_load(owners), all = first;
+        const int32_t *ids = tile->ids + block * size + i;
+        vi first = vi_load(ids), all = first;
         vm same = vi_equal(first, first);
         for (int s = 1; s < samples; ++s) {
-            vi owner = vi_load(owners + s * BURNISH_BLOCK_PIXELS);
-            all = vi_and(all, owner); /* -1, none, only where all are */
-            same = vm_and(same, vi_equal(owner, first));
+            vi id = vi_load(ids + s * BURNISH_BLOCK_PIXELS);
+            all = vi_and(all, id); /* -1, none, only where all are */
+            same = vm_and(same, vi_equal(id, first));
         }
         vi_store(whole + i, vi_blend(same, first, vi_set(-1)));
         shown |= vm_bits(vi_not_negative(all)) << i;
@@ -955,15 +953,15 @@ BURNISH_INLINE unsigned find_block(const burnish_visibility *tile, int block, in
 
 /* The samples of LANES pixels of a block, from pixel `first` on: bit t of group[s] is set where
  * sample t shows the same triangle as sample s. */
-BURNISH_INLINE void find_points(const burnish_visibility *tile, int samples, int block, int first,
+BURNISH_INLINE void find_points(const burnish_tile *tile, int samples, int block, int first,
                                 burnish_shared_points *points) {
-    const int32_t *owners = tile->owners + block * samples * BURNISH_BLOCK_PIXELS + first;
+    const int32_t *ids = tile->ids + block * samples * BURNISH_BLOCK_PIXELS + first;
     const vi none = vi_set(0);
-    vi owner[BURNISH_MAX_SAMPLES], group[BURNISH_MAX_SAMPLES], different = none;
+    vi id[BURNISH_MAX_SAMPLES], group[BURNISH_MAX_SAMPLES], different = none;
     for (int s = 0; s < samples; ++s) {
-        owner[s] = vi_load(owners + s * BURNISH_BLOCK_PIXELS);
+        id[s] = vi_load(ids + s * BURNISH_BLOCK_PIXELS);
         group[s] = vi_set(1 << s);
-        different = vi_or(different, vi_xor(owner[s], owner[0]));
+        different = vi_or(different, vi_xor(id[s], id[0]));
     }
     const vm shared = is_nonzero(different);
     if (!vm_any(shared)) {
@@ -971,7 +969,7 @@ BURNISH_INLINE void find_points(const burnish_visibility *tile, int samples, int
     }
     for (int s = 0; s < samples; ++s) {
         for (int t = s + 1; t < samples; ++t) {
-            const vm same = vi_equal(owner[s], owner[t]);
+            const vm same = vi_equal(id[s], id[t]);
             group[s] = vi_or(group[s], vi_blend(same, vi_set(1 << t), none));
             group[t] = vi_or(group[t], vi_blend(same, vi_set(1 << s), none));
         }
@@ -979,35 +977,34 @@ BURNISH_INLINE void find_points(const burnish_visibility *tile, int samples, int
     for (int s = 0; s < samples; ++s) { /* the first sample of a group stands for it */
         int32_t groups[LANES];
         const vm is_first = vi_equal(vi_and(group[s], vi_set((1 << s) - 1)), none);
-        unsigned rest = vm_bits(vm_and(vm_and(is_first, shared), vi_not_negative(owner[s])));
+        unsigned rest = vm_bits(vm_and(vm_and(is_first, shared), vi_not_negative(id[s])));
         vi_store(groups, group[s]);
         for (; rest; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest), i = points->count++;
             points->pixel[i] = (uint8_t)(first + lane);
             points->samples[i] = (uint16_t)groups[lane];
-            points->owner[i] = owners[s * BURNISH_BLOCK_PIXELS + lane];
+            points->id[i] = ids[s * BURNISH_BLOCK_PIXELS + lane];
         }
     }
 }
 
-static void find_shared(const burnish_visibility *visibility, int block,
-                        burnish_shared_points *points) {
+static void find_shared(const burnish_tile *tile, int block, burnish_shared_points *points) {
     points->count = 0;
     for (int first = 0; first < BURNISH_BLOCK_PIXELS; first += LANES) {
-        if (visibility->options.samples == 4) {
-            find_points(visibility, 4, block, first, points);
+        if (tile->options.samples == 4) {
+            find_points(tile, 4, block, first, points);
         } else {
-            find_points(visibility, visibility->options.samples, block, first, points);
+            find_points(tile, tile->options.samples, block, first, points);
         }
     }
 }
 
 /* The weights of a point of a large triangle. */
-static void place_large(const burnish_tile_triangles *triangles, size_t owner, int64_t x, int64_t y,
+static void place_large(const burnish_tile_primitives *triangles, size_t id, int64_t x, int64_t y,
                         float *weight1, float *weight2) {
-    const burnish_tile_edges *edges = &triangles->edges[owner];
-    const burnish_tile_weights *weights = &triangles->weights[owner];
-    const int64_t *constants = triangles->constants[owner];
+    const burnish_primitive_edges *edges = &triangles->edges[id];
+    const burnish_primitive_weights *weights = &triangles->weights[id];
+    const int64_t *constants = triangles->constants[id];
     const int64_t edge1 = edges->dx[0] * y - weights->dy[0] * x + constants[0];
     const int64_t edge2 = edges->dx[1] * y - weights->dy[1] * x + constants[1];
     *weight1 = (float)edge1 * weights->inverse_area;
@@ -1015,18 +1012,18 @@ static void place_large(const burnish_tile_triangles *triangles, size_t owner, i
 }
 
 /* LANES points from `first` on. */
-BURNISH_INLINE void place_vector(const burnish_visibility *tile, const burnish_raster_view *view,
+BURNISH_INLINE void place_vector(const burnish_tile *tile, const burnish_raster_view *view,
                                  const burnish_sample_points *points, int first,
                                  burnish_fragments *fragments) {
-    const burnish_tile_triangles *triangles = &tile->triangles;
+    const burnish_tile_primitives *triangles = &tile->primitives;
     const void *edges[LANES], *weights[LANES], *depths[LANES];
     vf edge[4], weight[4], depth[4];
     for (int lane = 0; lane < LANES; ++lane) {
         const int at = first + lane < points->count ? first + lane : first;
-        const int32_t owner = points->owner[at];
-        edges[lane] = &triangles->edges[owner];
-        weights[lane] = &triangles->weights[owner];
-        depths[lane] = &triangles->depths[owner];
+        const int32_t id = points->id[at];
+        edges[lane] = &triangles->edges[id];
+        weights[lane] = &triangles->weights[id];
+        depths[lane] = &triangles->depths[id];
     }
     vf_load_aos4(edges, edge);
     vf_load_aos4(weights, weight);
@@ -1041,11 +1038,11 @@ BURNISH_INLINE void place_vector(const burnish_visibility *tile, const burnish_r
     for (unsigned large = vm_bits(is_nonzero(vf_bits(weight[3]))); large; large &= large - 1) {
         const int at = first + __builtin_ctz(large);
         if (at < points->count) {
-            place_large(triangles, (size_t)points->owner[at], points->x[at], points->y[at],
+            place_large(triangles, (size_t)points->id[at], points->x[at], points->y[at],
                         &fragments->weight1[at], &fragments->weight2[at]);
         }
     }
-    if (tile->options.needs_place) {
+    if (tile->options.needs_position) {
         const int half = BURNISH_SUBPIXELS / 2;
         const vf step = vf_set(1.0f / BURNISH_SUBPIXELS);
         const vi left = vi_set(tile->x * BURNISH_SUBPIXELS - view->width * half);
@@ -1056,53 +1053,51 @@ BURNISH_INLINE void place_vector(const burnish_visibility *tile, const burnish_r
     }
 }
 
-static void place_points(const burnish_visibility *visibility, const burnish_raster_view *view,
+static void place_points(const burnish_tile *tile, const burnish_raster_view *view,
                          const burnish_sample_points *points, burnish_fragments *fragments) {
     for (int first = 0; first < points->count; first += LANES) {
-        place_vector(visibility, view, points, first, fragments);
+        place_vector(tile, view, points, first, fragments);
     }
 }
 
-static void find_shown(const burnish_visibility *visibility, int strip,
-                       burnish_strip_pixels *pixels) {
-    for (int x = 0; x < BURNISH_TILE_STRIPS; ++x) {
-        int32_t *whole = pixels->whole + x * BURNISH_BLOCK_PIXELS;
-        if (visibility->touched[strip] >> x & 1) {
-            pixels->shown[x] =
-                (uint16_t)find_block(visibility, strip * BURNISH_TILE_STRIPS + x, whole);
+static void find_shown(const burnish_tile *tile, int strip, burnish_block_row *pixels) {
+    for (int x = 0; x < BURNISH_TILE_BLOCKS; ++x) {
+        int32_t *whole = pixels->simple + x * BURNISH_BLOCK_PIXELS;
+        if (tile->dirty_blocks[strip] >> x & 1) {
+            pixels->covered[x] = (uint16_t)find_block(tile, strip * BURNISH_TILE_BLOCKS + x, whole);
         } else {
             memset(whole, 0xff, BURNISH_BLOCK_PIXELS * sizeof *whole);
-            pixels->shown[x] = 0;
+            pixels->covered[x] = 0;
         }
     }
 }
 
-/* Neighbours mostly show the same triangle: only where the owner changes there is something to do.
+/* Neighbours mostly show the same triangle: only where the id changes there is something to do.
  */
-static void mark_block(const burnish_visibility *tile, int first, uint8_t *drawn) {
+static void mark_block(const burnish_tile *tile, int first, uint8_t *drawn) {
     const int count = tile->options.samples * BURNISH_BLOCK_PIXELS;
-    int32_t owners[1 + BURNISH_MAX_SAMPLES * BURNISH_BLOCK_PIXELS];
-    owners[0] = ~tile->owners[first]; /* another one */
-    memcpy(owners + 1, tile->owners + first, (size_t)count * sizeof *owners);
+    int32_t ids[1 + BURNISH_MAX_SAMPLES * BURNISH_BLOCK_PIXELS];
+    ids[0] = ~tile->ids[first]; /* another one */
+    memcpy(ids + 1, tile->ids + first, (size_t)count * sizeof *ids);
     for (int i = 0; i < count; i += LANES) {
-        vm same = vi_equal(vi_load(owners + 1 + i), vi_load(owners + i));
+        vm same = vi_equal(vi_load(ids + 1 + i), vi_load(ids + i));
         vm shown = vf_greater(vf_load(tile->depths + first + i), vf_set(BURNISH_FARTHEST));
         for (unsigned rest = vm_bits(vm_and_not(shown, same)); rest; rest &= rest - 1) {
-            const int32_t owner = owners[1 + i + __builtin_ctz(rest)];
+            const int32_t id = ids[1 + i + __builtin_ctz(rest)];
             const uint32_t source = tile->options.samples == 1
-                                        ? (uint32_t)owner
-                                        : tile->triangles.corners[owner].source;
+                                        ? (uint32_t)id
+                                        : tile->primitives.primitives[id].id_and_facing;
             __atomic_store_n(&drawn[source >> 1], 1, __ATOMIC_RELAXED);
         }
     }
 }
 
-static void mark_drawn(const burnish_visibility *visibility, uint8_t *drawn) {
-    const int size = visibility->options.samples * BURNISH_BLOCK_PIXELS;
-    for (int strip = 0; strip < BURNISH_TILE_STRIPS; ++strip) {
-        for (unsigned rest = visibility->touched[strip]; rest; rest &= rest - 1) {
-            const int block = strip * BURNISH_TILE_STRIPS + __builtin_ctz(rest);
-            mark_block(visibility, block * size, drawn);
+static void mark_drawn(const burnish_tile *tile, uint8_t *drawn) {
+    const int size = tile->options.samples * BURNISH_BLOCK_PIXELS;
+    for (int strip = 0; strip < BURNISH_TILE_BLOCKS; ++strip) {
+        for (unsigned rest = tile->dirty_blocks[strip]; rest; rest &= rest - 1) {
+            const int block = strip * BURNISH_TILE_BLOCKS + __builtin_ctz(rest);
+            mark_block(tile, block * size, drawn);
         }
     }
 }

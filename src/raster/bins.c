@@ -14,11 +14,11 @@ enum {
 
 /* Entries that each tile row needs at most, for the rows from first_row on. */
 static void count_rows(const burnish_geometry *geometry, int first_row, size_t *row_entries) {
-    for (size_t i = 0; i < geometry->block_count; ++i) {
-        const burnish_setup_head *head = &geometry->heads[i];
+    for (size_t i = 0; i < geometry->batch_count; ++i) {
+        const burnish_batch_header *head = &geometry->headers[i];
         for (unsigned rest = head->lanes[0] | head->lanes[1]; rest; rest &= rest - 1) {
             const burnish_tile_box box =
-                burnish_tile_box_of(&geometry->blocks[i], (unsigned)__builtin_ctz(rest));
+                burnish_tile_box_of(&geometry->batches[i], (unsigned)__builtin_ctz(rest));
             for (int row = box.row0 < first_row ? first_row : box.row0; row <= box.row1; ++row) {
                 row_entries[row] += (size_t)(box.column1 - box.column0 + 1);
             }
@@ -41,13 +41,13 @@ static int choose_end_row(const burnish_bins *bins, const burnish_geometry *geom
 /* Makes room for the entries of a piece and those before it. */
 static burnish_status reserve_entries(burnish_bin_slice *slice, size_t piece) {
     return burnish_legacy_reserve((void **)&slice->entries, &slice->entry_capacity,
-                                  (piece + 1) * BURNISH_LIST_PIECE, sizeof *slice->entries,
+                                  (piece + 1) * BURNISH_CHUNK_ENTRIES, sizeof *slice->entries,
                                   "tile lists", &slice->error);
 }
 
-burnish_status burnish_list_start_piece(burnish_bin_slice *slice, burnish_list_chain *chain) {
+burnish_status burnish_list_start_piece(burnish_bin_slice *slice, burnish_tile_list *chain) {
     const size_t piece = ++slice->piece_count;
-    if (piece >= UINT32_MAX / BURNISH_LIST_PIECE) {
+    if (piece >= UINT32_MAX / BURNISH_CHUNK_ENTRIES) {
         return burnish_fail(&slice->error, BURNISH_STATUS_LIMIT,
                             "tile lists: more than 2^32 entries; draw a part of the mesh");
     }
@@ -58,11 +58,11 @@ burnish_status burnish_list_start_piece(burnish_bin_slice *slice, burnish_list_c
     }
     if (status == BURNISH_STATUS_OK) {
         if (chain->first) {
-            slice->links[chain->next / BURNISH_LIST_PIECE - 1] = (uint32_t)piece;
+            slice->links[chain->next / BURNISH_CHUNK_ENTRIES - 1] = (uint32_t)piece;
         } else {
             chain->first = (uint32_t)piece;
         }
-        chain->next = (uint32_t)(piece * BURNISH_LIST_PIECE);
+        chain->next = (uint32_t)(piece * BURNISH_CHUNK_ENTRIES);
     }
     return status;
 }
@@ -85,8 +85,8 @@ static void fill_slice(const burnish_bins *bins, const burnish_raster_tier *tier
     if (slice->status != BURNISH_STATUS_OK) {
         return;
     }
-    const size_t end = geometry->block_count * (number + 1) / bins->slice_count;
-    tier->list(bins, slice, geometry, geometry->block_count * number / bins->slice_count, end,
+    const size_t end = geometry->batch_count * (number + 1) / bins->slice_count;
+    tier->list(bins, slice, geometry, geometry->batch_count * number / bins->slice_count, end,
                limit);
 }
 
@@ -132,7 +132,7 @@ void burnish_bins_begin(burnish_bins *bins) {
 static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *geometry, int threads,
                                   burnish_error *error) {
     size_t wanted = threads > 1 ? SLICES_A_THREAD * (size_t)threads : 1;
-    const size_t most = geometry->block_count / LEAST_BLOCKS + 1;
+    const size_t most = geometry->batch_count / LEAST_BLOCKS + 1;
     wanted = wanted > most ? most : wanted;
     const size_t before = bins->slice_capacity;
     bins->slice_count = wanted;
@@ -159,7 +159,7 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_raster_tier *
     int fits;
     bins->end_row = bins->rows;
     status =
-        fill(bins, tier, geometry, bins->entry_budget / BURNISH_LIST_PIECE, pool, &fits, error);
+        fill(bins, tier, geometry, bins->entry_budget / BURNISH_CHUNK_ENTRIES, pool, &fits, error);
     if (status == BURNISH_STATUS_OK && !fits) {
         bins->end_row = choose_end_row(bins, geometry);
         status = fill(bins, tier, geometry, SIZE_MAX, pool, &fits, error);
@@ -174,8 +174,7 @@ burnish_list_reader burnish_list_begin(const burnish_bins *bins, int column, int
     return reader;
 }
 
-size_t burnish_list_read(burnish_list_reader *reader, burnish_list_entry *entries,
-                         size_t capacity) {
+size_t burnish_list_read(burnish_list_reader *reader, burnish_bin_entry *entries, size_t capacity) {
     size_t count = 0;
     while (reader->slice < reader->bins->slice_count) {
         const burnish_bin_slice *slice = &reader->bins->slices[reader->slice];
@@ -185,10 +184,10 @@ size_t burnish_list_read(burnish_list_reader *reader, burnish_list_entry *entrie
             }
             continue;
         }
-        const size_t first = (size_t)reader->piece * BURNISH_LIST_PIECE;
+        const size_t first = (size_t)reader->piece * BURNISH_CHUNK_ENTRIES;
         const size_t next = slice->chains[reader->list].next;
-        const int is_last = next > first && next - first <= BURNISH_LIST_PIECE;
-        const size_t size = is_last ? next - first : BURNISH_LIST_PIECE;
+        const int is_last = next > first && next - first <= BURNISH_CHUNK_ENTRIES;
+        const size_t size = is_last ? next - first : BURNISH_CHUNK_ENTRIES;
         if (count + size > capacity) {
             break;
         }
