@@ -75,24 +75,23 @@ static burnish_status make_sphere(burnish_bench_input *input, burnish_error *err
 }
 
 static burnish_status prepare(burnish_bench_input *input, int scene, int of, burnish_error *error) {
-    static const float viewer[3] = {0.0f, 0.0f, 4.0f}, light[3] = {-2.0f, 2.5f, 3.0f};
+    static const float viewer[3] = {0.0f, 0.0f, 4.0f};
+    static const double light[3] = {-2.0, 2.5, 3.0};
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     burnish_bench_shader *shader = &input->shaders[scene][of];
     if (scene == BURNISH_BENCH_POINT) {
-        lighting.near_viewer = 1;
-        lighting.lights[0].kind = BURNISH_KERNELS_POINT;
+        lighting.local_viewer = 1;
+        lighting.lights[0].kind = BURNISH_LIGHT_POINT;
         memcpy(lighting.viewer, viewer, sizeof viewer);
         memcpy(lighting.lights[0].vector, light, sizeof light);
     }
-    lighting.lobe.exponent = BURNISH_BENCH_EXPONENT;
+    lighting.material.exponent = BURNISH_BENCH_EXPONENT;
     if (of == BURNISH_BENCH_OF_NONE) {
-        memset(lighting.specular, 0, sizeof lighting.specular);
+        memset(lighting.material.specular, 0, sizeof lighting.material.specular);
     } else if (of <= BURNISH_BENCH_OF_FAMILY_4) {
-        int order = of == BURNISH_BENCH_OF_FAMILY ? 2 : 4;
-        (void)burnish_lobe_create(&lighting.lobe.family, BURNISH_FIT_ENERGY, order,
-                                  BURNISH_BENCH_EXPONENT);
+        lighting.lobe.order = of == BURNISH_BENCH_OF_FAMILY ? 2 : 4;
     } else {
-        lighting.lobe.kind = BURNISH_KERNELS_SCHLICK;
+        lighting.lobe.kind = BURNISH_LOBE_SCHLICK;
     }
     shader->table = input->table;
     return burnish_kernels_prepare(&lighting, &shader->shader, error);

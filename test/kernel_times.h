@@ -16,7 +16,7 @@ static int compare_doubles(const void *a, const void *b) {
 }
 
 /* Nanoseconds a point: the median of some rounds. */
-static double time_variant(const burnish_kernels *batch, int kind, int shading) {
+static double time_variant(const burnish_kernels *batch, burnish_lobe_kind kind, int shading) {
     static point_arrays arrays;
     static float cosines[BENCH_POINTS], values[BENCH_POINTS];
     static uint8_t pixels[4 * BENCH_POINTS];
@@ -24,7 +24,7 @@ static double time_variant(const burnish_kernels *batch, int kind, int shading) 
     uint64_t state = 3;
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     burnish_kernels_shader shader;
-    lighting.lobe = make(kind, 2, 32);
+    lighting.lobe = make(kind, 2, 32).spec;
     burnish_kernels_prepare(&lighting, &shader, NULL);
     make_points(&arrays, BENCH_POINTS, 1, &state);
     for (int i = 0; i < BENCH_POINTS; ++i) {
@@ -37,7 +37,7 @@ static double time_variant(const burnish_kernels *batch, int kind, int shading) 
             if (shading) {
                 burnish_kernels_shade_rgba8(batch, &shader, &points, BENCH_POINTS, pixels, NULL);
             } else {
-                burnish_kernels_lobe_of_cosines(batch, &lighting.lobe, BENCH_POINTS, cosines,
+                burnish_kernels_lobe_of_cosines(batch, &lighting.lobe, 32, BENCH_POINTS, cosines,
                                                 values, NULL);
             }
         }
@@ -49,15 +49,14 @@ static double time_variant(const burnish_kernels *batch, int kind, int shading) 
 
 static void print_times(void) {
     static const char *const names[] = {"family:2", "power",    "whole power", "schlick",
-                                        "gaussian", "gamecube", "dark"};
+                                        "gaussian", "gamecube", "lyon:2"};
     printf("\n%-12s %-8s %10s %10s   ns a point\n", "lobe", "tier", "lobe", "lighting");
-    for (int kind = 0; kind < BURNISH_KERNELS_LOBE_KIND_COUNT; ++kind) {
+    for (int k = 0; k < KIND_COUNT; ++k) {
         for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
             const burnish_kernels *batch = burnish_kernels_for((burnish_isa)isa);
             if (batch) {
-                printf("%-12s %-8s %10.3f %10.3f\n", names[kind],
-                       burnish_isa_name((burnish_isa)isa), time_variant(batch, kind, 0),
-                       time_variant(batch, kind, 1));
+                printf("%-12s %-8s %10.3f %10.3f\n", names[k], burnish_isa_name((burnish_isa)isa),
+                       time_variant(batch, KINDS[k], 0), time_variant(batch, KINDS[k], 1));
             }
         }
     }

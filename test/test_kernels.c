@@ -49,28 +49,46 @@ static float awkward(uint64_t *state) {
     return choice == 1 ? from_bits(test_random32(state)) : test_uniform_float(state, -0.25f, 1.0f);
 }
 
-static burnish_kernels_lobe make(int kind, int order, float exponent) {
-    burnish_kernels_lobe lobe = {(burnish_kernels_lobe_kind)kind, {0, 0}, exponent};
-    if (kind == BURNISH_KERNELS_WHOLE_POWER) {
+/* The kinds that have kernels. */
+static const burnish_lobe_kind KINDS[] = {
+    BURNISH_LOBE_FAMILY,   BURNISH_LOBE_POWER, BURNISH_LOBE_WHOLE_POWER, BURNISH_LOBE_SCHLICK,
+    BURNISH_LOBE_GAUSSIAN, BURNISH_LOBE_GX,    BURNISH_LOBE_LYON,
+};
+enum { KIND_COUNT = sizeof KINDS / sizeof KINDS[0], LYON_AT = KIND_COUNT - 1 };
+
+/* A lobe, its exponent and, for the family and Lyon's, what burnish/lobe.h makes of them. */
+typedef struct lobe_case {
+    burnish_lobe_spec spec;
+    float exponent;
+    burnish_lobe family;
+} lobe_case;
+
+static lobe_case make(burnish_lobe_kind kind, int order, float exponent) {
+    order = burnish_lobe_highest_order(order, exponent);
+    lobe_case lobe = {{.kind = kind, .fit = BURNISH_FIT_ENERGY, .order = order}, exponent, {0, 0}};
+    if (kind == BURNISH_LOBE_WHOLE_POWER) {
         lobe.exponent = (float)(uint32_t)exponent;
     }
-    burnish_lobe_create(&lobe.family, BURNISH_FIT_ENERGY,
-                        burnish_lobe_highest_order(order, exponent), exponent);
+    burnish_lobe_create(&lobe.family,
+                        kind == BURNISH_LOBE_LYON ? BURNISH_FIT_TAYLOR : BURNISH_FIT_ENERGY, order,
+                        exponent);
     return lobe;
 }
 
 /* ---- Tiers ---- */
 
 /* One call on a misaligned array between guard bytes; `values` receives what was written. */
-static int run_lobe(const burnish_kernels *batch, const burnish_kernels_lobe *lobe, int lambda,
+static int run_lobe(const burnish_kernels *batch, const lobe_case *lobe, int lambda,
                     const float *cosines, size_t count, size_t shift, float *values) {
     static float buffer[BLOCK + 2 * GUARD + MOST_LANES];
     int damaged = 0;
     memset(buffer, 0xa5, sizeof buffer);
     float *out = buffer + GUARD + shift;
     burnish_status status =
-        lambda ? burnish_kernels_lobe_of_lambdas(batch, lobe, count, cosines, out, NULL)
-               : burnish_kernels_lobe_of_cosines(batch, lobe, count, cosines, out, NULL);
+        lambda ? burnish_kernels_lobe_of_lambdas(batch, &lobe->spec, lobe->exponent, count, cosines,
+                                                 out, NULL)
+               : burnish_kernels_lobe_of_cosines(batch, &lobe->spec, lobe->exponent, count, cosines,
+                                                 out, NULL);
     memcpy(values, out, count * sizeof *values);
     memset(out, 0xa5, count * sizeof *out);
     for (size_t i = 0; i < sizeof buffer / sizeof buffer[0]; ++i) {
@@ -79,8 +97,7 @@ static int run_lobe(const burnish_kernels *batch, const burnish_kernels_lobe *lo
     return status == BURNISH_STATUS_OK && !damaged;
 }
 
-static void check_lobe_tier(const burnish_kernels *batch, const burnish_kernels_lobe *lobe,
-                            uint64_t *state) {
+static void check_lobe_tier(const burnish_kernels *batch, const lobe_case *lobe, uint64_t *state) {
     static float cosines[BLOCK + MOST_LANES], expected[BLOCK], values[BLOCK];
     const char *name = burnish_isa_name(burnish_kernels_isa(batch));
     for (int lambda = 0; lambda < 2; ++lambda) {
@@ -97,9 +114,9 @@ static void check_lobe_tier(const burnish_kernels *batch, const burnish_kernels_
                 ++i;
             }
             CHECK(ok, "%s, kind %d, %zu cosines: wrote beside the array or failed", name,
-                  lobe->kind, count);
+                  lobe->spec.kind, count);
             CHECK(i == count, "%s, kind %d, order %d, exponent %g: %.9g gives %.9g, not %.9g", name,
-                  lobe->kind, lobe->family.order, (double)lobe->exponent,
+                  lobe->spec.kind, lobe->family.order, (double)lobe->exponent,
                   i < count ? (double)in[i] : 0, i < count ? (double)values[i] : 0,
                   i < count ? (double)expected[i] : 0);
         }
@@ -107,10 +124,11 @@ static void check_lobe_tier(const burnish_kernels *batch, const burnish_kernels_
 }
 
 static void check_lobe_tiers(const burnish_kernels *batch, uint64_t *state) {
-    for (int kind = 0; kind < BURNISH_KERNELS_LOBE_KIND_COUNT; ++kind) {
+    for (int k = 0; k < KIND_COUNT; ++k) {
         for (int e = 0; e < EXPONENT_COUNT; ++e) {
-            for (int order = 2; order <= (kind == BURNISH_KERNELS_FAMILY ? 32 : 2); order *= 2) {
-                burnish_kernels_lobe lobe = make(kind, order, EXPONENTS[e]);
+            int highest = KINDS[k] == BURNISH_LOBE_FAMILY ? 32 : 2;
+            for (int order = 2; order <= highest; order *= 2) {
+                lobe_case lobe = make(KINDS[k], order, EXPONENTS[e]);
                 check_lobe_tier(batch, &lobe, state);
             }
         }
@@ -121,7 +139,7 @@ static void check_lobe_tiers(const burnish_kernels *batch, uint64_t *state) {
 static void check_streaming(const burnish_kernels *batch) {
     const size_t count = (8u << 20) / sizeof(float) + 37;
     float *in = malloc((count + 3) * sizeof *in);
-    burnish_kernels_lobe lobe = make(BURNISH_KERNELS_FAMILY, 2, 32);
+    lobe_case lobe = make(BURNISH_LOBE_FAMILY, 2, 32);
     uint64_t state = test_seed(99);
     size_t wrong = 0;
     if (!CHECK(in, "memory for %zu floats", count)) {
@@ -131,7 +149,7 @@ static void check_streaming(const burnish_kernels *batch) {
         in[i] = test_uniform_float(&state, 0, 1);
     }
     state = test_seed(99);
-    burnish_kernels_lobe_of_cosines(batch, &lobe, count, in + 1, in + 1, NULL);
+    burnish_kernels_lobe_of_cosines(batch, &lobe.spec, lobe.exponent, count, in + 1, in + 1, NULL);
     for (size_t i = 0; i < count + 3; ++i) {
         float x = test_uniform_float(&state, 0, 1);
         float want = i >= 1 && i < count + 1 ? burnish_lobe_at_cosine(lobe.family, x) : x;
@@ -197,37 +215,45 @@ static void random_unit(uint64_t *state, float v[3]) {
     v[2] = (float)(z / length);
 }
 
+static void random_direction(uint64_t *state, burnish_light *light) {
+    float v[3];
+    random_unit(state, v);
+    for (int k = 0; k < 3; ++k) {
+        light->vector[k] = (double)v[k];
+    }
+}
+
 /* A lighting with whatever there is. */
-static burnish_kernels_lighting random_lighting(int kind, uint64_t *state) {
+static burnish_kernels_lighting random_lighting(burnish_lobe_kind kind, uint64_t *state) {
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     int order = 2 << test_random32(state) % 5; /* one draw a statement: compilers order arguments */
-    lighting.lobe = make(kind, order, EXPONENTS[test_random32(state) % EXPONENT_COUNT]);
+    const lobe_case lobe = make(kind, order, EXPONENTS[test_random32(state) % EXPONENT_COUNT]);
+    lighting.lobe = lobe.spec;
+    lighting.material.exponent = lobe.exponent;
     lighting.light_count = (int)(test_random32(state) % 4);
-    lighting.near_viewer = (int)(test_random32(state) & 1);
-    lighting.highlight = test_random32(state) % 4 ? BURNISH_KERNELS_BLINN : BURNISH_KERNELS_PHONG;
-    lighting.lyon = kind == BURNISH_KERNELS_FAMILY && lighting.highlight == BURNISH_KERNELS_BLINN &&
-                    test_random32(state) % 4 == 0;
+    lighting.local_viewer = (int)(test_random32(state) & 1);
+    lighting.specular_model =
+        test_random32(state) % 4 ? BURNISH_SPECULAR_BLINN : BURNISH_SPECULAR_PHONG;
     random_unit(state, lighting.viewer);
-    for (int k = 0; lighting.near_viewer && k < 3; ++k) {
+    for (int k = 0; lighting.local_viewer && k < 3; ++k) {
         lighting.viewer[k] *= 4;
     }
     for (int i = 0; i < lighting.light_count; ++i) {
-        burnish_kernels_light *light = &lighting.lights[i];
-        random_unit(state, light->vector);
-        light->kind =
-            test_random32(state) % 3 ? BURNISH_KERNELS_DIRECTIONAL : BURNISH_KERNELS_POINT;
+        burnish_light *light = &lighting.lights[i];
+        random_direction(state, light);
+        light->kind = test_random32(state) % 3 ? BURNISH_LIGHT_DIRECTIONAL : BURNISH_LIGHT_POINT;
         for (int k = 0; k < 3; ++k) {
             light->color[k] = test_uniform_float(state, 0, 1);
-            light->vector[k] *= light->kind == BURNISH_KERNELS_POINT ? 3.0f : 1.0f;
+            light->vector[k] *= light->kind == BURNISH_LIGHT_POINT ? 3 : 1;
         }
     }
     if (test_random32(state) % 3 == 0) { /* all far: the kernel with constant half vectors */
-        lighting.near_viewer = lighting.lyon = 0;
-        lighting.highlight = BURNISH_KERNELS_BLINN;
+        lighting.local_viewer = 0;
+        lighting.specular_model = BURNISH_SPECULAR_BLINN;
         random_unit(state, lighting.viewer);
         for (int i = 0; i < lighting.light_count; ++i) {
-            lighting.lights[i].kind = BURNISH_KERNELS_DIRECTIONAL;
-            random_unit(state, lighting.lights[i].vector);
+            lighting.lights[i].kind = BURNISH_LIGHT_DIRECTIONAL;
+            random_direction(state, &lighting.lights[i]);
         }
     }
     return lighting;
@@ -239,7 +265,7 @@ static void check_shade_tier(const burnish_kernels *batch, uint64_t *state) {
     static float colors[2][3][BLOCK + 1];
     const char *name = burnish_isa_name(burnish_kernels_isa(batch));
     for (int trial = 0; trial < 1200; ++trial) {
-        int kind = trial % BURNISH_KERNELS_LOBE_KIND_COUNT;
+        burnish_lobe_kind kind = KINDS[trial % KIND_COUNT];
         burnish_kernels_lighting lighting = random_lighting(kind, state);
         burnish_kernels_shader shader;
         burnish_error error;
@@ -318,7 +344,7 @@ static void check_tiers(void) {
 
 /* FNV-1a over what the scalar kernels give for fixed input: the same on every processor, with every
  * compiler. It changes with the kernels' arithmetic only; then pixels change too. */
-#define SCALAR_HASH 0xf45947f45ae43c5cu
+#define SCALAR_HASH 0x1ff635908b6bd165u
 
 static uint64_t add_bytes(uint64_t hash, const void *data, size_t size) {
     const uint8_t *bytes = data;
@@ -345,21 +371,22 @@ static void check_processors(void) {
     float *const rgb[3] = {colors[0], colors[1], colors[2]};
     uint64_t hash = 0xcbf29ce484222325u;
     uint64_t state = 1234567;
-    for (int kind = 0; kind < BURNISH_KERNELS_LOBE_KIND_COUNT; ++kind) {
+    for (int k = 0; k < KIND_COUNT; ++k) {
         for (int e = 0; e < EXPONENT_COUNT; ++e) {
-            burnish_kernels_lobe lobe = make(kind, 2 << e % 5, EXPONENTS[e]);
+            lobe_case lobe = make(KINDS[k], 2 << e % 5, EXPONENTS[e]);
             for (int i = 0; i < BLOCK; ++i) {
                 in[i] = awkward(&state);
             }
-            burnish_kernels_lobe_of_cosines(scalar(), &lobe, BLOCK, in, out, NULL);
+            burnish_kernels_lobe_of_cosines(scalar(), &lobe.spec, lobe.exponent, BLOCK, in, out,
+                                            NULL);
             hash = add_floats(hash, out, BLOCK);
-            burnish_kernels_lobe_of_lambdas(scalar(), &lobe, BLOCK, in, out, NULL);
+            burnish_kernels_lobe_of_lambdas(scalar(), &lobe.spec, lobe.exponent, BLOCK, in, out,
+                                            NULL);
             hash = add_floats(hash, out, BLOCK);
         }
     }
     for (int trial = 0; trial < 80; ++trial) {
-        burnish_kernels_lighting lighting =
-            random_lighting(trial % BURNISH_KERNELS_LOBE_KIND_COUNT, &state);
+        burnish_kernels_lighting lighting = random_lighting(KINDS[trial % KIND_COUNT], &state);
         burnish_kernels_shader shader;
         make_points(&arrays, BLOCK, trial & 1, &state);
         burnish_kernels_prepare(&lighting, &shader, NULL);
@@ -376,38 +403,40 @@ static void check_processors(void) {
 
 /* ---- Values ---- */
 
-static double accurate_lobe(const burnish_kernels_lobe *lobe, double c) {
+static double accurate_lobe(const lobe_case *lobe, double c) {
     double n = (double)lobe->exponent, u;
-    switch (lobe->kind) {
-    case BURNISH_KERNELS_FAMILY:
+    switch (lobe->spec.kind) {
+    case BURNISH_LOBE_FAMILY:
+    case BURNISH_LOBE_LYON:
         u = 1 - (double)lobe->family.zeta * (1 - (c < 1 ? c : 1));
         return u > 0 ? pow(u, lobe->family.order) : 0;
-    case BURNISH_KERNELS_POWER:
-    case BURNISH_KERNELS_WHOLE_POWER:
+    case BURNISH_LOBE_POWER:
+    case BURNISH_LOBE_WHOLE_POWER:
         return c > 0 ? pow(c < 1 ? c : 1, n) : 0;
-    case BURNISH_KERNELS_GAUSSIAN:
+    case BURNISH_LOBE_GAUSSIAN:
         return exp(-(n + 0.775) * (1 - (c < 1 ? c : 1)));
-    case BURNISH_KERNELS_SCHLICK:
+    case BURNISH_LOBE_SCHLICK:
         return c > 0 ? c / (c + n * (1 - c)) : 0;
-    case BURNISH_KERNELS_GX:
+    case BURNISH_LOBE_GX:
         return c > 0 ? c * c / (c * c + n / 2 * (1 - c * c)) : 0;
     default:
         return 0;
     }
 }
 
-static void check_power_accuracy(int kind, double bound) {
+static void check_power_accuracy(burnish_lobe_kind kind, double bound) {
     static float cosines[BLOCK], values[BLOCK];
     double worst = 0;
     for (int e = 0; e < EXPONENT_COUNT; ++e) {
-        burnish_kernels_lobe lobe = make(kind, 2, EXPONENTS[e]);
+        lobe_case lobe = make(kind, 2, EXPONENTS[e]);
         /* dense near 1, where the lobe lives: lambda from 0 to 40 / n, at most 1 */
         double reach = 40 / (double)EXPONENTS[e] < 1 ? 40 / (double)EXPONENTS[e] : 1;
         for (int block = 0; block < 256; ++block) {
             for (int i = 0; i < BLOCK; ++i) {
                 cosines[i] = (float)(1 - reach * (block * BLOCK + i) / (256 * BLOCK));
             }
-            burnish_kernels_lobe_of_cosines(scalar(), &lobe, BLOCK, cosines, values, NULL);
+            burnish_kernels_lobe_of_cosines(scalar(), &lobe.spec, lobe.exponent, BLOCK, cosines,
+                                            values, NULL);
             for (int i = 0; i < BLOCK; ++i) {
                 double error = fabs((double)values[i] - accurate_lobe(&lobe, (double)cosines[i]));
                 worst = error > worst ? error : worst;
@@ -419,11 +448,11 @@ static void check_power_accuracy(int kind, double bound) {
 }
 
 /* The array forms of burnish/lobe.h are those, bit for bit, for a stride over all floats. */
-static float single(const burnish_kernels_lobe *lobe, int lambda, float x) {
-    switch (lobe->kind) {
-    case BURNISH_KERNELS_SCHLICK:
+static float single(const lobe_case *lobe, int lambda, float x) {
+    switch (lobe->spec.kind) {
+    case BURNISH_LOBE_SCHLICK:
         return burnish_schlick_at_cosine(lambda ? 1.0f - x : x, lobe->exponent);
-    case BURNISH_KERNELS_GX:
+    case BURNISH_LOBE_GX:
         return burnish_gx_at_cosine(lambda ? 1.0f - x : x, lobe->exponent);
     default:
         return lambda ? burnish_lobe_at_lambda(lobe->family, x)
@@ -431,10 +460,10 @@ static float single(const burnish_kernels_lobe *lobe, int lambda, float x) {
     }
 }
 
-static void check_all_floats(int kind, int order, int has_single) {
+static void check_all_floats(burnish_lobe_kind kind, int order, int has_single) {
     static float in[BLOCK], values[BLOCK];
     for (int e = 0; e < EXPONENT_COUNT; ++e) {
-        burnish_kernels_lobe lobe = make(kind, order, EXPONENTS[e]);
+        lobe_case lobe = make(kind, order, EXPONENTS[e]);
         for (int lambda = 0; lambda < 2; ++lambda) {
             int bad = 0, different = 0;
             for (uint64_t bits = 0; bits <= UINT32_MAX;) {
@@ -459,19 +488,19 @@ static void check_all_floats(int kind, int order, int has_single) {
 }
 
 static void check_values(void) {
-    check_power_accuracy(BURNISH_KERNELS_POWER, POWER_ERROR);
-    check_power_accuracy(BURNISH_KERNELS_GAUSSIAN, GAUSSIAN_ERROR);
+    check_power_accuracy(BURNISH_LOBE_POWER, POWER_ERROR);
+    check_power_accuracy(BURNISH_LOBE_GAUSSIAN, GAUSSIAN_ERROR);
     for (int order = 2; order <= 32; order *= 2) {
-        check_all_floats(BURNISH_KERNELS_FAMILY, order, 1);
+        check_all_floats(BURNISH_LOBE_FAMILY, order, 1);
     }
-    check_all_floats(BURNISH_KERNELS_SCHLICK, 2, 1);
-    check_all_floats(BURNISH_KERNELS_GX, 2, 1);
-    check_all_floats(BURNISH_KERNELS_POWER, 2, 0);
-    check_all_floats(BURNISH_KERNELS_WHOLE_POWER, 2, 0);
-    check_all_floats(BURNISH_KERNELS_GAUSSIAN, 2, 0);
-    burnish_kernels_lobe whole = make(BURNISH_KERNELS_WHOLE_POWER, 2, 37);
+    check_all_floats(BURNISH_LOBE_SCHLICK, 2, 1);
+    check_all_floats(BURNISH_LOBE_GX, 2, 1);
+    check_all_floats(BURNISH_LOBE_POWER, 2, 0);
+    check_all_floats(BURNISH_LOBE_WHOLE_POWER, 2, 0);
+    check_all_floats(BURNISH_LOBE_GAUSSIAN, 2, 0);
+    lobe_case whole = make(BURNISH_LOBE_WHOLE_POWER, 2, 37);
     float c[3] = {0.9f, 1, 0.5f}, values[3];
-    burnish_kernels_lobe_of_cosines(scalar(), &whole, 3, c, values, NULL);
+    burnish_kernels_lobe_of_cosines(scalar(), &whole.spec, whole.exponent, 3, c, values, NULL);
     CHECK(fabs((double)values[0] - pow((double)0.9f, 37)) < 1e-8, "0.9^37: %g", (double)values[0]);
     CHECK(values[1] == 1 && values[2] == 0x1p-37f, "1 and 2^-37: %g %g", (double)values[1],
           (double)values[2]);
@@ -532,33 +561,33 @@ static vec load(const float v[3]) {
 /* The equation of burnish/kernels.h, as it stands there. Returns 0 where a float's rounding shows
  * in the colour: where the light is on the horizon, which switches the highlight off, and where the
  * half vector or a direction is a difference of nearly equal vectors. */
-static int accurate_color(const burnish_kernels_lighting *lighting, vec normal, vec place,
-                          const double diffuse[3], double color[3]) {
+static int accurate_color(const burnish_kernels_lighting *lighting, const lobe_case *lobe,
+                          vec normal, vec place, const double diffuse[3], double color[3]) {
     vec n = unit(normal), v = load(lighting->viewer);
     double specular[3] = {0, 0, 0};
-    v = lighting->near_viewer ? sum(v, scaled(place, -1)) : v;
+    v = lighting->local_viewer ? sum(v, scaled(place, -1)) : v;
     int stable = dot(v, v) > 0.25;
     v = unit(v);
     for (int k = 0; k < 3; ++k) {
-        color[k] = (double)lighting->ambient[k];
+        color[k] = (double)lighting->ambient_light[k] * (double)lighting->material.ambient[k];
     }
     for (int i = 0; i < lighting->light_count; ++i) {
-        const burnish_kernels_light *light = &lighting->lights[i];
-        vec l = load(light->vector);
-        l = light->kind == BURNISH_KERNELS_POINT ? sum(l, scaled(place, -1)) : l;
+        const burnish_light *light = &lighting->lights[i];
+        vec l = {light->vector[0], light->vector[1], light->vector[2]};
+        l = light->kind == BURNISH_LIGHT_POINT ? sum(l, scaled(place, -1)) : l;
         stable &= dot(l, l) > 0.25;
         l = unit(l);
         vec half = sum(l, v);
         double lit = dot(n, l), c = dot(n, unit(half));
         stable &= fabs(lit) > 1e-6 && dot(half, half) > 0.25;
-        if (lighting->highlight == BURNISH_KERNELS_PHONG) {
+        if (lighting->specular_model == BURNISH_SPECULAR_PHONG) {
             c = 2 * lit * dot(n, v) - dot(l, v);
         }
-        double lobe = lit > 0 ? accurate_lobe(&lighting->lobe, c) : 0;
+        double value = lit > 0 ? accurate_lobe(lobe, c) : 0;
         for (int k = 0; k < 3; ++k) {
             double brightness = (double)light->color[k];
-            color[k] += brightness * (double)lighting->diffuse[k] * (lit > 0 ? lit : 0);
-            specular[k] += brightness * (double)lighting->specular[k] * lobe;
+            color[k] += brightness * (double)lighting->material.diffuse[k] * (lit > 0 ? lit : 0);
+            specular[k] += brightness * (double)lighting->material.specular[k] * value;
         }
     }
     for (int k = 0; k < 3; ++k) {
@@ -576,18 +605,18 @@ static void check_equation(void) {
     double worst = 0, slope_worst = 0;
     int bright = 0, pixel_errors = 0;
     for (int trial = 0; trial < 60; ++trial) {
-        burnish_kernels_lighting lighting = random_lighting(trial % BURNISH_KERNELS_DARK, &state);
+        burnish_kernels_lighting lighting = random_lighting(KINDS[trial % LYON_AT], &state);
         burnish_kernels_shader shader;
-        lighting.lyon = 0; /* has its own test */
         make_points(&arrays, BLOCK, 1, &state);
         burnish_kernels_prepare(&lighting, &shader, NULL);
         burnish_kernels_points points = points_at(&arrays, 0, 1, 1);
         burnish_kernels_shade_float(scalar(), &shader, &points, BLOCK, rgb, NULL);
         burnish_kernels_shade_rgba8(scalar(), &shader, &points, BLOCK, pixels, NULL);
         /* a cosine is off by 1e-7 at three lights, and the lobe by that times its slope */
-        double slope = lighting.lobe.kind == BURNISH_KERNELS_FAMILY
-                           ? (double)lighting.lobe.family.zeta * lighting.lobe.family.order
-                           : (double)lighting.lobe.exponent + 1;
+        lobe_case lobe = make(lighting.lobe.kind, lighting.lobe.order, lighting.material.exponent);
+        double slope = lighting.lobe.kind == BURNISH_LOBE_FAMILY
+                           ? (double)lobe.family.zeta * lobe.family.order
+                           : (double)lobe.exponent + 1;
         for (int i = 0; i < BLOCK; ++i) {
             double w = (double)arrays.w[i], color[3], d[3];
             vec normal = {(double)arrays.normal[0][i], (double)arrays.normal[1][i],
@@ -597,7 +626,8 @@ static void check_equation(void) {
             for (int k = 0; k < 3; ++k) {
                 d[k] = (double)arrays.diffuse[k][i];
             }
-            if (dot(normal, normal) < 0.25 || !accurate_color(&lighting, normal, place, d, color)) {
+            if (dot(normal, normal) < 0.25 ||
+                !accurate_color(&lighting, &lobe, normal, place, d, color)) {
                 continue;
             }
             for (int k = 0; k < 3; ++k) {
@@ -623,14 +653,15 @@ static void check_lyon(void) {
     burnish_kernels_shader shader;
     uint64_t state = test_seed(5);
     double worst = 0;
-    burnish_lobe_create(&lighting.lobe.family, BURNISH_FIT_TAYLOR, 4, 40);
-    lighting.lyon = 1;
+    lighting.lobe = (burnish_lobe_spec){.kind = BURNISH_LOBE_LYON, .order = 4};
+    lighting.material.exponent = 40;
     for (int k = 0; k < 3; ++k) {
-        lighting.ambient[k] = lighting.diffuse[k] = 0;
-        lighting.specular[k] = 1;
+        lighting.material.ambient[k] = lighting.material.diffuse[k] = 0;
+        lighting.material.specular[k] = 1;
     }
     burnish_kernels_prepare(&lighting, &shader, NULL);
-    vec h = unit(sum(load(lighting.lights[0].vector), load(lighting.viewer)));
+    const double *light = lighting.lights[0].vector;
+    vec h = unit(sum((vec){light[0], light[1], light[2]}, load(lighting.viewer)));
     for (int i = 0; i < 2000; ++i) {
         vec n = unit((vec){h.x + (double)test_uniform_float(&state, -0.3f, 0.3f),
                            h.y + (double)test_uniform_float(&state, -0.3f, 0.3f), h.z});
@@ -655,7 +686,7 @@ static void check_errors(void) {
     burnish_error error;
     float value = 0.5f;
     uint8_t pixel[4];
-    burnish_kernels_lobe lobe = make(BURNISH_KERNELS_WHOLE_POWER, 2, 3);
+    lobe_case lobe = make(BURNISH_LOBE_WHOLE_POWER, 2, 3);
     burnish_kernels_points points = {.normal = {&value, &value, &value}};
 #define REFUSED(change)                                                                            \
     do {                                                                                           \
@@ -670,34 +701,39 @@ static void check_errors(void) {
               "not prepared: " #change);                                                           \
     } while (0)
     REFUSED(bad.cookie = 0);
-    REFUSED(bad.ambient[1] = NAN);
-    REFUSED(bad.diffuse[2] = -1);
-    REFUSED(bad.specular[0] = 2e6f);
-    REFUSED(bad.light_count = BURNISH_KERNELS_LIGHT_MAX + 1);
+    REFUSED(bad.material.ambient[1] = NAN);
+    REFUSED(bad.material.diffuse[2] = -1);
+    REFUSED(bad.material.specular[0] = 2e6f);
+    REFUSED(bad.light_count = BURNISH_LIGHT_MAX + 1);
     REFUSED(bad.light_count = -1);
     REFUSED(bad.lights[0].vector[0] = 3);
     REFUSED(bad.lights[0].color[0] = -1);
     REFUSED(bad.viewer[2] = 0);
-    REFUSED((bad.near_viewer = 1, bad.viewer[0] = INFINITY));
-    REFUSED((bad.lobe.kind = BURNISH_KERNELS_POWER, bad.lobe.exponent = 0.5f));
-    REFUSED((bad.lobe.kind = BURNISH_KERNELS_WHOLE_POWER, bad.lobe.exponent = 2.5f));
-    REFUSED(bad.lobe.kind = BURNISH_KERNELS_LOBE_KIND_COUNT);
-    REFUSED((bad.lyon = 1, bad.highlight = BURNISH_KERNELS_PHONG));
-    REFUSED(bad.lobe.family.order = 3);
+    REFUSED((bad.local_viewer = 1, bad.viewer[0] = INFINITY));
+    REFUSED((bad.lobe.kind = BURNISH_LOBE_POWER, bad.material.exponent = 0.5f));
+    REFUSED((bad.lobe.kind = BURNISH_LOBE_WHOLE_POWER, bad.material.exponent = 2.5f));
+    REFUSED(bad.lobe.kind = BURNISH_LOBE_NV2X);
+    REFUSED(bad.lobe.kind = BURNISH_LOBE_KIND_COUNT);
+    REFUSED(bad.lobe.order = 3);
+    REFUSED(bad.lobe = (burnish_lobe_spec){0});
+    REFUSED((bad.lobe.order = 8, bad.material.exponent = 5));
+    REFUSED(bad.lights[0].follows_camera = 1);
+    REFUSED(bad.ambient_light[0] = -1);
+    REFUSED(bad.specular_model = (burnish_specular_model)2);
 #undef REFUSED
     bad = good;
     bad.lights[0].color[0] = -1;
     CHECK(burnish_kernels_prepare(&bad, &shader, &error) == BURNISH_STATUS_ARGUMENT &&
               strstr(error.text, "light 1"),
           "lights count from 1: \"%s\"", error.text);
-    good.near_viewer = 1;
+    good.local_viewer = 1;
     CHECK(burnish_kernels_prepare(&good, &shader, &error) == BURNISH_STATUS_OK, "%s", error.text);
     CHECK(burnish_kernels_shade_rgba8(scalar(), &shader, &points, 1, pixel, &error) ==
               BURNISH_STATUS_ARGUMENT,
-          "a near viewer needs positions");
+          "a local viewer needs positions");
     lobe.exponent = 70000;
-    CHECK(burnish_kernels_lobe_of_cosines(scalar(), &lobe, 1, &value, &value, &error) ==
-                  BURNISH_STATUS_ARGUMENT &&
+    CHECK(burnish_kernels_lobe_of_cosines(scalar(), &lobe.spec, lobe.exponent, 1, &value, &value,
+                                          &error) == BURNISH_STATUS_ARGUMENT &&
               value == 0.5f,
           "exponent 70000: %s", error.text);
 }

@@ -13,15 +13,16 @@ static const struct layer {
 } LAYERS[] = {
     {"src/core", "burnish/core.h"},
     {"src/simd", "core shading burnish/core.h"},
-    {"src/theory", "core burnish/core.h burnish/lobe.h burnish/theory.h"},
-    {"src/shading", "core simd raster burnish/core.h burnish/kernels.h burnish/lobe.h"},
+    {"src/theory", "core shading/lobe_words.h burnish/core.h burnish/lobe.h "
+                   "burnish/shading.h burnish/theory.h"},
+    {"src/shading", "core simd raster burnish/core.h burnish/kernels.h burnish/lobe.h "
+                    "burnish/shading.h"},
     {"src/mesh", "core mesh/read mesh/build burnish/core.h burnish/mesh.h"},
     {"src/mesh/build", "core mesh mesh/read burnish/core.h burnish/mesh.h"},
     {"src/mesh/read", "core mesh mesh/build burnish/core.h burnish/mesh.h"},
     {"src/raster", "core simd shading burnish/core.h"},
     {"src/image", "core burnish/core.h burnish/image.h"},
-    {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/render.h "
-                   "burnish/theory.h"},
+    {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/render.h"},
     {"tools/burnish", "cli bench burnish"},
     {"tools/burnish/cli", "lobe render burnish"},
     {"tools/burnish/lobe", "cli plot burnish"},

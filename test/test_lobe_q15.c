@@ -130,10 +130,8 @@ static void test_zeta(void) {
 /* The memory of `burnish lobe boundary` in place of the lobe's own cutoff: with bits = 0 no result
  * changes; with 8, only results below 2^-8, and those beyond become 0. */
 static void test_boundary(void) {
-    burnish_theory_memory memory = {
-        .format = {0, 0, 15}, .rounding = BURNISH_THEORY_DOWN, .model = {0}};
-    CHECK(burnish_theory_model_parse("energy:2", 10, &memory.model, NULL) == BURNISH_STATUS_OK,
-          "model");
+    burnish_theory_memory memory = {.format = {0, 0, 15}, .rounding = BURNISH_THEORY_DOWN};
+    CHECK(burnish_lobe_spec_parse("energy:2", &memory.lobe, NULL) == BURNISH_STATUS_OK, "lobe");
     for (int n = 1; n <= 1023; n += n < 20 ? 1 : 13) {
         const double exponent = n;
         int64_t cutoff, threshold;

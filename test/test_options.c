@@ -48,7 +48,7 @@ static void test_defaults(void) {
     CHECK1(s->lobes.count == 1 && s->lobes.items[0].kind == render.lobe.kind &&
            s->lobes.items[0].fit == render.lobe.fit &&
            s->lobes.items[0].order == render.lobe.order);
-    CHECK1(s->equation == (int)render.equation && s->viewer == (int)render.viewer);
+    CHECK1(s->equation == (int)render.specular_model && s->viewer == render.local_viewer);
     CHECK(render.background[0] == 255 && render.background[1] == 255 && render.background[2] == 255,
           "the help says that the background is white");
     CHECK1(s->format == (int)load.format && s->tessellation == load.tessellation);
@@ -117,9 +117,9 @@ static void test_errors(void) {
                  "--color: \"beige\" is not a colour: #rgb, #rrggbb, r,g,b from 0 to "
                  "1, or a name");
     expect_error("--lobe=energy:2,", "--lobe: \"\" is not a lobe; use FIT:ORDER with FIT taylor, "
-                                     "energy, levelQ (0 < Q < 1), shift7, shift3 or projected and "
-                                     "ORDER 2, 4, 8, 16 or 32, or power, schlick, lyon:ORDER, "
-                                     "gaussian, gx");
+                                     "energy, levelQ (0 < Q < 1), shift7, shift3, projected, "
+                                     "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 "
+                                     "or 32, or lyon:ORDER, power, schlick, gaussian, gx");
     expect_error("--views=front,,top",
                  "--views: \"\" is not one of front, right, top, iso, back, left, bottom");
     expect_error("--size=\x1b[2J", "--size: \"?[2J\" is not a whole number from 1 to 16384");

@@ -76,9 +76,9 @@ static const lobe_case LOBES[] = {
 
 /* The lobe's value in double precision. */
 static double exact_lobe(const lobe_case *lobe, double cosine) {
-    burnish_lobe_choice choice;
-    double zeta = 0;
-    burnish_lobe_choice_parse(lobe->name, &choice, NULL);
+    burnish_lobe_spec choice;
+    double zeta = 0, scale;
+    burnish_lobe_spec_parse(lobe->name, &choice, NULL);
     switch (choice.kind) {
     case BURNISH_LOBE_POWER:
         return burnish_theory_power(cosine, (double)lobe->exponent);
@@ -89,10 +89,9 @@ static double exact_lobe(const lobe_case *lobe, double cosine) {
     case BURNISH_LOBE_GX:
         return burnish_theory_gx(cosine, (double)lobe->exponent);
     default:
-        CHECK(burnish_theory_zeta(choice.fit, choice.order, (double)lobe->exponent, choice.level,
-                                  &zeta) == BURNISH_LOBE_OK,
+        CHECK(burnish_lobe_solve(&choice, (double)lobe->exponent, &zeta, &scale) == BURNISH_LOBE_OK,
               "zeta of %s", lobe->name);
-        return burnish_theory_family(zeta, choice.order, cosine);
+        return scale * burnish_theory_family(zeta, choice.order, cosine);
     }
 }
 
@@ -126,7 +125,7 @@ static void check_highlight_width(burnish_mesh *sphere) {
         burnish_image image;
         set_single_light(&options, TOWARD_VIEWER);
         set_material(sphere, 0, 1, LOBES[i].exponent);
-        burnish_lobe_choice_parse(LOBES[i].name, &options.lobe, NULL);
+        burnish_lobe_spec_parse(LOBES[i].name, &options.lobe, NULL);
         render(sphere, &options, &image, NULL);
         double left = half_crossing(&image, SIZE / 2, SIZE / 2, -1);
         double right = half_crossing(&image, SIZE / 2, SIZE / 2, 1);
@@ -156,8 +155,8 @@ static void check_highlight_everywhere(burnish_mesh *sphere, burnish_specular_mo
         double worst = 0, weight = 0, center[2] = {0, 0};
         set_single_light(&options, light);
         set_material(sphere, 0.25f, 0.5f, LOBES[i].exponent);
-        burnish_lobe_choice_parse(LOBES[i].name, &options.lobe, NULL);
-        options.equation = equation;
+        burnish_lobe_spec_parse(LOBES[i].name, &options.lobe, NULL);
+        options.specular_model = equation;
         render(sphere, &options, &image, NULL);
         for (int y = 0; y < SIZE; ++y) {
             for (int x = 0; x < SIZE; ++x) {
@@ -481,17 +480,16 @@ static void check_lobe_words(void) {
                                       "shift7:4", "level:2",  "level1:2", "level0:2", "power:2",
                                       "gxx",      "levelx:2", "taylor :2"};
     for (size_t i = 0; i < sizeof GOOD / sizeof GOOD[0]; ++i) {
-        burnish_lobe_choice choice;
+        burnish_lobe_spec choice;
         char name[32];
-        CHECK(burnish_lobe_choice_parse(GOOD[i], &choice, NULL) == BURNISH_STATUS_OK, "%s",
-              GOOD[i]);
-        burnish_lobe_choice_name(&choice, name, sizeof name);
+        CHECK(burnish_lobe_spec_parse(GOOD[i], &choice, NULL) == BURNISH_STATUS_OK, "%s", GOOD[i]);
+        burnish_lobe_spec_name(&choice, name, sizeof name);
         CHECK_TEXT(name, GOOD[i]);
     }
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; ++i) {
-        burnish_lobe_choice choice;
+        burnish_lobe_spec choice;
         burnish_error error = {BURNISH_STATUS_OK, ""};
-        CHECK(burnish_lobe_choice_parse(BAD[i], &choice, &error) == BURNISH_STATUS_ARGUMENT &&
+        CHECK(burnish_lobe_spec_parse(BAD[i], &choice, &error) == BURNISH_STATUS_ARGUMENT &&
                   error.text[0],
               "\"%s\" is no lobe", BAD[i]);
     }
@@ -527,10 +525,10 @@ static void check_fallback(burnish_mesh *sphere) {
     burnish_image image, lower;
     burnish_render_report report;
     set_material(sphere, 0.2f, 0.5f, 6);
-    burnish_lobe_choice_parse("energy:32", &options.lobe, NULL);
+    burnish_lobe_spec_parse("energy:32", &options.lobe, NULL);
     render(sphere, &options, &image, &report);
     CHECK(report.lobe_fallbacks == 1, "fallbacks %zu", report.lobe_fallbacks);
-    burnish_lobe_choice_parse("energy:4", &options.lobe, NULL);
+    burnish_lobe_spec_parse("energy:4", &options.lobe, NULL);
     render(sphere, &options, &lower, &report);
     CHECK(report.lobe_fallbacks == 0, "fallbacks %zu", report.lobe_fallbacks);
     CHECK(burnish_image_hash(&image) == burnish_image_hash(&lower), "order 4 is the highest for 6");

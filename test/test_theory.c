@@ -10,7 +10,8 @@ static const double exponents[] = {1,  1.5, 2,  2.999, 3,   4,    5,    8,    10
                                    18, 32,  50, 99.5,  100, 1000, 1024, 4096, 65535, 65536};
 enum { EXPONENT_COUNT = sizeof exponents / sizeof exponents[0] };
 
-/* The six formulas of model.md, section 2, as they stand there. */
+/* The closed formulas of model.md, section 2, as they stand there. */
+enum { FORMULAS = BURNISH_FIT_PROJECTED + 1 };
 static long double zeta_by_the_book(burnish_lobe_fit fit, int order, long double n,
                                     long double level) {
     long double m = order;
@@ -29,7 +30,7 @@ static long double zeta_by_the_book(burnish_lobe_fit fit, int order, long double
         return ((m + 2) * (n + 2) +
                 sqrtl((m + 2) * (m + 2) * (n + 2) * (n + 2) - 4 * (m + 1) * (m + 2) * (n + 2))) /
                (2 * (m + 1) * (m + 2));
-    case BURNISH_FIT_COUNT:
+    default:
         break;
     }
     return NAN;
@@ -42,15 +43,28 @@ static int allowed(burnish_lobe_fit fit, int order, double n) {
     return n >= order || (order == 2 && fit != BURNISH_FIT_PROJECTED);
 }
 
+/* burnish_lobe_solve, rounded to a lobe. */
+static burnish_lobe_status solved_lobe(burnish_lobe *lobe, burnish_lobe_fit fit, int order,
+                                       double exponent, double parameter) {
+    double zeta, scale;
+    burnish_lobe_status status =
+        burnish_lobe_solve(&(burnish_lobe_spec){.fit = fit, .order = order, .parameter = parameter},
+                           exponent, &zeta, &scale);
+    (void)burnish_lobe_from_zeta(lobe, (float)zeta, order);
+    return status;
+}
+
 static void check_formulas(void) {
     static const double levels[] = {1e-300, 1e-6, 0.1, 0.45, 0.5, 0.9, 0.999999, 1 - 1e-9};
-    double worst[BURNISH_FIT_COUNT] = {0};
-    for (int fit = 0; fit < BURNISH_FIT_COUNT; ++fit) {
+    double worst[FORMULAS] = {0}, scale;
+    for (int fit = 0; fit < FORMULAS; ++fit) {
         for (int i = 0; i < EXPONENT_COUNT * 5 * 8; ++i) {
             double n = exponents[i / 40], level = levels[i % 8], zeta = -1;
             int order = 2 << i / 8 % 5;
-            burnish_lobe_status status =
-                burnish_theory_zeta((burnish_lobe_fit)fit, order, n, level, &zeta);
+            burnish_lobe_status status = burnish_lobe_solve(
+                &(burnish_lobe_spec){
+                    .fit = (burnish_lobe_fit)fit, .order = order, .parameter = level},
+                n, &zeta, &scale);
             if (!allowed((burnish_lobe_fit)fit, order, n)) {
                 CHECK(status != BURNISH_LOBE_OK && zeta == 0, "fit %d order %d n=%g", fit, order,
                       n);
@@ -58,12 +72,12 @@ static void check_formulas(void) {
             }
             long double expected = zeta_by_the_book((burnish_lobe_fit)fit, order, n, level);
             double error = (double)fabsl(zeta / expected - 1);
-            CHECK(status == BURNISH_LOBE_OK && error < 2e-15, "fit %d order %d n=%g Q=%g: %.17g",
-                  fit, order, n, level, zeta);
+            CHECK(status == BURNISH_LOBE_OK && scale == 1 && error < 2e-15,
+                  "fit %d order %d n=%g Q=%g: %.17g", fit, order, n, level, zeta);
             worst[fit] = fmax(worst[fit], error);
 
             burnish_lobe lobe = {7, 7};
-            status = burnish_theory_lobe(&lobe, (burnish_lobe_fit)fit, order, n, level);
+            status = solved_lobe(&lobe, (burnish_lobe_fit)fit, order, n, level);
             CHECK(status == BURNISH_LOBE_OK && lobe.zeta == (float)zeta && lobe.order == order,
                   "fit %d order %d n=%g", fit, order, n);
         }
@@ -81,7 +95,7 @@ static void check_same_as_header(void) {
         int order = i % 4 < 2 ? 2 << i / 4 % 5 : 2;
         burnish_lobe header = {7, 7}, theory = {8, 8};
         burnish_lobe_status a = burnish_lobe_create(&header, fit, order, n);
-        burnish_lobe_status b = burnish_theory_lobe(&theory, fit, order, (double)n, 0.5);
+        burnish_lobe_status b = solved_lobe(&theory, fit, order, (double)n, 0.5);
         CHECK(a == b && header.zeta == theory.zeta && header.order == theory.order,
               "fit %d order %d n=%.9g", (int)fit, order, (double)n);
     }
@@ -89,9 +103,10 @@ static void check_same_as_header(void) {
 }
 
 static double zeta_of(burnish_lobe_fit fit, int order, double n, double level) {
-    double zeta;
-    CHECK(burnish_theory_zeta(fit, order, n, level, &zeta) == BURNISH_LOBE_OK, "%d:%d %g", (int)fit,
-          order, n);
+    double zeta, scale;
+    CHECK(burnish_lobe_solve(&(burnish_lobe_spec){.fit = fit, .order = order, .parameter = level},
+                             n, &zeta, &scale) == BURNISH_LOBE_OK,
+          "%d:%d %g", (int)fit, order, n);
     return zeta;
 }
 
@@ -195,12 +210,13 @@ static void check_limits(void) {
 
 static void check_refused(burnish_lobe_fit fit, int order, double n, double level,
                           burnish_lobe_status expected) {
-    double zeta = 7;
+    double zeta = 7, scale = 7;
     burnish_lobe lobe = {7, 7};
-    burnish_lobe_status status = burnish_theory_zeta(fit, order, n, level, &zeta);
-    CHECK(status == expected && zeta == 0, "fit %d order %d n=%g Q=%g: %s", (int)fit, order, n,
-          level, burnish_lobe_status_text(status));
-    status = burnish_theory_lobe(&lobe, fit, order, n, level);
+    burnish_lobe_status status = burnish_lobe_solve(
+        &(burnish_lobe_spec){.fit = fit, .order = order, .parameter = level}, n, &zeta, &scale);
+    CHECK(status == expected && zeta == 0 && scale == 0, "fit %d order %d n=%g Q=%g: %s", (int)fit,
+          order, n, level, burnish_lobe_status_text(status));
+    status = solved_lobe(&lobe, fit, order, n, level);
     CHECK(status == expected && lobe.zeta == 0 && lobe.order == 0, "fit %d order %d n=%g Q=%g: %s",
           (int)fit, order, n, level, burnish_lobe_status_text(status));
 }
@@ -220,11 +236,20 @@ static void check_errors(void) {
         check_refused((burnish_lobe_fit)fit, 3, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
         check_refused((burnish_lobe_fit)fit, 64, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
         int shift = fit == BURNISH_FIT_SHIFT7 || fit == BURNISH_FIT_SHIFT3;
+        if (fit == BURNISH_FIT_GIVEN) { /* whatever the exponent */
+            continue;
+        }
         check_refused((burnish_lobe_fit)fit, 16, 15.999, 0.5,
                       shift ? BURNISH_LOBE_ERROR_ORDER : BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT);
     }
     check_refused(BURNISH_FIT_PROJECTED, 2, 1.999, 0.5, BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT);
     check_refused(BURNISH_FIT_PROJECTED, 3, 1.999, 0.5, BURNISH_LOBE_ERROR_ORDER);
+    check_refused(BURNISH_FIT_AFFINE, 2, 1.999, 0.5, BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT);
+    static const double bad_zetas[] = {0, -1, 65536.01, NAN, HUGE_VAL};
+    for (int i = 0; i < 5; ++i) {
+        check_refused(BURNISH_FIT_GIVEN, 2, 10, bad_zetas[i], BURNISH_LOBE_ERROR_ZETA);
+    }
+    CHECK1(zeta_of(BURNISH_FIT_GIVEN, 16, 3, 6.645) == 6.645);
     check_refused(BURNISH_FIT_COUNT, 2, 10, 0.5, BURNISH_LOBE_ERROR_FIT);
     check_refused((burnish_lobe_fit)-1, 2, 10, 0.5, BURNISH_LOBE_ERROR_FIT);
     check_refused((burnish_lobe_fit)1000, 3, NAN, 0.5, BURNISH_LOBE_ERROR_FIT);

@@ -36,7 +36,7 @@ static double by_gsl(const burnish_theory_model *model, int weight, double end) 
     double sum = 0, at = 0, corners[3] = {burnish_theory_zero_angle(model), 0, 0};
     workspace = workspace ? workspace : gsl_integration_workspace_alloc(2000);
     corners[0] = isnan(corners[0]) ? 9 : 1 - burnish_theory_cutoff_cosine(model);
-    if (model->kind == BURNISH_THEORY_KUIJK_BLAKE) {
+    if (model->lobe.kind == BURNISH_LOBE_KUIJK_BLAKE) {
         corners[1] = 1 - cos(model->k[0]);
     }
     for (int k = 0; at < end; ++k) {
@@ -60,7 +60,7 @@ static double by_gsl(const burnish_theory_model *model, int weight, double end) 
 /* Tables have a corner or step per cell: their own sum over cells. */
 static double by_cells(const burnish_theory_model *model, int weight) {
     long double sum = 0;
-    int parts = 2 * (model->entries - 1);
+    int parts = 2 * (model->lobe.entries - 1);
     for (int i = 0; i < parts; ++i) { /* half cells; two-point Gauss is exact for cubics */
         for (int sign = -1; sign <= 1; sign += 2) {
             double c = (i + 0.5 + sign * 0.28867513459481287) / parts;
@@ -73,7 +73,7 @@ static double by_cells(const burnish_theory_model *model, int weight) {
 static void check_integrals(const burnish_theory_model *model, const char *name) {
     for (int weight = 0; weight < 2; ++weight) {
         burnish_theory_measure measure = (burnish_theory_measure)weight;
-        int table = model->kind == BURNISH_THEORY_TABLE;
+        int table = model->lobe.kind == BURNISH_LOBE_TABLE;
         double expected = table ? by_cells(model, weight) : by_gsl(model, weight, 1);
         double value = burnish_theory_integral(model, measure);
         CHECK(fabs(value / expected - 1) < 1e-10, "%s, measure %d: %.15g, not %.15g", name, weight,
@@ -92,7 +92,7 @@ static void check_integrals(const burnish_theory_model *model, const char *name)
         }
     }
     CHECK1(burnish_theory_partial_integral(model, BURNISH_THEORY_SOLID_ANGLE, 1) == 0);
-    if (model->kind != BURNISH_THEORY_TABLE) {
+    if (model->lobe.kind != BURNISH_LOBE_TABLE) {
         double expected = 1 / by_gsl(model, 2, 1 - sqrt(0.5));
         double factor = burnish_theory_blinn_factor(model);
         CHECK(fabs(factor / expected - 1) < 1e-10, "%s, Blinn: %.15g, %.15g", name, factor,
@@ -109,7 +109,8 @@ static void check_formulas(void) {
         for (int order = 2; order <= 32; order *= 2) {
             burnish_theory_model model;
             double n = exponents[i], m = order;
-            if (burnish_theory_model_family(&model, BURNISH_THEORY_ENERGY, order, n, 0)) {
+            if (burnish_theory_model_create(
+                    &model, &(burnish_lobe_spec){.fit = BURNISH_FIT_ENERGY, .order = order}, n)) {
                 continue;
             }
             double zeta = model.zeta, solid = 2 * PI / (zeta * (m + 1));
@@ -156,7 +157,7 @@ static double chi_square(const burnish_theory_model *model, burnish_theory_measu
 static double wrong_sampler(const burnish_theory_model *model, burnish_theory_measure measure,
                             double xi) {
     (void)measure;
-    return 1 - (1 - pow(xi, 1.0 / model->order)) / model->zeta;
+    return 1 - (1 - pow(xi, 1.0 / model->lobe.order)) / model->zeta;
 }
 
 /* Right over solid angle, used for the cosine-weighted measure. */
@@ -171,8 +172,9 @@ static double limit(void) {
 }
 
 static void check_sampling(const burnish_theory_model *model, const char *name) {
-    int table = model->kind == BURNISH_THEORY_TABLE;
-    int quick = (model->order > 0 && model->zeta >= 1) || model->kind == BURNISH_THEORY_POWER;
+    int table = model->lobe.kind == BURNISH_LOBE_TABLE;
+    int quick =
+        (model->lobe.order > 0 && model->zeta >= 1) || model->lobe.kind == BURNISH_LOBE_POWER;
     for (int measure = 0; measure < 2; ++measure) {
         double x = chi_square(model, (burnish_theory_measure)measure, burnish_theory_sample_cosine,
                               quick   ? MANY
@@ -274,9 +276,9 @@ static void check_furnace(void) {
 static void check_models(void) {
     int models = 0;
     random_state = test_seed(0);
-    for (size_t w = 0; burnish_theory_model_word(w); ++w) {
+    for (size_t w = 0; burnish_lobe_spec_example(w); ++w) {
         for (int i = 0; i < EXPONENT_COUNT; ++i) {
-            const char *word = burnish_theory_model_word(w);
+            const char *word = burnish_lobe_spec_example(w);
             char name[64];
             burnish_theory_model model;
             if (burnish_theory_model_parse(word, exponents[i], &model, NULL)) {

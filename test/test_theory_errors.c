@@ -34,10 +34,14 @@ static void check_published_minimax(void) {
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) {
         const double *row = table[i];
         burnish_theory_model model, theirs;
-        CHECK1(
-            !burnish_theory_model_family(&model, BURNISH_THEORY_MINIMAX, (int)row[0], row[1], 0));
-        CHECK1(!burnish_theory_model_family(&theirs, BURNISH_THEORY_GIVEN, (int)row[0], row[1],
-                                            row[2]));
+        CHECK1(!burnish_theory_model_create(
+            &model, &(burnish_lobe_spec){.fit = BURNISH_FIT_MINIMAX, .order = (int)row[0]},
+            row[1]));
+        CHECK1(!burnish_theory_model_create(&theirs,
+                                            &(burnish_lobe_spec){.fit = BURNISH_FIT_GIVEN,
+                                                                 .order = (int)row[0],
+                                                                 .parameter = row[2]},
+                                            row[1]));
         double error = burnish_theory_maximum_error(&model, HALF_PI);
         CHECK(fabs(model.zeta - row[2]) < 0.00075, "%g:%g zeta %.5f", row[0], row[1], model.zeta);
         CHECK(fabs(error - row[3]) < 1e-4, "%g:%g error %.5f", row[0], row[1], error);
@@ -117,12 +121,12 @@ static void check_optima(void) {
 static void check_maxima(void) {
     enum { PLACES = 20000 };
     static const double ns[] = {1, 2.5, 18, 300, 65536};
-    for (size_t w = 0; burnish_theory_model_word(w); ++w) {
+    for (size_t w = 0; burnish_lobe_spec_example(w); ++w) {
         for (int i = 0; i < 10; ++i) {
             burnish_theory_model model;
             double n = ns[i / 2], core = burnish_theory_inflection_angle(n);
             double end = i % 2 ? core : HALF_PI, largest = 0, relative = 0;
-            if (burnish_theory_model_parse(burnish_theory_model_word(w), n, &model, NULL)) {
+            if (burnish_theory_model_parse(burnish_lobe_spec_example(w), n, &model, NULL)) {
                 continue;
             }
             burnish_theory_difference d;
@@ -135,18 +139,18 @@ static void check_maxima(void) {
                 difference = fabs(burnish_theory_relative_error(&model, x));
                 relative = difference > relative ? difference : relative;
             }
-            const char *word = burnish_theory_model_word(w);
+            const char *word = burnish_lobe_spec_example(w);
             double noise = 1e-9 + 4e-16 * n; /* of pow(cos(x), n) */
             CHECK(largest <= d.absolute + noise, "%s n=%g: %.12g above the maximum %.12g", word, n,
                   largest, d.absolute);
-            CHECK(largest > d.absolute * 0.97 - noise || model.entries, "%s n=%g: %g, %g", word, n,
-                  largest, d.absolute);
+            CHECK(largest > d.absolute * 0.97 - noise || model.lobe.entries, "%s n=%g: %g, %g",
+                  word, n, largest, d.absolute);
             CHECK(relative <= d.relative * (1 + 1e-8) + noise, "%s n=%g: %g above %g", word, n,
                   relative, d.relative);
             CHECK(d.absolute == fmax(d.above, d.below) && d.end == end, "%s n=%g", word, n);
             double there = burnish_theory_value_at_angle(&model, d.absolute_angle) -
                            pow(cos(d.absolute_angle), n);
-            CHECK(fabs(fabs(there) - d.absolute) < noise || model.entries, "%s n=%g: place %g",
+            CHECK(fabs(fabs(there) - d.absolute) < noise || model.lobe.entries, "%s n=%g: place %g",
                   word, n, d.absolute_angle);
             CHECK(d.integral <= 2 * 3.1416 * d.absolute * (1 - cos(end)) * 1.0001 + 1e-14 &&
                       d.rms <= d.absolute + 1e-14,
@@ -287,20 +291,20 @@ static void check_choice(void) {
         double maximum;
         CHECK1(!burnish_theory_choose(rows[i].n, rows[i].epsilon, rows[i].affine, &model, &cost,
                                       &maximum, NULL));
-        burnish_theory_model_name(&model, name, sizeof name);
+        burnish_lobe_spec_name(&model.lobe, name, sizeof name);
         CHECK_TEXT(name, rows[i].words);
         CHECK1(maximum <= rows[i].epsilon &&
                fabs(maximum - burnish_theory_maximum_error(&model, HALF_PI)) < 1e-12);
-        for (size_t w = 0; burnish_theory_model_word(w); ++w) { /* nothing cheaper is as good */
+        for (size_t w = 0; burnish_lobe_spec_example(w); ++w) { /* nothing cheaper is as good */
             burnish_theory_model other;
-            if (burnish_theory_model_parse(burnish_theory_model_word(w), rows[i].n, &other, NULL) ||
-                other.entries || (other.scale < 1 && !rows[i].affine)) {
+            if (burnish_theory_model_parse(burnish_lobe_spec_example(w), rows[i].n, &other, NULL) ||
+                other.lobe.entries || (other.scale < 1 && !rows[i].affine)) {
                 continue;
             }
             burnish_theory_cost its = burnish_theory_model_cost(&other);
             CHECK(burnish_theory_cost_order(&its, &cost) >= 0 ||
                       burnish_theory_maximum_error(&other, HALF_PI) > rows[i].epsilon,
-                  "%s instead of %s", burnish_theory_model_word(w), name);
+                  "%s instead of %s", burnish_lobe_spec_example(w), name);
         }
     }
     burnish_theory_model model;
@@ -341,8 +345,9 @@ static void check_formats(void) {
 static void check_memories(void) {
     static const double n[] = {1, 2, 3, 10, 100, 65536};
     int64_t words[6];
-    burnish_theory_memory memory = {
-        .model = model_of("taylor:2", 10), .format = {0, 0, 15}, .rounding = BURNISH_THEORY_DOWN};
+    burnish_theory_memory memory = {.lobe = model_of("taylor:2", 10).lobe,
+                                    .format = {0, 0, 15},
+                                    .rounding = BURNISH_THEORY_DOWN};
     CHECK1(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
     for (int i = 0; i < 6; ++i) { /* 1 - 2/n, in whole words, downward */
         double cosine = n[i] > 2 ? (n[i] - 2) / n[i] : 0;
@@ -351,16 +356,16 @@ static void check_memories(void) {
     memory.bits = 8;
     memory.lambda = 1;
     memory.rounding = BURNISH_THEORY_UP;
-    memory.model = model_of("power", 10);
+    memory.lobe = model_of("power", 10).lobe;
     CHECK1(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
     for (int i = 0; i < 6; ++i) {
         double stored = burnish_theory_format_decode(&memory.format, words[i]);
         CHECK1(words[i] == 32767 || pow(1 - stored, n[i]) <= 1.0 / 256 + 1e-15);
         CHECK1(pow(1 - stored + 1.0 / 32768, n[i]) >= 1.0 / 256);
     }
-    memory.model = model_of("energy:32", 100); /* lower orders for the low exponents */
+    memory.lobe = model_of("energy:32", 100).lobe; /* lower orders for the low exponents */
     CHECK1(!burnish_theory_memory_fill(&memory, n, 6, words, NULL));
-    memory.model = model_of("projected:2", 100);
+    memory.lobe = model_of("projected:2", 100).lobe;
     CHECK1(burnish_theory_memory_fill(&memory, n, 6, words, NULL) == BURNISH_STATUS_ARGUMENT);
     memory.bits = 0.5;
     CHECK1(burnish_theory_memory_fill(&memory, n + 1, 1, words, NULL) == BURNISH_STATUS_ARGUMENT);

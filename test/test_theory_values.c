@@ -13,13 +13,13 @@ enum { EXPONENT_COUNT = sizeof exponents / sizeof exponents[0] };
 /* Calls check(model) for every word and exponent that go together; returns how many did. */
 static void for_each_model(void (*check)(const burnish_theory_model *, const char *)) {
     int count = 0;
-    for (size_t w = 0; burnish_theory_model_word(w); ++w) {
+    for (size_t w = 0; burnish_lobe_spec_example(w); ++w) {
         for (int i = 0; i < EXPONENT_COUNT; ++i) {
             burnish_theory_model model;
             char name[64];
-            if (burnish_theory_model_parse(burnish_theory_model_word(w), exponents[i], &model,
+            if (burnish_theory_model_parse(burnish_lobe_spec_example(w), exponents[i], &model,
                                            NULL) == BURNISH_STATUS_OK) {
-                snprintf(name, sizeof name, "%s n=%g", burnish_theory_model_word(w), exponents[i]);
+                snprintf(name, sizeof name, "%s n=%g", burnish_lobe_spec_example(w), exponents[i]);
                 check(&model, name);
                 ++count;
             }
@@ -89,7 +89,7 @@ static void check_vectors(void) {
 static void check_derivatives(const burnish_theory_model *model, const char *name) {
     double n = model->exponent, width = 1 / sqrt(n);
     double h = 1e-4 * width;
-    if (model->kind == BURNISH_THEORY_TABLE) {
+    if (model->lobe.kind == BURNISH_LOBE_TABLE) {
         return; /* corners and steps everywhere: check_table_slopes */
     }
     if (model->zeta > n) { /* zeta6.645 is narrower than its exponent says */
@@ -162,13 +162,16 @@ static int ordered(const burnish_theory_model *low, const burnish_theory_model *
 static void check_order(void) {
     for (int i = 2; i < EXPONENT_COUNT; ++i) {
         burnish_theory_model power, schlick, taylor;
-        CHECK1(!burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, exponents[i]));
-        CHECK1(!burnish_theory_model_other(&schlick, BURNISH_THEORY_SCHLICK, 0, exponents[i]));
+        CHECK1(!burnish_theory_model_create(
+            &power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER}, exponents[i]));
+        CHECK1(!burnish_theory_model_create(
+            &schlick, &(burnish_lobe_spec){.kind = BURNISH_LOBE_SCHLICK}, exponents[i]));
         CHECK(ordered(&power, &schlick, 0, 1, 40), "power <= schlick, n=%g", exponents[i]);
         CHECK(!ordered(&schlick, &power, 0, 1, 40), "schlick <= power, n=%g", exponents[i]);
         for (int order = 2; order <= 32 && order <= exponents[i]; order *= 2) {
-            CHECK1(!burnish_theory_model_family(&taylor, BURNISH_THEORY_TAYLOR, order, exponents[i],
-                                                0));
+            CHECK1(!burnish_theory_model_create(
+                &taylor, &(burnish_lobe_spec){.fit = BURNISH_FIT_TAYLOR, .order = order},
+                exponents[i]));
             CHECK(ordered(&taylor, &power, 0, 1, 40), "taylor:%d <= power, n=%g", order,
                   exponents[i]);
         }
@@ -183,7 +186,7 @@ static void check_widths(const burnish_theory_model *model, const char *name) {
             CHECK(burnish_theory_value_at_angle(model, PI) > level, "%s: 2^-%g", name, bits);
             continue;
         }
-        if (model->kind == BURNISH_THEORY_TABLE && !model->linear) {
+        if (model->lobe.kind == BURNISH_LOBE_TABLE && !model->lobe.linear) {
             CHECK(burnish_theory_value_at_angle(model, angle * (1 + 1e-9)) <= level &&
                       burnish_theory_value_at_angle(model, angle * (1 - 1e-9)) > level,
                   "%s: 2^-%g", name, bits);
@@ -194,7 +197,8 @@ static void check_widths(const burnish_theory_model *model, const char *name) {
         CHECK(fabs(burnish_theory_boundary_cosine(model, bits) - fmax(0, cos(angle))) < 1e-14,
               "%s: boundary 2^-%g", name, bits);
         burnish_theory_model power;
-        CHECK1(!burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, model->exponent));
+        CHECK1(!burnish_theory_model_create(
+            &power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER}, model->exponent));
         double ratio = burnish_theory_angle_at(&power, level) / angle;
         CHECK(fabs(burnish_theory_width_ratio(model, bits) / ratio - 1) < 1e-12, "%s: R", name);
     }
@@ -248,17 +252,18 @@ static void check_words(void) {
     CHECK1(burnish_theory_model_parse("minimax:32", 31, &model, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK1(burnish_theory_model_parse(NULL, 10, &model, NULL) == BURNISH_STATUS_ARGUMENT);
     CHECK1(model.exponent == 7); /* untouched by every error */
-    for (size_t w = 0; burnish_theory_model_word(w); ++w) {
-        CHECK1(!burnish_theory_model_parse(burnish_theory_model_word(w), 64, &model, NULL));
-        burnish_theory_model_name(&model, name, sizeof name);
-        CHECK_TEXT(name, burnish_theory_model_word(w));
+    for (size_t w = 0; burnish_lobe_spec_example(w); ++w) {
+        CHECK1(!burnish_theory_model_parse(burnish_lobe_spec_example(w), 64, &model, NULL));
+        burnish_lobe_spec_name(&model.lobe, name, sizeof name);
+        CHECK_TEXT(name, burnish_lobe_spec_example(w));
         burnish_theory_model other, again;
-        CHECK1(!burnish_theory_model_at(&model, 200, &other));
+        CHECK1(!burnish_theory_model_create(&other, &model.lobe, 200));
         CHECK1(!burnish_theory_model_parse(name, 200, &again, NULL));
-        CHECK1(other.kind == again.kind && other.zeta == again.zeta && other.exponent == 200);
+        CHECK1(other.lobe.kind == again.lobe.kind && other.zeta == again.zeta &&
+               other.exponent == 200);
     }
-    CHECK1(!burnish_theory_model_parse("energy", 10, &model, NULL) && model.order == 2);
-    CHECK1(!burnish_theory_model_parse("table16:nearest", 10, &model, NULL) && !model.linear);
+    CHECK1(!burnish_theory_model_parse("energy", 10, &model, NULL) && model.lobe.order == 2);
+    CHECK1(!burnish_theory_model_parse("table16:nearest", 10, &model, NULL) && !model.lobe.linear);
     CHECK1(!burnish_theory_model_parse("zeta6.645:2", 10, &model, NULL) && model.zeta == 6.645);
 }
 

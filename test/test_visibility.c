@@ -279,9 +279,10 @@ static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
     memset(shader, 0, sizeof *shader);
     shader->batch = burnish_kernels_best();
     shader->lighting = burnish_kernels_lighting_default();
-    shader->lighting.near_viewer = (int)(test_random32(state) & 1);
-    shader->lighting.viewer[2] = shader->lighting.near_viewer ? 0 : 1;
-    shader->lighting.lyon = test_random32(state) % 4 == 0;
+    shader->lighting.local_viewer = (int)(test_random32(state) & 1);
+    shader->lighting.viewer[2] = shader->lighting.local_viewer ? 0 : 1;
+    shader->lighting.lobe.kind =
+        test_random32(state) % 4 == 0 ? BURNISH_LOBE_LYON : BURNISH_LOBE_FAMILY;
     shader->needs_position = 1; /* the reference always gives places */
     shader->rays.q_per_depth = 0x1p14f;
     shader->rays.ray[2] = -1;
@@ -289,8 +290,9 @@ static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
     for (int i = 0; i < 3; ++i) {
         memset(&materials[i], 0, sizeof materials[i]);
         materials[i].lobe = shader->lighting.lobe;
-        materials[i].diffuse[i] = 0.75f;
-        materials[i].specular[2 - i] = 0.5f;
+        materials[i].material.exponent = 32;
+        materials[i].material.diffuse[i] = 0.75f;
+        materials[i].material.specular[2 - i] = 0.5f;
     }
     shader->materials = materials;
     shader->triangle_materials = test_random32(state) & 1 ? scene->materials : NULL;

@@ -74,7 +74,7 @@ static int choose(contestant *r, const char *variant) {
             }
             r->options.batch = is_libm ? &r->libm : r->best;
             r->options.cull_back_faces = !LOBES[i].two_sided;
-            return burnish_lobe_choice_parse(LOBES[i].lobe, &r->options.lobe, &error) ==
+            return burnish_lobe_spec_parse(LOBES[i].lobe, &r->options.lobe, &error) ==
                    BURNISH_STATUS_OK;
         }
     }

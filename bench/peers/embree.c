@@ -192,19 +192,18 @@ static int make_shader(const tracer *t, const char *variant, burnish_kernels_sha
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     const burnish_peers_job *job = t->job;
     for (int k = 0; k < 3; ++k) {
-        lighting.ambient[k] = job->ambient;
-        lighting.diffuse[k] = job->diffuse;
-        lighting.specular[k] = job->specular;
+        lighting.material.ambient[k] = job->ambient;
+        lighting.material.diffuse[k] = job->diffuse;
+        lighting.material.specular[k] = job->specular;
         lighting.viewer[k] = job->viewer[k];
-        lighting.lights[0].vector[k] = job->light[k];
+        lighting.lights[0].vector[k] = (double)job->light[k];
         lighting.lights[0].color[k] = 1;
     }
-    lighting.lobe.exponent = job->exponent;
+    lighting.material.exponent = job->exponent;
     if (strcmp(variant, "power") == 0) {
-        lighting.lobe.kind = BURNISH_KERNELS_POWER;
+        lighting.lobe.kind = BURNISH_LOBE_POWER;
     } else if (strcmp(variant, "family") == 0) {
-        lighting.lobe.kind = BURNISH_KERNELS_FAMILY;
-        burnish_lobe_create(&lighting.lobe.family, BURNISH_FIT_ENERGY, 2, job->exponent);
+        lighting.lobe = (burnish_lobe_spec){.fit = BURNISH_FIT_ENERGY, .order = 2};
     } else {
         return 0;
     }

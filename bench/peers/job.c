@@ -119,7 +119,7 @@ int burnish_peers_job_open(burnish_peers_job *job, const char *input, int levels
     job->options.height = BURNISH_PEERS_HEIGHT;
     job->options.samples = 1;
     job->options.threads = threads;
-    job->options.viewer = BURNISH_VIEWER_DISTANT;
+    job->options.local_viewer = 0;
     memset(job->options.background, 0, sizeof job->options.background);
     fit.aspect = (double)BURNISH_PEERS_WIDTH / BURNISH_PEERS_HEIGHT;
     burnish_status status = load(job, input, levels, &error);

@@ -28,6 +28,7 @@
 
 #include "burnish/core.h"
 #include "burnish/lobe.h"
+#include "burnish/shading.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,45 +50,35 @@ BURNISH_API burnish_isa burnish_kernels_isa(const burnish_kernels *batch);
 
 /* ---- Lobes ---- */
 
-typedef enum burnish_kernels_lobe_kind {
-    BURNISH_KERNELS_FAMILY,      /* burnish_lobe_at_cosine of burnish/lobe.h, bit for bit */
-    BURNISH_KERNELS_POWER,       /* max(0, c)^n within 1e-7, by polynomials */
-    BURNISH_KERNELS_WHOLE_POWER, /* the same for a whole n, by multiplications */
-    BURNISH_KERNELS_SCHLICK,     /* burnish_schlick_at_cosine, bit for bit */
-    BURNISH_KERNELS_GAUSSIAN,    /* exp(-(n + .775) (1 - c)) within 1e-7 */
-    BURNISH_KERNELS_GX,          /* burnish_gx_at_cosine, bit for bit */
-    BURNISH_KERNELS_DARK,        /* 0 */
-    BURNISH_KERNELS_LOBE_KIND_COUNT
-} burnish_kernels_lobe_kind;
-
-/* A lobe. Each gives a value in [0, 1] for every float, 0 for NaN. Powers and the Gaussian are 0
- * where they are below 2^-126. */
-typedef struct burnish_kernels_lobe {
-    burnish_kernels_lobe_kind kind;
-    burnish_lobe family; /* FAMILY: from burnish_lobe_create or its siblings; the dark one is 0 */
-    float exponent;      /* the others' n: [1, 65536], a whole number for WHOLE_POWER */
-} burnish_kernels_lobe;
+/* Each lobe gives a value in [0, 1] for every float, 0 for NaN.
+ *   family       burnish_lobe_at_cosine of burnish/lobe.h, bit for bit, times the scale
+ *   schlick, gx  burnish_schlick_at_cosine, burnish_gx_at_cosine, bit for bit
+ *   lyon         of a cosine: the family's taylor
+ *   power, gaussian  within 1e-7, by polynomials; 0 where they are below 2^-126
+ *   whole power  the same as power, by multiplications */
 
 /* values[i] = lobe(cosines[i]).
- *   batch    from burnish_kernels_best or burnish_kernels_for
- *   lobe     not NULL
- *   count    number of cosines
- *   cosines  any floats
- *   values   receives count values; may be cosines itself, must not overlap it otherwise
- *   error    receives the one line of an error; may be NULL
- * Arrays of 8 MiB and more are written past the caches.
- * Errors: ARGUMENT for a lobe out of range; nothing is written. */
+ *   batch     from burnish_kernels_best or burnish_kernels_for
+ *   lobe      any that burnish_lobe_spec_check accepts, and whole power; not NULL. The searched
+ * fits (minimax, leastsquares, affine) are solved in each call: 10 to 100 microseconds exponent  n:
+ * [1, 65536], for the family as burnish_lobe_solve has it; a whole number for whole power count
+ * number of cosines cosines   any floats values    receives count values; may be cosines itself,
+ * must not overlap it otherwise error     receives the one line of an error; may be NULL Arrays of
+ * 8 MiB and more are written past the caches. Errors: ARGUMENT for a lobe or exponent out of range;
+ * nothing is written. */
 BURNISH_API burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels *batch,
-                                                           const burnish_kernels_lobe *lobe,
-                                                           size_t count, const float *cosines,
-                                                           float *values, burnish_error *error);
+                                                           const burnish_lobe_spec *lobe,
+                                                           float exponent, size_t count,
+                                                           const float *cosines, float *values,
+                                                           burnish_error *error);
 
 /* values[i] = lobe at 1 - cosine = lambdas[i]: the form that keeps its digits for large exponents
  * (family; the other lobes take the cosine 1 - lambda). Otherwise the same. */
 BURNISH_API burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *batch,
-                                                           const burnish_kernels_lobe *lobe,
-                                                           size_t count, const float *lambdas,
-                                                           float *values, burnish_error *error);
+                                                           const burnish_lobe_spec *lobe,
+                                                           float exponent, size_t count,
+                                                           const float *lambdas, float *values,
+                                                           burnish_error *error);
 
 /* ---- Vectors ---- */
 
@@ -101,55 +92,36 @@ BURNISH_API void burnish_kernels_normalize(const burnish_kernels *batch, size_t 
 
 /* ---- Lighting ----
  *
- * For a point with normal N, surface colour d and place P, toward the light L, toward the viewer V
- * (all made unit vectors here), each colour channel is
+ * For a point with normal N, surface colour d and position P, toward the light L, toward the viewer
+ * V (all made unit vectors here), each colour channel is
  *
- *   d (ambient + sum over lights of diffuse colour max(0, N.L))
- *     + sum over the lights with N.L > 0 of specular colour lobe(c)
+ *   d (Ia ka + sum over lights of kd colour max(0, N.L))
+ *     + sum over the lights with N.L > 0 of ks colour lobe(c)
  *
- * with c = N.H, H = (L + V) / |L + V| (Blinn), or c = R.V, R = 2 (N.L) N - L (Phong). Lights do not
+ * with c by the specular model (shading.h). Lights do not
  * fall off with distance: scale their colour. Numbers are linear light.
  *
  * Accuracy: with the family, zeta and the half vector are one constant where both light and viewer
  * are far; then, and with the cosines of point lights, rounding is that of c in float: about
  * zeta 2^-22 in the lobe's base. */
 
-#define BURNISH_KERNELS_LIGHT_MAX 64
-
-typedef enum burnish_kernels_light_kind {
-    BURNISH_KERNELS_DIRECTIONAL,
-    BURNISH_KERNELS_POINT
-} burnish_kernels_light_kind;
-
-typedef struct burnish_kernels_light {
-    burnish_kernels_light_kind kind;
-    float vector[3]; /* DIRECTIONAL: unit vector toward the light; POINT: its place */
-    float color[3];  /* [0, 1e6] */
-} burnish_kernels_light;
-
-typedef enum burnish_kernels_highlight {
-    BURNISH_KERNELS_BLINN,
-    BURNISH_KERNELS_PHONG
-} burnish_kernels_highlight;
-
 /* Material, lights and viewer. Start from burnish_kernels_lighting_default(). */
 typedef struct burnish_kernels_lighting {
-    uint32_t cookie;   /* set by burnish_kernels_lighting_default() */
-    float ambient[3];  /* Ia ka, [0, 1e6] */
-    float diffuse[3];  /* kd, [0, 1e6] */
-    float specular[3]; /* ks, [0, 1e6]; all 0: no lobe is computed */
-    burnish_kernels_lobe lobe;
-    burnish_kernels_highlight highlight;
-    int lyon;        /* 1, FAMILY and BLINN only: N has nearly unit length and is scaled by
-                        burnish_lyon_normalize_factor for the lobe instead of exactly */
-    int near_viewer; /* 0: V is `viewer` everywhere; 1: the viewer stands at `viewer` */
-    float viewer[3]; /* unit vector toward the viewer, or its place */
-    int light_count; /* [0, BURNISH_KERNELS_LIGHT_MAX] */
-    burnish_kernels_light lights[BURNISH_KERNELS_LIGHT_MAX];
+    uint32_t cookie;           /* set by burnish_kernels_lighting_default() */
+    burnish_material material; /* colours in [0, 1e6]; has_* are not read */
+    burnish_lobe_spec lobe;    /* lyon with Blinn: N has nearly unit length and is scaled by
+                                  burnish_lyon_normalize_factor for the lobe instead of exactly */
+    burnish_specular_model specular_model;
+    float ambient_light[3]; /* Ia, [0, 1e6] */
+    int local_viewer;       /* 0: V is `viewer` everywhere; 1: the viewer stands at `viewer` */
+    float viewer[3];        /* unit vector toward the viewer, or its position */
+    int light_count;        /* [0, BURNISH_LIGHT_MAX] */
+    burnish_light lights[BURNISH_LIGHT_MAX]; /* none follows a camera; directions of length 1;
+                                                rounded to float */
 } burnish_kernels_lighting;
 
-/* Ambient .05, diffuse .6, specular .35, energy:2 for exponent 32, Blinn, a distant viewer toward
- * +z, one white directional light from (-.48, .6, .64). */
+/* Ambient .05, diffuse .6, specular .35, exponent 32, energy:2, Blinn, white ambient light, a
+ * distant viewer toward +z, one white directional light from (-.48, .6, .64). */
 BURNISH_API burnish_kernels_lighting burnish_kernels_lighting_default(void);
 
 /* A lobe worked out. Made by burnish_kernels_prepare; nobody else's business. */
@@ -175,14 +147,14 @@ typedef struct burnish_kernels_light_constants {
 typedef struct burnish_kernels_shader {
     uint32_t cookie;
     int geometry; /* which kernel */
-    int phong, lyon, near_viewer, needs_position;
+    int phong, lyon, local_viewer, needs_position;
     int light_count;
     float offset; /* family: 1 - zeta */
     float cutoff; /* family: cosines below it are surely dark; -1 where there are none */
     float viewer[3];
     float ambient[2][3];
     burnish_kernels_lobe_constants lobe;
-    burnish_kernels_light_constants lights[BURNISH_KERNELS_LIGHT_MAX];
+    burnish_kernels_light_constants lights[BURNISH_LIGHT_MAX];
 } burnish_kernels_shader;
 
 /* Checks a lighting and folds into constants what does not depend on the point. Cheap: some tens of
@@ -200,7 +172,7 @@ BURNISH_API burnish_status burnish_kernels_prepare(const burnish_kernels_lightin
 typedef struct burnish_kernels_points {
     const float *normal[3];   /* length in [2^-60, 2^60]; (0, 0, 0) gets the ambient term only */
     const float *diffuse[3];  /* d, >= 0; all NULL: 1 */
-    const float *position[3]; /* times w; read where a light is a point or the viewer is near */
+    const float *position[3]; /* times w; read where a light is a point or the viewer local */
     const float *w;           /* > 0: the point's place is position / w; NULL: 1 */
 } burnish_kernels_points;
 

@@ -78,7 +78,7 @@ extern "C" {
     X(ERROR_ORDER, "the order must be 2, 4, 8, 16 or 32; shift7 and shift3 have order 2 only")     \
     X(ERROR_ORDER_FOR_EXPONENT, "the order is above the exponent: try a lower order")              \
     X(ERROR_FIT, "the fit is not one of enum burnish_lobe_fit")                                    \
-    X(ERROR_FIT_NEEDS_THEORY, "the fits level and projected need burnish_theory_lobe")             \
+    X(ERROR_FIT_NEEDS_SOLVE, "only taylor, energy, shift7 and shift3: take burnish_lobe_solve")    \
     X(ERROR_ZETA, "zeta must be a number above 0 and at most 65536")                               \
     X(ERROR_LEVEL, "the level must be a number between 0 and 1, both excluded")
 
@@ -108,10 +108,14 @@ static inline const char *burnish_lobe_status_text(burnish_lobe_status status) {
 typedef enum burnish_lobe_fit {
     BURNISH_FIT_TAYLOR,    /* n/m: the same curvature at the peak; never above cos^n (paper's W) */
     BURNISH_FIT_ENERGY,    /* (n+1)/(m+1): the same integral over solid angle (paper's W1) */
-    BURNISH_FIT_LEVEL,     /* meets cos^n where that is Q (paper's W_Q); burnish/theory.h */
+    BURNISH_FIT_LEVEL,     /* meets cos^n where that is Q (paper's W_Q) */
     BURNISH_FIT_SHIFT7,    /* 7n/16, m = 2: shift and subtract in integers (paper's W_0.5) */
     BURNISH_FIT_SHIFT3,    /* 3n/8, m = 2: as cheap, lower largest absolute error for n >= 6 */
-    BURNISH_FIT_PROJECTED, /* the same cosine-weighted integral; burnish/theory.h */
+    BURNISH_FIT_PROJECTED, /* the same cosine-weighted integral */
+    BURNISH_FIT_MINIMAX,   /* least maximum absolute error, c in [0, 1] */
+    BURNISH_FIT_LEAST_SQUARES, /* least integral of the squared error over c */
+    BURNISH_FIT_AFFINE, /* (A c + B)^m, A + B free: least maximum error; below 1 at the peak */
+    BURNISH_FIT_GIVEN,  /* zeta as given: Doom 3's zeta4:2, Unreal's zeta6.645:2 */
     BURNISH_FIT_COUNT
 } burnish_lobe_fit;
 
@@ -180,10 +184,10 @@ static inline burnish_lobe_status burnish_lobe_from_zeta(burnish_lobe *lobe, flo
 /* Makes the lobe that stands for cos^exponent. zeta is the fit's formula evaluated in double
  * precision and rounded to float.
  *   lobe      becomes the lobe, on error the dark one; not NULL
- *   fit       TAYLOR, ENERGY, SHIFT7 or SHIFT3; for LEVEL and PROJECTED see burnish/theory.h
+ *   fit       TAYLOR, ENERGY, SHIFT7 or SHIFT3; for the others see burnish_lobe_solve
  *   order     2, 4, 8, 16 or 32, from 4 on at most the exponent; SHIFT7 and SHIFT3: 2
  *   exponent  [1, 65536], need not be whole
- * Errors: ERROR_FIT, ERROR_FIT_NEEDS_THEORY, ERROR_ORDER, ERROR_EXPONENT (NaN included),
+ * Errors: ERROR_FIT, ERROR_FIT_NEEDS_SOLVE, ERROR_ORDER, ERROR_EXPONENT (NaN included),
  * ERROR_ORDER_FOR_EXPONENT (burnish_lobe_highest_order finds the order to fall back to). */
 static inline burnish_lobe_status burnish_lobe_create(burnish_lobe *lobe, burnish_lobe_fit fit,
                                                       int order, float exponent) {
@@ -193,11 +197,11 @@ static inline burnish_lobe_status burnish_lobe_create(burnish_lobe *lobe, burnis
     double zeta;
     lobe->zeta = 0.0f;
     lobe->order = 0;
-    if (fit == BURNISH_FIT_LEVEL || fit == BURNISH_FIT_PROJECTED) {
-        return BURNISH_LOBE_ERROR_FIT_NEEDS_THEORY;
+    if ((unsigned)fit >= BURNISH_FIT_COUNT) {
+        return BURNISH_LOBE_ERROR_FIT;
     }
     if (!is_shift && fit != BURNISH_FIT_TAYLOR && fit != BURNISH_FIT_ENERGY) {
-        return BURNISH_LOBE_ERROR_FIT;
+        return BURNISH_LOBE_ERROR_FIT_NEEDS_SOLVE;
     }
     if (is_shift && order != 2) {
         return BURNISH_LOBE_ERROR_ORDER;

@@ -17,20 +17,11 @@
 #include <stdint.h>
 
 #include "burnish/core.h"
+#include "burnish/shading.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Coefficients of the Phong equation for one material. Colours are linear light, [0, 1]. */
-typedef struct burnish_material {
-    float ambient[3];  /* ka: reflects the ambient light */
-    float diffuse[3];  /* kd: times max(0, N.L) */
-    float specular[3]; /* ks: times the specular lobe */
-    float exponent;    /* n of the specular lobe, [1, 65536] */
-    int has_diffuse;   /* 1 when the file (or the caller) gave the colours, 0 for burnish's grey */
-    int has_exponent;  /* 1 when the file (or the caller) gave specular and exponent */
-} burnish_material;
 
 /* File formats; AUTO looks at the name's ending and the first bytes. */
 typedef enum burnish_format {

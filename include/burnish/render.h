@@ -16,65 +16,12 @@
 #include "burnish/core.h"
 #include "burnish/image.h"
 #include "burnish/kernels.h"
-#include "burnish/lobe.h"
 #include "burnish/mesh.h"
+#include "burnish/shading.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* The specular lobes that a picture can use. */
-typedef enum burnish_lobe_kind {
-    BURNISH_LOBE_FAMILY,   /* max(0, 1 + zeta (c - 1))^order, zeta by fit */
-    BURNISH_LOBE_POWER,    /* c^n: the reference */
-    BURNISH_LOBE_SCHLICK,  /* c / (n - n c + c) */
-    BURNISH_LOBE_LYON,     /* the family's taylor fit from the chord of nearly unit vectors */
-    BURNISH_LOBE_GAUSSIAN, /* exp(-(n + .775) (1 - c)) */
-    BURNISH_LOBE_GX,       /* c^2 / (n/2 + (1 - n/2) c^2) */
-    BURNISH_LOBE_KIND_COUNT
-} burnish_lobe_kind;
-
-/* Which lobe; its exponent comes from each material. */
-typedef struct burnish_lobe_choice {
-    burnish_lobe_kind kind;
-    burnish_lobe_fit fit; /* FAMILY only */
-    double level;         /* FAMILY with fit level only: Q in (0, 1) */
-    int order;            /* FAMILY and LYON only: 2, 4, 8, 16 or 32 */
-} burnish_lobe_choice;
-
-/* Reads "FIT:ORDER" (taylor:2, energy:4, level0.5:2, shift7, shift3, projected:8; order 2 when left
- * out) or power, schlick, lyon:ORDER, gaussian, gx. Errors: ARGUMENT with the list of words. */
-BURNISH_API burnish_status burnish_lobe_choice_parse(const char *text, burnish_lobe_choice *choice,
-                                                     burnish_error *error);
-
-/* Writes the words that burnish_lobe_choice_parse reads; size 32 is enough. */
-BURNISH_API void burnish_lobe_choice_name(const burnish_lobe_choice *choice, char *text,
-                                          size_t size);
-
-typedef enum burnish_light_kind {
-    BURNISH_LIGHT_DIRECTIONAL,
-    BURNISH_LIGHT_POINT
-} burnish_light_kind;
-
-/* One light; point lights do not fall off with distance. */
-typedef struct burnish_light {
-    burnish_light_kind kind;
-    int follows_camera; /* 1: vector is in camera space (x right, y up, z toward the viewer; a point
-                           light's unit is the distance from camera to focal point) */
-    double vector[3];   /* DIRECTIONAL: toward the light, any length > 0; POINT: its place */
-    float color[3];     /* linear, >= 0 */
-} burnish_light;
-
-/* At most this many lights. */
-#define BURNISH_LIGHT_MAX 64
-
-typedef enum burnish_specular_model {
-    BURNISH_SPECULAR_BLINN,
-    BURNISH_SPECULAR_PHONG
-} burnish_specular_model;
-
-/* LOCAL: V points from each pixel to the camera. DISTANT: V is the camera's axis everywhere. */
-typedef enum burnish_viewer { BURNISH_VIEWER_LOCAL, BURNISH_VIEWER_DISTANT } burnish_viewer;
 
 /* What the report counts; the rest of it stays 0. Marking which triangles are drawn takes longer
  * than counting pixels. */
@@ -93,9 +40,10 @@ typedef struct burnish_render_options {
     const burnish_kernels
         *batch; /* the kernels; NULL: burnish_kernels_best(). Never change the pixels */
     burnish_camera camera;
-    burnish_lobe_choice lobe;
-    burnish_specular_model equation;
-    burnish_viewer viewer;
+    burnish_lobe_spec lobe; /* any that burnish_lobe_spec_check accepts */
+    burnish_specular_model specular_model;
+    int local_viewer;       /* 1: V points from each pixel to the camera; 0: V is the camera's axis
+                               everywhere */
     float ambient_light[3]; /* Ia, linear */
     burnish_light lights[BURNISH_LIGHT_MAX];
     int light_count;       /* [0, BURNISH_LIGHT_MAX] */

@@ -1,4 +1,4 @@
-/* burnish/theory.h: what is true of a lobe, in double precision: fits, values, derivatives, widths,
+/* burnish/theory.h: what is true of a lobe, in double precision: values, derivatives, widths,
  * energy, sampling, errors against cos^n, cost, and the claims of the paper with their verdicts.
  *
  * How to use it.
@@ -13,8 +13,8 @@
  *
  * What it promises. A model that a function here made successfully may be handed to every other
  * one. No function allocates, prints or keeps state; all may be called from any thread. Results do
- * not depend on the locale. The fits of burnish_theory_zeta have the same bits on every machine;
- * the rest uses the C library and may differ in the last digits.
+ * not depend on the locale. Slopes (burnish_lobe_solve) have the same bits on every machine; the
+ * rest uses the C library and may differ in the last digits.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -27,39 +27,11 @@
 
 #include "burnish/core.h"
 #include "burnish/lobe.h"
+#include "burnish/shading.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* The slope zeta that a fit gives for an exponent.
- *   taylor     n / m
- *   energy     (n + 1) / (m + 1)
- *   level      (1 - Q^(1/m)) / (1 - Q^(1/n))
- *   shift7     7n / 16, m = 2
- *   shift3     3n / 8, m = 2
- *   projected  the root >= 1 of (m+1)(m+2) zeta^2 - (m+2)(n+2) zeta + (n+2) = 0
- * Guarantees: plain IEEE operations in a fixed order, no libm: the same bits on every machine.
- * Relative error below 2e-15, for level with Q in [1e-300, 1 - 1e-9] too.
- *
- *   fit       one of the six
- *   order     m: 2, 4, 8, 16 or 32, from 4 on at most the exponent; SHIFT7 and SHIFT3: 2
- *   exponent  n: [1, 65536]; PROJECTED: at least the order, for order 2 too, since the equation
- *             above counts no light from below c = 0 and zeta < 1 would put some there
- *   level     Q: (0, 1); read for LEVEL only
- *   zeta      receives the slope, 0 on error; not NULL
- * Errors: ERROR_FIT, ERROR_ORDER, ERROR_EXPONENT, ERROR_ORDER_FOR_EXPONENT, ERROR_LEVEL; NaN is an
- * error everywhere. */
-BURNISH_API burnish_lobe_status burnish_theory_zeta(burnish_lobe_fit fit, int order,
-                                                    double exponent, double level, double *zeta);
-
-/* Makes a lobe by any fit: burnish_theory_zeta rounded to float, thereby bit for bit what
- * burnish_lobe_create gives where that knows the fit and the exponent is a float.
- *   lobe                         becomes the lobe, on error the dark one; not NULL
- *   fit, order, exponent, level  as for burnish_theory_zeta
- * Errors: those of burnish_theory_zeta. */
-BURNISH_API burnish_lobe_status burnish_theory_lobe(burnish_lobe *lobe, burnish_lobe_fit fit,
-                                                    int order, double exponent, double level);
 
 /* Values of the lobes in double precision, to measure float ones against. All take any double for c
  * (<= 0 gives 0 except for the family and the Gaussian, > 1 counts as 1, NaN gives 0), return a
@@ -83,128 +55,47 @@ BURNISH_API double burnish_theory_gx(double cosine, double exponent);
 
 /* ---- Models ----
  *
- * One lobe with everything needed to evaluate it. */
+ * One lobe at one exponent, with everything needed to evaluate it. */
 
-typedef enum burnish_theory_kind {
-    BURNISH_THEORY_FAMILY,      /* scale max(0, 1 - zeta (1 - c))^m */
-    BURNISH_THEORY_POWER,       /* c^n, the reference */
-    BURNISH_THEORY_SCHLICK,     /* c / (n - n c + c) */
-    BURNISH_THEORY_LYON,        /* taylor of exact unit vectors, (1 - (n/m) |a - b|^2 / 2)^m */
-    BURNISH_THEORY_GAUSSIAN,    /* exp(-(n + .775) (1 - c)) */
-    BURNISH_THEORY_GX,          /* c^2 / (n/2 + (1 - n/2) c^2) */
-    BURNISH_THEORY_NV2X,        /* max(0, c + k0) / (k2 + k1 c) */
-    BURNISH_THEORY_KUIJK_BLAKE, /* quadratic in the angle, in two pieces */
-    BURNISH_THEORY_TABLE,       /* the power at c = i / (entries - 1), nearest or linear */
-    BURNISH_THEORY_KIND_COUNT
-} burnish_theory_kind;
-
-/* burnish_lobe_fit and the fits that are found by a search. */
-typedef enum burnish_theory_fit {
-    BURNISH_THEORY_TAYLOR = BURNISH_FIT_TAYLOR,
-    BURNISH_THEORY_ENERGY = BURNISH_FIT_ENERGY,
-    BURNISH_THEORY_LEVEL = BURNISH_FIT_LEVEL,
-    BURNISH_THEORY_SHIFT7 = BURNISH_FIT_SHIFT7,
-    BURNISH_THEORY_SHIFT3 = BURNISH_FIT_SHIFT3,
-    BURNISH_THEORY_PROJECTED = BURNISH_FIT_PROJECTED,
-    BURNISH_THEORY_MINIMAX = BURNISH_FIT_COUNT, /* least maximum absolute error, c in [0, 1] */
-    BURNISH_THEORY_LEAST_SQUARES,               /* least integral of the squared error over c */
-    BURNISH_THEORY_AFFINE, /* (A c + B)^m, A + B free: least maximum error; below 1 at the peak */
-    BURNISH_THEORY_GIVEN,  /* zeta as given: Doom 3's zeta4:2, Unreal's zeta6.645:2 */
-    BURNISH_THEORY_FIT_COUNT
-} burnish_theory_fit;
-
-/* The largest table. */
-#define BURNISH_THEORY_ENTRIES_MAX 65536
-
-/* A lobe. Made by the functions below; read it freely, change nothing. */
+/* Made by burnish_theory_model_create; read it freely, change nothing. */
 typedef struct burnish_theory_model {
-    burnish_theory_kind kind;
-    burnish_theory_fit fit; /* FAMILY */
-    int order;              /* FAMILY, LYON: m; otherwise 0 */
-    int entries, linear;    /* TABLE: number of entries, 1 for linear interpolation */
+    burnish_lobe_spec lobe; /* which; every kind but WHOLE_POWER */
     double exponent;        /* n of the power that it stands for: [1, 65536] */
-    double level;           /* FAMILY with fit LEVEL: Q; otherwise 0 */
     double zeta;            /* FAMILY, LYON: the slope; NV2X: 1 / (1 + k0); otherwise 0 */
     double scale;           /* value at the peak: 1, in (0, 1) with fit AFFINE */
-    double k[3];            /* NV2X: k0, k1, k2; KUIJK_BLAKE: a, b of the header's formula, 0 */
+    double k[3];            /* NV2X: k0, k1, k2; KUIJK_BLAKE: a, b of the formula below, 0 */
 } burnish_theory_model;
 
-/* The slope and the scale that a fit gives, the searched ones included.
- *   minimax        zeta where the largest error above the power equals the largest one below it.
- *                  Above falls and below rises with zeta, so there is one such place. The maximum
- *                  is certified: lobe and power have equal slope at two places at most, which are
- *                  found by bisection, and the ends of the range are looked at.
- *   leastsquares   zeta with the least integral of (lobe - power)^2 over c in [0, 1]
- *   affine         u = max(0, A c + B), scale = (A + B)^m, zeta = A / (A + B): least maximum error
- *                  over both. Costs what the others cost and lowers the error by a sixth (for large
- *                  n to .0578 from minimax's .0699 at m = 2, to .0281 from .0332 at m = 4), for a
- *                  peak that is lower by that error
- * Guarantees: zeta and scale within 1e-9 of the optimum.
+/* Makes the model of a lobe.
+ *   family, lyon   burnish_lobe_solve
+ *   nv2x           a Moebius function of the cosine, as NVIDIA's NV1x and NV2x chips had it. Their
+ *                  constants are known from reverse engineering only, to two digits; k0, k1, k2
+ *                  here are the best that the form can do: value 1 at the peak, least maximum error
+ *   kuijk-blake    with the angle x: 1 - x^2/(ab) to a, (x - b)^2 / (b (b - a)) from a to b,
+ *                  a = (n + 5.6) / (n (.09 n + 5.2)), b = (n + 65) / (5 n + 31.7); a poor fit from
+ *                  n = 128 up. Source: Kuijk and Blake 1989
+ *   table          of the power, not stored: entry i is (i / (entries - 1))^n, the nearest one
+ *                  (halves go up) or linear interpolation
  *
- *   fit, order, exponent, level  as for burnish_theory_zeta; the searched fits need n >= m, order 2
- *                                excepted (but not for AFFINE); GIVEN: level is zeta
- *   zeta, scale                  receive the result, 0 on error; not NULL
- * Errors: those of burnish_theory_zeta, and ERROR_ZETA for GIVEN outside (0, 65536].
- * Source: minimax by Beaudoin and Guardado 2002, whose tables it reproduces. */
-BURNISH_API burnish_lobe_status burnish_theory_solve(burnish_theory_fit fit, int order,
-                                                     double exponent, double level, double *zeta,
-                                                     double *scale);
+ *   model     becomes the model, on error that of the power with exponent 1; not NULL
+ *   lobe      any but WHOLE_POWER; may be model's own; not NULL
+ *   exponent  n: [1, 65536]; for FAMILY and LYON as for burnish_lobe_solve
+ * Errors: those of burnish_lobe_solve, ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER for
+ * a table's number of entries. */
+BURNISH_API burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
+                                                            const burnish_lobe_spec *lobe,
+                                                            double exponent);
 
-/* Makes a lobe of the family. On error *model is the power with exponent 1.
- *   fit, order, exponent, level  and errors: as for burnish_theory_solve */
-BURNISH_API burnish_lobe_status burnish_theory_model_family(burnish_theory_model *model,
-                                                            burnish_theory_fit fit, int order,
-                                                            double exponent, double level);
-
-/* Makes one of the lobes to compare with. On error *model is the power with exponent 1.
- *   nv2x         a Moebius function of the cosine, as NVIDIA's NV1x and NV2x chips had it. Their
- *                constants are known from reverse engineering only, to two digits; k0, k1, k2 here
- *                are the best that the form can do: value 1 at the peak, least maximum error.
- *   kuijk-blake  with the angle x: 1 - x^2/(ab) to a, (x - b)^2 / (b (b - a)) from a to b,
- *                a = (n + 5.6) / (n (.09 n + 5.2)), b = (n + 65) / (5 n + 31.7); a poor fit from
- *                n = 128 up. Source: Kuijk and Blake 1989.
- *   kind      any but FAMILY and TABLE
- *   order     LYON: m as for taylor; otherwise not read
+/* The same from words: those of burnish_lobe_spec_parse, and nv2x, kuijk-blake, tableN,
+ * tableN:nearest, tableN:linear (N entries). burnish_lobe_spec_name writes them.
+ *   text      the words, zero-terminated; not NULL
  *   exponent  n: [1, 65536]
- * Errors: ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER, ERROR_ORDER_FOR_EXPONENT. */
-BURNISH_API burnish_lobe_status burnish_theory_model_other(burnish_theory_model *model,
-                                                           burnish_theory_kind kind, int order,
-                                                           double exponent);
-
-/* Makes a table of the power, which is not stored: entry i is (i / (entries - 1))^n.
- *   entries   [2, BURNISH_THEORY_ENTRIES_MAX]
- *   linear    0: the nearest entry (halves go up); 1: linear interpolation
- *   exponent  n: [1, 65536]
- * Errors: ERROR_ORDER for the number of entries, ERROR_EXPONENT. On error the power, exponent 1. */
-BURNISH_API burnish_lobe_status burnish_theory_model_table(burnish_theory_model *model, int entries,
-                                                           int linear, double exponent);
-
-/* The same kind of lobe for another exponent: fit, order, level, entries stay (GIVEN: zeta too).
- * On error, for which see the functions above, *result is the power with exponent 1.
- *   model   where to take the kind from; may be the same object as result */
-BURNISH_API burnish_lobe_status burnish_theory_model_at(const burnish_theory_model *model,
-                                                        double exponent,
-                                                        burnish_theory_model *result);
-
-/* Reads a lobe's words: FIT[:ORDER] (order 2 where left out) with FIT taylor, energy, levelQ,
- * projected, minimax, leastsquares, affine or zetaZ (Q, Z decimal numbers); shift7[:2], shift3[:2];
- * lyon[:ORDER]; power, schlick, gaussian, gx, nv2x, kuijk-blake; tableN, tableN:nearest,
- * tableN:linear.
- *   text      the words, zero-terminated
- *   exponent  n: [1, 65536]
- *   model     becomes the lobe; as it was on error
+ *   model     becomes the lobe; as it was on error; not NULL
  *   error     receives the one line of an error; may be NULL
  * Errors: ARGUMENT. */
 BURNISH_API burnish_status burnish_theory_model_parse(const char *text, double exponent,
                                                       burnish_theory_model *model,
                                                       burnish_error *error);
-
-/* Writes the words that burnish_theory_model_parse reads; size 32 is enough. */
-BURNISH_API void burnish_theory_model_name(const burnish_theory_model *model, char *text,
-                                           size_t size);
-
-/* One lobe of each sort, as words, for lists and help: "taylor:2", ...; NULL from the end on. */
-BURNISH_API const char *burnish_theory_model_word(size_t index);
 
 /* ---- Values ----
  *
@@ -423,7 +314,7 @@ BURNISH_API int burnish_theory_cost_order(const burnish_theory_cost *a,
 
 /* The cheapest lobe whose largest absolute error against the power, c in [0, 1], is at most
  * epsilon; of equally cheap ones the one with the least error. The power itself is a candidate, so
- * there always is one; tables are not.
+ * there always is one; lobes that pictures can't draw (burnish_lobe_spec_check) are not.
  *   exponent  n: [1, 65536]
  *   epsilon   (0, 1)
  *   affine    1: lobes whose peak is not 1 (fit affine) are candidates too
@@ -485,9 +376,9 @@ BURNISH_API double burnish_theory_format_decode(const burnish_theory_format *for
 
 /* What a memory holds. */
 typedef struct burnish_theory_memory {
-    burnish_theory_model model; /* its kind; the exponent comes from the list */
-    double bits;                /* q: [1, 1024], or 0 for the cutoff */
-    int lambda;                 /* 1: words hold 1 - cosine, 0: cosines */
+    burnish_lobe_spec lobe; /* the exponent comes from the list */
+    double bits;            /* q: [1, 1024], or 0 for the cutoff */
+    int lambda;             /* 1: words hold 1 - cosine, 0: cosines */
     burnish_theory_format format;
     burnish_theory_rounding rounding;
 } burnish_theory_memory;

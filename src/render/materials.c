@@ -1,60 +1,51 @@
 #include "render/materials.h"
 
-#include "burnish/theory.h"
 #include "core/memory.h"
 
-/* The family's lobe for an exponent: the chosen order or the highest below it that the exponent
- * allows, and when none fits the chosen fit, energy at order 2, which exists for every exponent. */
-static burnish_lobe family_lobe(const burnish_lobe_choice *choice, burnish_lobe_fit fit,
-                                float exponent, size_t *fallbacks) {
-    burnish_lobe lobe;
-    for (int order = choice->order; order >= 2; order /= 2) {
-        if (burnish_theory_lobe(&lobe, fit, order, exponent, choice->level) == BURNISH_LOBE_OK) {
-            *fallbacks += order != choice->order;
-            return lobe;
+/* A lobe of the family for an exponent, solved, its value at the peak in *scale: the order asked
+ * for or the highest below it that the exponent allows, and when none suits the fit, energy at
+ * order 2, which exists for every exponent. */
+static burnish_lobe_spec solved_lobe(const burnish_lobe_spec *lobe, double exponent, double *scale,
+                                     size_t *fallbacks) {
+    burnish_lobe_spec solved = *lobe;
+    solved.fit = BURNISH_FIT_GIVEN;
+    for (burnish_lobe_spec lower = *lobe; lower.order >= 2; lower.order /= 2) {
+        if (burnish_lobe_solve(&lower, exponent, &solved.parameter, scale) == BURNISH_LOBE_OK) {
+            *fallbacks += lower.order != lobe->order;
+            solved.order = lower.order;
+            return solved;
         }
     }
     *fallbacks += 1;
-    burnish_lobe_create(&lobe, BURNISH_FIT_ENERGY, 2, exponent);
-    return lobe;
+    solved.fit = BURNISH_FIT_ENERGY;
+    solved.order = 2;
+    *scale = 1;
+    return solved;
 }
 
-static burnish_kernels_lobe batch_lobe(const burnish_lobe_choice *choice, float exponent,
-                                       size_t *fallbacks) {
-    burnish_kernels_lobe lobe = {BURNISH_KERNELS_FAMILY, {0, 2}, exponent};
-    switch (choice->kind) {
-    case BURNISH_LOBE_LYON:
-        lobe.family = family_lobe(choice, BURNISH_FIT_TAYLOR, exponent, fallbacks);
-        break;
-    case BURNISH_LOBE_POWER:
-        lobe.kind = BURNISH_KERNELS_POWER;
-        break;
-    case BURNISH_LOBE_SCHLICK:
-        lobe.kind = BURNISH_KERNELS_SCHLICK;
-        break;
-    case BURNISH_LOBE_GAUSSIAN:
-        lobe.kind = BURNISH_KERNELS_GAUSSIAN;
-        break;
-    case BURNISH_LOBE_GX:
-        lobe.kind = BURNISH_KERNELS_GX;
-        break;
-    case BURNISH_LOBE_FAMILY:
-    case BURNISH_LOBE_KIND_COUNT:
-        lobe.family = family_lobe(choice, choice->fit, exponent, fallbacks);
-        break;
+/* A material with the lobe that its exponent allows, whose peak goes into the specular colour. */
+static void set_lobe(const burnish_lobe_spec *lobe, burnish_shade_material *made,
+                     size_t *fallbacks) {
+    double scale = 1;
+    made->lobe = *lobe;
+    if (lobe->kind == BURNISH_LOBE_LYON) {
+        made->lobe.order = burnish_lobe_highest_order(lobe->order, made->material.exponent);
+        *fallbacks += made->lobe.order != lobe->order;
+    } else if (lobe->kind == BURNISH_LOBE_FAMILY) {
+        made->lobe = solved_lobe(lobe, (double)made->material.exponent, &scale, fallbacks);
     }
-    return lobe;
+    for (int k = 0; k < 3; ++k) {
+        made->material.specular[k] *= (float)scale;
+    }
 }
 
 /* Vertex colours take the place of burnish's grey, and multiply a colour that the file gave. */
-static void set_colors(const burnish_material *material, int has_colors,
-                       const float ambient_light[3], burnish_shade_material *made) {
-    int white = has_colors && !material->has_diffuse;
-    for (int i = 0; i < 3; ++i) {
-        made->diffuse[i] = white ? 1.0f : material->diffuse[i];
-        made->ambient[i] = ambient_light[i] * (white ? 1.0f : material->ambient[i]);
-        made->specular[i] = material->specular[i];
+static burnish_material with_colors(const burnish_material *material) {
+    burnish_material white = *material;
+    for (int k = 0; k < 3 && !material->has_diffuse; ++k) {
+        white.diffuse[k] = white.ambient[k] = 1.0f;
     }
+    return white;
 }
 
 burnish_status burnish_materials_create(const burnish_mesh *scene,
@@ -71,10 +62,8 @@ burnish_status burnish_materials_create(const burnish_mesh *scene,
     *fallbacks = 0;
     for (size_t i = 0; i < count; ++i) {
         const burnish_material *material = burnish_mesh_material(scene, i);
-        size_t lower = 0;
-        set_colors(material, has_colors, options->ambient_light, &(*materials)[i]);
-        (*materials)[i].lobe = batch_lobe(&options->lobe, material->exponent, &lower);
-        *fallbacks += lower;
+        (*materials)[i].material = has_colors ? with_colors(material) : *material;
+        set_lobe(&options->lobe, &(*materials)[i], fallbacks);
     }
     return BURNISH_STATUS_OK;
 }

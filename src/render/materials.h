@@ -5,9 +5,6 @@
 #include "burnish/render.h"
 #include "shading/shade.h"
 
-/* Checks the words of a choice (kind, fit, order, level). Errors: ARGUMENT. */
-burnish_status burnish_lobe_choice_check(const burnish_lobe_choice *choice, burnish_error *error);
-
 /* One shade material a scene material, in *materials (released with free()). fallbacks gets how
  * many were given a lower order than the choice's because their exponent allows no more. */
 burnish_status burnish_materials_create(const burnish_mesh *scene,

@@ -31,9 +31,9 @@ burnish_render_options burnish_render_options_default(void) {
     options.samples = 4;
     options.camera.view_up[1] = 1;
     options.camera.view_angle = 30;
-    options.lobe.kind = BURNISH_LOBE_FAMILY;
     options.lobe.fit = BURNISH_FIT_ENERGY;
     options.lobe.order = 2;
+    options.local_viewer = 1;
     for (int i = 0; i < 3; ++i) {
         options.ambient_light[i] = 0.08f;
         options.background[i] = 255;
@@ -90,12 +90,17 @@ static burnish_status check_lights(const burnish_render_options *options, burnis
         const double *v = light->vector;
         int directionless =
             light->kind == BURNISH_LIGHT_DIRECTIONAL && v[0] == 0 && v[1] == 0 && v[2] == 0;
-        if (!finite(v, 3) || directionless || !is_light_color(light->color)) {
+        if ((unsigned)light->kind > BURNISH_LIGHT_POINT || !finite(v, 3) || directionless ||
+            !is_light_color(light->color)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "light %d: needs a finite vector (not 0 for a directional light) "
                                 "and a colour in [0, 1e6]",
                                 i + 1);
         }
+    }
+    if ((unsigned)options->specular_model > BURNISH_SPECULAR_PHONG) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "specular model %d does not exist",
+                            (int)options->specular_model);
     }
     if (!is_light_color(options->ambient_light)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "ambient light: not in [0, 1e6]");
@@ -123,7 +128,7 @@ static burnish_status check_options(const burnish_render_options *options, burni
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "threads: %d is not in [0, %d]",
                             options->threads, BURNISH_THREADS_MAX);
     }
-    burnish_status status = burnish_lobe_choice_check(&options->lobe, error);
+    burnish_status status = burnish_lobe_spec_check(&options->lobe, error);
     if (status == BURNISH_STATUS_OK) {
         status = check_camera(&options->camera, error);
     }
@@ -139,9 +144,9 @@ static size_t count_drawn(const uint8_t *drawn, size_t count) {
 }
 
 static int needs_position(const burnish_kernels_lighting *lighting) {
-    int needs = lighting->near_viewer;
+    int needs = lighting->local_viewer;
     for (int i = 0; i < lighting->light_count; ++i) {
-        needs |= lighting->lights[i].kind == BURNISH_KERNELS_POINT;
+        needs |= lighting->lights[i].kind == BURNISH_LIGHT_POINT;
     }
     return needs;
 }

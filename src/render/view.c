@@ -165,20 +165,24 @@ static double largest_component(burnish_vec3 v) {
     return largest > z ? largest : z;
 }
 
-static burnish_kernels_light make_light(const camera_frame *frame, const burnish_mesh_view *mesh,
-                                        const burnish_camera *camera, const burnish_light *light) {
-    burnish_kernels_light made;
+static burnish_light make_light(const camera_frame *frame, const burnish_mesh_view *mesh,
+                                const burnish_camera *camera, const burnish_light *light) {
+    burnish_light made;
+    float vector[3];
     burnish_vec3 v = light_vector(frame, mesh, camera, light);
     double largest = largest_component(v);
     memset(&made, 0, sizeof made);
     memcpy(made.color, light->color, sizeof made.color);
     made.kind = light->kind == BURNISH_LIGHT_POINT && largest < POINT_REACH
-                    ? BURNISH_KERNELS_POINT
-                    : BURNISH_KERNELS_DIRECTIONAL;
-    if (made.kind == BURNISH_KERNELS_DIRECTIONAL) {
+                    ? BURNISH_LIGHT_POINT
+                    : BURNISH_LIGHT_DIRECTIONAL;
+    if (made.kind == BURNISH_LIGHT_DIRECTIONAL) {
         v = burnish_vec3_normalize(burnish_vec3_scale(v, 1 / largest));
     }
-    store(v, made.vector);
+    store(v, vector);
+    for (int k = 0; k < 3; ++k) {
+        made.vector[k] = (double)vector[k];
+    }
     return made;
 }
 
@@ -187,14 +191,12 @@ static void make_lighting(const camera_frame *frame, const burnish_mesh_view *me
                           burnish_kernels_lighting *lighting) {
     const burnish_camera *camera = &options->camera;
     *lighting = burnish_kernels_lighting_default();
-    lighting->highlight =
-        options->equation == BURNISH_SPECULAR_PHONG ? BURNISH_KERNELS_PHONG : BURNISH_KERNELS_BLINN;
-    lighting->lyon =
-        options->lobe.kind == BURNISH_LOBE_LYON && lighting->highlight == BURNISH_KERNELS_BLINN;
-    lighting->near_viewer =
-        options->viewer == BURNISH_VIEWER_LOCAL && !(camera->orthographic_height > 0);
-    memset(lighting->viewer, 0, sizeof lighting->viewer); /* places count from the eye */
-    if (!lighting->near_viewer) {
+    lighting->lobe = options->lobe;
+    lighting->specular_model = options->specular_model;
+    memcpy(lighting->ambient_light, options->ambient_light, sizeof lighting->ambient_light);
+    lighting->local_viewer = options->local_viewer && !(camera->orthographic_height > 0);
+    memset(lighting->viewer, 0, sizeof lighting->viewer); /* positions count from the eye */
+    if (!lighting->local_viewer) {
         store(burnish_vec3_scale(frame->forward, -1), lighting->viewer);
     }
     lighting->light_count = options->light_count;

@@ -48,29 +48,35 @@ burnish_isa burnish_kernels_isa(const burnish_kernels *batch) {
     return batch->isa;
 }
 
-static burnish_status lobe_array(const burnish_kernels *batch, const burnish_kernels_lobe *lobe,
-                                 int input, size_t count, const float *in, float *out,
-                                 burnish_error *error) {
+static burnish_status lobe_array(const burnish_kernels *batch, const burnish_lobe_spec *lobe,
+                                 float exponent, int input, size_t count, const float *in,
+                                 float *out, burnish_error *error) {
     burnish_kernels_lobe_constants constants;
-    burnish_status status = burnish_lobe_constants_make(lobe, &constants, error);
+    float scale;
+    burnish_status status = burnish_lobe_constants_make(lobe, exponent, &constants, &scale, error);
     if (status == BURNISH_STATUS_OK) {
         batch->lobe[constants.body][input](&constants, count, in, out);
+        for (size_t i = 0; scale != 1.0f && i < count; ++i) {
+            out[i] *= scale;
+        }
     }
     return status;
 }
 
 burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels *batch,
-                                               const burnish_kernels_lobe *lobe, size_t count,
-                                               const float *cosines, float *values,
+                                               const burnish_lobe_spec *lobe, float exponent,
+                                               size_t count, const float *cosines, float *values,
                                                burnish_error *error) {
-    return lobe_array(batch, lobe, BURNISH_LOBE_INPUT_COSINE, count, cosines, values, error);
+    return lobe_array(batch, lobe, exponent, BURNISH_LOBE_INPUT_COSINE, count, cosines, values,
+                      error);
 }
 
 burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *batch,
-                                               const burnish_kernels_lobe *lobe, size_t count,
-                                               const float *lambdas, float *values,
+                                               const burnish_lobe_spec *lobe, float exponent,
+                                               size_t count, const float *lambdas, float *values,
                                                burnish_error *error) {
-    return lobe_array(batch, lobe, BURNISH_LOBE_INPUT_LAMBDA, count, lambdas, values, error);
+    return lobe_array(batch, lobe, exponent, BURNISH_LOBE_INPUT_LAMBDA, count, lambdas, values,
+                      error);
 }
 
 void burnish_kernels_normalize(const burnish_kernels *batch, size_t count, const float *const in[3],
@@ -94,7 +100,7 @@ static burnish_status check_points(const burnish_kernels_shader *shader,
     }
     if (shader->needs_position && (!p[0] || !p[1] || !p[2])) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "points: point lights and near viewers need the arrays of positions");
+                            "points: point lights and local viewers need the arrays of positions");
     }
     return BURNISH_STATUS_OK;
 }

@@ -11,7 +11,7 @@ static burnish_float4 mix(const burnish_float4 *attributes, const uint32_t v[3],
 void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *fragments,
                          burnish_points *points) {
     const burnish_attributes *attributes = shader->attributes;
-    const int needs_w = attributes->has_colors || shader->lighting.lyon;
+    const int needs_w = attributes->has_colors || burnish_shader_is_lyon(shader);
     points->count = fragments->count;
     for (int i = 0; i < fragments->count; ++i) {
         const burnish_primitive *corners = &fragments->primitives[i];
@@ -20,7 +20,7 @@ void burnish_interpolate(const burnish_shader *shader, const burnish_fragments *
         float scale = corners->id_and_facing & 1 ? -1.0f : 1.0f;
         if (needs_w) {
             const float w = 1.0f / normal[3];
-            scale = shader->lighting.lyon ? scale * w : scale;
+            scale = burnish_shader_is_lyon(shader) ? scale * w : scale;
             if (attributes->has_colors) {
                 burnish_float4 color =
                     mix(attributes->colors, corners->vertices, weight1, weight2) * w;

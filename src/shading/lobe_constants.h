@@ -19,9 +19,9 @@ typedef enum burnish_lobe_body {
     BURNISH_LOBE_BODY_COUNT
 } burnish_lobe_body;
 
-/* Fills *constants; a dark lobe becomes NONE. Returns OK or ARGUMENT, with a line. */
-burnish_status burnish_lobe_constants_make(const burnish_kernels_lobe *lobe,
-                                           burnish_kernels_lobe_constants *constants,
+/* Fills *constants, and *scale with the value at the peak. Returns OK or ARGUMENT, with a line. */
+burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float exponent,
+                                           burnish_kernels_lobe_constants *constants, float *scale,
                                            burnish_error *error);
 
 #endif

@@ -17,21 +17,23 @@ static int squarings_of(int order) {
     return squarings;
 }
 
-static burnish_status family_constants(const burnish_lobe *family,
-                                       burnish_kernels_lobe_constants *constants,
+static burnish_status family_constants(const burnish_lobe_spec *lobe, float exponent,
+                                       burnish_kernels_lobe_constants *constants, float *scale,
                                        burnish_error *error) {
-    if (family->order == 0 && family->zeta == 0.0f) {
-        return BURNISH_STATUS_OK; /* dark */
+    burnish_lobe family;
+    double zeta, peak;
+    burnish_lobe_status status = burnish_lobe_solve(lobe, (double)exponent, &zeta, &peak);
+    if (status == BURNISH_LOBE_OK) {
+        status = burnish_lobe_from_zeta(&family, (float)zeta, lobe->order);
     }
-    burnish_lobe checked;
-    if (burnish_lobe_from_zeta(&checked, family->zeta, family->order) != BURNISH_LOBE_OK) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: order %d, zeta %g: make it with burnish_lobe_create()",
-                            family->order, (double)family->zeta);
+    if (status != BURNISH_LOBE_OK) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: order %d at exponent %g: %s",
+                            lobe->order, (double)exponent, burnish_lobe_status_text(status));
     }
-    constants->body = family->order == 2 ? BURNISH_LOBE_BODY_SQUARE : BURNISH_LOBE_BODY_SQUARES;
-    constants->squarings = squarings_of(family->order);
-    constants->zeta = family->zeta;
+    constants->body = family.order == 2 ? BURNISH_LOBE_BODY_SQUARE : BURNISH_LOBE_BODY_SQUARES;
+    constants->squarings = squarings_of(family.order);
+    constants->zeta = family.zeta;
+    *scale = (float)peak;
     return BURNISH_STATUS_OK;
 }
 
@@ -46,36 +48,34 @@ static void exponent_constants(float n, int body, burnish_kernels_lobe_constants
         body == BURNISH_LOBE_BODY_GAUSSIAN ? (float)(-((double)n + 0.775) * log2_e) : 0.5f * n;
 }
 
-burnish_status burnish_lobe_constants_make(const burnish_kernels_lobe *lobe,
-                                           burnish_kernels_lobe_constants *constants,
+burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float exponent,
+                                           burnish_kernels_lobe_constants *constants, float *scale,
                                            burnish_error *error) {
-    static const int bodies[BURNISH_KERNELS_LOBE_KIND_COUNT] = {
-        [BURNISH_KERNELS_POWER] = BURNISH_LOBE_BODY_POWER,
-        [BURNISH_KERNELS_WHOLE_POWER] = BURNISH_LOBE_BODY_MULTIPLY,
-        [BURNISH_KERNELS_SCHLICK] = BURNISH_LOBE_BODY_SCHLICK,
-        [BURNISH_KERNELS_GAUSSIAN] = BURNISH_LOBE_BODY_GAUSSIAN,
-        [BURNISH_KERNELS_GX] = BURNISH_LOBE_BODY_GX,
+    static const int bodies[BURNISH_LOBE_KIND_COUNT] = {
+        [BURNISH_LOBE_POWER] = BURNISH_LOBE_BODY_POWER,
+        [BURNISH_LOBE_WHOLE_POWER] = BURNISH_LOBE_BODY_MULTIPLY,
+        [BURNISH_LOBE_SCHLICK] = BURNISH_LOBE_BODY_SCHLICK,
+        [BURNISH_LOBE_GAUSSIAN] = BURNISH_LOBE_BODY_GAUSSIAN,
+        [BURNISH_LOBE_GX] = BURNISH_LOBE_BODY_GX,
     };
+    const float n = exponent;
     memset(constants, 0, sizeof *constants);
     constants->body = BURNISH_LOBE_BODY_NONE;
-    if ((unsigned)lobe->kind >= BURNISH_KERNELS_LOBE_KIND_COUNT) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: kind %d does not exist",
-                            (int)lobe->kind);
+    *scale = 1.0f;
+    burnish_status status = burnish_lobe_spec_check(lobe, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
-    if (lobe->kind == BURNISH_KERNELS_FAMILY) {
-        return family_constants(&lobe->family, constants, error);
+    if (lobe->kind == BURNISH_LOBE_FAMILY || lobe->kind == BURNISH_LOBE_LYON) {
+        return family_constants(lobe, n, constants, scale, error);
     }
-    if (lobe->kind == BURNISH_KERNELS_DARK) {
-        return BURNISH_STATUS_OK;
-    }
-    const float n = lobe->exponent;
     if (!(n >= BURNISH_LOBE_EXPONENT_MIN && n <= BURNISH_LOBE_EXPONENT_MAX)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "lobe: exponent %g is not in [1, 65536]", (double)n);
     }
-    if (lobe->kind == BURNISH_KERNELS_WHOLE_POWER && n != (float)(uint32_t)n) {
+    if (lobe->kind == BURNISH_LOBE_WHOLE_POWER && n != (float)(uint32_t)n) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: exponent %g is not a whole number; take BURNISH_KERNELS_POWER",
+                            "lobe: exponent %g is not a whole number; take BURNISH_LOBE_POWER",
                             (double)n);
     }
     exponent_constants(n, bodies[lobe->kind], constants);
@@ -87,19 +87,20 @@ burnish_kernels_lighting burnish_kernels_lighting_default(void) {
     memset(&lighting, 0, sizeof lighting);
     lighting.cookie = LIGHTING_COOKIE;
     for (int k = 0; k < 3; ++k) {
-        lighting.ambient[k] = 0.05f;
-        lighting.diffuse[k] = 0.6f;
-        lighting.specular[k] = 0.35f;
+        lighting.material.ambient[k] = 0.05f;
+        lighting.material.diffuse[k] = 0.6f;
+        lighting.material.specular[k] = 0.35f;
+        lighting.ambient_light[k] = 1.0f;
         lighting.lights[0].color[k] = 1.0f;
     }
-    lighting.lobe.kind = BURNISH_KERNELS_FAMILY;
-    (void)burnish_lobe_create(&lighting.lobe.family, BURNISH_FIT_ENERGY, 2, 32.0f);
-    lighting.lobe.exponent = 32.0f;
+    lighting.material.exponent = 32.0f;
+    lighting.lobe.fit = BURNISH_FIT_ENERGY;
+    lighting.lobe.order = 2;
     lighting.viewer[2] = 1.0f;
     lighting.light_count = 1;
-    lighting.lights[0].vector[0] = -0.48f;
-    lighting.lights[0].vector[1] = 0.6f;
-    lighting.lights[0].vector[2] = 0.64f;
+    lighting.lights[0].vector[0] = -0.48;
+    lighting.lights[0].vector[1] = 0.6;
+    lighting.lights[0].vector[2] = 0.64;
     return lighting;
 }
 
@@ -112,10 +113,10 @@ static int is_color(const float color[3]) {
     return 1;
 }
 
-static int is_place(const float place[3]) {
+static int is_position(const float position[3]) {
     const float limit = 0x1p60f;
     for (int k = 0; k < 3; ++k) {
-        if (!(place[k] >= -limit && place[k] <= limit)) {
+        if (!(position[k] >= -limit && position[k] <= limit)) {
             return 0;
         }
     }
@@ -128,19 +129,32 @@ static int is_unit(const float v[3]) {
     return squared > 0.998 && squared < 1.002;
 }
 
+static void round_vector(const double vector[3], float rounded[3]) {
+    for (int k = 0; k < 3; ++k) {
+        rounded[k] = (float)vector[k];
+    }
+}
+
 static burnish_status check_lights(const burnish_kernels_lighting *lighting, burnish_error *error) {
-    if (lighting->light_count < 0 || lighting->light_count > BURNISH_KERNELS_LIGHT_MAX) {
+    if (lighting->light_count < 0 || lighting->light_count > BURNISH_LIGHT_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lights: %d is not in [0, %d]",
-                            lighting->light_count, BURNISH_KERNELS_LIGHT_MAX);
+                            lighting->light_count, BURNISH_LIGHT_MAX);
     }
     for (int i = 0; i < lighting->light_count; ++i) {
-        const burnish_kernels_light *light = &lighting->lights[i];
-        int good =
-            light->kind == BURNISH_KERNELS_POINT ? is_place(light->vector) : is_unit(light->vector);
-        if ((unsigned)light->kind > BURNISH_KERNELS_POINT || !good || !is_color(light->color)) {
+        const burnish_light *light = &lighting->lights[i];
+        float vector[3];
+        round_vector(light->vector, vector);
+        int good = light->kind == BURNISH_LIGHT_POINT ? is_position(vector) : is_unit(vector);
+        if ((unsigned)light->kind > BURNISH_LIGHT_POINT || !good || !is_color(light->color)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "light %d: needs a place within 2^60 or a unit vector, and a "
+                                "light %d: needs a position within 2^60 or a unit vector, and a "
                                 "colour in [0, 1e6]",
+                                i + 1);
+        }
+        if (light->follows_camera) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "light %d: follows a camera, which only burnish_render knows; give "
+                                "it in the points' space",
                                 i + 1);
         }
     }
@@ -153,23 +167,21 @@ static burnish_status check_lighting(const burnish_kernels_lighting *lighting,
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "lighting: start from burnish_kernels_lighting_default()");
     }
-    if (!is_color(lighting->ambient) || !is_color(lighting->diffuse) ||
-        !is_color(lighting->specular)) {
+    const burnish_material *material = &lighting->material;
+    if (!is_color(material->ambient) || !is_color(material->diffuse) ||
+        !is_color(material->specular) || !is_color(lighting->ambient_light)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lighting: ambient, diffuse and specular must be in [0, 1e6]");
+                            "lighting: ambient, diffuse, specular and ambient light must be in "
+                            "[0, 1e6]");
     }
-    if ((unsigned)lighting->highlight > BURNISH_KERNELS_PHONG) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lighting: highlight %d does not exist",
-                            (int)lighting->highlight);
-    }
-    if (lighting->lyon && (lighting->highlight != BURNISH_KERNELS_BLINN ||
-                           lighting->lobe.kind != BURNISH_KERNELS_FAMILY)) {
+    if ((unsigned)lighting->specular_model > BURNISH_SPECULAR_PHONG) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lighting: lyon goes with the family and Blinn's cosine only");
+                            "lighting: specular model %d does not exist",
+                            (int)lighting->specular_model);
     }
-    if (lighting->near_viewer ? !is_place(lighting->viewer) : !is_unit(lighting->viewer)) {
+    if (lighting->local_viewer ? !is_position(lighting->viewer) : !is_unit(lighting->viewer)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lighting: the viewer must be a place within 2^60 or a unit vector");
+                            "lighting: the viewer must be a position within 2^60 or a unit vector");
     }
     return check_lights(lighting, error);
 }
@@ -186,16 +198,18 @@ static void find_half(const float a[3], const float b[3], double half[3]) {
     }
 }
 
-static void fold_light(const burnish_kernels_lighting *lighting, const burnish_kernels_light *light,
-                       const burnish_kernels_shader *shader,
+/* scale is the lobe's value at its peak, which is folded into the specular colour. */
+static void fold_light(const burnish_kernels_lighting *lighting, const burnish_light *light,
+                       float scale, const burnish_kernels_shader *shader,
                        burnish_kernels_light_constants *constants) {
+    const burnish_material *material = &lighting->material;
     double half[3], slope = shader->lobe.zeta > 0.0f ? (double)shader->lobe.zeta : 1.0;
-    constants->is_point = light->kind == BURNISH_KERNELS_POINT;
-    find_half(light->vector, lighting->viewer, half);
+    constants->is_point = light->kind == BURNISH_LIGHT_POINT;
+    round_vector(light->vector, constants->vector);
+    find_half(constants->vector, lighting->viewer, half);
     for (int k = 0; k < 3; ++k) {
-        const float diffuse = lighting->diffuse[k] * light->color[k];
-        const float specular = lighting->specular[k] * light->color[k];
-        constants->vector[k] = light->vector[k];
+        const float diffuse = material->diffuse[k] * light->color[k];
+        const float specular = (material->specular[k] * scale) * light->color[k];
         constants->half[k] = (float)(half[k] * slope);
         constants->diffuse[BURNISH_SHADE_FLOAT][k] = diffuse;
         constants->diffuse[BURNISH_SHADE_RGBA8][k] = 255.0f * diffuse;
@@ -213,32 +227,36 @@ static float find_cutoff(const burnish_kernels_lobe_constants *lobe) {
 
 burnish_status burnish_kernels_prepare(const burnish_kernels_lighting *lighting,
                                        burnish_kernels_shader *shader, burnish_error *error) {
+    const burnish_material *material = &lighting->material;
+    float scale;
     shader->cookie = 0;
     burnish_status status = check_lighting(lighting, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_lobe_constants_make(&lighting->lobe, &shader->lobe, error);
+        status = burnish_lobe_constants_make(&lighting->lobe, material->exponent, &shader->lobe,
+                                             &scale, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const float *ks = lighting->specular;
+    const float *ks = material->specular;
     if (ks[0] == 0.0f && ks[1] == 0.0f && ks[2] == 0.0f) {
         shader->lobe.body = BURNISH_LOBE_BODY_NONE;
     }
-    shader->phong = lighting->highlight == BURNISH_KERNELS_PHONG;
-    shader->lyon = lighting->lyon != 0;
-    shader->near_viewer = lighting->near_viewer != 0;
-    shader->needs_position = shader->near_viewer;
+    shader->phong = lighting->specular_model == BURNISH_SPECULAR_PHONG;
+    shader->lyon = lighting->lobe.kind == BURNISH_LOBE_LYON && !shader->phong;
+    shader->local_viewer = lighting->local_viewer != 0;
+    shader->needs_position = shader->local_viewer;
     shader->light_count = lighting->light_count;
     shader->offset = (float)(1.0 - (double)shader->lobe.zeta);
     shader->cutoff = shader->lyon ? -1.0f : find_cutoff(&shader->lobe);
     for (int k = 0; k < 3; ++k) {
         shader->viewer[k] = lighting->viewer[k];
-        shader->ambient[BURNISH_SHADE_FLOAT][k] = lighting->ambient[k];
-        shader->ambient[BURNISH_SHADE_RGBA8][k] = 255.0f * lighting->ambient[k];
+        const float ambient = lighting->ambient_light[k] * material->ambient[k];
+        shader->ambient[BURNISH_SHADE_FLOAT][k] = ambient;
+        shader->ambient[BURNISH_SHADE_RGBA8][k] = 255.0f * ambient;
     }
     for (int i = 0; i < lighting->light_count; ++i) {
-        fold_light(lighting, &lighting->lights[i], shader, &shader->lights[i]);
+        fold_light(lighting, &lighting->lights[i], scale, shader, &shader->lights[i]);
         shader->needs_position |= shader->lights[i].is_point;
     }
     shader->geometry = shader->phong || shader->lyon || shader->needs_position

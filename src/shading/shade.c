@@ -36,11 +36,7 @@ static burnish_status prepare(const burnish_shader *shader, size_t index,
                               burnish_kernels_shader *prepared, burnish_error *error) {
     const burnish_shade_material *material = &shader->materials[index];
     burnish_kernels_lighting lighting = shader->lighting;
-    for (int k = 0; k < 3; ++k) {
-        lighting.ambient[k] = material->ambient[k];
-        lighting.diffuse[k] = material->diffuse[k];
-        lighting.specular[k] = material->specular[k];
-    }
+    lighting.material = material->material;
     lighting.lobe = material->lobe;
     return burnish_kernels_prepare(&lighting, prepared, error);
 }

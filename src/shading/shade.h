@@ -12,24 +12,28 @@
 #include "shading/attributes.h"
 #include "shading/table.h"
 
-/* A material, before it is folded with the lights. */
+/* A material and its lobe, before they are folded with the lights. */
 typedef struct burnish_shade_material {
-    float ambient[3];  /* Ia ka */
-    float diffuse[3];  /* kd */
-    float specular[3]; /* ks */
-    burnish_kernels_lobe lobe;
+    burnish_material material;
+    burnish_lobe_spec lobe;
 } burnish_shade_material;
 
 typedef struct burnish_shader {
     burnish_rays rays; /* from the eye */
     const burnish_kernels *batch;
-    burnish_kernels_lighting lighting; /* lights, from the eye, and viewer; no material */
+    burnish_kernels_lighting lighting; /* lights, from the eye, and viewer; not the material */
     const burnish_shade_material *materials;
     /* the mesh */
     const burnish_attributes *attributes;
     const uint16_t *triangle_materials; /* or NULL */
-    int needs_position; /* 1: a light or the viewer is near, points must have x, y and depth */
+    int needs_position; /* 1: a point light or a local viewer: points must have x, y and depth */
 } burnish_shader;
+
+/* Whether normals are scaled as Lyon does: points keep the length that interpolation leaves. */
+static inline int burnish_shader_is_lyon(const burnish_shader *shader) {
+    return shader->lighting.lobe.kind == BURNISH_LOBE_LYON &&
+           shader->lighting.specular_model == BURNISH_SPECULAR_BLINN;
+}
 
 /* Colours of a block of visible points, each channel >= 0, not yet clamped. */
 typedef struct burnish_shaded {

@@ -166,11 +166,11 @@ BURNISH_INLINE void shade_general(int body, int output, const burnish_kernels_sh
     vf to_viewer[3];
     for (int k = 0; k < 3; ++k) {
         to_viewer[k] = vf_set(shader->viewer[k]);
-        if (shader->near_viewer) {
+        if (shader->local_viewer) {
             to_viewer[k] = vf_sub(vf_mul(to_viewer[k], at->w), at->position[k]);
         }
     }
-    if (shader->near_viewer) {
+    if (shader->local_viewer) {
         vf inverse = vector_inverse_sqrt(shade_dot(to_viewer, to_viewer));
         for (int k = 0; k < 3; ++k) {
             to_viewer[k] = vf_mul(to_viewer[k], inverse);

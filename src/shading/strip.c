@@ -6,7 +6,7 @@ int burnish_shade_planes(const burnish_shader *shader) {
     if (shader->attributes->has_colors) {
         return BURNISH_PLANE_COUNT;
     }
-    return shader->lighting.lyon ? BURNISH_PLANE_W + 1 : BURNISH_PLANE_Z + 1;
+    return burnish_shader_is_lyon(shader) ? BURNISH_PLANE_W + 1 : BURNISH_PLANE_Z + 1;
 }
 
 /* Colours and Lyon's lobe need the attributes themselves, not times 1/w. */
@@ -19,7 +19,7 @@ static void divide_w(const burnish_shader *shader, const burnish_tile *tile, int
             strip->diffuse[k][i] = color[i] * (1.0f / inverse_w[i]);
         }
     }
-    for (int k = 0; k < 3 && shader->lighting.lyon; ++k) {
+    for (int k = 0; k < 3 && burnish_shader_is_lyon(shader); ++k) {
         const float *normal = tile->planes[BURNISH_PLANE_X + k] + base;
         for (int i = first; i < end; ++i) {
             strip->normal[k][i] = normal[i] * (1.0f / inverse_w[i]);
@@ -47,8 +47,9 @@ static void shade_run(const burnish_shader *shader, burnish_shade_cache *cache,
     float *rgb[3];
     burnish_shade_prepare(shader, material, cache);
     for (int k = 0; k < 3; ++k) {
-        run.normal[k] = shader->lighting.lyon ? strip->normal[k] + first
-                                              : tile->planes[BURNISH_PLANE_X + k] + base + first;
+        run.normal[k] = burnish_shader_is_lyon(shader)
+                            ? strip->normal[k] + first
+                            : tile->planes[BURNISH_PLANE_X + k] + base + first;
         run.diffuse[k] = shader->attributes->has_colors ? strip->diffuse[k] + first : NULL;
         run.position[k] = strip->position[k] + first;
         rgb[k] = strip->rgb[k] + first;

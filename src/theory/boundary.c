@@ -79,13 +79,13 @@ double burnish_theory_format_decode(const burnish_theory_format *format, int64_t
 }
 
 /* The lobe for one exponent, of a lower order where that must be. */
-static burnish_lobe_status model_for(const burnish_theory_model *kind, double exponent,
+static burnish_lobe_status model_for(const burnish_lobe_spec *lobe, double exponent,
                                      burnish_theory_model *model) {
-    burnish_theory_model wanted = *kind;
-    burnish_lobe_status status = burnish_theory_model_at(&wanted, exponent, model);
-    while (status == BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT && wanted.order > 2) {
-        wanted.order /= 2;
-        status = burnish_theory_model_at(&wanted, exponent, model);
+    burnish_lobe_spec lower = *lobe;
+    burnish_lobe_status status = burnish_theory_model_create(model, &lower, exponent);
+    while (status == BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT && lower.order > 2) {
+        lower.order /= 2;
+        status = burnish_theory_model_create(model, &lower, exponent);
     }
     return status;
 }
@@ -108,7 +108,7 @@ burnish_status burnish_theory_memory_fill(const burnish_theory_memory *memory,
     }
     for (size_t i = 0; i < count; ++i) {
         burnish_theory_model model;
-        burnish_lobe_status status = model_for(&memory->model, exponents[i], &model);
+        burnish_lobe_status status = model_for(&memory->lobe, exponents[i], &model);
         if (status != BURNISH_LOBE_OK) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "boundary: exponent %g: %s",
                                 exponents[i], burnish_lobe_status_text(status));

@@ -6,43 +6,44 @@
 
 burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model) {
     burnish_theory_cost cost = {0, 0, 1, 0, 0, 0, 0};
-    switch (model->kind) {
-    case BURNISH_THEORY_FAMILY:
-    case BURNISH_THEORY_LYON: /* A c + B, max, squarings */
+    switch (model->lobe.kind) {
+    case BURNISH_LOBE_FAMILY:
+    case BURNISH_LOBE_LYON: /* A c + B, max, squarings */
         cost.multiplications = cost.additions = 1;
-        for (int power = 1; power < model->order; power *= 2) {
+        for (int power = 1; power < model->lobe.order; power *= 2) {
             ++cost.multiplications;
         }
         break;
-    case BURNISH_THEORY_POWER:
+    case BURNISH_LOBE_POWER:
         cost.transcendentals = 1;
         break;
-    case BURNISH_THEORY_SCHLICK: /* c / (n - (n - 1) c) */
+    case BURNISH_LOBE_SCHLICK: /* c / (n - (n - 1) c) */
         cost.multiplications = cost.additions = cost.divisions = 1;
         break;
-    case BURNISH_THEORY_GAUSSIAN: /* exp(k c - k), positive everywhere */
+    case BURNISH_LOBE_GAUSSIAN: /* exp(k c - k), positive everywhere */
         cost.multiplications = cost.additions = cost.transcendentals = 1;
         cost.comparisons = 0;
         break;
-    case BURNISH_THEORY_GX: /* t = c c, t / (A + B t) */
+    case BURNISH_LOBE_GX: /* t = c c, t / (A + B t) */
         cost.multiplications = 2;
         cost.additions = cost.divisions = 1;
         break;
-    case BURNISH_THEORY_NV2X:
+    case BURNISH_LOBE_NV2X:
         cost.multiplications = cost.divisions = 1;
         cost.additions = 2;
         break;
-    case BURNISH_THEORY_KUIJK_BLAKE: /* the piece, then its square, its factor and an offset */
+    case BURNISH_LOBE_KUIJK_BLAKE: /* the piece, then its square, its factor and an offset */
         cost.multiplications = cost.comparisons = cost.additions = 2;
         cost.transcendentals = 1;
         break;
-    case BURNISH_THEORY_TABLE: /* place, rounding; linear: fraction, difference, sum */
-        cost.multiplications = model->linear ? 2 : 1;
-        cost.additions = model->linear ? 3 : 1;
-        cost.lookups = model->linear ? 2 : 1;
-        cost.memory = model->entries;
+    case BURNISH_LOBE_TABLE: /* place, rounding; linear: fraction, difference, sum */
+        cost.multiplications = model->lobe.linear ? 2 : 1;
+        cost.additions = model->lobe.linear ? 3 : 1;
+        cost.lookups = model->lobe.linear ? 2 : 1;
+        cost.memory = model->lobe.entries;
         break;
-    case BURNISH_THEORY_KIND_COUNT:
+    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_KIND_COUNT:
         break;
     }
     return cost;
@@ -60,6 +61,10 @@ int burnish_theory_cost_order(const burnish_theory_cost *a, const burnish_theory
                  : order_of(a->multiplications + a->additions + a->comparisons,
                             b->multiplications + b->additions + b->comparisons);
 }
+
+/* What can be drawn beside the family; the power is where the choice starts. */
+static const burnish_lobe_kind OTHERS[] = {BURNISH_LOBE_SCHLICK, BURNISH_LOBE_GAUSSIAN,
+                                           BURNISH_LOBE_GX};
 
 /* The best lobe so far. */
 typedef struct {
@@ -85,13 +90,13 @@ static void try_model(choice *best, const burnish_theory_model *model) {
 burnish_status burnish_theory_choose(double exponent, double epsilon, int affine,
                                      burnish_theory_model *model, burnish_theory_cost *cost,
                                      double *maximum, burnish_error *error) {
-    choice best = {epsilon, 0, {.kind = BURNISH_THEORY_POWER}, {0}};
+    choice best = {epsilon, 0, {.exponent = 0}, {0}};
     if (!model || !(epsilon > 0 && epsilon < 1)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "choose: the error allowed, %g, must be between 0 and 1", epsilon);
     }
-    burnish_lobe_status status =
-        burnish_theory_model_other(&best.model, BURNISH_THEORY_POWER, 0, exponent);
+    burnish_lobe_status status = burnish_theory_model_create(
+        &best.model, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER}, exponent);
     if (status != BURNISH_LOBE_OK) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "choose: exponent %g: %s", exponent,
                             burnish_lobe_status_text(status));
@@ -99,17 +104,18 @@ burnish_status burnish_theory_choose(double exponent, double epsilon, int affine
     best.cost = burnish_theory_model_cost(&best.model);
     for (int i = 0; i < 10; ++i) { /* lower orders first, so that dearer ones stop early */
         burnish_theory_model candidate;
-        burnish_theory_fit fit = i % 2 ? BURNISH_THEORY_AFFINE : BURNISH_THEORY_MINIMAX;
-        if ((i % 2 == 0 || affine) && burnish_theory_model_family(&candidate, fit, 2 << i / 2,
-                                                                  exponent, 0) == BURNISH_LOBE_OK) {
+        burnish_lobe_fit fit = i % 2 ? BURNISH_FIT_AFFINE : BURNISH_FIT_MINIMAX;
+        if ((i % 2 == 0 || affine) &&
+            burnish_theory_model_create(&candidate,
+                                        &(burnish_lobe_spec){.fit = fit, .order = 2 << i / 2},
+                                        exponent) == BURNISH_LOBE_OK) {
             try_model(&best, &candidate);
         }
     }
-    for (int kind = 0; kind < BURNISH_THEORY_KIND_COUNT; ++kind) {
+    for (size_t i = 0; i < sizeof OTHERS / sizeof OTHERS[0]; ++i) {
         burnish_theory_model candidate;
-        if (kind != BURNISH_THEORY_LYON &&
-            burnish_theory_model_other(&candidate, (burnish_theory_kind)kind, 2, exponent) ==
-                BURNISH_LOBE_OK) {
+        if (burnish_theory_model_create(&candidate, &(burnish_lobe_spec){.kind = OTHERS[i]},
+                                        exponent) == BURNISH_LOBE_OK) {
             try_model(&best, &candidate);
         }
     }

@@ -41,20 +41,21 @@ __attribute__((format(printf, 4, 5))) static void add(burnish_theory_claim *clai
 }
 
 /* The lobes of the paper. Their exponents are constants below, so making them can't fail. */
-static burnish_theory_model make(burnish_theory_fit fit, double n) {
+static burnish_theory_model make(burnish_lobe_fit fit, double n) {
     burnish_theory_model model;
-    (void)burnish_theory_model_family(&model, fit, 2, n, 0.5);
+    (void)burnish_theory_model_create(
+        &model, &(burnish_lobe_spec){.fit = fit, .order = 2, .parameter = 0.5}, n);
     return model;
 }
 
-static burnish_theory_model make_other(burnish_theory_kind kind, double n) {
+static burnish_theory_model make_other(burnish_lobe_kind kind, double n) {
     burnish_theory_model model;
-    (void)burnish_theory_model_other(&model, kind, 2, n);
+    (void)burnish_theory_model_create(&model, &(burnish_lobe_spec){.kind = kind, .order = 2}, n);
     return model;
 }
 
 static double angle_of_level(double n, double level) {
-    burnish_theory_model power = make_other(BURNISH_THEORY_POWER, n);
+    burnish_theory_model power = make_other(BURNISH_LOBE_POWER, n);
     return burnish_theory_angle_at(&power, level);
 }
 
@@ -63,8 +64,8 @@ static double angle_of_level(double n, double level) {
 static void peak(burnish_theory_claim *claim) {
     static const double n[] = {2, 10, 100, 65536};
     for (int i = 0; i < 4; ++i) {
-        burnish_theory_model w = make(BURNISH_THEORY_TAYLOR, n[i]);
-        burnish_theory_model power = make_other(BURNISH_THEORY_POWER, n[i]);
+        burnish_theory_model w = make(BURNISH_FIT_TAYLOR, n[i]);
+        burnish_theory_model power = make_other(BURNISH_LOBE_POWER, n[i]);
         add(claim, 1, burnish_theory_value_at_angle(&w, 0), "W n=%g", n[i]);
         add(claim, 1, burnish_theory_value_at_angle(&power, 0), "power n=%g", n[i]);
     }
@@ -73,7 +74,7 @@ static void peak(burnish_theory_claim *claim) {
 static void zero(burnish_theory_claim *claim) {
     static const double n[] = {2, 3, 10, 100, 1000};
     for (int i = 0; i < 5; ++i) {
-        burnish_theory_model w = make(BURNISH_THEORY_TAYLOR, n[i]);
+        burnish_theory_model w = make(BURNISH_FIT_TAYLOR, n[i]);
         double angle = burnish_theory_zero_angle(&w), cosine = (n[i] - 2) / n[i];
         add(claim, 1, fabs(cos(angle) - cosine), "place n=%g", n[i]);
         add(claim, 1, burnish_theory_value(&w, cosine), "value n=%g", n[i]);
@@ -83,7 +84,7 @@ static void zero(burnish_theory_claim *claim) {
 static void monotone(burnish_theory_claim *claim) {
     static const double n[] = {2, 10, 100, 1000};
     for (int i = 0; i < 4; ++i) {
-        burnish_theory_model w = make(BURNISH_THEORY_TAYLOR, n[i]);
+        burnish_theory_model w = make(BURNISH_FIT_TAYLOR, n[i]);
         double end = burnish_theory_zero_angle(&w), before = 1, rise = 0;
         for (int k = 1; k <= SWEEP; ++k) {
             double value = burnish_theory_value_at_angle(&w, end * k / SWEEP);
@@ -103,7 +104,7 @@ static double core_relative(const burnish_theory_model *model) {
 static void core_w(burnish_theory_claim *claim) {
     static const double n[] = {3, 5, 10, 100, 120, 140, 200, 1000, 65536};
     for (int i = 0; i < 9; ++i) {
-        burnish_theory_model w = make(BURNISH_THEORY_TAYLOR, n[i]);
+        burnish_theory_model w = make(BURNISH_FIT_TAYLOR, n[i]);
         add(claim, 1, core_relative(&w), "n=%g", n[i]);
     }
 }
@@ -111,7 +112,7 @@ static void core_w(burnish_theory_claim *claim) {
 static void core_schlick(burnish_theory_claim *claim) {
     static const double n[] = {3, 5, 10, 100, 1000, 65536};
     for (int i = 0; i < 6; ++i) {
-        burnish_theory_model schlick = make_other(BURNISH_THEORY_SCHLICK, n[i]);
+        burnish_theory_model schlick = make_other(BURNISH_LOBE_SCHLICK, n[i]);
         add(claim, 1, core_relative(&schlick), "n=%g", n[i]);
     }
 }
@@ -119,9 +120,9 @@ static void core_schlick(burnish_theory_claim *claim) {
 static void ordering(burnish_theory_claim *claim) {
     static const double n[] = {2, 3, 10, 100, 1000, 65536};
     for (int i = 0; i < 6; ++i) {
-        burnish_theory_model w = make(BURNISH_THEORY_TAYLOR, n[i]);
-        burnish_theory_model power = make_other(BURNISH_THEORY_POWER, n[i]);
-        burnish_theory_model schlick = make_other(BURNISH_THEORY_SCHLICK, n[i]);
+        burnish_theory_model w = make(BURNISH_FIT_TAYLOR, n[i]);
+        burnish_theory_model power = make_other(BURNISH_LOBE_POWER, n[i]);
+        burnish_theory_model schlick = make_other(BURNISH_LOBE_SCHLICK, n[i]);
         double above = -1, below = -1;
         for (int k = 0; k <= SWEEP; ++k) {
             double s = (double)k / SWEEP, lambda = s * s;
@@ -137,7 +138,7 @@ static void ordering(burnish_theory_claim *claim) {
 static void radius(burnish_theory_claim *claim) {
     static const double n[] = {3, 10, 100, 1000};
     for (int i = 0; i < 4; ++i) {
-        burnish_theory_model w = make(BURNISH_THEORY_TAYLOR, n[i]);
+        burnish_theory_model w = make(BURNISH_FIT_TAYLOR, n[i]);
         add(claim, 1, burnish_theory_zero_curvature_radius(&w) * (2 * n[i] - 2), "n=%g", n[i]);
     }
 }
@@ -145,7 +146,7 @@ static void radius(burnish_theory_claim *claim) {
 static void energy_absolute(burnish_theory_claim *claim) {
     static const double n[] = {2, 3, 5, 10, 21, 100, 1000, 65536};
     for (int i = 0; i < 8; ++i) {
-        burnish_theory_model w1 = make(BURNISH_THEORY_ENERGY, n[i]);
+        burnish_theory_model w1 = make(BURNISH_FIT_ENERGY, n[i]);
         add(claim, 1, burnish_theory_maximum_error(&w1, END), "n=%g", n[i]);
     }
 }
@@ -153,7 +154,7 @@ static void energy_absolute(burnish_theory_claim *claim) {
 static void energy_extreme(burnish_theory_claim *claim) {
     static const double n[] = {3, 10, 100, 1000};
     for (int i = 0; i < 4; ++i) {
-        burnish_theory_model w1 = make(BURNISH_THEORY_ENERGY, n[i]);
+        burnish_theory_model w1 = make(BURNISH_FIT_ENERGY, n[i]);
         double angle = burnish_theory_extreme_angle_searched(&w1);
         add(claim, 1, tan(angle) * n[i] / sqrt(2 * n[i] + 1), "n=%g", n[i]);
     }
@@ -161,8 +162,8 @@ static void energy_extreme(burnish_theory_claim *claim) {
 
 static void half_tail(burnish_theory_claim *claim, const double *n, int count) {
     for (int i = 0; i < count; ++i) {
-        burnish_theory_model half = make(BURNISH_THEORY_SHIFT7, n[i]);
-        burnish_theory_model exact = make(BURNISH_THEORY_LEVEL, n[i]);
+        burnish_theory_model half = make(BURNISH_FIT_SHIFT7, n[i]);
+        burnish_theory_model exact = make(BURNISH_FIT_LEVEL, n[i]);
         double end = angle_of_level(n[i], 0.45);
         double core = burnish_theory_inflection_angle(n[i]);
         add(claim, 1, burnish_theory_maximum_error(&half, end), "7n/16 n=%g", n[i]);
@@ -188,7 +189,7 @@ static double core_absolute(const burnish_theory_model *model) {
 static void schlick_core(burnish_theory_claim *claim) {
     static const double n[] = {21, 100, 1000, 65536};
     for (int i = 0; i < 4; ++i) {
-        burnish_theory_model schlick = make_other(BURNISH_THEORY_SCHLICK, n[i]);
+        burnish_theory_model schlick = make_other(BURNISH_LOBE_SCHLICK, n[i]);
         add(claim, 1, core_absolute(&schlick), "n=%g", n[i]);
     }
 }
@@ -196,8 +197,8 @@ static void schlick_core(burnish_theory_claim *claim) {
 static void schlick_ratio(burnish_theory_claim *claim) {
     static const double n[] = {21, 100, 1000, 65536};
     for (int i = 0; i < 4; ++i) {
-        burnish_theory_model schlick = make_other(BURNISH_THEORY_SCHLICK, n[i]);
-        burnish_theory_model half = make(BURNISH_THEORY_SHIFT7, n[i]);
+        burnish_theory_model schlick = make_other(BURNISH_LOBE_SCHLICK, n[i]);
+        burnish_theory_model half = make(BURNISH_FIT_SHIFT7, n[i]);
         add(claim, 1, core_absolute(&schlick) / core_absolute(&half), "n=%g", n[i]);
     }
 }
@@ -205,7 +206,7 @@ static void schlick_ratio(burnish_theory_claim *claim) {
 static void half_extreme(burnish_theory_claim *claim) {
     static const double n[] = {3, 10, 100, 1000};
     for (int i = 0; i < 4; ++i) {
-        burnish_theory_model half = make(BURNISH_THEORY_SHIFT7, n[i]);
+        burnish_theory_model half = make(BURNISH_FIT_SHIFT7, n[i]);
         double tangent = tan(burnish_theory_extreme_angle_searched(&half));
         add(claim, 1, tangent * (7 * n[i] - 16) / (2 * sqrt(7 * n[i] - 15)), "n=%g", n[i]);
     }
@@ -214,7 +215,7 @@ static void half_extreme(burnish_theory_claim *claim) {
 static void half_radius(burnish_theory_claim *claim) {
     static const double n[] = {3, 10, 100, 1000};
     for (int i = 0; i < 4; ++i) {
-        burnish_theory_model half = make(BURNISH_THEORY_SHIFT7, n[i]);
+        burnish_theory_model half = make(BURNISH_FIT_SHIFT7, n[i]);
         add(claim, 1, burnish_theory_zero_curvature_radius(&half) * (7 * n[i] - 8) / 4, "n=%g",
             n[i]);
     }
@@ -223,8 +224,8 @@ static void half_radius(burnish_theory_claim *claim) {
 static void half_radius_larger(burnish_theory_claim *claim) {
     static const double n[] = {3, 10, 100, 1000};
     for (int i = 0; i < 4; ++i) {
-        burnish_theory_model half = make(BURNISH_THEORY_SHIFT7, n[i]);
-        burnish_theory_model w = make(BURNISH_THEORY_TAYLOR, n[i]);
+        burnish_theory_model half = make(BURNISH_FIT_SHIFT7, n[i]);
+        burnish_theory_model w = make(BURNISH_FIT_TAYLOR, n[i]);
         add(claim, 1,
             burnish_theory_zero_curvature_radius(&half) / burnish_theory_zero_curvature_radius(&w),
             "n=%g", n[i]);
@@ -276,8 +277,7 @@ static double integer_lobe(counter *count, int half, int64_t n, int64_t cosine) 
 static void operations(burnish_theory_claim *claim, int half, int places) {
     counter count = {0, 0, 0, 0};
     int64_t n = 64, cosine = ((int64_t)1 << FRACTION) * 127 / 128;
-    burnish_theory_model model =
-        make(half ? BURNISH_THEORY_SHIFT7 : BURNISH_THEORY_TAYLOR, (double)n);
+    burnish_theory_model model = make(half ? BURNISH_FIT_SHIFT7 : BURNISH_FIT_TAYLOR, (double)n);
     double value = integer_lobe(&count, half, n, cosine);
     int apart = abs(count.multiplications - 2) + abs(count.unit_steps - 2) +
                 abs(count.additions - (half ? 1 : 0)) + abs(count.shift_places - places);

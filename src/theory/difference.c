@@ -39,27 +39,27 @@ static void consider_lambda(burnish_theory_difference *result, const burnish_the
 
 static burnish_theory_shape smooth_shape(const burnish_theory_model *model) {
     double n = model->exponent;
-    if (model->kind == BURNISH_THEORY_SCHLICK) {
+    if (model->lobe.kind == BURNISH_LOBE_SCHLICK) {
         return burnish_theory_moebius_shape(1, n - 1, n);
     }
-    if (model->kind == BURNISH_THEORY_GX) { /* Schlick's of c^2 and n/2 */
+    if (model->lobe.kind == BURNISH_LOBE_GX) { /* Schlick's of c^2 and n/2 */
         return burnish_theory_moebius_shape(1, 0.5 * n - 1, 0.5 * n);
     }
-    if (model->kind == BURNISH_THEORY_NV2X) {
+    if (model->lobe.kind == BURNISH_LOBE_NV2X) {
         return burnish_theory_moebius_shape(model->zeta, -model->k[1] * model->zeta, n);
     }
-    if (model->kind == BURNISH_THEORY_GAUSSIAN) {
+    if (model->lobe.kind == BURNISH_LOBE_GAUSSIAN) {
         burnish_theory_shape shape = {
             .log_slope = log(n + 0.775), .k = n + 0.775, .p = n - 1, .end = 1};
         return shape;
     }
-    return burnish_theory_family_shape(model->zeta, model->scale, model->order, n);
+    return burnish_theory_family_shape(model->zeta, model->scale, model->lobe.order, n);
 }
 
 /* Where the slope of lobe / power is 0; returns the number of candidates. */
 static int ratio_stationary(const burnish_theory_model *model, double lambda[2]) {
-    double n = model->exponent, a = model->zeta, m = model->order;
-    if (model->kind == BURNISH_THEORY_GAUSSIAN) {
+    double n = model->exponent, a = model->zeta, m = model->lobe.order;
+    if (model->lobe.kind == BURNISH_LOBE_GAUSSIAN) {
         lambda[0] = 0.775 / (n + 0.775);
         return 1;
     }
@@ -67,7 +67,7 @@ static int ratio_stationary(const burnish_theory_model *model, double lambda[2])
         lambda[0] = (n - m * a) / (a * (n - m));
         return 1;
     }
-    if (model->kind != BURNISH_THEORY_NV2X) {
+    if (model->lobe.kind != BURNISH_LOBE_NV2X) {
         return 0; /* Schlick over power only grows with the angle */
     }
     /* n (1 - a x)(1 + b x) = (a + b)(1 - x) */
@@ -81,7 +81,7 @@ static int ratio_stationary(const burnish_theory_model *model, double lambda[2])
 static void scan_smooth(burnish_theory_difference *result, const burnish_theory_model *model,
                         double end) {
     burnish_theory_shape shape = smooth_shape(model);
-    int is_gx = model->kind == BURNISH_THEORY_GX;
+    int is_gx = model->lobe.kind == BURNISH_LOBE_GX;
     double v[2], lambda[2];
     int count = burnish_theory_stationary(&shape, is_gx ? end * (2 - end) : end, v);
     for (int i = 0; i < count; ++i) {
@@ -117,10 +117,10 @@ static void scan_cell(burnish_theory_difference *result, const burnish_theory_mo
 
 static void scan_table(burnish_theory_difference *result, const burnish_theory_model *model,
                        double end) {
-    double last = model->entries - 1, offset = model->linear ? 0 : 0.5;
+    double last = model->lobe.entries - 1, offset = model->lobe.linear ? 0 : 0.5;
     double high = 1;
     result->end = end; /* scan_cell reads it */
-    for (long i = model->entries - 1; i >= 0; --i) {
+    for (long i = model->lobe.entries - 1; i >= 0; --i) {
         double bottom = ((double)i - offset) / last;
         double top = bottom + 1 / last < 1 ? bottom + 1 / last : 1;
         double entry = burnish_theory_table_entry(model, i);
@@ -128,7 +128,7 @@ static void scan_table(burnish_theory_difference *result, const burnish_theory_m
             break;
         }
         bottom = bottom > 0 ? bottom : 0;
-        if (!model->linear) {
+        if (!model->lobe.linear) {
             scan_cell(result, model, bottom, top, entry, entry);
         } else if (bottom < 1) {
             scan_cell(result, model, bottom, top, entry, high);
@@ -198,24 +198,28 @@ static void scan_bounded(burnish_theory_difference *result, const burnish_theory
 /* What lobe / power - 1 tends to at c = 0, where both are 0. */
 static double equator_limit(const burnish_theory_model *model) {
     double n = model->exponent;
-    switch (model->kind) {
-    case BURNISH_THEORY_SCHLICK:
+    switch (model->lobe.kind) {
+    case BURNISH_LOBE_SCHLICK:
         return n > 1 ? HUGE_VAL : 0;
-    case BURNISH_THEORY_GX:
+    case BURNISH_LOBE_GX:
         return n > 2 ? HUGE_VAL : n < 2 ? -1 : 0;
-    case BURNISH_THEORY_TABLE:
-        return !model->linear ? -1 : n > 1 ? HUGE_VAL : 0;
-    case BURNISH_THEORY_FAMILY:
-    case BURNISH_THEORY_LYON: /* zero at c = 0 exactly where zeta is 1: u = c */
-        return model->zeta < 1 ? HUGE_VAL : model->zeta > 1 ? -1 : n > model->order ? HUGE_VAL : 0;
-    case BURNISH_THEORY_NV2X:
+    case BURNISH_LOBE_TABLE:
+        return !model->lobe.linear ? -1 : n > 1 ? HUGE_VAL : 0;
+    case BURNISH_LOBE_FAMILY:
+    case BURNISH_LOBE_LYON: /* zero at c = 0 exactly where zeta is 1: u = c */
+        return model->zeta < 1         ? HUGE_VAL
+               : model->zeta > 1       ? -1
+               : n > model->lobe.order ? HUGE_VAL
+                                       : 0;
+    case BURNISH_LOBE_NV2X:
         return model->zeta > 1 ? -1 : 0;
-    case BURNISH_THEORY_GAUSSIAN:
+    case BURNISH_LOBE_GAUSSIAN:
         return HUGE_VAL;
-    case BURNISH_THEORY_KUIJK_BLAKE:
+    case BURNISH_LOBE_KUIJK_BLAKE:
         return burnish_theory_value_at_lambda(model, 1) > 0 ? HUGE_VAL : -1;
-    case BURNISH_THEORY_POWER:
-    case BURNISH_THEORY_KIND_COUNT:
+    case BURNISH_LOBE_POWER:
+    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_KIND_COUNT:
         break;
     }
     return 0;
@@ -223,12 +227,12 @@ static double equator_limit(const burnish_theory_model *model) {
 
 static void scan(burnish_theory_difference *result, const burnish_theory_model *model, double end) {
     consider_lambda(result, model, 0);
-    if (model->kind == BURNISH_THEORY_POWER) {
+    if (model->lobe.kind == BURNISH_LOBE_POWER) {
         return;
     }
-    if (model->kind == BURNISH_THEORY_TABLE) {
+    if (model->lobe.kind == BURNISH_LOBE_TABLE) {
         scan_table(result, model, end);
-    } else if (model->kind == BURNISH_THEORY_KUIJK_BLAKE) {
+    } else if (model->lobe.kind == BURNISH_LOBE_KUIJK_BLAKE) {
         scan_bounded(result, model, end);
     } else {
         scan_smooth(result, model, end);
@@ -274,7 +278,7 @@ void burnish_theory_compare(const burnish_theory_model *model, double end,
     }
     scan(&measured, model, lambda);
     measured.end = end;
-    if (model->kind != BURNISH_THEORY_POWER) {
+    if (model->lobe.kind != BURNISH_LOBE_POWER) {
         double share = 1 / (model->exponent + 1), absolute = measured.absolute;
         double tolerance = (1e-11 * absolute + 1e-15) * share; /* 1e-15: rounding errors */
         measured.integral =
@@ -301,7 +305,7 @@ double burnish_theory_maximum_error(const burnish_theory_model *model, double en
 double burnish_theory_relative_error(const burnish_theory_model *model, double angle) {
     double lambda = burnish_theory_lambda_of_angle(angle);
     double lobe = burnish_theory_value_at_lambda(model, lambda);
-    if (model->kind == BURNISH_THEORY_POWER) {
+    if (model->lobe.kind == BURNISH_LOBE_POWER) {
         return 0;
     }
     double power = burnish_theory_power_at_lambda(lambda, model->exponent);
@@ -309,7 +313,7 @@ double burnish_theory_relative_error(const burnish_theory_model *model, double a
 }
 
 static double extreme_lambda(const burnish_theory_model *model) {
-    double n = model->exponent, m = model->order, zeta = model->zeta;
+    double n = model->exponent, m = model->lobe.order, zeta = model->zeta;
     if (m == 0 || !(zeta > 1 && n > m && n >= m * zeta)) {
         return NAN;
     }
@@ -323,7 +327,7 @@ double burnish_theory_extreme_angle(const burnish_theory_model *model) {
 /* Golden section; the logarithm of lobe / power has one maximum before the zero. */
 double burnish_theory_extreme_angle_searched(const burnish_theory_model *model) {
     const double golden = 0.6180339887498949;
-    double n = model->exponent, m = model->order, zeta = model->zeta;
+    double n = model->exponent, m = model->lobe.order, zeta = model->zeta;
     double low = 0, high = 1 / zeta;
     if (isnan(extreme_lambda(model))) {
         return NAN;

@@ -6,7 +6,7 @@
 /* Integral of u^m dc (times c) for lambda in [0, end]; u = 1 - zeta lambda, c = 1 - (1 - u)/zeta.
  */
 static double family_integral(const burnish_theory_model *model, int weighted, double end) {
-    double m = model->order, zeta = model->zeta;
+    double m = model->lobe.order, zeta = model->zeta;
     double low = 1 - zeta * end, logarithm = low > 0 ? log1p(-zeta * end) : -HUGE_VAL;
     double first = -expm1((m + 1) * logarithm) / (m + 1);
     double second = -expm1((m + 2) * logarithm) / (m + 2);
@@ -21,7 +21,7 @@ static double gaussian_integral(double k, int weighted, double end) {
 /* Cells of the table from lambda0 to lambda1, each integrated exactly by Simpson's rule. */
 static double table_integral(const burnish_theory_model *model, int weighted, double lambda0,
                              double lambda1) {
-    double last = model->entries - 1, offset = model->linear ? 0 : 0.5, sum = 0;
+    double last = model->lobe.entries - 1, offset = model->lobe.linear ? 0 : 0.5, sum = 0;
     double c = 1 - lambda1, top = 1 - lambda0;
     long i =
         (long)floor(c * last + offset); /* linear: the cell's lower entry; nearest: the entry */
@@ -30,7 +30,7 @@ static double table_integral(const burnish_theory_model *model, int weighted, do
         double bottom = ((double)i - offset) / last;
         double next_value = burnish_theory_table_entry(model, i + 1);
         double end = bottom + 1 / last < top ? bottom + 1 / last : top;
-        double slope = model->linear ? (next_value - value) * last : 0;
+        double slope = model->lobe.linear ? (next_value - value) * last : 0;
         double low = value + slope * (c - bottom), high = value + slope * (end - bottom);
         double middle = 0.5 * (low + high);
         if (weighted) {
@@ -41,7 +41,7 @@ static double table_integral(const burnish_theory_model *model, int weighted, do
         sum += (end - c) * (low + 4 * middle + high) / 6;
         c = end;
         value = next_value;
-        if (++i >= model->entries + 1) {
+        if (++i >= model->lobe.entries + 1) {
             break;
         }
     }
@@ -62,22 +62,23 @@ static double lobe_integrand(double s, const void *context) {
 
 /* From lambda = 0 on, where that has a closed form; NaN where it has none. */
 static double closed_integral(const burnish_theory_model *model, int weighted, double end) {
-    switch (model->kind) {
-    case BURNISH_THEORY_FAMILY:
-    case BURNISH_THEORY_LYON:
+    switch (model->lobe.kind) {
+    case BURNISH_LOBE_FAMILY:
+    case BURNISH_LOBE_LYON:
         return family_integral(model, weighted, end);
-    case BURNISH_THEORY_POWER: {
+    case BURNISH_LOBE_POWER: {
         double power = model->exponent + (weighted ? 2 : 1);
         return -expm1(power * (end < 1 ? log1p(-end) : -HUGE_VAL)) / power;
     }
-    case BURNISH_THEORY_GAUSSIAN:
+    case BURNISH_LOBE_GAUSSIAN:
         return gaussian_integral(model->exponent + 0.775, weighted, end);
-    case BURNISH_THEORY_SCHLICK:
-    case BURNISH_THEORY_GX:
-    case BURNISH_THEORY_NV2X:
-    case BURNISH_THEORY_KUIJK_BLAKE:
-    case BURNISH_THEORY_TABLE:
-    case BURNISH_THEORY_KIND_COUNT:
+    case BURNISH_LOBE_SCHLICK:
+    case BURNISH_LOBE_GX:
+    case BURNISH_LOBE_NV2X:
+    case BURNISH_LOBE_KUIJK_BLAKE:
+    case BURNISH_LOBE_TABLE:
+    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_KIND_COUNT:
         break;
     }
     return NAN;
@@ -87,7 +88,7 @@ double burnish_theory_integral_between(const burnish_theory_model *model,
                                        burnish_theory_measure measure, double lambda0,
                                        double lambda1) {
     int weighted = measure == BURNISH_THEORY_COSINE_WEIGHTED;
-    if (model->kind == BURNISH_THEORY_TABLE) {
+    if (model->lobe.kind == BURNISH_LOBE_TABLE) {
         return table_integral(model, weighted, lambda0, lambda1);
     }
     double closed = closed_integral(model, weighted, lambda1);
@@ -125,7 +126,7 @@ static double blinn_integrand(double s, const void *context) {
 
 double burnish_theory_blinn_factor(const burnish_theory_model *model) {
     double n = model->exponent;
-    if (model->kind == BURNISH_THEORY_POWER) {
+    if (model->lobe.kind == BURNISH_LOBE_POWER) {
         return (n + 2) * (n + 4) / (8 * BURNISH_PI * (exp2(-0.5 * n) + n));
     }
     double end = sqrt(1 - sqrt(0.5));

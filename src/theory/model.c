@@ -1,23 +1,12 @@
 /* Making models: which lobe, for which exponent. */
 #include <math.h>
 
+#include "core/error.h"
+#include "shading/lobe_words.h"
 #include "theory/internal.h"
 
 static const burnish_theory_model NOTHING = {
-    .kind = BURNISH_THEORY_POWER, .exponent = 1, .scale = 1};
-
-burnish_lobe_status burnish_theory_model_family(burnish_theory_model *model, burnish_theory_fit fit,
-                                                int order, double exponent, double level) {
-    burnish_theory_model made = {.kind = BURNISH_THEORY_FAMILY,
-                                 .fit = fit,
-                                 .order = order,
-                                 .exponent = exponent,
-                                 .level = fit == BURNISH_THEORY_LEVEL ? level : 0};
-    burnish_lobe_status status =
-        burnish_theory_solve(fit, order, exponent, level, &made.zeta, &made.scale);
-    *model = status == BURNISH_LOBE_OK ? made : NOTHING;
-    return status;
-}
+    .lobe = {.kind = BURNISH_LOBE_POWER}, .exponent = 1, .scale = 1};
 
 static void set_nv2x(burnish_theory_model *model) {
     double a, b;
@@ -34,56 +23,57 @@ static void set_kuijk_blake(burnish_theory_model *model) {
     model->k[1] = (n + 65) / (5 * n + 31.7);
 }
 
-burnish_lobe_status burnish_theory_model_other(burnish_theory_model *model,
-                                               burnish_theory_kind kind, int order,
-                                               double exponent) {
-    burnish_lobe_status status =
-        burnish_lobe_check(kind == BURNISH_THEORY_LYON ? order : 2, exponent);
-    *model = NOTHING;
-    if (kind == BURNISH_THEORY_FAMILY || kind == BURNISH_THEORY_TABLE ||
-        (unsigned)kind >= BURNISH_THEORY_KIND_COUNT) {
-        return BURNISH_LOBE_ERROR_FIT;
-    }
-    if (status != BURNISH_LOBE_OK) {
-        return status;
-    }
-    model->kind = kind;
-    model->exponent = exponent;
-    if (kind == BURNISH_THEORY_LYON) {
-        model->order = order;
-        model->zeta = exponent / order;
-    } else if (kind == BURNISH_THEORY_NV2X) {
-        set_nv2x(model);
-    } else if (kind == BURNISH_THEORY_KUIJK_BLAKE) {
-        set_kuijk_blake(model);
-    }
-    return BURNISH_LOBE_OK;
-}
-
-burnish_lobe_status burnish_theory_model_table(burnish_theory_model *model, int entries, int linear,
-                                               double exponent) {
+burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
+                                                const burnish_lobe_spec *lobe, double exponent) {
+    burnish_theory_model made = {.lobe = *lobe, .exponent = exponent, .scale = 1};
     burnish_lobe_status status = burnish_lobe_check(2, exponent);
-    *model = NOTHING;
-    if (entries < 2 || entries > BURNISH_THEORY_ENTRIES_MAX) {
-        return BURNISH_LOBE_ERROR_ORDER;
+    switch (lobe->kind) {
+    case BURNISH_LOBE_FAMILY:
+    case BURNISH_LOBE_LYON:
+        status = burnish_lobe_solve(lobe, exponent, &made.zeta, &made.scale);
+        break;
+    case BURNISH_LOBE_NV2X:
+    case BURNISH_LOBE_KUIJK_BLAKE:
+        if (status == BURNISH_LOBE_OK) {
+            (lobe->kind == BURNISH_LOBE_NV2X ? set_nv2x : set_kuijk_blake)(&made);
+        }
+        break;
+    case BURNISH_LOBE_TABLE:
+        if (lobe->entries < 2 || lobe->entries > BURNISH_LOBE_ENTRIES_MAX) {
+            status = BURNISH_LOBE_ERROR_ORDER;
+        }
+        break;
+    case BURNISH_LOBE_POWER:
+    case BURNISH_LOBE_SCHLICK:
+    case BURNISH_LOBE_GAUSSIAN:
+    case BURNISH_LOBE_GX:
+        break;
+    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_KIND_COUNT:
+    default:
+        status = BURNISH_LOBE_ERROR_FIT;
+        break;
     }
-    if (status == BURNISH_LOBE_OK) {
-        model->kind = BURNISH_THEORY_TABLE;
-        model->entries = entries;
-        model->linear = linear != 0;
-        model->exponent = exponent;
-    }
+    *model = status == BURNISH_LOBE_OK ? made : NOTHING;
     return status;
 }
 
-burnish_lobe_status burnish_theory_model_at(const burnish_theory_model *model, double exponent,
-                                            burnish_theory_model *result) {
-    if (model->kind == BURNISH_THEORY_FAMILY) {
-        double level = model->fit == BURNISH_THEORY_GIVEN ? model->zeta : model->level;
-        return burnish_theory_model_family(result, model->fit, model->order, exponent, level);
+burnish_status burnish_theory_model_parse(const char *text, double exponent,
+                                          burnish_theory_model *model, burnish_error *error) {
+    burnish_lobe_spec lobe;
+    burnish_theory_model made;
+    if (!model) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: NULL; pass a text and a model");
     }
-    if (model->kind == BURNISH_THEORY_TABLE) {
-        return burnish_theory_model_table(result, model->entries, model->linear, exponent);
+    burnish_status parsed = burnish_lobe_words_parse(text, &lobe, error);
+    if (parsed != BURNISH_STATUS_OK) {
+        return parsed;
     }
-    return burnish_theory_model_other(result, model->kind, model->order, exponent);
+    burnish_lobe_status status = burnish_theory_model_create(&made, &lobe, exponent);
+    if (status != BURNISH_LOBE_OK) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe \"%.40s\" at exponent %g: %s",
+                            text, exponent, burnish_lobe_status_text(status));
+    }
+    *model = made;
+    return BURNISH_STATUS_OK;
 }

@@ -41,7 +41,7 @@ static double panel(burnish_theory_integrand f, const void *context, double low,
 
 /* The next place above s where a table has a node or a step. */
 static double next_node(const burnish_theory_model *model, double s) {
-    double last = model->entries - 1, offset = model->linear ? 0 : 0.5;
+    double last = model->lobe.entries - 1, offset = model->lobe.linear ? 0 : 0.5;
     double position = (1 - s * s) * last - offset;
     double node = ceil(position - 1e-9) - 1;
     return node + offset >= 0 ? sqrt((last - node - offset) / last) : HUGE_VAL;
@@ -55,9 +55,9 @@ static double next_break(const burnish_theory_model *model, double s) {
     while (next <= beyond) {
         next *= 2;
     }
-    if (model->kind == BURNISH_THEORY_TABLE) {
+    if (model->lobe.kind == BURNISH_LOBE_TABLE) {
         corners[0] = next_node(model, s);
-    } else if (model->kind == BURNISH_THEORY_KUIJK_BLAKE) {
+    } else if (model->lobe.kind == BURNISH_LOBE_KUIJK_BLAKE) {
         corners[0] = sqrt(burnish_theory_lambda_of_angle(model->k[0]));
         corners[1] = sqrt(burnish_theory_lambda_of_angle(model->k[1]));
     } else if (model->zeta > 0) {

@@ -50,18 +50,18 @@ static double inverted(const burnish_theory_model *model, burnish_theory_measure
 static double sample_lambda(const burnish_theory_model *model, burnish_theory_measure measure,
                             double xi) {
     int weighted = measure == BURNISH_THEORY_COSINE_WEIGHTED;
-    if (model->kind == BURNISH_THEORY_POWER) {
+    if (model->lobe.kind == BURNISH_LOBE_POWER) {
         return xi > 0 ? -expm1(log(xi) / (model->exponent + (weighted ? 2 : 1))) : 1;
     }
-    if (model->kind == BURNISH_THEORY_FAMILY || model->kind == BURNISH_THEORY_LYON) {
+    if (model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON) {
         if (!weighted) {
-            return family_solid(model->order, model->zeta, xi);
+            return family_solid(model->lobe.order, model->zeta, xi);
         }
         if (model->zeta >= 1) {
-            return family_weighted(model->order, model->zeta, xi);
+            return family_weighted(model->lobe.order, model->zeta, xi);
         }
     }
-    if (model->kind == BURNISH_THEORY_GAUSSIAN && !weighted) {
+    if (model->lobe.kind == BURNISH_LOBE_GAUSSIAN && !weighted) {
         double k = model->exponent + 0.775;
         return -log1p((1 - xi) * expm1(-k)) / k;
     }

@@ -30,7 +30,7 @@ static double base_power(double u, int order) {
 }
 
 double burnish_theory_table_entry(const burnish_theory_model *model, long i) {
-    double last = model->entries - 1;
+    double last = model->lobe.entries - 1;
     return i <= 0 ? 0 : burnish_theory_power_at_lambda((last - (double)i) / last, model->exponent);
 }
 
@@ -38,12 +38,12 @@ static double table_value(const burnish_theory_model *model, double c) {
     if (!(c > 0)) {
         return 0;
     }
-    double position = c * (model->entries - 1);
-    if (!model->linear) {
+    double position = c * (model->lobe.entries - 1);
+    if (!model->lobe.linear) {
         return burnish_theory_table_entry(model, (long)floor(position + 0.5));
     }
     long i = (long)position;
-    i = i > model->entries - 2 ? model->entries - 2 : i;
+    i = i > model->lobe.entries - 2 ? model->lobe.entries - 2 : i;
     double low = burnish_theory_table_entry(model, i);
     double high = burnish_theory_table_entry(model, i + 1);
     return low + (high - low) * (position - (double)i);
@@ -64,29 +64,30 @@ double burnish_theory_value_at_lambda(const burnish_theory_model *model, double 
         return 0;
     }
     lambda = lambda > 0 ? lambda : 0;
-    switch (model->kind) {
-    case BURNISH_THEORY_FAMILY:
-    case BURNISH_THEORY_LYON:
-        return model->scale * base_power(1 - model->zeta * lambda, model->order);
-    case BURNISH_THEORY_POWER:
+    switch (model->lobe.kind) {
+    case BURNISH_LOBE_FAMILY:
+    case BURNISH_LOBE_LYON:
+        return model->scale * base_power(1 - model->zeta * lambda, model->lobe.order);
+    case BURNISH_LOBE_POWER:
         return burnish_theory_power_at_lambda(lambda, n);
-    case BURNISH_THEORY_SCHLICK:
+    case BURNISH_LOBE_SCHLICK:
         return lambda < 1 ? (1 - lambda) / ((1 - lambda) + n * lambda) : 0;
-    case BURNISH_THEORY_GAUSSIAN:
+    case BURNISH_LOBE_GAUSSIAN:
         return exp(-(n + 0.775) * lambda);
-    case BURNISH_THEORY_GX: {
+    case BURNISH_LOBE_GX: {
         double c = 1 - lambda, squared = c * c;
         return c > 0 ? squared / (squared + 0.5 * n * lambda * (1 + c)) : 0;
     }
-    case BURNISH_THEORY_NV2X: {
+    case BURNISH_LOBE_NV2X: {
         double u = 1 - model->zeta * lambda;
         return u > 0 ? u / (1 - model->k[1] * model->zeta * lambda) : 0;
     }
-    case BURNISH_THEORY_KUIJK_BLAKE:
+    case BURNISH_LOBE_KUIJK_BLAKE:
         return kuijk_blake_value(model, lambda < 2 ? lambda : 2);
-    case BURNISH_THEORY_TABLE:
+    case BURNISH_LOBE_TABLE:
         return table_value(model, 1 - lambda);
-    case BURNISH_THEORY_KIND_COUNT:
+    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_KIND_COUNT:
         break;
     }
     return 0;
@@ -102,36 +103,36 @@ double burnish_theory_value_at_angle(const burnish_theory_model *model, double a
 
 /* First and second derivative in lambda of the lobes that are formulas in the cosine. */
 static void lambda_slopes(const burnish_theory_model *model, double lambda, double slope[2]) {
-    double n = model->exponent, c = 1 - lambda, m = model->order, a = model->zeta;
+    double n = model->exponent, c = 1 - lambda, m = model->lobe.order, a = model->zeta;
     double u = 1 - a * lambda;
     slope[0] = slope[1] = 0;
-    if (model->kind == BURNISH_THEORY_FAMILY || model->kind == BURNISH_THEORY_LYON) {
+    if (model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON) {
         if (u >= -1e-14) { /* the zero itself belongs to the peak's side, rounding included */
             u = u > 0 ? u : 0;
             slope[0] = -model->scale * m * a * pow(u, m - 1);
             slope[1] = model->scale * m * (m - 1) * a * a * pow(u, m - 2);
         }
-    } else if (model->kind == BURNISH_THEORY_GAUSSIAN) {
+    } else if (model->lobe.kind == BURNISH_LOBE_GAUSSIAN) {
         double k = n + 0.775;
         slope[0] = -k * exp(-k * lambda);
         slope[1] = k * k * exp(-k * lambda);
-    } else if (model->kind == BURNISH_THEORY_NV2X && u >= -1e-14) {
+    } else if (model->lobe.kind == BURNISH_LOBE_NV2X && u >= -1e-14) {
         double b = -model->k[1] * a, d = 1 + b * lambda;
         slope[0] = -(a + b) / (d * d);
         slope[1] = 2 * b * (a + b) / (d * d * d);
-    } else if (model->kind == BURNISH_THEORY_POWER && c >= 0) {
+    } else if (model->lobe.kind == BURNISH_LOBE_POWER && c >= 0) {
         slope[0] = -n * pow(c, n - 1);
         slope[1] = n > 1 ? n * (n - 1) * pow(c, n - 2) : 0;
-    } else if (model->kind == BURNISH_THEORY_SCHLICK && c >= 0) {
+    } else if (model->lobe.kind == BURNISH_LOBE_SCHLICK && c >= 0) {
         double d = c + n * lambda;
         slope[0] = -n / (d * d);
         slope[1] = 2 * n * (n - 1) / (d * d * d);
-    } else if (model->kind == BURNISH_THEORY_GX && c >= 0) {
+    } else if (model->lobe.kind == BURNISH_LOBE_GX && c >= 0) {
         double h = 0.5 * n, d = c * c + h * lambda * (1 + c);
         slope[0] = -2 * h * c / (d * d);
         slope[1] = 2 * h * (h - 3 * (1 - h) * c * c) / (d * d * d);
-    } else if (model->kind == BURNISH_THEORY_TABLE && model->linear && c >= 0) {
-        long last = model->entries - 1, i = (long)(c * (double)last);
+    } else if (model->lobe.kind == BURNISH_LOBE_TABLE && model->lobe.linear && c >= 0) {
+        long last = model->lobe.entries - 1, i = (long)(c * (double)last);
         i = i > last - 1 ? last - 1 : i;
         slope[0] = (double)last * (burnish_theory_table_entry(model, i) -
                                    burnish_theory_table_entry(model, i + 1));
@@ -141,7 +142,7 @@ static void lambda_slopes(const burnish_theory_model *model, double lambda, doub
 void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
                                 double derivatives[3]) {
     derivatives[0] = burnish_theory_value_at_angle(model, angle);
-    if (model->kind == BURNISH_THEORY_KUIJK_BLAKE) {
+    if (model->lobe.kind == BURNISH_LOBE_KUIJK_BLAKE) {
         double a = model->k[0], b = model->k[1];
         derivatives[1] = angle <= a   ? -2 * angle / (a * b)
                          : angle <= b ? 2 * (angle - b) / (b * (b - a))

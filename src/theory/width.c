@@ -4,21 +4,22 @@
 #include "theory/internal.h"
 
 static double zero_lambda(const burnish_theory_model *model) {
-    switch (model->kind) {
-    case BURNISH_THEORY_FAMILY:
-    case BURNISH_THEORY_LYON:
-    case BURNISH_THEORY_NV2X:
+    switch (model->lobe.kind) {
+    case BURNISH_LOBE_FAMILY:
+    case BURNISH_LOBE_LYON:
+    case BURNISH_LOBE_NV2X:
         return 1 / model->zeta;
-    case BURNISH_THEORY_KUIJK_BLAKE:
+    case BURNISH_LOBE_KUIJK_BLAKE:
         return burnish_theory_lambda_of_angle(model->k[1]);
-    case BURNISH_THEORY_TABLE:
-        return model->linear ? 1 : 1 - 0.5 / (model->entries - 1);
-    case BURNISH_THEORY_POWER:
-    case BURNISH_THEORY_SCHLICK:
-    case BURNISH_THEORY_GX:
+    case BURNISH_LOBE_TABLE:
+        return model->lobe.linear ? 1 : 1 - 0.5 / (model->lobe.entries - 1);
+    case BURNISH_LOBE_POWER:
+    case BURNISH_LOBE_SCHLICK:
+    case BURNISH_LOBE_GX:
         return 1;
-    case BURNISH_THEORY_GAUSSIAN:
-    case BURNISH_THEORY_KIND_COUNT:
+    case BURNISH_LOBE_GAUSSIAN:
+    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_KIND_COUNT:
         break;
     }
     return NAN;
@@ -30,16 +31,16 @@ double burnish_theory_cutoff_cosine(const burnish_theory_model *model) {
 
 /* The last entry that is at most level: the power's inverse, then put right by one if needed. */
 static double table_lambda_at(const burnish_theory_model *model, double level) {
-    double last = model->entries - 1;
+    double last = model->lobe.entries - 1;
     long i = (long)(pow(level, 1 / model->exponent) * last);
-    i = i < model->entries - 2 ? i : model->entries - 2;
+    i = i < model->lobe.entries - 2 ? i : model->lobe.entries - 2;
     while (i > 0 && burnish_theory_table_entry(model, i) > level) {
         --i;
     }
-    while (i < model->entries - 2 && burnish_theory_table_entry(model, i + 1) <= level) {
+    while (i < model->lobe.entries - 2 && burnish_theory_table_entry(model, i + 1) <= level) {
         ++i;
     }
-    if (!model->linear) {
+    if (!model->lobe.linear) {
         return (last - (double)i - 0.5) / last;
     }
     double low = burnish_theory_table_entry(model, i);
@@ -55,27 +56,28 @@ static double kuijk_blake_lambda_at(const burnish_theory_model *model, double le
 
 static double lambda_at_positive(const burnish_theory_model *model, double level) {
     double n = model->exponent, h = 0.5 * n;
-    switch (model->kind) {
-    case BURNISH_THEORY_FAMILY:
-    case BURNISH_THEORY_LYON:
-        return -expm1(log(level / model->scale) / model->order) / model->zeta;
-    case BURNISH_THEORY_POWER:
+    switch (model->lobe.kind) {
+    case BURNISH_LOBE_FAMILY:
+    case BURNISH_LOBE_LYON:
+        return -expm1(log(level / model->scale) / model->lobe.order) / model->zeta;
+    case BURNISH_LOBE_POWER:
         return -expm1(log(level) / n);
-    case BURNISH_THEORY_SCHLICK:
+    case BURNISH_LOBE_SCHLICK:
         return (1 - level) / (1 + (n - 1) * level);
-    case BURNISH_THEORY_GAUSSIAN:
+    case BURNISH_LOBE_GAUSSIAN:
         return -log(level) / (n + 0.775);
-    case BURNISH_THEORY_GX: {
+    case BURNISH_LOBE_GX: {
         double squared_sine = (1 - level) / (1 - level + level * h);
         return squared_sine / (1 + sqrt(1 - squared_sine));
     }
-    case BURNISH_THEORY_NV2X:
+    case BURNISH_LOBE_NV2X:
         return (1 - level) / (model->zeta * (1 - level * model->k[1]));
-    case BURNISH_THEORY_KUIJK_BLAKE:
+    case BURNISH_LOBE_KUIJK_BLAKE:
         return kuijk_blake_lambda_at(model, level);
-    case BURNISH_THEORY_TABLE:
+    case BURNISH_LOBE_TABLE:
         return table_lambda_at(model, level);
-    case BURNISH_THEORY_KIND_COUNT:
+    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_KIND_COUNT:
         break;
     }
     return NAN;
@@ -105,22 +107,22 @@ double burnish_theory_zero_angle(const burnish_theory_model *model) {
 static void slopes_at_zero(const burnish_theory_model *model, double slope[2]) {
     double n = model->exponent, a = model->zeta;
     slope[0] = slope[1] = 0;
-    if (model->kind == BURNISH_THEORY_FAMILY || model->kind == BURNISH_THEORY_LYON) {
-        slope[1] = model->order == 2 ? model->scale * (4 * a - 2) : 0;
-    } else if (model->kind == BURNISH_THEORY_NV2X) {
+    if (model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON) {
+        slope[1] = model->lobe.order == 2 ? model->scale * (4 * a - 2) : 0;
+    } else if (model->lobe.kind == BURNISH_LOBE_NV2X) {
         double b = -model->k[1] * a, d = 1 + b / a, first = -(a + b) / (d * d);
         double cosine = 1 - 1 / a, squared_sine = (2 - 1 / a) / a;
         slope[0] = first * sqrt(squared_sine);
         slope[1] = 2 * b * (a + b) / (d * d * d) * squared_sine + first * cosine;
-    } else if (model->kind == BURNISH_THEORY_KUIJK_BLAKE) {
+    } else if (model->lobe.kind == BURNISH_LOBE_KUIJK_BLAKE) {
         slope[1] = 2 / (model->k[1] * (model->k[1] - model->k[0]));
-    } else if (model->kind == BURNISH_THEORY_POWER) {
+    } else if (model->lobe.kind == BURNISH_LOBE_POWER) {
         slope[0] = n == 1 ? -1 : 0;
         slope[1] = n > 2 || n == 1 ? 0 : n == 2 ? 2 : HUGE_VAL;
-    } else if (model->kind == BURNISH_THEORY_SCHLICK) {
+    } else if (model->lobe.kind == BURNISH_LOBE_SCHLICK) {
         slope[0] = -1 / n;
         slope[1] = 2 * (n - 1) / (n * n);
-    } else if (model->kind == BURNISH_THEORY_GX) {
+    } else if (model->lobe.kind == BURNISH_LOBE_GX) {
         slope[1] = 4 / n;
     }
 }

@@ -132,7 +132,7 @@ for part in "table" "claims peak" "boundary" "sample" "choose --exponent=9 --eps
     rmdir folder
 done
 echo kept >old.csv
-expect 2 'burnish: --lobe: "nonsense" is not a lobe; use FIT:ORDER with FIT taylor, energy, levelQ, shift7, shift3, projected, minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, schlick, gaussian, gx, nv2x, kuijk-blake, tableN, tableN:linear' lobe sample --lobe=nonsense -o old.csv
+expect 2 'burnish: --lobe: "nonsense" is not a lobe; use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, schlick, gaussian, gx, nv2x, kuijk-blake, tableN[:linear]' lobe sample --lobe=nonsense -o old.csv
 check "a failed run touched the file" [ "$(cat old.csv)" = kept ]
 rm old.csv
 if [ "$(id -u)" -ne 0 ]; then

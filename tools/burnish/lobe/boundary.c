@@ -229,11 +229,11 @@ static void print_mem(FILE *stream, const contents *c) {
  * order in the memory. */
 static double exact_boundary(const contents *c, double exponent) {
     burnish_theory_model model;
-    burnish_theory_model wanted = c->memory.model;
-    burnish_lobe_status status = burnish_theory_model_at(&wanted, exponent, &model);
-    while (status == BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT && wanted.order > 2) {
-        wanted.order /= 2;
-        status = burnish_theory_model_at(&wanted, exponent, &model);
+    burnish_lobe_spec lower = c->memory.lobe;
+    burnish_lobe_status status = burnish_theory_model_create(&model, &lower, exponent);
+    while (status == BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT && lower.order > 2) {
+        lower.order /= 2;
+        status = burnish_theory_model_create(&model, &lower, exponent);
     }
     if (status != BURNISH_LOBE_OK) {
         return NAN;
@@ -291,6 +291,7 @@ static burnish_status check_name(const char *name, burnish_error *error) {
 
 static burnish_status read_model(const char *text, contents *c, burnish_error *error) {
     burnish_cli_lobe_names names;
+    burnish_theory_model model;
     burnish_status status = burnish_cli_read_lobes("lobe", text, &names, error);
     if (status == BURNISH_STATUS_OK && names.count != 1) {
         return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -299,7 +300,8 @@ static burnish_status read_model(const char *text, contents *c, burnish_error *e
     }
     if (status == BURNISH_STATUS_OK) {
         strcpy(c->lobe, names.items[0]);
-        status = burnish_theory_model_parse(c->lobe, 65536, &c->memory.model, error);
+        status = burnish_theory_model_parse(c->lobe, 65536, &model, error);
+        c->memory.lobe = model.lobe;
     }
     return status;
 }

@@ -117,7 +117,7 @@ static burnish_status choose(const choose_settings *settings, result *r, burnish
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    burnish_theory_model_name(&r->best.model, r->best.name, sizeof r->best.name);
+    burnish_lobe_spec_name(&r->best.model.lobe, r->best.name, sizeof r->best.name);
     for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
         add(r, words[i], n);
     }
@@ -131,7 +131,7 @@ static burnish_status choose(const choose_settings *settings, result *r, burnish
 /* A and B of u = max(0, A c + B) with S = u^m, as floats. For a peak of 1 the sum of the rounded
  * ones is 1 as near as floats go. */
 static void constants_of(const burnish_theory_model *model, double *a, double *b) {
-    double root = pow(model->scale, 1.0 / model->order);
+    double root = pow(model->scale, 1.0 / model->lobe.order);
     *a = (float)(model->zeta * root);
     *b = (float)(root - *a);
 }
@@ -155,30 +155,30 @@ static void print_squarings(FILE *stream, int order) {
 /* The lobe as C, c being the cosine. */
 static void print_code(FILE *stream, const burnish_theory_model *model) {
     double a, b, n = model->exponent;
-    switch (model->kind) {
-    case BURNISH_THEORY_FAMILY:
+    switch (model->lobe.kind) {
+    case BURNISH_LOBE_FAMILY:
         constants_of(model, &a, &b);
         print_constant(stream, "A", a);
         print_constant(stream, "B", b);
         fprintf(stream, "    u = fmaxf(A * c + B, 0.0F);\n");
-        print_squarings(stream, model->order);
+        print_squarings(stream, model->lobe.order);
         break;
-    case BURNISH_THEORY_SCHLICK:
+    case BURNISH_LOBE_SCHLICK:
         print_constant(stream, "n", n);
         fprintf(stream, "    c = fmaxf(c, 0.0F);\n    specular = c / (n - n * c + c);\n");
         break;
-    case BURNISH_THEORY_GX:
+    case BURNISH_LOBE_GX:
         print_constant(stream, "A", n / 2);
         print_constant(stream, "B", 1 - n / 2);
         fprintf(stream, "    c = fmaxf(c, 0.0F);\n    specular = c * c / (A + B * c * c);\n");
         break;
-    case BURNISH_THEORY_NV2X:
+    case BURNISH_LOBE_NV2X:
         print_constant(stream, "K0", model->k[0]);
         print_constant(stream, "K1", model->k[1]);
         print_constant(stream, "K2", model->k[2]);
         fprintf(stream, "    specular = fmaxf(c + K0, 0.0F) / (K2 + K1 * c);\n");
         break;
-    case BURNISH_THEORY_GAUSSIAN:
+    case BURNISH_LOBE_GAUSSIAN:
         print_constant(stream, "K", n + 0.775);
         fprintf(stream, "    specular = expf(K * c - K);\n");
         break;
@@ -234,7 +234,7 @@ static void print_text(FILE *stream, const choose_settings *settings, const resu
             burnish_cli_shortest(settings->epsilon.value, epsilon),
             burnish_cli_shortest(settings->exponent.value, exponent));
     fprintf(stream, "  largest error  %.5f\n  cost           %s\n", r->best.maximum, cost);
-    if (model->kind == BURNISH_THEORY_FAMILY) {
+    if (model->lobe.kind == BURNISH_LOBE_FAMILY) {
         fprintf(stream, "  zeta           %.9g\n", model->zeta);
         if (model->scale < 1) {
             fprintf(stream, "  peak           %.9g\n", model->scale);
@@ -258,7 +258,7 @@ static burnish_status print_json(FILE *stream, const choose_settings *settings, 
     burnish_cli_json_add(root, "epsilon", burnish_cli_json_real(settings->epsilon.value), &failed);
     burnish_cli_json_add(root, "lobe", cJSON_CreateString(r->best.name), &failed);
     burnish_cli_json_add(root, "max_error", burnish_cli_json_real(r->best.maximum), &failed);
-    if (model->kind == BURNISH_THEORY_FAMILY) {
+    if (model->lobe.kind == BURNISH_LOBE_FAMILY) {
         double a, b;
         constants_of(model, &a, &b);
         burnish_cli_json_add(root, "zeta", burnish_cli_json_real(model->zeta), &failed);

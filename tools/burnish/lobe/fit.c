@@ -89,29 +89,29 @@ typedef struct findings {
 
 /* The fits that name a slope by an exponent. */
 static const struct {
-    burnish_theory_fit fit;
+    burnish_lobe_fit fit;
     const char *name;
-} named_fits[] = {{BURNISH_THEORY_ENERGY, "energy"},
-                  {BURNISH_THEORY_TAYLOR, "taylor"},
-                  {BURNISH_THEORY_LEVEL, "level0.5"},
-                  {BURNISH_THEORY_PROJECTED, "projected"},
-                  {BURNISH_THEORY_MINIMAX, "minimax"}};
+} named_fits[] = {{BURNISH_FIT_ENERGY, "energy"},
+                  {BURNISH_FIT_TAYLOR, "taylor"},
+                  {BURNISH_FIT_LEVEL, "level0.5"},
+                  {BURNISH_FIT_PROJECTED, "projected"},
+                  {BURNISH_FIT_MINIMAX, "minimax"}};
 
 enum { NAMED_FITS = sizeof named_fits / sizeof *named_fits };
 
 /* "order 4", "power" */
 static const char *shape_name(const burnish_cli_fitted *f, char text[BURNISH_CLI_LOBE_NAME]) {
-    if (f->model.kind == BURNISH_THEORY_FAMILY) {
-        snprintf(text, BURNISH_CLI_LOBE_NAME, "order %d", f->model.order);
+    if (f->model.lobe.kind == BURNISH_LOBE_FAMILY) {
+        snprintf(text, BURNISH_CLI_LOBE_NAME, "order %d", f->model.lobe.order);
     } else {
-        burnish_theory_model_name(&f->model, text, BURNISH_CLI_LOBE_NAME);
+        burnish_lobe_spec_name(&f->model.lobe, text, BURNISH_CLI_LOBE_NAME);
     }
     return text;
 }
 
-static double exponent_as(const burnish_cli_fitted *f, burnish_theory_fit fit) {
-    return f->model.kind == BURNISH_THEORY_FAMILY
-               ? burnish_cli_exponent_of_slope(fit, f->model.order, f->model.zeta)
+static double exponent_as(const burnish_cli_fitted *f, burnish_lobe_fit fit) {
+    return f->model.lobe.kind == BURNISH_LOBE_FAMILY
+               ? burnish_cli_exponent_of_slope(fit, f->model.lobe.order, f->model.zeta)
                : f->model.exponent;
 }
 
@@ -145,8 +145,8 @@ static void fill_row(const findings *found, size_t i, char name[BURNISH_CLI_LOBE
     const burnish_cli_fitted *f = &found->fitted[i];
     burnish_theory_cost cost = burnish_theory_model_cost(&f->model);
     row[0].text = shape_name(f, name);
-    row[1].number = f->model.kind == BURNISH_THEORY_FAMILY ? f->model.zeta : NAN;
-    row[2].number = exponent_as(f, BURNISH_THEORY_ENERGY);
+    row[1].number = f->model.lobe.kind == BURNISH_LOBE_FAMILY ? f->model.zeta : NAN;
+    row[2].number = exponent_as(f, BURNISH_FIT_ENERGY);
     row[3].number = f->scale;
     row[4].number = f->offset;
     row[5].number = f->rms;
@@ -160,8 +160,8 @@ static void print_sentence(FILE *stream, const fit_settings *settings, const fin
     const burnish_cli_fitted *f = &found->fitted[0];
     char name[BURNISH_CLI_LOBE_NAME];
     fprintf(stream, "%zu samples. Best: %.5g times ", found->samples.count, f->scale);
-    if (f->model.kind == BURNISH_THEORY_FAMILY) {
-        fprintf(stream, "max(0, 1 - %.6g (1 - c))^%d", f->model.zeta, f->model.order);
+    if (f->model.lobe.kind == BURNISH_LOBE_FAMILY) {
+        fprintf(stream, "max(0, 1 - %.6g (1 - c))^%d", f->model.zeta, f->model.lobe.order);
     } else {
         fprintf(stream, "%s with exponent %.6g", shape_name(f, name), f->model.exponent);
     }
@@ -182,7 +182,7 @@ static void print_sentence(FILE *stream, const fit_settings *settings, const fin
 /* The same lobe in the words of the other commands. */
 static void print_names(FILE *stream, const burnish_cli_fitted *f) {
     int first = 1;
-    if (f->model.kind != BURNISH_THEORY_FAMILY) {
+    if (f->model.lobe.kind != BURNISH_LOBE_FAMILY) {
         return;
     }
     fprintf(stream, "The same lobe, by fit and exponent:\n");
@@ -190,7 +190,7 @@ static void print_names(FILE *stream, const burnish_cli_fitted *f) {
         double n = exponent_as(f, named_fits[i].fit);
         if (!isnan(n)) {
             fprintf(stream, "%s%s:%d %.6g", first ? "  " : ",  ", named_fits[i].name,
-                    f->model.order, n);
+                    f->model.lobe.order, n);
             first = 0;
         }
     }
@@ -199,17 +199,18 @@ static void print_names(FILE *stream, const burnish_cli_fitted *f) {
 
 static cJSON *best_object(const findings *found, int *failed) {
     const burnish_cli_fitted *f = &found->fitted[0];
-    int is_family = f->model.kind == BURNISH_THEORY_FAMILY;
+    int is_family = f->model.lobe.kind == BURNISH_LOBE_FAMILY;
     char name[BURNISH_CLI_LOBE_NAME];
     cJSON *best = cJSON_CreateObject(), *names = cJSON_CreateObject();
     burnish_cli_json_add(best, "lobe", cJSON_CreateString(shape_name(f, name)), failed);
-    burnish_cli_json_add(
-        best, "order", is_family ? cJSON_CreateNumber(f->model.order) : cJSON_CreateNull(), failed);
+    burnish_cli_json_add(best, "order",
+                         is_family ? cJSON_CreateNumber(f->model.lobe.order) : cJSON_CreateNull(),
+                         failed);
     burnish_cli_json_add(best, "zeta", burnish_cli_json_real(is_family ? f->model.zeta : NAN),
                          failed);
     for (int i = 0; is_family && i < NAMED_FITS; ++i) {
         char key[48];
-        snprintf(key, sizeof key, "%s:%d", named_fits[i].name, f->model.order);
+        snprintf(key, sizeof key, "%s:%d", named_fits[i].name, f->model.lobe.order);
         burnish_cli_json_add(names, key, burnish_cli_json_real(exponent_as(f, named_fits[i].fit)),
                              failed);
     }

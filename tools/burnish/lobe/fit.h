@@ -33,6 +33,6 @@ double burnish_cli_residual(const burnish_cli_fitted *fitted, const burnish_cli_
 double burnish_cli_explained(const burnish_cli_samples *samples, const burnish_cli_fitted *fitted);
 
 /* The exponent for which a fit of that order has this slope; NaN where there is none. */
-double burnish_cli_exponent_of_slope(burnish_theory_fit fit, int order, double zeta);
+double burnish_cli_exponent_of_slope(burnish_lobe_fit fit, int order, double zeta);
 
 #endif

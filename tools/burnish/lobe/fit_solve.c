@@ -22,7 +22,7 @@ typedef struct problem {
     size_t stride; /* every so many samples count */
     int with_offset;
     double unit; /* largest intensity, so that squares neither overflow nor vanish */
-    burnish_theory_kind kind;
+    burnish_lobe_kind kind;
     int order; /* FAMILY */
 } problem;
 
@@ -31,10 +31,14 @@ static burnish_theory_model model_at(const problem *p, double logarithm) {
     burnish_theory_model model;
     double value = exp(logarithm);
     value = value > 65536 ? 65536 : value;
-    if (p->kind == BURNISH_THEORY_FAMILY) {
-        (void)burnish_theory_model_family(&model, BURNISH_THEORY_GIVEN, p->order, 65536, value);
+    if (p->kind == BURNISH_LOBE_FAMILY) {
+        (void)burnish_theory_model_create(
+            &model,
+            &(burnish_lobe_spec){.fit = BURNISH_FIT_GIVEN, .order = p->order, .parameter = value},
+            65536);
     } else {
-        (void)burnish_theory_model_other(&model, p->kind, 2, value < 1 ? 1 : value);
+        (void)burnish_theory_model_create(&model, &(burnish_lobe_spec){.kind = p->kind, .order = 2},
+                                          value < 1 ? 1 : value);
     }
     return model;
 }
@@ -101,7 +105,7 @@ static int search(problem *p, nlopt_algorithm algorithm, int evaluations, double
 }
 
 static int fit_kind(problem *p, burnish_cli_fitted *fitted) {
-    double low = p->kind == BURNISH_THEORY_FAMILY ? log(0.25) : 0, high = log(65536);
+    double low = p->kind == BURNISH_LOBE_FAMILY ? log(0.25) : 0, high = log(65536);
     double x = 0.5 * (low + high);
     size_t count = p->samples->count;
     p->stride = count > COARSE_SAMPLES ? (count + COARSE_SAMPLES - 1) / COARSE_SAMPLES : 1;
@@ -178,8 +182,8 @@ burnish_status burnish_cli_fit_samples(const burnish_cli_samples *samples, int w
                                        const char *path,
                                        burnish_cli_fitted fitted[BURNISH_CLI_FITTED_MAX],
                                        size_t *count, burnish_error *error) {
-    static const burnish_theory_kind others[] = {BURNISH_THEORY_POWER, BURNISH_THEORY_SCHLICK,
-                                                 BURNISH_THEORY_GAUSSIAN, BURNISH_THEORY_GX};
+    static const burnish_lobe_kind others[] = {BURNISH_LOBE_POWER, BURNISH_LOBE_SCHLICK,
+                                               BURNISH_LOBE_GAUSSIAN, BURNISH_LOBE_GX};
     problem p = {.samples = samples, .with_offset = with_offset};
     burnish_status status = check_samples(samples, with_offset, path, &p.unit, error);
     *count = 0;
@@ -187,7 +191,7 @@ burnish_status burnish_cli_fit_samples(const burnish_cli_samples *samples, int w
         return status;
     }
     for (int i = 0; i < BURNISH_CLI_FITTED_MAX; ++i) {
-        p.kind = i < 5 ? BURNISH_THEORY_FAMILY : others[i - 5];
+        p.kind = i < 5 ? BURNISH_LOBE_FAMILY : others[i - 5];
         p.order = i < 5 ? 2 << i : 0;
         if (!fit_kind(&p, &fitted[*count])) {
             return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the fit");
@@ -227,19 +231,22 @@ double burnish_cli_explained(const burnish_cli_samples *samples, const burnish_c
     return variation > 1e-24 * (double)samples->count ? 1 - rest / variation : 0;
 }
 
-double burnish_cli_exponent_of_slope(burnish_theory_fit fit, int order, double zeta) {
+double burnish_cli_exponent_of_slope(burnish_lobe_fit fit, int order, double zeta) {
     double low = order > 2 ? order : 1, high = 65536, scale, at_low, at_high, at_middle;
-    if (fit == BURNISH_THEORY_MINIMAX || fit == BURNISH_THEORY_PROJECTED) {
+    if (fit == BURNISH_FIT_MINIMAX || fit == BURNISH_FIT_PROJECTED) {
         low = order; /* n >= m there, for order 2 too */
     }
-    if (burnish_theory_solve(fit, order, low, 0.5, &at_low, &scale) != BURNISH_LOBE_OK ||
-        burnish_theory_solve(fit, order, high, 0.5, &at_high, &scale) != BURNISH_LOBE_OK ||
+    if (burnish_lobe_solve(&(burnish_lobe_spec){.fit = fit, .order = order, .parameter = 0.5}, low,
+                           &at_low, &scale) != BURNISH_LOBE_OK ||
+        burnish_lobe_solve(&(burnish_lobe_spec){.fit = fit, .order = order, .parameter = 0.5}, high,
+                           &at_high, &scale) != BURNISH_LOBE_OK ||
         zeta < at_low * (1 - 1e-9) || zeta > at_high * (1 + 1e-9)) {
         return NAN;
     }
     for (int i = 0; i < 60; ++i) { /* slopes rise with the exponent */
         double middle = 0.5 * (low + high);
-        if (burnish_theory_solve(fit, order, middle, 0.5, &at_middle, &scale) != BURNISH_LOBE_OK) {
+        if (burnish_lobe_solve(&(burnish_lobe_spec){.fit = fit, .order = order, .parameter = 0.5},
+                               middle, &at_middle, &scale) != BURNISH_LOBE_OK) {
             return NAN;
         }
         *(at_middle < zeta ? &low : &high) = middle;

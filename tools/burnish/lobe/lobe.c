@@ -175,7 +175,7 @@ burnish_status burnish_cli_read_lobes(const char *flag, const char *text,
         if (burnish_theory_model_parse(word, 65536, &model, &reason) != BURNISH_STATUS_OK) {
             return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: %s", flag, reason.text);
         }
-        burnish_theory_model_name(&model, list->items[list->count++], BURNISH_CLI_LOBE_NAME);
+        burnish_lobe_spec_name(&model.lobe, list->items[list->count++], BURNISH_CLI_LOBE_NAME);
     }
     return BURNISH_STATUS_OK;
 }

@@ -18,7 +18,8 @@ static double level_of_bits(const facts *f) {
 /* The power with the model's exponent, which is in range. */
 static burnish_theory_model power_of(const facts *f) {
     burnish_theory_model power;
-    (void)burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, f->model.exponent);
+    (void)burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
+                                      f->model.exponent);
     return power;
 }
 
@@ -38,7 +39,8 @@ static double derivative(const facts *f, int order) {
 }
 
 static double m_zeta(const facts *f) {
-    int has_slope = f->model.kind == BURNISH_THEORY_FAMILY || f->model.kind == BURNISH_THEORY_LYON;
+    int has_slope =
+        f->model.lobe.kind == BURNISH_LOBE_FAMILY || f->model.lobe.kind == BURNISH_LOBE_LYON;
     return or_nan(f->model.zeta, has_slope);
 }
 static double m_peak(const facts *f) {

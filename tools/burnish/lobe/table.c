@@ -132,7 +132,8 @@ static double range_end(const plan *p, double exponent) {
     if (p->level == 0) {
         return BURNISH_CLI_RIGHT_ANGLE;
     }
-    (void)burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, exponent);
+    (void)burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
+                                      exponent);
     return burnish_theory_angle_at(&power, p->level);
 }
 

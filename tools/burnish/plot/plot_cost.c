@@ -149,7 +149,8 @@ burnish_status burnish_plot_fill_cost(const burnish_plot_request *request,
         if (!point) {
             return error->status;
         }
-        int family = c->model.kind == BURNISH_THEORY_FAMILY || c->model.kind == BURNISH_THEORY_LYON;
+        int family =
+            c->model.lobe.kind == BURNISH_LOBE_FAMILY || c->model.lobe.kind == BURNISH_LOBE_LYON;
         snprintf(point->name, sizeof point->name, "%.*s", (int)sizeof c->word, c->word);
         point->ink = BURNISH_PLOT_INK_LOBE + !family;
         point->style = family ? BURNISH_PLOT_DISCS : BURNISH_PLOT_RINGS;

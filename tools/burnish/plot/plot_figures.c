@@ -131,7 +131,7 @@ burnish_plot_series *burnish_plot_add_series(burnish_plot_chart *chart, burnish_
 /* The lobe's name as text of a figure: the paper's where it has one. */
 static void lobe_text(const burnish_theory_model *model, char *text, size_t size) {
     char word[BURNISH_PLOT_LOBE_SIZE];
-    burnish_theory_model_name(model, word, sizeof word);
+    burnish_lobe_spec_name(&model->lobe, word, sizeof word);
     if (strcmp(word, "taylor:2") == 0) {
         snprintf(text, size, "{/:Italic W}");
     } else if (strcmp(word, "energy:2") == 0) {
@@ -149,31 +149,31 @@ static void lobe_text(const burnish_theory_model *model, char *text, size_t size
 
 /* A lobe has the same hue in every figure; labels tell apart the few that share one. */
 static int lobe_ink(const burnish_theory_model *model) {
-    static const int kinds[BURNISH_THEORY_KIND_COUNT] = {
-        [BURNISH_THEORY_SCHLICK] = 1, [BURNISH_THEORY_LYON] = 0, [BURNISH_THEORY_GAUSSIAN] = 4,
-        [BURNISH_THEORY_GX] = 4,      [BURNISH_THEORY_NV2X] = 5, [BURNISH_THEORY_KUIJK_BLAKE] = 4,
-        [BURNISH_THEORY_TABLE] = 6,
+    static const int kinds[BURNISH_LOBE_KIND_COUNT] = {
+        [BURNISH_LOBE_SCHLICK] = 1, [BURNISH_LOBE_LYON] = 0, [BURNISH_LOBE_GAUSSIAN] = 4,
+        [BURNISH_LOBE_GX] = 4,      [BURNISH_LOBE_NV2X] = 5, [BURNISH_LOBE_KUIJK_BLAKE] = 4,
+        [BURNISH_LOBE_TABLE] = 6,
     };
-    static const int fits[BURNISH_THEORY_FIT_COUNT] = {
-        [BURNISH_THEORY_TAYLOR] = 0,  [BURNISH_THEORY_ENERGY] = 2,
-        [BURNISH_THEORY_LEVEL] = 4,   [BURNISH_THEORY_SHIFT7] = 5,
-        [BURNISH_THEORY_SHIFT3] = 6,  [BURNISH_THEORY_PROJECTED] = 2,
-        [BURNISH_THEORY_MINIMAX] = 3, [BURNISH_THEORY_LEAST_SQUARES] = 4,
-        [BURNISH_THEORY_AFFINE] = 5,  [BURNISH_THEORY_GIVEN] = 6,
+    static const int fits[BURNISH_FIT_COUNT] = {
+        [BURNISH_FIT_TAYLOR] = 0,  [BURNISH_FIT_ENERGY] = 2,        [BURNISH_FIT_LEVEL] = 4,
+        [BURNISH_FIT_SHIFT7] = 5,  [BURNISH_FIT_SHIFT3] = 6,        [BURNISH_FIT_PROJECTED] = 2,
+        [BURNISH_FIT_MINIMAX] = 3, [BURNISH_FIT_LEAST_SQUARES] = 4, [BURNISH_FIT_AFFINE] = 5,
+        [BURNISH_FIT_GIVEN] = 6,
     };
-    if (model->kind == BURNISH_THEORY_POWER) {
+    if (model->lobe.kind == BURNISH_LOBE_POWER) {
         return BURNISH_PLOT_INK_REFERENCE;
     }
-    return BURNISH_PLOT_INK_LOBE +
-           (model->kind == BURNISH_THEORY_FAMILY ? fits[model->fit] : kinds[model->kind]);
+    return BURNISH_PLOT_INK_LOBE + (model->lobe.kind == BURNISH_LOBE_FAMILY
+                                        ? fits[model->lobe.fit]
+                                        : kinds[model->lobe.kind]);
 }
 
 /* The order shows as dashes. */
 static burnish_plot_style lobe_style(const burnish_theory_model *model) {
-    return model->order <= 2   ? BURNISH_PLOT_LINE
-           : model->order == 4 ? BURNISH_PLOT_DASHED
-           : model->order == 8 ? BURNISH_PLOT_DASH_DOT
-                               : BURNISH_PLOT_DOTTED;
+    return model->lobe.order <= 2   ? BURNISH_PLOT_LINE
+           : model->lobe.order == 4 ? BURNISH_PLOT_DASHED
+           : model->lobe.order == 8 ? BURNISH_PLOT_DASH_DOT
+                                    : BURNISH_PLOT_DOTTED;
 }
 
 /* The i-th style of curves that share their hues. */
@@ -219,8 +219,8 @@ void burnish_plot_state_exponent(const burnish_plot_request *request, burnish_pl
 /* Angles up to where the power has left the screen and the slowest comparison is in sight. */
 static double angle_range(const burnish_plot_request *request) {
     burnish_theory_model power;
-    burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0,
-                               least(request->exponents, request->exponent_count));
+    burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
+                                least(request->exponents, request->exponent_count));
     double end = 2.4 * burnish_theory_angle_at(&power, 1.0 / 256) * DEGREES;
     end = end < 80 ? ceil(end / 5) * 5 : 90;
     return end;
@@ -315,13 +315,13 @@ static double first_exponent(const burnish_theory_model *pattern, double low, do
                              burnish_theory_model *model) {
     for (int i = 0; i < 50; ++i) {
         double middle = 0.5 * (low + high);
-        if (burnish_theory_model_at(pattern, middle, model) == BURNISH_LOBE_OK) {
+        if (burnish_theory_model_create(model, &pattern->lobe, middle) == BURNISH_LOBE_OK) {
             high = middle;
         } else {
             low = middle;
         }
     }
-    burnish_theory_model_at(pattern, high, model);
+    burnish_theory_model_create(model, &pattern->lobe, high);
     return high;
 }
 
@@ -339,7 +339,8 @@ static burnish_status fill_curve(const burnish_plot_request *request, const char
     }
     for (size_t i = 0; i < BURNISH_PLOT_POINTS; ++i) {
         double exponent = step_between(low, high, 1, i);
-        int exists = burnish_theory_model_at(&pattern, exponent, &model) == BURNISH_LOBE_OK;
+        int exists =
+            burnish_theory_model_create(&model, &pattern.lobe, exponent) == BURNISH_LOBE_OK;
         series->x[i] = exponent;
         series->y[i] = exists ? measure(&model, bits) : NAN;
         if (i > 0 && exists && !before) {
@@ -473,7 +474,8 @@ static burnish_status fill_extreme(const burnish_plot_request *request, burnish_
 static double energy_ratio(const burnish_theory_model *model, double bits) {
     burnish_theory_model power;
     (void)bits;
-    burnish_theory_model_other(&power, BURNISH_THEORY_POWER, 0, model->exponent);
+    burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
+                                model->exponent);
     return burnish_theory_integral(model, BURNISH_THEORY_SOLID_ANGLE) /
            burnish_theory_integral(&power, BURNISH_THEORY_SOLID_ANGLE);
 }

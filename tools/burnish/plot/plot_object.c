@@ -182,7 +182,7 @@ static burnish_status draw_lobes(const burnish_plot_request *request, gallery *g
     memset(options.background, 255, sizeof options.background);
     for (size_t i = 0; i < request->lobe_count && status == BURNISH_STATUS_OK; ++i) {
         burnish_error inner;
-        if (burnish_lobe_choice_parse(request->lobes[i], &options.lobe, &inner) !=
+        if (burnish_lobe_spec_parse(request->lobes[i], &options.lobe, &inner) !=
             BURNISH_STATUS_OK) {
             status = burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
             break;

@@ -20,8 +20,7 @@ static const burnish_cli_word view_words[] = {
 };
 static const burnish_cli_word equation_words[] = {
     {"blinn", BURNISH_SPECULAR_BLINN}, {"phong", BURNISH_SPECULAR_PHONG}, {NULL, 0}};
-static const burnish_cli_word viewer_words[] = {
-    {"local", BURNISH_VIEWER_LOCAL}, {"distant", BURNISH_VIEWER_DISTANT}, {NULL, 0}};
+static const burnish_cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}};
 static const burnish_cli_word format_words[] = {{"auto", BURNISH_FORMAT_AUTO},
                                                 {"obj", BURNISH_FORMAT_OBJ},
                                                 {"ply", BURNISH_FORMAT_PLY},

@@ -79,7 +79,7 @@ static void label_cell(const burnish_cli_render *settings, size_t index, burnish
         copy_item(settings->labels, index, cell->label, sizeof cell->label);
         return;
     }
-    burnish_lobe_choice_name(&cell->lobe, lobe, sizeof lobe);
+    burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
     const char *view = burnish_cli_view_name(cell->view);
     if (settings->views.count > 0 && settings->lobes.count > 1) {
         snprintf(cell->label, sizeof cell->label, "%s, %s", view, lobe);
@@ -93,7 +93,7 @@ static void warn_about_cell(burnish_cli_result *result, const burnish_cli_cell *
     const char *picture = result->cell_count > 1 ? cell->label : "the picture";
     if (cell->report.lobe_fallbacks > 0) {
         char lobe[32];
-        burnish_lobe_choice_name(&cell->lobe, lobe, sizeof lobe);
+        burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
         burnish_cli_result_warn(
             result, 1,
             "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "

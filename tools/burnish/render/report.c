@@ -187,7 +187,7 @@ static cJSON *exponents_array(const burnish_mesh *scene) {
 /* The keys that a single picture and a cell share. */
 static void add_picture(cJSON *object, const burnish_cli_cell *cell, int *failed) {
     char lobe[32];
-    burnish_lobe_choice_name(&cell->lobe, lobe, sizeof lobe);
+    burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
     add(object, "triangles_drawn", count(cell->report.triangles_drawn), failed);
     add(object, "covered_pixels", count(cell->report.covered_pixels), failed);
     add(object, "pixel_bounds", array_of(4, integer_at, cell->report.bounds), failed);
@@ -244,10 +244,9 @@ static void add_run(cJSON *root, const burnish_cli_result *result, int *failed) 
     const burnish_render_options *options = result->options;
     cJSON *times = cJSON_CreateObject();
     add(root, "equation",
-        cJSON_CreateString(options->equation == BURNISH_SPECULAR_BLINN ? "blinn" : "phong"),
+        cJSON_CreateString(options->specular_model == BURNISH_SPECULAR_BLINN ? "blinn" : "phong"),
         failed);
-    add(root, "viewer",
-        cJSON_CreateString(options->viewer == BURNISH_VIEWER_LOCAL ? "local" : "distant"), failed);
+    add(root, "viewer", cJSON_CreateString(options->local_viewer ? "local" : "distant"), failed);
     add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
     add(root, "samples", cJSON_CreateNumber(options->samples), failed);
     add(root, "threads", cJSON_CreateNumber(result->cells[0].report.threads), failed);

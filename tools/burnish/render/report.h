@@ -7,7 +7,7 @@
 /* One picture: all there is, or a cell of a sheet. */
 typedef struct burnish_cli_cell {
     burnish_cli_view view;
-    burnish_lobe_choice lobe;
+    burnish_lobe_spec lobe;
     burnish_camera camera;
     burnish_image image;
     burnish_render_report report;

@@ -35,7 +35,7 @@ typedef struct burnish_cli_views {
 } burnish_cli_views;
 
 typedef struct burnish_cli_lobes {
-    burnish_lobe_choice items[BURNISH_CLI_LIST_MAX];
+    burnish_lobe_spec items[BURNISH_CLI_LIST_MAX];
     size_t count;
 } burnish_cli_lobes;
 

@@ -179,8 +179,8 @@ burnish_render_options burnish_cli_render_options(const burnish_cli_render *sett
     options.samples = settings->samples;
     options.threads = settings->threads;
     options.batch = burnish_kernels_for(settings->isa);
-    options.equation = (burnish_specular_model)settings->equation;
-    options.viewer = (burnish_viewer)settings->viewer;
+    options.specular_model = (burnish_specular_model)settings->equation;
+    options.local_viewer = settings->viewer;
     options.ignore_colors = settings->color.given;
     options.cull_back_faces = settings->cull_back_faces;
     options.transparent = settings->background.transparent;

@@ -120,7 +120,7 @@ burnish_status burnish_cli_flag_lobes(const burnish_cli_flag *flag, const char *
         if (read.count == BURNISH_CLI_LIST_MAX) {
             return fail_list(flag, error);
         }
-        burnish_status status = burnish_lobe_choice_parse(item, &read.items[read.count++], &reason);
+        burnish_status status = burnish_lobe_spec_parse(item, &read.items[read.count++], &reason);
         if (status != BURNISH_STATUS_OK) {
             return burnish_cli_fail(error, status, "--%s: %.400s", flag->name, reason.text);
         }
