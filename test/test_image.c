@@ -1,13 +1,6 @@
-/* Images: making, hashing, copying, contact sheets, and the files that they go to. */
-#include <dirent.h>
-#include <fcntl.h>
+/* Images: making, hashing, copying, contact sheets. */
 #include <limits.h>
-#include <signal.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include "burnish/core.h"
 #include "burnish/image.h"
 #include "support.h"
 
@@ -318,69 +311,6 @@ static void test_sheet_errors(void) {
     burnish_image_destroy(&wide);
 }
 
-/* ---- files ---- */
-
-/* Ends the process when half of the output is written. */
-static size_t deadly_source(void *context, char *buffer, size_t size) {
-    int *calls = context;
-    if (++*calls == 3) {
-        kill(getpid(), SIGKILL);
-    }
-    memset(buffer, 'x', size);
-    return size;
-}
-
-static size_t count_files(const char *folder) {
-    DIR *list = opendir(folder);
-    size_t count = 0;
-    for (const struct dirent *entry; list && (entry = readdir(list));) {
-        count += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
-    }
-    if (list) {
-        closedir(list);
-    }
-    return count;
-}
-
-/* A process that is killed while it writes leaves the old file and nothing else, where the file
- * system has files without names. */
-static void test_killed_writer(void) {
-    char folder[] = "/tmp/burnish-image-XXXXXX", path[64];
-    if (!CHECK(mkdtemp(folder), "no folder")) {
-        return;
-    }
-    int nameless = open(folder, O_TMPFILE | O_WRONLY, 0600);
-    snprintf(path, sizeof path, "%s/a.png", folder);
-    CHECK_STATUS(burnish_file_write(path, "old", 3, NULL), BURNISH_STATUS_OK);
-    if (nameless >= 0) {
-        close(nameless);
-        pid_t child = fork();
-        if (child == 0) {
-            int calls = 0;
-            burnish_file_write_stream(path, deadly_source, &calls, NULL);
-            _exit(0);
-        }
-        int result = 0;
-        CHECK(child > 0 && waitpid(child, &result, 0) == child && WIFSIGNALED(result),
-              "the writer was not killed: %d", result);
-        CHECK(count_files(folder) == 1, "%zu files", count_files(folder));
-    }
-    struct stat state;
-    CHECK(stat(path, &state) == 0 && state.st_size == 3, "the old file is gone");
-    CHECK(unlink(path) == 0 && rmdir(folder) == 0, "the folder holds more");
-}
-
-/* The reason is told whatever the length of the name. */
-static void test_long_file_name(void) {
-    static char path[3000];
-    burnish_error error;
-    memset(path, 'x', sizeof path - 1);
-    CHECK_STATUS(burnish_file_write(path, "a", 1, &error), BURNISH_STATUS_WRITE);
-    CHECK(strncmp(error.text, "...xxx", 6) == 0 &&
-              strstr(error.text, "x: can't be written: File name too long"),
-          "%s", error.text);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_create());
@@ -396,7 +326,5 @@ int main(int count, char **arguments) {
     RUN(test_long_label());
     RUN(test_smaller_labels());
     RUN(test_sheet_errors());
-    RUN(test_killed_writer());
-    RUN(test_long_file_name());
     return test_end("image");
 }

@@ -200,15 +200,18 @@ BURNISH_API burnish_status burnish_isa_choose(const char *name, burnish_isa *isa
 /* ---- Files ---- */
 
 /* Writes bytes to a file. A new or existing regular file is written to a temporary in the same
- * folder and renamed over it: on any error nothing is left and an existing file is as it was. Links
- * stay links; an existing file keeps its permissions, a new one gets those of the umask. Something
+ * folder, which then takes its name: on any error nothing is left and an existing file is as it
+ * was. The same when the process is killed, where the system has files without names (Linux, most
+ * file systems); elsewhere see burnish_file_remove_temporaries. Not when power fails: nothing waits
+ * for the disk (fsync would cost more than most pictures). Links stay links, one to nothing is
+ * refused; an existing file keeps its permissions, a new one gets those of the umask. Something
  * else that exists (a device, a pipe) is written directly.
  *   path   the file; "-" is standard output
  *   bytes  what to write; may be NULL when size is 0
  *   size   how many
  *   error  receives the one line of an error; may be NULL
- * Errors: ARGUMENT (path NULL or empty), WRITE; a closed pipe is an error, provided the program
- * ignores SIGPIPE. */
+ * Errors: ARGUMENT (path NULL or empty), MEMORY, WRITE. A closed pipe and the limit of file sizes
+ * are errors, provided the program ignores SIGPIPE and SIGXFSZ. */
 BURNISH_API burnish_status burnish_file_write(const char *path, const void *bytes, size_t size,
                                               burnish_error *error);
 
@@ -223,9 +226,13 @@ typedef size_t burnish_file_source(void *context, char *buffer, size_t size);
  *   source   called until it returns 0; not NULL
  *   context  handed to source
  *   error    receives the one line of an error; may be NULL
- * Errors: as burnish_file_write, and MEMORY. */
+ * Errors: as burnish_file_write. */
 BURNISH_API burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
                                                      void *context, burnish_error *error);
+
+/* Removes the temporaries of calls that are writing at this moment. For a handler of signals that
+ * ends the process: async-signal-safe, and those calls fail if they go on. */
+BURNISH_API void burnish_file_remove_temporaries(void);
 
 #ifdef __cplusplus
 }

@@ -7,6 +7,8 @@
 
 #include <stddef.h>
 
+#include "core/arithmetic.h"
+
 /* IEEE square root, correctly rounded; negative gives NaN. */
 double burnish_sqrt(double x);
 float burnish_sqrtf(float x);

@@ -50,6 +50,37 @@ burnish_status burnish_fail(burnish_error *error, burnish_status status, const c
     return status;
 }
 
+#ifdef _WIN32
+static void describe(int code, burnish_reason *reason) {
+    strerror_s(reason->text, sizeof reason->text, code);
+}
+#else
+/* strerror_r returns a text in its GNU form, which may stand elsewhere, and a number in POSIX'. */
+static inline void take_text(const char *text, burnish_reason *reason) {
+    if (text != reason->text) {
+        snprintf(reason->text, sizeof reason->text, "%s", text);
+    }
+}
+
+static inline void take_number(int failed, burnish_reason *reason) {
+    (void)failed, (void)reason;
+}
+
+static void describe(int code, burnish_reason *reason) {
+    _Generic(strerror_r(code, reason->text, sizeof reason->text), char * : take_text, int
+             : take_number)(strerror_r(code, reason->text, sizeof reason->text), reason);
+}
+#endif
+
+burnish_reason burnish_errno_reason(int code) {
+    burnish_reason reason = {""};
+    describe(code, &reason);
+    if (!reason.text[0]) {
+        snprintf(reason.text, sizeof reason.text, "error %d", code);
+    }
+    return reason;
+}
+
 burnish_shown_name burnish_show_name(const char *name) {
     burnish_shown_name shown;
     const char *cut = "";

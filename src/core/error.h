@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "burnish/core.h"
+#include "core/arithmetic.h"
 
 /* Fills *error (may be NULL) and returns status, so that callers can `return burnish_fail(...)`.
  * Control characters that came from an input are replaced by '?'. */
@@ -19,5 +20,11 @@ burnish_shown_name burnish_show_name(const char *name);
 
 /* The same for a failed allocation of `bytes` for `what`, which may be a file's name. */
 burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes);
+
+/* What an errno means. Unlike strerror's, the text is the caller's own. */
+typedef struct burnish_reason {
+    char text[96];
+} burnish_reason;
+burnish_reason burnish_errno_reason(int code);
 
 #endif

@@ -11,17 +11,46 @@ static const burnish_allocator *own_allocator(const burnish_context *context) {
     return context && context->options.allocator.allocate ? &context->options.allocator : NULL;
 }
 
+#ifdef _WIN32
+#include <malloc.h>
+
+static void *default_allocate(size_t bytes) {
+    return _aligned_malloc(bytes, BURNISH_ALIGNMENT);
+}
+
+static void *default_reallocate(void *items, size_t bytes) {
+    return _aligned_realloc(items, bytes, BURNISH_ALIGNMENT);
+}
+
+static void default_release(void *items) {
+    _aligned_free(items);
+}
+#else
+static void *default_allocate(size_t bytes) {
+    return aligned_alloc(BURNISH_ALIGNMENT, bytes);
+}
+
+/* Moves large arrays without copying them, and need not keep their alignment. */
+static void *default_reallocate(void *items, size_t bytes) {
+    return realloc(items, bytes);
+}
+
+static void default_release(void *items) {
+    free(items);
+}
+#endif
+
 static void *take(const burnish_context *context, size_t bytes) {
     const burnish_allocator *own = own_allocator(context);
     const size_t rounded = (bytes + BURNISH_ALIGNMENT - 1) / BURNISH_ALIGNMENT * BURNISH_ALIGNMENT;
     return own ? own->allocate(own->user_data, rounded, BURNISH_ALIGNMENT)
-               : aligned_alloc(BURNISH_ALIGNMENT, rounded);
+               : default_allocate(rounded);
 }
 
 void burnish_release(const burnish_context *context, void *items) {
     const burnish_allocator *own = own_allocator(context);
     if (!own) {
-        free(items);
+        default_release(items);
     } else if (items) {
         own->release(own->user_data, items);
     }
@@ -91,7 +120,7 @@ void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, siz
             burnish_release(memory->context, items);
         }
     } else {
-        grown = realloc(items, bytes); /* moves large arrays without copying them */
+        grown = default_reallocate(items, bytes);
     }
     if (!grown) {
         memory->status = burnish_fail_memory(memory->error, what, bytes);

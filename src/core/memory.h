@@ -17,7 +17,7 @@
 
 #include "core/error.h"
 
-/* What every array is aligned to: enough for any vector type. */
+/* What new arrays are aligned to: enough for any vector type. */
 #define BURNISH_ALIGNMENT 64
 
 /* a * b in *product; returns 0 when it does not fit. */
@@ -45,7 +45,7 @@ void *burnish_allocate(burnish_memory *memory, size_t count, size_t size, const 
 void *burnish_allocate_zeroed(burnish_memory *memory, size_t count, size_t size, const char *what);
 
 /* items with room for at least `needed` elements, contents kept: doubles *capacity as often as it
- * must. Returns where they are now; on failure items as they were. */
+ * must. Returns where they are now, aligned as malloc aligns; on failure items as they were. */
 void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, size_t needed,
                       size_t size, const char *what);
 

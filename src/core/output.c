@@ -1,36 +1,67 @@
 /* Outputs that appear whole or not at all. */
 #include <errno.h>
-#include <fcntl.h>
 #include <limits.h>
-#include <poll.h>
+#include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/platform.h"
+
+#ifdef _WIN32
+#include <windows.h>
+#else
+#include <poll.h>
+#endif
 
 enum {
     TEMPORARY_ATTEMPTS = 1000,
     TEMPORARY_NAME_SIZE = 64, /* "/.burnish-", 16 + 8 hexadecimal digits, ".tmp" and room */
     PIECE = 1 << 16,          /* bytes that a source is asked for at a time */
-    WRITE_STEP = 1 << 30      /* the kernel takes at most 2^31 - 4096 bytes at a time */
+    WRITE_STEP = 1 << 30,     /* the kernel takes at most 2^31 - 4096 bytes at a time */
+    TEMPORARIES = 64          /* that a handler of signals can remove; more are not remembered */
 };
 
+static const char *advice_for(int code) {
+    switch (code) {
+    case ENOSPC:
+#if EDQUOT != ENOSPC
+    case EDQUOT:
+#endif
+        return "; free some space";
+    case EPIPE:
+        return "; the reader closed the pipe";
+    case ENOENT:
+        return "; create the folder first";
+    case EFBIG:
+        return "; raise the limit of file sizes (ulimit -f)";
+    case EBUSY:
+        return "; something is mounted on it, so it can't be replaced: name another file, or write "
+               "to standard output";
+    default:
+        return "";
+    }
+}
+
 static burnish_status fail_write(burnish_error *error, const char *path, int code) {
-    const char *advice = code == ENOSPC || code == EDQUOT ? "; free some space"
-                         : code == EPIPE                  ? "; the reader closed the pipe"
-                         : code == ENOENT                 ? "; create the folder first"
-                                                          : "";
-    char text[96];
-    /* strerror_r in its GNU form: strerror shares a buffer between threads. */
-    const char *reason = strerror_r(code, text, sizeof text);
     return burnish_fail(error, BURNISH_STATUS_WRITE, "%s: can't be written: %s%s",
-                        burnish_show_name(path).text, reason, advice);
+                        burnish_show_name(path).text, burnish_errno_reason(code).text,
+                        advice_for(code));
+}
+
+/* A file in the target's folder that can't be made: the folder's fault, not the target's. */
+static burnish_status fail_folder(burnish_error *error, const char *path, int code) {
+    if (code != EACCES && code != EPERM && code != EROFS) {
+        return fail_write(error, path, code);
+    }
+    return burnish_fail(error, BURNISH_STATUS_WRITE,
+                        "%s: can't be written: no file can be made in its folder (%s); name one "
+                        "elsewhere, or write to standard output",
+                        burnish_show_name(path).text, burnish_errno_reason(code).text);
 }
 
 /* What is written: bytes as they are, or what a source gives in pieces. */
@@ -42,20 +73,32 @@ typedef struct content {
     char *buffer; /* of the source's pieces: PIECE bytes */
 } content;
 
+/* For files that do not block; returns 0 or an errno. */
+static int wait_until_writable(int file) {
+#ifdef _WIN32
+    (void)file;
+    return EAGAIN;
+#else
+    struct pollfd ready = {.fd = file, .events = POLLOUT};
+    return poll(&ready, 1, -1) < 0 && errno != EINTR ? errno : 0;
+#endif
+}
+
 /* Writes the bytes; returns 0 or an errno. */
 static int write_bytes(int file, const void *bytes, size_t size) {
     const uint8_t *next = bytes;
     while (size > 0) {
-        ssize_t written = write(file, next, size < WRITE_STEP ? size : WRITE_STEP);
+        const size_t step = size < WRITE_STEP ? size : WRITE_STEP;
+        const ssize_t written = write(file, next, (unsigned)step);
         if (written > 0) {
             next += written;
             size -= (size_t)written;
         } else if (written == 0) {
             return ENOSPC;
-        } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-            struct pollfd ready = {.fd = file, .events = POLLOUT};
-            if (poll(&ready, 1, -1) < 0 && errno != EINTR) {
-                return errno;
+        } else if (errno == EAGAIN) {
+            int code = wait_until_writable(file);
+            if (code != 0) {
+                return code;
             }
         } else if (errno != EINTR) {
             return errno;
@@ -78,7 +121,7 @@ static int write_all(int file, const content *what) {
 }
 
 static burnish_status write_directly(const char *path, const content *what, burnish_error *error) {
-    int file = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    int file = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY | O_BINARY);
     if (file < 0) {
         return fail_write(error, path, errno);
     }
@@ -91,95 +134,222 @@ static burnish_status write_directly(const char *path, const content *what, burn
 
 static burnish_status write_standard_output(const content *what, burnish_error *error) {
     int code = fflush(stdout) == 0 ? 0 : errno;
+#ifdef _WIN32
+    _setmode(STDOUT_FILENO, O_BINARY);
+#endif
     if (code == 0) {
         code = write_all(STDOUT_FILENO, what);
     }
     return code == 0 ? BURNISH_STATUS_OK : fail_write(error, "standard output", code);
 }
 
-/* A new file in target's folder that has no name yet, so that nothing is left of a process that is
- * killed; -1 where the file system has no such files. name is scratch. */
-static int create_nameless(const char *target, char *name, size_t name_size) {
-    const char *slash = strrchr(target, '/');
-    int folder = slash ? (int)(slash - target) + 1 : 0;
-    if (access("/proc/self/fd", X_OK) != 0) { /* name_temporary() goes through it */
-        return -1;
-    }
-    snprintf(name, name_size, "%.*s.", folder, target);
-    return open(name, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-}
+/* ---- Temporaries ---- */
 
-/* Gives file a name beside target (at most strlen(target) + TEMPORARY_NAME_SIZE bytes, to name), or
- * creates one with such a name when file is -1; returns its descriptor or -1 with errno. Not
- * mkstemp, whose files are always private: the mode of an ordinary file needs the umask, which can
- * only be read by changing it for all threads. O_EXCL makes a guessed or taken name harmless. */
-static int name_temporary(int file, const char *target, char *name, size_t name_size) {
-    const char *slash = strrchr(target, '/');
-    int folder = slash ? (int)(slash - target) + 1 : 0;
-    char link[40];
-    snprintf(link, sizeof link, "/proc/self/fd/%d", file);
-    for (unsigned attempt = 0; attempt < TEMPORARY_ATTEMPTS; ++attempt) {
-        struct timespec now = {0};
-        clock_gettime(CLOCK_MONOTONIC, &now);
-        uint64_t unique = ((uint64_t)now.tv_sec * 1000000000U + (uint64_t)now.tv_nsec) ^
-                          (uint64_t)(uintptr_t)&now << 20 ^ attempt;
-        snprintf(name, name_size, "%.*s.burnish-%016llx-%08x.tmp", folder, target,
-                 (unsigned long long)unique, (unsigned)getpid());
-        int named = file < 0
-                        ? open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666)
-                    : linkat(AT_FDCWD, link, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0 ? file
-                                                                                     : -1;
-        if (named >= 0 || errno != EEXIST) {
-            return named;
+/* Names of temporaries that exist or are about to; NULL in free slots. Process-wide, because a
+ * handler of signals knows nothing else. */
+static _Atomic(const char *) temporaries[TEMPORARIES];
+
+static void remember(const char *name) {
+    for (int i = 0; i < TEMPORARIES; ++i) {
+        const char *empty = NULL;
+        if (atomic_compare_exchange_strong(&temporaries[i], &empty, name)) {
+            return;
         }
     }
-    errno = EEXIST;
-    return -1;
+}
+
+/* Returns 0 when a handler has the name at this moment: then it must stay in memory. */
+static int forget(const char *name) {
+    for (int i = 0; i < TEMPORARIES; ++i) {
+        const char *expected = name;
+        if (atomic_compare_exchange_strong(&temporaries[i], &expected, NULL)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+void burnish_file_remove_temporaries(void) {
+    const int code = errno;
+    for (int i = 0; i < TEMPORARIES; ++i) {
+        const char *name = atomic_exchange(&temporaries[i], NULL);
+        if (name) {
+            unlink(name);
+        }
+    }
+    errno = code;
+}
+
+/* Length of the folder's part of a path, its last separator included. */
+static int folder_length(const char *path) {
+    const char *slash = strrchr(path, '/');
+#ifdef _WIN32
+    const char *back = strrchr(path, '\\');
+    slash = back && (!slash || back > slash) ? back : slash;
+    slash = slash || !strchr(path, ':') ? slash : strchr(path, ':');
+#endif
+    return slash ? (int)(slash - path) + 1 : 0;
+}
+
+/* A file that is being written in the target's folder. */
+typedef struct temporary {
+    const char *target;
+    char *name; /* room for strlen(target) + TEMPORARY_NAME_SIZE */
+    size_t name_size;
+    int file;     /* -1: not open */
+    int is_named; /* it exists under its name, which is remembered */
+} temporary;
+
+/* A name that no file has, most likely. */
+static void invent_name(temporary *t, unsigned attempt) {
+    struct timespec now = {0};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    const uint64_t unique = ((uint64_t)now.tv_sec * 1000000000U + (uint64_t)now.tv_nsec) ^
+                            (uint64_t)(uintptr_t)&now << 20 ^ attempt;
+    snprintf(t->name, t->name_size, "%.*s.burnish-%016llx-%08x.tmp", folder_length(t->target),
+             t->target, (unsigned long long)unique, (unsigned)getpid());
+}
+
+/* Gives the open file a name; returns 0 or an errno. */
+static int link_file(const temporary *t, const char *name) {
+#if BURNISH_HAS_NAMELESS_FILES
+    char link[40];
+    snprintf(link, sizeof link, "/proc/self/fd/%d", t->file);
+    return linkat(AT_FDCWD, link, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
+#else
+    (void)t, (void)name;
+    return ENOSYS;
+#endif
+}
+
+/* Creates the file under its name; returns 0 or an errno. Not mkstemp, whose files are always
+ * private: the mode of an ordinary file needs the umask, which can only be read by changing it for
+ * all threads. O_EXCL makes a guessed or taken name harmless. */
+static int create_file(temporary *t) {
+    const int flags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW | O_BINARY;
+    t->file = open(t->name, flags, 0666);
+    return t->file >= 0 ? 0 : errno;
+}
+
+/* Makes the temporary appear in its folder under a new name; returns 0 or an errno. */
+static int name_temporary(temporary *t) {
+    int code = EEXIST;
+    for (unsigned attempt = 0; code == EEXIST && attempt < TEMPORARY_ATTEMPTS; ++attempt) {
+        invent_name(t, attempt);
+        remember(t->name);
+        code = t->file < 0 ? create_file(t) : link_file(t, t->name);
+        if (code != 0) {
+            forget(t->name);
+        }
+    }
+    t->is_named = code == 0;
+    return code;
+}
+
+/* Opens a file that has no name yet, so that nothing is left of a process that is killed, or where
+ * the file system has no such files one with a name; returns 0 or an errno. */
+static int open_temporary(temporary *t) {
+    t->file = -1;
+#if BURNISH_HAS_NAMELESS_FILES
+    if (access("/proc/self/fd", X_OK) == 0) { /* link_file goes through it */
+        snprintf(t->name, t->name_size, "%.*s.", folder_length(t->target), t->target);
+        t->file = open(t->name, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    }
+#endif
+    return t->file >= 0 ? 0 : name_temporary(t);
+}
+
+/* rename, which replaces on Windows too; returns 0 or an errno. */
+static int replace(const char *name, const char *target) {
+#ifdef _WIN32
+    return MoveFileExA(name, target, MOVEFILE_REPLACE_EXISTING) ? 0 : EACCES;
+#else
+    return rename(name, target) == 0 ? 0 : errno;
+#endif
+}
+
+/* Writes, closes and gives the target's name; returns 0 or an errno. */
+static int finish_temporary(temporary *t, int is_new, const content *what) {
+    int code = write_all(t->file, what);
+    if (code == 0 && !t->is_named) {
+        /* straight to a name that is free: then there is no moment with another one */
+        code = is_new ? link_file(t, t->target) : EEXIST;
+        code = code == EEXIST ? name_temporary(t) : code;
+    }
+    if (close(t->file) != 0 && code == 0) {
+        code = errno;
+    }
+    if (code == 0 && t->is_named) {
+        code = replace(t->name, t->target);
+    }
+    if (code != 0 && t->is_named) {
+        unlink(t->name);
+    }
+    return code;
 }
 
 /* existing: the target's state, or NULL for a new file. */
 static burnish_status replace_file(const char *path, const char *target,
                                    const struct stat *existing, const content *what,
                                    burnish_error *error) {
-    size_t name_size = strlen(target) + TEMPORARY_NAME_SIZE;
+    temporary t = {.target = target, .name_size = strlen(target) + TEMPORARY_NAME_SIZE};
     burnish_memory memory = burnish_memory_of(NULL, error);
-    char *name = burnish_allocate(&memory, name_size, 1, "temporary file name");
-    if (!name) {
+    t.name = burnish_allocate(&memory, t.name_size, 1, "temporary file name");
+    if (!t.name) {
         return memory.status;
     }
-    burnish_status status = BURNISH_STATUS_OK;
-    int file = create_nameless(target, name, name_size);
-    int named = file < 0;
-    if (named) {
-        file = name_temporary(-1, target, name, name_size);
-    }
-    if (file < 0) {
-        status = fail_write(error, path, errno);
-        burnish_release(NULL, name);
-        return status;
-    }
-    int code = existing && fchmod(file, existing->st_mode & 0777) != 0 ? errno : 0;
-    if (code == 0) {
-        code = write_all(file, what);
-    }
-    if (code == 0 && !named) {
-        named = name_temporary(file, target, name, name_size) >= 0;
-        code = named ? 0 : errno;
-    }
-    if (close(file) != 0 && code == 0) {
+    int code = open_temporary(&t);
+    burnish_status status = code == 0 ? BURNISH_STATUS_OK : fail_folder(error, path, code);
+#ifndef _WIN32
+    if (code == 0 && existing && fchmod(t.file, existing->st_mode & 0777) != 0) {
         code = errno;
-    }
-    if (code == 0 && rename(name, target) != 0) {
-        code = errno;
-    }
-    if (code != 0) {
-        if (named) {
-            unlink(name);
+        close(t.file);
+        if (t.is_named) {
+            unlink(t.name);
         }
         status = fail_write(error, path, code);
     }
-    burnish_release(NULL, name);
+#endif
+    if (code == 0) {
+        code = finish_temporary(&t, !existing, what);
+        status = code == 0 ? BURNISH_STATUS_OK : fail_write(error, path, code);
+    }
+    if (!t.is_named || forget(t.name)) {
+        burnish_release(NULL, t.name);
+    }
     return status;
+}
+
+/* The path without links, to be freed; NULL with errno. */
+static char *resolve(const char *path) {
+#ifdef _WIN32
+    return _fullpath(NULL, path, 0);
+#else
+    return realpath(path, NULL);
+#endif
+}
+
+/* Whether the program may write to an existing file: a rename needs no permission of the file
+ * itself, so a protected one is asked for it. */
+static int may_write(const char *path) {
+#ifdef _WIN32
+    return access(path, W_OK) == 0;
+#else
+    return faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) == 0;
+#endif
+}
+
+static burnish_status write_new(const char *path, const content *what, burnish_error *error) {
+#ifndef _WIN32
+    struct stat state;
+    if (lstat(path, &state) == 0) {
+        return burnish_fail(error, BURNISH_STATUS_WRITE,
+                            "%s: can't be written: it is a link to nothing; create what it names, "
+                            "or remove it",
+                            burnish_show_name(path).text);
+    }
+#endif
+    return replace_file(path, path, NULL, what, error);
 }
 
 static burnish_status write_content(const char *path, const content *what, burnish_error *error) {
@@ -192,8 +362,7 @@ static burnish_status write_content(const char *path, const content *what, burni
     }
     struct stat state;
     if (stat(path, &state) != 0) {
-        return errno == ENOENT ? replace_file(path, path, NULL, what, error)
-                               : fail_write(error, path, errno);
+        return errno == ENOENT ? write_new(path, what, error) : fail_write(error, path, errno);
     }
     if (S_ISDIR(state.st_mode)) {
         return burnish_fail(error, BURNISH_STATUS_WRITE,
@@ -203,11 +372,7 @@ static burnish_status write_content(const char *path, const content *what, burni
     if (!S_ISREG(state.st_mode)) {
         return write_directly(path, what, error);
     }
-    /* A rename needs no permission of the file itself, so a protected one is asked for it here. */
-    if (faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) != 0) {
-        return fail_write(error, path, errno);
-    }
-    char *target = realpath(path, NULL);
+    char *target = may_write(path) ? resolve(path) : NULL;
     if (!target) {
         return fail_write(error, path, errno);
     }

@@ -3,7 +3,12 @@
 #include <sched.h>
 #include <stdio.h>
 #include <string.h>
+
+#ifdef _WIN32
+#include <windows.h>
+#else
 #include <unistd.h>
+#endif
 
 #include "core/processors.h"
 #include "core/tasks.h"
@@ -74,9 +79,24 @@ static void read_quota(void) {
 #endif
 }
 
+/* The processors that are on, or at least 1. */
+static int count_online(void) {
+#ifdef _WIN32
+    DWORD_PTR own, all;
+    if (GetProcessAffinityMask(GetCurrentProcess(), &own, &all)) {
+        const int count = __builtin_popcountll(own);
+        return count > 1 ? count : 1;
+    }
+    return 1;
+#else
+    const long online = sysconf(_SC_NPROCESSORS_ONLN);
+    return online < 1 ? 1 : online < BURNISH_THREADS_MAX ? (int)online : BURNISH_THREADS_MAX;
+#endif
+}
+
 int burnish_processor_count(void) {
     static pthread_once_t once = PTHREAD_ONCE_INIT; /* a quota hardly changes; files are slow */
-    int count = 0;
+    int count = 0;                                  /* unknown */
     pthread_once(&once, read_quota);
 #ifdef CPU_COUNT
     cpu_set_t processors;
@@ -84,9 +104,6 @@ int burnish_processor_count(void) {
         count = CPU_COUNT(&processors);
     }
 #endif
-    if (count < 1) {
-        const long online = sysconf(_SC_NPROCESSORS_ONLN);
-        count = online < 1 ? 1 : online < BURNISH_THREADS_MAX ? (int)online : BURNISH_THREADS_MAX;
-    }
+    count = count < 1 ? count_online() : count;
     return quota > 0 && quota < count ? quota : count;
 }

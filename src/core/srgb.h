@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "core/arithmetic.h"
+
 /* Linear light of each 8-bit code, correctly rounded. */
 extern const float burnish_srgb_to_linear[256];
 

@@ -102,6 +102,7 @@ static void *run_thread(void *unused) {
     return NULL;
 }
 
+#ifndef _WIN32
 /* fork copies one thread: the child's pool starts anew. */
 static void forget_threads(void) {
     pool.started = pool.sleeping = pool.open = 0;
@@ -115,24 +116,33 @@ static void forget_threads(void) {
 static void watch_forks(void) {
     (void)pthread_atfork(NULL, NULL, forget_threads);
 }
+#endif
 
-/* Starts what is missing to `wanted` threads besides the caller, as many as the system allows.
- * Signals are the host program's business: no thread of the pool takes any. */
-static void start_threads(int wanted) {
-    static pthread_once_t once = PTHREAD_ONCE_INIT;
-    if (pool.started >= wanted) {
-        return;
-    }
-    pthread_once(&once, watch_forks);
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
+static void create_threads(int wanted) {
     while (pool.started < wanted &&
            pthread_create(&pool.threads[pool.started], NULL, run_thread, NULL) == 0) {
         pthread_detach(pool.threads[pool.started]);
         ++pool.started;
     }
+}
+
+/* Starts what is missing to `wanted` threads besides the caller, as many as the system allows.
+ * Signals are the host program's business: no thread of the pool takes any. */
+static void start_threads(int wanted) {
+    if (pool.started >= wanted) {
+        return;
+    }
+#ifdef _WIN32
+    create_threads(wanted);
+#else
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+    sigset_t all, before;
+    pthread_once(&once, watch_forks);
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    create_threads(wanted);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
+#endif
 }
 
 static void open_job(job *j, int max_joined) {

@@ -8,6 +8,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/arithmetic.h"
+
 enum {
     BURNISH_GLYPH_CAP = 100,
     BURNISH_GLYPH_DESCENDER = -26,

@@ -1,6 +1,7 @@
 /* Exact values of the lobes in double precision. Uses libm, so nothing of a picture may come here.
  */
 #include "burnish/theory.h"
+#include "core/arithmetic.h"
 
 #include <math.h>
 

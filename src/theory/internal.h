@@ -3,6 +3,7 @@
 #define BURNISH_THEORY_INTERNAL_H
 
 #include "burnish/theory.h"
+#include "core/arithmetic.h"
 
 #define BURNISH_PI 3.14159265358979323846
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Each public header compiles alone as strict C99, C17 and C++; lobe.h also without any other header, the integer headers with
-# nothing but the compiler's own stdint.h.
+# nothing but the compiler's own stdint.h. Every source that computes refuses -ffast-math.
 # Usage: headers.sh SOURCE_DIR SCRATCH
 set -u
 source=$1
@@ -61,6 +61,19 @@ for compiler in gcc clang; do
     # no floating point and no 64 bits
     sed 's,/\*.*\*/,,' "$scratch/lobe_q15.h" "$scratch/shade_q15.h" | grep -nE '\b(float|double|u?int64_t|long long)\b' | grep -v '^[0-9]*: \*' && failures=$((failures + 1))
 done
+
+# every source that computes refuses what would change bits, with a sentence
+checked=0
+for file in $(cd "$source/src" && grep -rlE '\b(float|double)\b' --include='*.c' .); do
+    checked=$((checked + 1))
+    # an instruction set's own file begins with its intrinsics
+    if gcc -E -ffast-math -mavx512f -mavx512dq -mavx512bw -mavx512vl -D_GNU_SOURCE -I"$source/src" -I"$source/include" \
+        "$source/src/$file" >/dev/null 2>"$scratch/refusal" || ! grep -q 'error "burnish gives the same pixels' "$scratch/refusal"; then
+        echo "FAIL: src/$file compiles with -ffast-math; include core/arithmetic.h"
+        failures=$((failures + 1))
+    fi
+done
+[ "$checked" -gt 30 ] || failures=$((failures + 1))
 
 echo "headers: $checks checks, $failures failed"
 [ "$checks" -gt 30 ] && [ "$failures" -eq 0 ]

@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/arithmetic.h"
+
 typedef enum burnish_number_status {
     BURNISH_NUMBER_OK,
     BURNISH_NUMBER_GARBAGE,    /* empty, hexadecimal, or with anything that is no decimal number */

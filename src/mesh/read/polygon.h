@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/arithmetic.h"
+
 /* Corners up to which a concave polygon is cut properly; beyond, it becomes a fan. */
 #define BURNISH_POLYGON_CORNERS 256
 

@@ -1,0 +1,35 @@
+/* What systems call differently in files: flags that one of them lacks do nothing there. */
+#ifndef BURNISH_CORE_PLATFORM_H
+#define BURNISH_CORE_PLATFORM_H
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#ifdef _WIN32
+#include <io.h>
+
+#define O_CLOEXEC O_NOINHERIT
+#define EDQUOT ENOSPC
+#else
+#include <unistd.h>
+
+#define O_BINARY 0
+#endif
+#ifndef O_NOCTTY
+#define O_NOCTTY 0
+#endif
+#ifndef O_NOFOLLOW
+#define O_NOFOLLOW 0
+#endif
+#ifndef O_NONBLOCK
+#define O_NONBLOCK 0
+#endif
+
+/* Files without a name, which vanish with the process unless they are given one. */
+#if defined(__linux__) && defined(O_TMPFILE)
+#define BURNISH_HAS_NAMELESS_FILES 1
+#else
+#define BURNISH_HAS_NAMELESS_FILES 0
+#endif
+
+#endif
