@@ -182,7 +182,7 @@ static void bench(const char *name, bytes input) {
     printf("%-34s %8.1f MB ", name, (double)input.size / 1e6);
     for (size_t t = 0; t < sizeof THREADS / sizeof *THREADS; ++t) {
         burnish_load_options options = burnish_load_options_default();
-        double seconds[RUNS], build;
+        double seconds[RUNS];
         options.threads = THREADS[t];
         for (int i = 0; i < RUNS; ++i) {
             burnish_mesh *scene;
@@ -192,7 +192,7 @@ static void bench(const char *name, bytes input) {
                 fprintf(stderr, "readers: %s\n", error.text);
                 exit(EXIT_FAILURE);
             }
-            burnish_mesh_load_seconds(scene, &seconds[i], &build);
+            seconds[i] = burnish_mesh_get_info(scene)->read_seconds;
             burnish_mesh_destroy(scene);
         }
         qsort(seconds, RUNS, sizeof *seconds, compare_doubles);

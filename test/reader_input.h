@@ -6,8 +6,10 @@
 #include "mesh/read/reader.h"
 #include "support.h"
 
-static const char *const reader_names[BURNISH_FORMAT_COUNT] = {"mesh", "mesh.obj", "mesh.ply",
-                                                               "mesh.stl"};
+static const char *const reader_names[BURNISH_FORMAT_COUNT] = {[BURNISH_FORMAT_AUTO] = "mesh",
+                                                               [BURNISH_FORMAT_OBJ] = "mesh.obj",
+                                                               [BURNISH_FORMAT_PLY] = "mesh.ply",
+                                                               [BURNISH_FORMAT_STL] = "mesh.stl"};
 
 typedef burnish_status open_beside_function(const char *input_name, const char *file,
                                             uint64_t max_bytes, uint8_t **bytes, size_t *size,

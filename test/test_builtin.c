@@ -2,25 +2,18 @@
 #include <math.h>
 
 #include "burnish/mesh.h"
-#include "mesh/read/reader.h"
 #include "support.h"
 
 #define PI 3.14159265358979323846
 
 static burnish_mesh *make(const char *name, int tessellation, double crease) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data data = {0};
-    burnish_mesh *scene = NULL;
+    burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     options.tessellation = tessellation;
     options.crease_angle = crease;
-    burnish_status status = burnish_make_builtin(name, &options, &data, &error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_mesh_build(&data, name, &options, BURNISH_FORMAT_AUTO, &scene, &error);
-    }
-    CHECK(status == BURNISH_STATUS_OK, "%s", error.text);
-    burnish_mesh_data_destroy(&data);
-    return scene;
+    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    return mesh;
 }
 
 typedef struct edge {
@@ -164,7 +157,7 @@ static void test_sphere(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *scene = make("sphere", n, 40);
+        burnish_mesh *scene = make(":sphere", n, 40);
         const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
         topology t = examine(mesh);
         CHECK(t.open == 0 && t.wrong == 0, "%zu open, %zu wrong", t.open, t.wrong);
@@ -203,7 +196,7 @@ static void test_torus(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *scene = make("torus", n, 40);
+        burnish_mesh *scene = make(":torus", n, 40);
         const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
         topology t = examine(mesh);
         double volume, area, exact = 2 * PI * PI * 0.4 * 0.4;
@@ -228,7 +221,7 @@ static void test_torus(void) {
 }
 
 static void test_knot(void) {
-    burnish_mesh *scene = make("knot", 16, 40);
+    burnish_mesh *scene = make(":knot", 16, 40);
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     topology t = examine(mesh);
     CHECK(t.open == 0 && t.wrong == 0 && euler(&t, mesh) == 0, "%zu open, Euler %ld", t.open,
@@ -253,7 +246,7 @@ static void test_knot(void) {
  * triangles of the spout's lip contradict the surface's normals, and are turned. */
 static void test_teapot(void) {
     for (int n = 3; n <= 16; n += n < 5 ? 1 : 5) {
-        burnish_mesh *scene = make("teapot", n, 40);
+        burnish_mesh *scene = make(":teapot", n, 40);
         const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
         topology t = examine(mesh);
         size_t triangles = 32u * 2 * n * n - 8u * n;
@@ -267,7 +260,7 @@ static void test_teapot(void) {
         CHECK(burnish_mesh_warning_count(scene) == 0, "%s", burnish_mesh_warning(scene, 0));
         burnish_mesh_destroy(scene);
     }
-    burnish_mesh *scene = make("teapot", 16, 40);
+    burnish_mesh *scene = make(":teapot", 16, 40);
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     check_normals(mesh, "teapot", 0.5);
     CHECK(mesh->bounds_min[1] == 0 && mesh->bounds_max[1] == 3.15f, "%g .. %g",
@@ -291,18 +284,18 @@ static void test_teapot(void) {
 
 static void test_arguments(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data data = {0};
+    burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK1(burnish_make_builtin("kettle", &options, &data, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_load(":kettle", &options, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text,
                ":kettle: unknown built-in object; there are :teapot, :sphere, :torus, :knot");
-    const char *names[] = {"teapot", "sphere", "torus", "knot"};
+    const char *names[] = {":teapot", ":sphere", ":torus", ":knot"};
     for (int i = 0; i < 4; ++i) {
         options = burnish_load_options_default();
         options.max_triangles = 100;
-        CHECK1(burnish_make_builtin(names[i], &options, &data, &error) == BURNISH_STATUS_LIMIT);
+        CHECK1(burnish_mesh_load(names[i], &options, &mesh, &error) == BURNISH_STATUS_LIMIT);
         CHECK(strstr(error.text, names[i]) && strstr(error.text, "100"), "%s", error.text);
-        CHECK1(data.streams[BURNISH_POSITION].count == 0 && !data.streams[BURNISH_POSITION].items);
+        CHECK1(mesh == NULL);
         burnish_mesh *scene = make(names[i], 1, 40);
         check_normals(burnish_mesh_get_view(scene), names[i], -1);
         burnish_mesh_destroy(scene);
@@ -311,14 +304,13 @@ static void test_arguments(void) {
     for (int i = 0; i < 3; ++i) {
         options = burnish_load_options_default();
         options.tessellation = wrong[i];
-        CHECK1(burnish_make_builtin("sphere", &options, &data, &error) == BURNISH_STATUS_ARGUMENT);
+        CHECK1(burnish_mesh_load(":sphere", &options, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
         CHECK(strstr(error.text, "tessellation"), "%s", error.text);
     }
     options = burnish_load_options_default();
     options.cookie = 1;
-    CHECK1(burnish_make_builtin("sphere", &options, &data, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_load(":sphere", &options, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK(strstr(error.text, "burnish_load_options_default()"), "%s", error.text);
-    burnish_mesh_data_destroy(&data);
 }
 
 int main(int count, char **arguments) {

@@ -4,6 +4,7 @@
 
 #include "burnish/mesh.h"
 #include "mesh/read/reader.h"
+#include "mesh_arrays.h"
 #include "support.h"
 
 #define DEGREE (acos(-1.0) / 180)
@@ -14,7 +15,7 @@ static burnish_mesh *builtin(const char *name) {
     burnish_mesh *scene = NULL;
     options.tessellation = 6;
     CHECK1(burnish_make_builtin(name, &options, &data, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_build(&data, name, &options, BURNISH_FORMAT_AUTO, &scene, NULL) ==
+    CHECK1(burnish_mesh_build(&data, name, &options, BURNISH_FORMAT_BUILTIN, &scene, NULL) ==
            BURNISH_STATUS_OK);
     burnish_mesh_data_destroy(&data);
     return scene;
@@ -27,8 +28,9 @@ static burnish_mesh *triangles(const float *positions, size_t triangle_count) {
     for (uint32_t i = 0; i < 64; ++i) {
         indices[i] = i;
     }
-    CHECK1(burnish_mesh_create(positions, NULL, NULL, 3 * triangle_count, indices, triangle_count,
-                               &options, &scene, NULL) == BURNISH_STATUS_OK);
+    const burnish_mesh_description arrays =
+        describe_arrays(positions, NULL, NULL, 3 * triangle_count, indices, triangle_count);
+    CHECK1(burnish_mesh_create(&arrays, &options, &scene, NULL) == BURNISH_STATUS_OK);
     return scene;
 }
 
@@ -138,7 +140,7 @@ static void test_sphere_distance(void) {
     burnish_mesh *scene = NULL;
     load.tessellation = 64;
     CHECK1(burnish_make_builtin("sphere", &load, &data, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_build(&data, "sphere", &load, BURNISH_FORMAT_AUTO, &scene, NULL) ==
+    CHECK1(burnish_mesh_build(&data, "sphere", &load, BURNISH_FORMAT_BUILTIN, &scene, NULL) ==
            BURNISH_STATUS_OK);
     burnish_mesh_data_destroy(&data);
     burnish_framing options = burnish_framing_default();
@@ -290,13 +292,32 @@ static void test_degenerate_shapes(void) {
     burnish_mesh_destroy(scene);
 }
 
+/* Without an up axis of the caller's the picture's up is the mesh's: an STL stands on +Z. */
+static void test_up_of_format(void) {
+    static const char STL[] = "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                              "vertex 0 0 1\nendloop\nendfacet\nendsolid\n";
+    static const double Z[3] = {0, 0, 1};
+    burnish_load_options load = burnish_load_options_default();
+    burnish_framing options = burnish_framing_default();
+    burnish_camera own, told;
+    burnish_mesh *mesh = NULL;
+    CHECK1(burnish_mesh_load_memory(STL, sizeof STL - 1, "a.stl", &load, &mesh, NULL) ==
+           BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_get_view(mesh)->up_axis[2] == 1);
+    CHECK1(burnish_camera_frame(mesh, &options, &own, NULL) == BURNISH_STATUS_OK);
+    memcpy(options.up, Z, sizeof Z);
+    CHECK1(burnish_camera_frame(mesh, &options, &told, NULL) == BURNISH_STATUS_OK);
+    CHECK1(memcmp(&own, &told, sizeof own) == 0 && own.view_up[2] > 0.9);
+    burnish_mesh_destroy(mesh);
+}
+
 static void test_arguments(void) {
     burnish_mesh *scene = builtin("torus");
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_camera camera;
     burnish_framing wrong[16];
     const char *words[16] = {"burnish_framing_default()",
-                             "up is the zero vector",
+                             "up[1]",
                              "up[2]",
                              "direction[0]",
                              "azimuth",
@@ -315,7 +336,7 @@ static void test_arguments(void) {
         wrong[i] = burnish_framing_default();
     }
     wrong[0].cookie = burnish_load_options_default().cookie;
-    wrong[1].up[1] = 0;
+    wrong[1].up[1] = -INFINITY;
     wrong[2].up[2] = NAN;
     wrong[3].direction[0] = INFINITY;
     wrong[4].azimuth = NAN;
@@ -357,6 +378,7 @@ int main(int count, char **arguments) {
     RUN(test_named_views());
     RUN(test_turns());
     RUN(test_degenerate_shapes());
+    RUN(test_up_of_format());
     RUN(test_arguments());
     return test_end("camera");
 }

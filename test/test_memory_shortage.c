@@ -1,6 +1,7 @@
 /* Every allocation of rendering fails once: the call says so, nothing leaks (the sanitizers look),
  * and the same renderer then draws what it would have drawn. */
 #include "burnish/render.h"
+#include "mesh_arrays.h"
 #include "short_memory.h"
 #include "support.h"
 
@@ -17,9 +18,9 @@ static burnish_mesh *make_box(void) {
     for (int i = 0; i < 32; ++i) {
         colors[i] = (uint8_t)(40 + 6 * i);
     }
-    CHECK(burnish_mesh_create(POSITIONS, NULL, colors, 8, FACES, 12, &options, &mesh, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    const burnish_mesh_description arrays = describe_arrays(POSITIONS, NULL, colors, 8, FACES, 12);
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
     return mesh;
 }
 

@@ -1,6 +1,7 @@
 /* Generated normals of a mesh large enough that several threads make its vertices: the arrays do
  * not depend on the threads, and their bits are pinned. */
 #include "burnish/mesh.h"
+#include "mesh_arrays.h"
 #include "support.h"
 
 enum { SIDE = 200, CELLS = (SIDE - 1) * (SIDE - 1), CORNERS = 6 * CELLS };
@@ -42,13 +43,14 @@ static void check_angle(double crease, size_t vertices, uint64_t expected) {
     static const int threads[] = {1, 2, 7};
     for (int t = 0; t < 3; ++t) {
         burnish_load_options options = burnish_load_options_default();
+        const burnish_mesh_description arrays =
+            describe_arrays(soup, NULL, NULL, CORNERS, corners, CORNERS / 3);
         burnish_mesh *mesh = NULL;
         burnish_error error = {0};
         options.crease_angle = crease;
         options.threads = threads[t];
-        if (!CHECK(burnish_mesh_create(soup, NULL, NULL, CORNERS, corners, CORNERS / 3, &options,
-                                       &mesh, &error) == BURNISH_STATUS_OK,
-                   "%s", error.text)) {
+        if (!CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+                   error.text)) {
             return;
         }
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);

@@ -2,6 +2,7 @@
  * both byte orders, over more rows than one thread takes, and with one row that is not like the
  * others. The oracle is burnish_mesh_create of the same arrays. */
 #include "burnish/mesh.h"
+#include "mesh_arrays.h"
 #include "support.h"
 
 enum { SIDE = 150, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };
@@ -122,10 +123,11 @@ static burnish_mesh *expected_mesh(const layout *how, const uint32_t *triangles,
     burnish_mesh *mesh = NULL;
     burnish_error error = {0};
     options.crease_angle = 60;
-    CHECK(burnish_mesh_create(positions, how->has_normals ? normals : NULL,
-                              how->has_colors ? colors : NULL, VERTICES, triangles, count, &options,
-                              &mesh, &error) == BURNISH_STATUS_OK,
-          "%s", error.text);
+    const burnish_mesh_description arrays =
+        describe_arrays(positions, how->has_normals ? normals : NULL,
+                        how->has_colors ? colors : NULL, VERTICES, triangles, count);
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
     return mesh;
 }
 

@@ -719,11 +719,11 @@ static void test_files(void) {
         CHECK1(burnish_mesh_get_view(scene)->triangle_count == 12);
         CHECK1(burnish_mesh_material_count(scene) == 2 && burnish_mesh_warning_count(scene) == 0);
         CHECK1(color_is(burnish_mesh_material(scene, 0)->diffuse, 0.8f, 0.2f, 0.1f));
-        CHECK1(burnish_mesh_format(scene) == BURNISH_FORMAT_OBJ);
+        CHECK1(burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_OBJ);
     }
     burnish_mesh_destroy(scene);
     CHECK(burnish_mesh_load(":sphere", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
-    CHECK1(scene && burnish_mesh_format(scene) == BURNISH_FORMAT_AUTO);
+    CHECK1(scene && burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_BUILTIN);
     burnish_mesh_destroy(scene);
 
     byte_list list = {.size = 0};
@@ -731,7 +731,7 @@ static void test_files(void) {
     CHECK(burnish_mesh_load_memory(list.bytes, list.size, NULL, &options, &scene, &e) ==
               BURNISH_STATUS_OK,
           "%s", e.text);
-    CHECK1(scene && burnish_mesh_format(scene) == BURNISH_FORMAT_PLY);
+    CHECK1(scene && burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_PLY);
     burnish_mesh_destroy(scene);
 }
 

@@ -5,6 +5,7 @@
 
 #include "burnish/render.h"
 #include "burnish/theory.h"
+#include "mesh_arrays.h"
 #include "support.h"
 
 static double decode(uint8_t code) {
@@ -199,9 +200,10 @@ static burnish_mesh *make_scene(const float *positions, const uint8_t *colors, s
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *scene;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(burnish_mesh_create(positions, NULL, colors, vertex_count, indices, triangle_count,
-                              &options, &scene, &error) == BURNISH_STATUS_OK,
-          "%s", error.text);
+    const burnish_mesh_description arrays =
+        describe_arrays(positions, NULL, colors, vertex_count, indices, triangle_count);
+    CHECK(burnish_mesh_create(&arrays, &options, &scene, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
     return scene;
 }
 

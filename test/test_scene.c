@@ -6,6 +6,7 @@
 #include "mesh/build/normals.h"
 #include "mesh/build/weld.h"
 #include "mesh/mesh_data.h"
+#include "mesh_arrays.h"
 #include "short_memory.h"
 #include "support.h"
 
@@ -63,9 +64,10 @@ static burnish_status create(const float *positions, const float *normals, const
                              size_t vertex_count, const uint32_t *indices, size_t triangle_count,
                              double crease, burnish_mesh **scene, burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
+    const burnish_mesh_description arrays =
+        describe_arrays(positions, normals, colors, vertex_count, indices, triangle_count);
     options.crease_angle = crease;
-    return burnish_mesh_create(positions, normals, colors, vertex_count, indices, triangle_count,
-                               &options, scene, error);
+    return burnish_mesh_create(&arrays, &options, scene, error);
 }
 
 /* The scene of plain positions and indices; must succeed. */
@@ -108,7 +110,7 @@ static void test_cube(void) {
         }
         CHECK1(mesh->bounds_min[1] == -1 && mesh->bounds_max[2] == 1);
         CHECK1(mesh->colors == NULL && mesh->triangle_materials == NULL);
-        CHECK1(burnish_mesh_format(smooth) == BURNISH_FORMAT_STL);
+        CHECK1(burnish_mesh_get_info(smooth)->format == BURNISH_FORMAT_STL);
         burnish_mesh_destroy(flat);
         burnish_mesh_destroy(smooth);
     }
@@ -296,7 +298,7 @@ static void test_zero_area(void) {
     CHECK1(mesh->bounds_max[0] == 2 && mesh->bounds_max[2] == 0);
     CHECK1(burnish_mesh_warning_count(scene) == 1);
     CHECK_TEXT(burnish_mesh_warning(scene, 0),
-               "burnish_mesh_create: 4 of 6 triangles have no area and were left out");
+               "mesh: 4 of 6 triangles have no area and were left out");
     CHECK1(burnish_mesh_warning(scene, 1) == NULL);
     burnish_mesh_destroy(scene);
 
@@ -305,8 +307,7 @@ static void test_zero_area(void) {
     CHECK1(create(positions, NULL, NULL, 6, indices + 3, 4, 40, &scene, &error) ==
            BURNISH_STATUS_FORMAT);
     CHECK1(scene == NULL && error.status == BURNISH_STATUS_FORMAT);
-    CHECK(strstr(error.text, "burnish_mesh_create: no triangle has any area; 4 triangles"), "%s",
-          error.text);
+    CHECK(strstr(error.text, "mesh: no triangle has any area; 4 triangles"), "%s", error.text);
     burnish_mesh_data empty = {0};
     burnish_load_options options = burnish_load_options_default();
     CHECK1(burnish_mesh_build(&empty, "empty.obj", &options, BURNISH_FORMAT_OBJ, &scene, &error) ==
@@ -437,7 +438,7 @@ static void test_set_material(void) {
     CHECK1(burnish_mesh_set_material(scene, 0, &m, &error) == BURNISH_STATUS_OK);
     CHECK1(memcmp(burnish_mesh_material(scene, 0), &m, sizeof m) == 0);
     CHECK1(burnish_mesh_set_material(scene, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK_TEXT(error.text, "index: 1 is out of range, the scene has 1 material");
+    CHECK_TEXT(error.text, "index: 1 is out of range, the mesh has 1 material");
     CHECK1(burnish_mesh_set_material(NULL, 0, &m, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK1(burnish_mesh_set_material(scene, 0, NULL, &error) == BURNISH_STATUS_ARGUMENT);
     const float bad[] = {-0.1f, 1.5f, NAN, INFINITY};
@@ -456,7 +457,7 @@ static void test_set_material(void) {
     burnish_mesh_destroy(scene);
 }
 
-/* One refusal of burnish_mesh_create: the status is ARGUMENT, the text names the culprit. */
+/* One refusal of mesh: the status is ARGUMENT, the text names the culprit. */
 static void refused(const float *positions, size_t vertex_count, const uint32_t *indices,
                     size_t triangle_count, const char *text) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -472,22 +473,27 @@ static void test_arguments(void) {
     float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     uint32_t indices[] = {0, 1, 2};
     refused(NULL, 3, indices, 1, "positions: NULL");
-    refused(positions, 3, NULL, 1, "indices: NULL");
-    refused(positions, 2, indices, 1, "vertex_count: 2 ");
-    refused(positions, (size_t)-1, indices, 1, "vertex_count: ");
-    refused(positions, 3, indices, 0, "triangle_count: 0 ");
-    refused(positions, 3, indices, (size_t)1 << 31, "triangle_count: 2147483648 ");
+    refused(positions, 3, NULL, 1, "indices: items is NULL, but count is 3");
+    refused(positions, 2, indices, 1, "positions: count is 2, not in [3, ");
+    refused(positions, (size_t)-1, indices, 1, "positions: count is ");
+    refused(positions, 3, indices, 0, "indices: count is 0; triangles need a multiple of 3");
     indices[2] = 3;
     refused(positions, 3, indices, 1, "indices[2]: 3 is out of range, there are 3 vertices");
     indices[2] = 2;
     positions[4] = NAN;
-    refused(positions, 3, indices, 1, "positions[4]: not finite");
+    refused(positions, 3, indices, 1, "positions[1]: number 2 of 3 is not finite");
     positions[4] = -INFINITY;
-    refused(positions, 3, indices, 1, "positions[4]: not finite");
+    refused(positions, 3, indices, 1, "positions[1]: number 2 of 3 is not finite");
     positions[4] = 0;
     burnish_load_options options = burnish_load_options_default();
-    CHECK1(burnish_mesh_create(positions, NULL, NULL, 3, indices, 1, &options, NULL, NULL) ==
-           BURNISH_STATUS_ARGUMENT);
+    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 3, indices, 1);
+    CHECK1(burnish_mesh_create(&arrays, &options, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
+    /* Far too many triangles are refused before a byte of them is read. */
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    arrays.indices.count = (size_t)3 << 31;
+    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(error.text, "mesh: more than 1431655764 triangles; split or simplify the mesh");
     burnish_mesh_destroy(NULL);
     CHECK1(burnish_mesh_get_view(NULL) == NULL && burnish_mesh_material_count(NULL) == 0);
 }
@@ -495,16 +501,18 @@ static void test_arguments(void) {
 static void test_options(void) {
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
     const uint32_t indices[] = {0, 1, 2, 1, 3, 2};
-    burnish_load_options wrong[8];
-    const char *words[8] = {"burnish_load_options_default()",
+    const burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 4, indices, 2);
+    burnish_load_options wrong[9];
+    const char *words[9] = {"burnish_load_options_default()",
                             "crease_angle",
                             "crease_angle",
                             "tessellation",
                             "tessellation",
                             "max_triangles",
                             "format",
+                            "format",
                             "format"};
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 9; ++i) {
         wrong[i] = burnish_load_options_default();
     }
     memset(&wrong[0], 0, sizeof wrong[0]);
@@ -512,31 +520,26 @@ static void test_options(void) {
     wrong[2].crease_angle = NAN;
     wrong[3].tessellation = 0;
     wrong[4].tessellation = 257;
-    wrong[5].max_triangles = (uint64_t)1 << 31;
+    wrong[5].max_triangles = 1431655765;
     wrong[6].format = BURNISH_FORMAT_COUNT;
     wrong[7].format = (burnish_format)-1;
-    for (int i = 0; i < 9; ++i) {
+    wrong[8].format = BURNISH_FORMAT_ARRAYS;
+    for (int i = 0; i < 10; ++i) {
         burnish_error error = {BURNISH_STATUS_OK, ""};
         burnish_mesh *scene = (burnish_mesh *)&error;
-        burnish_mesh_data data = {0};
-        const burnish_load_options *options = i < 8 ? &wrong[i] : NULL;
-        CHECK(burnish_mesh_create(positions, NULL, NULL, 4, indices, 2, options, &scene, &error) ==
-                  BURNISH_STATUS_ARGUMENT,
+        const burnish_load_options *options = i < 9 ? &wrong[i] : NULL;
+        CHECK(burnish_mesh_create(&arrays, options, &scene, &error) == BURNISH_STATUS_ARGUMENT,
               "%d", i);
-        CHECK(scene == NULL && strstr(error.text, i < 8 ? words[i] : "NULL"), "%s", error.text);
-        CHECK(burnish_mesh_build(&data, "x", options, BURNISH_FORMAT_OBJ, &scene, &error) ==
-                  BURNISH_STATUS_ARGUMENT,
-              "%d", i);
+        CHECK(scene == NULL && strstr(error.text, i < 9 ? words[i] : "NULL"), "%s", error.text);
     }
     burnish_load_options options = burnish_load_options_default();
     CHECK1(options.crease_angle == BURNISH_CREASE_AUTO && options.tessellation == 16);
-    CHECK1(options.max_triangles == 2147483647 && options.max_input_bytes >> 30 == 16);
+    CHECK1(options.max_triangles == 1431655764 && options.max_input_bytes >> 30 == 16);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_mesh *scene = NULL;
     options.max_triangles = 1;
-    CHECK1(burnish_mesh_create(positions, NULL, NULL, 4, indices, 2, &options, &scene, &error) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK(strstr(error.text, "2 triangles are more than the limit of 1"), "%s", error.text);
+    CHECK1(burnish_mesh_create(&arrays, &options, &scene, &error) == BURNISH_STATUS_LIMIT);
+    CHECK(strstr(error.text, "mesh: more than 1 triangles; raise the limit"), "%s", error.text);
 }
 
 /* Two triangles that meet at 50 degrees: an edge in an STL, smooth in an OBJ, unless an angle is

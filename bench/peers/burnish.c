@@ -122,9 +122,8 @@ static burnish_status numbered_scene(const burnish_mesh_view *mesh, burnish_mesh
     float *positions = malloc(3 * corners * sizeof *positions);
     float *normals = malloc(3 * corners * sizeof *normals);
     uint8_t *colors = malloc(4 * corners);
-    uint32_t *indices = malloc(corners * sizeof *indices);
     burnish_status status = BURNISH_STATUS_MEMORY;
-    if (positions && normals && colors && indices) {
+    if (positions && normals && colors) {
         for (size_t i = 0; i < corners; ++i) {
             size_t number = i / 3 + 1, vertex = mesh->indices[i];
             memcpy(positions + 3 * i, mesh->positions + 3 * vertex, 3 * sizeof(float));
@@ -132,15 +131,16 @@ static burnish_status numbered_scene(const burnish_mesh_view *mesh, burnish_mesh
             const uint8_t color[4] = {(uint8_t)(number >> 16), (uint8_t)(number >> 8),
                                       (uint8_t)number, 255};
             memcpy(colors + 4 * i, color, sizeof color);
-            indices[i] = (uint32_t)i;
         }
-        status = burnish_mesh_create(positions, normals, colors, corners, indices,
-                                     mesh->triangle_count, &load, scene, error);
+        burnish_mesh_description arrays = burnish_mesh_description_default();
+        arrays.positions = (burnish_array){positions, corners, 0};
+        arrays.normals = (burnish_array){normals, corners, 0};
+        arrays.colors = (burnish_array){colors, corners, 0};
+        status = burnish_mesh_create(&arrays, &load, scene, error);
     }
     free(positions);
     free(normals);
     free(colors);
-    free(indices);
     return status;
 }
 

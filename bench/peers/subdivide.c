@@ -129,8 +129,11 @@ burnish_status burnish_peers_subdivide(const burnish_mesh *scene, int levels, bu
         snprintf(error->text, sizeof error->text, "subdivision: out of memory");
         return BURNISH_STATUS_MEMORY;
     }
-    burnish_status status = burnish_mesh_create(mesh.positions, mesh.normals, NULL, mesh.vertices,
-                                                mesh.indices, mesh.triangles, &load, finer, error);
+    burnish_mesh_description arrays = burnish_mesh_description_default();
+    arrays.positions = (burnish_array){mesh.positions, mesh.vertices, 0};
+    arrays.normals = (burnish_array){mesh.normals, mesh.vertices, 0};
+    arrays.indices = (burnish_array){mesh.indices, 3 * mesh.triangles, 0};
+    burnish_status status = burnish_mesh_create(&arrays, &load, finer, error);
     soup_free(&mesh);
     return status;
 }

@@ -1,11 +1,24 @@
 /* burnish/mesh.h: a mesh from a file, from memory or built in, ready to be drawn.
  *
- * A scene is one indexed triangle mesh with unit normals, optional vertex colours and a table of
- * materials. Loading welds equal vertices, makes missing normals, and turns every triangle so that
- * its winding agrees with its normals. What it does not do: textures, animation, hierarchies.
+ * A mesh is one list of indexed triangles with unit normals, optional vertex colours and texture
+ * coordinates, and a table of materials. Loading welds equal positions, generates missing normals,
+ * and turns every triangle so that its winding agrees with its normals.
+ *
+ *     burnish_load_options options = burnish_load_options_default();
+ *     burnish_mesh *mesh;
+ *     if (burnish_mesh_load("part.stl", &options, &mesh, &error) == BURNISH_STATUS_OK) {
+ *         burnish_framing framing = burnish_framing_default();
+ *         burnish_camera_frame(mesh, &framing, &camera, &error);
+ *         ... burnish/render.h draws it ...
+ *         burnish_mesh_destroy(mesh);
+ *     }
+ *
+ * What it does not do: textures, animation, hierarchies.
  *
  * Every reader is safe for untrusted input: memory stays in proportion to the bytes given, all
- * counts are checked, and a malformed file gives one line that names the place.
+ * counts are checked, and a malformed file gives one line that names the location. A mesh depends
+ * on its input and options only, not on threads, instruction sets or the caller's floating-point
+ * environment.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -23,125 +36,212 @@
 extern "C" {
 #endif
 
-/* File formats; AUTO looks at the name's ending and the first bytes. */
+/* ---- Formats ---- */
+
+/* Where meshes come from. */
 typedef enum burnish_format {
-    BURNISH_FORMAT_AUTO,
-    BURNISH_FORMAT_OBJ,
+    BURNISH_FORMAT_AUTO,    /* in load options: told by the name's ending and the first bytes */
+    BURNISH_FORMAT_BUILTIN, /* a built-in object */
+    BURNISH_FORMAT_ARRAYS,  /* the caller's arrays */
+    BURNISH_FORMAT_OBJ,     /* files from here on */
     BURNISH_FORMAT_PLY,
     BURNISH_FORMAT_STL,
     BURNISH_FORMAT_COUNT
 } burnish_format;
 
-/* A crease angle by format: 40 degrees for STL, which holds parts with chamfers, 60 for the others,
- * which hold scans and sculptures where they have no normals. */
-#define BURNISH_CREASE_AUTO (-1.0)
+/* What is known of a format. */
+typedef struct burnish_format_info {
+    const char *name;    /* "stl": one word for flags and reports */
+    const char *endings; /* of file names, lower case, separated by blanks: ".stl"; "" for none */
+    double crease_angle; /* degrees: what BURNISH_CREASE_AUTO stands for */
+    float up_axis[3];    /* unit vector: the direction in which its objects stand */
+    int is_file;         /* 1: bytes can be in it, and load options may name it */
+} burnish_format_info;
 
-/* How to load. Start from burnish_load_options_default(). */
-typedef struct burnish_load_options {
-    uint32_t cookie;          /* set by burnish_load_options_default() */
-    burnish_format format;    /* AUTO unless the input has no telling name */
-    double crease_angle;      /* degrees, [0, 180]: made normals are smooth across edges whose faces
-                                 differ by less; 0 shades every face flat; BURNISH_CREASE_AUTO */
-    int tessellation;         /* built-in objects: segments along a patch edge, [1, 256] */
-    uint64_t max_input_bytes; /* a larger file is refused with LIMIT */
-    uint64_t max_triangles;   /* a mesh with more is refused with LIMIT; at most 2^31 - 1 */
-    int threads;              /* [0, 1024]; 0: one a processor. The scene does not depend on it. */
-} burnish_load_options;
+/* The formats of the library that is linked: those below the count. */
+BURNISH_API int burnish_format_count(void);
 
-/* crease auto, tessellation 16, 16 GiB, 2^31 - 1 triangles, a thread a processor. */
-BURNISH_API burnish_load_options burnish_load_options_default(void);
+/* NULL for a value outside the list. */
+BURNISH_API const burnish_format_info *burnish_format_get_info(burnish_format format);
 
-/* A mesh as the scene holds it; the pointers live as long as the scene. */
-typedef struct burnish_mesh_view {
-    size_t vertex_count;                /* [3, 2^32 - 2] */
-    size_t triangle_count;              /* [1, 2^31 - 1] */
-    const float *positions;             /* 3 a vertex, finite */
-    const float *normals;               /* 3 a vertex, unit length */
-    const uint8_t *colors;              /* 4 a vertex, sRGB and alpha; NULL: none */
-    const uint32_t *indices;            /* 3 a triangle, counter-clockwise seen from its normals */
-    const uint16_t *triangle_materials; /* 1 a triangle; NULL: every triangle has material 0 */
-    float bounds_min[3], bounds_max[3]; /* of the positions that triangles use */
-} burnish_mesh_view;
-
-typedef struct burnish_mesh burnish_mesh;
-
-/* Loads a file, standard input ("-"), or a built-in object (":teapot", ":sphere", ":torus",
- * ":knot"). An OBJ's material library is read from the same folder. *scene is NULL on error.
- * Errors: ARGUMENT, READ, FORMAT, LIMIT, MEMORY. */
-BURNISH_API burnish_status burnish_mesh_load(const char *path, const burnish_load_options *options,
-                                             burnish_mesh **scene, burnish_error *error);
-
-/* The same from bytes in memory; name stands in messages and tells the format by its ending.
- * Nothing else is read: an OBJ's material library is reported as a warning. */
-BURNISH_API burnish_status burnish_mesh_load_memory(const void *bytes, size_t size,
-                                                    const char *name,
-                                                    const burnish_load_options *options,
-                                                    burnish_mesh **scene, burnish_error *error);
-
-/* The caller's own arrays: copied, checked as a file is, welded, normals made where normals is
- * NULL. vertex_count * 3 positions, optional normals (3 a vertex) and sRGB colours (4 a vertex). */
-BURNISH_API burnish_status burnish_mesh_create(const float *positions, const float *normals,
-                                               const uint8_t *colors, size_t vertex_count,
-                                               const uint32_t *indices, size_t triangle_count,
-                                               const burnish_load_options *options,
-                                               burnish_mesh **scene, burnish_error *error);
-
-/* Releases everything that belongs to the scene; NULL is allowed. */
-BURNISH_API void burnish_mesh_destroy(burnish_mesh *scene);
-
-BURNISH_API const burnish_mesh_view *burnish_mesh_get_view(const burnish_mesh *scene);
-
-/* Lines about things that were passed over (a missing material library, triangles without area
- * ...). */
-BURNISH_API size_t burnish_mesh_warning_count(const burnish_mesh *scene);
-BURNISH_API const char *burnish_mesh_warning(const burnish_mesh *scene, size_t index);
-
-/* At least one material exists. An index out of range gives NULL, or ARGUMENT. */
-BURNISH_API size_t burnish_mesh_material_count(const burnish_mesh *scene);
-BURNISH_API const burnish_material *burnish_mesh_material(const burnish_mesh *scene, size_t index);
-BURNISH_API burnish_status burnish_mesh_set_material(burnish_mesh *scene, size_t index,
-                                                     const burnish_material *material,
-                                                     burnish_error *error);
+/* ---- Loading ---- */
 
 /* burnish's grey: what a mesh without materials gets. */
 BURNISH_API burnish_material burnish_material_default(void);
 
-/* The format that was read: OBJ, PLY, STL, or AUTO for a built-in object or the caller's arrays. */
-BURNISH_API burnish_format burnish_mesh_format(const burnish_mesh *scene);
+/* The crease angle that suits the format: 40 degrees for STL, which holds parts with chamfers, 60
+ * for the others, which hold scans and sculptures where they have no normals. */
+#define BURNISH_CREASE_AUTO (-1.0)
 
-/* Wall time of loading: reading (opening, parsing) and building (welding, making normals). 0 for a
- * scene from arrays. scene may be NULL. */
-BURNISH_API void burnish_mesh_load_seconds(const burnish_mesh *scene, double *read, double *build);
+/* A mesh never has more triangles: its corners are numbered in 32 bits. (2^32 - 2) / 3 */
+#define BURNISH_TRIANGLES_MAX 1431655764u
+
+/* Who loads a file that another one names, such as an OBJ's material library.
+ *   load     hands over the whole file as *size bytes at *bytes, which stay until release, or
+ *            returns a status with its line in *error. name is what the input says: relative to
+ *            the input and not to be trusted. A file of more than max_bytes bytes is refused with
+ *            LIMIT. A failure is a warning, not an error: the mesh is loaded without the file.
+ *   release  called once per successful load; may be NULL */
+typedef struct burnish_file_loader {
+    burnish_status (*load)(void *user_data, const char *name, uint64_t max_bytes,
+                           const void **bytes, size_t *size, burnish_error *error);
+    void (*release)(void *user_data, const void *bytes, size_t size);
+    void *user_data;
+} burnish_file_loader;
+
+/* How to load. Start from burnish_load_options_default(). */
+typedef struct burnish_load_options {
+    uint32_t cookie;                /* set by burnish_load_options_default() */
+    const burnish_context *context; /* outlives the mesh; NULL: the default */
+    burnish_format format;          /* AUTO, or a file's format where no name tells it */
+    double crease_angle; /* degrees, [0, 180]: generated normals are smooth across edges whose faces
+                            differ by less; 0 shades every face flat; BURNISH_CREASE_AUTO */
+    int tessellation;    /* built-in objects: segments along a patch edge, [1, 256] */
+    int keep_texture_coordinates; /* 1: vertices carry them, and differ where they do; 0: dropped */
+    int threads; /* [0, 1024]: at most so many; 0: one per processor. The mesh does not depend on
+                    it. */
+    uint64_t max_input_bytes;       /* a larger file is refused with LIMIT */
+    uint64_t max_triangles;         /* more are refused with LIMIT; at most BURNISH_TRIANGLES_MAX */
+    burnish_file_loader companions; /* files that the input names; load NULL: those of the input's
+                                       folder, none for standard input and memory */
+} burnish_load_options;
+
+/* Crease auto, tessellation 16, no texture coordinates, one thread per processor, 16 GiB,
+ * BURNISH_TRIANGLES_MAX triangles, the default context and loader. */
+BURNISH_API burnish_load_options burnish_load_options_default(void);
+
+typedef struct burnish_mesh burnish_mesh;
+
+/* Loads a file, standard input ("-"), or a built-in object (":teapot", ":sphere", ":torus",
+ * ":knot"). *mesh is NULL on error.
+ * Errors: ARGUMENT, READ, FORMAT, LIMIT, MEMORY, CANCELLED. */
+BURNISH_API burnish_status burnish_mesh_load(const char *path, const burnish_load_options *options,
+                                             burnish_mesh **mesh, burnish_error *error);
+
+/* The same from bytes in memory, which may go afterwards.
+ *   bytes  size of them
+ *   name   stands in messages and tells the format by its ending; NULL: "memory" */
+BURNISH_API burnish_status burnish_mesh_load_memory(const void *bytes, size_t size,
+                                                    const char *name,
+                                                    const burnish_load_options *options,
+                                                    burnish_mesh **mesh, burnish_error *error);
+
+/* Values of the caller's: item i starts at (const char *)items + i * stride, aligned to its
+ * numbers. No items: not there. */
+typedef struct burnish_array {
+    const void *items;
+    size_t count;  /* of items */
+    size_t stride; /* bytes from item to item, at least an item's size; 0: packed */
+} burnish_array;
+
+/* Arrays of the caller's that make a mesh. Start from burnish_mesh_description_default(). */
+typedef struct burnish_mesh_description {
+    uint32_t cookie;                   /* set by burnish_mesh_description_default() */
+    const char *name;                  /* stands in messages; NULL: "mesh" */
+    burnish_array positions;           /* 3 floats per vertex, finite; [3, 2^32 - 2] of them */
+    burnish_array normals;             /* 3 floats per vertex, any length; 0: to be generated */
+    burnish_array colors;              /* 4 bytes per vertex: sRGB and alpha */
+    burnish_array texture_coordinates; /* 2 floats per vertex, finite */
+    burnish_array indices; /* 3 numbers of vertices per triangle, one after another; not there:
+                              every three vertices are a triangle */
+    int index_size;        /* bytes per index: 4 (uint32_t), 2 (uint16_t) or 1 (uint8_t) */
+    burnish_array triangle_materials;  /* 1 uint16_t per triangle; not there: material 0 */
+    const burnish_material *materials; /* material_count of them; NULL: burnish's grey */
+    size_t material_count;             /* [0, 65536] */
+    float up_axis[3];                  /* the direction in which the object stands, not 0 */
+} burnish_mesh_description;
+
+/* No arrays, index size 4, up +Y. */
+BURNISH_API burnish_mesh_description burnish_mesh_description_default(void);
+
+/* A mesh from the caller's arrays, which are copied, checked as a file is, and may go afterwards.
+ * Of the options, those about files and built-in objects have no meaning.
+ * Errors: ARGUMENT (an array is wrong), FORMAT (no triangle has any area), LIMIT, MEMORY,
+ * CANCELLED. */
+BURNISH_API burnish_status burnish_mesh_create(const burnish_mesh_description *description,
+                                               const burnish_load_options *options,
+                                               burnish_mesh **mesh, burnish_error *error);
+
+/* Releases everything that belongs to the mesh; NULL is allowed. */
+BURNISH_API void burnish_mesh_destroy(burnish_mesh *mesh);
+
+/* ---- What a mesh holds ---- */
+
+/* The arrays of a mesh, to be read; they live as long as the mesh. */
+typedef struct burnish_mesh_view {
+    size_t vertex_count;              /* [3, 2^32 - 2] */
+    size_t triangle_count;            /* [1, BURNISH_TRIANGLES_MAX] */
+    const float *positions;           /* 3 per vertex, finite */
+    const float *normals;             /* 3 per vertex, unit length */
+    const uint8_t *colors;            /* 4 per vertex, sRGB and alpha; NULL: none */
+    const float *texture_coordinates; /* 2 per vertex; NULL: none, or not asked for */
+    const uint32_t *indices;          /* 3 per triangle, counter-clockwise seen from its normals */
+    const uint16_t *triangle_materials; /* 1 per triangle; NULL: every triangle has material 0 */
+    float bounds_min[3], bounds_max[3]; /* of the positions that triangles use */
+    float up_axis[3];                   /* the direction in which the object stands, unit length */
+} burnish_mesh_view;
+
+/* NULL for NULL. */
+BURNISH_API const burnish_mesh_view *burnish_mesh_get_view(const burnish_mesh *mesh);
+
+/* How a mesh came to be. */
+typedef struct burnish_mesh_info {
+    burnish_format format; /* what was read; not AUTO */
+    double read_seconds;   /* wall time of opening and parsing, or of copying arrays */
+    double build_seconds;  /* wall time of welding, normals, order */
+} burnish_mesh_info;
+
+/* NULL for NULL. Lives as long as the mesh. */
+BURNISH_API const burnish_mesh_info *burnish_mesh_get_info(const burnish_mesh *mesh);
+
+/* Lines about what was passed over (a missing material library, triangles without area ...). The
+ * context's log was told each of them. */
+BURNISH_API size_t burnish_mesh_warning_count(const burnish_mesh *mesh);
+BURNISH_API const char *burnish_mesh_warning(const burnish_mesh *mesh, size_t index);
+
+/* At least one material exists. An index out of range gives NULL, or ARGUMENT. */
+BURNISH_API size_t burnish_mesh_material_count(const burnish_mesh *mesh);
+BURNISH_API const burnish_material *burnish_mesh_material(const burnish_mesh *mesh, size_t index);
+BURNISH_API burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,
+                                                     const burnish_material *material,
+                                                     burnish_error *error);
+
+/* ---- Cameras ---- */
+
+/* What a view angle may be, in degrees: framing and drawing refuse others. */
+#define BURNISH_VIEW_ANGLE_MIN 0.001
+#define BURNISH_VIEW_ANGLE_MAX 179.0
 
 /* Where the picture is taken from. Right-handed world; the picture's up is view_up's projection. */
 typedef struct burnish_camera {
     double position[3];
     double focal_point[3]; /* what the middle of the picture shows */
     double view_up[3];     /* not parallel to the direction of view */
-    double view_angle;     /* degrees from the lower to the upper edge, (0, 180); perspective */
+    double view_angle;     /* degrees from the lower to the upper edge, [0.001, 179]; without
+                              meaning in a parallel projection */
     double
-        orthographic_height; /* 0: perspective; > 0: parallel projection, height in scene units */
+        orthographic_height; /* 0: perspective; > 0: parallel projection, height in world units */
 } burnish_camera;
 
 /* How burnish_camera_frame chooses a view. Start from burnish_framing_default(). */
 typedef struct burnish_framing {
-    uint32_t cookie;
-    double up[3];        /* the scene's up axis, any length > 0 */
-    double direction[3]; /* from the camera into the scene; all 0: the three-quarter view */
+    uint32_t cookie;     /* set by burnish_framing_default() */
+    double up[3];        /* the direction that shall point up, any length; all 0: the mesh's */
+    double direction[3]; /* from the camera to the object; all 0: the three-quarter view */
     double azimuth;      /* degrees, turns the camera around up, positive to the right */
     double elevation;    /* degrees, lifts the camera, positive upward */
-    double view_angle;   /* degrees, (0, 180) */
-    double aspect;       /* width / height of the picture */
+    double view_angle;   /* degrees, [BURNISH_VIEW_ANGLE_MIN, BURNISH_VIEW_ANGLE_MAX] */
+    double aspect;       /* width / height of the picture, [1e-5, 1e5] */
     double margin;       /* share of the smaller side left free on each side, [0, 0.45] */
     int orthographic;    /* 1: parallel projection */
 } burnish_framing;
 
-/* up +Y, three-quarter view, view angle 30 degrees, aspect 1, margin 0.05. */
+/* The mesh's up axis, three-quarter view, view angle 30 degrees, aspect 1, margin 0.05. */
 BURNISH_API burnish_framing burnish_framing_default(void);
 
 /* The camera that shows the whole mesh as large as the margin allows, exactly: it fits the
  * projected vertices, not a bounding sphere. Errors: ARGUMENT, MEMORY. */
-BURNISH_API burnish_status burnish_camera_frame(const burnish_mesh *scene,
+BURNISH_API burnish_status burnish_camera_frame(const burnish_mesh *mesh,
                                                 const burnish_framing *options,
                                                 burnish_camera *camera, burnish_error *error);
 

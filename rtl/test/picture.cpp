@@ -109,7 +109,7 @@ std::vector<pixel> normals_of_teapot(int width, int height) {
         fprintf(stderr, "picture: the teapot cannot be made\n");
         exit(2);
     }
-    const burnish_mesh *mesh = burnish_mesh_get_view(scene);
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     float center[3], size = 0;
     for (int i = 0; i < 3; ++i) {
         center[i] = (mesh->bounds_min[i] + mesh->bounds_max[i]) / 2;

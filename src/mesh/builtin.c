@@ -3,20 +3,17 @@
 
 #include <string.h>
 
+#include "mesh/mesh.h"
 #include "mesh/read/reader.h"
-#include "mesh/scene.h"
 
 #define PI 3.14159265358979323846
 
 burnish_status burnish_surface_reserve(burnish_mesh_data *data, const char *name,
                                        size_t vertex_count, size_t triangle_count,
                                        const burnish_load_options *options, burnish_error *error) {
-    if (triangle_count > options->max_triangles) {
-        return burnish_fail(error, BURNISH_STATUS_LIMIT,
-                            "%s: %zu triangles are more than the limit of %llu; "
-                            "lower the tessellation (%d) or raise the limit",
-                            name, triangle_count, (unsigned long long)options->max_triangles,
-                            options->tessellation);
+    burnish_status status = burnish_check_triangle_count(options, name, triangle_count, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     burnish_mesh_data_reserve(data, BURNISH_POSITION, vertex_count);
     burnish_mesh_data_reserve(data, BURNISH_NORMAL, vertex_count);
@@ -190,10 +187,6 @@ burnish_status burnish_make_builtin(const char *name, const burnish_load_options
                    {"sphere", make_sphere},
                    {"torus", make_torus},
                    {"knot", make_knot}};
-    burnish_status status = burnish_check_load_options(options, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
     for (size_t i = 0; i < sizeof objects / sizeof objects[0]; ++i) {
         if (strcmp(name, objects[i].name) == 0) {
             return objects[i].make(options, data, error);

@@ -1,9 +1,10 @@
 /* Where to stand so that the whole mesh is in the picture, as large as the margin allows. */
 #include <float.h>
 
+#include "core/environment.h"
 #include "core/memory.h"
 #include "core/vector.h"
-#include "mesh/scene.h"
+#include "mesh/mesh.h"
 
 #define DEGREE (3.14159265358979323846 / 180)
 
@@ -27,11 +28,8 @@ typedef struct view_frame {
 } view_frame;
 
 burnish_framing burnish_framing_default(void) {
-    return (burnish_framing){.cookie = BURNISH_FIT_OPTIONS_COOKIE,
-                             .up = {0, 1, 0},
-                             .view_angle = 30,
-                             .aspect = 1,
-                             .margin = 0.05};
+    return (burnish_framing){
+        .cookie = BURNISH_FRAMING_COOKIE, .view_angle = 30, .aspect = 1, .margin = 0.05};
 }
 
 static burnish_status check_number(double value, double low, double high, const char *name,
@@ -54,19 +52,14 @@ static burnish_status check_vector(const double v[3], const char *name, burnish_
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_check_fit_options(const burnish_framing *options, burnish_error *error) {
+static burnish_status check_framing(const burnish_framing *options, burnish_error *error) {
     if (!options) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: NULL; pass burnish_framing_default()");
     }
-    if (options->cookie != BURNISH_FIT_OPTIONS_COOKIE) {
+    if (options->cookie != BURNISH_FRAMING_COOKIE) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: not initialised; start from burnish_framing_default()");
-    }
-    if (!(options->view_angle > 0 && options->view_angle < 180)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: view_angle %g is not in (0, 180) degrees",
-                            options->view_angle);
     }
     burnish_status status = check_vector(options->up, "up", error);
     if (status == BURNISH_STATUS_OK) {
@@ -79,15 +72,14 @@ burnish_status burnish_check_fit_options(const burnish_framing *options, burnish
         status = check_number(options->elevation, -1e6, 1e6, "elevation", error);
     }
     if (status == BURNISH_STATUS_OK) {
+        status = check_number(options->view_angle, BURNISH_VIEW_ANGLE_MIN, BURNISH_VIEW_ANGLE_MAX,
+                              "view_angle", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = check_number(options->aspect, 1e-5, 1e5, "aspect", error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_number(options->margin, 0, 0.45, "margin", error);
-    }
-    if (status == BURNISH_STATUS_OK && options->up[0] == 0 && options->up[1] == 0 &&
-        options->up[2] == 0) {
-        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                              "options: up is the zero vector; use for example 0, 1, 0");
     }
     return status;
 }
@@ -142,12 +134,19 @@ static view_frame look_against(burnish_vec3 back, burnish_vec3 up, burnish_vec3 
     return (view_frame){right, burnish_vec3_cross(back, right), back};
 }
 
-static view_frame choose_frame(const burnish_framing *options) {
-    burnish_vec3 up = direction_of(options->up), front = front_of(up);
+static int is_zero(const double v[3]) {
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
+}
+
+static view_frame choose_frame(const burnish_framing *options, const float mesh_up[3]) {
+    const burnish_vec3 up = is_zero(options->up)
+                                ? burnish_vec3_normalize(burnish_vec3_loadf(mesh_up))
+                                : direction_of(options->up);
+    const burnish_vec3 front = front_of(up);
     double azimuth = options->azimuth, elevation = options->elevation;
     const double *d = options->direction;
     view_frame frame;
-    if (d[0] == 0 && d[1] == 0 && d[2] == 0) {
+    if (is_zero(d)) {
         frame = look_against(front, up, front);
         azimuth += THREE_QUARTER_AZIMUTH;
         elevation += THREE_QUARTER_ELEVATION;
@@ -206,16 +205,15 @@ static void measure_group(const view_mesh *view, size_t first, size_t end, group
 }
 
 /* Measures all groups: one look at each vertex; what follows looks at few of them again. */
-static burnish_status measure_groups(view_mesh *view, burnish_error *error) {
+static burnish_status measure_groups(view_mesh *view, burnish_memory *memory) {
     const size_t count = view->mesh->vertex_count;
     view->group_count = (count + GROUP - 1) / GROUP;
-    burnish_status status = burnish_legacy_allocate((void **)&view->groups, view->group_count,
-                                                    sizeof *view->groups, "bounds", error);
-    for (size_t i = 0; i < view->group_count && status == BURNISH_STATUS_OK; ++i) {
+    view->groups = burnish_allocate(memory, view->group_count, sizeof *view->groups, "bounds");
+    for (size_t i = 0; i < view->group_count && view->groups; ++i) {
         const size_t first = i * GROUP, end = first + GROUP;
         measure_group(view, first, end < count ? end : count, &view->groups[i]);
     }
-    return status;
+    return memory->status;
 }
 
 static void push_group(const view_mesh *view, size_t group, double tx, double ty, extreme side[4]) {
@@ -258,12 +256,13 @@ static void measure_depth(const view_mesh *view, double *near_depth, double *far
     }
 }
 
-/* The place across the view, at distance cz, with equal room on both sides in both axes.
+/* The position across the view, at distance cz, with equal room on both sides in both axes.
  *
  * In x: with slope s the sides touch the mesh at cz = (a(s) + b(s)) / 2s, a and b the maxima of
  * push_sides. g(s) = a(s) + b(s) - 2 s cz is convex, falls strictly because cz is larger than every
- * z, and is not negative at 0; its zero is the slope that fits this cz, and (a - b) / 2 the place.
- * Newton's steps from 0 never overshoot and end on the zero, since g is piecewise linear. */
+ * z, and is not negative at 0; its zero is the slope that fits this cz, and (a - b) / 2 the
+ * position. Newton's steps from 0 never overshoot and end on the zero, since g is piecewise linear.
+ */
 static void center_axes(const view_mesh *view, double cz, double center[2]) {
     double slope[2] = {0, 0};
     for (int step = 0, moved = 1; moved && step < CENTER_STEPS; ++step) {
@@ -288,8 +287,8 @@ static void picture_slopes(const burnish_framing *options, double slope[2]) {
     slope[1] = 1 - 2 * options->margin * smaller;
 }
 
-static void fit_perspective(const view_mesh *view, const burnish_framing *options,
-                            burnish_vec3 *place, double *focus) {
+static void frame_perspective(const view_mesh *view, const burnish_framing *options,
+                              burnish_vec3 *position, double *focus) {
     double sine, cosine, slope[2], near_depth, far_depth, center[2];
     extreme side[4];
     burnish_sincos(options->view_angle * DEGREE / 2, &sine, &cosine);
@@ -303,12 +302,12 @@ static void fit_perspective(const view_mesh *view, const burnish_framing *option
     cz = needed_x > cz ? needed_x : cz;
     cz = needed_y > cz ? needed_y : cz;
     center_axes(view, cz, center);
-    *place = (burnish_vec3){center[0], center[1], cz};
+    *position = (burnish_vec3){center[0], center[1], cz};
     *focus = (near_depth + far_depth) / 2;
 }
 
-static double fit_orthographic(const view_mesh *view, const burnish_framing *options,
-                               burnish_vec3 *place, double *focus) {
+static double frame_orthographic(const view_mesh *view, const burnish_framing *options,
+                                 burnish_vec3 *position, double *focus) {
     double slope[2], near_depth, far_depth;
     extreme side[4];
     picture_slopes(options, slope);
@@ -318,13 +317,13 @@ static double fit_orthographic(const view_mesh *view, const burnish_framing *opt
     double height_y = (side[2].value + side[3].value) / slope[1];
     double height = height_x > height_y ? height_x : height_y;
     *focus = (near_depth + far_depth) / 2;
-    *place = (burnish_vec3){(side[0].value - side[1].value) / 2,
-                            (side[2].value - side[3].value) / 2, *focus + view->diagonal};
+    *position = (burnish_vec3){(side[0].value - side[1].value) / 2,
+                               (side[2].value - side[3].value) / 2, *focus + view->diagonal};
     return height > 0 ? height : view->diagonal;
 }
 
-/* From the frame back to the scene's coordinates. */
-static burnish_vec3 to_scene(const view_mesh *view, burnish_vec3 p) {
+/* From the frame back to the mesh's coordinates. */
+static burnish_vec3 to_world(const view_mesh *view, burnish_vec3 p) {
     burnish_vec3 across = burnish_vec3_add(burnish_vec3_scale(view->frame.right, p.x),
                                            burnish_vec3_scale(view->frame.up, p.y));
     return burnish_vec3_add(view->middle,
@@ -337,45 +336,47 @@ static void store(burnish_vec3 v, double target[3]) {
     target[2] = v.z;
 }
 
-burnish_status burnish_camera_frame(const burnish_mesh *scene, const burnish_framing *options,
-                                    burnish_camera *camera, burnish_error *error) {
-    if (!scene || !camera) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL", scene ? "camera" : "scene");
-    }
-    burnish_status status = burnish_check_fit_options(options, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    const burnish_mesh_view *mesh = &scene->mesh;
-    burnish_vec3 low = burnish_vec3_loadf(mesh->bounds_min);
-    burnish_vec3 high = burnish_vec3_loadf(mesh->bounds_max);
-    view_mesh view = {mesh,
+static burnish_status frame_mesh(const burnish_mesh *mesh, const burnish_framing *options,
+                                 burnish_camera *camera, burnish_error *error) {
+    const burnish_mesh_view *arrays = &mesh->view;
+    const burnish_vec3 low = burnish_vec3_loadf(arrays->bounds_min);
+    const burnish_vec3 high = burnish_vec3_loadf(arrays->bounds_max);
+    view_mesh view = {arrays,
                       burnish_vec3_scale(burnish_vec3_add(low, high), 0.5),
-                      choose_frame(options),
+                      choose_frame(options, arrays->up_axis),
                       burnish_vec3_length(burnish_vec3_sub(high, low)),
                       NULL,
                       0};
-    burnish_vec3 place;
+    burnish_memory memory = burnish_memory_of(mesh->context, error);
+    burnish_vec3 position;
     double focus, height = 0;
-    status = measure_groups(&view, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    if (measure_groups(&view, &memory) != BURNISH_STATUS_OK) {
+        return memory.status;
     }
     if (options->orthographic) {
-        height = fit_orthographic(&view, options, &place, &focus);
+        height = frame_orthographic(&view, options, &position, &focus);
     } else {
-        fit_perspective(&view, options, &place, &focus);
+        frame_perspective(&view, options, &position, &focus);
     }
-    free(view.groups);
-    if (!(place.z <= DBL_MAX)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: view_angle %g puts the camera out of all reach; use for "
-                            "example 30",
-                            options->view_angle);
-    }
+    burnish_release(mesh->context, view.groups);
     *camera = (burnish_camera){.view_angle = options->view_angle, .orthographic_height = height};
-    store(to_scene(&view, place), camera->position);
-    store(to_scene(&view, (burnish_vec3){place.x, place.y, focus}), camera->focal_point);
+    store(to_world(&view, position), camera->position);
+    store(to_world(&view, (burnish_vec3){position.x, position.y, focus}), camera->focal_point);
     store(view.frame.up, camera->view_up);
     return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_camera_frame(const burnish_mesh *mesh, const burnish_framing *options,
+                                    burnish_camera *camera, burnish_error *error) {
+    if (!mesh || !camera) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL; pass one",
+                            mesh ? "camera" : "mesh");
+    }
+    const burnish_environment before = burnish_environment_enter();
+    burnish_status status = check_framing(options, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = frame_mesh(mesh, options, camera, error);
+    }
+    burnish_environment_leave(before);
+    return status;
 }

@@ -27,7 +27,7 @@ static burnish_vec3 combine(const burnish_vec3 p[4], const double weight[4]) {
     return burnish_vec3_add(outer, inner);
 }
 
-/* Data set to scene: y up instead of z, a turn about x. */
+/* Data set to world: y up instead of z, a turn about x. */
 static burnish_vec3 turn_up(burnish_vec3 p) {
     return (burnish_vec3){p.x, p.z, -p.y};
 }

@@ -19,7 +19,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-#define FORMATS "aops" /* auto, OBJ, PLY, STL: the order of burnish_format */
+#define FORMATS "a  ops" /* auto, OBJ, PLY, STL at the values of burnish_format */
 
 enum {
     HEAD = 2,
@@ -44,7 +44,8 @@ static burnish_load_options load_options(const uint8_t *head) {
     const char *fixed = getenv("FUZZ_FORMAT");
     const char *place = strchr(FORMATS, fixed && *fixed ? *fixed : head[0] ? head[0] : 'a');
     burnish_load_options options = burnish_load_options_default();
-    options.format = place ? (burnish_format)(place - FORMATS) : BURNISH_FORMAT_AUTO;
+    options.format =
+        place && *place != ' ' ? (burnish_format)(place - FORMATS) : BURNISH_FORMAT_AUTO;
     options.crease_angle = creases[head[1] & 3];
     options.max_triangles = head[1] & 4 ? 5 : TRIANGLE_LIMIT;
     options.max_input_bytes = INPUT_LIMIT;

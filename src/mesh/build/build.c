@@ -12,9 +12,9 @@
 #include "mesh/build/normals.h"
 #include "mesh/build/order.h"
 #include "mesh/build/weld.h"
+#include "mesh/mesh.h"
 #include "mesh/mesh_data.h"
 #include "mesh/read/text.h"
-#include "mesh/scene.h"
 
 enum {
     SHARE = 8192,           /* triangles, positions or vertices that are worth a thread */
@@ -61,19 +61,6 @@ typedef struct builder {
     int maker_count;
     size_t vertex_count;
 } builder;
-
-static burnish_status check_counts(const builder *b, const burnish_load_options *options) {
-    size_t count = b->data->triangle_count;
-    uint64_t limit = options->max_triangles < BURNISH_TRIANGLE_LIMIT ? options->max_triangles
-                                                                     : BURNISH_TRIANGLE_LIMIT;
-    if (count > limit) {
-        return burnish_fail_at(b->error, BURNISH_STATUS_LIMIT, burnish_place_file(b->name),
-                               "%zu triangles are more than the limit of %llu; "
-                               "raise the limit or simplify the mesh",
-                               count, (unsigned long long)limit);
-    }
-    return BURNISH_STATUS_OK;
-}
 
 /* Moves the different positions to the head of the array; remap gives each old one its new number.
  */
@@ -576,14 +563,15 @@ static burnish_status make_large(builder *b, double angle) {
 static burnish_status allocate_vertices(builder *b) {
     burnish_mesh *scene = b->scene;
     size_t count = b->vertex_count;
-    burnish_status status = burnish_legacy_allocate((void **)&scene->positions, count,
+    burnish_status status = burnish_legacy_allocate(&scene->attributes[BURNISH_POSITION], count,
                                                     3 * sizeof(float), "vertices", b->error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_legacy_allocate((void **)&scene->normals, count, 3 * sizeof(float),
-                                         "vertices", b->error);
+        status = burnish_legacy_allocate(&scene->attributes[BURNISH_NORMAL], count,
+                                         3 * sizeof(float), "vertices", b->error);
     }
     if (status == BURNISH_STATUS_OK && b->has_colors) {
-        status = burnish_legacy_allocate((void **)&scene->colors, count, 4, "vertices", b->error);
+        status = burnish_legacy_allocate(&scene->attributes[BURNISH_COLOR], count, 4, "vertices",
+                                         b->error);
     }
     return status;
 }
@@ -673,10 +661,10 @@ static void write_given(void *of, size_t first, size_t end) {
     burnish_mesh *scene = context->b->scene;
     for (size_t i = first; i < end; ++i) {
         const given_vertex *vertex = &context->vertices[i];
-        memcpy(scene->positions + 3 * i, burnish_positions(data) + 3 * (size_t)vertex->position,
-               3 * sizeof(float));
-        memcpy(scene->normals + 3 * i, burnish_normals(data) + 3 * (size_t)vertex->normal,
-               3 * sizeof(float));
+        memcpy(((float *)scene->attributes[BURNISH_POSITION]) + 3 * i,
+               burnish_positions(data) + 3 * (size_t)vertex->position, 3 * sizeof(float));
+        memcpy(((float *)scene->attributes[BURNISH_NORMAL]) + 3 * i,
+               burnish_normals(data) + 3 * (size_t)vertex->normal, 3 * sizeof(float));
     }
 }
 
@@ -728,7 +716,7 @@ static double crease_angle(const burnish_load_options *options, burnish_format f
     if (options->crease_angle != BURNISH_CREASE_AUTO) {
         return options->crease_angle;
     }
-    return format == BURNISH_FORMAT_STL ? 40 : 60;
+    return burnish_format_get_info(format)->crease_angle;
 }
 
 static burnish_status create_makers(builder *b, double angle) {
@@ -806,11 +794,12 @@ static void write_range(void *of, size_t first, size_t end) {
     for (size_t k = first; k < end; ++k) {
         const built_vertex *vertex = &context->vertices[k];
         size_t number = scene->indices[vertex->corner];
-        memcpy(scene->positions + 3 * number,
+        memcpy(((float *)scene->attributes[BURNISH_POSITION]) + 3 * number,
                burnish_positions(data) + 3 * (size_t)vertex->position, 3 * sizeof(float));
-        memcpy(scene->normals + 3 * number, vertex->normal, 3 * sizeof(float));
-        if (scene->colors) {
-            memcpy(scene->colors + 4 * number, &vertex->color, 4);
+        memcpy(((float *)scene->attributes[BURNISH_NORMAL]) + 3 * number, vertex->normal,
+               3 * sizeof(float));
+        if (((uint8_t *)scene->attributes[BURNISH_COLOR])) {
+            memcpy(((uint8_t *)scene->attributes[BURNISH_COLOR]) + 4 * number, &vertex->color, 4);
         }
     }
 }
@@ -865,18 +854,20 @@ static burnish_status take_materials(builder *b) {
 }
 
 static void describe_mesh(burnish_mesh *scene, size_t vertex_count, size_t triangle_count) {
-    burnish_mesh_view *mesh = &scene->mesh;
+    burnish_mesh_view *mesh = &scene->view;
     mesh->vertex_count = vertex_count;
     mesh->triangle_count = triangle_count;
-    mesh->positions = scene->positions;
-    mesh->normals = scene->normals;
-    mesh->colors = scene->colors;
+    mesh->positions = ((float *)scene->attributes[BURNISH_POSITION]);
+    mesh->normals = ((float *)scene->attributes[BURNISH_NORMAL]);
+    mesh->colors = ((uint8_t *)scene->attributes[BURNISH_COLOR]);
     mesh->indices = scene->indices;
     mesh->triangle_materials = scene->triangle_materials;
-    memcpy(mesh->bounds_min, scene->positions, sizeof mesh->bounds_min);
-    memcpy(mesh->bounds_max, scene->positions, sizeof mesh->bounds_max);
+    memcpy(mesh->bounds_min, ((float *)scene->attributes[BURNISH_POSITION]),
+           sizeof mesh->bounds_min);
+    memcpy(mesh->bounds_max, ((float *)scene->attributes[BURNISH_POSITION]),
+           sizeof mesh->bounds_max);
     for (size_t i = 0; i < vertex_count; ++i) {
-        const float *position = scene->positions + 3 * i;
+        const float *position = ((float *)scene->attributes[BURNISH_POSITION]) + 3 * i;
         for (int axis = 0; axis < 3; ++axis) {
             float value = position[axis];
             float *low = &mesh->bounds_min[axis], *high = &mesh->bounds_max[axis];
@@ -912,10 +903,7 @@ static burnish_status number_mesh(builder *b, double angle) {
 /* The steps in order; on failure what was made so far stays in b and b->scene. */
 static burnish_status build(builder *b, const burnish_load_options *options) {
     uint32_t *remap = NULL;
-    burnish_status status = check_counts(b, options);
-    if (status == BURNISH_STATUS_OK) {
-        status = number_normals(b);
-    }
+    burnish_status status = number_normals(b);
     if (status == BURNISH_STATUS_OK) {
         status = weld_positions(b, &remap);
     }
@@ -933,7 +921,7 @@ static burnish_status build(builder *b, const burnish_load_options *options) {
         status = order_triangles(b);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = number_mesh(b, crease_angle(options, b->scene->format));
+        status = number_mesh(b, crease_angle(options, b->scene->info.format));
     }
     if (status == BURNISH_STATUS_OK) {
         status = take_materials(b);
@@ -949,14 +937,14 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                  .error = error,
                  .has_colors = data->streams[BURNISH_COLOR].count > 0};
     *scene = NULL;
-    burnish_status status = burnish_check_load_options(options, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_legacy_allocate((void **)&b.scene, 1, sizeof *b.scene, "scene", error);
-    }
+    burnish_status status =
+        burnish_legacy_allocate((void **)&b.scene, 1, sizeof *b.scene, "mesh", error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    *b.scene = (burnish_mesh){.format = format};
+    *b.scene = (burnish_mesh){.info.format = format, .context = data->memory.context};
+    memcpy(b.scene->view.up_axis, burnish_format_get_info(format)->up_axis,
+           sizeof b.scene->view.up_axis);
     status = build(&b, options);
     release_corners(&b);
     destroy_makers(&b);

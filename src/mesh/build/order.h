@@ -18,7 +18,7 @@ enum { BURNISH_ORDER_LEAST = 4096 };
  * positions: 3 finite floats a position
  * corners:   3 positions a triangle; the least of them is where the triangle is, so that the same
  *            triangles are in the same cell
- * count:     [1, 2^31)
+ * count:     [1, BURNISH_TRIANGLES_MAX]
  * order:     count numbers of triangles, written
  * Errors: MEMORY. */
 burnish_status burnish_order_triangles(const float *positions, size_t position_count,

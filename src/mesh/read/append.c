@@ -3,8 +3,8 @@
 
 #include <string.h>
 
+#include "mesh/mesh.h"
 #include "mesh/read/polygon.h"
-#include "mesh/scene.h"
 
 static burnish_status reserve_colors(burnish_source *source, size_t count, burnish_error *error) {
     return burnish_legacy_reserve((void **)&source->colors, &source->color_capacity, count, 4,
@@ -77,8 +77,8 @@ burnish_status burnish_reserve_triangles(burnish_source *source,
                                          const burnish_load_options *options, burnish_place place,
                                          size_t more, burnish_error *error) {
     uint64_t limit = options->max_triangles;
-    if (limit > BURNISH_TRIANGLE_LIMIT) {
-        limit = BURNISH_TRIANGLE_LIMIT;
+    if (limit > BURNISH_TRIANGLES_MAX) {
+        limit = BURNISH_TRIANGLES_MAX;
     }
     if (source->triangle_count > limit || more > limit - source->triangle_count) {
         return burnish_fail_at(error, BURNISH_STATUS_LIMIT, place,

@@ -12,11 +12,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh/mesh.h"
 #include "mesh/read/append.h"
 #include "mesh/read/obj_count.h"
 #include "mesh/read/obj_line.h"
 #include "mesh/read/parts.h"
-#include "mesh/scene.h"
 
 typedef struct obj_parts {
     const burnish_reader_input *input;
@@ -50,7 +50,7 @@ static int add_up(obj_parts *obj) {
     }
     obj->total = sum;
     return sum.vertices < BURNISH_POSITION_LIMIT && sum.normals < BURNISH_POSITION_LIMIT &&
-           sum.triangles > 0 && sum.triangles <= BURNISH_TRIANGLE_LIMIT &&
+           sum.triangles > 0 && sum.triangles <= BURNISH_TRIANGLES_MAX &&
            sum.triangles <= obj->input->options->max_triangles;
 }
 

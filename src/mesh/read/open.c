@@ -6,9 +6,9 @@
 #include <unistd.h>
 
 #include "core/clock.h"
+#include "mesh/mesh.h"
 #include "mesh/read/reader.h"
 #include "mesh/read/text.h"
-#include "mesh/scene.h"
 
 enum { FIRST_CHUNK = 1 << 16, LARGEST_READ = 1 << 30 };
 
@@ -163,6 +163,8 @@ static burnish_status read_format(const burnish_reader_input *input, burnish_for
     case BURNISH_FORMAT_STL:
         return burnish_read_stl(input, source, error);
     case BURNISH_FORMAT_AUTO:
+    case BURNISH_FORMAT_BUILTIN:
+    case BURNISH_FORMAT_ARRAYS:
     case BURNISH_FORMAT_COUNT:
         break;
     }
@@ -178,8 +180,8 @@ static burnish_status build(burnish_mesh_data *data, const char *name,
     double read = burnish_seconds_now();
     burnish_status status = burnish_mesh_build(data, name, options, format, scene, error);
     if (status == BURNISH_STATUS_OK) {
-        (*scene)->seconds_read = read - start;
-        (*scene)->seconds_build = burnish_seconds_now() - read;
+        (*scene)->info.read_seconds = read - start;
+        (*scene)->info.build_seconds = burnish_seconds_now() - read;
     }
     return status;
 }
@@ -212,7 +214,7 @@ static burnish_status load_builtin(const char *name, const burnish_load_options 
     double start = burnish_seconds_now();
     burnish_status status = burnish_make_builtin(name + 1, options, &data, error);
     if (status == BURNISH_STATUS_OK) {
-        status = build(&data, name, options, BURNISH_FORMAT_AUTO, start, scene, error);
+        status = build(&data, name, options, BURNISH_FORMAT_BUILTIN, start, scene, error);
     }
     burnish_mesh_data_destroy(&data);
     return status;
@@ -222,14 +224,11 @@ static burnish_status load_builtin(const char *name, const burnish_load_options 
 static burnish_status check_arguments(const void *required, const char *what,
                                       const burnish_load_options *options, burnish_mesh **scene,
                                       burnish_error *error) {
-    if (!scene) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "scene: NULL; pass where to put it");
-    }
-    *scene = NULL;
-    if (!required) {
+    burnish_status status = burnish_check_load(options, scene, error);
+    if (status == BURNISH_STATUS_OK && !required) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL; pass one", what);
     }
-    return burnish_check_load_options(options, error);
+    return status;
 }
 
 burnish_status burnish_mesh_load(const char *path, const burnish_load_options *options,

@@ -7,9 +7,9 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#include "mesh/mesh.h"
 #include "mesh/read/append.h"
 #include "mesh/read/parts.h"
-#include "mesh/scene.h"
 
 typedef struct part {
     const uint8_t *first, *end;
@@ -207,7 +207,7 @@ static int reserve_triangles(ply_lines *lines, const burnish_load_options *optio
         p->triangles = p->words - least + p->rows;
         triangles += p->triangles;
     }
-    return triangles <= BURNISH_TRIANGLE_LIMIT && triangles <= options->max_triangles &&
+    return triangles <= BURNISH_TRIANGLES_MAX && triangles <= options->max_triangles &&
            burnish_legacy_reserve_discard((void **)&source->corner_positions,
                                           &source->corner_capacity, triangles, 3 * sizeof(uint32_t),
                                           "triangles", NULL) == BURNISH_STATUS_OK;

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "core/tasks.h"
+#include "mesh/mesh.h"
 #include "mesh/read/append.h"
-#include "mesh/scene.h"
 
 enum { SHARE = 1 << 15 /* rows that a thread takes at once */ };
 
@@ -284,8 +284,8 @@ burnish_status burnish_ply_triangle_rows(const burnish_ply_rows *rows, size_t ve
     uint32_t first[3];
     *used = 0;
     if (!lay_out_triangles(rows, &layout) || rows->size / layout.row_size < rows->count ||
-        source->corner_normals || source->triangle_count > BURNISH_TRIANGLE_LIMIT ||
-        rows->count > BURNISH_TRIANGLE_LIMIT - source->triangle_count ||
+        source->corner_normals || source->triangle_count > BURNISH_TRIANGLES_MAX ||
+        rows->count > BURNISH_TRIANGLES_MAX - source->triangle_count ||
         rows->count + source->triangle_count > options->max_triangles ||
         !convert_triangle(rows, &layout, 0, vertex_count, first)) {
         return BURNISH_STATUS_OK;

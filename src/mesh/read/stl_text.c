@@ -8,9 +8,9 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#include "mesh/mesh.h"
 #include "mesh/read/append.h"
 #include "mesh/read/parts.h"
-#include "mesh/scene.h"
 
 typedef struct stl_text {
     const burnish_reader_input *input;
@@ -268,7 +268,7 @@ static int reserve_facets(stl_parts *stl) {
     }
     stl->facets = facets;
     return facets > 0 && facets <= stl->input->size / FACET_LEAST &&
-           facets <= BURNISH_POSITION_LIMIT / 3 && facets <= BURNISH_TRIANGLE_LIMIT &&
+           facets <= BURNISH_POSITION_LIMIT / 3 && facets <= BURNISH_TRIANGLES_MAX &&
            facets <= stl->input->options->max_triangles &&
            burnish_legacy_reserve_discard((void **)&source->positions, &source->position_capacity,
                                           3 * facets, 3 * sizeof(float), "positions",

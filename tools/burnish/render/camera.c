@@ -40,12 +40,12 @@ const char *burnish_cli_view_name(burnish_cli_view view) {
     return views[view].name;
 }
 
-static const frame *frame_in_use(const burnish_mesh *scene, const burnish_cli_render *settings) {
+static const frame *frame_in_use(const burnish_mesh *mesh, const burnish_cli_render *settings) {
+    const float *up = burnish_mesh_get_view(mesh)->up_axis;
     if (settings->up != BURNISH_CLI_UP_AUTO) {
         return &frames[settings->up];
     }
-    return &frames[burnish_mesh_format(scene) == BURNISH_FORMAT_STL ? BURNISH_CLI_UP_POSITIVE_Z
-                                                                    : BURNISH_CLI_UP_POSITIVE_Y];
+    return &frames[up[2] > 0 ? BURNISH_CLI_UP_POSITIVE_Z : BURNISH_CLI_UP_POSITIVE_Y];
 }
 
 const char *burnish_cli_up_name(const burnish_mesh *scene, const burnish_cli_render *settings) {

@@ -284,7 +284,10 @@ static int render(const burnish_cli_render *settings) {
     burnish_status status = burnish_cli_load(settings, &scene, &error);
     result.scene = scene;
     result.seconds.load = seconds_now() - start;
-    burnish_mesh_load_seconds(scene, &result.seconds.read, &result.seconds.build);
+    if (scene) {
+        result.seconds.read = burnish_mesh_get_info(scene)->read_seconds;
+        result.seconds.build = burnish_mesh_get_info(scene)->build_seconds;
+    }
     if (status == BURNISH_STATUS_OK) {
         for (size_t i = 0; i < burnish_mesh_warning_count(scene); ++i) {
             burnish_cli_result_warn(&result, 1, "%s", burnish_mesh_warning(scene, i));

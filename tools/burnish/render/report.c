@@ -219,11 +219,12 @@ static void add_cells(cJSON *root, const burnish_cli_result *result, int *failed
 }
 
 static void add_scene(cJSON *root, const burnish_cli_result *result, int *failed) {
-    static const char *const formats[BURNISH_FORMAT_COUNT] = {"builtin", "obj", "ply", "stl"};
+    const burnish_format_info *format =
+        burnish_format_get_info(burnish_mesh_get_info(result->scene)->format);
     const burnish_mesh_view *mesh = burnish_mesh_get_view(result->scene);
     cJSON *box = cJSON_CreateObject();
     add(root, "input", string(result->settings->input), failed);
-    add(root, "format", cJSON_CreateString(formats[burnish_mesh_format(result->scene)]), failed);
+    add(root, "format", cJSON_CreateString(format->name), failed);
     add(root, "output", result->written ? string(result->settings->output) : cJSON_CreateNull(),
         failed);
     add(root, "width", cJSON_CreateNumber(result->picture->width), failed);

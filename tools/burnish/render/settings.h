@@ -20,7 +20,7 @@ typedef enum burnish_cli_view {
 } burnish_cli_view;
 
 typedef enum burnish_cli_up {
-    BURNISH_CLI_UP_AUTO, /* +Z for STL, else +Y */
+    BURNISH_CLI_UP_AUTO, /* the mesh's, told by its format */
     BURNISH_CLI_UP_POSITIVE_X,
     BURNISH_CLI_UP_NEGATIVE_X,
     BURNISH_CLI_UP_POSITIVE_Y,

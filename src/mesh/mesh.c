@@ -1,0 +1,190 @@
+/* What callers see of a mesh: formats, options, access, materials. */
+#include "mesh/mesh.h"
+
+#include "core/tasks.h"
+
+/* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */
+static const burnish_material default_material = {
+    .ambient = {0.34f, 0.34f, 0.34f},
+    .diffuse = {0.34f, 0.34f, 0.34f},
+    .specular = {0.5f, 0.5f, 0.5f},
+    .exponent = 64,
+};
+
+static const burnish_format_info formats[BURNISH_FORMAT_COUNT] = {
+    [BURNISH_FORMAT_AUTO] = {"auto", "", 60, {0, 1, 0}, 0},
+    [BURNISH_FORMAT_BUILTIN] = {"builtin", "", 60, {0, 1, 0}, 0},
+    [BURNISH_FORMAT_ARRAYS] = {"arrays", "", 60, {0, 1, 0}, 0},
+    [BURNISH_FORMAT_OBJ] = {"obj", ".obj", 60, {0, 1, 0}, 1},
+    [BURNISH_FORMAT_PLY] = {"ply", ".ply", 60, {0, 1, 0}, 1},
+    [BURNISH_FORMAT_STL] = {"stl", ".stl", 40, {0, 0, 1}, 1},
+};
+
+int burnish_format_count(void) {
+    return BURNISH_FORMAT_COUNT;
+}
+
+const burnish_format_info *burnish_format_get_info(burnish_format format) {
+    return (unsigned)format < BURNISH_FORMAT_COUNT ? &formats[format] : NULL;
+}
+
+/* ---- options ---- */
+
+burnish_load_options burnish_load_options_default(void) {
+    return (burnish_load_options){.cookie = BURNISH_LOAD_OPTIONS_COOKIE,
+                                  .format = BURNISH_FORMAT_AUTO,
+                                  .crease_angle = BURNISH_CREASE_AUTO,
+                                  .tessellation = 16,
+                                  .max_input_bytes = (uint64_t)16 << 30,
+                                  .max_triangles = BURNISH_TRIANGLES_MAX};
+}
+
+static burnish_status check_options(const burnish_load_options *options, burnish_error *error) {
+    const burnish_format_info *format = burnish_format_get_info(options->format);
+    if (options->cookie != BURNISH_LOAD_OPTIONS_COOKIE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: not initialised; start from burnish_load_options_default()");
+    }
+    if (!format || (!format->is_file && options->format != BURNISH_FORMAT_AUTO)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: format %d is no format of files; use BURNISH_FORMAT_AUTO or "
+                            "one of BURNISH_FORMAT_OBJ, BURNISH_FORMAT_PLY, BURNISH_FORMAT_STL",
+                            (int)options->format);
+    }
+    if (options->crease_angle != BURNISH_CREASE_AUTO &&
+        !(options->crease_angle >= 0 && options->crease_angle <= 180)) {
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "options: crease_angle %g is not in [0, 180] degrees or BURNISH_CREASE_AUTO",
+            options->crease_angle);
+    }
+    if (options->tessellation < 1 || options->tessellation > 256) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: tessellation %d is not in [1, 256]", options->tessellation);
+    }
+    if (options->max_triangles > BURNISH_TRIANGLES_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: max_triangles %llu is more than %u",
+                            (unsigned long long)options->max_triangles, BURNISH_TRIANGLES_MAX);
+    }
+    if (options->threads < 0 || options->threads > BURNISH_THREADS_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "options: threads %d is not in [0, %d]",
+                            options->threads, BURNISH_THREADS_MAX);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_check_load(const burnish_load_options *options, burnish_mesh **mesh,
+                                  burnish_error *error) {
+    if (!mesh) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "mesh: NULL; pass where to put it");
+    }
+    *mesh = NULL;
+    if (!options) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: NULL; pass burnish_load_options_default()");
+    }
+    return check_options(options, error);
+}
+
+burnish_status burnish_check_triangle_count(const burnish_load_options *options, const char *where,
+                                            uint64_t count, burnish_error *error) {
+    if (count <= options->max_triangles) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_fail(error, BURNISH_STATUS_LIMIT, "%s: more than %llu triangles; %s", where,
+                        (unsigned long long)options->max_triangles,
+                        options->max_triangles < BURNISH_TRIANGLES_MAX
+                            ? "raise the limit or simplify the mesh"
+                            : "split or simplify the mesh");
+}
+
+/* ---- access ---- */
+
+void burnish_mesh_destroy(burnish_mesh *mesh) {
+    if (!mesh) {
+        return;
+    }
+    const burnish_context *context = mesh->context;
+    for (size_t i = 0; i < mesh->warning_count; ++i) {
+        burnish_release(context, mesh->warnings[i]);
+    }
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        burnish_release(context, mesh->attributes[i]);
+    }
+    burnish_release(context, mesh->warnings);
+    burnish_release(context, mesh->materials);
+    burnish_release(context, mesh->indices);
+    burnish_release(context, mesh->triangle_materials);
+    burnish_release(context, mesh);
+}
+
+const burnish_mesh_view *burnish_mesh_get_view(const burnish_mesh *mesh) {
+    return mesh ? &mesh->view : NULL;
+}
+
+const burnish_mesh_info *burnish_mesh_get_info(const burnish_mesh *mesh) {
+    return mesh ? &mesh->info : NULL;
+}
+
+size_t burnish_mesh_warning_count(const burnish_mesh *mesh) {
+    return mesh ? mesh->warning_count : 0;
+}
+
+const char *burnish_mesh_warning(const burnish_mesh *mesh, size_t index) {
+    return mesh && index < mesh->warning_count ? mesh->warnings[index] : NULL;
+}
+
+/* ---- materials ---- */
+
+burnish_material burnish_material_default(void) {
+    return default_material;
+}
+
+size_t burnish_mesh_material_count(const burnish_mesh *mesh) {
+    return mesh ? mesh->material_count : 0;
+}
+
+const burnish_material *burnish_mesh_material(const burnish_mesh *mesh, size_t index) {
+    return mesh && index < mesh->material_count ? &mesh->materials[index] : NULL;
+}
+
+burnish_status burnish_check_material(const burnish_material *material, const char *name,
+                                      burnish_error *error) {
+    const struct {
+        const char *word;
+        const float *values;
+    } colors[] = {{"ambient", material->ambient},
+                  {"diffuse", material->diffuse},
+                  {"specular", material->specular}};
+    for (int i = 0; i < 9; ++i) {
+        const float value = colors[i / 3].values[i % 3];
+        if (!(value >= 0 && value <= 1)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: %s[%d] is %g, not in [0, 1]",
+                                name, colors[i / 3].word, i % 3, (double)value);
+        }
+    }
+    if (!(material->exponent >= 1 && material->exponent <= 65536)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: exponent is %g, not in [1, 65536]",
+                            name, (double)material->exponent);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,
+                                         const burnish_material *material, burnish_error *error) {
+    if (!mesh || !material) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL; pass one",
+                            mesh ? "material" : "mesh");
+    }
+    if (index >= mesh->material_count) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "index: %zu is out of range, the mesh has %zu material%s", index,
+                            mesh->material_count, mesh->material_count == 1 ? "" : "s");
+    }
+    burnish_status status = burnish_check_material(material, "material", error);
+    if (status == BURNISH_STATUS_OK) {
+        mesh->materials[index] = *material;
+    }
+    return status;
+}
