@@ -329,7 +329,7 @@ static const burnish_cli_flag flags[] = {
      .initial = "1431655764",
      .low = 1,
      .high = 1431655764,
-     .shown = "1431655764",
+     .shown = "1.43e9",
      .manual = "Refuses meshes with more triangles (exit code 5).",
      .handler = burnish_cli_flag_count,
      TARGET(max_triangles)},
