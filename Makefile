@@ -1,18 +1,32 @@
-# The front door. `make help` lists what there is.
+# The front door. `make help` lists what there is; ./make does the same where make itself is missing.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo pictures test check asan tsan clang scalar fuzz fuzz-briefly build-fuzz sweep bench bench-peers format format-check golden figures mcu prove-q15 rtl rtl-prove install clean
+.PHONY: help deps build demo pictures test test-all check asan tsan msan clang scalar fuzz fuzz-briefly build-fuzz sweep bench \
+	bench-peers bench-scale format format-check golden figures mcu prove-q15 rtl rtl-prove install check-targets short-docs clean
 
 PRESET ?= release
-FUZZ_SECONDS ?= 600
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 BUILD = build/$(PRESET)
 DEPS = ./scripts/install-deps
 
+# SHORT=1: every target in seconds or a few minutes, its pages and pictures in build/short instead of docs.
+ifdef SHORT
+DOCS = build/short/docs
+OUT = build/short/demo
+FUZZ_SECONDS ?= 10
+MOST ?= 100000
+ROUNDS ?= 1
+else
+DOCS = docs
+OUT = out/demo
+FUZZ_SECONDS ?= 600
+endif
+
 help: ## list the targets
 	@awk 'BEGIN {FS = ":.*## "; print "burnish: make TARGET\n"} /^[a-z0-9-]+:.*## / {printf "  %-14s %s\n", $$1, $$2}' Makefile
 
-deps: ## install the Debian packages that building and testing need
-	@$(DEPS) build test demo
+GROUPS ?= build test demo
+deps: ## install Debian packages by sudo: those that demo and test need, or GROUPS="test-all bench ..."
+	@$(DEPS) --sudo $(GROUPS)
 
 build: ## build the program: build/release/burnish
 	@$(DEPS) build
@@ -22,31 +36,51 @@ build: ## build the program: build/release/burnish
 demo: ## render the teapot with four lobes and a scanned object, and say where they are
 	@$(DEPS) build demo
 	@$(MAKE) --no-print-directory build
-	@./scripts/demo $(BUILD)/burnish out/demo
+	@./scripts/demo $(BUILD)/burnish $(OUT)
 
-pictures: ## render the README's pictures again
+pictures: short-docs ## render the README's pictures again
 	@$(DEPS) build demo
 	@$(MAKE) --no-print-directory build
-	@./scripts/demo $(BUILD)/burnish docs/images 1280,720 480,334
+	@./scripts/demo $(BUILD)/burnish $(DOCS)/images 1280,720 480,334
 
-test: ## build and run every test
-	@$(DEPS) build test demo mcu
+# ---- Tests: one label each (test/CMakeLists.txt) ----
+
+test: ## build and run the tests that need no special tools; ONLY=NAME or ONLY=NAME:CASE for one of them
+	@$(DEPS) build test
+	@$(MAKE) --no-print-directory ctest-$(PRESET) CTEST='$(if $(ONLY),,-L "^(unit|cli)$$")'
+
+test-all: ## those, other processors, hardware, firmware, figures, and six builds (minutes)
+	@$(DEPS) build test-all demo
 	@$(MAKE) --no-print-directory ctest-$(PRESET)
 
+only_test = $(firstword $(subst :, ,$(ONLY)))
+only_case = $(word 2,$(subst :, ,$(ONLY)))
 ctest-%:
 	@cmake --preset $* >/dev/null
 	@cmake --build --preset $* -j $(JOBS)
-	@ctest --preset $* --no-tests=error
+	@BURNISH_TEST_ONLY='$(only_case)' ctest --preset $* --no-tests=error -j $(JOBS) $(CTEST) $(if $(ONLY),-V -R '^$(only_test)$$')
 
-check: format-check asan tsan fuzz-briefly ## format, tests under sanitizers, a little fuzzing
+check: format-check asan tsan msan fuzz-briefly ## format, tests under sanitizers, a little fuzzing
 
 asan: ## tests with the address and undefined behaviour sanitizers
-	@$(DEPS) build test demo
+	@$(DEPS) build test check
 	@$(MAKE) --no-print-directory ctest-asan
 
 tsan: ## tests with the thread sanitizer
-	@$(DEPS) build test demo
+	@$(DEPS) build test check
 	@$(MAKE) --no-print-directory ctest-tsan
+
+msan: ## tests with the memory sanitizer
+	@$(DEPS) build test check
+	@$(MAKE) --no-print-directory ctest-msan
+
+clang: ## tests of the optimised clang build
+	@$(DEPS) build test check
+	@$(MAKE) --no-print-directory ctest-clang
+
+scalar: ## tests of a build without vector instructions
+	@$(DEPS) build test
+	@$(MAKE) --no-print-directory ctest-scalar
 
 # The same 20,000 inputs every time.
 fuzz-briefly: build-fuzz
@@ -57,89 +91,85 @@ fuzz: build-fuzz ## look for files that break loading and drawing: 10 minutes, o
 	@./test/fuzz/run $(FUZZ_SECONDS) $(FUZZ_FORMAT)
 
 build-fuzz:
-	@$(DEPS) build test
+	@$(DEPS) build check
 	@cmake --preset fuzz >/dev/null
 	@cmake --build --preset fuzz -j $(JOBS)
 
-clang: ## tests of the optimised clang build
-	@$(DEPS) build test demo
-	@$(MAKE) --no-print-directory ctest-clang
-
-scalar: ## tests of a build without vector instructions
-	@$(DEPS) build test demo
-	@$(MAKE) --no-print-directory ctest-scalar
-
 sweep: ## every lobe over all 2^32 floats (minutes)
-	@$(DEPS) build test
-	@cmake --preset release >/dev/null
-	@cmake --build --preset release -j $(JOBS) --target sweep_lobe
-	@build/release/test/sweep_lobe
+	@$(MAKE) --no-print-directory program-sweep_lobe
+	@build/release/test/sweep_lobe $(if $(SHORT),65537)
 
 prove-q15: ## prove the integer lobes over every input and exponent (minutes)
+	@$(MAKE) --no-print-directory program-prove_q15
+	@build/release/test/prove_q15 $(if $(SHORT),--inputs)
+
+program-%:
 	@$(DEPS) build test
-	@cmake --preset release >/dev/null
-	@cmake --build --preset release -j $(JOBS) --target prove_q15
-	@build/release/test/prove_q15
-
-mcu: ## run the firmware in simulators, check every pixel, count cycles (minutes); rewrites docs/firmware.md
-	@$(DEPS) build test mcu mcu-float
-	@cmake --preset release >/dev/null
-	@cmake --build --preset release -j $(JOBS) --target prove_q15 burnish
-	@./scripts/firmware-tables build/release docs/firmware.md docs/images/firmware.png
-
-bench: ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
-	@$(DEPS) build demo bench
-	@cmake --preset release -DBURNISH_BENCH=ON >/dev/null
-	@cmake --build --preset release -j $(JOBS)
-	@./bench/run build/release
-	@./scripts/performance build/release/kernels.csv >build/release/performance.md
-	@sed -n '/^## Scale/,$$p' docs/performance.md >>build/release/performance.md
-	@mv build/release/performance.md docs/performance.md
-
-bench-scale: ## time and memory up to MOST=100000000 triangles and 16384x16384 pixels; rewrites their tables
-	@$(DEPS) build
-	@cmake --preset release -DBURNISH_BENCH=ON >/dev/null
-	@cmake --build --preset release -j $(JOBS)
-	@./scripts/scale-tables build/release/bench_scale build/release/burnish build/release docs/performance.md $(MOST)
-
-bench-peers: ## time frames and whole processes against other renderers (minutes); fills docs/frames.md
-	@$(DEPS) build demo
-	@$(DEPS) peers || echo "bench-peers: going on with the peers that are installed"
-	@cmake --preset release -DBURNISH_BENCH_PEERS=ON >/dev/null
-	@cmake --build --preset release -j $(JOBS) --target bench_peers_programs
-	@./bench/peers/run build/release
-	@./scripts/frames-tables build/release/bench-peers.json docs/frames.md
+	@cmake --preset release $(CMAKE_FLAGS) >/dev/null
+	@cmake --build --preset release -j $(JOBS) --target $*
 
 format: ## format the sources with clang-format
-	@$(DEPS) test
+	@$(DEPS) check
 	@./scripts/format
 
 format-check: ## fail when a source is not formatted
-	@$(DEPS) test
+	@$(DEPS) check
 	@./scripts/format --check
 
 golden: build ## rewrite test/golden/pixels.txt after a deliberate change of pixels
-	@./test/cli/golden.sh $(BUILD)/burnish build/golden --update
+	@./test/cli/golden.sh $(BUILD)/burnish build/golden $(if $(SHORT),,--update)
 
-figures: ## draw the figures and fill the tables of docs/theory.md again
-	@$(DEPS) build test
+# ---- What the pages show ----
+
+short-docs:
+	@$(if $(SHORT),mkdir -p build/short && rm -rf $(DOCS) && cp -R docs $(DOCS))
+
+figures: short-docs ## draw the figures and fill the tables of docs/theory.md again
+	@$(DEPS) build figures
 	@$(MAKE) --no-print-directory build
-	@./scripts/figures $(BUILD)/burnish docs/figures
-	@./scripts/theory-tables $(BUILD)/burnish docs/theory.md
+	@./scripts/figures $(BUILD)/burnish $(DOCS)/figures
+	@./scripts/theory-tables $(BUILD)/burnish $(DOCS)/theory.md
 
-rtl: build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)
-	@$(DEPS) test
-	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/docs/images/rtl-teapot.png ./rtl/test/run build/rtl short errors picture
-	@./scripts/rtl-table build/rtl/table docs/hardware.md build/rtl/errors.txt
-	@./scripts/rtl-figure docs/images/rtl-area.csv docs/images/rtl-area.svg
+mcu: short-docs ## run the firmware in simulators, check every pixel, count cycles (minutes); rewrites docs/firmware.md
+	@$(DEPS) mcu mcu-float
+	@$(MAKE) --no-print-directory program-prove_q15 program-burnish
+	@./scripts/firmware-tables build/release $(DOCS)/firmware.md $(DOCS)/images/firmware.png
+
+rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)
+	@$(DEPS) rtl figures
+	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/$(DOCS)/images/rtl-teapot.png ./rtl/test/run build/rtl short errors picture
+	@./scripts/rtl-table build/rtl/table $(DOCS)/hardware.md build/rtl/errors.txt
+	@./scripts/rtl-figure $(DOCS)/images/rtl-area.csv $(DOCS)/images/rtl-area.svg
 
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
-	@$(DEPS) test
-	@./rtl/test/run build/rtl-prove full
+	@$(DEPS) rtl
+	@./rtl/test/run build/rtl-prove $(if $(SHORT),short events proofs,full)
+
+bench: short-docs ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
+	@$(DEPS) build demo bench
+	@$(MAKE) --no-print-directory program-all CMAKE_FLAGS=-DBURNISH_BENCH=ON
+	@./bench/run build/release
+	@./scripts/performance build/release/kernels.csv >build/release/performance.md
+	@sed -n '/^## Scale/,$$p' docs/performance.md >>build/release/performance.md
+	@mv build/release/performance.md $(DOCS)/performance.md
+
+bench-scale: short-docs ## time and memory up to MOST=100000000 triangles and 16384x16384 pixels; rewrites their tables
+	@$(MAKE) --no-print-directory program-all CMAKE_FLAGS=-DBURNISH_BENCH=ON
+	@./scripts/scale-tables build/release/bench_scale build/release/burnish build/release $(DOCS)/performance.md $(MOST)
+
+bench-peers: short-docs ## time frames and whole processes against other renderers (minutes); fills docs/frames.md
+	@$(DEPS) build demo
+	@$(if $(SHORT),,$(DEPS) peers || echo "bench-peers: going on with the peers that are installed")
+	@$(MAKE) --no-print-directory program-bench_peers_programs CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON
+	@./bench/peers/run build/release $(ROUNDS)
+	@./scripts/frames-tables build/release/bench-peers.json $(DOCS)/frames.md
 
 install: build ## install program, library, headers and man page (DESTDIR, PREFIX)
 	@cmake --build --preset $(PRESET) -j $(JOBS)
-	@cmake --install $(BUILD) $(if $(PREFIX),--prefix $(PREFIX))
+	@$(if $(SHORT),DESTDIR=$(CURDIR)/build/short/install )cmake --install $(BUILD) $(if $(PREFIX),--prefix $(PREFIX))
+
+check-targets: ## every other target of this list in its short form
+	@./scripts/check-targets
 
 clean: ## remove everything that was built
 	@rm -rf build out

@@ -5,7 +5,7 @@
 set -eu
 compiler=aarch64-linux-gnu-gcc
 for tool in $compiler qemu-aarch64; do
-    command -v "$tool" >/dev/null || { echo "skipped: no $tool; scripts/install-deps test"; exit 77; }
+    command -v "$tool" >/dev/null || { echo "skipped: no $tool; scripts/install-deps cross"; exit 77; }
 done
 . "$(dirname "$0")/kernels_sources.sh"
 mkdir -p "$2"

@@ -3,9 +3,9 @@
 # Usage: kernels_wasm.sh SOURCE_DIR SCRATCH
 set -eu
 for tool in clang-14 wasm-ld-14 node; do
-    command -v "$tool" >/dev/null || { echo "skipped: no $tool; scripts/install-deps test"; exit 77; }
+    command -v "$tool" >/dev/null || { echo "skipped: no $tool; scripts/install-deps cross"; exit 77; }
 done
-[ -d /usr/include/wasm32-wasi ] || { echo "skipped: no wasi-libc; scripts/install-deps test"; exit 77; }
+[ -d /usr/include/wasm32-wasi ] || { echo "skipped: no wasi-libc; scripts/install-deps cross"; exit 77; }
 . "$(dirname "$0")/kernels_sources.sh"
 mkdir -p "$2"
 # shellcheck disable=SC2046,SC2086
