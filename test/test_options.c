@@ -7,15 +7,15 @@
 #include "decimal_comma.h"
 
 /* The table names it; nothing here runs it. */
-int burnish_cli_render_main(int argc, char **argv) {
+int render_main(int argc, char **argv) {
     (void)argc, (void)argv;
     return 1;
 }
 
 typedef struct parsed {
     burnish_status status;
-    burnish_cli_render settings;
-    burnish_cli_operands operands;
+    render_settings settings;
+    cli_operands operands;
     burnish_error error;
 } parsed;
 
@@ -29,11 +29,10 @@ static parsed parse(const char *line) {
     for (char *word = strtok(copy, "|"); word && argc < 32; word = strtok(NULL, "|")) {
         argv[argc++] = word;
     }
-    result.status =
-        burnish_cli_defaults(&burnish_cli_render_command, &result.settings, &result.error);
+    result.status = cli_defaults(&render_command, &result.settings, &result.error);
     CHECK(result.status == BURNISH_STATUS_OK, "%s", result.error.text);
-    result.status = burnish_cli_parse(&burnish_cli_render_command, argc, argv, &result.settings,
-                                      &result.operands, &result.error);
+    result.status =
+        cli_parse(&render_command, argc, argv, &result.settings, &result.operands, &result.error);
     return result;
 }
 
@@ -42,7 +41,7 @@ static void test_defaults(void) {
     burnish_render_options render = burnish_render_options_default();
     burnish_load_options load = burnish_load_options_default();
     burnish_framing fit = burnish_framing_default();
-    const burnish_cli_render *s = &p.settings;
+    const render_settings *s = &p.settings;
     CHECK1(s->size[0] == render.width && s->size[1] == render.height);
     CHECK1(s->samples == render.samples && s->threads == render.threads);
     CHECK1(s->lobes.count == 1 && s->lobes.items[0].kind == render.lobe.kind &&
@@ -133,12 +132,11 @@ static void test_numbers(void) {
                                       "--1", "1f",  "1e999", "1_000", "\t1", "1\n"};
     double value;
     for (size_t i = 0; i < sizeof good / sizeof *good; ++i) {
-        CHECK(burnish_cli_read_real(good[i], strlen(good[i]), &value) &&
-                  value == strtod(good[i], NULL),
+        CHECK(cli_read_real(good[i], strlen(good[i]), &value) && value == strtod(good[i], NULL),
               "%s", good[i]);
     }
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
-        CHECK(!burnish_cli_read_real(bad[i], strlen(bad[i]), &value), "\"%s\" accepted", bad[i]);
+        CHECK(!cli_read_real(bad[i], strlen(bad[i]), &value), "\"%s\" accepted", bad[i]);
     }
     CHECK1(parse("x|--max-input-bytes=3K").settings.max_input_bytes == 3072);
     CHECK1(parse("x|--max-input-bytes=2G").settings.max_input_bytes == (uint64_t)2 << 30);
@@ -154,18 +152,17 @@ static void test_numbers(void) {
 
 static void test_colors(void) {
     float c[3];
-    CHECK1(burnish_cli_read_color("#fa0", 4, c) && c[0] == 1 && c[1] == 170 / 255.0F && c[2] == 0);
-    CHECK1(burnish_cli_read_color("#FF8000", 7, c) && c[0] == 1 && c[1] == 128 / 255.0F &&
-           c[2] == 0);
-    CHECK1(burnish_cli_read_color("0.25,.5,1", 9, c) && c[0] == 0.25F && c[1] == 0.5F && c[2] == 1);
-    CHECK1(burnish_cli_read_color("white", 5, c) && c[0] == 1 && c[1] == 1 && c[2] == 1);
+    CHECK1(cli_read_color("#fa0", 4, c) && c[0] == 1 && c[1] == 170 / 255.0F && c[2] == 0);
+    CHECK1(cli_read_color("#FF8000", 7, c) && c[0] == 1 && c[1] == 128 / 255.0F && c[2] == 0);
+    CHECK1(cli_read_color("0.25,.5,1", 9, c) && c[0] == 0.25F && c[1] == 0.5F && c[2] == 1);
+    CHECK1(cli_read_color("white", 5, c) && c[0] == 1 && c[1] == 1 && c[2] == 1);
     static const char *const bad[] = {"",        "#",     "#12",    "#12345", "#ggg",   "1,1",
                                       "1,1,1,1", "2,0,0", "-1,0,0", "whit",   "whites", "#1234567"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
-        CHECK(!burnish_cli_read_color(bad[i], strlen(bad[i]), c), "\"%s\" accepted", bad[i]);
+        CHECK(!cli_read_color(bad[i], strlen(bad[i]), c), "\"%s\" accepted", bad[i]);
     }
     for (int k = 0; k < 256; ++k) {
-        CHECK(burnish_cli_color_code((float)k / 255.0F) == k, "code %d", k);
+        CHECK(cli_color_code((float)k / 255.0F) == k, "code %d", k);
     }
     parsed p = parse("x|--no-background|--background-color=#123456");
     CHECK(!p.settings.background.transparent && p.settings.background.given, "the later counts");
@@ -199,12 +196,12 @@ static void test_lights(void) {
 
 /* What every row of the table must have for the help screen and the man page. */
 static void test_table(void) {
-    const burnish_cli_command *command = &burnish_cli_render_command;
+    const cli_command *command = &render_command;
     CHECK1(command->flags[0].group && command->flags[0].help);
     for (size_t i = 0; i < command->flag_count; ++i) {
-        const burnish_cli_flag *flag = &command->flags[i];
+        const cli_flag *flag = &command->flags[i];
         CHECK(flag->handler && flag->manual && strlen(flag->manual) > 10, "--%s", flag->name);
-        CHECK(strlen(flag->name) < BURNISH_CLI_NAME_MAX, "--%s", flag->name);
+        CHECK(strlen(flag->name) < CLI_NAME_MAX, "--%s", flag->name);
         CHECK(!flag->group || flag->help, "--%s starts a group without a row", flag->name);
         for (size_t k = 0; k < i; ++k) {
             CHECK(strcmp(flag->name, command->flags[k].name) != 0, "--%s twice", flag->name);
@@ -212,9 +209,9 @@ static void test_table(void) {
                   flag->letter);
         }
     }
-    for (size_t i = 0; burnish_cli_preset_words[i].name; ++i) {
-        CHECK1(burnish_cli_preset_words[i].value == (int)i);
-        CHECK_TEXT(burnish_cli_preset_words[i].name, burnish_cli_presets[i].name);
+    for (size_t i = 0; render_preset_words[i].name; ++i) {
+        CHECK1(render_preset_words[i].value == (int)i);
+        CHECK_TEXT(render_preset_words[i].name, render_presets[i].name);
     }
 }
 
@@ -222,8 +219,8 @@ static void test_table(void) {
 static void test_decimal_comma(void) {
     double value;
     if (test_decimal_comma_begin()) {
-        CHECK1(burnish_cli_read_real("1.5", 3, &value) && value == 1.5);
-        CHECK1(!burnish_cli_read_real("1,5", 3, &value));
+        CHECK1(cli_read_real("1.5", 3, &value) && value == 1.5);
+        CHECK1(!cli_read_real("1,5", 3, &value));
         test_decimal_comma_end();
     }
 }

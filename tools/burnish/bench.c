@@ -18,7 +18,7 @@ typedef struct bench_settings {
 
 static int bench_main(int argc, char **argv);
 
-static const burnish_cli_flag flags[] = {
+static const cli_flag flags[] = {
     {.group = "Options",
      .name = "isa",
      .value = "NAME",
@@ -26,33 +26,33 @@ static const burnish_cli_flag flags[] = {
      .shown = "all",
      .manual = "Measures the kernels of one instruction set: *auto* for the fastest, *scalar*, "
                "*sse2*, *avx2*, *avx512* or *neon*.",
-     .handler = burnish_cli_flag_isa,
+     .handler = cli_flag_isa,
      .offset = offsetof(bench_settings, isa)},
     {.name = "quick",
      .help = "fewer rounds, smaller arrays: seconds, and noisier",
      .manual = "Fewer and shorter rounds, and arrays of 128 MiB in memory instead of 512 MiB.",
-     .handler = burnish_cli_flag_switch,
+     .handler = cli_flag_switch,
      .offset = offsetof(bench_settings, quick)},
     {.name = "json",
      .help = "one JSON object on standard output",
      .manual = "Prints the ratios as one JSON object instead of tables.",
-     .handler = burnish_cli_flag_switch,
+     .handler = cli_flag_switch,
      .offset = offsetof(bench_settings, json)},
     {.name = "csv",
      .value = "FILE",
      .help = "write every row into a file as well",
      .manual = "Writes every row also into _FILE_ as comma-separated values.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      .offset = offsetof(bench_settings, csv)},
     {.name = "help",
      .letter = 'h',
      .help = "this screen",
      .manual = "Prints the flags on one screen.",
-     .handler = burnish_cli_flag_switch,
+     .handler = cli_flag_switch,
      .offset = offsetof(bench_settings, help)},
 };
 
-const burnish_cli_command burnish_cli_bench_command = {
+const cli_command cli_bench_command = {
     .name = "bench",
     .operand = "",
     .summary = "time the kernels against pow, Schlick, tables and copies",
@@ -227,12 +227,12 @@ static int print_json(const burnish_bench_report *report) {
     cJSON_Delete(root);
     if (!text) {
         burnish_error error;
-        burnish_cli_fail(&error, BURNISH_STATUS_MEMORY, "bench: out of memory");
-        return burnish_cli_report_error(&error);
+        cli_fail(&error, BURNISH_STATUS_MEMORY, "bench: out of memory");
+        return cli_report_error(&error);
     }
     puts(text);
     cJSON_free(text);
-    return burnish_cli_finish_output();
+    return cli_finish_output();
 }
 
 static void write_rows(FILE *file, const char *tier, const burnish_bench_table *table) {
@@ -257,7 +257,7 @@ static burnish_status write_csv(const burnish_bench_report *report, const char *
     const burnish_bench_machine *machine = &report->machine;
     FILE *file = fopen(path, "w");
     if (!file) {
-        return burnish_cli_fail(error, BURNISH_STATUS_WRITE, "%s: %s", path, strerror(errno));
+        return cli_fail(error, BURNISH_STATUS_WRITE, "%s: %s", path, strerror(errno));
     }
     fprintf(file, "tier,section,name,label,nanoseconds,cycles,ratio\n");
     fprintf(file, "run,machine,processor,\"%s\",,,\n", machine->processor);
@@ -277,7 +277,7 @@ static burnish_status write_csv(const burnish_bench_report *report, const char *
     int failed = ferror(file) != 0;
     failed |= fclose(file) != 0;
     if (failed) {
-        burnish_cli_fail(error, BURNISH_STATUS_WRITE, "%s: %s", path, strerror(errno));
+        cli_fail(error, BURNISH_STATUS_WRITE, "%s: %s", path, strerror(errno));
         remove(path);
         return BURNISH_STATUS_WRITE;
     }
@@ -286,20 +286,20 @@ static burnish_status write_csv(const burnish_bench_report *report, const char *
 
 static int bench_main(int argc, char **argv) {
     bench_settings settings = {.isa = BURNISH_ISA_COUNT};
-    burnish_cli_operands operands;
+    cli_operands operands;
     burnish_error error;
-    if (burnish_cli_parse(&burnish_cli_bench_command, argc, argv, &settings, &operands, &error) !=
+    if (cli_parse(&cli_bench_command, argc, argv, &settings, &operands, &error) !=
         BURNISH_STATUS_OK) {
-        return burnish_cli_report_error(&error);
+        return cli_report_error(&error);
     }
     if (operands.help) {
-        return burnish_cli_print_command_help(&burnish_cli_bench_command);
+        return cli_print_command_help(&cli_bench_command);
     }
     burnish_bench_report *report = malloc(sizeof *report);
     burnish_bench_settings bench = {.quick = settings.quick};
     bench.tiers = settings.isa == BURNISH_ISA_COUNT ? ~0u : 1u << settings.isa;
     burnish_status status = BURNISH_STATUS_MEMORY;
-    burnish_cli_fail(&error, status, "bench: out of memory");
+    cli_fail(&error, status, "bench: out of memory");
     if (report) {
         status = burnish_bench_run(&bench, report, &error);
     }
@@ -308,12 +308,12 @@ static int bench_main(int argc, char **argv) {
     }
     int code = EXIT_SUCCESS;
     if (status != BURNISH_STATUS_OK) {
-        code = burnish_cli_report_error(&error);
+        code = cli_report_error(&error);
     } else if (settings.json) {
         code = print_json(report);
     } else {
         print_text(report);
-        code = burnish_cli_finish_output();
+        code = cli_finish_output();
     }
     free(report);
     return code;

@@ -8,15 +8,11 @@
 #include "lobe/lobe.h"
 #include "render/settings.h"
 
-const burnish_cli_command *const burnish_cli_commands[] = {
-    &burnish_cli_render_command,
-    &burnish_cli_lobe_command,
-    &burnish_cli_bench_command,
-    &burnish_cli_help_command,
-    NULL,
+const cli_command *const cli_commands[] = {
+    &render_command, &lobe_command, &cli_bench_command, &cli_help_command, NULL,
 };
 
-const burnish_cli_example burnish_cli_examples[] = {
+const cli_example cli_examples[] = {
     {"burnish render :teapot", "teapot.png"},
     {"burnish render part.stl -o part.png --size=256", "a thumbnail"},
     {"burnish render part.stl --views=front,right,top,iso -o sheet.png", "a sheet of views"},
@@ -28,36 +24,35 @@ const burnish_cli_example burnish_cli_examples[] = {
     {NULL, NULL},
 };
 
-const char *burnish_cli_short_name(const burnish_cli_command *command) {
+const char *cli_short_name(const cli_command *command) {
     const char *space = strrchr(command->name, ' ');
     return space ? space + 1 : command->name;
 }
 
-const burnish_cli_command *burnish_cli_find_command(const burnish_cli_command *const *commands,
-                                                    const char *name) {
+const cli_command *cli_find_command(const cli_command *const *commands, const char *name) {
     for (size_t i = 0; commands[i]; ++i) {
-        if (strcmp(burnish_cli_short_name(commands[i]), name) == 0) {
+        if (strcmp(cli_short_name(commands[i]), name) == 0) {
             return commands[i];
         }
     }
     return NULL;
 }
 
-const char *burnish_cli_flag_default(const burnish_cli_flag *flag) {
+const char *cli_flag_default(const cli_flag *flag) {
     return flag->shown ? flag->shown : flag->initial ? flag->initial : "";
 }
 
-int burnish_cli_finish_output(void) {
+int cli_finish_output(void) {
     if (fflush(stdout) != 0 || ferror(stdout)) {
         burnish_error error;
-        burnish_cli_fail(&error, BURNISH_STATUS_WRITE, "standard output: %s", strerror(errno));
-        return burnish_cli_report_error(&error);
+        cli_fail(&error, BURNISH_STATUS_WRITE, "standard output: %s", strerror(errno));
+        return cli_report_error(&error);
     }
     return EXIT_SUCCESS;
 }
 
 /* Flags from `first` on that share one row of the screen. */
-static size_t row_length(const burnish_cli_command *command, size_t first) {
+static size_t row_length(const cli_command *command, size_t first) {
     size_t length = 1;
     while (first + length < command->flag_count && !command->flags[first + length].help) {
         ++length;
@@ -76,7 +71,7 @@ static void append(char row[ROW_MAX], const char *separator, const char *text) {
 }
 
 /* "-o, --output=FILE", "--json, --timing" */
-static void row_flags(const burnish_cli_flag *flags, size_t length, char row[ROW_MAX]) {
+static void row_flags(const cli_flag *flags, size_t length, char row[ROW_MAX]) {
     row[0] = 0;
     for (size_t i = 0; i < length; ++i) {
         char text[ROW_MAX];
@@ -92,16 +87,16 @@ static void row_flags(const burnish_cli_flag *flags, size_t length, char row[ROW
 
 /* The row's text, the words of a flag where the text asks for them by ending in a colon or being
  * empty, and the defaults of all its flags. */
-static void row_text(const burnish_cli_flag *flags, size_t length, char row[ROW_MAX]) {
+static void row_text(const cli_flag *flags, size_t length, char row[ROW_MAX]) {
     char defaults[ROW_MAX] = "";
     size_t help_length = strlen(flags[0].help);
     int wants_words = help_length == 0 || flags[0].help[help_length - 1] == ':';
     snprintf(row, ROW_MAX, "%s", flags[0].help);
     for (size_t i = 0; i < length; ++i) {
-        const char *shown = burnish_cli_flag_default(&flags[i]);
+        const char *shown = cli_flag_default(&flags[i]);
         if (wants_words && flags[i].words) {
             char words[ROW_MAX];
-            burnish_cli_word_list(flags[i].words, words, sizeof words);
+            cli_word_list(flags[i].words, words, sizeof words);
             append(row, " ", words);
         }
         if (*shown) {
@@ -115,7 +110,7 @@ static void row_text(const burnish_cli_flag *flags, size_t length, char row[ROW_
     }
 }
 
-static size_t widest_row(const burnish_cli_command *command) {
+static size_t widest_row(const cli_command *command) {
     size_t widest = 0;
     for (size_t i = 0; i < command->flag_count; i += row_length(command, i)) {
         char row[ROW_MAX];
@@ -125,26 +120,25 @@ static size_t widest_row(const burnish_cli_command *command) {
     return widest;
 }
 
-static void print_examples(const burnish_cli_example *examples, int width) {
+static void print_examples(const cli_example *examples, int width) {
     printf("\nExamples\n");
-    for (const burnish_cli_example *example = examples; example->command; ++example) {
+    for (const cli_example *example = examples; example->command; ++example) {
         printf("  %-*s  %s\n", width, example->command, example->what);
     }
 }
 
-static int longest_example(const burnish_cli_example *examples) {
+static int longest_example(const cli_example *examples) {
     size_t longest = 0;
-    for (const burnish_cli_example *example = examples; example->command; ++example) {
+    for (const cli_example *example = examples; example->command; ++example) {
         longest = strlen(example->command) > longest ? strlen(example->command) : longest;
     }
     return (int)longest;
 }
 
-static void print_commands(const burnish_cli_command *const *commands, int width) {
+static void print_commands(const cli_command *const *commands, int width) {
     for (size_t i = 0; commands[i]; ++i) {
         char usage[ROW_MAX];
-        snprintf(usage, sizeof usage, "%s %s", burnish_cli_short_name(commands[i]),
-                 commands[i]->operand);
+        snprintf(usage, sizeof usage, "%s %s", cli_short_name(commands[i]), commands[i]->operand);
         printf("  %-*s  %s\n", width, usage, commands[i]->summary);
     }
 }
@@ -152,21 +146,21 @@ static void print_commands(const burnish_cli_command *const *commands, int width
 static void print_exit_codes(int with_blank) {
     printf("\nExit codes: 0 done, 2 usage, 3 read, 4 format, 5 limit, 6 memory, 7 write");
     if (with_blank) {
-        printf(", %d blank", BURNISH_CLI_EXIT_BLANK);
+        printf(", %d blank", CLI_EXIT_BLANK);
     }
     printf("\n");
 }
 
-static int print_parts_help(const burnish_cli_command *command) {
+static int print_parts_help(const cli_command *command) {
     printf("Usage: burnish %s %s [options]   %s\n\nCommands\n", command->name, command->operand,
            command->summary);
     print_commands(command->parts, 16);
     print_examples(command->examples, longest_example(command->examples));
     printf("\n%s\n", command->operand_help);
-    return burnish_cli_finish_output();
+    return cli_finish_output();
 }
 
-int burnish_cli_print_command_help(const burnish_cli_command *command) {
+int cli_print_command_help(const cli_command *command) {
     int width = (int)widest_row(command);
     if (command->parts) {
         return print_parts_help(command);
@@ -179,7 +173,7 @@ int burnish_cli_print_command_help(const burnish_cli_command *command) {
         printf("  %s\n", command->operand_help);
     }
     for (size_t i = 0; i < command->flag_count; i += row_length(command, i)) {
-        const burnish_cli_flag *flags = &command->flags[i];
+        const cli_flag *flags = &command->flags[i];
         size_t length = row_length(command, i);
         char left[ROW_MAX], right[ROW_MAX];
         row_flags(flags, length, left);
@@ -192,26 +186,26 @@ int burnish_cli_print_command_help(const burnish_cli_command *command) {
     if (command->examples) {
         print_examples(command->examples, longest_example(command->examples));
     }
-    print_exit_codes(command == &burnish_cli_render_command);
-    return burnish_cli_finish_output();
+    print_exit_codes(command == &render_command);
+    return cli_finish_output();
 }
 
-int burnish_cli_print_help(void) {
+int cli_print_help(void) {
     printf("burnish %s: pictures of meshes without a GPU, the same bits on every machine\n\n"
            "Usage: burnish COMMAND [options]\n\nCommands\n",
            burnish_version());
-    print_commands(burnish_cli_commands, 16);
+    print_commands(cli_commands, 16);
     printf("  %-16s  %s\n  %-16s  %s\n", "--help, -h", "this screen", "--version, -V",
            "the version");
-    print_examples(burnish_cli_examples, 65);
+    print_examples(cli_examples, 65);
     printf("\nExit codes\n");
 #define PRINT_CODE(code, text) printf("  %d  %s\n", code, text);
 #define PRINT_STATUS(name, code, text) PRINT_CODE(code, text)
     BURNISH_STATUS_LIST(PRINT_STATUS)
-    BURNISH_CLI_EXIT_LIST(PRINT_CODE)
+    CLI_EXIT_LIST(PRINT_CODE)
 #undef PRINT_STATUS
 #undef PRINT_CODE
     printf(
         "\nburnish COMMAND --help lists the flags; burnish help --man | man -l - explains them.\n");
-    return burnish_cli_finish_output();
+    return cli_finish_output();
 }

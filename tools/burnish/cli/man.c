@@ -45,7 +45,7 @@ static void print_paragraphs(const char *text) {
     while (rest) {
         char paragraph[1024];
         const char *item;
-        size_t length = burnish_cli_next_item(&rest, '\n', &item);
+        size_t length = cli_next_item(&rest, '\n', &item);
         snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, item);
         if (item != text) {
             printf(".PP\n");
@@ -60,7 +60,7 @@ static void print_tagged(const char *tag, const char *text) {
     print_paragraphs(text);
 }
 
-static void print_flag(const burnish_cli_flag *flag) {
+static void print_flag(const cli_flag *flag) {
     char tag[160];
     char letter[48] = "";
     if (flag->letter) {
@@ -76,10 +76,10 @@ static void print_flag(const burnish_cli_flag *flag) {
     print_text(tag);
     print_text(flag->manual);
     char values[240] = "";
-    const char *shown = burnish_cli_flag_default(flag);
+    const char *shown = cli_flag_default(flag);
     if (flag->words) {
         strcpy(values, "Values: ");
-        burnish_cli_word_list(flag->words, values + strlen(values), sizeof values - strlen(values));
+        cli_word_list(flag->words, values + strlen(values), sizeof values - strlen(values));
     }
     if (flag->words || *shown) {
         char line[320];
@@ -91,7 +91,7 @@ static void print_flag(const burnish_cli_flag *flag) {
 }
 
 /* The commands, with those that consist of others opened up, each with its heading. */
-static void print_command(const burnish_cli_command *command) {
+static void print_command(const cli_command *command) {
     printf(".SH \"");
     for (const char *c = command->name; *c; ++c) {
         putchar(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
@@ -109,7 +109,7 @@ static void print_command(const burnish_cli_command *command) {
     }
 }
 
-static void print_synopsis(const burnish_cli_command *command) {
+static void print_synopsis(const cli_command *command) {
     char line[160];
     if (command->parts) {
         for (size_t i = 0; command->parts[i]; ++i) {
@@ -132,8 +132,8 @@ static void print_colors(void) {
     print_text(
         "_COLOR_ is *#rgb* or *#rrggbb* in hexadecimal, *r,g,b* with sRGB values from 0 to 1, or a "
         "name:");
-    for (size_t i = 0; burnish_cli_color_name(i); ++i) {
-        printf("%s%s", i > 0 ? ", " : "", burnish_cli_color_name(i));
+    for (size_t i = 0; cli_color_name(i); ++i) {
+        printf("%s%s", i > 0 ? ", " : "", cli_color_name(i));
     }
     printf(".\n");
 }
@@ -143,8 +143,8 @@ static void print_materials(void) {
     print_text(
         "The names of *--material* and what they set. *--specular* and *--exponent* change the "
         "strength and the exponent further.");
-    for (size_t i = 0; burnish_cli_preset_words[i].name; ++i) {
-        const burnish_cli_preset *preset = &burnish_cli_presets[i];
+    for (size_t i = 0; render_preset_words[i].name; ++i) {
+        const render_preset *preset = &render_presets[i];
         char text[200], tag[40];
         snprintf(tag, sizeof tag, "*%s*", preset->name);
         snprintf(text, sizeof text, "%s (ks %g, n %g%s).", preset->what, (double)preset->specular,
@@ -176,12 +176,12 @@ static void print_lobes(void) {
 }
 
 static void print_metrics(void) {
-    const burnish_cli_metric *metric;
+    const lobe_metric *metric;
     printf(".SH METRICS\n");
     print_text("The columns of *burnish lobe table*. The groups *shape*, *widths*, *energies*, "
                "*errors* and *cost* are runs of them, *all* is everything. _BITS_ (8 when left "
                "out), _DEG_ (10) and _LENGTH_ (0.9) follow a colon, as in *angle:4*.");
-    for (size_t i = 0; (metric = burnish_cli_metric_at(i)) != NULL; ++i) {
+    for (size_t i = 0; (metric = lobe_metric_at(i)) != NULL; ++i) {
         char tag[64];
         snprintf(tag, sizeof tag, "*%s*%s", metric->name,
                  metric->takes == 'q'   ? "[:_BITS_]"
@@ -249,7 +249,7 @@ static void print_exit_status(void) {
     print_text(text);
 #define PRINT_STATUS(name, code, text) PRINT_CODE(code, text)
     BURNISH_STATUS_LIST(PRINT_STATUS)
-    BURNISH_CLI_EXIT_LIST(PRINT_CODE)
+    CLI_EXIT_LIST(PRINT_CODE)
 #undef PRINT_STATUS
 #undef PRINT_CODE
     printf(".PP\n");
@@ -259,8 +259,8 @@ static void print_exit_status(void) {
         "behind.");
 }
 
-static void print_example_list(const burnish_cli_example *examples) {
-    for (const burnish_cli_example *example = examples; example && example->command; ++example) {
+static void print_example_list(const cli_example *examples) {
+    for (const cli_example *example = examples; example && example->command; ++example) {
         printf(".TP\n.B ");
         print_text(example->command);
         print_text(example->what);
@@ -269,24 +269,24 @@ static void print_example_list(const burnish_cli_example *examples) {
 
 static void print_examples(void) {
     printf(".SH EXAMPLES\n");
-    print_example_list(burnish_cli_examples);
-    for (size_t i = 0; burnish_cli_commands[i]; ++i) {
-        const burnish_cli_command *command = burnish_cli_commands[i];
+    print_example_list(cli_examples);
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        const cli_command *command = cli_commands[i];
         for (size_t k = 0; command->parts && command->parts[k]; ++k) {
             print_example_list(command->parts[k]->examples);
         }
     }
 }
 
-int burnish_cli_print_man(void) {
+int cli_print_man(void) {
     printf(
         ".\\\" Made by burnish help --man; do not edit.\n"
         ".TH BURNISH 1 \"%s\" \"burnish %s\" \"User Commands\"\n"
         ".SH NAME\nburnish \\- pictures of meshes without a GPU, the same bits on every machine\n"
         ".SH SYNOPSIS\n",
         PAGE_DATE, burnish_version());
-    for (size_t i = 0; burnish_cli_commands[i]; ++i) {
-        print_synopsis(burnish_cli_commands[i]);
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        print_synopsis(cli_commands[i]);
     }
     print_text("*burnish* *--help* | *--version*");
     printf(".SH DESCRIPTION\n");
@@ -297,8 +297,8 @@ int burnish_cli_print_man(void) {
                      "compiler and any "
                      "number of threads, so that the hash that *--json* prints can be compared "
                      "between machines.");
-    for (size_t i = 0; burnish_cli_commands[i]; ++i) {
-        print_command(burnish_cli_commands[i]);
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        print_command(cli_commands[i]);
     }
     print_colors();
     print_materials();
@@ -312,5 +312,5 @@ int burnish_cli_print_man(void) {
         "None is read. The locale has no influence: numbers are always written with a point.");
     print_examples();
     printf(".SH \"SEE ALSO\"\n.BR man (1),\n.BR xxhsum (1)\n");
-    return burnish_cli_finish_output();
+    return cli_finish_output();
 }

@@ -16,7 +16,7 @@ enum {
     LARGE_PAGE = 1 << 21
 };
 
-void burnish_cli_prepare_memory(void) {
+void cli_prepare_memory(void) {
     if (!mallopt(M_MMAP_THRESHOLD, KEPT) || !mallopt(M_TRIM_THRESHOLD, 2 * KEPT) ||
         !mallopt(M_ARENA_MAX, 1)) {
         return;
@@ -32,5 +32,5 @@ void burnish_cli_prepare_memory(void) {
     free(room); /* stays in the heap: below the trim threshold */
 }
 #else
-void burnish_cli_prepare_memory(void) {}
+void cli_prepare_memory(void) {}
 #endif

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-void burnish_cli_clean(char *text) {
+void cli_clean(char *text) {
     for (char *c = text; *c; ++c) {
         if ((unsigned char)*c < 32 || *c == 127) {
             *c = '?';
@@ -13,32 +13,31 @@ void burnish_cli_clean(char *text) {
     }
 }
 
-burnish_status burnish_cli_fail(burnish_error *error, burnish_status status, const char *format,
-                                ...) {
+burnish_status cli_fail(burnish_error *error, burnish_status status, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(error->text, sizeof error->text, format, arguments);
     va_end(arguments);
-    burnish_cli_clean(error->text);
+    cli_clean(error->text);
     error->status = status;
     return status;
 }
 
-int burnish_cli_report_error(const burnish_error *error) {
+int cli_report_error(const burnish_error *error) {
     fprintf(stderr, "burnish: %s\n", error->text);
     return burnish_status_exit_code(error->status);
 }
 
-void burnish_cli_warn(const char *text) {
+void cli_warn(const char *text) {
     fprintf(stderr, "burnish: warning: %s\n", text);
 }
 
 /* Edit distance with swaps of neighbours (optimal string alignment). */
 static size_t edit_distance(const char *a, const char *b) {
-    size_t rows[3][BURNISH_CLI_NAME_MAX + 1];
+    size_t rows[3][CLI_NAME_MAX + 1];
     size_t a_length = strlen(a), b_length = strlen(b);
-    if (a_length > BURNISH_CLI_NAME_MAX || b_length > BURNISH_CLI_NAME_MAX) {
-        return BURNISH_CLI_NAME_MAX;
+    if (a_length > CLI_NAME_MAX || b_length > CLI_NAME_MAX) {
+        return CLI_NAME_MAX;
     }
     for (size_t j = 0; j <= b_length; ++j) {
         rows[0][j] = j;
@@ -61,7 +60,7 @@ static size_t edit_distance(const char *a, const char *b) {
     return rows[a_length % 3][b_length];
 }
 
-int burnish_cli_closer(const char *name, const char *candidate, size_t *best) {
+int cli_closer(const char *name, const char *candidate, size_t *best) {
     size_t edits = edit_distance(name, candidate);
     if (strlen(name) >= 4 && strstr(candidate, name) && edits > 1) {
         edits = 1;
@@ -73,14 +72,13 @@ int burnish_cli_closer(const char *name, const char *candidate, size_t *best) {
     return 1;
 }
 
-int burnish_cli_close_enough(const char *name, size_t edits) {
+int cli_close_enough(const char *name, size_t edits) {
     size_t length = strlen(name);
     size_t allowed = length < 4 ? 1 : length / 3;
     return edits <= (allowed > 4 ? 4 : allowed);
 }
 
-static const burnish_cli_flag *find_flag(const burnish_cli_command *command, const char *name,
-                                         size_t length) {
+static const cli_flag *find_flag(const cli_command *command, const char *name, size_t length) {
     for (size_t i = 0; i < command->flag_count; ++i) {
         const char *known = command->flags[i].name;
         if (strlen(known) == length && memcmp(known, name, length) == 0) {
@@ -90,7 +88,7 @@ static const burnish_cli_flag *find_flag(const burnish_cli_command *command, con
     return NULL;
 }
 
-static const burnish_cli_flag *find_letter(const burnish_cli_command *command, char letter) {
+static const cli_flag *find_letter(const cli_command *command, char letter) {
     for (size_t i = 0; i < command->flag_count; ++i) {
         if (command->flags[i].letter == letter) {
             return &command->flags[i];
@@ -100,46 +98,43 @@ static const burnish_cli_flag *find_letter(const burnish_cli_command *command, c
 }
 
 /* The flag that a whole argument names, so that `--output --json` is not a file called --json. */
-static const burnish_cli_flag *flag_of_argument(const burnish_cli_command *command,
-                                                const char *argument) {
+static const cli_flag *flag_of_argument(const cli_command *command, const char *argument) {
     if (strncmp(argument, "--", 2) != 0 || !argument[2]) {
         return NULL;
     }
     return find_flag(command, argument + 2, strcspn(argument + 2, "="));
 }
 
-static burnish_status fail_unknown(const burnish_cli_command *command, const char *argument,
+static burnish_status fail_unknown(const cli_command *command, const char *argument,
                                    burnish_error *error) {
-    char name[BURNISH_CLI_NAME_MAX + 1];
+    char name[CLI_NAME_MAX + 1];
     const char *given = argument[1] == '-' ? argument + 2 : argument + 1;
     snprintf(name, sizeof name, "%.*s", (int)strcspn(given, "="), given);
     const char *closest = NULL;
-    size_t best = BURNISH_CLI_NAME_MAX;
+    size_t best = CLI_NAME_MAX;
     for (size_t i = 0; i < command->flag_count; ++i) {
-        if (burnish_cli_closer(name, command->flags[i].name, &best)) {
+        if (cli_closer(name, command->flags[i].name, &best)) {
             closest = command->flags[i].name;
         }
     }
     int length = (int)(given - argument) + (int)strlen(name);
-    if (closest && burnish_cli_close_enough(name, best)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "%.*s: unknown flag; did you mean --%s?", length, argument,
-                                closest);
+    if (closest && cli_close_enough(name, best)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "%.*s: unknown flag; did you mean --%s?",
+                        length, argument, closest);
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "%.*s: unknown flag; \"burnish %s --help\" lists the flags", length,
-                            argument, command->name);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "%.*s: unknown flag; \"burnish %s --help\" lists the flags", length, argument,
+                    command->name);
 }
 
-static burnish_status apply(const burnish_cli_flag *flag, const char *text, void *settings,
+static burnish_status apply(const cli_flag *flag, const char *text, void *settings,
                             burnish_error *error) {
     return flag->handler(flag, text, (char *)settings + flag->offset, error);
 }
 
-burnish_status burnish_cli_defaults(const burnish_cli_command *command, void *settings,
-                                    burnish_error *error) {
+burnish_status cli_defaults(const cli_command *command, void *settings, burnish_error *error) {
     for (size_t i = 0; i < command->flag_count; ++i) {
-        const burnish_cli_flag *flag = &command->flags[i];
+        const cli_flag *flag = &command->flags[i];
         if (flag->initial) {
             burnish_status status = apply(flag, flag->initial, settings, error);
             if (status != BURNISH_STATUS_OK) {
@@ -157,26 +152,25 @@ typedef struct cursor {
 } cursor;
 
 /* The value in the argument after the flag. */
-static burnish_status next_value(const burnish_cli_command *command, const burnish_cli_flag *flag,
-                                 cursor *at, const char **text, burnish_error *error) {
+static burnish_status next_value(const cli_command *command, const cli_flag *flag, cursor *at,
+                                 const char **text, burnish_error *error) {
     if (at->next >= at->argc) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: a value is missing: --%s=%s",
-                                flag->name, flag->name, flag->value);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: a value is missing: --%s=%s",
+                        flag->name, flag->name, flag->value);
     }
     *text = at->argv[at->next];
     if (flag_of_argument(command, *text)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: a value is missing before %s: --%s=%s", flag->name, *text,
-                                flag->name, flag->value);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: a value is missing before %s: --%s=%s", flag->name, *text,
+                        flag->name, flag->value);
     }
     ++at->next;
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status parse_long(const burnish_cli_command *command, const char *argument,
-                                 cursor *at, const burnish_cli_flag **found, const char **text,
-                                 burnish_error *error) {
-    const burnish_cli_flag *flag = flag_of_argument(command, argument);
+static burnish_status parse_long(const cli_command *command, const char *argument, cursor *at,
+                                 const cli_flag **found, const char **text, burnish_error *error) {
+    const cli_flag *flag = flag_of_argument(command, argument);
     if (!flag) {
         return fail_unknown(command, argument, error);
     }
@@ -184,9 +178,8 @@ static burnish_status parse_long(const burnish_cli_command *command, const char 
     const char *equals = strchr(argument, '=');
     if (!flag->value) {
         if (equals) {
-            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                    "--%s: takes no value; write --%s alone", flag->name,
-                                    flag->name);
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: takes no value; write --%s alone", flag->name, flag->name);
         }
         *text = NULL;
         return BURNISH_STATUS_OK;
@@ -198,10 +191,9 @@ static burnish_status parse_long(const burnish_cli_command *command, const char 
     return next_value(command, flag, at, text, error);
 }
 
-static burnish_status parse_short(const burnish_cli_command *command, const char *argument,
-                                  cursor *at, const burnish_cli_flag **found, const char **text,
-                                  burnish_error *error) {
-    const burnish_cli_flag *flag = find_letter(command, argument[1]);
+static burnish_status parse_short(const cli_command *command, const char *argument, cursor *at,
+                                  const cli_flag **found, const char **text, burnish_error *error) {
+    const cli_flag *flag = find_letter(command, argument[1]);
     if (!flag || (!flag->value && argument[2])) {
         return fail_unknown(command, argument, error);
     }
@@ -211,10 +203,9 @@ static burnish_status parse_short(const burnish_cli_command *command, const char
         return BURNISH_STATUS_OK;
     }
     if (argument[2] == '=') {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "-%c: write -%c %s or --%s=%s, not -%c=%s", flag->letter,
-                                flag->letter, flag->value, flag->name, flag->value, flag->letter,
-                                flag->value);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "-%c: write -%c %s or --%s=%s, not -%c=%s",
+                        flag->letter, flag->letter, flag->value, flag->name, flag->value,
+                        flag->letter, flag->value);
     }
     if (argument[2]) {
         *text = argument + 2;
@@ -223,32 +214,30 @@ static burnish_status parse_short(const burnish_cli_command *command, const char
     return next_value(command, flag, at, text, error);
 }
 
-static burnish_status take_operand(const burnish_cli_command *command, const char *argument,
-                                   burnish_cli_operands *operands, burnish_error *error) {
+static burnish_status take_operand(const cli_command *command, const char *argument,
+                                   cli_operands *operands, burnish_error *error) {
     if (operands->count == command->operands_max && command->operands_max == 0) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "%s: \"%s\" is no flag; \"burnish %s --help\" lists the flags",
-                                command->name, argument, command->name);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "%s: \"%s\" is no flag; \"burnish %s --help\" lists the flags",
+                        command->name, argument, command->name);
     }
     if (operands->count == command->operands_max) {
-        return burnish_cli_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            "%s: \"%s\" is one operand too many; usage: burnish %s %s [options]", command->name,
-            argument, command->name, command->operand);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "%s: \"%s\" is one operand too many; usage: burnish %s %s [options]",
+                        command->name, argument, command->name, command->operand);
     }
     operands->items[operands->count++] = argument;
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_parse(const burnish_cli_command *command, int argc, char **argv,
-                                 void *settings, burnish_cli_operands *operands,
-                                 burnish_error *error) {
+burnish_status cli_parse(const cli_command *command, int argc, char **argv, void *settings,
+                         cli_operands *operands, burnish_error *error) {
     cursor at = {argc, 0, argv};
     int flags_ended = 0;
-    *operands = (burnish_cli_operands){0};
+    *operands = (cli_operands){0};
     while (at.next < argc) {
         const char *argument = argv[at.next++];
-        const burnish_cli_flag *flag = NULL;
+        const cli_flag *flag = NULL;
         const char *text = NULL;
         burnish_status status;
         if (flags_ended || argument[0] != '-' || !argument[1]) {

@@ -9,7 +9,7 @@
 
 #include "burnish/core.h"
 
-const char burnish_cli_color_forms[] = "a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name";
+const char cli_color_forms[] = "a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name";
 
 typedef struct named_color {
     const char *name;
@@ -26,7 +26,7 @@ static const named_color color_names[] = {
     {"copper", {200, 112, 76}}, {"ivory", {244, 236, 216}},
 };
 
-const char *burnish_cli_color_name(size_t index) {
+const char *cli_color_name(size_t index) {
     return index < sizeof color_names / sizeof *color_names ? color_names[index].name : NULL;
 }
 
@@ -63,7 +63,7 @@ static int is_decimal(const char *text, size_t length) {
     return at == length;
 }
 
-int burnish_cli_read_real(const char *text, size_t length, double *value) {
+int cli_read_real(const char *text, size_t length, double *value) {
     char copy[64]; /* enough for every double that is written to be read */
     if (length >= sizeof copy || !is_decimal(text, length)) {
         return 0;
@@ -79,20 +79,20 @@ int burnish_cli_read_real(const char *text, size_t length, double *value) {
     return isfinite(*value);
 }
 
-size_t burnish_cli_next_item(const char **text, char separator, const char **item) {
+size_t cli_next_item(const char **text, char separator, const char **item) {
     *item = *text;
     const char *end = strchr(*text, separator);
     *text = end ? end + 1 : NULL;
     return end ? (size_t)(end - *item) : strlen(*item);
 }
 
-int burnish_cli_read_reals(const char *text, size_t length, double *values, size_t count) {
+int cli_read_reals(const char *text, size_t length, double *values, size_t count) {
     const char *end = text + length;
     for (size_t i = 0; i < count; ++i) {
         const char *comma = memchr(text, ',', (size_t)(end - text));
         const char *item_end = comma ? comma : end;
         if ((comma != NULL) != (i + 1 < count) ||
-            !burnish_cli_read_real(text, (size_t)(item_end - text), &values[i])) {
+            !cli_read_real(text, (size_t)(item_end - text), &values[i])) {
             return 0;
         }
         text = comma ? comma + 1 : end;
@@ -100,11 +100,10 @@ int burnish_cli_read_reals(const char *text, size_t length, double *values, size
     return 1;
 }
 
-static burnish_status fail_number(const burnish_cli_flag *flag, const char *text, const char *what,
+static burnish_status fail_number(const cli_flag *flag, const char *text, const char *what,
                                   burnish_error *error) {
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: \"%.60s\" is not %s from %.10g to %.10g", flag->name, text, what,
-                            flag->low, flag->high);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not %s from %.10g to %.10g",
+                    flag->name, text, what, flag->low, flag->high);
 }
 
 /* A whole number of at most 18 digits, so that it fits. */
@@ -119,29 +118,29 @@ static int read_count(const char *text, size_t length, uint64_t *value) {
     return 1;
 }
 
-static int in_range(const burnish_cli_flag *flag, uint64_t value) {
+static int in_range(const cli_flag *flag, uint64_t value) {
     return value >= (uint64_t)flag->low && value <= (uint64_t)flag->high;
 }
 
-burnish_status burnish_cli_flag_switch(const burnish_cli_flag *flag, const char *text, void *target,
-                                       burnish_error *error) {
+burnish_status cli_flag_switch(const cli_flag *flag, const char *text, void *target,
+                               burnish_error *error) {
     (void)flag, (void)text, (void)error;
     *(int *)target = 1;
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_text(const burnish_cli_flag *flag, const char *text, void *target,
-                                     burnish_error *error) {
+burnish_status cli_flag_text(const cli_flag *flag, const char *text, void *target,
+                             burnish_error *error) {
     if (!*text) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: the value is empty: --%s=%s",
-                                flag->name, flag->name, flag->value);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: the value is empty: --%s=%s",
+                        flag->name, flag->name, flag->value);
     }
     *(const char **)target = text;
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_integer(const burnish_cli_flag *flag, const char *text,
-                                        void *target, burnish_error *error) {
+burnish_status cli_flag_integer(const cli_flag *flag, const char *text, void *target,
+                                burnish_error *error) {
     uint64_t value;
     if (!read_count(text, strlen(text), &value) || !in_range(flag, value)) {
         return fail_number(flag, text, "a whole number", error);
@@ -150,8 +149,8 @@ burnish_status burnish_cli_flag_integer(const burnish_cli_flag *flag, const char
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_count(const burnish_cli_flag *flag, const char *text, void *target,
-                                      burnish_error *error) {
+burnish_status cli_flag_count(const cli_flag *flag, const char *text, void *target,
+                              burnish_error *error) {
     uint64_t value;
     if (!read_count(text, strlen(text), &value) || !in_range(flag, value)) {
         return fail_number(flag, text, "a whole number", error);
@@ -160,8 +159,8 @@ burnish_status burnish_cli_flag_count(const burnish_cli_flag *flag, const char *
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_bytes(const burnish_cli_flag *flag, const char *text, void *target,
-                                      burnish_error *error) {
+burnish_status cli_flag_bytes(const cli_flag *flag, const char *text, void *target,
+                              burnish_error *error) {
     static const char units[] = "KMG";
     size_t length = strlen(text);
     const char *unit = length > 0 ? strchr(units, text[length - 1]) : NULL;
@@ -169,70 +168,66 @@ burnish_status burnish_cli_flag_bytes(const burnish_cli_flag *flag, const char *
     uint64_t value;
     if (!read_count(text, length - (unit != NULL), &value) || value > UINT64_MAX >> shift ||
         !in_range(flag, value << shift)) {
-        return burnish_cli_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            "--%s: \"%.60s\" is not a number of bytes, such as 500M or 2G (K, M, G: "
-            "powers of 1024)",
-            flag->name, text);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not a number of bytes, such as 500M or 2G (K, M, G: "
+                        "powers of 1024)",
+                        flag->name, text);
     }
     *(uint64_t *)target = value << shift;
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_real(const burnish_cli_flag *flag, const char *text, void *target,
-                                     burnish_error *error) {
-    burnish_cli_real *real = target;
+burnish_status cli_flag_real(const cli_flag *flag, const char *text, void *target,
+                             burnish_error *error) {
+    cli_real *real = target;
     double value;
-    if (!burnish_cli_read_real(text, strlen(text), &value) ||
+    if (!cli_read_real(text, strlen(text), &value) ||
         !(value >= flag->low && value <= flag->high)) {
         return fail_number(flag, text, "a number", error);
     }
-    *real = (burnish_cli_real){1, value};
+    *real = (cli_real){1, value};
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_angle(const burnish_cli_flag *flag, const char *text, void *target,
-                                      burnish_error *error) {
-    burnish_cli_real *real = target;
+burnish_status cli_flag_angle(const cli_flag *flag, const char *text, void *target,
+                              burnish_error *error) {
+    cli_real *real = target;
     double value;
-    if (!burnish_cli_read_real(text, strlen(text), &value) ||
-        !(value > flag->low && value < flag->high)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: \"%.60s\" is not a number between %g and %g", flag->name,
-                                text, flag->low, flag->high);
+    if (!cli_read_real(text, strlen(text), &value) || !(value > flag->low && value < flag->high)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not a number between %g and %g", flag->name, text,
+                        flag->low, flag->high);
     }
-    *real = (burnish_cli_real){1, value};
+    *real = (cli_real){1, value};
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_vector(const burnish_cli_flag *flag, const char *text, void *target,
-                                       burnish_error *error) {
-    burnish_cli_vector *vector = target;
+burnish_status cli_flag_vector(const cli_flag *flag, const char *text, void *target,
+                               burnish_error *error) {
+    cli_vector *vector = target;
     double values[3];
-    if (!burnish_cli_read_reals(text, strlen(text), values, 3)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: \"%.60s\" is not three numbers, such as 1,0.5,-2",
-                                flag->name, text);
+    if (!cli_read_reals(text, strlen(text), values, 3)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not three numbers, such as 1,0.5,-2", flag->name, text);
     }
     vector->given = 1;
     memcpy(vector->values, values, sizeof values);
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_nonzero(const burnish_cli_flag *flag, const char *text,
-                                        void *target, burnish_error *error) {
-    const burnish_cli_vector *vector = target;
-    burnish_status status = burnish_cli_flag_vector(flag, text, target, error);
+burnish_status cli_flag_nonzero(const cli_flag *flag, const char *text, void *target,
+                                burnish_error *error) {
+    const cli_vector *vector = target;
+    burnish_status status = cli_flag_vector(flag, text, target, error);
     if (status == BURNISH_STATUS_OK && vector->values[0] == 0 && vector->values[1] == 0 &&
         vector->values[2] == 0) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: 0,0,0 has no direction; give a vector that is not zero",
-                                flag->name);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: 0,0,0 has no direction; give a vector that is not zero", flag->name);
     }
     return status;
 }
 
-void burnish_cli_word_list(const burnish_cli_word *words, char *text, size_t size) {
+void cli_word_list(const cli_word *words, char *text, size_t size) {
     size_t used = 0;
     text[0] = 0;
     for (size_t i = 0; words[i].name && used < size; ++i) {
@@ -241,18 +236,18 @@ void burnish_cli_word_list(const burnish_cli_word *words, char *text, size_t siz
     }
 }
 
-burnish_status burnish_cli_flag_word(const burnish_cli_flag *flag, const char *text, void *target,
-                                     burnish_error *error) {
-    for (const burnish_cli_word *word = flag->words; word->name; ++word) {
+burnish_status cli_flag_word(const cli_flag *flag, const char *text, void *target,
+                             burnish_error *error) {
+    for (const cli_word *word = flag->words; word->name; ++word) {
         if (strcmp(word->name, text) == 0) {
             *(int *)target = word->value;
             return BURNISH_STATUS_OK;
         }
     }
     char list[200];
-    burnish_cli_word_list(flag->words, list, sizeof list);
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not one of %s",
-                            flag->name, text, list);
+    cli_word_list(flag->words, list, sizeof list);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not one of %s", flag->name,
+                    text, list);
 }
 
 static int hex_digit(char c) {
@@ -280,7 +275,7 @@ static int read_hex_color(const char *text, size_t length, float srgb[3]) {
     return 1;
 }
 
-int burnish_cli_read_color(const char *text, size_t length, float srgb[3]) {
+int cli_read_color(const char *text, size_t length, float srgb[3]) {
     double values[3];
     if (length > 0 && text[0] == '#') {
         return read_hex_color(text, length, srgb);
@@ -294,7 +289,7 @@ int burnish_cli_read_color(const char *text, size_t length, float srgb[3]) {
             return 1;
         }
     }
-    if (!burnish_cli_read_reals(text, length, values, 3)) {
+    if (!cli_read_reals(text, length, values, 3)) {
         return 0;
     }
     for (size_t k = 0; k < 3; ++k) {
@@ -306,32 +301,32 @@ int burnish_cli_read_color(const char *text, size_t length, float srgb[3]) {
     return 1;
 }
 
-burnish_status burnish_cli_flag_color(const burnish_cli_flag *flag, const char *text, void *target,
-                                      burnish_error *error) {
-    burnish_cli_color *color = target;
+burnish_status cli_flag_color(const cli_flag *flag, const char *text, void *target,
+                              burnish_error *error) {
+    cli_color *color = target;
     float srgb[3];
-    if (!burnish_cli_read_color(text, strlen(text), srgb)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not %s",
-                                flag->name, text, burnish_cli_color_forms);
+    if (!cli_read_color(text, strlen(text), srgb)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not %s", flag->name,
+                        text, cli_color_forms);
     }
     color->given = 1;
     memcpy(color->srgb, srgb, sizeof srgb);
     return BURNISH_STATUS_OK;
 }
 
-uint8_t burnish_cli_color_code(float srgb) {
+uint8_t cli_color_code(float srgb) {
     return (uint8_t)(srgb * 255.0F + 0.5F);
 }
 
-burnish_status burnish_cli_flag_isa(const burnish_cli_flag *flag, const char *text, void *target,
-                                    burnish_error *error) {
+burnish_status cli_flag_isa(const cli_flag *flag, const char *text, void *target,
+                            burnish_error *error) {
     burnish_error reason;
     burnish_status status = burnish_isa_choose(text, target, &reason);
     if (status == BURNISH_STATUS_OK) {
         return status;
     }
     if (strncmp(reason.text, BURNISH_ISA_VARIABLE, strlen(BURNISH_ISA_VARIABLE)) == 0) {
-        return burnish_cli_fail(error, status, "%s", reason.text);
+        return cli_fail(error, status, "%s", reason.text);
     }
-    return burnish_cli_fail(error, status, "--%s: %s", flag->name, reason.text);
+    return cli_fail(error, status, "--%s: %s", flag->name, reason.text);
 }

@@ -14,22 +14,22 @@ enum { ROUNDING_AUTO = -1 };
 
 typedef struct boundary_settings {
     const char *lobe, *exponents, *word, *name, *output;
-    burnish_cli_real bits;
+    cli_real bits;
     int lambda, rounding, form, help;
 } boundary_settings;
 
 static int boundary_main(int argc, char **argv);
 
-static const burnish_cli_word form_words[] = {
+static const cli_word form_words[] = {
     {"c", FORM_C}, {"mem", FORM_MEM}, {"csv", FORM_CSV}, {NULL, 0}};
-static const burnish_cli_word rounding_words[] = {{"nearest", BURNISH_THEORY_NEAREST},
-                                                  {"down", BURNISH_THEORY_DOWN},
-                                                  {"up", BURNISH_THEORY_UP},
-                                                  {NULL, 0}};
+static const cli_word rounding_words[] = {{"nearest", BURNISH_THEORY_NEAREST},
+                                          {"down", BURNISH_THEORY_DOWN},
+                                          {"up", BURNISH_THEORY_UP},
+                                          {NULL, 0}};
 
 #define TARGET(member) .offset = offsetof(boundary_settings, member)
 
-static const burnish_cli_flag boundary_flags[] = {
+static const cli_flag boundary_flags[] = {
     {.group = "What is stored",
      .name = "lobe",
      .value = "LOBE",
@@ -37,14 +37,14 @@ static const burnish_cli_flag boundary_flags[] = {
      .initial = "energy:2",
      .manual = "The lobe, in the words of *LOBES* and *LOBE*. Exponents below its order get the "
                "highest order that they allow.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(lobe)},
     {.name = "exponents",
      .value = "LIST",
      .help = "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
      .initial = "1-1023",
      .manual = "Exponents, one word each, in this order; see *LOBE TABLE*.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(exponents)},
     {.name = "bits",
      .value = "Q",
@@ -54,12 +54,12 @@ static const burnish_cli_flag boundary_flags[] = {
      .high = 1024,
      .manual = "Threshold: the boundary is where the lobe has fallen to 2^-_Q_, from 1 to 1024. 0 "
                "is where it has become zero.",
-     .handler = burnish_cli_flag_real,
+     .handler = cli_flag_real,
      TARGET(bits)},
     {.name = "lambda",
      .help = "store 1 - cosine, which keeps its digits for narrow lobes",
      .manual = "Words hold 1 - cosine instead of the cosine.",
-     .handler = burnish_cli_flag_switch,
+     .handler = cli_flag_switch,
      TARGET(lambda)},
     {.group = "Words",
      .name = "format-word",
@@ -69,7 +69,7 @@ static const burnish_cli_flag boundary_flags[] = {
      .manual = "Fixed-point format, up to 32 bits: *UQ0.15* has no integer and 15 fraction bits, "
                "*Q0.15* a sign bit too. What does not fit is limited, so that 1 becomes the "
                "largest word of *UQ0.15*.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(word)},
     {.name = "rounding",
      .value = "NAME",
@@ -78,7 +78,7 @@ static const burnish_cli_flag boundary_flags[] = {
      .words = rounding_words,
      .manual = "How words are rounded. Down for cosines and up for 1 - cosine, the default, cuts "
                "nothing that is brighter than the threshold.",
-     .handler = burnish_cli_flag_word,
+     .handler = cli_flag_word,
      TARGET(rounding)},
     {.group = "Output",
      .name = "as",
@@ -89,27 +89,27 @@ static const burnish_cli_flag boundary_flags[] = {
      .manual =
          "*c* is a C array that compiles alone, *mem* a file for Verilog's $readmemh, *csv* a "
          "table that also has the boundary before rounding.",
-     .handler = burnish_cli_flag_word,
+     .handler = cli_flag_word,
      TARGET(form)},
     {.name = "name",
      .value = "NAME",
      .help = "of the C array",
      .initial = "burnish_boundary",
      .manual = "Name of the C array.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(name)},
-    BURNISH_CLI_OUTPUT_FLAG(boundary_settings, NULL),
-    BURNISH_CLI_HELP_FLAG(boundary_settings),
+    CLI_OUTPUT_FLAG(boundary_settings, NULL),
+    CLI_HELP_FLAG(boundary_settings),
 };
 
-static const burnish_cli_example examples[] = {
+static const cli_example examples[] = {
     {"burnish lobe boundary -o boundary.c", "a C array"},
     {"burnish lobe boundary --exponents=1-255 --as=mem -o boundary.mem", "for $readmemh"},
     {"burnish lobe boundary --lobe=power --lambda --format-word=UQ0.16 --as=csv", "table"},
     {NULL, NULL},
 };
 
-const burnish_cli_command burnish_cli_lobe_boundary_command = {
+const cli_command lobe_boundary_command = {
     .name = "lobe boundary",
     .operand = "",
     .summary = "the cosines from which on a lobe is dark",
@@ -127,10 +127,10 @@ const burnish_cli_command burnish_cli_lobe_boundary_command = {
 typedef struct contents {
     const boundary_settings *settings;
     burnish_theory_memory memory;
-    burnish_cli_exponents exponents;
+    lobe_exponents exponents;
     int64_t *words;
     int consecutive; /* 1: exponents are whole numbers, each one more than the one before */
-    char lobe[BURNISH_CLI_LOBE_NAME], format[16], bits[BURNISH_CLI_REAL_SIZE];
+    char lobe[LOBE_NAME], format[16], bits[CLI_REAL_SIZE];
 } contents;
 
 static const char *what_is_stored(const contents *c) {
@@ -219,9 +219,9 @@ static void print_mem(FILE *stream, const contents *c) {
             burnish_theory_format_width(&c->memory.format), c->format, rounding_name(c),
             burnish_version());
     for (size_t i = 0; i < c->exponents.count; ++i) {
-        char number[BURNISH_CLI_REAL_SIZE];
+        char number[CLI_REAL_SIZE];
         fprintf(stream, "%0*" PRIx64 " // n = %s\n", word_digits(c), word_bits(c, i),
-                burnish_cli_shortest(c->exponents.items[i], number));
+                cli_shortest(c->exponents.items[i], number));
     }
 }
 
@@ -245,19 +245,19 @@ static double exact_boundary(const contents *c, double exponent) {
 static void print_csv(FILE *stream, const contents *c) {
     fprintf(stream, "exponent,word,hex,value,%s\n", c->memory.lambda ? "lambda" : "cosine");
     for (size_t i = 0; i < c->exponents.count; ++i) {
-        char number[3][BURNISH_CLI_REAL_SIZE];
+        char number[3][CLI_REAL_SIZE];
         double n = c->exponents.items[i];
-        fprintf(stream, "%s,%" PRId64 ",%0*" PRIx64 ",%s,%s\n", burnish_cli_shortest(n, number[0]),
-                c->words[i], word_digits(c), word_bits(c, i),
-                burnish_cli_shortest(burnish_theory_format_decode(&c->memory.format, c->words[i]),
-                                     number[1]),
-                burnish_cli_shortest(exact_boundary(c, n), number[2]));
+        fprintf(
+            stream, "%s,%" PRId64 ",%0*" PRIx64 ",%s,%s\n", cli_shortest(n, number[0]), c->words[i],
+            word_digits(c), word_bits(c, i),
+            cli_shortest(burnish_theory_format_decode(&c->memory.format, c->words[i]), number[1]),
+            cli_shortest(exact_boundary(c, n), number[2]));
     }
 }
 
 static burnish_status print(const contents *c, burnish_error *error) {
-    burnish_cli_output output;
-    burnish_status status = burnish_cli_output_begin(&output, error);
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -272,7 +272,7 @@ static burnish_status print(const contents *c, burnish_error *error) {
         print_csv(output.stream, c);
         break;
     }
-    return burnish_cli_output_end(&output, c->settings->output, BURNISH_STATUS_OK, error);
+    return cli_output_end(&output, c->settings->output, BURNISH_STATUS_OK, error);
 }
 
 /* ---- Settings ---- */
@@ -284,19 +284,17 @@ static burnish_status check_name(const char *name, burnish_error *error) {
     }
     return good && strlen(name) < 128
                ? BURNISH_STATUS_OK
-               : burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                  "--name: \"%.60s\" is not a name in C: letters, digits and _",
-                                  name);
+               : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--name: \"%.60s\" is not a name in C: letters, digits and _", name);
 }
 
 static burnish_status read_model(const char *text, contents *c, burnish_error *error) {
-    burnish_cli_lobe_names names;
+    lobe_names names;
     burnish_theory_model model;
-    burnish_status status = burnish_cli_read_lobes("lobe", text, &names, error);
+    burnish_status status = lobe_read_lobes("lobe", text, &names, error);
     if (status == BURNISH_STATUS_OK && names.count != 1) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--lobe: \"%.60s\" is %zu lobes; a memory holds one", text,
-                                names.count);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--lobe: \"%.60s\" is %zu lobes; a memory holds one", text, names.count);
     }
     if (status == BURNISH_STATUS_OK) {
         strcpy(c->lobe, names.items[0]);
@@ -315,10 +313,10 @@ static burnish_status fill(contents *c, burnish_error *error) {
     }
     if (status == BURNISH_STATUS_OK &&
         burnish_theory_format_parse(s->word, &c->memory.format, &reason) != BURNISH_STATUS_OK) {
-        status = burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--format-word: %s", reason.text);
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "--format-word: %s", reason.text);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_cli_read_exponents("exponents", s->exponents, &c->exponents, error);
+        status = lobe_read_exponents("exponents", s->exponents, &c->exponents, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -329,22 +327,21 @@ static burnish_status fill(contents *c, burnish_error *error) {
                          : s->lambda                  ? BURNISH_THEORY_UP
                                                       : BURNISH_THEORY_DOWN;
     burnish_theory_format_name(&c->memory.format, c->format, sizeof c->format);
-    burnish_cli_shortest(c->memory.bits, c->bits);
+    cli_shortest(c->memory.bits, c->bits);
     c->consecutive = c->exponents.items[0] == floor(c->exponents.items[0]);
     for (size_t i = 1; i < c->exponents.count; ++i) {
         c->consecutive = c->consecutive && c->exponents.items[i] == c->exponents.items[i - 1] + 1;
     }
     c->words = calloc(c->exponents.count, sizeof *c->words);
     if (!c->words) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu words",
-                                c->exponents.count);
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu words",
+                        c->exponents.count);
     }
     return burnish_theory_memory_fill(&c->memory, c->exponents.items, c->exponents.count, c->words,
                                       error);
 }
 
-static burnish_status work(void *target, const burnish_cli_operands *operands,
-                           burnish_error *error) {
+static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
     contents c = {.settings = target};
     (void)operands;
     burnish_status status = fill(&c, error);
@@ -358,5 +355,5 @@ static burnish_status work(void *target, const burnish_cli_operands *operands,
 
 static int boundary_main(int argc, char **argv) {
     boundary_settings settings = {.rounding = ROUNDING_AUTO};
-    return burnish_cli_run_work(&burnish_cli_lobe_boundary_command, argc, argv, &settings, work);
+    return cli_run_work(&lobe_boundary_command, argc, argv, &settings, work);
 }

@@ -8,7 +8,7 @@
 
 typedef struct choose_settings {
     const char *output;
-    burnish_cli_real exponent, epsilon;
+    cli_real exponent, epsilon;
     int affine, format, help;
 } choose_settings;
 
@@ -16,7 +16,7 @@ static int choose_main(int argc, char **argv);
 
 #define TARGET(member) .offset = offsetof(choose_settings, member)
 
-static const burnish_cli_flag choose_flags[] = {
+static const cli_flag choose_flags[] = {
     {.group = "What is wanted",
      .name = "exponent",
      .value = "N",
@@ -25,7 +25,7 @@ static const burnish_cli_flag choose_flags[] = {
      .low = 1,
      .high = 65536,
      .manual = "Exponent of the power that the lobe stands for.",
-     .handler = burnish_cli_flag_real,
+     .handler = cli_flag_real,
      TARGET(exponent)},
     {.name = "epsilon",
      .value = "E",
@@ -36,26 +36,26 @@ static const burnish_cli_flag choose_flags[] = {
      .manual =
          "Largest absolute error against the power that is allowed, over all angles; 1/256 is "
          "a step of an 8-bit display.",
-     .handler = burnish_cli_flag_angle,
+     .handler = cli_flag_angle,
      TARGET(epsilon)},
     {.name = "affine",
      .help = "allow lobes whose peak is a little below 1",
      .manual = "Allows the fit *affine*, whose A and B are both free: A + B is not 1, so that the "
                "peak is lower by the error, and the error is a sixth smaller for the same cost.",
-     .handler = burnish_cli_flag_switch,
+     .handler = cli_flag_switch,
      TARGET(affine)},
-    BURNISH_CLI_FORMAT_FLAG(choose_settings, burnish_cli_format_words, "text"),
-    BURNISH_CLI_OUTPUT_FLAG(choose_settings, NULL),
-    BURNISH_CLI_HELP_FLAG(choose_settings),
+    CLI_FORMAT_FLAG(choose_settings, cli_format_words, "text"),
+    CLI_OUTPUT_FLAG(choose_settings, NULL),
+    CLI_HELP_FLAG(choose_settings),
 };
 
-static const burnish_cli_example examples[] = {
+static const cli_example examples[] = {
     {"burnish lobe choose --exponent=100 --epsilon=0.02", "constants for C, and what came near"},
     {"burnish lobe choose --exponent=20 --epsilon=0.03 --affine", "with a peak below 1"},
     {NULL, NULL},
 };
 
-const burnish_cli_command burnish_cli_lobe_choose_command = {
+const cli_command lobe_choose_command = {
     .name = "lobe choose",
     .operand = "",
     .summary = "the cheapest lobe near enough to the power, as C",
@@ -76,7 +76,7 @@ typedef struct candidate {
     burnish_theory_model model;
     burnish_theory_cost cost;
     double maximum;
-    char name[BURNISH_CLI_LOBE_NAME];
+    char name[LOBE_NAME];
 } candidate;
 
 enum { CANDIDATES_MAX = 24 };
@@ -94,7 +94,7 @@ static void add(result *r, const char *word, double exponent) {
     }
     snprintf(c->name, sizeof c->name, "%s", word);
     c->cost = burnish_theory_model_cost(&c->model);
-    c->maximum = burnish_theory_maximum_error(&c->model, BURNISH_CLI_RIGHT_ANGLE);
+    c->maximum = burnish_theory_maximum_error(&c->model, CLI_RIGHT_ANGLE);
     ++r->count;
 }
 
@@ -190,12 +190,12 @@ static void print_code(FILE *stream, const burnish_theory_model *model) {
 }
 
 /* The chosen lobe's row, then the others. */
-static void fill_table(const choose_settings *settings, const result *r, burnish_cli_table *table,
-                       burnish_cli_value *cells) {
+static void fill_table(const choose_settings *settings, const result *r, cli_table *table,
+                       cli_value *cells) {
     static const char *const yes_no[] = {"no", "yes"};
     for (size_t i = 0; i < table->row_count; ++i) {
         const candidate *c = i == 0 ? &r->best : &r->others[i - 1];
-        burnish_cli_value *row = &cells[i * table->column_count];
+        cli_value *row = &cells[i * table->column_count];
         row[0].text = c->name;
         row[1].text = yes_no[c->maximum <= settings->epsilon.value];
         row[2].number = c->maximum;
@@ -210,7 +210,7 @@ static void fill_table(const choose_settings *settings, const result *r, burnish
 
 enum { COLUMNS = 8 };
 
-static void set_columns(burnish_cli_column columns[COLUMNS]) {
+static void set_columns(cli_column columns[COLUMNS]) {
     static const char *const keys[] = {
         "lobe",      "within_epsilon", "max_error", "multiplications",
         "additions", "comparisons",    "divisions", "functions"};
@@ -226,13 +226,13 @@ static void set_columns(burnish_cli_column columns[COLUMNS]) {
 }
 
 static void print_text(FILE *stream, const choose_settings *settings, const result *r,
-                       const burnish_cli_table *table) {
-    char exponent[BURNISH_CLI_REAL_SIZE], epsilon[BURNISH_CLI_REAL_SIZE], cost[64];
+                       const cli_table *table) {
+    char exponent[CLI_REAL_SIZE], epsilon[CLI_REAL_SIZE], cost[64];
     const burnish_theory_model *model = &r->best.model;
-    burnish_cli_cost_text(&r->best.cost, cost, sizeof cost);
+    lobe_cost_text(&r->best.cost, cost, sizeof cost);
     fprintf(stream, "%s is the cheapest lobe within %s of c^%s at every angle.\n\n", r->best.name,
-            burnish_cli_shortest(settings->epsilon.value, epsilon),
-            burnish_cli_shortest(settings->exponent.value, exponent));
+            cli_shortest(settings->epsilon.value, epsilon),
+            cli_shortest(settings->exponent.value, exponent));
     fprintf(stream, "  largest error  %.5f\n  cost           %s\n", r->best.maximum, cost);
     if (model->lobe.kind == BURNISH_LOBE_FAMILY) {
         fprintf(stream, "  zeta           %.9g\n", model->zeta);
@@ -244,65 +244,62 @@ static void print_text(FILE *stream, const choose_settings *settings, const resu
     fprintf(stream, "\n");
     print_code(stream, model);
     fprintf(stream, "\nAll candidates, this one first, then the cheapest first:\n\n");
-    burnish_cli_table_text(stream, table);
+    cli_table_text(stream, table);
 }
 
 static burnish_status print_json(FILE *stream, const choose_settings *settings, const result *r,
-                                 const burnish_cli_table *table, burnish_error *error) {
+                                 const cli_table *table, burnish_error *error) {
     int failed = 0;
     cJSON *root = cJSON_CreateObject();
     const burnish_theory_model *model = &r->best.model;
-    burnish_cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-    burnish_cli_json_add(root, "exponent", burnish_cli_json_real(settings->exponent.value),
-                         &failed);
-    burnish_cli_json_add(root, "epsilon", burnish_cli_json_real(settings->epsilon.value), &failed);
-    burnish_cli_json_add(root, "lobe", cJSON_CreateString(r->best.name), &failed);
-    burnish_cli_json_add(root, "max_error", burnish_cli_json_real(r->best.maximum), &failed);
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    cli_json_add(root, "exponent", cli_json_real(settings->exponent.value), &failed);
+    cli_json_add(root, "epsilon", cli_json_real(settings->epsilon.value), &failed);
+    cli_json_add(root, "lobe", cJSON_CreateString(r->best.name), &failed);
+    cli_json_add(root, "max_error", cli_json_real(r->best.maximum), &failed);
     if (model->lobe.kind == BURNISH_LOBE_FAMILY) {
         double a, b;
         constants_of(model, &a, &b);
-        burnish_cli_json_add(root, "zeta", burnish_cli_json_real(model->zeta), &failed);
-        burnish_cli_json_add(root, "peak", burnish_cli_json_real(model->scale), &failed);
-        burnish_cli_json_add(root, "a", burnish_cli_json_real(a), &failed);
-        burnish_cli_json_add(root, "b", burnish_cli_json_real(b), &failed);
+        cli_json_add(root, "zeta", cli_json_real(model->zeta), &failed);
+        cli_json_add(root, "peak", cli_json_real(model->scale), &failed);
+        cli_json_add(root, "a", cli_json_real(a), &failed);
+        cli_json_add(root, "b", cli_json_real(b), &failed);
     }
-    burnish_cli_json_add(root, "candidates", burnish_cli_table_json(table, &failed), &failed);
-    return burnish_cli_json_print(stream, root, failed, error);
+    cli_json_add(root, "candidates", cli_table_json(table, &failed), &failed);
+    return cli_json_print(stream, root, failed, error);
 }
 
 static burnish_status print(const choose_settings *settings, const result *r,
                             burnish_error *error) {
-    burnish_cli_column columns[COLUMNS];
-    burnish_cli_value cells[(CANDIDATES_MAX + 1) * COLUMNS];
-    burnish_cli_table table = {
-        .columns = columns, .column_count = COLUMNS, .row_count = r->count + 1};
-    burnish_cli_output output;
-    burnish_status status = burnish_cli_output_begin(&output, error);
+    cli_column columns[COLUMNS];
+    cli_value cells[(CANDIDATES_MAX + 1) * COLUMNS];
+    cli_table table = {.columns = columns, .column_count = COLUMNS, .row_count = r->count + 1};
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     set_columns(columns);
     fill_table(settings, r, &table, cells);
-    if (settings->format == BURNISH_CLI_FORMAT_CSV) {
-        burnish_cli_table_csv(output.stream, &table);
-    } else if (settings->format == BURNISH_CLI_FORMAT_JSON) {
+    if (settings->format == CLI_FORMAT_CSV) {
+        cli_table_csv(output.stream, &table);
+    } else if (settings->format == CLI_FORMAT_JSON) {
         status = print_json(output.stream, settings, r, &table, error);
     } else {
         print_text(output.stream, settings, r, &table);
     }
-    return burnish_cli_output_end(&output, settings->output, status, error);
+    return cli_output_end(&output, settings->output, status, error);
 }
 
-static burnish_status work(void *target, const burnish_cli_operands *operands,
-                           burnish_error *error) {
+static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
     const choose_settings *settings = target;
     result r = {0};
     (void)operands;
     if (!settings->exponent.given || !settings->epsilon.given) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "lobe choose: --%s is missing; try \"burnish lobe choose "
-                                "--exponent=100 --epsilon=0.02\"",
-                                settings->exponent.given ? "epsilon" : "exponent");
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "lobe choose: --%s is missing; try \"burnish lobe choose "
+                        "--exponent=100 --epsilon=0.02\"",
+                        settings->exponent.given ? "epsilon" : "exponent");
     }
     burnish_status status = choose(settings, &r, error);
     return status == BURNISH_STATUS_OK ? print(settings, &r, error) : status;
@@ -310,5 +307,5 @@ static burnish_status work(void *target, const burnish_cli_operands *operands,
 
 static int choose_main(int argc, char **argv) {
     choose_settings settings = {0};
-    return burnish_cli_run_work(&burnish_cli_lobe_choose_command, argc, argv, &settings, work);
+    return cli_run_work(&lobe_choose_command, argc, argv, &settings, work);
 }

@@ -13,20 +13,20 @@ typedef struct claims_settings {
 
 static int claims_main(int argc, char **argv);
 
-static const burnish_cli_flag claims_flags[] = {
-    BURNISH_CLI_FORMAT_FLAG(claims_settings, burnish_cli_table_format_words, "text"),
-    BURNISH_CLI_OUTPUT_FLAG(claims_settings, NULL),
-    BURNISH_CLI_HELP_FLAG(claims_settings),
+static const cli_flag claims_flags[] = {
+    CLI_FORMAT_FLAG(claims_settings, cli_table_format_words, "text"),
+    CLI_OUTPUT_FLAG(claims_settings, NULL),
+    CLI_HELP_FLAG(claims_settings),
 };
 
-static const burnish_cli_example examples[] = {
+static const cli_example examples[] = {
     {"burnish lobe claims", "all of them, with a count of the verdicts"},
     {"burnish lobe claims core-w", "one"},
     {"burnish lobe claims --format=json -o claims.json", "for programs"},
     {NULL, NULL},
 };
 
-const burnish_cli_command burnish_cli_lobe_claims_command = {
+const cli_command lobe_claims_command = {
     .name = "lobe claims",
     .operand = "[ID]",
     .summary = "what the paper states and what is true",
@@ -56,19 +56,18 @@ static const char *relation_text(burnish_theory_relation relation) {
 
 static burnish_status fail_id(const char *id, burnish_error *error) {
     const char *closest = NULL;
-    size_t best = BURNISH_CLI_NAME_MAX;
+    size_t best = CLI_NAME_MAX;
     burnish_theory_claim claim;
     for (size_t i = 0; burnish_theory_claim_compute(i, &claim) == BURNISH_STATUS_OK; ++i) {
-        closest = burnish_cli_closer(id, claim.id, &best) ? claim.id : closest;
+        closest = cli_closer(id, claim.id, &best) ? claim.id : closest;
     }
-    if (closest && burnish_cli_close_enough(id, best)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "lobe claims: \"%.60s\": unknown claim; did you mean %s?", id,
-                                closest);
+    if (closest && cli_close_enough(id, best)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "lobe claims: \"%.60s\": unknown claim; did you mean %s?", id, closest);
     }
-    return burnish_cli_fail(
-        error, BURNISH_STATUS_ARGUMENT,
-        "lobe claims: \"%.60s\": unknown claim; \"burnish lobe claims\" lists them", id);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "lobe claims: \"%.60s\": unknown claim; \"burnish lobe claims\" lists them",
+                    id);
 }
 
 /* Computes all claims, or the one of that id. */
@@ -76,8 +75,7 @@ static burnish_status compute(const char *id, claim_list *list, burnish_error *e
     size_t count = burnish_theory_claim_count();
     list->items = calloc(count, sizeof *list->items);
     if (!list->items) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu claims",
-                                count);
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu claims", count);
     }
     for (size_t i = 0; i < count; ++i) {
         (void)burnish_theory_claim_compute(i, &list->items[list->count]); /* i is in range */
@@ -91,10 +89,10 @@ static burnish_status compute(const char *id, claim_list *list, burnish_error *e
 enum { INDENT = 4 };
 
 static void print_bound(FILE *stream, const burnish_theory_claim *claim) {
-    char number[BURNISH_CLI_REAL_SIZE];
+    char number[CLI_REAL_SIZE];
     if (claim->relation != BURNISH_THEORY_NONE) {
         fprintf(stream, "%s %s", relation_text(claim->relation),
-                burnish_cli_shortest(claim->bound, number));
+                cli_shortest(claim->bound, number));
     }
 }
 
@@ -115,7 +113,7 @@ static void print_values(FILE *stream, const burnish_theory_claim *claim) {
         unjudged = unjudged || !claim->values[i].judged;
     }
     int width = label + number + unjudged + 5;
-    int columns = (BURNISH_CLI_TEXT_WIDTH - INDENT + 3) / width;
+    int columns = (CLI_TEXT_WIDTH - INDENT + 3) / width;
     columns = columns > 6 ? 6 : columns < 1 ? 1 : columns;
     for (int i = 0; i < claim->count; ++i) {
         int last = i + 1 == claim->count || (i + 1) % columns == 0;
@@ -132,9 +130,9 @@ static void print_values(FILE *stream, const burnish_theory_claim *claim) {
 
 static void print_claim(FILE *stream, const burnish_theory_claim *claim) {
     const char *verdict = burnish_theory_verdict_text(claim->verdict);
-    fprintf(stream, "%-*s%s\n%*s", BURNISH_CLI_TEXT_WIDTH - (int)strlen(verdict), claim->id,
-            verdict, 2, "");
-    burnish_cli_print_wrapped(stream, claim->claim, 2, BURNISH_CLI_TEXT_WIDTH);
+    fprintf(stream, "%-*s%s\n%*s", CLI_TEXT_WIDTH - (int)strlen(verdict), claim->id, verdict, 2,
+            "");
+    cli_print_wrapped(stream, claim->claim, 2, CLI_TEXT_WIDTH);
     if (claim->count > 0) {
         fprintf(stream, "  %s: ", claim->quantity);
         print_bound(stream, claim);
@@ -143,7 +141,7 @@ static void print_claim(FILE *stream, const burnish_theory_claim *claim) {
     }
     if (*claim->note) {
         fprintf(stream, "  Note: ");
-        burnish_cli_print_wrapped(stream, claim->note, 8, BURNISH_CLI_TEXT_WIDTH);
+        cli_print_wrapped(stream, claim->note, 8, CLI_TEXT_WIDTH);
     }
     fprintf(stream, "  $ %s\n", claim->command);
 }
@@ -210,25 +208,25 @@ static void print_csv(FILE *stream, const claim_list *list) {
     for (size_t i = 0; i < list->count; ++i) {
         const burnish_theory_claim *claim = &list->items[i];
         for (int k = 0; k < (claim->count > 0 ? claim->count : 1); ++k) {
-            char number[BURNISH_CLI_REAL_SIZE];
+            char number[CLI_REAL_SIZE];
             const char *texts[] = {claim->id, claim->claim, claim->quantity};
             for (size_t t = 0; t < 3; ++t) {
-                burnish_cli_print_csv_text(stream, texts[t]);
+                cli_print_csv_text(stream, texts[t]);
                 fputc(',', stream);
             }
             if (k < claim->count) {
-                burnish_cli_print_csv_text(stream, claim->values[k].label);
-                fprintf(stream, ",%s,%d,", burnish_cli_shortest(claim->values[k].value, number),
+                cli_print_csv_text(stream, claim->values[k].label);
+                fprintf(stream, ",%s,%d,", cli_shortest(claim->values[k].value, number),
                         claim->values[k].judged);
             } else {
                 fprintf(stream, ",,,");
             }
             fprintf(stream, "%s,%s,", relation_text(claim->relation),
-                    burnish_cli_shortest(claim->bound, number));
-            fprintf(stream, "%s,", burnish_cli_shortest(claim->unit, number));
-            burnish_cli_print_csv_text(stream, burnish_theory_verdict_text(claim->verdict));
+                    cli_shortest(claim->bound, number));
+            fprintf(stream, "%s,", cli_shortest(claim->unit, number));
+            cli_print_csv_text(stream, burnish_theory_verdict_text(claim->verdict));
             fputc(',', stream);
-            burnish_cli_print_csv_text(stream, claim->command);
+            cli_print_csv_text(stream, claim->command);
             fputc('\n', stream);
         }
     }
@@ -236,65 +234,63 @@ static void print_csv(FILE *stream, const claim_list *list) {
 
 static cJSON *claim_object(const burnish_theory_claim *claim, int *failed) {
     cJSON *object = cJSON_CreateObject(), *values = cJSON_CreateArray();
-    burnish_cli_json_add(object, "id", cJSON_CreateString(claim->id), failed);
-    burnish_cli_json_add(object, "claim", cJSON_CreateString(claim->claim), failed);
-    burnish_cli_json_add(object, "quantity", cJSON_CreateString(claim->quantity), failed);
+    cli_json_add(object, "id", cJSON_CreateString(claim->id), failed);
+    cli_json_add(object, "claim", cJSON_CreateString(claim->claim), failed);
+    cli_json_add(object, "quantity", cJSON_CreateString(claim->quantity), failed);
     for (int i = 0; i < claim->count; ++i) {
         cJSON *value = cJSON_CreateObject();
-        burnish_cli_json_add(value, "label", cJSON_CreateString(claim->values[i].label), failed);
-        burnish_cli_json_add(value, "value", burnish_cli_json_real(claim->values[i].value), failed);
-        burnish_cli_json_add(value, "judged", cJSON_CreateBool(claim->values[i].judged), failed);
-        burnish_cli_json_add(values, NULL, value, failed);
+        cli_json_add(value, "label", cJSON_CreateString(claim->values[i].label), failed);
+        cli_json_add(value, "value", cli_json_real(claim->values[i].value), failed);
+        cli_json_add(value, "judged", cJSON_CreateBool(claim->values[i].judged), failed);
+        cli_json_add(values, NULL, value, failed);
     }
-    burnish_cli_json_add(object, "values", values, failed);
-    burnish_cli_json_add(object, "relation", cJSON_CreateString(relation_text(claim->relation)),
-                         failed);
-    burnish_cli_json_add(object, "bound", burnish_cli_json_real(claim->bound), failed);
-    burnish_cli_json_add(object, "unit", burnish_cli_json_real(claim->unit), failed);
-    burnish_cli_json_add(object, "verdict",
-                         cJSON_CreateString(burnish_theory_verdict_text(claim->verdict)), failed);
-    burnish_cli_json_add(object, "note", cJSON_CreateString(claim->note), failed);
-    burnish_cli_json_add(object, "command", cJSON_CreateString(claim->command), failed);
+    cli_json_add(object, "values", values, failed);
+    cli_json_add(object, "relation", cJSON_CreateString(relation_text(claim->relation)), failed);
+    cli_json_add(object, "bound", cli_json_real(claim->bound), failed);
+    cli_json_add(object, "unit", cli_json_real(claim->unit), failed);
+    cli_json_add(object, "verdict", cJSON_CreateString(burnish_theory_verdict_text(claim->verdict)),
+                 failed);
+    cli_json_add(object, "note", cJSON_CreateString(claim->note), failed);
+    cli_json_add(object, "command", cJSON_CreateString(claim->command), failed);
     return object;
 }
 
 static burnish_status print_json(FILE *stream, const claim_list *list, burnish_error *error) {
     int failed = 0;
     cJSON *root = cJSON_CreateObject(), *claims = cJSON_CreateArray();
-    burnish_cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
     for (size_t i = 0; i < list->count; ++i) {
-        burnish_cli_json_add(claims, NULL, claim_object(&list->items[i], &failed), &failed);
+        cli_json_add(claims, NULL, claim_object(&list->items[i], &failed), &failed);
     }
-    burnish_cli_json_add(root, "claims", claims, &failed);
-    return burnish_cli_json_print(stream, root, failed, error);
+    cli_json_add(root, "claims", claims, &failed);
+    return cli_json_print(stream, root, failed, error);
 }
 
 static burnish_status print_claims(const claims_settings *settings, const claim_list *list,
                                    burnish_error *error) {
-    burnish_cli_output output;
-    burnish_status status = burnish_cli_output_begin(&output, error);
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    switch ((burnish_cli_format)settings->format) {
-    case BURNISH_CLI_FORMAT_TEXT:
+    switch ((cli_format)settings->format) {
+    case CLI_FORMAT_TEXT:
         print_text(output.stream, list);
         break;
-    case BURNISH_CLI_FORMAT_MARKDOWN:
+    case CLI_FORMAT_MARKDOWN:
         print_markdown(output.stream, list);
         break;
-    case BURNISH_CLI_FORMAT_CSV:
+    case CLI_FORMAT_CSV:
         print_csv(output.stream, list);
         break;
-    case BURNISH_CLI_FORMAT_JSON:
+    case CLI_FORMAT_JSON:
         status = print_json(output.stream, list, error);
         break;
     }
-    return burnish_cli_output_end(&output, settings->output, status, error);
+    return cli_output_end(&output, settings->output, status, error);
 }
 
-static burnish_status work(void *target, const burnish_cli_operands *operands,
-                           burnish_error *error) {
+static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
     claim_list list = {0};
     burnish_status status = compute(operands->count > 0 ? operands->items[0] : NULL, &list, error);
     if (status == BURNISH_STATUS_OK) {
@@ -306,5 +302,5 @@ static burnish_status work(void *target, const burnish_cli_operands *operands,
 
 static int claims_main(int argc, char **argv) {
     claims_settings settings = {0};
-    return burnish_cli_run_work(&burnish_cli_lobe_claims_command, argc, argv, &settings, work);
+    return cli_run_work(&lobe_claims_command, argc, argv, &settings, work);
 }

@@ -15,14 +15,14 @@ typedef struct fit_settings {
 
 static int fit_main(int argc, char **argv);
 
-static const burnish_cli_word unit_words[] = {{"deg", BURNISH_CLI_UNIT_DEGREES},
-                                              {"rad", BURNISH_CLI_UNIT_RADIANS},
-                                              {"cosine", BURNISH_CLI_UNIT_COSINE},
-                                              {NULL, 0}};
+static const cli_word unit_words[] = {{"deg", LOBE_UNIT_DEGREES},
+                                      {"rad", LOBE_UNIT_RADIANS},
+                                      {"cosine", LOBE_UNIT_COSINE},
+                                      {NULL, 0}};
 
 #define TARGET(member) .offset = offsetof(fit_settings, member)
 
-static const burnish_cli_flag fit_flags[] = {
+static const cli_flag fit_flags[] = {
     {.group = "Samples",
      .name = "unit",
      .value = "NAME",
@@ -31,33 +31,33 @@ static const burnish_cli_flag fit_flags[] = {
      .words = unit_words,
      .manual = "What the first column is: an angle in degrees or radians, of either sign, or its "
                "cosine.",
-     .handler = burnish_cli_flag_word,
+     .handler = cli_flag_word,
      TARGET(unit)},
     {.name = "offset",
      .help = "fit a constant too, such as the diffuse light",
      .manual = "Fits a constant that is added at every angle, as diffuse and stray light are.",
-     .handler = burnish_cli_flag_switch,
+     .handler = cli_flag_switch,
      TARGET(offset)},
-    BURNISH_CLI_FORMAT_FLAG(fit_settings, burnish_cli_format_words, "text"),
+    CLI_FORMAT_FLAG(fit_settings, cli_format_words, "text"),
     {.name = "residuals",
      .help = "list every sample beside the best lobe instead",
      .manual =
          "Lists the samples with what the best lobe gives there and the difference, instead of "
          "the lobes.",
-     .handler = burnish_cli_flag_switch,
+     .handler = cli_flag_switch,
      TARGET(residuals)},
-    BURNISH_CLI_OUTPUT_FLAG(fit_settings, NULL),
-    BURNISH_CLI_HELP_FLAG(fit_settings),
+    CLI_OUTPUT_FLAG(fit_settings, NULL),
+    CLI_HELP_FLAG(fit_settings),
 };
 
-static const burnish_cli_example examples[] = {
+static const cli_example examples[] = {
     {"burnish lobe fit samples.csv", "angles in degrees"},
     {"burnish lobe fit samples.csv --offset --format=json", "over diffuse light"},
     {"burnish lobe fit samples.csv --residuals --format=csv -o residuals.csv", "every sample"},
     {NULL, NULL},
 };
 
-const burnish_cli_command burnish_cli_lobe_fit_command = {
+const cli_command lobe_fit_command = {
     .name = "lobe fit",
     .operand = "FILE",
     .summary = "the lobe that fits measured angles and intensities",
@@ -82,8 +82,8 @@ const burnish_cli_command burnish_cli_lobe_fit_command = {
 /* What was found. */
 typedef struct findings {
     const char *path;
-    burnish_cli_samples samples;
-    burnish_cli_fitted fitted[BURNISH_CLI_FITTED_MAX];
+    lobe_samples samples;
+    lobe_fitted fitted[LOBE_FITTED_MAX];
     size_t count;
 } findings;
 
@@ -100,18 +100,18 @@ static const struct {
 enum { NAMED_FITS = sizeof named_fits / sizeof *named_fits };
 
 /* "order 4", "power" */
-static const char *shape_name(const burnish_cli_fitted *f, char text[BURNISH_CLI_LOBE_NAME]) {
+static const char *shape_name(const lobe_fitted *f, char text[LOBE_NAME]) {
     if (f->model.lobe.kind == BURNISH_LOBE_FAMILY) {
-        snprintf(text, BURNISH_CLI_LOBE_NAME, "order %d", f->model.lobe.order);
+        snprintf(text, LOBE_NAME, "order %d", f->model.lobe.order);
     } else {
-        burnish_lobe_spec_name(&f->model.lobe, text, BURNISH_CLI_LOBE_NAME);
+        burnish_lobe_spec_name(&f->model.lobe, text, LOBE_NAME);
     }
     return text;
 }
 
-static double exponent_as(const burnish_cli_fitted *f, burnish_lobe_fit fit) {
+static double exponent_as(const lobe_fitted *f, burnish_lobe_fit fit) {
     return f->model.lobe.kind == BURNISH_LOBE_FAMILY
-               ? burnish_cli_exponent_of_slope(fit, f->model.lobe.order, f->model.zeta)
+               ? lobe_exponent_of_slope(fit, f->model.lobe.order, f->model.zeta)
                : f->model.exponent;
 }
 
@@ -119,7 +119,7 @@ static double exponent_as(const burnish_cli_fitted *f, burnish_lobe_fit fit) {
 
 enum { COLUMNS = 10 };
 
-static void set_columns(burnish_cli_column columns[COLUMNS]) {
+static void set_columns(cli_column columns[COLUMNS]) {
     static const struct {
         const char *key, *heading, *unit;
         int decimals;
@@ -140,9 +140,9 @@ static void set_columns(burnish_cli_column columns[COLUMNS]) {
     columns[0].is_text = 1;
 }
 
-static void fill_row(const findings *found, size_t i, char name[BURNISH_CLI_LOBE_NAME],
-                     burnish_cli_value row[COLUMNS]) {
-    const burnish_cli_fitted *f = &found->fitted[i];
+static void fill_row(const findings *found, size_t i, char name[LOBE_NAME],
+                     cli_value row[COLUMNS]) {
+    const lobe_fitted *f = &found->fitted[i];
     burnish_theory_cost cost = burnish_theory_model_cost(&f->model);
     row[0].text = shape_name(f, name);
     row[1].number = f->model.lobe.kind == BURNISH_LOBE_FAMILY ? f->model.zeta : NAN;
@@ -151,14 +151,14 @@ static void fill_row(const findings *found, size_t i, char name[BURNISH_CLI_LOBE
     row[4].number = f->offset;
     row[5].number = f->rms;
     row[6].number = f->maximum;
-    row[7].number = 100 * burnish_cli_explained(&found->samples, f);
+    row[7].number = 100 * lobe_explained(&found->samples, f);
     row[8].number = cost.multiplications + cost.additions + cost.comparisons;
     row[9].number = cost.divisions + cost.transcendentals;
 }
 
 static void print_sentence(FILE *stream, const fit_settings *settings, const findings *found) {
-    const burnish_cli_fitted *f = &found->fitted[0];
-    char name[BURNISH_CLI_LOBE_NAME];
+    const lobe_fitted *f = &found->fitted[0];
+    char name[LOBE_NAME];
     fprintf(stream, "%zu samples. Best: %.5g times ", found->samples.count, f->scale);
     if (f->model.lobe.kind == BURNISH_LOBE_FAMILY) {
         fprintf(stream, "max(0, 1 - %.6g (1 - c))^%d", f->model.zeta, f->model.lobe.order);
@@ -170,9 +170,9 @@ static void print_sentence(FILE *stream, const fit_settings *settings, const fin
     }
     fprintf(stream, "\nResiduals: rms %.4g, largest %.4g at %.6g%s.\n", f->rms, f->maximum,
             found->samples.items[f->worst].x,
-            settings->unit == BURNISH_CLI_UNIT_DEGREES   ? " degrees"
-            : settings->unit == BURNISH_CLI_UNIT_RADIANS ? " radians"
-                                                         : "");
+            settings->unit == LOBE_UNIT_DEGREES   ? " degrees"
+            : settings->unit == LOBE_UNIT_RADIANS ? " radians"
+                                                  : "");
     if (f->at_limit) {
         fprintf(stream, "The search ended at the end of its range: the samples do not say how wide "
                         "the lobe is.\n");
@@ -180,7 +180,7 @@ static void print_sentence(FILE *stream, const fit_settings *settings, const fin
 }
 
 /* The same lobe in the words of the other commands. */
-static void print_names(FILE *stream, const burnish_cli_fitted *f) {
+static void print_names(FILE *stream, const lobe_fitted *f) {
     int first = 1;
     if (f->model.lobe.kind != BURNISH_LOBE_FAMILY) {
         return;
@@ -198,61 +198,57 @@ static void print_names(FILE *stream, const burnish_cli_fitted *f) {
 }
 
 static cJSON *best_object(const findings *found, int *failed) {
-    const burnish_cli_fitted *f = &found->fitted[0];
+    const lobe_fitted *f = &found->fitted[0];
     int is_family = f->model.lobe.kind == BURNISH_LOBE_FAMILY;
-    char name[BURNISH_CLI_LOBE_NAME];
+    char name[LOBE_NAME];
     cJSON *best = cJSON_CreateObject(), *names = cJSON_CreateObject();
-    burnish_cli_json_add(best, "lobe", cJSON_CreateString(shape_name(f, name)), failed);
-    burnish_cli_json_add(best, "order",
-                         is_family ? cJSON_CreateNumber(f->model.lobe.order) : cJSON_CreateNull(),
-                         failed);
-    burnish_cli_json_add(best, "zeta", burnish_cli_json_real(is_family ? f->model.zeta : NAN),
-                         failed);
+    cli_json_add(best, "lobe", cJSON_CreateString(shape_name(f, name)), failed);
+    cli_json_add(best, "order",
+                 is_family ? cJSON_CreateNumber(f->model.lobe.order) : cJSON_CreateNull(), failed);
+    cli_json_add(best, "zeta", cli_json_real(is_family ? f->model.zeta : NAN), failed);
     for (int i = 0; is_family && i < NAMED_FITS; ++i) {
         char key[48];
         snprintf(key, sizeof key, "%s:%d", named_fits[i].name, f->model.lobe.order);
-        burnish_cli_json_add(names, key, burnish_cli_json_real(exponent_as(f, named_fits[i].fit)),
-                             failed);
+        cli_json_add(names, key, cli_json_real(exponent_as(f, named_fits[i].fit)), failed);
     }
     if (!is_family) {
-        burnish_cli_json_add(names, name, burnish_cli_json_real(f->model.exponent), failed);
+        cli_json_add(names, name, cli_json_real(f->model.exponent), failed);
     }
-    burnish_cli_json_add(best, "exponents", names, failed);
-    burnish_cli_json_add(best, "scale", burnish_cli_json_real(f->scale), failed);
-    burnish_cli_json_add(best, "offset", burnish_cli_json_real(f->offset), failed);
-    burnish_cli_json_add(best, "rms", burnish_cli_json_real(f->rms), failed);
-    burnish_cli_json_add(best, "max", burnish_cli_json_real(f->maximum), failed);
-    burnish_cli_json_add(best, "at_limit", cJSON_CreateBool(f->at_limit), failed);
+    cli_json_add(best, "exponents", names, failed);
+    cli_json_add(best, "scale", cli_json_real(f->scale), failed);
+    cli_json_add(best, "offset", cli_json_real(f->offset), failed);
+    cli_json_add(best, "rms", cli_json_real(f->rms), failed);
+    cli_json_add(best, "max", cli_json_real(f->maximum), failed);
+    cli_json_add(best, "at_limit", cJSON_CreateBool(f->at_limit), failed);
     return best;
 }
 
 static burnish_status print_lobes(FILE *stream, const fit_settings *settings, const findings *found,
                                   burnish_error *error) {
-    burnish_cli_column columns[COLUMNS];
-    burnish_cli_value cells[BURNISH_CLI_FITTED_MAX * COLUMNS];
-    char names[BURNISH_CLI_FITTED_MAX][BURNISH_CLI_LOBE_NAME];
-    burnish_cli_table table = {
+    cli_column columns[COLUMNS];
+    cli_value cells[LOBE_FITTED_MAX * COLUMNS];
+    char names[LOBE_FITTED_MAX][LOBE_NAME];
+    cli_table table = {
         .columns = columns, .cells = cells, .column_count = COLUMNS, .row_count = found->count};
     set_columns(columns);
     for (size_t i = 0; i < found->count; ++i) {
         fill_row(found, i, names[i], &cells[i * COLUMNS]);
     }
-    if (settings->format == BURNISH_CLI_FORMAT_CSV) {
-        burnish_cli_table_csv(stream, &table);
-    } else if (settings->format == BURNISH_CLI_FORMAT_JSON) {
+    if (settings->format == CLI_FORMAT_CSV) {
+        cli_table_csv(stream, &table);
+    } else if (settings->format == CLI_FORMAT_JSON) {
         int failed = 0;
         cJSON *root = cJSON_CreateObject();
-        burnish_cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-        burnish_cli_json_add(root, "samples", cJSON_CreateNumber((double)found->samples.count),
-                             &failed);
-        burnish_cli_json_add(root, "best", best_object(found, &failed), &failed);
-        burnish_cli_json_add(root, "lobes", burnish_cli_table_json(&table, &failed), &failed);
-        return burnish_cli_json_print(stream, root, failed, error);
+        cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+        cli_json_add(root, "samples", cJSON_CreateNumber((double)found->samples.count), &failed);
+        cli_json_add(root, "best", best_object(found, &failed), &failed);
+        cli_json_add(root, "lobes", cli_table_json(&table, &failed), &failed);
+        return cli_json_print(stream, root, failed, error);
     } else {
         print_sentence(stream, settings, found);
         print_names(stream, &found->fitted[0]);
         fputc('\n', stream);
-        burnish_cli_table_text(stream, &table);
+        cli_table_text(stream, &table);
         fprintf(stream, "\nExponents of orders are those of the fit energy.\n");
     }
     return BURNISH_STATUS_OK;
@@ -263,43 +259,43 @@ static burnish_status print_lobes(FILE *stream, const fit_settings *settings, co
 static burnish_status print_residuals(FILE *stream, const fit_settings *settings,
                                       const findings *found, burnish_error *error) {
     static const char *const keys[] = {"angle_deg", "angle_rad", "cosine"};
-    burnish_cli_column columns[] = {{"", "", "", -7, 0},
-                                    {"intensity", "intensity", "", -6, 0},
-                                    {"fitted", "fitted", "", -6, 0},
-                                    {"residual", "residual", "", -4, 0}};
+    cli_column columns[] = {{"", "", "", -7, 0},
+                            {"intensity", "intensity", "", -6, 0},
+                            {"fitted", "fitted", "", -6, 0},
+                            {"residual", "residual", "", -4, 0}};
     burnish_status status = BURNISH_STATUS_OK;
-    burnish_cli_table table = {.columns = columns, .column_count = 4};
+    cli_table table = {.columns = columns, .column_count = 4};
     table.row_count = found->samples.count;
     snprintf(columns[0].key, sizeof columns[0].key, "%s", keys[settings->unit]);
     snprintf(columns[0].heading, sizeof columns[0].heading, "%s",
-             settings->unit == BURNISH_CLI_UNIT_COSINE ? "cosine" : "angle");
+             settings->unit == LOBE_UNIT_COSINE ? "cosine" : "angle");
     snprintf(columns[0].unit, sizeof columns[0].unit, "%s",
-             settings->unit == BURNISH_CLI_UNIT_COSINE ? "" : unit_words[settings->unit].name);
+             settings->unit == LOBE_UNIT_COSINE ? "" : unit_words[settings->unit].name);
     table.cells = calloc(table.row_count * 4, sizeof *table.cells);
     if (!table.cells) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the residuals");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the residuals");
     }
     for (size_t i = 0; i < table.row_count; ++i) {
-        const burnish_cli_sample *sample = &found->samples.items[i];
-        double residual = burnish_cli_residual(&found->fitted[0], sample);
+        const lobe_sample *sample = &found->samples.items[i];
+        double residual = lobe_residual(&found->fitted[0], sample);
         table.cells[4 * i].number = sample->x;
         table.cells[4 * i + 1].number = sample->intensity;
         table.cells[4 * i + 2].number = sample->intensity - residual;
         table.cells[4 * i + 3].number = residual;
     }
-    if (settings->format == BURNISH_CLI_FORMAT_CSV) {
-        burnish_cli_table_csv(stream, &table);
-    } else if (settings->format == BURNISH_CLI_FORMAT_JSON) {
+    if (settings->format == CLI_FORMAT_CSV) {
+        cli_table_csv(stream, &table);
+    } else if (settings->format == CLI_FORMAT_JSON) {
         int failed = 0;
         cJSON *root = cJSON_CreateObject();
-        burnish_cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-        burnish_cli_json_add(root, "best", best_object(found, &failed), &failed);
-        burnish_cli_json_add(root, "residuals", burnish_cli_table_json(&table, &failed), &failed);
-        status = burnish_cli_json_print(stream, root, failed, error);
+        cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+        cli_json_add(root, "best", best_object(found, &failed), &failed);
+        cli_json_add(root, "residuals", cli_table_json(&table, &failed), &failed);
+        status = cli_json_print(stream, root, failed, error);
     } else {
         print_sentence(stream, settings, found);
         fputc('\n', stream);
-        burnish_cli_table_text(stream, &table);
+        cli_table_text(stream, &table);
     }
     free(table.cells);
     return status;
@@ -307,31 +303,30 @@ static burnish_status print_residuals(FILE *stream, const fit_settings *settings
 
 static burnish_status print(const fit_settings *settings, const findings *found,
                             burnish_error *error) {
-    burnish_cli_output output;
-    burnish_status status = burnish_cli_output_begin(&output, error);
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     status = settings->residuals ? print_residuals(output.stream, settings, found, error)
                                  : print_lobes(output.stream, settings, found, error);
-    return burnish_cli_output_end(&output, settings->output, status, error);
+    return cli_output_end(&output, settings->output, status, error);
 }
 
-static burnish_status work(void *target, const burnish_cli_operands *operands,
-                           burnish_error *error) {
+static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
     const fit_settings *settings = target;
     findings found = {0};
     if (operands->count == 0) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "lobe fit: no FILE; give CSV with angle and intensity a line, or "
-                                "see \"burnish lobe fit --help\"");
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "lobe fit: no FILE; give CSV with angle and intensity a line, or "
+                        "see \"burnish lobe fit --help\"");
     }
     found.path = strcmp(operands->items[0], "-") == 0 ? "standard input" : operands->items[0];
-    burnish_status status = burnish_cli_read_samples(
-        operands->items[0], (burnish_cli_unit)settings->unit, &found.samples, error);
+    burnish_status status =
+        lobe_read_samples(operands->items[0], (lobe_unit)settings->unit, &found.samples, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_cli_fit_samples(&found.samples, settings->offset, found.path, found.fitted,
-                                         &found.count, error);
+        status = lobe_fit_samples(&found.samples, settings->offset, found.path, found.fitted,
+                                  &found.count, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = print(settings, &found, error);
@@ -342,5 +337,5 @@ static burnish_status work(void *target, const burnish_cli_operands *operands,
 
 static int fit_main(int argc, char **argv) {
     fit_settings settings = {0};
-    return burnish_cli_run_work(&burnish_cli_lobe_fit_command, argc, argv, &settings, work);
+    return cli_run_work(&lobe_fit_command, argc, argv, &settings, work);
 }

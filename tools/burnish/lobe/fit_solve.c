@@ -18,7 +18,7 @@ enum {
 
 /* One search. */
 typedef struct problem {
-    const burnish_cli_samples *samples;
+    const lobe_samples *samples;
     size_t stride; /* every so many samples count */
     int with_offset;
     double unit; /* largest intensity, so that squares neither overflow nor vanish */
@@ -104,7 +104,7 @@ static int search(problem *p, nlopt_algorithm algorithm, int evaluations, double
     return 1;
 }
 
-static int fit_kind(problem *p, burnish_cli_fitted *fitted) {
+static int fit_kind(problem *p, lobe_fitted *fitted) {
     double low = p->kind == BURNISH_LOBE_FAMILY ? log(0.25) : 0, high = log(65536);
     double x = 0.5 * (low + high);
     size_t count = p->samples->count;
@@ -124,7 +124,7 @@ static int fit_kind(problem *p, burnish_cli_fitted *fitted) {
     fitted->offset *= p->unit;
     fitted->maximum = 0;
     for (size_t i = 0; i < count; ++i) {
-        double residual = fabs(burnish_cli_residual(fitted, &p->samples->items[i]));
+        double residual = fabs(lobe_residual(fitted, &p->samples->items[i]));
         if (residual > fitted->maximum) {
             fitted->maximum = residual;
             fitted->worst = i;
@@ -135,7 +135,7 @@ static int fit_kind(problem *p, burnish_cli_fitted *fitted) {
 
 /* Better first. Lobes that fit equally well up to rounding: the cheaper one first. */
 static int compare_fitted(const void *a, const void *b) {
-    const burnish_cli_fitted *x = a, *y = b;
+    const lobe_fitted *x = a, *y = b;
     double tiny = 1e-9 * (fabs(x->scale) + fabs(y->scale));
     if (fabs(x->rms - y->rms) <= tiny && x->rms + y->rms <= 4 * tiny) {
         burnish_theory_cost cost_x = burnish_theory_model_cost(&x->model);
@@ -149,12 +149,12 @@ static int compare_fitted(const void *a, const void *b) {
 }
 
 static burnish_status fail_samples(const char *path, const char *what, burnish_error *error) {
-    return burnish_cli_fail(error, BURNISH_STATUS_FORMAT, "%.200s: %s", path, what);
+    return cli_fail(error, BURNISH_STATUS_FORMAT, "%.200s: %s", path, what);
 }
 
 /* What no fit can mend. */
-static burnish_status check_samples(const burnish_cli_samples *samples, int with_offset,
-                                    const char *path, double *unit, burnish_error *error) {
+static burnish_status check_samples(const lobe_samples *samples, int with_offset, const char *path,
+                                    double *unit, burnish_error *error) {
     size_t needed = with_offset ? 4 : 3;
     double first = samples->count > 0 ? samples->items[0].lambda : 0;
     int angles_differ = 0;
@@ -164,10 +164,10 @@ static burnish_status check_samples(const burnish_cli_samples *samples, int with
         angles_differ = angles_differ || samples->items[i].lambda != first;
     }
     if (samples->count < needed) {
-        return burnish_cli_fail(error, BURNISH_STATUS_FORMAT,
-                                "%.200s: %zu sample%s; a fit%s needs %zu at least", path,
-                                samples->count, samples->count == 1 ? "" : "s",
-                                with_offset ? " with --offset" : "", needed);
+        return cli_fail(error, BURNISH_STATUS_FORMAT,
+                        "%.200s: %zu sample%s; a fit%s needs %zu at least", path, samples->count,
+                        samples->count == 1 ? "" : "s", with_offset ? " with --offset" : "",
+                        needed);
     }
     if (!angles_differ) {
         return fail_samples(path, "all samples are at one angle; a fit needs several", error);
@@ -178,10 +178,9 @@ static burnish_status check_samples(const burnish_cli_samples *samples, int with
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_fit_samples(const burnish_cli_samples *samples, int with_offset,
-                                       const char *path,
-                                       burnish_cli_fitted fitted[BURNISH_CLI_FITTED_MAX],
-                                       size_t *count, burnish_error *error) {
+burnish_status lobe_fit_samples(const lobe_samples *samples, int with_offset, const char *path,
+                                lobe_fitted fitted[LOBE_FITTED_MAX], size_t *count,
+                                burnish_error *error) {
     static const burnish_lobe_kind others[] = {BURNISH_LOBE_POWER, BURNISH_LOBE_SCHLICK,
                                                BURNISH_LOBE_GAUSSIAN, BURNISH_LOBE_GX};
     problem p = {.samples = samples, .with_offset = with_offset};
@@ -190,16 +189,16 @@ burnish_status burnish_cli_fit_samples(const burnish_cli_samples *samples, int w
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    for (int i = 0; i < BURNISH_CLI_FITTED_MAX; ++i) {
+    for (int i = 0; i < LOBE_FITTED_MAX; ++i) {
         p.kind = i < 5 ? BURNISH_LOBE_FAMILY : others[i - 5];
         p.order = i < 5 ? 2 << i : 0;
         if (!fit_kind(&p, &fitted[*count])) {
-            return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the fit");
+            return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the fit");
         }
         *count += fitted[*count].scale > 0;
     }
     qsort(fitted, *count, sizeof *fitted, compare_fitted);
-    if (*count == 0 || burnish_cli_explained(samples, &fitted[0]) < 0.5) {
+    if (*count == 0 || lobe_explained(samples, &fitted[0]) < 0.5) {
         return fail_samples(path,
                             "no lobe fits: every one leaves more than half of the variation; does "
                             "the intensity fall with the angle, is --unit right, is there an "
@@ -209,12 +208,12 @@ burnish_status burnish_cli_fit_samples(const burnish_cli_samples *samples, int w
     return BURNISH_STATUS_OK;
 }
 
-double burnish_cli_residual(const burnish_cli_fitted *fitted, const burnish_cli_sample *sample) {
+double lobe_residual(const lobe_fitted *fitted, const lobe_sample *sample) {
     return sample->intensity - fitted->offset -
            fitted->scale * burnish_theory_value_at_lambda(&fitted->model, sample->lambda);
 }
 
-double burnish_cli_explained(const burnish_cli_samples *samples, const burnish_cli_fitted *fitted) {
+double lobe_explained(const lobe_samples *samples, const lobe_fitted *fitted) {
     double unit = 0, mean = 0, variation = 0, rest = 0;
     for (size_t i = 0; i < samples->count; ++i) {
         unit = fmax(unit, fabs(samples->items[i].intensity));
@@ -224,14 +223,14 @@ double burnish_cli_explained(const burnish_cli_samples *samples, const burnish_c
     }
     for (size_t i = 0; i < samples->count; ++i) {
         double deviation = samples->items[i].intensity / unit - mean;
-        double residual = burnish_cli_residual(fitted, &samples->items[i]) / unit;
+        double residual = lobe_residual(fitted, &samples->items[i]) / unit;
         variation += deviation * deviation;
         rest += residual * residual;
     }
     return variation > 1e-24 * (double)samples->count ? 1 - rest / variation : 0;
 }
 
-double burnish_cli_exponent_of_slope(burnish_lobe_fit fit, int order, double zeta) {
+double lobe_exponent_of_slope(burnish_lobe_fit fit, int order, double zeta) {
     double low = order > 2 ? order : 1, high = 65536, scale, at_low, at_high, at_middle;
     if (fit == BURNISH_FIT_MINIMAX || fit == BURNISH_FIT_PROJECTED) {
         low = order; /* n >= m there, for order 2 too */

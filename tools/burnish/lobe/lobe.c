@@ -6,14 +6,12 @@
 
 #include "cli/help.h"
 
-static const burnish_cli_command *const parts[] = {
-    &burnish_cli_lobe_table_command,    &burnish_cli_lobe_claims_command,
-    &burnish_cli_lobe_choose_command,   &burnish_cli_lobe_fit_command,
-    &burnish_cli_lobe_boundary_command, &burnish_cli_lobe_sample_command,
-    &burnish_cli_lobe_plot_command,     NULL,
+static const cli_command *const parts[] = {
+    &lobe_table_command,    &lobe_claims_command, &lobe_choose_command, &lobe_fit_command,
+    &lobe_boundary_command, &lobe_sample_command, &lobe_plot_command,   NULL,
 };
 
-static const burnish_cli_example examples[] = {
+static const cli_example examples[] = {
     {"burnish lobe table --lobes=energy:2,schlick --exponents=10,100", "two lobes side by side"},
     {"burnish lobe claims core-w", "a claim of the paper"},
     {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest lobe that will do"},
@@ -23,10 +21,10 @@ static const burnish_cli_example examples[] = {
 };
 
 static int lobe_main(int argc, char **argv) {
-    return burnish_cli_run_part(&burnish_cli_lobe_command, argc, argv);
+    return cli_run_part(&lobe_command, argc, argv);
 }
 
-const burnish_cli_command burnish_cli_lobe_command = {
+const cli_command lobe_command = {
     .name = "lobe",
     .operand = "COMMAND",
     .summary = "what is true of a lobe: numbers, claims, fits, figures",
@@ -43,21 +41,21 @@ const burnish_cli_command burnish_cli_lobe_command = {
     .run = lobe_main,
 };
 
-int burnish_cli_run_work(const burnish_cli_command *command, int argc, char **argv, void *settings,
-                         burnish_cli_work *work) {
-    burnish_cli_operands operands;
+int cli_run_work(const cli_command *command, int argc, char **argv, void *settings,
+                 cli_work *work) {
+    cli_operands operands;
     burnish_error error;
-    burnish_status status = burnish_cli_defaults(command, settings, &error);
+    burnish_status status = cli_defaults(command, settings, &error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_cli_parse(command, argc, argv, settings, &operands, &error);
+        status = cli_parse(command, argc, argv, settings, &operands, &error);
     }
     if (status == BURNISH_STATUS_OK && operands.help) {
-        return burnish_cli_print_command_help(command);
+        return cli_print_command_help(command);
     }
     if (status == BURNISH_STATUS_OK) {
         status = work(settings, &operands, &error);
     }
-    return status == BURNISH_STATUS_OK ? EXIT_SUCCESS : burnish_cli_report_error(&error);
+    return status == BURNISH_STATUS_OK ? EXIT_SUCCESS : cli_report_error(&error);
 }
 
 /* ---- Lists ---- */
@@ -69,7 +67,7 @@ typedef struct span {
 } span;
 
 static int read_exponent(const char *text, size_t length, double *value) {
-    return burnish_cli_read_real(text, length, value) && *value >= 1 && *value <= 65536;
+    return cli_read_real(text, length, value) && *value >= 1 && *value <= 65536;
 }
 
 /* "10", "1-1023", "10-100:10", "2-1024x2"; 0 when it is none of these. */
@@ -95,7 +93,7 @@ static int read_span(const char *item, size_t length, span *result) {
     }
     if (mark < end) {
         result->multiply = *mark == 'x';
-        if (!burnish_cli_read_real(mark + 1, (size_t)(end - mark - 1), &result->by)) {
+        if (!cli_read_real(mark + 1, (size_t)(end - mark - 1), &result->by)) {
             return 0;
         }
     }
@@ -118,17 +116,17 @@ static size_t expand(const span *range, double *items, size_t room) {
     return count;
 }
 
-burnish_status burnish_cli_read_exponents(const char *flag, const char *text,
-                                          burnish_cli_exponents *list, burnish_error *error) {
+burnish_status lobe_read_exponents(const char *flag, const char *text, lobe_exponents *list,
+                                   burnish_error *error) {
     size_t total = 0;
-    *list = (burnish_cli_exponents){0};
+    *list = (lobe_exponents){0};
     for (int pass = 0; pass < 2; ++pass) {
         const char *rest = text, *item;
         while (rest) {
-            size_t length = burnish_cli_next_item(&rest, ',', &item);
+            size_t length = cli_next_item(&rest, ',', &item);
             span range;
             if (!read_span(item, length, &range)) {
-                return burnish_cli_fail(
+                return cli_fail(
                     error, BURNISH_STATUS_ARGUMENT,
                     "--%s: \"%.*s\" is not an exponent from 1 to 65536, nor a range such as "
                     "1-1023, 10-100:10 or 2-1024x2",
@@ -138,49 +136,48 @@ burnish_status burnish_cli_read_exponents(const char *flag, const char *text,
                 list->count += expand(&range, list->items + list->count, total - list->count);
                 continue;
             }
-            total += expand(&range, NULL, BURNISH_CLI_EXPONENTS_MAX + 1);
-            if (total > BURNISH_CLI_EXPONENTS_MAX) {
-                return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                        "--%s: more than %d exponents; give fewer or wider steps",
-                                        flag, BURNISH_CLI_EXPONENTS_MAX);
+            total += expand(&range, NULL, LOBE_EXPONENTS_MAX + 1);
+            if (total > LOBE_EXPONENTS_MAX) {
+                return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--%s: more than %d exponents; give fewer or wider steps", flag,
+                                LOBE_EXPONENTS_MAX);
             }
         }
         if (pass == 0) {
             list->items = malloc(total * sizeof *list->items);
             if (!list->items) {
-                return burnish_cli_fail(error, BURNISH_STATUS_MEMORY,
-                                        "out of memory for %zu exponents", total);
+                return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu exponents",
+                                total);
             }
         }
     }
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_read_lobes(const char *flag, const char *text,
-                                      burnish_cli_lobe_names *list, burnish_error *error) {
+burnish_status lobe_read_lobes(const char *flag, const char *text, lobe_names *list,
+                               burnish_error *error) {
     const char *rest = text, *item;
     list->count = 0;
     while (rest) {
-        size_t length = burnish_cli_next_item(&rest, ',', &item);
+        size_t length = cli_next_item(&rest, ',', &item);
         char word[64];
         burnish_theory_model model;
         burnish_error reason;
-        if (list->count == BURNISH_CLI_LOBES_MAX) {
-            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                    "--%s: more than %d lobes; ask in several runs", flag,
-                                    BURNISH_CLI_LOBES_MAX);
+        if (list->count == LOBE_LOBES_MAX) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: more than %d lobes; ask in several runs", flag, LOBE_LOBES_MAX);
         }
         snprintf(word, sizeof word, "%.*s", length < 60 ? (int)length : 60, item);
         /* every order exists for the largest exponent */
         if (burnish_theory_model_parse(word, 65536, &model, &reason) != BURNISH_STATUS_OK) {
-            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: %s", flag, reason.text);
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: %s", flag, reason.text);
         }
-        burnish_lobe_spec_name(&model.lobe, list->items[list->count++], BURNISH_CLI_LOBE_NAME);
+        burnish_lobe_spec_name(&model.lobe, list->items[list->count++], LOBE_NAME);
     }
     return BURNISH_STATUS_OK;
 }
 
-void burnish_cli_cost_text(const burnish_theory_cost *cost, char *text, size_t size) {
+void lobe_cost_text(const burnish_theory_cost *cost, char *text, size_t size) {
     const struct {
         int count;
         const char *name;

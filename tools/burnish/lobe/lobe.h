@@ -1,83 +1,81 @@
 /* `burnish lobe`: its subcommands and what they share. */
-#ifndef BURNISH_TOOL_LOBE_LOBE_H
-#define BURNISH_TOOL_LOBE_LOBE_H
+#ifndef TOOL_LOBE_LOBE_H
+#define TOOL_LOBE_LOBE_H
 
 #include "burnish/theory.h"
 #include "cli/options.h"
 #include "cli/values.h"
 #include "lobe/output.h"
 
-extern const burnish_cli_command burnish_cli_lobe_command;
-extern const burnish_cli_command burnish_cli_lobe_table_command;
-extern const burnish_cli_command burnish_cli_lobe_claims_command;
-extern const burnish_cli_command burnish_cli_lobe_boundary_command;
-extern const burnish_cli_command burnish_cli_lobe_choose_command;
-extern const burnish_cli_command burnish_cli_lobe_sample_command;
-extern const burnish_cli_command burnish_cli_lobe_fit_command;
-extern const burnish_cli_command burnish_cli_lobe_plot_command;
+extern const cli_command lobe_command;
+extern const cli_command lobe_table_command;
+extern const cli_command lobe_claims_command;
+extern const cli_command lobe_boundary_command;
+extern const cli_command lobe_choose_command;
+extern const cli_command lobe_sample_command;
+extern const cli_command lobe_fit_command;
+extern const cli_command lobe_plot_command;
 
 enum {
-    BURNISH_CLI_EXPONENTS_MAX = 65536, /* in one list */
-    BURNISH_CLI_LOBES_MAX = 64,        /* in one list */
-    BURNISH_CLI_LOBE_NAME = 32
+    LOBE_EXPONENTS_MAX = 65536, /* in one list */
+    LOBE_LOBES_MAX = 64,        /* in one list */
+    LOBE_NAME = 32
 };
 
-#define BURNISH_CLI_DEGREE 0.017453292519943295 /* pi / 180 */
-#define BURNISH_CLI_RIGHT_ANGLE 1.5707963267948966
+#define CLI_DEGREE 0.017453292519943295 /* pi / 180 */
+#define CLI_RIGHT_ANGLE 1.5707963267948966
 
 /* A list of exponents; release with free(items). */
-typedef struct burnish_cli_exponents {
+typedef struct lobe_exponents {
     double *items;
     size_t count;
-} burnish_cli_exponents;
+} lobe_exponents;
 
-typedef struct burnish_cli_lobe_names {
-    char items[BURNISH_CLI_LOBES_MAX][BURNISH_CLI_LOBE_NAME];
+typedef struct lobe_names {
+    char items[LOBE_LOBES_MAX][LOBE_NAME];
     size_t count;
-} burnish_cli_lobe_names;
+} lobe_names;
 
 /* Numbers and ranges between commas: 10, 1-1023, 10-100:10 (steps), 2-1024x2 (factors), each from 1
  * to 65536. Errors: ARGUMENT, MEMORY. */
-burnish_status burnish_cli_read_exponents(const char *flag, const char *text,
-                                          burnish_cli_exponents *list, burnish_error *error);
+burnish_status lobe_read_exponents(const char *flag, const char *text, lobe_exponents *list,
+                                   burnish_error *error);
 
 /* Words of burnish_theory_model_parse between commas. An order that no exponent below it allows is
  * no error here. */
-burnish_status burnish_cli_read_lobes(const char *flag, const char *text,
-                                      burnish_cli_lobe_names *list, burnish_error *error);
+burnish_status lobe_read_lobes(const char *flag, const char *text, lobe_names *list,
+                               burnish_error *error);
 
 /* "3 mul 1 add 1 max", operations that are not used left out. */
-void burnish_cli_cost_text(const burnish_theory_cost *cost, char *text, size_t size);
+void lobe_cost_text(const burnish_theory_cost *cost, char *text, size_t size);
 
 /* The work of a subcommand. */
-typedef burnish_status burnish_cli_work(void *settings, const burnish_cli_operands *operands,
-                                        burnish_error *error);
+typedef burnish_status cli_work(void *settings, const cli_operands *operands, burnish_error *error);
 
 /* Defaults, parsing, --help, work, the message of an error; returns the exit code. */
-int burnish_cli_run_work(const burnish_cli_command *command, int argc, char **argv, void *settings,
-                         burnish_cli_work *work);
+int cli_run_work(const cli_command *command, int argc, char **argv, void *settings, cli_work *work);
 
 /* The flags that most subcommands end with; `type` has members format, output and help. */
-#define BURNISH_CLI_FORMAT_FLAG(type, list, start)                                                 \
+#define CLI_FORMAT_FLAG(type, list, start)                                                         \
     {                                                                                              \
         .group = "Output", .name = "format", .value = "NAME", .help = "", .initial = start,        \
         .words = list,                                                                             \
         .manual =                                                                                  \
             "How it is written. Text is rounded for reading; CSV and JSON hold every digit, "      \
             "CSV an empty field and JSON null where there is no number.",                          \
-        .handler = burnish_cli_flag_word, .offset = offsetof(type, format)                         \
+        .handler = cli_flag_word, .offset = offsetof(type, format)                                 \
     }
-#define BURNISH_CLI_OUTPUT_FLAG(type, heading)                                                     \
+#define CLI_OUTPUT_FLAG(type, heading)                                                             \
     {                                                                                              \
         .group = heading, .name = "output", .letter = 'o', .value = "FILE",                        \
         .help = "where to; - is standard output", .initial = "-",                                  \
         .manual = "File to write, whole or not at all; *-* is standard output.",                   \
-        .handler = burnish_cli_flag_text, .offset = offsetof(type, output)                         \
+        .handler = cli_flag_text, .offset = offsetof(type, output)                                 \
     }
-#define BURNISH_CLI_HELP_FLAG(type)                                                                \
+#define CLI_HELP_FLAG(type)                                                                        \
     {                                                                                              \
         .name = "help", .letter = 'h', .help = "this screen",                                      \
-        .manual = "Prints the flags on one screen.", .handler = burnish_cli_flag_switch,           \
+        .manual = "Prints the flags on one screen.", .handler = cli_flag_switch,                   \
         .offset = offsetof(type, help)                                                             \
     }
 

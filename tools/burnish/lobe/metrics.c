@@ -5,10 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef burnish_cli_lobe_facts facts;
+typedef lobe_facts facts;
 
 static double degrees(double radians) {
-    return radians / BURNISH_CLI_DEGREE;
+    return radians / CLI_DEGREE;
 }
 
 static double level_of_bits(const facts *f) {
@@ -34,7 +34,7 @@ static double integral_ratio(const facts *f, burnish_theory_measure measure) {
 
 static double derivative(const facts *f, int order) {
     double derivatives[3];
-    burnish_theory_derivatives(&f->model, f->argument * BURNISH_CLI_DEGREE, derivatives);
+    burnish_theory_derivatives(&f->model, f->argument * CLI_DEGREE, derivatives);
     return derivatives[order];
 }
 
@@ -47,7 +47,7 @@ static double m_peak(const facts *f) {
     return burnish_theory_value_at_lambda(&f->model, 0);
 }
 static double m_value(const facts *f) {
-    return burnish_theory_value_at_angle(&f->model, f->argument * BURNISH_CLI_DEGREE);
+    return burnish_theory_value_at_angle(&f->model, f->argument * CLI_DEGREE);
 }
 static double m_slope(const facts *f) {
     return derivative(f, 1);
@@ -135,7 +135,7 @@ static double m_extreme_value(const facts *f) {
     return isnan(angle) ? NAN : 100 * burnish_theory_relative_error(&f->model, angle);
 }
 static double m_relative_at(const facts *f) {
-    return 100 * burnish_theory_relative_error(&f->model, f->argument * BURNISH_CLI_DEGREE);
+    return 100 * burnish_theory_relative_error(&f->model, f->argument * CLI_DEGREE);
 }
 static double m_alpha(const facts *f) {
     return burnish_theory_alpha_from_exponent(f->model.exponent);
@@ -175,7 +175,7 @@ static double m_memory(const facts *f) {
 }
 
 /* A group ends where the next begins; `all` is everything. */
-static const burnish_cli_metric metrics[] = {
+static const lobe_metric metrics[] = {
     {"zeta", "zeta", "zeta", "", 4, 0, 0, m_zeta, "slope of the base, of the family and lyon"},
     {"peak", "peak", "peak", "", 4, 0, 0, m_peak, "value at angle 0"},
     {"value", "value", "value", "", 5, 0, 'a', m_value, "value at an angle"},
@@ -266,7 +266,7 @@ static const struct {
     {"cost", "multiplications", NULL},
 };
 
-const burnish_cli_metric *burnish_cli_metric_at(size_t index) {
+const lobe_metric *lobe_metric_at(size_t index) {
     return index < METRIC_COUNT ? &metrics[index] : NULL;
 }
 
@@ -280,13 +280,13 @@ static int matches(const char *name, const char *item, size_t length) {
     return strlen(name) == length && memcmp(name, item, length) == 0;
 }
 
-static burnish_status add(const char *flag, burnish_cli_metric_list *list,
-                          const burnish_cli_metric *metric, double argument, burnish_error *error) {
-    if (list->count == BURNISH_CLI_METRICS_MAX) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d metrics", flag,
-                                BURNISH_CLI_METRICS_MAX);
+static burnish_status add(const char *flag, lobe_metric_list *list, const lobe_metric *metric,
+                          double argument, burnish_error *error) {
+    if (list->count == LOBE_METRICS_MAX) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d metrics", flag,
+                        LOBE_METRICS_MAX);
     }
-    list->items[list->count++] = (burnish_cli_metric_choice){metric, argument};
+    list->items[list->count++] = (lobe_metric_choice){metric, argument};
     return BURNISH_STATUS_OK;
 }
 
@@ -295,7 +295,7 @@ static double default_argument(char takes) {
     return takes == 'q' ? 8 : takes == 'a' ? 10 : 0.9;
 }
 
-static burnish_status add_group(const char *flag, burnish_cli_metric_list *list, const char *first,
+static burnish_status add_group(const char *flag, lobe_metric_list *list, const char *first,
                                 const char *end, burnish_error *error) {
     size_t i = 0;
     burnish_status status = BURNISH_STATUS_OK;
@@ -312,26 +312,23 @@ static burnish_status add_group(const char *flag, burnish_cli_metric_list *list,
 
 static burnish_status fail_metric(const char *flag, const char *item, size_t length,
                                   burnish_error *error) {
-    char name[BURNISH_CLI_NAME_MAX + 1];
+    char name[CLI_NAME_MAX + 1];
     const char *closest = NULL;
-    size_t best = BURNISH_CLI_NAME_MAX;
-    snprintf(name, sizeof name, "%.*s",
-             length < BURNISH_CLI_NAME_MAX ? (int)length : BURNISH_CLI_NAME_MAX, item);
+    size_t best = CLI_NAME_MAX;
+    snprintf(name, sizeof name, "%.*s", length < CLI_NAME_MAX ? (int)length : CLI_NAME_MAX, item);
     for (size_t i = 0; i < METRIC_COUNT; ++i) {
-        closest = burnish_cli_closer(name, metrics[i].name, &best) ? metrics[i].name : closest;
+        closest = cli_closer(name, metrics[i].name, &best) ? metrics[i].name : closest;
     }
-    if (closest && burnish_cli_close_enough(name, best)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: \"%s\": unknown metric; did you mean %s?", flag, name,
-                                closest);
+    if (closest && cli_close_enough(name, best)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%s\": unknown metric; did you mean %s?", flag, name, closest);
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: \"%s\": unknown metric; \"burnish help --man\" lists them", flag,
-                            name);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--%s: \"%s\": unknown metric; \"burnish help --man\" lists them", flag, name);
 }
 
 static burnish_status add_item(const char *flag, const char *item, size_t length,
-                               burnish_cli_metric_list *list, burnish_error *error) {
+                               lobe_metric_list *list, burnish_error *error) {
     size_t name = name_length(item, length);
     for (size_t i = 0; i < sizeof groups / sizeof *groups; ++i) {
         if (matches(groups[i].name, item, length)) {
@@ -339,17 +336,16 @@ static burnish_status add_item(const char *flag, const char *item, size_t length
         }
     }
     for (size_t i = 0; i < METRIC_COUNT; ++i) {
-        const burnish_cli_metric *metric = &metrics[i];
+        const lobe_metric *metric = &metrics[i];
         double argument = default_argument(metric->takes);
         double high = metric->takes == 'q' ? 1024 : metric->takes == 'a' ? 90 : 1;
         if (!matches(metric->name, item, name)) {
             continue;
         }
         if (name < length &&
-            (!metric->takes ||
-             !burnish_cli_read_real(item + name + 1, length - name - 1, &argument) ||
+            (!metric->takes || !cli_read_real(item + name + 1, length - name - 1, &argument) ||
              !(argument >= 0 && argument <= high && (metric->takes != 'q' || argument > 0)))) {
-            return burnish_cli_fail(
+            return cli_fail(
                 error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.*s\": %s %s", flag,
                 length < 60 ? (int)length : 60, item, metric->name,
                 metric->takes == 'q'   ? "takes bits above 0 and up to 1024, as in angle:8"
@@ -362,26 +358,25 @@ static burnish_status add_item(const char *flag, const char *item, size_t length
     return fail_metric(flag, item, name, error);
 }
 
-burnish_status burnish_cli_read_metrics(const char *flag, const char *text,
-                                        burnish_cli_metric_list *list, burnish_error *error) {
+burnish_status lobe_read_metrics(const char *flag, const char *text, lobe_metric_list *list,
+                                 burnish_error *error) {
     const char *rest = text, *item;
     burnish_status status = BURNISH_STATUS_OK;
     list->count = 0;
     while (rest && status == BURNISH_STATUS_OK) {
-        size_t length = burnish_cli_next_item(&rest, ',', &item);
+        size_t length = cli_next_item(&rest, ',', &item);
         status = add_item(flag, item, length, list, error);
     }
     return status;
 }
 
-void burnish_cli_metric_column(const burnish_cli_metric_choice *choice,
-                               burnish_cli_column *column) {
-    const burnish_cli_metric *metric = choice->metric;
+void lobe_metric_column(const lobe_metric_choice *choice, cli_column *column) {
+    const lobe_metric *metric = choice->metric;
     char suffix[16] = "";
     if (metric->takes) {
         snprintf(suffix, sizeof suffix, "%.6g", choice->argument);
     }
-    *column = (burnish_cli_column){.decimals = metric->decimals};
+    *column = (cli_column){.decimals = metric->decimals};
     snprintf(column->key, sizeof column->key, "%s%s%s", metric->key, *suffix ? "_" : "", suffix);
     snprintf(column->heading, sizeof column->heading, "%s%s%s", metric->heading, *suffix ? ":" : "",
              suffix);

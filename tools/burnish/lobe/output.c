@@ -7,35 +7,31 @@
 
 #include "burnish/core.h"
 
-const burnish_cli_word burnish_cli_format_words[] = {{"text", BURNISH_CLI_FORMAT_TEXT},
-                                                     {"csv", BURNISH_CLI_FORMAT_CSV},
-                                                     {"json", BURNISH_CLI_FORMAT_JSON},
-                                                     {NULL, 0}};
-const burnish_cli_word burnish_cli_table_format_words[] = {
-    {"text", BURNISH_CLI_FORMAT_TEXT},
-    {"csv", BURNISH_CLI_FORMAT_CSV},
-    {"json", BURNISH_CLI_FORMAT_JSON},
-    {"markdown", BURNISH_CLI_FORMAT_MARKDOWN},
-    {NULL, 0}};
+const cli_word cli_format_words[] = {
+    {"text", CLI_FORMAT_TEXT}, {"csv", CLI_FORMAT_CSV}, {"json", CLI_FORMAT_JSON}, {NULL, 0}};
+const cli_word cli_table_format_words[] = {{"text", CLI_FORMAT_TEXT},
+                                           {"csv", CLI_FORMAT_CSV},
+                                           {"json", CLI_FORMAT_JSON},
+                                           {"markdown", CLI_FORMAT_MARKDOWN},
+                                           {NULL, 0}};
 
 enum { CELL_SIZE = 64 };
 
 /* ---- Outputs ---- */
 
-burnish_status burnish_cli_output_begin(burnish_cli_output *output, burnish_error *error) {
-    *output = (burnish_cli_output){0};
+burnish_status cli_output_begin(cli_output *output, burnish_error *error) {
+    *output = (cli_output){0};
     output->stream = open_memstream(&output->text, &output->size);
-    return output->stream
-               ? BURNISH_STATUS_OK
-               : burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+    return output->stream ? BURNISH_STATUS_OK
+                          : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
 }
 
-burnish_status burnish_cli_output_end(burnish_cli_output *output, const char *path,
-                                      burnish_status status, burnish_error *error) {
+burnish_status cli_output_end(cli_output *output, const char *path, burnish_status status,
+                              burnish_error *error) {
     int failed = ferror(output->stream);
     failed = fclose(output->stream) != 0 || failed;
     if (status == BURNISH_STATUS_OK && failed) {
-        status = burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+        status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_file_write(path, output->text, output->size, error);
@@ -46,9 +42,9 @@ burnish_status burnish_cli_output_end(burnish_cli_output *output, const char *pa
 
 /* ---- Numbers and words ---- */
 
-const char *burnish_cli_shortest(double value, char text[BURNISH_CLI_REAL_SIZE]) {
+const char *cli_shortest(double value, char text[CLI_REAL_SIZE]) {
     for (int digits = 15; digits <= 17; ++digits) { /* %g leaves out zeros at the end */
-        snprintf(text, BURNISH_CLI_REAL_SIZE, "%.*g", digits, value);
+        snprintf(text, CLI_REAL_SIZE, "%.*g", digits, value);
         if (strtod(text, NULL) == value) { /* the program never leaves the C locale */
             break;
         }
@@ -56,7 +52,7 @@ const char *burnish_cli_shortest(double value, char text[BURNISH_CLI_REAL_SIZE])
     return text;
 }
 
-void burnish_cli_print_wrapped(FILE *stream, const char *text, int indent, int width) {
+void cli_print_wrapped(FILE *stream, const char *text, int indent, int width) {
     int at = indent;
     while (*text) {
         int length = (int)strcspn(text, " ");
@@ -78,7 +74,7 @@ void burnish_cli_print_wrapped(FILE *stream, const char *text, int indent, int w
 /* ---- Tables for reading ---- */
 
 /* Numbers that the column's decimals would show as hardly more than 0 get two digits instead. */
-static void format_number(const burnish_cli_column *column, double value, char text[CELL_SIZE]) {
+static void format_number(const cli_column *column, double value, char text[CELL_SIZE]) {
     double magnitude = fabs(value);
     if (isnan(value)) {
         strcpy(text, "-");
@@ -96,13 +92,12 @@ static void format_number(const burnish_cli_column *column, double value, char t
     }
 }
 
-static const burnish_cli_value *cell_of(const burnish_cli_table *table, size_t row, size_t column) {
+static const cli_value *cell_of(const cli_table *table, size_t row, size_t column) {
     return &table->cells[row * table->column_count + column];
 }
 
-static void format_cell(const burnish_cli_table *table, size_t row, size_t column,
-                        char text[CELL_SIZE]) {
-    const burnish_cli_value *cell = cell_of(table, row, column);
+static void format_cell(const cli_table *table, size_t row, size_t column, char text[CELL_SIZE]) {
+    const cli_value *cell = cell_of(table, row, column);
     if (table->columns[column].is_text) {
         snprintf(text, CELL_SIZE, "%s", cell->text);
     } else {
@@ -110,8 +105,8 @@ static void format_cell(const burnish_cli_table *table, size_t row, size_t colum
     }
 }
 
-static int column_width(const burnish_cli_table *table, size_t column) {
-    const burnish_cli_column *c = &table->columns[column];
+static int column_width(const cli_table *table, size_t column) {
+    const cli_column *c = &table->columns[column];
     size_t width = strlen(c->heading) > strlen(c->unit) ? strlen(c->heading) : strlen(c->unit);
     for (size_t row = 0; row < table->row_count; ++row) {
         char text[CELL_SIZE];
@@ -123,7 +118,7 @@ static int column_width(const burnish_cli_table *table, size_t column) {
 
 /* The columns of one part: the repeated ones and those from first up to end. */
 typedef struct part {
-    const burnish_cli_table *table;
+    const cli_table *table;
     const int *widths;
     size_t first, end;
 } part;
@@ -134,7 +129,7 @@ static int shown(const part *p, size_t column) {
 
 /* Prints a line of the part; get gives the text of a column. Blanks at its end are left out. */
 static void print_line(FILE *stream, const part *p, size_t row,
-                       void (*get)(const burnish_cli_table *table, size_t row, size_t column,
+                       void (*get)(const cli_table *table, size_t row, size_t column,
                                    char text[CELL_SIZE])) {
     int blanks = 0;
     for (size_t i = 0; i < p->table->column_count; ++i) {
@@ -155,14 +150,12 @@ static void print_line(FILE *stream, const part *p, size_t row,
     fputc('\n', stream);
 }
 
-static void get_heading(const burnish_cli_table *table, size_t row, size_t column,
-                        char text[CELL_SIZE]) {
+static void get_heading(const cli_table *table, size_t row, size_t column, char text[CELL_SIZE]) {
     (void)row;
     snprintf(text, CELL_SIZE, "%s", table->columns[column].heading);
 }
 
-static void get_unit(const burnish_cli_table *table, size_t row, size_t column,
-                     char text[CELL_SIZE]) {
+static void get_unit(const cli_table *table, size_t row, size_t column, char text[CELL_SIZE]) {
     (void)row;
     snprintf(text, CELL_SIZE, "%s", table->columns[column].unit);
 }
@@ -199,7 +192,7 @@ static void print_part(FILE *stream, const part *p) {
     }
 }
 
-void burnish_cli_table_text(FILE *stream, const burnish_cli_table *table) {
+void cli_table_text(FILE *stream, const cli_table *table) {
     int *widths = calloc(table->column_count, sizeof *widths);
     int repeated = 0;
     if (!widths) {
@@ -213,7 +206,7 @@ void burnish_cli_table_text(FILE *stream, const burnish_cli_table *table) {
         size_t end = first;
         int width = repeated;
         while (end < table->column_count &&
-               (end == first || width + widths[end] <= BURNISH_CLI_TEXT_WIDTH)) {
+               (end == first || width + widths[end] <= CLI_TEXT_WIDTH)) {
             width += widths[end++] + 2;
         }
         part p = {table, widths, first, end};
@@ -226,9 +219,9 @@ void burnish_cli_table_text(FILE *stream, const burnish_cli_table *table) {
     free(widths);
 }
 
-void burnish_cli_table_markdown(FILE *stream, const burnish_cli_table *table) {
+void cli_table_markdown(FILE *stream, const cli_table *table) {
     for (size_t i = 0; i < table->column_count; ++i) {
-        const burnish_cli_column *c = &table->columns[i];
+        const cli_column *c = &table->columns[i];
         fprintf(stream, "| %s%s%s ", c->heading, c->unit[0] ? ", " : "", c->unit);
     }
     fprintf(stream, "|\n");
@@ -248,7 +241,7 @@ void burnish_cli_table_markdown(FILE *stream, const burnish_cli_table *table) {
 
 /* ---- Tables for programs ---- */
 
-void burnish_cli_print_csv_text(FILE *stream, const char *text) {
+void cli_print_csv_text(FILE *stream, const char *text) {
     if (!strpbrk(text, ",\"\n\r")) {
         fputs(text, stream);
         return;
@@ -264,25 +257,25 @@ void burnish_cli_print_csv_text(FILE *stream, const char *text) {
 }
 
 static void print_csv_number(FILE *stream, double value) {
-    char text[BURNISH_CLI_REAL_SIZE];
+    char text[CLI_REAL_SIZE];
     if (isinf(value)) {
         fputs(value > 0 ? "inf" : "-inf", stream);
     } else if (!isnan(value)) {
-        fputs(burnish_cli_shortest(value, text), stream);
+        fputs(cli_shortest(value, text), stream);
     }
 }
 
-void burnish_cli_table_csv(FILE *stream, const burnish_cli_table *table) {
+void cli_table_csv(FILE *stream, const cli_table *table) {
     for (size_t i = 0; i < table->column_count; ++i) {
         fprintf(stream, "%s%s", i > 0 ? "," : "", table->columns[i].key);
     }
     fputc('\n', stream);
     for (size_t row = 0; row < table->row_count; ++row) {
         for (size_t i = 0; i < table->column_count; ++i) {
-            const burnish_cli_value *cell = cell_of(table, row, i);
+            const cli_value *cell = cell_of(table, row, i);
             fputs(i > 0 ? "," : "", stream);
             if (table->columns[i].is_text) {
-                burnish_cli_print_csv_text(stream, cell->text);
+                cli_print_csv_text(stream, cell->text);
             } else {
                 print_csv_number(stream, cell->number);
             }
@@ -291,7 +284,7 @@ void burnish_cli_table_csv(FILE *stream, const burnish_cli_table *table) {
     }
 }
 
-void burnish_cli_json_add(cJSON *object, const char *key, cJSON *item, int *failed) {
+void cli_json_add(cJSON *object, const char *key, cJSON *item, int *failed) {
     if (!item ||
         !(key ? cJSON_AddItemToObject(object, key, item) : cJSON_AddItemToArray(object, item))) {
         cJSON_Delete(item);
@@ -299,34 +292,32 @@ void burnish_cli_json_add(cJSON *object, const char *key, cJSON *item, int *fail
     }
 }
 
-cJSON *burnish_cli_json_real(double value) {
-    char text[BURNISH_CLI_REAL_SIZE];
-    return isfinite(value) ? cJSON_CreateRaw(burnish_cli_shortest(value, text))
-                           : cJSON_CreateNull();
+cJSON *cli_json_real(double value) {
+    char text[CLI_REAL_SIZE];
+    return isfinite(value) ? cJSON_CreateRaw(cli_shortest(value, text)) : cJSON_CreateNull();
 }
 
-cJSON *burnish_cli_table_json(const burnish_cli_table *table, int *failed) {
+cJSON *cli_table_json(const cli_table *table, int *failed) {
     cJSON *rows = cJSON_CreateArray();
     for (size_t row = 0; row < table->row_count && !*failed; ++row) {
         cJSON *object = cJSON_CreateObject();
         for (size_t i = 0; i < table->column_count && !*failed; ++i) {
-            const burnish_cli_value *cell = cell_of(table, row, i);
-            burnish_cli_json_add(object, table->columns[i].key,
-                                 table->columns[i].is_text ? cJSON_CreateString(cell->text)
-                                                           : burnish_cli_json_real(cell->number),
-                                 failed);
+            const cli_value *cell = cell_of(table, row, i);
+            cli_json_add(object, table->columns[i].key,
+                         table->columns[i].is_text ? cJSON_CreateString(cell->text)
+                                                   : cli_json_real(cell->number),
+                         failed);
         }
-        burnish_cli_json_add(rows, NULL, object, failed);
+        cli_json_add(rows, NULL, object, failed);
     }
     return rows;
 }
 
-burnish_status burnish_cli_json_print(FILE *stream, cJSON *object, int failed,
-                                      burnish_error *error) {
+burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error) {
     char *text = failed ? NULL : cJSON_Print(object);
     cJSON_Delete(object);
     if (!text) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the JSON output");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the JSON output");
     }
     fprintf(stream, "%s\n", text);
     cJSON_free(text);

@@ -1,100 +1,99 @@
 /* What `burnish lobe` writes: tables as text, Markdown, CSV and JSON, whole files. */
-#ifndef BURNISH_TOOL_LOBE_OUTPUT_H
-#define BURNISH_TOOL_LOBE_OUTPUT_H
+#ifndef TOOL_LOBE_OUTPUT_H
+#define TOOL_LOBE_OUTPUT_H
 
 #include <cjson/cJSON.h>
 #include <stdio.h>
 
 #include "cli/options.h"
 
-typedef enum burnish_cli_format {
-    BURNISH_CLI_FORMAT_TEXT,
-    BURNISH_CLI_FORMAT_CSV,
-    BURNISH_CLI_FORMAT_JSON,
-    BURNISH_CLI_FORMAT_MARKDOWN
-} burnish_cli_format;
+typedef enum cli_format {
+    CLI_FORMAT_TEXT,
+    CLI_FORMAT_CSV,
+    CLI_FORMAT_JSON,
+    CLI_FORMAT_MARKDOWN
+} cli_format;
 
 /* text, csv, json and the same with markdown. */
-extern const burnish_cli_word burnish_cli_format_words[];
-extern const burnish_cli_word burnish_cli_table_format_words[];
+extern const cli_word cli_format_words[];
+extern const cli_word cli_table_format_words[];
 
 enum {
-    BURNISH_CLI_TEXT_WIDTH = 100,
-    BURNISH_CLI_REAL_SIZE = 40, /* of burnish_cli_shortest's text */
-    BURNISH_CLI_CELLS_MAX = 1 << 22
+    CLI_TEXT_WIDTH = 100,
+    CLI_REAL_SIZE = 40, /* of cli_shortest's text */
+    CLI_CELLS_MAX = 1 << 22
 };
 
 /* An output on its way; written when it is complete. */
-typedef struct burnish_cli_output {
+typedef struct cli_output {
     FILE *stream; /* print to this */
     char *text;
     size_t size;
-} burnish_cli_output;
+} cli_output;
 
 /* Errors: MEMORY. */
-burnish_status burnish_cli_output_begin(burnish_cli_output *output, burnish_error *error);
+burnish_status cli_output_begin(cli_output *output, burnish_error *error);
 
 /* Writes the whole text to a file, "-" for standard output, and releases it. With a status other
  * than OK, that of what was printed, nothing is written and it is returned. Errors: MEMORY, WRITE.
  */
-burnish_status burnish_cli_output_end(burnish_cli_output *output, const char *path,
-                                      burnish_status status, burnish_error *error);
+burnish_status cli_output_end(cli_output *output, const char *path, burnish_status status,
+                              burnish_error *error);
 
 /* The shortest decimal that reads back as the same double. Finite numbers only. */
-const char *burnish_cli_shortest(double value, char text[BURNISH_CLI_REAL_SIZE]);
+const char *cli_shortest(double value, char text[CLI_REAL_SIZE]);
 
 /* Prints text wrapped at `width` columns; lines after the first begin with `indent` blanks, and the
  * first is taken to stand there already. */
-void burnish_cli_print_wrapped(FILE *stream, const char *text, int indent, int width);
+void cli_print_wrapped(FILE *stream, const char *text, int indent, int width);
 
-typedef struct burnish_cli_column {
+typedef struct cli_column {
     char key[48];     /* of CSV and JSON */
     char heading[32]; /* of text */
     char unit[16];    /* below the heading; "" for none */
     int decimals;     /* of text; below 0: so many significant digits; cells of text: 0 */
     int is_text;
-} burnish_cli_column;
+} cli_column;
 
 /* A cell: text where its column says so, otherwise a number, NaN where there is none. */
-typedef union burnish_cli_value {
+typedef union cli_value {
     const char *text;
     double number;
-} burnish_cli_value;
+} cli_value;
 
-typedef struct burnish_cli_table {
-    burnish_cli_column *columns;
-    burnish_cli_value *cells; /* row after row */
+typedef struct cli_table {
+    cli_column *columns;
+    cli_value *cells; /* row after row */
     size_t column_count, row_count;
     size_t
         repeated; /* first columns that every part repeats when the text is too wide for a page */
     size_t rows_in_group; /* a blank line after so many rows; 0: none */
-} burnish_cli_table;
+} cli_table;
 
-/* Aligned, at most BURNISH_CLI_TEXT_WIDTH columns; columns that do not fit come in further parts.
+/* Aligned, at most CLI_TEXT_WIDTH columns; columns that do not fit come in further parts.
  */
-void burnish_cli_table_text(FILE *stream, const burnish_cli_table *table);
+void cli_table_text(FILE *stream, const cli_table *table);
 
 /* GitHub's Markdown. */
-void burnish_cli_table_markdown(FILE *stream, const burnish_cli_table *table);
+void cli_table_markdown(FILE *stream, const cli_table *table);
 
 /* One line of keys, then the rows. */
-void burnish_cli_table_csv(FILE *stream, const burnish_cli_table *table);
+void cli_table_csv(FILE *stream, const cli_table *table);
 
 /* A text field of CSV, quoted where it must be. */
-void burnish_cli_print_csv_text(FILE *stream, const char *text);
+void cli_print_csv_text(FILE *stream, const char *text);
 
 /* The rows as an array of objects; NULL and *failed when out of memory. */
-cJSON *burnish_cli_table_json(const burnish_cli_table *table, int *failed);
+cJSON *cli_table_json(const cli_table *table, int *failed);
 
 /* Adds an item to an object, or to an array for a NULL key; a NULL item (out of memory) makes
  * *failed 1. */
-void burnish_cli_json_add(cJSON *object, const char *key, cJSON *item, int *failed);
+void cli_json_add(cJSON *object, const char *key, cJSON *item, int *failed);
 
 /* A number with all its digits; null when it is not finite. */
-cJSON *burnish_cli_json_real(double value);
+cJSON *cli_json_real(double value);
 
 /* Prints and deletes the object. Errors: MEMORY, also where `failed` is set. */
-burnish_status burnish_cli_json_print(FILE *stream, cJSON *object, int failed,
-                                      burnish_error *error);
+burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error);
 
 #endif

@@ -11,29 +11,29 @@ typedef enum sample_pattern { PATTERN_RANDOM, PATTERN_STRATIFIED } sample_patter
 
 typedef struct sample_settings {
     const char *lobe, *output;
-    burnish_cli_real exponent;
+    cli_real exponent;
     uint64_t count, seed;
     int measure, pattern, help;
 } sample_settings;
 
 static int sample_main(int argc, char **argv);
 
-static const burnish_cli_word measure_words[] = {{"solid-angle", BURNISH_THEORY_SOLID_ANGLE},
-                                                 {"cosine", BURNISH_THEORY_COSINE_WEIGHTED},
-                                                 {NULL, 0}};
-static const burnish_cli_word pattern_words[] = {
+static const cli_word measure_words[] = {{"solid-angle", BURNISH_THEORY_SOLID_ANGLE},
+                                         {"cosine", BURNISH_THEORY_COSINE_WEIGHTED},
+                                         {NULL, 0}};
+static const cli_word pattern_words[] = {
     {"random", PATTERN_RANDOM}, {"stratified", PATTERN_STRATIFIED}, {NULL, 0}};
 
 #define TARGET(member) .offset = offsetof(sample_settings, member)
 
-static const burnish_cli_flag sample_flags[] = {
+static const cli_flag sample_flags[] = {
     {.group = "What is sampled",
      .name = "lobe",
      .value = "LOBE",
      .help = "such as energy:2, minimax:4, power",
      .initial = "energy:2",
      .manual = "The lobe, in the words of *LOBES* and *LOBE*.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(lobe)},
     {.name = "exponent",
      .value = "N",
@@ -42,7 +42,7 @@ static const burnish_cli_flag sample_flags[] = {
      .low = 1,
      .high = 65536,
      .manual = "Exponent of the lobe.",
-     .handler = burnish_cli_flag_real,
+     .handler = cli_flag_real,
      TARGET(exponent)},
     {.name = "measure",
      .value = "NAME",
@@ -52,7 +52,7 @@ static const burnish_cli_flag sample_flags[] = {
      .manual =
          "*solid-angle* draws directions in proportion to the lobe, *cosine* in proportion to "
          "the lobe times the cosine.",
-     .handler = burnish_cli_flag_word,
+     .handler = cli_flag_word,
      TARGET(measure)},
     {.group = "How",
      .name = "count",
@@ -63,7 +63,7 @@ static const burnish_cli_flag sample_flags[] = {
      .high = 1e9,
      .manual = "How many directions, up to 1000000000. They are written as they are made, in no "
                "more memory for many than for few.",
-     .handler = burnish_cli_flag_count,
+     .handler = cli_flag_count,
      TARGET(count)},
     {.name = "pattern",
      .value = "NAME",
@@ -75,7 +75,7 @@ static const burnish_cli_flag sample_flags[] = {
          "a shorter one. *stratified* ones have one in each of _N_ equal parts of the lobe, "
          "from the centre outward, turned by the golden angle: less noise for the same "
          "number.",
-     .handler = burnish_cli_flag_word,
+     .handler = cli_flag_word,
      TARGET(pattern)},
     {.name = "seed",
      .value = "N",
@@ -87,19 +87,19 @@ static const burnish_cli_flag sample_flags[] = {
          "Seed of the numbers, which are those of SplitMix64: the k-th number, k from 1, is a "
          "mix of seed + k 0x9e3779b97f4a7c15, of which the upper 53 bits count. Direction i, "
          "from 0, takes the numbers 2i+1 and 2i+2. The same seed gives the same directions.",
-     .handler = burnish_cli_flag_count,
+     .handler = cli_flag_count,
      TARGET(seed)},
-    BURNISH_CLI_OUTPUT_FLAG(sample_settings, "Output"),
-    BURNISH_CLI_HELP_FLAG(sample_settings),
+    CLI_OUTPUT_FLAG(sample_settings, "Output"),
+    CLI_HELP_FLAG(sample_settings),
 };
 
-static const burnish_cli_example examples[] = {
+static const cli_example examples[] = {
     {"burnish lobe sample --lobe=energy:2 --exponent=50 -o rays.csv", "1000 directions"},
     {"burnish lobe sample --lobe=power --measure=cosine --pattern=stratified --count=64", "evenly"},
     {NULL, NULL},
 };
 
-const burnish_cli_command burnish_cli_lobe_sample_command = {
+const cli_command lobe_sample_command = {
     .name = "lobe sample",
     .operand = "",
     .summary = "directions distributed like a lobe, with their density",
@@ -144,7 +144,7 @@ static void draw(const sampler *s, uint64_t i, double direction[3]) {
                                     direction);
 }
 
-enum { LINE_MAX_BYTES = 4 * BURNISH_CLI_REAL_SIZE };
+enum { LINE_MAX_BYTES = 4 * CLI_REAL_SIZE };
 
 /* A burnish_file_source: as many whole lines as fit. */
 static size_t produce(void *context, char *buffer, size_t size) {
@@ -155,33 +155,32 @@ static size_t produce(void *context, char *buffer, size_t size) {
         used = (size_t)snprintf(buffer, size, "x,y,z,pdf\n");
     }
     while (s->next < s->settings->count && size - used >= LINE_MAX_BYTES) {
-        char number[4][BURNISH_CLI_REAL_SIZE];
+        char number[4][CLI_REAL_SIZE];
         double direction[3];
         draw(s, s->next++, direction);
         double pdf = burnish_theory_pdf(&s->model, (burnish_theory_measure)s->settings->measure,
                                         direction[2]);
         for (int k = 0; k < 3; ++k) {
-            burnish_cli_shortest(direction[k], number[k]);
+            cli_shortest(direction[k], number[k]);
         }
         used += (size_t)snprintf(buffer + used, size - used, "%s,%s,%s,%s\n", number[0], number[1],
-                                 number[2], burnish_cli_shortest(pdf, number[3]));
+                                 number[2], cli_shortest(pdf, number[3]));
     }
     return used;
 }
 
-static burnish_status work(void *target, const burnish_cli_operands *operands,
-                           burnish_error *error) {
+static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
     sampler s = {.settings = target};
     burnish_error reason;
     (void)operands;
     if (burnish_theory_model_parse(s.settings->lobe, s.settings->exponent.value, &s.model,
                                    &reason) != BURNISH_STATUS_OK) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobe: %s", reason.text);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobe: %s", reason.text);
     }
     return burnish_file_write_stream(s.settings->output, produce, &s, error);
 }
 
 static int sample_main(int argc, char **argv) {
     sample_settings settings = {0};
-    return burnish_cli_run_work(&burnish_cli_lobe_sample_command, argc, argv, &settings, work);
+    return cli_run_work(&lobe_sample_command, argc, argv, &settings, work);
 }

@@ -14,7 +14,7 @@ enum { LINE_BYTES = 4096 };
 typedef struct reader {
     const char *path;
     FILE *file;
-    burnish_cli_unit unit;
+    lobe_unit unit;
     size_t line, bytes;
     int seen_heading;
     burnish_error *error;
@@ -24,7 +24,7 @@ typedef struct reader {
 typedef enum line_result { LINE_READ, LINE_END, LINE_FAILED } line_result;
 
 static line_result fail_line(reader *r, burnish_status status, const char *what) {
-    burnish_cli_fail(r->error, status, "%.200s:%zu: %s", r->path, r->line, what);
+    cli_fail(r->error, status, "%.200s:%zu: %s", r->path, r->line, what);
     return LINE_FAILED;
 }
 
@@ -48,8 +48,8 @@ static line_result next_line(reader *r, char line[LINE_BYTES]) {
     line[length] = 0;
     r->bytes += length + 1;
     if (ferror(r->file)) {
-        burnish_cli_fail(r->error, BURNISH_STATUS_READ, "%.200s: can't be read: %s", r->path,
-                         strerror(errno));
+        cli_fail(r->error, BURNISH_STATUS_READ, "%.200s: can't be read: %s", r->path,
+                 strerror(errno));
         return LINE_FAILED;
     }
     if (c == EOF && length == 0) {
@@ -58,7 +58,7 @@ static line_result next_line(reader *r, char line[LINE_BYTES]) {
     if (c == '\r' && (c = getc(r->file)) != '\n' && c != EOF) {
         ungetc(c, r->file);
     }
-    return r->bytes > BURNISH_CLI_SAMPLES_BYTES_MAX
+    return r->bytes > CLI_SAMPLES_BYTES_MAX
                ? fail_line(r, BURNISH_STATUS_LIMIT,
                            "more than 256 MiB; give fewer samples, or only two columns")
                : LINE_READ;
@@ -100,7 +100,7 @@ static size_t split(const char *line, field fields[2]) {
     line += strspn(line, separator == ' ' ? " " : "");
     for (const char *rest = line; rest;) {
         const char *item;
-        size_t length = burnish_cli_next_item(&rest, separator, &item);
+        size_t length = cli_next_item(&rest, separator, &item);
         if (count < 2) {
             fields[count] = trim(item, length);
         }
@@ -120,81 +120,81 @@ static int is_passed_over(const char *line) {
 
 /* 1 - cosine of the first field. */
 static burnish_status read_lambda(const reader *r, double x, double *lambda) {
-    double radians = r->unit == BURNISH_CLI_UNIT_DEGREES ? x * BURNISH_CLI_DEGREE : x;
-    if (r->unit == BURNISH_CLI_UNIT_COSINE) {
+    double radians = r->unit == LOBE_UNIT_DEGREES ? x * CLI_DEGREE : x;
+    if (r->unit == LOBE_UNIT_COSINE) {
         *lambda = 1 - x;
         return fabs(x) <= 1 ? BURNISH_STATUS_OK
-                            : burnish_cli_fail(r->error, BURNISH_STATUS_FORMAT,
-                                               "%.200s:%zu: the cosine %g is not from -1 to 1; say "
-                                               "--unit=deg or rad for angles",
-                                               r->path, r->line, x);
+                            : cli_fail(r->error, BURNISH_STATUS_FORMAT,
+                                       "%.200s:%zu: the cosine %g is not from -1 to 1; say "
+                                       "--unit=deg or rad for angles",
+                                       r->path, r->line, x);
     }
     double half = sin(radians / 2);
     *lambda = 2 * half * half;
-    if (fabs(radians) > 2 * BURNISH_CLI_RIGHT_ANGLE * (1 + 1e-12)) {
-        return burnish_cli_fail(
-            r->error, BURNISH_STATUS_FORMAT,
-            "%.200s:%zu: the angle %g is not from %s; is --unit right?", r->path, r->line, x,
-            r->unit == BURNISH_CLI_UNIT_DEGREES ? "-180 to 180 degrees" : "-pi to pi radians");
+    if (fabs(radians) > 2 * CLI_RIGHT_ANGLE * (1 + 1e-12)) {
+        return cli_fail(r->error, BURNISH_STATUS_FORMAT,
+                        "%.200s:%zu: the angle %g is not from %s; is --unit right?", r->path,
+                        r->line, x,
+                        r->unit == LOBE_UNIT_DEGREES ? "-180 to 180 degrees" : "-pi to pi radians");
     }
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status store(reader *r, burnish_cli_samples *samples, double x, double intensity) {
+static burnish_status store(reader *r, lobe_samples *samples, double x, double intensity) {
     double lambda;
     burnish_status status = read_lambda(r, x, &lambda);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (samples->count == BURNISH_CLI_SAMPLES_MAX) {
+    if (samples->count == LOBE_SAMPLES_MAX) {
         fail_line(r, BURNISH_STATUS_LIMIT, "more than 1000000 samples; give fewer");
         return r->error->status;
     }
     if (samples->count == samples->capacity) {
         size_t capacity = samples->capacity > 0 ? 2 * samples->capacity : 256;
-        burnish_cli_sample *grown = realloc(samples->items, capacity * sizeof *grown);
+        lobe_sample *grown = realloc(samples->items, capacity * sizeof *grown);
         if (!grown) {
-            return burnish_cli_fail(r->error, BURNISH_STATUS_MEMORY,
-                                    "out of memory for %zu samples", capacity);
+            return cli_fail(r->error, BURNISH_STATUS_MEMORY, "out of memory for %zu samples",
+                            capacity);
         }
         samples->items = grown;
         samples->capacity = capacity;
     }
-    samples->items[samples->count++] = (burnish_cli_sample){x, lambda, intensity};
+    samples->items[samples->count++] = (lobe_sample){x, lambda, intensity};
     return BURNISH_STATUS_OK;
 }
 
 static burnish_status fail_field(const reader *r, field f, const char *what) {
     const char *advice = memchr(f.text, ',', f.length) ? "; write numbers with a point" : "";
-    return burnish_cli_fail(r->error, BURNISH_STATUS_FORMAT,
-                            "%.200s:%zu: the %s \"%.*s\" is not a number%s", r->path, r->line, what,
-                            f.length < 40 ? (int)f.length : 40, f.text, advice);
+    return cli_fail(r->error, BURNISH_STATUS_FORMAT,
+                    "%.200s:%zu: the %s \"%.*s\" is not a number%s", r->path, r->line, what,
+                    f.length < 40 ? (int)f.length : 40, f.text, advice);
 }
 
 /* A line that is neither empty nor a comment. */
-static burnish_status read_pair(reader *r, const char *line, burnish_cli_samples *samples) {
+static burnish_status read_pair(reader *r, const char *line, lobe_samples *samples) {
     field fields[2] = {{"", 0}, {"", 0}};
     double x, intensity;
     size_t count = split(line, fields);
-    int has_x = burnish_cli_read_real(fields[0].text, fields[0].length, &x);
-    int has_intensity = burnish_cli_read_real(fields[1].text, fields[1].length, &intensity);
+    int has_x = cli_read_real(fields[0].text, fields[0].length, &x);
+    int has_intensity = cli_read_real(fields[1].text, fields[1].length, &intensity);
     int may_be_heading = samples->count == 0 && !r->seen_heading;
     if (!has_x && !has_intensity && may_be_heading) {
         r->seen_heading = 1;
         return BURNISH_STATUS_OK;
     }
     if (count != 2) {
-        return burnish_cli_fail(r->error, BURNISH_STATUS_FORMAT,
-                                "%.200s:%zu: %zu field%s; give two: angle and intensity", r->path,
-                                r->line, count, count == 1 ? "" : "s");
+        return cli_fail(r->error, BURNISH_STATUS_FORMAT,
+                        "%.200s:%zu: %zu field%s; give two: angle and intensity", r->path, r->line,
+                        count, count == 1 ? "" : "s");
     }
     if (!has_x) {
-        return fail_field(r, fields[0], r->unit == BURNISH_CLI_UNIT_COSINE ? "cosine" : "angle");
+        return fail_field(r, fields[0], r->unit == LOBE_UNIT_COSINE ? "cosine" : "angle");
     }
     return has_intensity ? store(r, samples, x, intensity) : fail_field(r, fields[1], "intensity");
 }
 
-static burnish_status read_all(reader *r, burnish_cli_samples *samples) {
+static burnish_status read_all(reader *r, lobe_samples *samples) {
     char line[LINE_BYTES];
     for (;;) {
         line_result result = next_line(r, line);
@@ -213,17 +213,17 @@ static burnish_status read_all(reader *r, burnish_cli_samples *samples) {
     }
 }
 
-burnish_status burnish_cli_read_samples(const char *path, burnish_cli_unit unit,
-                                        burnish_cli_samples *samples, burnish_error *error) {
+burnish_status lobe_read_samples(const char *path, lobe_unit unit, lobe_samples *samples,
+                                 burnish_error *error) {
     int is_stdin = strcmp(path, "-") == 0;
     reader r = {.path = is_stdin ? "standard input" : path,
                 .file = is_stdin ? stdin : fopen(path, "rb"),
                 .unit = unit,
                 .error = error};
-    *samples = (burnish_cli_samples){0};
+    *samples = (lobe_samples){0};
     if (!r.file) {
-        return burnish_cli_fail(error, BURNISH_STATUS_READ, "%.200s: can't be opened: %s", path,
-                                strerror(errno));
+        return cli_fail(error, BURNISH_STATUS_READ, "%.200s: can't be opened: %s", path,
+                        strerror(errno));
     }
     burnish_status status = read_all(&r, samples);
     if (!is_stdin) {

@@ -1,34 +1,30 @@
 /* Measured samples of a lobe, read from CSV. */
-#ifndef BURNISH_TOOL_LOBE_SAMPLES_H
-#define BURNISH_TOOL_LOBE_SAMPLES_H
+#ifndef TOOL_LOBE_SAMPLES_H
+#define TOOL_LOBE_SAMPLES_H
 
 #include <stddef.h>
 
 #include "burnish/core.h"
 
-typedef enum burnish_cli_unit {
-    BURNISH_CLI_UNIT_DEGREES,
-    BURNISH_CLI_UNIT_RADIANS,
-    BURNISH_CLI_UNIT_COSINE
-} burnish_cli_unit;
+typedef enum lobe_unit { LOBE_UNIT_DEGREES, LOBE_UNIT_RADIANS, LOBE_UNIT_COSINE } lobe_unit;
 
-enum { BURNISH_CLI_SAMPLES_MAX = 1000000, BURNISH_CLI_SAMPLES_BYTES_MAX = 1 << 28 };
+enum { LOBE_SAMPLES_MAX = 1000000, CLI_SAMPLES_BYTES_MAX = 1 << 28 };
 
-typedef struct burnish_cli_sample {
+typedef struct lobe_sample {
     double x;         /* as in the file */
     double lambda;    /* 1 - cosine */
     double intensity; /* as in the file */
-} burnish_cli_sample;
+} lobe_sample;
 
-typedef struct burnish_cli_samples {
-    burnish_cli_sample *items; /* release with free */
+typedef struct lobe_samples {
+    lobe_sample *items; /* release with free */
     size_t count, capacity;
-} burnish_cli_samples;
+} lobe_samples;
 
 /* Reads angle and intensity from a file, "-" for standard input: two fields a line between commas,
  * semicolons, tabs or blanks; empty lines, lines that begin with # and one heading are passed over.
  * Errors: READ, FORMAT, LIMIT, MEMORY; with the line's number. */
-burnish_status burnish_cli_read_samples(const char *path, burnish_cli_unit unit,
-                                        burnish_cli_samples *samples, burnish_error *error);
+burnish_status lobe_read_samples(const char *path, lobe_unit unit, lobe_samples *samples,
+                                 burnish_error *error);
 
 #endif

@@ -16,7 +16,7 @@ static int table_main(int argc, char **argv);
 
 #define TARGET(member) .offset = offsetof(table_settings, member)
 
-static const burnish_cli_flag table_flags[] = {
+static const cli_flag table_flags[] = {
     {.group = "What is shown",
      .name = "lobes",
      .value = "LIST",
@@ -25,7 +25,7 @@ static const burnish_cli_flag table_flags[] = {
      .shown = "a telling set",
      .manual = "Lobes, between commas, in the words of *LOBES* and *LOBE*. A lobe whose order the "
                "exponent does not allow has a row without numbers.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(lobes)},
     {.name = "exponents",
      .value = "LIST",
@@ -33,7 +33,7 @@ static const burnish_cli_flag table_flags[] = {
      .initial = "10,100",
      .manual = "Exponents from 1 to 65536 between commas, and ranges of them: *1-1023* in steps of "
                "1, *10-100:10* in steps of 10, *2-1024x2* doubling.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(exponents)},
     {.name = "metrics",
      .value = "LIST",
@@ -42,7 +42,7 @@ static const burnish_cli_flag table_flags[] = {
                 "additions,comparisons,divisions,functions",
      .shown = "a telling set",
      .manual = "Columns, between commas; see *METRICS*.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(metrics)},
     {.name = "range",
      .value = "NAME",
@@ -51,14 +51,14 @@ static const burnish_cli_flag table_flags[] = {
      .manual = "Angles over which errors against the power are taken, from 0 on: *all* ends at 90 "
                "degrees, *inflection* where the power has its inflection, *level:*_L_ where the "
                "power has fallen to _L_.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(range)},
-    BURNISH_CLI_FORMAT_FLAG(table_settings, burnish_cli_table_format_words, "text"),
-    BURNISH_CLI_OUTPUT_FLAG(table_settings, NULL),
-    BURNISH_CLI_HELP_FLAG(table_settings),
+    CLI_FORMAT_FLAG(table_settings, cli_table_format_words, "text"),
+    CLI_OUTPUT_FLAG(table_settings, NULL),
+    CLI_HELP_FLAG(table_settings),
 };
 
-static const burnish_cli_example examples[] = {
+static const cli_example examples[] = {
     {"burnish lobe table", "a first look"},
     {"burnish lobe table --lobes=taylor:2 --range=inflection --metrics=max-relative", "fig. 4"},
     {"burnish lobe table --lobes=minimax:8 --exponents=8-1024x2 --metrics=errors", "against n"},
@@ -67,7 +67,7 @@ static const burnish_cli_example examples[] = {
     {NULL, NULL},
 };
 
-const burnish_cli_command burnish_cli_lobe_table_command = {
+const cli_command lobe_table_command = {
     .name = "lobe table",
     .operand = "",
     .summary = "lobes in numbers: errors, widths, energy, cost",
@@ -82,9 +82,9 @@ const burnish_cli_command burnish_cli_lobe_table_command = {
 
 /* What the table is made of, after the lists are read. */
 typedef struct plan {
-    burnish_cli_lobe_names lobes;
-    burnish_cli_exponents exponents;
-    burnish_cli_metric_list metrics;
+    lobe_names lobes;
+    lobe_exponents exponents;
+    lobe_metric_list metrics;
     int to_inflection;
     double level; /* range level:L; 0: none */
     int needs_difference;
@@ -95,27 +95,26 @@ static burnish_status read_range(const char *text, plan *p, burnish_error *error
     if (p->to_inflection || strcmp(text, "all") == 0) {
         return BURNISH_STATUS_OK;
     }
-    if (strncmp(text, "level:", 6) == 0 &&
-        burnish_cli_read_real(text + 6, strlen(text + 6), &p->level) && p->level > 0 &&
-        p->level < 1) {
+    if (strncmp(text, "level:", 6) == 0 && cli_read_real(text + 6, strlen(text + 6), &p->level) &&
+        p->level > 0 && p->level < 1) {
         return BURNISH_STATUS_OK;
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--range: \"%.60s\" is not all, inflection, nor level:L with L between "
-                            "0 and 1, such as level:0.5",
-                            text);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--range: \"%.60s\" is not all, inflection, nor level:L with L between "
+                    "0 and 1, such as level:0.5",
+                    text);
 }
 
 static burnish_status read_plan(const table_settings *settings, plan *p, burnish_error *error) {
-    burnish_status status = burnish_cli_read_lobes("lobes", settings->lobes, &p->lobes, error);
+    burnish_status status = lobe_read_lobes("lobes", settings->lobes, &p->lobes, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_cli_read_metrics("metrics", settings->metrics, &p->metrics, error);
+        status = lobe_read_metrics("metrics", settings->metrics, &p->metrics, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = read_range(settings->range, p, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_cli_read_exponents("exponents", settings->exponents, &p->exponents, error);
+        status = lobe_read_exponents("exponents", settings->exponents, &p->exponents, error);
     }
     for (size_t i = 0; i < p->metrics.count; ++i) {
         p->needs_difference = p->needs_difference || p->metrics.items[i].metric->needs_difference;
@@ -130,15 +129,15 @@ static double range_end(const plan *p, double exponent) {
         return exponent > 1 ? burnish_theory_inflection_angle(exponent) : NAN;
     }
     if (p->level == 0) {
-        return BURNISH_CLI_RIGHT_ANGLE;
+        return CLI_RIGHT_ANGLE;
     }
     (void)burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
                                       exponent);
     return burnish_theory_angle_at(&power, p->level);
 }
 
-static void fill_row(const plan *p, const char *lobe, double exponent, burnish_cli_value *row) {
-    burnish_cli_lobe_facts facts;
+static void fill_row(const plan *p, const char *lobe, double exponent, cli_value *row) {
+    lobe_facts facts;
     int exists =
         burnish_theory_model_parse(lobe, exponent, &facts.model, NULL) == BURNISH_STATUS_OK;
     if (exists && p->needs_difference) {
@@ -152,29 +151,29 @@ static void fill_row(const plan *p, const char *lobe, double exponent, burnish_c
     }
 }
 
-static burnish_status make_table(const plan *p, burnish_cli_table *table, burnish_error *error) {
+static burnish_status make_table(const plan *p, cli_table *table, burnish_error *error) {
     table->column_count = 2 + p->metrics.count;
     table->row_count = p->lobes.count * p->exponents.count;
     table->repeated = 2;
     table->rows_in_group = p->lobes.count > 1 && p->exponents.count > 1 ? p->lobes.count : 0;
-    if (table->row_count > BURNISH_CLI_CELLS_MAX / table->column_count) {
-        return burnish_cli_fail(error, BURNISH_STATUS_LIMIT,
-                                "lobe table: %zu rows of %zu columns are more than %d cells; ask "
-                                "for fewer lobes, exponents or metrics",
-                                table->row_count, table->column_count, BURNISH_CLI_CELLS_MAX);
+    if (table->row_count > CLI_CELLS_MAX / table->column_count) {
+        return cli_fail(error, BURNISH_STATUS_LIMIT,
+                        "lobe table: %zu rows of %zu columns are more than %d cells; ask "
+                        "for fewer lobes, exponents or metrics",
+                        table->row_count, table->column_count, CLI_CELLS_MAX);
     }
     table->columns = calloc(table->column_count, sizeof *table->columns);
     table->cells = calloc(table->row_count * table->column_count, sizeof *table->cells);
     if (!table->columns || !table->cells) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu rows",
-                                table->row_count);
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu rows",
+                        table->row_count);
     }
-    table->columns[0] = (burnish_cli_column){.key = "exponent", .heading = "n", .decimals = -6};
-    table->columns[1] = (burnish_cli_column){.key = "lobe", .heading = "lobe", .is_text = 1};
+    table->columns[0] = (cli_column){.key = "exponent", .heading = "n", .decimals = -6};
+    table->columns[1] = (cli_column){.key = "lobe", .heading = "lobe", .is_text = 1};
     for (size_t i = 0; i < p->metrics.count; ++i) {
-        burnish_cli_metric_column(&p->metrics.items[i], &table->columns[2 + i]);
+        lobe_metric_column(&p->metrics.items[i], &table->columns[2 + i]);
     }
-    burnish_cli_value *row = table->cells;
+    cli_value *row = table->cells;
     for (size_t k = 0; k < p->exponents.count; ++k) {
         for (size_t i = 0; i < p->lobes.count; ++i) {
             fill_row(p, p->lobes.items[i], p->exponents.items[k], row);
@@ -185,47 +184,46 @@ static burnish_status make_table(const plan *p, burnish_cli_table *table, burnis
 }
 
 static burnish_status print_json(FILE *stream, const table_settings *settings,
-                                 const burnish_cli_table *table, burnish_error *error) {
+                                 const cli_table *table, burnish_error *error) {
     int failed = 0;
     cJSON *root = cJSON_CreateObject();
-    burnish_cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-    burnish_cli_json_add(root, "range", cJSON_CreateString(settings->range), &failed);
-    burnish_cli_json_add(root, "rows", burnish_cli_table_json(table, &failed), &failed);
-    return burnish_cli_json_print(stream, root, failed, error);
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    cli_json_add(root, "range", cJSON_CreateString(settings->range), &failed);
+    cli_json_add(root, "rows", cli_table_json(table, &failed), &failed);
+    return cli_json_print(stream, root, failed, error);
 }
 
-static burnish_status print_table(const table_settings *settings, const burnish_cli_table *table,
+static burnish_status print_table(const table_settings *settings, const cli_table *table,
                                   burnish_error *error) {
-    burnish_cli_output output;
-    burnish_status status = burnish_cli_output_begin(&output, error);
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    switch ((burnish_cli_format)settings->format) {
-    case BURNISH_CLI_FORMAT_TEXT:
-        burnish_cli_table_text(output.stream, table);
+    switch ((cli_format)settings->format) {
+    case CLI_FORMAT_TEXT:
+        cli_table_text(output.stream, table);
         break;
-    case BURNISH_CLI_FORMAT_MARKDOWN:
-        burnish_cli_table_markdown(output.stream, table);
+    case CLI_FORMAT_MARKDOWN:
+        cli_table_markdown(output.stream, table);
         break;
-    case BURNISH_CLI_FORMAT_CSV:
-        burnish_cli_table_csv(output.stream, table);
+    case CLI_FORMAT_CSV:
+        cli_table_csv(output.stream, table);
         break;
-    case BURNISH_CLI_FORMAT_JSON:
+    case CLI_FORMAT_JSON:
         status = print_json(output.stream, settings, table, error);
         break;
     }
-    return burnish_cli_output_end(&output, settings->output, status, error);
+    return cli_output_end(&output, settings->output, status, error);
 }
 
-static burnish_status work(void *target, const burnish_cli_operands *operands,
-                           burnish_error *error) {
+static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
     const table_settings *settings = target;
-    burnish_cli_table table = {0};
+    cli_table table = {0};
     (void)operands;
     plan *p = calloc(1, sizeof *p);
     if (!p) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     }
     burnish_status status = read_plan(settings, p, error);
     if (status == BURNISH_STATUS_OK) {
@@ -243,5 +241,5 @@ static burnish_status work(void *target, const burnish_cli_operands *operands,
 
 static int table_main(int argc, char **argv) {
     table_settings settings = {0};
-    return burnish_cli_run_work(&burnish_cli_lobe_table_command, argc, argv, &settings, work);
+    return cli_run_work(&lobe_table_command, argc, argv, &settings, work);
 }

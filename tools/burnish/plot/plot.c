@@ -21,18 +21,18 @@ typedef enum plot_format {
     FORMAT_SCRIPT
 } plot_format;
 
-static const burnish_cli_word format_words[] = {{"svg", FORMAT_SVG},
-                                                {"png", FORMAT_PNG},
-                                                {"csv", FORMAT_CSV},
-                                                {"gp", FORMAT_SCRIPT},
-                                                {NULL, 0}};
+static const cli_word format_words[] = {{"svg", FORMAT_SVG},
+                                        {"png", FORMAT_PNG},
+                                        {"csv", FORMAT_CSV},
+                                        {"gp", FORMAT_SCRIPT},
+                                        {NULL, 0}};
 
 static int plot_main(int argc, char **argv);
-static burnish_cli_handler flag_size;
+static cli_handler flag_size;
 
 #define TARGET(member) .offset = offsetof(plot_settings, member)
 
-static const burnish_cli_flag plot_flags[] = {
+static const cli_flag plot_flags[] = {
     {.group = "What is plotted",
      .name = "exponents",
      .value = "LIST",
@@ -41,7 +41,7 @@ static const burnish_cli_flag plot_flags[] = {
      .manual = "Exponents to plot, between commas, or ranges as in *burnish lobe table*. In "
                "figures whose horizontal axis is the exponent "
                "the axis runs from the least to the greatest of them.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(exponents)},
     {.name = "lobes",
      .value = "LIST",
@@ -50,7 +50,7 @@ static const burnish_cli_flag plot_flags[] = {
      .manual = "Lobes to plot, between commas, in the words of *burnish lobe table*. The figure "
                "*object* knows those of *burnish render*; the first one is what the others are "
                "compared with.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(lobes)},
     {.name = "bits",
      .value = "LIST",
@@ -58,7 +58,7 @@ static const burnish_cli_flag plot_flags[] = {
      .shown = "the figure's own",
      .manual = "Thresholds of the figure *ratio*, from above 0 to 64 bits, between commas; for "
                "*widths* the range of the axis.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(bits)},
 
     {.group = "Output",
@@ -70,7 +70,7 @@ static const burnish_cli_flag plot_flags[] = {
      .manual = "File to write, whole or not at all; *-* is standard output, which *--format=csv* "
                "and *--format=gp* write to unless told otherwise. Endings: _.svg_, _.csv_, _.gp_ "
                "and, for *object*, _.png_ and _.csv_.",
-     .handler = burnish_cli_flag_text,
+     .handler = cli_flag_text,
      TARGET(output)},
     {.name = "size",
      .value = "W,H",
@@ -87,25 +87,25 @@ static const burnish_cli_flag plot_flags[] = {
      .manual = "*svg* and *png* are the drawing (png that of *object*, svg that of the others), "
                "*csv* the points of the curves, *gp* the gnuplot script with its data. Without it "
                "FILE's ending decides.",
-     .handler = burnish_cli_flag_word,
+     .handler = cli_flag_word,
      .words = format_words,
      TARGET(format)},
     {.name = "help",
      .letter = 'h',
      .help = "this screen",
      .manual = "Prints the flags on one screen.",
-     .handler = burnish_cli_flag_switch,
+     .handler = cli_flag_switch,
      TARGET(help)},
 };
 
-static const burnish_cli_example plot_examples[] = {
+static const cli_example plot_examples[] = {
     {"burnish lobe plot curves --exponents=50", "the paper's figure 3 for another exponent"},
     {"burnish lobe plot error --lobes=energy:4 -o error.svg", "another lobe"},
     {"burnish lobe plot ratio --bits=8,10 --format=csv", "the numbers of a figure"},
     {NULL, NULL},
 };
 
-const burnish_cli_command burnish_cli_lobe_plot_command = {
+const cli_command lobe_plot_command = {
     .name = "lobe plot",
     .operand = "FIGURE",
     .summary = "the paper's figures and our own, as SVG by gnuplot",
@@ -131,35 +131,34 @@ const burnish_cli_command burnish_cli_lobe_plot_command = {
 
 enum { SIZE_MIN = 160, SIZE_MAX_PX = 4096, BITS_MAX = 64 };
 
-static burnish_status flag_size(const burnish_cli_flag *flag, const char *text, void *target,
+static burnish_status flag_size(const cli_flag *flag, const char *text, void *target,
                                 burnish_error *error) {
     plot_settings *settings = (plot_settings *)(void *)((char *)target - flag->offset);
     double *size = settings->size;
-    int valid = burnish_cli_read_reals(text, strlen(text), size, 2);
+    int valid = cli_read_reals(text, strlen(text), size, 2);
     for (int i = 0; valid && i < 2; ++i) {
         valid = size[i] >= SIZE_MIN && size[i] <= SIZE_MAX_PX && size[i] == floor(size[i]);
     }
     if (!valid) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--size: \"%.60s\" is not a width and a height from %d to %d, such "
-                                "as 720,440",
-                                text, SIZE_MIN, SIZE_MAX_PX);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--size: \"%.60s\" is not a width and a height from %d to %d, such "
+                        "as 720,440",
+                        text, SIZE_MIN, SIZE_MAX_PX);
     }
     settings->has_size = 1;
     return BURNISH_STATUS_OK;
 }
 
 static burnish_status fail_count(const char *flag, burnish_error *error) {
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: more than %d items; leave some out", flag,
-                            BURNISH_PLOT_LIST_MAX);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d items; leave some out",
+                    flag, PLOT_LIST_MAX);
 }
 
-static burnish_status read_exponents(const char *list, burnish_plot_request *request,
+static burnish_status read_exponents(const char *list, plot_request *request,
                                      burnish_error *error) {
-    burnish_cli_exponents exponents;
-    burnish_status status = burnish_cli_read_exponents("exponents", list, &exponents, error);
-    if (status == BURNISH_STATUS_OK && exponents.count > BURNISH_PLOT_LIST_MAX) {
+    lobe_exponents exponents;
+    burnish_status status = lobe_read_exponents("exponents", list, &exponents, error);
+    if (status == BURNISH_STATUS_OK && exponents.count > PLOT_LIST_MAX) {
         status = fail_count("exponents", error);
     }
     for (size_t i = 0; status == BURNISH_STATUS_OK && i < exponents.count; ++i) {
@@ -169,31 +168,29 @@ static burnish_status read_exponents(const char *list, burnish_plot_request *req
     return status;
 }
 
-static burnish_status read_lobes(const char *list, burnish_plot_request *request,
-                                 burnish_error *error) {
-    burnish_cli_lobe_names names;
-    burnish_status status = burnish_cli_read_lobes("lobes", list, &names, error);
-    if (status == BURNISH_STATUS_OK && names.count > BURNISH_PLOT_LIST_MAX) {
+static burnish_status read_lobes(const char *list, plot_request *request, burnish_error *error) {
+    lobe_names names;
+    burnish_status status = lobe_read_lobes("lobes", list, &names, error);
+    if (status == BURNISH_STATUS_OK && names.count > PLOT_LIST_MAX) {
         status = fail_count("lobes", error);
     }
     for (size_t i = 0; status == BURNISH_STATUS_OK && i < names.count; ++i) {
-        memcpy(request->lobes[request->lobe_count++], names.items[i], BURNISH_CLI_LOBE_NAME);
+        memcpy(request->lobes[request->lobe_count++], names.items[i], LOBE_NAME);
     }
     return status;
 }
 
-static burnish_status read_bits(const char *list, burnish_plot_request *request,
-                                burnish_error *error) {
+static burnish_status read_bits(const char *list, plot_request *request, burnish_error *error) {
     while (list) {
         const char *item;
         double value = 0;
-        size_t length = burnish_cli_next_item(&list, ',', &item);
-        if (!burnish_cli_read_real(item, length, &value) || !(value > 0 && value <= BITS_MAX)) {
-            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                    "--bits: \"%.*s\" is not a number above 0 up to %d",
-                                    (int)(length < 60 ? length : 60), item, BITS_MAX);
+        size_t length = cli_next_item(&list, ',', &item);
+        if (!cli_read_real(item, length, &value) || !(value > 0 && value <= BITS_MAX)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--bits: \"%.*s\" is not a number above 0 up to %d",
+                            (int)(length < 60 ? length : 60), item, BITS_MAX);
         }
-        if (request->bits_count == BURNISH_PLOT_LIST_MAX) {
+        if (request->bits_count == PLOT_LIST_MAX) {
             return fail_count("bits", error);
         }
         request->bits[request->bits_count++] = value;
@@ -210,30 +207,29 @@ static int all_equal(const double *list, size_t count) {
     return 1;
 }
 
-static burnish_status check_lists(const burnish_plot_figure *figure,
-                                  const burnish_plot_request *request, burnish_error *error) {
+static burnish_status check_lists(const plot_figure *figure, const plot_request *request,
+                                  burnish_error *error) {
     if (figure->single_exponent && request->exponent_count > 1) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--exponents: the figure %s is drawn for one exponent",
-                                figure->name);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--exponents: the figure %s is drawn for one exponent", figure->name);
     }
     if (figure->exponents_are_range && all_equal(request->exponents, request->exponent_count)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--exponents: the figure %s has an axis of exponents; give its two "
-                                "ends, such as 2,1000",
-                                figure->name);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--exponents: the figure %s has an axis of exponents; give its two "
+                        "ends, such as 2,1000",
+                        figure->name);
     }
     if (figure->bits_are_range && all_equal(request->bits, request->bits_count)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--bits: the figure %s has an axis of bits; give its two ends, "
-                                "such as 1,16",
-                                figure->name);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--bits: the figure %s has an axis of bits; give its two ends, "
+                        "such as 1,16",
+                        figure->name);
     }
     return BURNISH_STATUS_OK;
 }
 
 /* A figure's own lobes are for its own exponents; others may be too small for some orders. */
-static void keep_existing_lobes(burnish_plot_request *request) {
+static void keep_existing_lobes(plot_request *request) {
     size_t kept = 0;
     double greatest = 1;
     for (size_t i = 0; i < request->exponent_count; ++i) {
@@ -249,12 +245,11 @@ static void keep_existing_lobes(burnish_plot_request *request) {
     request->lobe_count = kept;
 }
 
-static burnish_status make_request(const burnish_plot_figure *figure, const plot_settings *settings,
-                                   burnish_plot_request *request, burnish_error *error) {
+static burnish_status make_request(const plot_figure *figure, const plot_settings *settings,
+                                   plot_request *request, burnish_error *error) {
     if (settings->bits && !figure->bits) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--bits: the figure %s has no thresholds; leave it out",
-                                figure->name);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--bits: the figure %s has no thresholds; leave it out", figure->name);
     }
     request->lenient = !settings->lobes || !settings->exponents;
     request->width = settings->has_size ? (int)settings->size[0] : figure->width;
@@ -277,14 +272,14 @@ static burnish_status make_request(const burnish_plot_figure *figure, const plot
 }
 
 /* A chart's text, CSV or script, in memory. */
-static burnish_status chart_text(const burnish_plot_chart *chart, int data, char **text,
-                                 size_t *size, burnish_error *error) {
+static burnish_status chart_text(const plot_chart *chart, int data, char **text, size_t *size,
+                                 burnish_error *error) {
     FILE *file = open_memstream(text, size);
     if (file) {
         if (data) {
-            burnish_plot_write_data(chart, file);
+            plot_write_data(chart, file);
         } else {
-            burnish_plot_write_script(chart, file);
+            plot_write_script(chart, file);
         }
         if (fclose(file) == 0) {
             return BURNISH_STATUS_OK;
@@ -292,26 +287,25 @@ static burnish_status chart_text(const burnish_plot_chart *chart, int data, char
         free(*text);
     }
     *text = NULL;
-    return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+    return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
 }
 
-static burnish_status check_size(const burnish_plot_chart *chart, burnish_error *error) {
-    int width = burnish_plot_least_width(chart), height = burnish_plot_least_height(chart);
+static burnish_status check_size(const plot_chart *chart, burnish_error *error) {
+    int width = plot_least_width(chart), height = plot_least_height(chart);
     if (chart->width >= width && chart->height >= height) {
         return BURNISH_STATUS_OK;
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--size: %d,%d is too small for the names in this figure; it takes "
-                            "%d,%d or more",
-                            chart->width, chart->height, width, height);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--size: %d,%d is too small for the names in this figure; it takes "
+                    "%d,%d or more",
+                    chart->width, chart->height, width, height);
 }
 
-static burnish_status plot_chart(const burnish_plot_figure *figure,
-                                 const burnish_plot_request *request, plot_format format,
-                                 const char *path, burnish_error *error) {
-    burnish_plot_chart *chart = calloc(1, sizeof *chart);
+static burnish_status draw_chart(const plot_figure *figure, const plot_request *request,
+                                 plot_format format, const char *path, burnish_error *error) {
+    plot_chart *chart = calloc(1, sizeof *chart);
     if (!chart) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
     }
     char *text = NULL;
     size_t size = 0;
@@ -321,7 +315,7 @@ static burnish_status plot_chart(const burnish_plot_figure *figure,
     chart->height = request->height;
     burnish_status status = figure->fill(request, chart, error);
     if (status == BURNISH_STATUS_OK) {
-        burnish_plot_finish_axes(chart);
+        plot_finish_axes(chart);
         status = check_size(chart, error);
     }
     if (status == BURNISH_STATUS_OK) {
@@ -330,7 +324,7 @@ static burnish_status plot_chart(const burnish_plot_figure *figure,
     if (status == BURNISH_STATUS_OK && format == FORMAT_SVG) {
         char *script = text;
         text = NULL;
-        status = burnish_plot_run(chart, script, size, &text, &size, error);
+        status = plot_run(chart, script, size, &text, &size, error);
         free(script);
     }
     if (status == BURNISH_STATUS_OK) {
@@ -341,27 +335,27 @@ static burnish_status plot_chart(const burnish_plot_figure *figure,
     return status;
 }
 
-static const burnish_plot_figure *find_figure(const char *name, burnish_error *error) {
+static const plot_figure *find_figure(const char *name, burnish_error *error) {
     char names[160] = "";
     const char *closest = NULL;
-    size_t best = BURNISH_CLI_NAME_MAX;
-    const burnish_plot_figure *figure;
-    for (size_t i = 0; (figure = burnish_plot_figure_at(i)) != NULL; ++i) {
+    size_t best = CLI_NAME_MAX;
+    const plot_figure *figure;
+    for (size_t i = 0; (figure = plot_figure_at(i)) != NULL; ++i) {
         if (strcmp(figure->name, name) == 0) {
             return figure;
         }
-        if (burnish_cli_closer(name, figure->name, &best)) {
+        if (cli_closer(name, figure->name, &best)) {
             closest = figure->name;
         }
         size_t used = strlen(names);
         snprintf(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "", figure->name);
     }
-    if (closest && burnish_cli_close_enough(name, best)) {
-        burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                         "lobe plot: \"%.60s\": unknown figure; did you mean %s?", name, closest);
+    if (closest && cli_close_enough(name, best)) {
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "lobe plot: \"%.60s\": unknown figure; did you mean %s?", name, closest);
     } else {
-        burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                         "lobe plot: \"%.60s\": unknown figure; there are %s", name, names);
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "lobe plot: \"%.60s\": unknown figure; there are %s", name, names);
     }
     return NULL;
 }
@@ -372,7 +366,7 @@ static plot_format format_of_path(const char *path, plot_format drawing) {
     if (!dot || strcmp(path, "-") == 0) {
         return drawing;
     }
-    for (const burnish_cli_word *word = format_words; word->name; ++word) {
+    for (const cli_word *word = format_words; word->name; ++word) {
         if (strcmp(dot + 1, word->name) == 0) {
             return (plot_format)word->value;
         }
@@ -380,9 +374,8 @@ static plot_format format_of_path(const char *path, plot_format drawing) {
     return FORMAT_NONE;
 }
 
-static burnish_status choose_format(const burnish_plot_figure *figure,
-                                    const plot_settings *settings, plot_format *format,
-                                    burnish_error *error) {
+static burnish_status choose_format(const plot_figure *figure, const plot_settings *settings,
+                                    plot_format *format, burnish_error *error) {
     plot_format drawing = figure->fill ? FORMAT_SVG : FORMAT_PNG;
     const char *flag = settings->format ? "--format" : "--output";
     *format = settings->format   ? (plot_format)settings->format
@@ -391,24 +384,23 @@ static burnish_status choose_format(const burnish_plot_figure *figure,
     int possible =
         *format == drawing || *format == FORMAT_CSV || (*format == FORMAT_SCRIPT && figure->fill);
     if (!possible) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "%s: the figure %s is written as %s", flag, figure->name,
-                                figure->fill ? "svg, csv or gp" : "png or csv");
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s: the figure %s is written as %s", flag,
+                        figure->name, figure->fill ? "svg, csv or gp" : "png or csv");
     }
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status plot(void *from, const burnish_cli_operands *operands, burnish_error *error) {
+static burnish_status plot(void *from, const cli_operands *operands, burnish_error *error) {
     const plot_settings *settings = from;
-    burnish_plot_request request = {0};
+    plot_request request = {0};
     char default_path[32];
     plot_format format = FORMAT_NONE;
     if (operands->count == 0) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "lobe plot: no FIGURE; try \"burnish lobe plot curves\" or "
-                                "\"burnish lobe plot --help\"");
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "lobe plot: no FIGURE; try \"burnish lobe plot curves\" or "
+                        "\"burnish lobe plot --help\"");
     }
-    const burnish_plot_figure *figure = find_figure(operands->items[0], error);
+    const plot_figure *figure = find_figure(operands->items[0], error);
     if (!figure) {
         return error->status;
     }
@@ -423,11 +415,11 @@ static burnish_status plot(void *from, const burnish_cli_operands *operands, bur
              figure->fill ? "svg" : "png");
     int drawing = format == FORMAT_SVG || format == FORMAT_PNG;
     const char *path = settings->output ? settings->output : drawing ? default_path : "-";
-    return figure->fill ? plot_chart(figure, &request, format, path, error)
-                        : burnish_plot_object(&request, format == FORMAT_CSV, path, error);
+    return figure->fill ? draw_chart(figure, &request, format, path, error)
+                        : plot_object(&request, format == FORMAT_CSV, path, error);
 }
 
 static int plot_main(int argc, char **argv) {
     plot_settings settings = {0};
-    return burnish_cli_run_work(&burnish_cli_lobe_plot_command, argc, argv, &settings, plot);
+    return cli_run_work(&lobe_plot_command, argc, argv, &settings, plot);
 }

@@ -23,11 +23,11 @@ static void write_tick(double at, char *text, size_t size) {
     }
 }
 
-static void add_tick(burnish_plot_axis *axis, double at, int minor) {
-    if (axis->tick_count == BURNISH_PLOT_TICKS_MAX) {
+static void add_tick(plot_axis *axis, double at, int minor) {
+    if (axis->tick_count == PLOT_TICKS_MAX) {
         return;
     }
-    burnish_plot_tick *tick = &axis->ticks[axis->tick_count++];
+    plot_tick *tick = &axis->ticks[axis->tick_count++];
     tick->at = at;
     tick->minor = minor;
     tick->text[0] = 0;
@@ -62,13 +62,13 @@ static double round_125(double x, int up) {
 }
 
 /* The ends of an axis of exponents are labelled where no other label is near. */
-static void label_ends(burnish_plot_axis *axis) {
+static void label_ends(plot_axis *axis) {
     const double room = 0.055; /* of the axis */
     double ends[2] = {axis->low, axis->high}, length = log(axis->high / axis->low);
     for (int e = 0; e < 2; ++e) {
         int near = 0;
         for (size_t i = 0; i < axis->tick_count; ++i) {
-            const burnish_plot_tick *tick = &axis->ticks[i];
+            const plot_tick *tick = &axis->ticks[i];
             near |= !tick->minor && fabs(log(tick->at / ends[e])) < room * length;
         }
         if (!near) {
@@ -77,7 +77,7 @@ static void label_ends(burnish_plot_axis *axis) {
     }
 }
 
-static void logarithmic_ticks(burnish_plot_axis *axis) {
+static void logarithmic_ticks(plot_axis *axis) {
     double decades = log10(axis->high / axis->low);
     int first = (int)floor(log10(axis->low) - 1e-9), last = (int)ceil(log10(axis->high));
     for (int k = first; k <= last; ++k) {
@@ -93,7 +93,7 @@ static void logarithmic_ticks(burnish_plot_axis *axis) {
 }
 
 /* Steps of an axis of angles divide a right angle. */
-static double linear_step(const burnish_plot_axis *axis, int is_x) {
+static double linear_step(const plot_axis *axis, int is_x) {
     static const double degrees[] = {1, 2, 5, 10, 15, 30};
     double span = axis->high - axis->low;
     if (strcmp(axis->column, "angle_deg") == 0) {
@@ -106,18 +106,18 @@ static double linear_step(const burnish_plot_axis *axis, int is_x) {
     return round_125(span / (is_x ? 9 : 7), 1);
 }
 
-static void linear_ticks(burnish_plot_axis *axis, int is_x) {
+static void linear_ticks(plot_axis *axis, int is_x) {
     double step = linear_step(axis, is_x);
     for (double i = ceil(axis->low / step - 1e-9); i * step <= axis->high + 1e-9 * step; ++i) {
         add_tick(axis, i * step + 0.0, 0); /* + 0: no negative zero */
     }
 }
 
-static void data_range(const burnish_plot_chart *chart, int is_x, double range[2]) {
+static void data_range(const plot_chart *chart, int is_x, double range[2]) {
     range[0] = INFINITY;
     range[1] = -INFINITY;
     for (size_t i = 0; i < chart->series_count; ++i) {
-        const burnish_plot_series *series = &chart->series[i];
+        const plot_series *series = &chart->series[i];
         for (size_t k = 0; k < series->count; ++k) {
             double value = is_x ? series->x[k] : series->y[k];
             int drawn = !(is_x ? &chart->x : &chart->y)->logarithmic || value > 0;
@@ -129,7 +129,7 @@ static void data_range(const burnish_plot_chart *chart, int is_x, double range[2
     }
 }
 
-static void finish_axis(const burnish_plot_chart *chart, burnish_plot_axis *axis, int is_x) {
+static void finish_axis(const plot_chart *chart, plot_axis *axis, int is_x) {
     if (axis->low == 0 && axis->high == 0) {
         double range[2];
         data_range(chart, is_x, range);
@@ -162,7 +162,7 @@ static void finish_axis(const burnish_plot_chart *chart, burnish_plot_axis *axis
     }
 }
 
-void burnish_plot_finish_axes(burnish_plot_chart *chart) {
+void plot_finish_axes(plot_chart *chart) {
     finish_axis(chart, &chart->x, 1);
     finish_axis(chart, &chart->y, 0);
 }

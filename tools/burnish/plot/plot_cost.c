@@ -8,7 +8,7 @@
 enum { COLUMN_GAP = 3, BAND_GAP = 5, BAND_INDENT = 2 }; /* letters */
 
 typedef struct candidate {
-    char word[BURNISH_PLOT_LOBE_SIZE];
+    char word[PLOT_LOBE_SIZE];
     burnish_theory_model model;
     burnish_theory_cost cost;
     double error;
@@ -60,13 +60,12 @@ static void place_columns(candidate *candidates, size_t count) {
     }
 }
 
-static burnish_status measure(const burnish_plot_request *request, candidate *candidates,
+static burnish_status measure(const plot_request *request, candidate *candidates,
                               burnish_error *error) {
     for (size_t i = 0; i < request->lobe_count; ++i) {
         candidate *c = &candidates[i];
         memcpy(c->word, request->lobes[i], sizeof c->word);
-        burnish_status status =
-            burnish_plot_model(c->word, request->exponents[0], &c->model, error);
+        burnish_status status = plot_model(c->word, request->exponents[0], &c->model, error);
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
@@ -79,18 +78,18 @@ static burnish_status measure(const burnish_plot_request *request, candidate *ca
 }
 
 /* A tick a column, a band a kind of operation. */
-static void fill_columns(const candidate *candidates, size_t count, burnish_plot_chart *chart) {
-    burnish_plot_axis *axis = &chart->x;
+static void fill_columns(const candidate *candidates, size_t count, plot_chart *chart) {
+    plot_axis *axis = &chart->x;
     for (size_t i = 0; i < count; ++i) {
         const candidate *c = &candidates[i];
         if (i == 0 || c->column != candidates[i - 1].column) {
-            burnish_plot_tick *tick = &axis->ticks[axis->tick_count++];
+            plot_tick *tick = &axis->ticks[axis->tick_count++];
             tick->at = c->column;
             snprintf(tick->text, sizeof tick->text, "%d", simple_operations(&c->cost));
         }
         if (i == 0 || strcmp(heading(&c->cost), heading(&candidates[i - 1].cost)) != 0) {
             chart->bands[chart->band_count++] =
-                (burnish_plot_band){heading(&c->cost), c->column - BAND_INDENT};
+                (plot_band){heading(&c->cost), c->column - BAND_INDENT};
         }
     }
     axis->low = -BAND_INDENT;
@@ -99,15 +98,15 @@ static void fill_columns(const candidate *candidates, size_t count, burnish_plot
 }
 
 /* The stairs below which no lobe of these lies. */
-static burnish_status fill_front(const candidate *candidates, size_t count,
-                                 burnish_plot_chart *chart, burnish_error *error) {
-    burnish_plot_series *front = burnish_plot_add_series(chart, error);
+static burnish_status fill_front(const candidate *candidates, size_t count, plot_chart *chart,
+                                 burnish_error *error) {
+    plot_series *front = plot_add_series(chart, error);
     if (!front) {
         return error->status;
     }
     snprintf(front->name, sizeof front->name, "front");
-    front->ink = BURNISH_PLOT_INK_AXIS;
-    front->style = BURNISH_PLOT_STAIRS;
+    front->ink = PLOT_INK_AXIS;
+    front->style = PLOT_STAIRS;
     double best = INFINITY;
     for (size_t i = 0; i < count; ++i) {
         const candidate *c = &candidates[i];
@@ -133,9 +132,9 @@ static burnish_status fill_front(const candidate *candidates, size_t count,
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_plot_fill_cost(const burnish_plot_request *request,
-                                      burnish_plot_chart *chart, burnish_error *error) {
-    candidate candidates[BURNISH_PLOT_LIST_MAX];
+burnish_status plot_fill_cost(const plot_request *request, plot_chart *chart,
+                              burnish_error *error) {
+    candidate candidates[PLOT_LIST_MAX];
     size_t count = request->lobe_count;
     burnish_status status = measure(request, candidates, error);
     if (status != BURNISH_STATUS_OK) {
@@ -145,19 +144,19 @@ burnish_status burnish_plot_fill_cost(const burnish_plot_request *request,
     status = fill_front(candidates, count, chart, error);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         const candidate *c = &candidates[i];
-        burnish_plot_series *point = burnish_plot_add_series(chart, error);
+        plot_series *point = plot_add_series(chart, error);
         if (!point) {
             return error->status;
         }
         int family =
             c->model.lobe.kind == BURNISH_LOBE_FAMILY || c->model.lobe.kind == BURNISH_LOBE_LYON;
         snprintf(point->name, sizeof point->name, "%.*s", (int)sizeof c->word, c->word);
-        point->ink = BURNISH_PLOT_INK_LOBE + !family;
-        point->style = family ? BURNISH_PLOT_DISCS : BURNISH_PLOT_RINGS;
+        point->ink = PLOT_INK_LOBE + !family;
+        point->style = family ? PLOT_DISCS : PLOT_RINGS;
         point->count = 1;
         point->x[0] = c->column;
         point->y[0] = c->error > 0 ? c->error : NAN;
-        burnish_plot_note *note = &chart->notes[chart->note_count++];
+        plot_note *note = &chart->notes[chart->note_count++];
         snprintf(note->text, sizeof note->text, "%.*s%s", (int)sizeof c->word, c->word,
                  c->error > 0 ? "" : " (no error)");
         note->x = c->column;
@@ -166,7 +165,7 @@ burnish_status burnish_plot_fill_cost(const burnish_plot_request *request,
     }
     chart->x.title = "cost of one value: additions, multiplications and comparisons";
     chart->x.column = "column";
-    burnish_plot_state_exponent(request, chart);
+    plot_state_exponent(request, chart);
     chart->y.title = "largest absolute error, angles from 0° to 90°";
     chart->y.column = "maximum_error";
     chart->y.logarithmic = 1;

@@ -6,15 +6,14 @@
 
 static const double DEGREES = 180 / 3.14159265358979323846;
 
-typedef burnish_status fill(const burnish_plot_request *request, burnish_plot_chart *chart,
-                            burnish_error *error);
+typedef burnish_status fill(const plot_request *request, plot_chart *chart, burnish_error *error);
 
 static fill fill_error, fill_curves, fill_core, fill_ratio, fill_extreme, fill_energy, fill_orders,
     fill_widths;
 
 enum { WIDTH = 720, HEIGHT = 440 }; /* px, of most figures */
 
-static const burnish_plot_figure figures[] = {
+static const plot_figure figures[] = {
     {.name = "error",
      .title = "Absolute error of W against the angle",
      .exponents = "3,10,30,100,300,1000",
@@ -76,7 +75,7 @@ static const burnish_plot_figure figures[] = {
               "minimax:32,nv2x,power,schlick,gx,gaussian,kuijk-blake,table256,table256:linear",
      .width = 960,
      .height = 600,
-     .fill = burnish_plot_fill_cost},
+     .fill = plot_fill_cost},
     {.name = "energy",
      .title = "Energy over the hemisphere relative to the power's against the exponent",
      .exponents = "2,1000",
@@ -105,24 +104,24 @@ static const burnish_plot_figure figures[] = {
      .fill = fill_widths},
 };
 
-const burnish_plot_figure *burnish_plot_figure_at(size_t index) {
+const plot_figure *plot_figure_at(size_t index) {
     return index < sizeof figures / sizeof *figures ? &figures[index] : NULL;
 }
 
-burnish_status burnish_plot_model(const char *word, double exponent, burnish_theory_model *model,
-                                  burnish_error *error) {
+burnish_status plot_model(const char *word, double exponent, burnish_theory_model *model,
+                          burnish_error *error) {
     burnish_error inner;
     if (burnish_theory_model_parse(word, exponent, model, &inner) == BURNISH_STATUS_OK) {
         return BURNISH_STATUS_OK;
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
 }
 
-burnish_plot_series *burnish_plot_add_series(burnish_plot_chart *chart, burnish_error *error) {
-    if (chart->series_count == BURNISH_PLOT_SERIES_MAX) {
-        burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                         "%s: more than %d curves; leave out some lobes, exponents or bits",
-                         chart->name, BURNISH_PLOT_SERIES_MAX);
+plot_series *plot_add_series(plot_chart *chart, burnish_error *error) {
+    if (chart->series_count == PLOT_SERIES_MAX) {
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "%s: more than %d curves; leave out some lobes, exponents or bits", chart->name,
+                 PLOT_SERIES_MAX);
         return NULL;
     }
     return &chart->series[chart->series_count++];
@@ -130,7 +129,7 @@ burnish_plot_series *burnish_plot_add_series(burnish_plot_chart *chart, burnish_
 
 /* The lobe's name as text of a figure: the paper's where it has one. */
 static void lobe_text(const burnish_theory_model *model, char *text, size_t size) {
-    char word[BURNISH_PLOT_LOBE_SIZE];
+    char word[PLOT_LOBE_SIZE];
     burnish_lobe_spec_name(&model->lobe, word, sizeof word);
     if (strcmp(word, "taylor:2") == 0) {
         snprintf(text, size, "{/:Italic W}");
@@ -161,25 +160,23 @@ static int lobe_ink(const burnish_theory_model *model) {
         [BURNISH_FIT_GIVEN] = 6,
     };
     if (model->lobe.kind == BURNISH_LOBE_POWER) {
-        return BURNISH_PLOT_INK_REFERENCE;
+        return PLOT_INK_REFERENCE;
     }
-    return BURNISH_PLOT_INK_LOBE + (model->lobe.kind == BURNISH_LOBE_FAMILY
-                                        ? fits[model->lobe.fit]
-                                        : kinds[model->lobe.kind]);
+    return PLOT_INK_LOBE + (model->lobe.kind == BURNISH_LOBE_FAMILY ? fits[model->lobe.fit]
+                                                                    : kinds[model->lobe.kind]);
 }
 
 /* The order shows as dashes. */
-static burnish_plot_style lobe_style(const burnish_theory_model *model) {
-    return model->lobe.order <= 2   ? BURNISH_PLOT_LINE
-           : model->lobe.order == 4 ? BURNISH_PLOT_DASHED
-           : model->lobe.order == 8 ? BURNISH_PLOT_DASH_DOT
-                                    : BURNISH_PLOT_DOTTED;
+static plot_style lobe_style(const burnish_theory_model *model) {
+    return model->lobe.order <= 2   ? PLOT_LINE
+           : model->lobe.order == 4 ? PLOT_DASHED
+           : model->lobe.order == 8 ? PLOT_DASH_DOT
+                                    : PLOT_DOTTED;
 }
 
 /* The i-th style of curves that share their hues. */
-static burnish_plot_style style_of(size_t i) {
-    static const burnish_plot_style styles[] = {BURNISH_PLOT_LINE, BURNISH_PLOT_DASHED,
-                                                BURNISH_PLOT_DASH_DOT, BURNISH_PLOT_DOTTED};
+static plot_style style_of(size_t i) {
+    static const plot_style styles[] = {PLOT_LINE, PLOT_DASHED, PLOT_DASH_DOT, PLOT_DOTTED};
     return styles[i % (sizeof styles / sizeof *styles)];
 }
 
@@ -201,8 +198,8 @@ static double greatest(const double *list, size_t count) {
 
 /* Step i of the points of an axis between two values, in equal ratios or differences. */
 static double step_between(double low, double high, int logarithmic, size_t i) {
-    double share = (double)i / (BURNISH_PLOT_POINTS - 1);
-    if (i == 0 || i == BURNISH_PLOT_POINTS - 1) {
+    double share = (double)i / (PLOT_POINTS - 1);
+    if (i == 0 || i == PLOT_POINTS - 1) {
         return i == 0 ? low : high;
     }
     return logarithmic ? low * pow(high / low, share) : low + (high - low) * share;
@@ -211,13 +208,13 @@ static double step_between(double low, double high, int logarithmic, size_t i) {
 /* ---- Figures over the angle -------------------------------------------------------------------*/
 
 /* A figure for one exponent says which. */
-void burnish_plot_state_exponent(const burnish_plot_request *request, burnish_plot_chart *chart) {
+void plot_state_exponent(const plot_request *request, plot_chart *chart) {
     snprintf(chart->condition, sizeof chart->condition, ", {/:Italic n} = %.6g",
              request->exponents[0]);
 }
 
 /* Angles up to where the power has left the screen and the slowest comparison is in sight. */
-static double angle_range(const burnish_plot_request *request) {
+static double angle_range(const plot_request *request) {
     burnish_theory_model power;
     burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
                                 least(request->exponents, request->exponent_count));
@@ -227,8 +224,8 @@ static double angle_range(const burnish_plot_request *request) {
 }
 
 /* Name, ink and style: several exponents are an ordered set and take the ramp, lobes have hues. */
-static void dress_angle_series(const burnish_plot_request *request, size_t l, size_t e,
-                               const burnish_theory_model *model, burnish_plot_series *series) {
+static void dress_angle_series(const plot_request *request, size_t l, size_t e,
+                               const burnish_theory_model *model, plot_series *series) {
     double exponent = request->exponents[e];
     int several = request->exponent_count > 1, many = request->lobe_count > 1;
     char text[64];
@@ -240,16 +237,16 @@ static void dress_angle_series(const burnish_plot_request *request, size_t l, si
     } else {
         snprintf(series->text, sizeof series->text, "%s", text);
     }
-    series->ink = several ? burnish_plot_ramp_ink(e, request->exponent_count) : lobe_ink(model);
+    series->ink = several ? plot_ramp_ink(e, request->exponent_count) : lobe_ink(model);
     series->style = style_of(several && !many ? e : l);
 }
 
 static void sample_angles(const burnish_theory_model *model, double end, int error_wanted,
-                          burnish_plot_series *series) {
-    series->count = BURNISH_PLOT_POINTS;
-    for (size_t i = 0; i < BURNISH_PLOT_POINTS; ++i) {
+                          plot_series *series) {
+    series->count = PLOT_POINTS;
+    for (size_t i = 0; i < PLOT_POINTS; ++i) {
         /* Denser near the peak, where narrow lobes end. */
-        double share = (double)i / (BURNISH_PLOT_POINTS - 1);
+        double share = (double)i / (PLOT_POINTS - 1);
         double degrees = end * share * (error_wanted ? share : 1);
         double value = burnish_theory_value_at_angle(model, degrees / DEGREES);
         double power = burnish_theory_power(cos(degrees / DEGREES), model->exponent);
@@ -258,19 +255,19 @@ static void sample_angles(const burnish_theory_model *model, double end, int err
     }
 }
 
-static burnish_status fill_angles(const burnish_plot_request *request, burnish_plot_chart *chart,
-                                  int error_wanted, burnish_error *error) {
+static burnish_status fill_angles(const plot_request *request, plot_chart *chart, int error_wanted,
+                                  burnish_error *error) {
     double end = angle_range(request);
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t l = 0; l < request->lobe_count; ++l) {
         for (size_t e = 0; e < request->exponent_count; ++e) {
             burnish_theory_model model;
-            status = burnish_plot_model(request->lobes[l], request->exponents[e], &model, error);
+            status = plot_model(request->lobes[l], request->exponents[e], &model, error);
             if (status != BURNISH_STATUS_OK && request->lenient) {
                 continue;
             }
-            burnish_plot_series *series =
-                status == BURNISH_STATUS_OK ? burnish_plot_add_series(chart, error) : NULL;
+            plot_series *series =
+                status == BURNISH_STATUS_OK ? plot_add_series(chart, error) : NULL;
             if (!series) {
                 return error->status;
             }
@@ -285,19 +282,19 @@ static burnish_status fill_angles(const burnish_plot_request *request, burnish_p
     chart->x.column = "angle_deg";
     chart->x.high = end;
     if (request->exponent_count == 1) {
-        burnish_plot_state_exponent(request, chart);
+        plot_state_exponent(request, chart);
     }
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status fill_error(const burnish_plot_request *request, burnish_plot_chart *chart,
+static burnish_status fill_error(const plot_request *request, plot_chart *chart,
                                  burnish_error *error) {
     chart->y.title = "absolute error, |lobe − cos^{{/:Italic n}}{/:Italic γ}|";
     chart->y.column = "absolute_error";
     return fill_angles(request, chart, 1, error);
 }
 
-static burnish_status fill_curves(const burnish_plot_request *request, burnish_plot_chart *chart,
+static burnish_status fill_curves(const plot_request *request, plot_chart *chart,
                                   burnish_error *error) {
     chart->y.title = "value of the lobe";
     chart->y.column = "value";
@@ -326,18 +323,17 @@ static double first_exponent(const burnish_theory_model *pattern, double low, do
 }
 
 /* One curve against the exponent; it begins where the lobe begins to exist. */
-static burnish_status fill_curve(const burnish_plot_request *request, const char *word, double bits,
-                                 metric *measure, burnish_plot_series *series,
-                                 burnish_error *error) {
+static burnish_status fill_curve(const plot_request *request, const char *word, double bits,
+                                 metric *measure, plot_series *series, burnish_error *error) {
     burnish_theory_model pattern, model;
     double low = least(request->exponents, request->exponent_count);
     double high = greatest(request->exponents, request->exponent_count);
     int before = 0;
-    burnish_status status = burnish_plot_model(word, high, &pattern, error);
+    burnish_status status = plot_model(word, high, &pattern, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    for (size_t i = 0; i < BURNISH_PLOT_POINTS; ++i) {
+    for (size_t i = 0; i < PLOT_POINTS; ++i) {
         double exponent = step_between(low, high, 1, i);
         int exists =
             burnish_theory_model_create(&model, &pattern.lobe, exponent) == BURNISH_LOBE_OK;
@@ -349,12 +345,12 @@ static burnish_status fill_curve(const burnish_plot_request *request, const char
         }
         before = exists;
     }
-    series->count = BURNISH_PLOT_POINTS;
+    series->count = PLOT_POINTS;
     return BURNISH_STATUS_OK;
 }
 
 /* A curve a lobe, and a bit count where there are some. With ramp the lobes are an ordered set. */
-static burnish_status fill_exponents(const burnish_plot_request *request, burnish_plot_chart *chart,
+static burnish_status fill_exponents(const plot_request *request, plot_chart *chart,
                                      metric *measure, int paper_names, int ramp,
                                      burnish_error *error) {
     size_t bits_count = request->bits_count > 0 ? request->bits_count : 1;
@@ -363,9 +359,9 @@ static burnish_status fill_exponents(const burnish_plot_request *request, burnis
         for (size_t b = 0; b < bits_count; ++b) {
             double bits = request->bits_count > 0 ? request->bits[b] : 0;
             burnish_theory_model model;
-            burnish_plot_series *series = burnish_plot_add_series(chart, error);
+            plot_series *series = plot_add_series(chart, error);
             burnish_status status =
-                series ? burnish_plot_model(request->lobes[l], top, &model, error) : error->status;
+                series ? plot_model(request->lobes[l], top, &model, error) : error->status;
             if (status == BURNISH_STATUS_OK) {
                 status = fill_curve(request, request->lobes[l], bits, measure, series, error);
             }
@@ -376,12 +372,12 @@ static burnish_status fill_exponents(const burnish_plot_request *request, burnis
             lobe_text(&model, text, sizeof text);
             snprintf(series->name, sizeof series->name, "%s", request->lobes[l]);
             snprintf(series->text, sizeof series->text, "%s", paper_names ? text : series->name);
-            series->ink = ramp ? burnish_plot_ramp_ink(l, request->lobe_count) : lobe_ink(&model);
-            series->style = ramp ? BURNISH_PLOT_LINE : lobe_style(&model);
+            series->ink = ramp ? plot_ramp_ink(l, request->lobe_count) : lobe_ink(&model);
+            series->style = ramp ? PLOT_LINE : lobe_style(&model);
             if (request->bits_count > 0) {
                 snprintf(series->name, sizeof series->name, "%s q=%.10g", request->lobes[l], bits);
                 snprintf(series->text, sizeof series->text, "%s, {/:Italic q} = %.6g", text, bits);
-                series->ink = burnish_plot_ramp_ink(b, bits_count);
+                series->ink = plot_ramp_ink(b, bits_count);
                 series->style = style_of(l);
             }
         }
@@ -406,7 +402,7 @@ static double core_error(const burnish_theory_model *model, double bits) {
     return 100 * difference.relative;
 }
 
-static burnish_status fill_core(const burnish_plot_request *request, burnish_plot_chart *chart,
+static burnish_status fill_core(const plot_request *request, plot_chart *chart,
                                 burnish_error *error) {
     chart->y.title =
         "largest relative error up to the inflection of cos^{{/:Italic n}}, in percent";
@@ -414,12 +410,12 @@ static burnish_status fill_core(const burnish_plot_request *request, burnish_plo
     return fill_exponents(request, chart, core_error, 1, 0, error);
 }
 
-static burnish_status fill_ratio(const burnish_plot_request *request, burnish_plot_chart *chart,
+static burnish_status fill_ratio(const plot_request *request, plot_chart *chart,
                                  burnish_error *error) {
     chart->y.title =
         "{/:Italic R} = angle of the power / angle of the lobe, both at level 2^{−{/:Italic q}}";
     chart->y.column = "ratio";
-    chart->rule = (burnish_plot_rule){"as wide as the power", 1};
+    chart->rule = (plot_rule){"as wide as the power", 1};
     return fill_exponents(request, chart, burnish_theory_width_ratio, 1, 0, error);
 }
 
@@ -438,13 +434,13 @@ static double extreme_error_searched(const burnish_theory_model *model, double b
     return percent_at(model, burnish_theory_extreme_angle_searched(model));
 }
 
-static burnish_status fill_extreme(const burnish_plot_request *request, burnish_plot_chart *chart,
+static burnish_status fill_extreme(const plot_request *request, plot_chart *chart,
                                    burnish_error *error) {
     burnish_status status = fill_exponents(request, chart, extreme_error, 1, 0, error);
     size_t lines = chart->series_count;
     for (size_t l = 0; l < lines && status == BURNISH_STATUS_OK; ++l) {
-        burnish_plot_series *line = &chart->series[l];
-        burnish_plot_series *points = burnish_plot_add_series(chart, error);
+        plot_series *line = &chart->series[l];
+        plot_series *points = plot_add_series(chart, error);
         if (!points) {
             return error->status;
         }
@@ -457,9 +453,9 @@ static burnish_status fill_extreme(const burnish_plot_request *request, burnish_
         snprintf(line->text + strlen(line->text), sizeof line->text - strlen(line->text),
                  ", place by formula");
         points->ink = line->ink;
-        points->style = BURNISH_PLOT_RINGS;
+        points->style = PLOT_RINGS;
         points->count = 0;
-        for (size_t i = 0; i < BURNISH_PLOT_POINTS; i += 20) {
+        for (size_t i = 0; i < PLOT_POINTS; i += 20) {
             points->x[points->count] = points->x[i];
             points->y[points->count++] = points->y[i];
         }
@@ -480,12 +476,12 @@ static double energy_ratio(const burnish_theory_model *model, double bits) {
            burnish_theory_integral(&power, BURNISH_THEORY_SOLID_ANGLE);
 }
 
-static burnish_status fill_energy(const burnish_plot_request *request, burnish_plot_chart *chart,
+static burnish_status fill_energy(const plot_request *request, plot_chart *chart,
                                   burnish_error *error) {
     chart->y.title = "integral over the hemisphere / that of cos^{{/:Italic n}}";
     chart->y.column = "energy_ratio";
     chart->y.logarithmic = 1;
-    chart->rule = (burnish_plot_rule){"", 1};
+    chart->rule = (plot_rule){"", 1};
     return fill_exponents(request, chart, energy_ratio, 0, 0, error);
 }
 
@@ -494,28 +490,28 @@ static double whole_error(const burnish_theory_model *model, double bits) {
     return burnish_theory_maximum_error(model, acos(0));
 }
 
-static burnish_status fill_orders(const burnish_plot_request *request, burnish_plot_chart *chart,
+static burnish_status fill_orders(const plot_request *request, plot_chart *chart,
                                   burnish_error *error) {
     chart->y.title = "largest absolute error, angles from 0° to 90°";
     chart->y.column = "maximum_error";
     chart->y.logarithmic = 1;
     chart->y.low = 5e-4;
     chart->y.high = 0.1;
-    chart->rule = (burnish_plot_rule){"half a step of 8 bits", 1.0 / 510};
+    chart->rule = (plot_rule){"half a step of 8 bits", 1.0 / 510};
     return fill_exponents(request, chart, whole_error, 0, 1, error);
 }
 
 /* ---- R over the threshold ---------------------------------------------------------------------*/
 
-static burnish_status fill_widths(const burnish_plot_request *request, burnish_plot_chart *chart,
+static burnish_status fill_widths(const plot_request *request, plot_chart *chart,
                                   burnish_error *error) {
     double low = least(request->bits, request->bits_count);
     double high = greatest(request->bits, request->bits_count);
     for (size_t l = 0; l < request->lobe_count; ++l) {
         burnish_theory_model model;
-        burnish_plot_series *series = burnish_plot_add_series(chart, error);
+        plot_series *series = plot_add_series(chart, error);
         burnish_status status =
-            series ? burnish_plot_model(request->lobes[l], request->exponents[0], &model, error)
+            series ? plot_model(request->lobes[l], request->exponents[0], &model, error)
                    : error->status;
         if (status != BURNISH_STATUS_OK) {
             return status;
@@ -524,20 +520,20 @@ static burnish_status fill_widths(const burnish_plot_request *request, burnish_p
         snprintf(series->text, sizeof series->text, "%s", request->lobes[l]);
         series->ink = lobe_ink(&model);
         series->style = lobe_style(&model);
-        series->count = BURNISH_PLOT_POINTS;
-        for (size_t i = 0; i < BURNISH_PLOT_POINTS; ++i) {
+        series->count = PLOT_POINTS;
+        for (size_t i = 0; i < PLOT_POINTS; ++i) {
             series->x[i] = step_between(low, high, 0, i);
             series->y[i] = burnish_theory_width_ratio(&model, series->x[i]);
         }
     }
     chart->labels_at_end = 1;
-    burnish_plot_state_exponent(request, chart);
+    plot_state_exponent(request, chart);
     chart->x.title = "threshold {/:Italic q} in bits: the lobe ends at 2^{−{/:Italic q}}";
     chart->x.column = "bits";
     chart->x.low = low;
     chart->x.high = high;
     chart->y.title = "{/:Italic R} = angle of the power / angle of the lobe";
     chart->y.column = "ratio";
-    chart->rule = (burnish_plot_rule){"as wide as the power", 1};
+    chart->rule = (plot_rule){"as wide as the power", 1};
     return BURNISH_STATUS_OK;
 }

@@ -3,21 +3,21 @@
  * runs in lightness, so that its order survives in grey. */
 #include "plot/plot.h"
 
-const burnish_plot_color burnish_plot_panel = {"#ffffff", "#161b22"};
+const plot_color plot_panel = {"#ffffff", "#161b22"};
 
-const burnish_plot_color burnish_plot_inks[BURNISH_PLOT_INK_COUNT] = {
-    [BURNISH_PLOT_INK_TEXT] = {"#2f363f", "#c9d1d9"},
-    [BURNISH_PLOT_INK_AXIS] = {"#6a737d", "#7d8791"},
-    [BURNISH_PLOT_INK_GRID] = {"#e7eaee", "#2a313a"},
-    [BURNISH_PLOT_INK_REFERENCE] = {"#1b1f24", "#f0f3f6"},
-    [BURNISH_PLOT_INK_LOBE] = {"#0072b2", "#58a6e8"},
+const plot_color plot_inks[PLOT_INK_COUNT] = {
+    [PLOT_INK_TEXT] = {"#2f363f", "#c9d1d9"},
+    [PLOT_INK_AXIS] = {"#6a737d", "#7d8791"},
+    [PLOT_INK_GRID] = {"#e7eaee", "#2a313a"},
+    [PLOT_INK_REFERENCE] = {"#1b1f24", "#f0f3f6"},
+    [PLOT_INK_LOBE] = {"#0072b2", "#58a6e8"},
     {"#d55e00", "#f5874a"},
     {"#008561", "#33c39a"},
     {"#aa4f8d", "#de8fc0"},
     {"#a87400", "#e3ad3e"},
     {"#2b8fc4", "#8fd0f5"},
     {"#767676", "#a0a7ae"},
-    [BURNISH_PLOT_INK_RAMP] = {"#440154", "#c886e0"},
+    [PLOT_INK_RAMP] = {"#440154", "#c886e0"},
     {"#463480", "#a394f2"},
     {"#365c8d", "#79a8f0"},
     {"#277f8e", "#55bcd0"},
@@ -27,8 +27,8 @@ const burnish_plot_color burnish_plot_inks[BURNISH_PLOT_INK_COUNT] = {
     {"#a58500", "#f2d445"},
 };
 
-int burnish_plot_ramp_ink(size_t i, size_t count) {
-    size_t last = BURNISH_PLOT_RAMP_INKS - 1;
+int plot_ramp_ink(size_t i, size_t count) {
+    size_t last = PLOT_RAMP_INKS - 1;
     size_t place = count > 1 ? (i * last + (count - 1) / 2) / (count - 1) : 2;
-    return BURNISH_PLOT_INK_RAMP + (int)(place > last ? last : place);
+    return PLOT_INK_RAMP + (int)(place > last ? last : place);
 }

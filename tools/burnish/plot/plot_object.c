@@ -170,8 +170,7 @@ static void name_lobe(const char *word, char *name) {
     }
 }
 
-static burnish_status draw_lobes(const burnish_plot_request *request, gallery *g,
-                                 burnish_error *error) {
+static burnish_status draw_lobes(const plot_request *request, gallery *g, burnish_error *error) {
     burnish_mesh *scene = NULL;
     burnish_render_options options = burnish_render_options_default();
     burnish_status status = load(request->exponents[0], (double)request->width / request->height,
@@ -184,7 +183,7 @@ static burnish_status draw_lobes(const burnish_plot_request *request, gallery *g
         burnish_error inner;
         if (burnish_lobe_spec_parse(request->lobes[i], &options.lobe, &inner) !=
             BURNISH_STATUS_OK) {
-            status = burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
+            status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
             break;
         }
         name_lobe(request->lobes[i], g->names[i]);
@@ -216,7 +215,7 @@ static burnish_status write_sheet(const gallery *g, const char *path, burnish_er
     return status;
 }
 
-static burnish_status write_differences(const burnish_plot_request *request, const gallery *g,
+static burnish_status write_differences(const plot_request *request, const gallery *g,
                                         const char *path, burnish_error *error) {
     char text[64 + LOBES_MAX * 96];
     size_t used = (size_t)snprintf(
@@ -229,18 +228,17 @@ static burnish_status write_differences(const burnish_plot_request *request, con
     return burnish_file_write(path, text, used, error);
 }
 
-burnish_status burnish_plot_object(const burnish_plot_request *request, int data, const char *path,
-                                   burnish_error *error) {
+burnish_status plot_object(const plot_request *request, int data, const char *path,
+                           burnish_error *error) {
     if (request->lobe_count < 2 || request->lobe_count > LOBES_MAX) {
-        return burnish_cli_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            "--lobes: the figure object takes 2 to %d lobes, the one to compare "
-            "with first",
-            LOBES_MAX);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--lobes: the figure object takes 2 to %d lobes, the one to compare "
+                        "with first",
+                        LOBES_MAX);
     }
     gallery *g = calloc(1, sizeof *g);
     if (!g) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
     }
     g->count = request->lobe_count;
     burnish_status status = draw_lobes(request, g, error);

@@ -41,7 +41,7 @@ static size_t visible_length(const char *text) {
 }
 
 /* What names beside the plot take, px. */
-static double names_width(const burnish_plot_chart *chart) {
+static double names_width(const plot_chart *chart) {
     size_t longest = 0;
     for (size_t i = 0; i < chart->series_count; ++i) {
         size_t length = visible_length(chart->series[i].text);
@@ -54,11 +54,11 @@ static double names_width(const burnish_plot_chart *chart) {
            0.62 * FONT_SIZE * (double)longest;
 }
 
-int burnish_plot_least_width(const burnish_plot_chart *chart) {
+int plot_least_width(const plot_chart *chart) {
     return MARGIN_LEFT + MARGIN_RIGHT + LEAST_PLOT + (int)names_width(chart);
 }
 
-int burnish_plot_least_height(const burnish_plot_chart *chart) {
+int plot_least_height(const plot_chart *chart) {
     int entries = 0;
     for (size_t i = 0; i < chart->series_count; ++i) {
         entries += chart->series[i].text[0] != 0;
@@ -68,7 +68,7 @@ int burnish_plot_least_height(const burnish_plot_chart *chart) {
            (names > LEAST_PLOT ? names : LEAST_PLOT);
 }
 
-static frame frame_of(const burnish_plot_chart *chart) {
+static frame frame_of(const plot_chart *chart) {
     frame f = {.width = chart->width, .height = chart->height};
     f.left = MARGIN_LEFT;
     f.right = f.width - MARGIN_RIGHT - names_width(chart);
@@ -78,26 +78,26 @@ static frame frame_of(const burnish_plot_chart *chart) {
 }
 
 /* Where a value lies between the ends of an axis: [0, 1], clipped. */
-static double place(const burnish_plot_axis *axis, double value) {
+static double place(const plot_axis *axis, double value) {
     double share = axis->logarithmic
                        ? (value > 0 ? log(value / axis->low) / log(axis->high / axis->low) : 0)
                        : (value - axis->low) / (axis->high - axis->low);
     return share < 0 ? 0 : share > 1 ? 1 : share;
 }
 
-static double pixel_x(const frame *f, const burnish_plot_chart *chart, double x) {
+static double pixel_x(const frame *f, const plot_chart *chart, double x) {
     return f->left + (f->right - f->left) * place(&chart->x, x);
 }
 
-static double pixel_y(const frame *f, const burnish_plot_chart *chart, double y) {
+static double pixel_y(const frame *f, const plot_chart *chart, double y) {
     return f->bottom + (f->top - f->bottom) * place(&chart->y, y);
 }
 
 /* Moves ascending places apart to at least `gap` with the least sum of squared moves (isotonic
  * regression: neighbours that would collide form blocks around their mean). */
 static void spread(double *places, size_t count, double gap, double low, double high) {
-    double means[BURNISH_PLOT_NOTES_MAX];
-    size_t sizes[BURNISH_PLOT_NOTES_MAX], blocks = 0;
+    double means[PLOT_NOTES_MAX];
+    size_t sizes[PLOT_NOTES_MAX], blocks = 0;
     for (size_t i = 0; i < count; ++i) {
         means[blocks] = places[i] - gap * (double)i;
         sizes[blocks++] = 1;
@@ -141,7 +141,7 @@ static void sort_labels(label *labels, size_t count) {
 
 /* above: labels move upwards only, so that none covers a curve that leaves below it. */
 static void write_labels(const frame *f, label *labels, size_t count, int above, FILE *file) {
-    double places[BURNISH_PLOT_NOTES_MAX];
+    double places[PLOT_NOTES_MAX];
     sort_labels(labels, count);
     for (size_t i = 0; i < count; ++i) {
         places[i] = labels[i].y;
@@ -149,7 +149,7 @@ static void write_labels(const frame *f, label *labels, size_t count, int above,
     spread(places, count, LABEL_GAP, above && count > 0 ? places[0] : f->bottom, f->top);
     for (size_t i = 0; i < count; ++i) {
         const label *l = &labels[i];
-        const char *color = burnish_plot_inks[l->ink].light;
+        const char *color = plot_inks[l->ink].light;
         fprintf(file, "set label \"%s\" at screen %.5f,%.5f left textcolor rgb \"%s\" front\n",
                 l->text, l->x / f->width, places[i] / f->height, color);
         if (l->leader) {
@@ -163,11 +163,11 @@ static void write_labels(const frame *f, label *labels, size_t count, int above,
 }
 
 /* At the right margin; the name of a curve that ends before it stands at its end. */
-static void write_end_labels(const burnish_plot_chart *chart, const frame *f, FILE *file) {
-    label labels[BURNISH_PLOT_SERIES_MAX];
+static void write_end_labels(const plot_chart *chart, const frame *f, FILE *file) {
+    label labels[PLOT_SERIES_MAX];
     size_t count = 0;
     for (size_t i = 0; i < chart->series_count; ++i) {
-        const burnish_plot_series *series = &chart->series[i];
+        const plot_series *series = &chart->series[i];
         size_t last = series->count;
         while (last > 0 && !isfinite(series->y[last - 1])) {
             --last;
@@ -189,9 +189,9 @@ static void write_end_labels(const burnish_plot_chart *chart, const frame *f, FI
 }
 
 /* Notes with the same x stand in one column beside it. */
-static void write_notes(const burnish_plot_chart *chart, const frame *f, FILE *file) {
+static void write_notes(const plot_chart *chart, const frame *f, FILE *file) {
     for (size_t first = 0; first < chart->note_count; ++first) {
-        label labels[BURNISH_PLOT_NOTES_MAX];
+        label labels[PLOT_NOTES_MAX];
         size_t count = 0, before = 0;
         while (before < first && chart->notes[before].x != chart->notes[first].x) {
             ++before;
@@ -200,7 +200,7 @@ static void write_notes(const burnish_plot_chart *chart, const frame *f, FILE *f
             continue;
         }
         for (size_t i = first; i < chart->note_count; ++i) {
-            const burnish_plot_note *note = &chart->notes[i];
+            const plot_note *note = &chart->notes[i];
             if (note->x == chart->notes[first].x) {
                 double x = pixel_x(f, chart, note->x), y = pixel_y(f, chart, note->y);
                 labels[count++] = (label){note->text, x, y, x + 8, y + 11, note->ink, 0};
@@ -210,10 +210,10 @@ static void write_notes(const burnish_plot_chart *chart, const frame *f, FILE *f
     }
 }
 
-static void write_ticks(const burnish_plot_axis *axis, const char *name, FILE *file) {
+static void write_ticks(const plot_axis *axis, const char *name, FILE *file) {
     fprintf(file, "set %stics (", name);
     for (size_t i = 0; i < axis->tick_count; ++i) {
-        const burnish_plot_tick *tick = &axis->ticks[i];
+        const plot_tick *tick = &axis->ticks[i];
         fprintf(file, "%s\"%s\" %.9g%s", i > 0 ? ", " : "", tick->text, tick->at,
                 tick->minor ? " 1" : "");
     }
@@ -223,28 +223,27 @@ static void write_ticks(const burnish_plot_axis *axis, const char *name, FILE *f
     }
 }
 
-static void write_bands(const burnish_plot_chart *chart, const frame *f, FILE *file) {
+static void write_bands(const plot_chart *chart, const frame *f, FILE *file) {
     for (size_t i = 0; i < chart->band_count; ++i) {
-        const burnish_plot_band *band = &chart->bands[i];
+        const plot_band *band = &chart->bands[i];
         double low = pixel_x(f, chart, band->low);
         fprintf(file, "set label \"%s\" at screen %.5f,%.5f left textcolor rgb \"%s\"\n",
                 band->text, (low + 8) / f->width, (f->top + BAND_HEIGHT / 2) / f->height,
-                burnish_plot_inks[BURNISH_PLOT_INK_TEXT].light);
+                plot_inks[PLOT_INK_TEXT].light);
         if (i > 0) {
             fprintf(file,
                     "set arrow from screen %.5f,%.5f to screen %.5f,%.5f nohead linewidth 1 "
                     "linecolor rgb \"%s\" back\n",
                     low / f->width, f->bottom / f->height, low / f->width,
-                    (f->top + BAND_HEIGHT) / f->height,
-                    burnish_plot_inks[BURNISH_PLOT_INK_AXIS].light);
+                    (f->top + BAND_HEIGHT) / f->height, plot_inks[PLOT_INK_AXIS].light);
         }
     }
 }
 
-static void write_frame(const burnish_plot_chart *chart, const frame *f, FILE *file) {
-    const char *text = burnish_plot_inks[BURNISH_PLOT_INK_TEXT].light;
-    const char *axis = burnish_plot_inks[BURNISH_PLOT_INK_AXIS].light;
-    const char *grid = burnish_plot_inks[BURNISH_PLOT_INK_GRID].light;
+static void write_frame(const plot_chart *chart, const frame *f, FILE *file) {
+    const char *text = plot_inks[PLOT_INK_TEXT].light;
+    const char *axis = plot_inks[PLOT_INK_AXIS].light;
+    const char *grid = plot_inks[PLOT_INK_GRID].light;
     fprintf(file, "set lmargin at screen %.5f\nset rmargin at screen %.5f\n", f->left / f->width,
             f->right / f->width);
     fprintf(file, "set bmargin at screen %.5f\nset tmargin at screen %.5f\n", f->bottom / f->height,
@@ -270,22 +269,21 @@ static void write_frame(const burnish_plot_chart *chart, const frame *f, FILE *f
     }
 }
 
-static void write_curves(const burnish_plot_chart *chart, FILE *file) {
+static void write_curves(const plot_chart *chart, FILE *file) {
     static const char *const styles[] = {
-        [BURNISH_PLOT_LINE] = "lines linewidth 2",
-        [BURNISH_PLOT_DASHED] = "lines linewidth 2 dashtype (9,6)",
-        [BURNISH_PLOT_STAIRS] = "lines linewidth 1",
-        [BURNISH_PLOT_DOTTED] = "lines linewidth 2 dashtype (1,5)",
-        [BURNISH_PLOT_DASH_DOT] = "lines linewidth 2 dashtype (9,5,1,5)",
-        [BURNISH_PLOT_DISCS] = "points pointtype 7 pointsize 0.7",
-        [BURNISH_PLOT_RINGS] = "points pointtype 6 pointsize 0.7 linewidth 1.4",
+        [PLOT_LINE] = "lines linewidth 2",
+        [PLOT_DASHED] = "lines linewidth 2 dashtype (9,6)",
+        [PLOT_STAIRS] = "lines linewidth 1",
+        [PLOT_DOTTED] = "lines linewidth 2 dashtype (1,5)",
+        [PLOT_DASH_DOT] = "lines linewidth 2 dashtype (9,5,1,5)",
+        [PLOT_DISCS] = "points pointtype 7 pointsize 0.7",
+        [PLOT_RINGS] = "points pointtype 6 pointsize 0.7 linewidth 1.4",
     };
     fprintf(file, "plot");
     for (size_t i = 0; i < chart->series_count; ++i) {
-        const burnish_plot_series *series = &chart->series[i];
+        const plot_series *series = &chart->series[i];
         fprintf(file, "%s $data%zu using 1:2 with %s linecolor rgb \"%s\" ",
-                i > 0 ? ", \\\n    " : "", i, styles[series->style],
-                burnish_plot_inks[series->ink].light);
+                i > 0 ? ", \\\n    " : "", i, styles[series->style], plot_inks[series->ink].light);
         if (!chart->labels_at_end && series->text[0]) {
             fprintf(file, "title \"%s\"", series->text);
         } else {
@@ -296,7 +294,7 @@ static void write_curves(const burnish_plot_chart *chart, FILE *file) {
 }
 
 /* gnuplot takes letters, digits and _ as the name that it puts before the ids in an SVG. */
-static void write_terminal(const burnish_plot_chart *chart, FILE *file) {
+static void write_terminal(const plot_chart *chart, FILE *file) {
     char name[32];
     snprintf(name, sizeof name, "%s", chart->name);
     for (char *c = name; *c; ++c) {
@@ -308,7 +306,7 @@ static void write_terminal(const burnish_plot_chart *chart, FILE *file) {
             chart->width, chart->height, FONT_SIZE, name);
 }
 
-static void write_key(const burnish_plot_chart *chart, const frame *f, FILE *file) {
+static void write_key(const plot_chart *chart, const frame *f, FILE *file) {
     if (chart->key_inside) {
         fprintf(file, "set key at graph 1,0.03 right bottom ");
     } else {
@@ -316,10 +314,10 @@ static void write_key(const burnish_plot_chart *chart, const frame *f, FILE *fil
                 f->top / f->height);
     }
     fprintf(file, "Left reverse samplen 2.2 spacing 1.3 textcolor rgb \"%s\"\n",
-            burnish_plot_inks[BURNISH_PLOT_INK_TEXT].light);
+            plot_inks[PLOT_INK_TEXT].light);
 }
 
-void burnish_plot_write_script(const burnish_plot_chart *chart, FILE *file) {
+void plot_write_script(const plot_chart *chart, FILE *file) {
     frame f = frame_of(chart);
     fprintf(file,
             "# %s. Made by burnish lobe plot %s; gnuplot 5.4 writes the SVG to standard output.\n",
@@ -335,7 +333,7 @@ void burnish_plot_write_script(const burnish_plot_chart *chart, FILE *file) {
         write_key(chart, &f, file);
     }
     for (size_t i = 0; i < chart->series_count; ++i) {
-        const burnish_plot_series *series = &chart->series[i];
+        const plot_series *series = &chart->series[i];
         fprintf(file, "$data%zu << EOD\n", i);
         for (size_t k = 0; k < series->count; ++k) {
             if (isfinite(series->y[k])) {
@@ -349,10 +347,10 @@ void burnish_plot_write_script(const burnish_plot_chart *chart, FILE *file) {
     write_curves(chart, file);
 }
 
-void burnish_plot_write_data(const burnish_plot_chart *chart, FILE *file) {
+void plot_write_data(const plot_chart *chart, FILE *file) {
     fprintf(file, "series,%s,%s\n", chart->x.column, chart->y.column);
     for (size_t i = 0; i < chart->series_count; ++i) {
-        const burnish_plot_series *series = &chart->series[i];
+        const plot_series *series = &chart->series[i];
         for (size_t k = 0; k < series->count; ++k) {
             if (isfinite(series->y[k])) {
                 fprintf(file, "%s,%.10g,%.10g\n", series->name, series->x[k], series->y[k]);

@@ -15,11 +15,10 @@ static const char advice[] =
 
 static burnish_status fail_run(burnish_error *error, int code) {
     if (code == ENOENT) {
-        return burnish_cli_fail(error, BURNISH_STATUS_WRITE,
-                                "gnuplot: not found, and it draws the figures; %s", advice);
+        return cli_fail(error, BURNISH_STATUS_WRITE,
+                        "gnuplot: not found, and it draws the figures; %s", advice);
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_WRITE, "gnuplot: can't be started: %s",
-                            strerror(code));
+    return cli_fail(error, BURNISH_STATUS_WRITE, "gnuplot: can't be started: %s", strerror(code));
 }
 
 /* Starts gnuplot with files as its three standard streams. The environment holds what matters
@@ -80,16 +79,15 @@ static burnish_status fail_gnuplot(FILE *complaints, burnish_error *error) {
     char *text = read_stream(complaints, &size);
     const char *line = text ? strstr(text, "line ") : NULL;
     line = line ? line : text ? text + strspn(text, "\n\t ^") : "";
-    burnish_cli_fail(error, BURNISH_STATUS_WRITE,
-                     "gnuplot: failed: %.*s; version 5.4 is known to work",
-                     (int)strcspn(line, "\n"), line);
+    cli_fail(error, BURNISH_STATUS_WRITE, "gnuplot: failed: %.*s; version 5.4 is known to work",
+             (int)strcspn(line, "\n"), line);
     free(text);
     return error->status;
 }
 
 /* The rules that replace an ink on dark pages, for each of gnuplot's ways to write one that the
  * drawing has. */
-static void write_rules(const burnish_plot_color *color, const char *svg, FILE *file) {
+static void write_rules(const plot_color *color, const char *svg, FILE *file) {
     unsigned rgb = (unsigned)strtoul(color->light + 1, NULL, 16);
     unsigned red = rgb >> 16, green = rgb >> 8 & 255, blue = rgb & 255;
     char wide[32], narrow[32];
@@ -117,41 +115,40 @@ static void write_texts(const char *svg, FILE *file) {
 }
 
 /* Puts a panel behind the drawing and a style sheet that turns both dark where the page is. */
-static burnish_status dress(const burnish_plot_chart *chart, const char *raw, char **svg,
-                            size_t *size, burnish_error *error) {
+static burnish_status dress(const plot_chart *chart, const char *raw, char **svg, size_t *size,
+                            burnish_error *error) {
     static const char start[] = "<title>", end[] = "</title>";
     const char *title = strstr(raw, start), *rest = title ? strstr(title, end) : NULL;
     if (!rest) {
-        return burnish_cli_fail(error, BURNISH_STATUS_WRITE,
-                                "gnuplot: wrote no SVG; version 5.4 is known to work");
+        return cli_fail(error, BURNISH_STATUS_WRITE,
+                        "gnuplot: wrote no SVG; version 5.4 is known to work");
     }
     FILE *file = open_memstream(svg, size);
     if (!file) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
     }
     fwrite(raw, 1, (size_t)(title - raw), file);
     fprintf(file, "<title>%s</title>\n<style>\n", chart->title);
     fprintf(file, "text,tspan{font-family:\"DejaVu Sans\",Verdana,sans-serif}\n");
-    fprintf(file, "@media (prefers-color-scheme:dark){\n.panel{fill:%s}\n",
-            burnish_plot_panel.dark);
-    for (int i = 0; i < BURNISH_PLOT_INK_COUNT; ++i) {
-        write_rules(&burnish_plot_inks[i], rest, file);
+    fprintf(file, "@media (prefers-color-scheme:dark){\n.panel{fill:%s}\n", plot_panel.dark);
+    for (int i = 0; i < PLOT_INK_COUNT; ++i) {
+        write_rules(&plot_inks[i], rest, file);
     }
     fprintf(file,
             "}\n</style>\n<rect class=\"panel\" width=\"%d\" height=\"%d\" rx=\"8\" fill=\"%s\"/>",
-            chart->width, chart->height, burnish_plot_panel.light);
+            chart->width, chart->height, plot_panel.light);
     write_texts(rest + strlen(end), file);
     int failed = ferror(file);
     if (fclose(file) != 0 || failed) {
         free(*svg);
         *svg = NULL;
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
     }
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status run(FILE *streams[3], const burnish_plot_chart *chart, char **svg,
-                          size_t *size, burnish_error *error) {
+static burnish_status run(FILE *streams[3], const plot_chart *chart, char **svg, size_t *size,
+                          burnish_error *error) {
     pid_t child;
     int code = spawn_gnuplot(streams, &child);
     if (code != 0) {
@@ -168,24 +165,23 @@ static burnish_status run(FILE *streams[3], const burnish_plot_chart *chart, cha
     size_t raw_size = 0;
     char *raw = read_stream(streams[1], &raw_size);
     if (!raw) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
     }
     burnish_status result = dress(chart, raw, svg, size, error);
     free(raw);
     return result;
 }
 
-burnish_status burnish_plot_run(const burnish_plot_chart *chart, const char *script, size_t length,
-                                char **svg, size_t *size, burnish_error *error) {
+burnish_status plot_run(const plot_chart *chart, const char *script, size_t length, char **svg,
+                        size_t *size, burnish_error *error) {
     FILE *streams[3] = {tmpfile(), tmpfile(), tmpfile()};
     burnish_status status = BURNISH_STATUS_OK;
     *svg = NULL;
     if (!streams[0] || !streams[1] || !streams[2] ||
         fwrite(script, 1, length, streams[0]) != length || fflush(streams[0]) != 0 ||
         fseek(streams[0], 0, SEEK_SET) != 0) {
-        status = burnish_cli_fail(error, BURNISH_STATUS_WRITE,
-                                  "temporary file: can't be written: %s; free some space",
-                                  strerror(errno));
+        status = cli_fail(error, BURNISH_STATUS_WRITE,
+                          "temporary file: can't be written: %s; free some space", strerror(errno));
     }
     if (status == BURNISH_STATUS_OK) {
         status = run(streams, chart, svg, size, error);

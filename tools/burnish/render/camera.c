@@ -10,12 +10,12 @@ typedef struct frame {
 } frame;
 
 static const frame frames[] = {
-    [BURNISH_CLI_UP_POSITIVE_X] = {"+X", {1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
-    [BURNISH_CLI_UP_NEGATIVE_X] = {"-X", {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-    [BURNISH_CLI_UP_POSITIVE_Y] = {"+Y", {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
-    [BURNISH_CLI_UP_NEGATIVE_Y] = {"-Y", {0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
-    [BURNISH_CLI_UP_POSITIVE_Z] = {"+Z", {0, 0, 1}, {1, 0, 0}, {0, -1, 0}},
-    [BURNISH_CLI_UP_NEGATIVE_Z] = {"-Z", {0, 0, -1}, {1, 0, 0}, {0, 1, 0}},
+    [UP_POSITIVE_X] = {"+X", {1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+    [UP_NEGATIVE_X] = {"-X", {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+    [UP_POSITIVE_Y] = {"+Y", {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+    [UP_NEGATIVE_Y] = {"-Y", {0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+    [UP_POSITIVE_Z] = {"+Z", {0, 0, 1}, {1, 0, 0}, {0, -1, 0}},
+    [UP_NEGATIVE_Z] = {"-Z", {0, 0, -1}, {1, 0, 0}, {0, 1, 0}},
 };
 
 /* Where a view's camera stands, in multiples of right, up and front, and what is upward there. */
@@ -26,29 +26,29 @@ typedef struct standard_view {
 } standard_view;
 
 static const standard_view views[] = {
-    [BURNISH_CLI_VIEW_FREE] = {"view", {0, 0, 0}, {0, 1, 0}},
-    [BURNISH_CLI_VIEW_FRONT] = {"front", {0, 0, 1}, {0, 1, 0}},
-    [BURNISH_CLI_VIEW_RIGHT] = {"right", {1, 0, 0}, {0, 1, 0}},
-    [BURNISH_CLI_VIEW_BACK] = {"back", {0, 0, -1}, {0, 1, 0}},
-    [BURNISH_CLI_VIEW_LEFT] = {"left", {-1, 0, 0}, {0, 1, 0}},
-    [BURNISH_CLI_VIEW_TOP] = {"top", {0, 1, 0}, {0, 0, -1}},
-    [BURNISH_CLI_VIEW_BOTTOM] = {"bottom", {0, -1, 0}, {0, 0, 1}},
-    [BURNISH_CLI_VIEW_ISO] = {"iso", {1, 1, 1}, {0, 1, 0}},
+    [VIEW_FREE] = {"view", {0, 0, 0}, {0, 1, 0}},
+    [VIEW_FRONT] = {"front", {0, 0, 1}, {0, 1, 0}},
+    [VIEW_RIGHT] = {"right", {1, 0, 0}, {0, 1, 0}},
+    [VIEW_BACK] = {"back", {0, 0, -1}, {0, 1, 0}},
+    [VIEW_LEFT] = {"left", {-1, 0, 0}, {0, 1, 0}},
+    [VIEW_TOP] = {"top", {0, 1, 0}, {0, 0, -1}},
+    [VIEW_BOTTOM] = {"bottom", {0, -1, 0}, {0, 0, 1}},
+    [VIEW_ISO] = {"iso", {1, 1, 1}, {0, 1, 0}},
 };
 
-const char *burnish_cli_view_name(burnish_cli_view view) {
+const char *render_view_name(render_view view) {
     return views[view].name;
 }
 
-static const frame *frame_in_use(const burnish_mesh *mesh, const burnish_cli_render *settings) {
+static const frame *frame_in_use(const burnish_mesh *mesh, const render_settings *settings) {
     const float *up = burnish_mesh_get_view(mesh)->up_axis;
-    if (settings->up != BURNISH_CLI_UP_AUTO) {
+    if (settings->up != UP_AUTO) {
         return &frames[settings->up];
     }
-    return &frames[up[2] > 0 ? BURNISH_CLI_UP_POSITIVE_Z : BURNISH_CLI_UP_POSITIVE_Y];
+    return &frames[up[2] > 0 ? UP_POSITIVE_Z : UP_POSITIVE_Y];
 }
 
-const char *burnish_cli_up_name(const burnish_mesh *scene, const burnish_cli_render *settings) {
+const char *render_up_name(const burnish_mesh *scene, const render_settings *settings) {
     return frame_in_use(scene, settings)->name;
 }
 
@@ -87,7 +87,7 @@ static void usual_upward(const frame *axes, const double direction[3], double up
     }
 }
 
-static burnish_status choose_upward(const frame *axes, const burnish_cli_render *settings,
+static burnish_status choose_upward(const frame *axes, const render_settings *settings,
                                     const double direction[3], double upward[3],
                                     burnish_error *error) {
     if (!settings->view_up.given) {
@@ -96,14 +96,14 @@ static burnish_status choose_upward(const frame *axes, const burnish_cli_render 
     }
     memcpy(upward, settings->view_up.values, sizeof settings->view_up.values);
     if (parallel(direction, upward)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--camera-view-up: it is parallel to the direction of view; give "
-                                "another vector");
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--camera-view-up: it is parallel to the direction of view; give "
+                        "another vector");
     }
     return BURNISH_STATUS_OK;
 }
 
-static burnish_framing fit_options(const burnish_cli_render *settings) {
+static burnish_framing fit_options(const render_settings *settings) {
     burnish_framing options = burnish_framing_default();
     options.view_angle = settings->view_angle.value;
     options.aspect = (double)settings->size[0] / settings->size[1];
@@ -113,7 +113,7 @@ static burnish_framing fit_options(const burnish_cli_render *settings) {
 }
 
 /* Frames the object seen along direction with upward up. */
-static burnish_status fit_along(const burnish_mesh *scene, const burnish_cli_render *settings,
+static burnish_status fit_along(const burnish_mesh *scene, const render_settings *settings,
                                 const double direction[3], const double upward[3],
                                 burnish_camera *camera, burnish_error *error) {
     burnish_framing options = fit_options(settings);
@@ -122,7 +122,7 @@ static burnish_status fit_along(const burnish_mesh *scene, const burnish_cli_ren
     return burnish_camera_frame(scene, &options, camera, error);
 }
 
-static burnish_status explicit_camera(const burnish_mesh *scene, const burnish_cli_render *settings,
+static burnish_status explicit_camera(const burnish_mesh *scene, const render_settings *settings,
                                       const frame *axes, burnish_camera *camera,
                                       burnish_error *error) {
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
@@ -134,8 +134,8 @@ static burnish_status explicit_camera(const burnish_mesh *scene, const burnish_c
     }
     subtract(focal, settings->position.values, direction);
     if (dot(direction, direction) == 0) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--camera-position: it is the focal point; move one of them");
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--camera-position: it is the focal point; move one of them");
     }
     burnish_status status = choose_upward(axes, settings, direction, upward, error);
     if (status == BURNISH_STATUS_OK && settings->orthographic) {
@@ -153,12 +153,12 @@ static burnish_status explicit_camera(const burnish_mesh *scene, const burnish_c
 
 /* The camera that shows the whole object: standard views, --camera-direction, three-quarter view.
  */
-static burnish_status framed_camera(const burnish_mesh *scene, const burnish_cli_render *settings,
-                                    burnish_cli_view view, const frame *axes,
-                                    burnish_camera *camera, burnish_error *error) {
+static burnish_status framed_camera(const burnish_mesh *scene, const render_settings *settings,
+                                    render_view view, const frame *axes, burnish_camera *camera,
+                                    burnish_error *error) {
     double direction[3], upward[3];
     burnish_status status;
-    if (view != BURNISH_CLI_VIEW_FREE) {
+    if (view != VIEW_FREE) {
         combine(axes, views[view].toward, -1, direction);
         combine(axes, views[view].upward, 1, upward);
         return fit_along(scene, settings, direction, upward, camera, error);
@@ -185,9 +185,8 @@ static burnish_status framed_camera(const burnish_mesh *scene, const burnish_cli
                : status;
 }
 
-burnish_status burnish_cli_camera(const burnish_mesh *scene, const burnish_cli_render *settings,
-                                  burnish_cli_view view, burnish_camera *camera,
-                                  burnish_error *error) {
+burnish_status render_camera(const burnish_mesh *scene, const render_settings *settings,
+                             render_view view, burnish_camera *camera, burnish_error *error) {
     const frame *axes = frame_in_use(scene, settings);
     *camera = (burnish_camera){.view_angle = settings->view_angle.value};
     burnish_status status = settings->position.given

@@ -32,7 +32,7 @@ static size_t empty_places(size_t count, size_t columns) {
 
 /* Columns of a sheet: as asked; a row a view when there are several lobes too; one row for up to
  * three cells; else near a square, one column more where that leaves fewer places empty. */
-static int choose_columns(const burnish_cli_render *settings, size_t count) {
+static int choose_columns(const render_settings *settings, size_t count) {
     size_t columns = 1;
     if (settings->columns > 0) {
         return settings->columns < (int)count ? settings->columns : (int)count;
@@ -50,17 +50,16 @@ static int choose_columns(const burnish_cli_render *settings, size_t count) {
 }
 
 /* A sheet too large is refused before anything is drawn; also bounds the memory of its cells. */
-static burnish_status check_sheet(const burnish_cli_result *result, burnish_error *error) {
+static burnish_status check_sheet(const render_result *result, burnish_error *error) {
     size_t columns = (size_t)result->columns;
     size_t rows = (result->cell_count + columns - 1) / columns;
     size_t width = columns * (size_t)result->options->width;
     size_t height = rows * (size_t)result->options->height;
     if (width > BURNISH_IMAGE_MAX_SIZE || height > BURNISH_IMAGE_MAX_SIZE) {
-        return burnish_cli_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            "--resolution: a sheet of %zu cells would be %zux%zu pixels, more than "
-            "%d; make the cells smaller or change --columns",
-            result->cell_count, width, height, BURNISH_IMAGE_MAX_SIZE);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--resolution: a sheet of %zu cells would be %zux%zu pixels, more than "
+                        "%d; make the cells smaller or change --columns",
+                        result->cell_count, width, height, BURNISH_IMAGE_MAX_SIZE);
     }
     return BURNISH_STATUS_OK;
 }
@@ -73,14 +72,14 @@ static void copy_item(const char *list, size_t index, char *text, size_t size) {
     snprintf(text, size, "%.*s", (int)strcspn(list, ","), list);
 }
 
-static void label_cell(const burnish_cli_render *settings, size_t index, burnish_cli_cell *cell) {
+static void label_cell(const render_settings *settings, size_t index, render_cell *cell) {
     char lobe[32];
     if (settings->labels) {
         copy_item(settings->labels, index, cell->label, sizeof cell->label);
         return;
     }
     burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
-    const char *view = burnish_cli_view_name(cell->view);
+    const char *view = render_view_name(cell->view);
     if (settings->views.count > 0 && settings->lobes.count > 1) {
         snprintf(cell->label, sizeof cell->label, "%s, %s", view, lobe);
     } else {
@@ -88,52 +87,49 @@ static void label_cell(const burnish_cli_render *settings, size_t index, burnish
     }
 }
 
-static void warn_about_cell(burnish_cli_result *result, const burnish_cli_cell *cell) {
+static void warn_about_cell(render_result *result, const render_cell *cell) {
     const char *input = result->settings->input;
     const char *picture = result->cell_count > 1 ? cell->label : "the picture";
     if (cell->report.lobe_fallbacks > 0) {
         char lobe[32];
         burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
-        burnish_cli_result_warn(
-            result, 1,
-            "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
-            "with a lower order",
-            input, cell->report.lobe_fallbacks, burnish_mesh_material_count(result->scene), lobe);
+        render_result_warn(result, 1,
+                           "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
+                           "with a lower order",
+                           input, cell->report.lobe_fallbacks,
+                           burnish_mesh_material_count(result->scene), lobe);
     }
     if (cell->report.covered_pixels == 0) {
         ++result->blank_cells;
-        burnish_cli_result_warn(
-            result, !result->settings->fail_on_blank,
-            "%.300s: %s is blank: nothing of the object is in it; check the camera", input,
-            picture);
+        render_result_warn(result, !result->settings->fail_on_blank,
+                           "%.300s: %s is blank: nothing of the object is in it; check the camera",
+                           input, picture);
     }
 }
 
 /* The one line of a run that --fail-on-blank ends. */
-static int fail_blank(const burnish_cli_result *result) {
+static int fail_blank(const render_result *result) {
     const char *input = result->settings->input;
     burnish_error error;
     if (result->cell_count > 1) {
-        burnish_cli_fail(
-            &error, BURNISH_STATUS_OK,
-            "%.300s: %zu of %zu cells are blank; check the camera; nothing was written", input,
-            result->blank_cells, result->cell_count);
+        cli_fail(&error, BURNISH_STATUS_OK,
+                 "%.300s: %zu of %zu cells are blank; check the camera; nothing was written", input,
+                 result->blank_cells, result->cell_count);
     } else {
-        burnish_cli_fail(&error, BURNISH_STATUS_OK,
-                         "%.300s: the picture is blank; check the camera; nothing was written",
-                         input);
+        cli_fail(&error, BURNISH_STATUS_OK,
+                 "%.300s: the picture is blank; check the camera; nothing was written", input);
     }
-    burnish_cli_report_error(&error);
-    return BURNISH_CLI_EXIT_BLANK;
+    cli_report_error(&error);
+    return CLI_EXIT_BLANK;
 }
 
-static burnish_status draw_cell(burnish_cli_result *result, burnish_renderer *renderer,
-                                burnish_render_options *options, burnish_cli_cell *cell,
+static burnish_status draw_cell(render_result *result, burnish_renderer *renderer,
+                                burnish_render_options *options, render_cell *cell,
                                 burnish_error *error) {
     options->lobe = cell->lobe;
     options->counts = result->settings->json ? BURNISH_COUNTS_ALL : BURNISH_COUNTS_PIXELS;
     burnish_status status =
-        burnish_cli_camera(result->scene, result->settings, cell->view, &options->camera, error);
+        render_camera(result->scene, result->settings, cell->view, &options->camera, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -153,17 +149,16 @@ static burnish_status draw_cell(burnish_cli_result *result, burnish_renderer *re
 }
 
 /* Fills the cells' views and lobes, the lobes of a view side by side, and draws them. */
-static burnish_status draw_cells(burnish_cli_result *result, burnish_render_options *options,
+static burnish_status draw_cells(render_result *result, burnish_render_options *options,
                                  burnish_error *error) {
-    const burnish_cli_render *settings = result->settings;
+    const render_settings *settings = result->settings;
     int progress = result->cell_count > 1 && !settings->quiet && isatty(STDERR_FILENO);
     burnish_renderer *renderer;
     burnish_status status = burnish_renderer_create(&renderer, error);
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
-        burnish_cli_cell *cell = &result->cells[i];
+        render_cell *cell = &result->cells[i];
         size_t view = i / settings->lobes.count;
-        cell->view =
-            settings->views.count > 0 ? settings->views.items[view] : BURNISH_CLI_VIEW_FREE;
+        cell->view = settings->views.count > 0 ? settings->views.items[view] : VIEW_FREE;
         cell->lobe = settings->lobes.items[i % settings->lobes.count];
         label_cell(settings, i, cell);
         if (progress) {
@@ -186,9 +181,9 @@ static void choose_ink(const burnish_render_options *options, uint8_t ink[3]) {
     memset(ink, luma < 128 && !options->transparent ? 230 : 40, 3);
 }
 
-static burnish_status compose(const burnish_cli_result *result, burnish_image *sheet,
+static burnish_status compose(const render_result *result, burnish_image *sheet,
                               burnish_error *error) {
-    burnish_sheet_cell cells[BURNISH_CLI_LIST_MAX * BURNISH_CLI_LIST_MAX];
+    burnish_sheet_cell cells[RENDER_LIST_MAX * RENDER_LIST_MAX];
     uint8_t ink[3];
     choose_ink(result->options, ink);
     for (size_t i = 0; i < result->cell_count; ++i) {
@@ -199,8 +194,8 @@ static burnish_status compose(const burnish_cli_result *result, burnish_image *s
                                result->options->background, ink, error);
 }
 
-static burnish_status write_picture(burnish_cli_result *result, burnish_error *error) {
-    const burnish_cli_render *settings = result->settings;
+static burnish_status write_picture(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
     uint8_t *bytes;
     size_t size;
     double start = seconds_now();
@@ -220,7 +215,7 @@ static burnish_status write_picture(burnish_cli_result *result, burnish_error *e
 }
 
 /* Draws, composes and writes; leaves in result what there is to report. */
-static burnish_status make_picture(burnish_cli_result *result, burnish_render_options *options,
+static burnish_status make_picture(render_result *result, burnish_render_options *options,
                                    burnish_image *sheet, burnish_error *error) {
     burnish_status status = check_sheet(result, error);
     if (status == BURNISH_STATUS_OK) {
@@ -245,9 +240,9 @@ static burnish_status make_picture(burnish_cli_result *result, burnish_render_op
     return write_picture(result, error);
 }
 
-static burnish_status render_scene(burnish_cli_result *result, double start, burnish_error *error) {
-    const burnish_cli_render *settings = result->settings;
-    burnish_render_options options = burnish_cli_render_options(settings);
+static burnish_status render_scene(render_result *result, double start, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    burnish_render_options options = render_make_options(settings);
     burnish_image sheet = {0};
     result->options = &options;
     result->cell_count =
@@ -255,16 +250,16 @@ static burnish_status render_scene(burnish_cli_result *result, double start, bur
     result->columns = choose_columns(settings, result->cell_count);
     result->cells = calloc(result->cell_count, sizeof *result->cells);
     if (!result->cells) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu pictures",
-                                result->cell_count);
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu pictures",
+                        result->cell_count);
     }
     burnish_status status = make_picture(result, &options, &sheet, error);
     result->seconds.total = seconds_now() - start;
     if (status == BURNISH_STATUS_OK && settings->json) {
-        status = burnish_cli_print_json(result, error);
+        status = render_print_json(result, error);
     }
     if (status == BURNISH_STATUS_OK && settings->timing) {
-        burnish_cli_print_timing(&result->seconds);
+        render_print_timing(&result->seconds);
     }
     burnish_image_destroy(&sheet);
     for (size_t i = 0; i < result->cell_count; ++i) {
@@ -274,14 +269,14 @@ static burnish_status render_scene(burnish_cli_result *result, double start, bur
     return status;
 }
 
-static int render(const burnish_cli_render *settings) {
+static int render(const render_settings *settings) {
     burnish_error error;
     burnish_mesh *scene = NULL;
-    burnish_cli_result result = {.settings = settings};
-    burnish_cli_prepare_memory();
+    render_result result = {.settings = settings};
+    cli_prepare_memory();
     result.seconds.start = processor_seconds();
     double start = seconds_now();
-    burnish_status status = burnish_cli_load(settings, &scene, &error);
+    burnish_status status = render_load(settings, &scene, &error);
     result.scene = scene;
     result.seconds.load = seconds_now() - start;
     if (scene) {
@@ -290,9 +285,9 @@ static int render(const burnish_cli_render *settings) {
     }
     if (status == BURNISH_STATUS_OK) {
         for (size_t i = 0; i < burnish_mesh_warning_count(scene); ++i) {
-            burnish_cli_result_warn(&result, 1, "%s", burnish_mesh_warning(scene, i));
+            render_result_warn(&result, 1, "%s", burnish_mesh_warning(scene, i));
         }
-        status = burnish_cli_adjust_materials(settings, scene, &error);
+        status = render_adjust_materials(settings, scene, &error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = render_scene(&result, start, &error);
@@ -303,32 +298,31 @@ static int render(const burnish_cli_render *settings) {
     free(result.warnings);
     burnish_mesh_destroy(scene);
     if (status != BURNISH_STATUS_OK) {
-        return burnish_cli_report_error(&error);
+        return cli_report_error(&error);
     }
     return result.blank_cells > 0 && settings->fail_on_blank ? fail_blank(&result) : EXIT_SUCCESS;
 }
 
-int burnish_cli_render_main(int argc, char **argv) {
-    burnish_cli_render settings = {.material = -1};
-    burnish_cli_operands operands;
+int render_main(int argc, char **argv) {
+    render_settings settings = {.material = -1};
+    cli_operands operands;
     burnish_error error;
-    const burnish_cli_command *command = &burnish_cli_render_command;
-    if (burnish_cli_defaults(command, &settings, &error) != BURNISH_STATUS_OK ||
-        burnish_cli_parse(command, argc, argv, &settings, &operands, &error) != BURNISH_STATUS_OK) {
-        return burnish_cli_report_error(&error);
+    const cli_command *command = &render_command;
+    if (cli_defaults(command, &settings, &error) != BURNISH_STATUS_OK ||
+        cli_parse(command, argc, argv, &settings, &operands, &error) != BURNISH_STATUS_OK) {
+        return cli_report_error(&error);
     }
     if (operands.help) {
-        return burnish_cli_print_command_help(command);
+        return cli_print_command_help(command);
     }
     if (operands.count == 0) {
-        burnish_cli_fail(
-            &error, BURNISH_STATUS_ARGUMENT,
-            "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
-        return burnish_cli_report_error(&error);
+        cli_fail(&error, BURNISH_STATUS_ARGUMENT,
+                 "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
+        return cli_report_error(&error);
     }
     settings.input = operands.items[0];
-    if (burnish_cli_render_finish(&settings, &error) != BURNISH_STATUS_OK) {
-        return burnish_cli_report_error(&error);
+    if (render_finish(&settings, &error) != BURNISH_STATUS_OK) {
+        return cli_report_error(&error);
     }
     return render(&settings);
 }

@@ -10,15 +10,15 @@
 
 #include "render/camera.h"
 
-void burnish_cli_result_warn(burnish_cli_result *result, int printed, const char *format, ...) {
+void render_result_warn(render_result *result, int printed, const char *format, ...) {
     burnish_error line;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(line.text, sizeof line.text, format, arguments);
     va_end(arguments);
-    burnish_cli_clean(line.text);
+    cli_clean(line.text);
     if (printed && !result->settings->quiet) {
-        burnish_cli_warn(line.text);
+        cli_warn(line.text);
     }
     char **grown = realloc(result->warnings, (result->warning_count + 1) * sizeof *grown);
     char *copy = strdup(line.text);
@@ -185,7 +185,7 @@ static cJSON *exponents_array(const burnish_mesh *scene) {
 }
 
 /* The keys that a single picture and a cell share. */
-static void add_picture(cJSON *object, const burnish_cli_cell *cell, int *failed) {
+static void add_picture(cJSON *object, const render_cell *cell, int *failed) {
     char lobe[32];
     burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
     add(object, "triangles_drawn", count(cell->report.triangles_drawn), failed);
@@ -195,15 +195,15 @@ static void add_picture(cJSON *object, const burnish_cli_cell *cell, int *failed
     add(object, "lobe", cJSON_CreateString(lobe), failed);
 }
 
-static void add_cells(cJSON *root, const burnish_cli_result *result, int *failed) {
+static void add_cells(cJSON *root, const render_result *result, int *failed) {
     cJSON *cells = cJSON_CreateArray();
     for (size_t i = 0; i < result->cell_count; ++i) {
-        const burnish_cli_cell *cell = &result->cells[i];
+        const render_cell *cell = &result->cells[i];
         cJSON *object = cJSON_CreateObject();
         add(object, "row", count(i / (size_t)result->columns), failed);
         add(object, "column", count(i % (size_t)result->columns), failed);
-        if (cell->view != BURNISH_CLI_VIEW_FREE) {
-            add(object, "view", cJSON_CreateString(burnish_cli_view_name(cell->view)), failed);
+        if (cell->view != VIEW_FREE) {
+            add(object, "view", cJSON_CreateString(render_view_name(cell->view)), failed);
         }
         add(object, "width", cJSON_CreateNumber(cell->image.width), failed);
         add(object, "height", cJSON_CreateNumber(cell->image.height), failed);
@@ -218,7 +218,7 @@ static void add_cells(cJSON *root, const burnish_cli_result *result, int *failed
     add(root, "cells", cells, failed);
 }
 
-static void add_scene(cJSON *root, const burnish_cli_result *result, int *failed) {
+static void add_scene(cJSON *root, const render_result *result, int *failed) {
     const burnish_format_info *format =
         burnish_format_get_info(burnish_mesh_get_info(result->scene)->format);
     const burnish_mesh_view *mesh = burnish_mesh_get_view(result->scene);
@@ -236,12 +236,11 @@ static void add_scene(cJSON *root, const burnish_cli_result *result, int *failed
     add(box, "min", array_of(3, single_at, mesh->bounds_min), failed);
     add(box, "max", array_of(3, single_at, mesh->bounds_max), failed);
     add(root, "bounding_box", box, failed);
-    add(root, "up", cJSON_CreateString(burnish_cli_up_name(result->scene, result->settings)),
-        failed);
+    add(root, "up", cJSON_CreateString(render_up_name(result->scene, result->settings)), failed);
 }
 
-static void add_run(cJSON *root, const burnish_cli_result *result, int *failed) {
-    const burnish_cli_seconds *seconds = &result->seconds;
+static void add_run(cJSON *root, const render_result *result, int *failed) {
+    const render_seconds *seconds = &result->seconds;
     const burnish_render_options *options = result->options;
     cJSON *times = cJSON_CreateObject();
     add(root, "equation",
@@ -268,7 +267,7 @@ static void add_run(cJSON *root, const burnish_cli_result *result, int *failed) 
     add(root, "warnings", array_of(result->warning_count, text_at, result->warnings), failed);
 }
 
-burnish_status burnish_cli_print_json(const burnish_cli_result *result, burnish_error *error) {
+burnish_status render_print_json(const render_result *result, burnish_error *error) {
     int failed = 0;
     cJSON *root = cJSON_CreateObject();
     add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
@@ -276,9 +275,8 @@ burnish_status burnish_cli_print_json(const burnish_cli_result *result, burnish_
     if (result->cell_count > 1) {
         add_cells(root, result, &failed);
     } else {
-        if (result->cells[0].view != BURNISH_CLI_VIEW_FREE) {
-            add(root, "view", cJSON_CreateString(burnish_cli_view_name(result->cells[0].view)),
-                &failed);
+        if (result->cells[0].view != VIEW_FREE) {
+            add(root, "view", cJSON_CreateString(render_view_name(result->cells[0].view)), &failed);
         }
         add_picture(root, &result->cells[0], &failed);
     }
@@ -286,18 +284,17 @@ burnish_status burnish_cli_print_json(const burnish_cli_result *result, burnish_
     char *text = failed ? NULL : cJSON_Print(root);
     cJSON_Delete(root);
     if (!text) {
-        return burnish_cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the JSON report");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the JSON report");
     }
     int printed = puts(text);
     cJSON_free(text);
     if (printed < 0 || fflush(stdout) != 0) {
-        return burnish_cli_fail(error, BURNISH_STATUS_WRITE, "standard output: %s",
-                                strerror(errno));
+        return cli_fail(error, BURNISH_STATUS_WRITE, "standard output: %s", strerror(errno));
     }
     return BURNISH_STATUS_OK;
 }
 
-void burnish_cli_print_timing(const burnish_cli_seconds *seconds) {
+void render_print_timing(const render_seconds *seconds) {
     const struct {
         const char *name;
         double seconds;

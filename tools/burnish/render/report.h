@@ -1,52 +1,52 @@
 /* What `burnish render` tells: JSON, times, warnings. */
-#ifndef BURNISH_TOOL_RENDER_REPORT_H
-#define BURNISH_TOOL_RENDER_REPORT_H
+#ifndef TOOL_RENDER_REPORT_H
+#define TOOL_RENDER_REPORT_H
 
 #include "render/settings.h"
 
 /* One picture: all there is, or a cell of a sheet. */
-typedef struct burnish_cli_cell {
-    burnish_cli_view view;
+typedef struct render_cell {
+    render_view view;
     burnish_lobe_spec lobe;
     burnish_camera camera;
     burnish_image image;
     burnish_render_report report;
     uint64_t hash;
     char label[96];
-} burnish_cli_cell;
+} render_cell;
 
 /* Wall time of the phases, but for start: the processor time of the program before it loads. Load
  * is read and build together; total begins with load. */
-typedef struct burnish_cli_seconds {
+typedef struct render_seconds {
     double start, load, read, build, transform, draw, encode, write, total;
-} burnish_cli_seconds;
+} render_seconds;
 
 /* Everything that a run has found out. */
-typedef struct burnish_cli_result {
-    const burnish_cli_render *settings;
+typedef struct render_result {
+    const render_settings *settings;
     const burnish_mesh *scene;
     const burnish_render_options *options;
-    burnish_cli_cell *cells;
+    render_cell *cells;
     size_t cell_count;
     const burnish_image *picture; /* the only cell's image or the sheet */
     uint64_t hash;
     int columns;
     size_t blank_cells; /* that show nothing */
     int written;        /* 1: the output exists */
-    burnish_cli_seconds seconds;
+    render_seconds seconds;
     char **warnings; /* warning_count lines, owned */
     size_t warning_count;
-} burnish_cli_result;
+} render_result;
 
 /* Adds a line to the result and, where printed is 1 and without --quiet, prints it on standard
  * error. */
-__attribute__((format(printf, 3, 4))) void
-burnish_cli_result_warn(burnish_cli_result *result, int printed, const char *format, ...);
+__attribute__((format(printf, 3, 4))) void render_result_warn(render_result *result, int printed,
+                                                              const char *format, ...);
 
 /* Prints the JSON object on standard output. Errors: MEMORY, WRITE. */
-burnish_status burnish_cli_print_json(const burnish_cli_result *result, burnish_error *error);
+burnish_status render_print_json(const render_result *result, burnish_error *error);
 
 /* Prints one line of milliseconds on standard error. */
-void burnish_cli_print_timing(const burnish_cli_seconds *seconds);
+void render_print_timing(const render_seconds *seconds);
 
 #endif

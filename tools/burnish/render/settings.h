@@ -1,140 +1,140 @@
 /* What `burnish render` was asked for, as its flags leave it. */
-#ifndef BURNISH_TOOL_RENDER_SETTINGS_H
-#define BURNISH_TOOL_RENDER_SETTINGS_H
+#ifndef TOOL_RENDER_SETTINGS_H
+#define TOOL_RENDER_SETTINGS_H
 
 #include "burnish/render.h"
 #include "cli/values.h"
 
 /* Longest list of --lobe and of --views. */
-#define BURNISH_CLI_LIST_MAX 16
+#define RENDER_LIST_MAX 16
 
-typedef enum burnish_cli_view {
-    BURNISH_CLI_VIEW_FREE, /* as the camera flags say */
-    BURNISH_CLI_VIEW_FRONT,
-    BURNISH_CLI_VIEW_RIGHT,
-    BURNISH_CLI_VIEW_BACK,
-    BURNISH_CLI_VIEW_LEFT,
-    BURNISH_CLI_VIEW_TOP,
-    BURNISH_CLI_VIEW_BOTTOM,
-    BURNISH_CLI_VIEW_ISO
-} burnish_cli_view;
+typedef enum render_view {
+    VIEW_FREE, /* as the camera flags say */
+    VIEW_FRONT,
+    VIEW_RIGHT,
+    VIEW_BACK,
+    VIEW_LEFT,
+    VIEW_TOP,
+    VIEW_BOTTOM,
+    VIEW_ISO
+} render_view;
 
-typedef enum burnish_cli_up {
-    BURNISH_CLI_UP_AUTO, /* the mesh's, told by its format */
-    BURNISH_CLI_UP_POSITIVE_X,
-    BURNISH_CLI_UP_NEGATIVE_X,
-    BURNISH_CLI_UP_POSITIVE_Y,
-    BURNISH_CLI_UP_NEGATIVE_Y,
-    BURNISH_CLI_UP_POSITIVE_Z,
-    BURNISH_CLI_UP_NEGATIVE_Z
-} burnish_cli_up;
+typedef enum render_up {
+    UP_AUTO, /* the mesh's, told by its format */
+    UP_POSITIVE_X,
+    UP_NEGATIVE_X,
+    UP_POSITIVE_Y,
+    UP_NEGATIVE_Y,
+    UP_POSITIVE_Z,
+    UP_NEGATIVE_Z
+} render_up;
 
-typedef struct burnish_cli_views {
-    burnish_cli_view items[BURNISH_CLI_LIST_MAX];
+typedef struct render_views {
+    render_view items[RENDER_LIST_MAX];
     size_t count;
-} burnish_cli_views;
+} render_views;
 
-typedef struct burnish_cli_lobes {
-    burnish_lobe_spec items[BURNISH_CLI_LIST_MAX];
+typedef struct render_lobes {
+    burnish_lobe_spec items[RENDER_LIST_MAX];
     size_t count;
-} burnish_cli_lobes;
+} render_lobes;
 
-typedef struct burnish_cli_lights {
+typedef struct render_lights {
     int given; /* 1: these instead of the default rig */
     burnish_light items[BURNISH_LIGHT_MAX];
     int count;
-} burnish_cli_lights;
+} render_lights;
 
-typedef struct burnish_cli_ambient {
+typedef struct render_ambient {
     int given;
     float linear[3];
-} burnish_cli_ambient;
+} render_ambient;
 
-typedef struct burnish_cli_background {
+typedef struct render_background {
     int given; /* 1: color counts */
     int transparent;
     float srgb[3];
-} burnish_cli_background;
+} render_background;
 
-typedef struct burnish_cli_render {
+typedef struct render_settings {
     const char *input;
-    const char *output; /* NULL until burnish_cli_render_finish */
+    const char *output; /* NULL until render_finish */
 
     int size[2];
     int samples;
     int threads;
     burnish_isa isa;
-    burnish_cli_background background;
-    burnish_cli_views views;
+    render_background background;
+    render_views views;
     int columns;        /* 0: chosen by the number of cells */
     const char *labels; /* NULL: the views' and lobes' names */
     int no_labels;
     int cull_back_faces;
 
-    int up; /* burnish_cli_up */
-    burnish_cli_vector direction, position, focal_point, view_up;
-    burnish_cli_real azimuth, elevation, view_angle, zoom, margin;
+    int up; /* render_up */
+    cli_vector direction, position, focal_point, view_up;
+    cli_real azimuth, elevation, view_angle, zoom, margin;
     int orthographic;
 
-    burnish_cli_color color;
-    int material; /* index into burnish_cli_presets; -1: the input's own */
-    burnish_cli_real specular, exponent;
-    burnish_cli_lobes lobes;
+    cli_color color;
+    int material; /* index into render_presets; -1: the input's own */
+    cli_real specular, exponent;
+    render_lobes lobes;
     int equation, viewer;
-    burnish_cli_lights lights;
-    burnish_cli_ambient ambient;
+    render_lights lights;
+    render_ambient ambient;
 
     int format;
-    burnish_cli_real crease;
+    cli_real crease;
     int tessellation;
     uint64_t max_triangles, max_input_bytes;
     int json, timing, quiet, fail_on_blank;
     int help;
 
     char default_output[512]; /* what output points to when the name is made from the input's */
-} burnish_cli_render;
+} render_settings;
 
 /* The subcommand: its flags and their handlers. */
-extern const burnish_cli_command burnish_cli_render_command;
+extern const cli_command render_command;
 
 /* Checks what no single flag can: flags that exclude each other, the output's name. */
-burnish_status burnish_cli_render_finish(burnish_cli_render *settings, burnish_error *error);
+burnish_status render_finish(render_settings *settings, burnish_error *error);
 
 /* Loads the input as the flags say. */
-burnish_status burnish_cli_load(const burnish_cli_render *settings, burnish_mesh **scene,
-                                burnish_error *error);
+burnish_status render_load(const render_settings *settings, burnish_mesh **scene,
+                           burnish_error *error);
 
 /* Changes every material as --color, --material, --specular and --exponent say. */
-burnish_status burnish_cli_adjust_materials(const burnish_cli_render *settings, burnish_mesh *scene,
-                                            burnish_error *error);
+burnish_status render_adjust_materials(const render_settings *settings, burnish_mesh *scene,
+                                       burnish_error *error);
 
 /* The library's options but for camera and lobe, which each cell sets. */
-burnish_render_options burnish_cli_render_options(const burnish_cli_render *settings);
+burnish_render_options render_make_options(const render_settings *settings);
 
 /* Runs the subcommand and returns the exit code. */
-int burnish_cli_render_main(int argc, char **argv);
+int render_main(int argc, char **argv);
 
 /* A surface by name. */
-typedef struct burnish_cli_preset {
+typedef struct render_preset {
     const char *name, *what;
     float specular; /* ks */
     float exponent; /* n */
     float diffuse;  /* factor on kd and ka */
     float tint;     /* 0: the highlight is white, 1: it has the surface's colour */
-} burnish_cli_preset;
+} render_preset;
 
-/* The presets in the order of burnish_cli_preset_words, whose values are their indices. */
-extern const burnish_cli_preset burnish_cli_presets[];
-extern const burnish_cli_word burnish_cli_preset_words[];
+/* The presets in the order of render_preset_words, whose values are their indices. */
+extern const render_preset render_presets[];
+extern const cli_word render_preset_words[];
 
-/* Handlers for the flags that only this command has; target types as in burnish_cli_render. */
-burnish_cli_handler burnish_cli_flag_resolution;    /* int[2] */
-burnish_cli_handler burnish_cli_flag_size;          /* int[2] */
-burnish_cli_handler burnish_cli_flag_background;    /* burnish_cli_background */
-burnish_cli_handler burnish_cli_flag_no_background; /* burnish_cli_background */
-burnish_cli_handler burnish_cli_flag_views;         /* burnish_cli_views */
-burnish_cli_handler burnish_cli_flag_lobes;         /* burnish_cli_lobes */
-burnish_cli_handler burnish_cli_flag_light;         /* burnish_cli_lights */
-burnish_cli_handler burnish_cli_flag_ambient;       /* burnish_cli_ambient */
+/* Handlers for the flags that only this command has; target types as in render_settings. */
+cli_handler render_flag_resolution;    /* int[2] */
+cli_handler render_flag_size;          /* int[2] */
+cli_handler render_flag_background;    /* render_background */
+cli_handler render_flag_no_background; /* render_background */
+cli_handler render_flag_views;         /* render_views */
+cli_handler render_flag_lobes;         /* render_lobes */
+cli_handler render_flag_light;         /* render_lights */
+cli_handler render_flag_ambient;       /* render_ambient */
 
 #endif

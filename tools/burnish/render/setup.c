@@ -12,7 +12,7 @@ static int is_standard(const char *path) {
 }
 
 /* The name of the picture when none is given: the input's, in the current folder. */
-static burnish_status derive_output(burnish_cli_render *settings, burnish_error *error) {
+static burnish_status derive_output(render_settings *settings, burnish_error *error) {
     const char *input = settings->input;
     if (is_standard(input)) {
         settings->output = "-";
@@ -24,9 +24,8 @@ static burnish_status derive_output(burnish_cli_render *settings, burnish_error 
     size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
     char *name = settings->default_output;
     if (length == 0 || length + sizeof ".png" > sizeof settings->default_output) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "\"%.60s\" gives the picture no name; name it with --output=FILE",
-                                input);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "\"%.60s\" gives the picture no name; name it with --output=FILE", input);
     }
     memcpy(name, base, length);
     memcpy(name + length, ".png", sizeof ".png");
@@ -41,29 +40,28 @@ static int same_file(const char *a, const char *b) {
            a_status.st_dev == b_status.st_dev && a_status.st_ino == b_status.st_ino;
 }
 
-static burnish_status check_output(const burnish_cli_render *settings, burnish_error *error) {
+static burnish_status check_output(const render_settings *settings, burnish_error *error) {
     if (is_standard(settings->output)) {
         if (settings->json) {
-            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                    "--json: standard output already carries the picture; name a "
-                                    "file with --output=FILE");
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--json: standard output already carries the picture; name a "
+                            "file with --output=FILE");
         }
         if (isatty(STDOUT_FILENO)) {
-            return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                    "--output: standard output is a terminal, which can't show a "
-                                    "PNG; redirect it, or name a file with --output=FILE");
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--output: standard output is a terminal, which can't show a "
+                            "PNG; redirect it, or name a file with --output=FILE");
         }
         return BURNISH_STATUS_OK;
     }
     if (same_file(settings->input, settings->output)) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--output: \"%.200s\" is the input; name another file",
-                                settings->output);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: \"%.200s\" is the input; name another file", settings->output);
     }
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status check_camera_flags(const burnish_cli_render *settings, burnish_error *error) {
+static burnish_status check_camera_flags(const render_settings *settings, burnish_error *error) {
     const char *turn = settings->azimuth.value != 0     ? "camera-azimuth-angle"
                        : settings->elevation.value != 0 ? "camera-elevation-angle"
                                                         : NULL;
@@ -81,12 +79,12 @@ static burnish_status check_camera_flags(const burnish_cli_render *settings, bur
     if (!extra) {
         return BURNISH_STATUS_OK;
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: --%s already says where the camera looks from; leave one out",
-                            extra, fixed);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--%s: --%s already says where the camera looks from; leave one out", extra,
+                    fixed);
 }
 
-static burnish_status check_labels(const burnish_cli_render *settings, burnish_error *error) {
+static burnish_status check_labels(const render_settings *settings, burnish_error *error) {
     size_t views = settings->views.count > 0 ? settings->views.count : 1, texts = 1;
     size_t cells = views * settings->lobes.count;
     for (const char *c = settings->labels; c && *c; ++c) {
@@ -95,13 +93,13 @@ static burnish_status check_labels(const burnish_cli_render *settings, burnish_e
     if (!settings->labels || texts == cells) {
         return BURNISH_STATUS_OK;
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--labels: %zu texts for %zu cells; give one text a cell, between "
-                            "commas",
-                            texts, cells);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--labels: %zu texts for %zu cells; give one text a cell, between "
+                    "commas",
+                    texts, cells);
 }
 
-burnish_status burnish_cli_render_finish(burnish_cli_render *settings, burnish_error *error) {
+burnish_status render_finish(render_settings *settings, burnish_error *error) {
     burnish_status status = check_camera_flags(settings, error);
     if (status == BURNISH_STATUS_OK) {
         status = check_labels(settings, error);
@@ -112,8 +110,8 @@ burnish_status burnish_cli_render_finish(burnish_cli_render *settings, burnish_e
     return status == BURNISH_STATUS_OK ? check_output(settings, error) : status;
 }
 
-burnish_status burnish_cli_load(const burnish_cli_render *settings, burnish_mesh **scene,
-                                burnish_error *error) {
+burnish_status render_load(const render_settings *settings, burnish_mesh **scene,
+                           burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
     options.format = (burnish_format)settings->format;
     if (settings->crease.given) {
@@ -127,7 +125,7 @@ burnish_status burnish_cli_load(const burnish_cli_render *settings, burnish_mesh
 }
 
 /* One material as --color, --material, --specular and --exponent want it. */
-static burnish_material adjusted_material(const burnish_cli_render *settings,
+static burnish_material adjusted_material(const render_settings *settings,
                                           burnish_material material) {
     if (settings->color.given) {
         for (int k = 0; k < 3; ++k) {
@@ -137,7 +135,7 @@ static burnish_material adjusted_material(const burnish_cli_render *settings,
         material.has_diffuse = 1;
     }
     if (settings->material >= 0) {
-        const burnish_cli_preset *preset = &burnish_cli_presets[settings->material];
+        const render_preset *preset = &render_presets[settings->material];
         for (int k = 0; k < 3; ++k) {
             float tint = 1 + preset->tint * (material.diffuse[k] - 1);
             material.specular[k] = preset->specular * tint;
@@ -159,8 +157,8 @@ static burnish_material adjusted_material(const burnish_cli_render *settings,
     return material;
 }
 
-burnish_status burnish_cli_adjust_materials(const burnish_cli_render *settings, burnish_mesh *scene,
-                                            burnish_error *error) {
+burnish_status render_adjust_materials(const render_settings *settings, burnish_mesh *scene,
+                                       burnish_error *error) {
     size_t count = burnish_mesh_material_count(scene);
     for (size_t i = 0; i < count; ++i) {
         burnish_material material = adjusted_material(settings, *burnish_mesh_material(scene, i));
@@ -172,7 +170,7 @@ burnish_status burnish_cli_adjust_materials(const burnish_cli_render *settings, 
     return BURNISH_STATUS_OK;
 }
 
-burnish_render_options burnish_cli_render_options(const burnish_cli_render *settings) {
+burnish_render_options render_make_options(const render_settings *settings) {
     burnish_render_options options = burnish_render_options_default();
     options.width = settings->size[0];
     options.height = settings->size[1];
@@ -193,7 +191,7 @@ burnish_render_options burnish_cli_render_options(const burnish_cli_render *sett
     }
     if (settings->background.given) {
         for (int k = 0; k < 3; ++k) {
-            options.background[k] = burnish_cli_color_code(settings->background.srgb[k]);
+            options.background[k] = cli_color_code(settings->background.srgb[k]);
         }
     }
     return options;

@@ -5,7 +5,7 @@
 #include "render/settings.h"
 
 /* Chosen by eye on the teapot under the default rig. */
-const burnish_cli_preset burnish_cli_presets[] = {
+const render_preset render_presets[] = {
     {"matte", "chalk, plaster: no highlight to speak of", 0.02F, 6.0F, 1.0F, 0.0F},
     {"satin", "painted wood, rubber: a broad soft sheen", 0.18F, 16.0F, 1.0F, 0.0F},
     {"plastic", "moulded plastic: a clear highlight", 0.40F, 48.0F, 1.0F, 0.0F},
@@ -13,12 +13,12 @@ const burnish_cli_preset burnish_cli_presets[] = {
     {"metal", "the highlight has the surface's colour", 0.95F, 36.0F, 0.45F, 1.0F},
 };
 
-const burnish_cli_word burnish_cli_preset_words[] = {
+const cli_word render_preset_words[] = {
     {"matte", 0}, {"satin", 1}, {"plastic", 2}, {"polished", 3}, {"metal", 4}, {NULL, 0},
 };
 
-burnish_status burnish_cli_flag_resolution(const burnish_cli_flag *flag, const char *text,
-                                           void *target, burnish_error *error) {
+burnish_status render_flag_resolution(const cli_flag *flag, const char *text, void *target,
+                                      burnish_error *error) {
     int *size = target;
     int values[2];
     const char *rest = text + strcspn(text, ",x");
@@ -28,47 +28,46 @@ burnish_status burnish_cli_flag_resolution(const burnish_cli_flag *flag, const c
     if (*rest && length < sizeof width) {
         memcpy(width, text, length);
         width[length] = 0;
-        if (burnish_cli_flag_integer(flag, width, &values[0], &ignored) == BURNISH_STATUS_OK &&
-            burnish_cli_flag_integer(flag, rest + 1, &values[1], &ignored) == BURNISH_STATUS_OK) {
+        if (cli_flag_integer(flag, width, &values[0], &ignored) == BURNISH_STATUS_OK &&
+            cli_flag_integer(flag, rest + 1, &values[1], &ignored) == BURNISH_STATUS_OK) {
             memcpy(size, values, sizeof values);
             return BURNISH_STATUS_OK;
         }
     }
-    return burnish_cli_fail(
-        error, BURNISH_STATUS_ARGUMENT,
-        "--%s: \"%.60s\" is not a width and a height from 1 to %d, such as 1920,1080", flag->name,
-        text, BURNISH_IMAGE_MAX_SIZE);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--%s: \"%.60s\" is not a width and a height from 1 to %d, such as 1920,1080",
+                    flag->name, text, BURNISH_IMAGE_MAX_SIZE);
 }
 
-burnish_status burnish_cli_flag_size(const burnish_cli_flag *flag, const char *text, void *target,
-                                     burnish_error *error) {
+burnish_status render_flag_size(const cli_flag *flag, const char *text, void *target,
+                                burnish_error *error) {
     int *size = target;
-    burnish_status status = burnish_cli_flag_integer(flag, text, &size[0], error);
+    burnish_status status = cli_flag_integer(flag, text, &size[0], error);
     if (status == BURNISH_STATUS_OK) {
         size[1] = size[0];
     }
     return status;
 }
 
-burnish_status burnish_cli_flag_background(const burnish_cli_flag *flag, const char *text,
-                                           void *target, burnish_error *error) {
-    burnish_cli_background *background = target;
-    burnish_cli_color color;
+burnish_status render_flag_background(const cli_flag *flag, const char *text, void *target,
+                                      burnish_error *error) {
+    render_background *background = target;
+    cli_color color;
     if (strcmp(text, "none") == 0) {
         background->transparent = 1;
         return BURNISH_STATUS_OK;
     }
-    burnish_status status = burnish_cli_flag_color(flag, text, &color, error);
+    burnish_status status = cli_flag_color(flag, text, &color, error);
     if (status == BURNISH_STATUS_OK) {
-        *background = (burnish_cli_background){.given = 1};
+        *background = (render_background){.given = 1};
         memcpy(background->srgb, color.srgb, sizeof color.srgb);
     }
     return status;
 }
 
-burnish_status burnish_cli_flag_no_background(const burnish_cli_flag *flag, const char *text,
-                                              void *target, burnish_error *error) {
-    burnish_cli_background *background = target;
+burnish_status render_flag_no_background(const cli_flag *flag, const char *text, void *target,
+                                         burnish_error *error) {
+    render_background *background = target;
     (void)flag, (void)text, (void)error;
     background->transparent = 1;
     return BURNISH_STATUS_OK;
@@ -78,51 +77,50 @@ burnish_status burnish_cli_flag_no_background(const burnish_cli_flag *flag, cons
  */
 static void copy_item(const char **text, char *copy, size_t size) {
     const char *item;
-    size_t length = burnish_cli_next_item(text, ',', &item);
+    size_t length = cli_next_item(text, ',', &item);
     snprintf(copy, size, "%.*s", (int)(length < size ? length : size - 1), item);
 }
 
-static burnish_status fail_list(const burnish_cli_flag *flag, burnish_error *error) {
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: more than %d items; leave some out", flag->name,
-                            BURNISH_CLI_LIST_MAX);
+static burnish_status fail_list(const cli_flag *flag, burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d items; leave some out",
+                    flag->name, RENDER_LIST_MAX);
 }
 
-burnish_status burnish_cli_flag_views(const burnish_cli_flag *flag, const char *text, void *target,
-                                      burnish_error *error) {
-    burnish_cli_views *views = target;
-    burnish_cli_views read = {.count = 0};
+burnish_status render_flag_views(const cli_flag *flag, const char *text, void *target,
+                                 burnish_error *error) {
+    render_views *views = target;
+    render_views read = {.count = 0};
     while (text) {
-        char item[BURNISH_CLI_NAME_MAX];
-        int view = BURNISH_CLI_VIEW_FREE;
+        char item[CLI_NAME_MAX];
+        int view = VIEW_FREE;
         copy_item(&text, item, sizeof item);
-        burnish_status status = burnish_cli_flag_word(flag, item, &view, error);
+        burnish_status status = cli_flag_word(flag, item, &view, error);
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
-        if (read.count == BURNISH_CLI_LIST_MAX) {
+        if (read.count == RENDER_LIST_MAX) {
             return fail_list(flag, error);
         }
-        read.items[read.count++] = (burnish_cli_view)view;
+        read.items[read.count++] = (render_view)view;
     }
     *views = read;
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_lobes(const burnish_cli_flag *flag, const char *text, void *target,
-                                      burnish_error *error) {
-    burnish_cli_lobes *lobes = target;
-    burnish_cli_lobes read = {.count = 0};
+burnish_status render_flag_lobes(const cli_flag *flag, const char *text, void *target,
+                                 burnish_error *error) {
+    render_lobes *lobes = target;
+    render_lobes read = {.count = 0};
     while (text) {
-        char item[BURNISH_CLI_NAME_MAX];
+        char item[CLI_NAME_MAX];
         burnish_error reason;
         copy_item(&text, item, sizeof item);
-        if (read.count == BURNISH_CLI_LIST_MAX) {
+        if (read.count == RENDER_LIST_MAX) {
             return fail_list(flag, error);
         }
         burnish_status status = burnish_lobe_spec_parse(item, &read.items[read.count++], &reason);
         if (status != BURNISH_STATUS_OK) {
-            return burnish_cli_fail(error, status, "--%s: %.400s", flag->name, reason.text);
+            return cli_fail(error, status, "--%s: %.400s", flag->name, reason.text);
         }
     }
     *lobes = read;
@@ -156,7 +154,7 @@ static const char *read_light(const char *text, burnish_light *light) {
     const char *item;
     float srgb[3] = {1, 1, 1};
     double intensity = 1;
-    size_t length = burnish_cli_next_item(&text, ':', &item);
+    size_t length = cli_next_item(&text, ':', &item);
     const light_word *word = NULL;
     for (size_t i = 0; i < sizeof light_words / sizeof *light_words; ++i) {
         if (strlen(light_words[i].name) == length && !memcmp(light_words[i].name, item, length)) {
@@ -167,8 +165,8 @@ static const char *read_light(const char *text, burnish_light *light) {
         return "the kind is one of directional, point, world-directional, world-point, none";
     }
     *light = (burnish_light){.kind = word->kind, .follows_camera = word->follows_camera};
-    length = text ? burnish_cli_next_item(&text, ':', &item) : 0;
-    if (length == 0 || !burnish_cli_read_reals(item, length, light->vector, 3)) {
+    length = text ? cli_next_item(&text, ':', &item) : 0;
+    if (length == 0 || !cli_read_reals(item, length, light->vector, 3)) {
         return "after the kind come three numbers, such as directional:-1,1,2";
     }
     if (light->kind == BURNISH_LIGHT_DIRECTIONAL && light->vector[0] == 0 &&
@@ -176,58 +174,57 @@ static const char *read_light(const char *text, burnish_light *light) {
         return "0,0,0 has no direction";
     }
     if (text) {
-        length = burnish_cli_next_item(&text, ':', &item);
-        if (!burnish_cli_read_real(item, length, &intensity) ||
+        length = cli_next_item(&text, ':', &item);
+        if (!cli_read_real(item, length, &intensity) ||
             !(intensity >= 0 && intensity <= INTENSITY_MAX)) {
             return "the intensity is a number from 0 to 1000";
         }
     }
-    if (text && !burnish_cli_read_color(text, strlen(text), srgb)) {
+    if (text && !cli_read_color(text, strlen(text), srgb)) {
         return "the colour is #rgb, #rrggbb, r,g,b from 0 to 1, or a name";
     }
     linear_of(srgb, (float)intensity, light->color);
     return NULL;
 }
 
-burnish_status burnish_cli_flag_light(const burnish_cli_flag *flag, const char *text, void *target,
-                                      burnish_error *error) {
-    burnish_cli_lights *lights = target;
+burnish_status render_flag_light(const cli_flag *flag, const char *text, void *target,
+                                 burnish_error *error) {
+    render_lights *lights = target;
     lights->given = 1;
     if (strcmp(text, "none") == 0) {
         lights->count = 0;
         return BURNISH_STATUS_OK;
     }
     if (lights->count == BURNISH_LIGHT_MAX) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: more than %d lights; leave some out", flag->name,
-                                BURNISH_LIGHT_MAX);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d lights; leave some out",
+                        flag->name, BURNISH_LIGHT_MAX);
     }
     const char *wrong = read_light(text, &lights->items[lights->count]);
     if (wrong) {
-        return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--%s: \"%.60s\" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: %s",
-                                flag->name, text, wrong);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: %s", flag->name,
+                        text, wrong);
     }
     ++lights->count;
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_cli_flag_ambient(const burnish_cli_flag *flag, const char *text,
-                                        void *target, burnish_error *error) {
-    burnish_cli_ambient *ambient = target;
+burnish_status render_flag_ambient(const cli_flag *flag, const char *text, void *target,
+                                   burnish_error *error) {
+    render_ambient *ambient = target;
     double value;
     float srgb[3];
     size_t length = strlen(text);
-    if (burnish_cli_read_real(text, length, &value) && value >= flag->low && value <= flag->high) {
-        *ambient = (burnish_cli_ambient){1, {(float)value, (float)value, (float)value}};
+    if (cli_read_real(text, length, &value) && value >= flag->low && value <= flag->high) {
+        *ambient = (render_ambient){1, {(float)value, (float)value, (float)value}};
         return BURNISH_STATUS_OK;
     }
-    if (burnish_cli_read_color(text, length, srgb)) {
+    if (cli_read_color(text, length, srgb)) {
         ambient->given = 1;
         linear_of(srgb, 1, ambient->linear);
         return BURNISH_STATUS_OK;
     }
-    return burnish_cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: \"%.60s\" is not a number from %g to %g, nor %s", flag->name,
-                            text, flag->low, flag->high, burnish_cli_color_forms);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--%s: \"%.60s\" is not a number from %g to %g, nor %s", flag->name, text,
+                    flag->low, flag->high, cli_color_forms);
 }
