@@ -371,6 +371,32 @@ static void test_remove_temporaries(void) {
     burnish_file_remove_temporaries();
 }
 
+static burnish_status refuse(void *context, burnish_error *error) {
+    int *entries = context;
+    *entries = entry_count();
+    error->status = BURNISH_STATUS_MEMORY;
+    snprintf(error->text, sizeof error->text, "no report");
+    return BURNISH_STATUS_MEMORY;
+}
+
+/* A last step that fails leaves the old file, or none. */
+static void test_last_step(void) {
+    burnish_error error;
+    for (has_no_proc = 0; has_no_proc <= 1; ++has_no_proc) {
+        int entries = -1;
+        CHECK_STATUS(burnish_file_write_then(path_of("l"), "new", 3, refuse, &entries, &error),
+                     BURNISH_STATUS_MEMORY);
+        CHECK_TEXT(error.text, "no report");
+        CHECK(entries >= 0 && entry_count() == 0, "%d entries", entry_count());
+        CHECK_STATUS(burnish_file_write(path_of("l"), "old", 3, NULL), BURNISH_STATUS_OK);
+        CHECK_STATUS(burnish_file_write_then(path_of("l"), "new", 3, refuse, &entries, &error),
+                     BURNISH_STATUS_MEMORY);
+        CHECK(holds(path_of("l"), "old") && entry_count() == 1, "%d entries", entry_count());
+        unlink(path_of("l"));
+    }
+    has_no_proc = 0;
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     if (!mkdtemp(folder)) {
@@ -390,6 +416,7 @@ int main(int count, char **arguments) {
     RUN(test_long_file_name());
     RUN(test_renames());
     RUN(test_remove_temporaries());
+    RUN(test_last_step());
     CHECK(rmdir(folder) == 0, "something was left in %s", folder);
     return test_end("output");
 }

@@ -215,6 +215,20 @@ BURNISH_API burnish_status burnish_isa_choose(const char *name, burnish_isa *isa
 BURNISH_API burnish_status burnish_file_write(const char *path, const void *bytes, size_t size,
                                               burnish_error *error);
 
+/* Called when all bytes of an output are written, before a regular file takes its name.
+ *   context  as passed to burnish_file_write_then
+ * Returns OK, or an error that gives the output up. */
+typedef burnish_status burnish_file_ready(void *context, burnish_error *error);
+
+/* burnish_file_write with a last step that can still fail, such as a report: where it does, no file
+ * appears and an existing one is as it was. (What is written directly is written by then.)
+ *   ready    not NULL
+ *   context  handed to ready
+ * Errors: as burnish_file_write, and those of ready. */
+BURNISH_API burnish_status burnish_file_write_then(const char *path, const void *bytes, size_t size,
+                                                   burnish_file_ready *ready, void *context,
+                                                   burnish_error *error);
+
 /* Fills buffer with the next bytes of an output.
  *   context  as passed to burnish_file_write_stream
  *   buffer   size bytes to fill

@@ -70,8 +70,15 @@ typedef struct content {
     size_t size;
     burnish_file_source *source; /* NULL: the bytes */
     void *context;
-    char *buffer; /* of the source's pieces: PIECE bytes */
+    char *buffer;              /* of the source's pieces: PIECE bytes */
+    burnish_file_ready *ready; /* NULL: no last step */
+    void *ready_context;
 } content;
+
+/* The last step, when the bytes are written. */
+static burnish_status get_ready(const content *what, burnish_error *error) {
+    return what->ready ? what->ready(what->ready_context, error) : BURNISH_STATUS_OK;
+}
 
 /* For files that do not block; returns 0 or an errno. */
 static int wait_until_writable(int file) {
@@ -129,7 +136,7 @@ static burnish_status write_directly(const char *path, const content *what, burn
     if (close(file) != 0 && code == 0) {
         code = errno;
     }
-    return code == 0 ? BURNISH_STATUS_OK : fail_write(error, path, code);
+    return code == 0 ? get_ready(what, error) : fail_write(error, path, code);
 }
 
 static burnish_status write_standard_output(const content *what, burnish_error *error) {
@@ -140,7 +147,7 @@ static burnish_status write_standard_output(const content *what, burnish_error *
     if (code == 0) {
         code = write_all(STDOUT_FILENO, what);
     }
-    return code == 0 ? BURNISH_STATUS_OK : fail_write(error, "standard output", code);
+    return code == 0 ? get_ready(what, error) : fail_write(error, "standard output", code);
 }
 
 /* ---- Temporaries ---- */
@@ -268,10 +275,15 @@ static int replace(const char *name, const char *target) {
 #endif
 }
 
-/* Writes, closes and gives the target's name; returns 0 or an errno. */
-static int finish_temporary(temporary *t, int is_new, const content *what) {
+/* Writes, closes and gives the target's name. */
+static burnish_status finish_temporary(temporary *t, const char *path, int is_new,
+                                       const content *what, burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
     int code = write_all(t->file, what);
-    if (code == 0 && !t->is_named) {
+    if (code == 0) {
+        status = get_ready(what, error);
+    }
+    if (code == 0 && status == BURNISH_STATUS_OK && !t->is_named) {
         /* straight to a name that is free: then there is no moment with another one */
         code = is_new ? link_file(t, t->target) : EEXIST;
         code = code == EEXIST ? name_temporary(t) : code;
@@ -279,13 +291,13 @@ static int finish_temporary(temporary *t, int is_new, const content *what) {
     if (close(t->file) != 0 && code == 0) {
         code = errno;
     }
-    if (code == 0 && t->is_named) {
+    if (code == 0 && status == BURNISH_STATUS_OK && t->is_named) {
         code = replace(t->name, t->target);
     }
-    if (code != 0 && t->is_named) {
+    if ((code != 0 || status != BURNISH_STATUS_OK) && t->is_named) {
         unlink(t->name);
     }
-    return code;
+    return code == 0 ? status : fail_write(error, path, code);
 }
 
 /* existing: the target's state, or NULL for a new file. */
@@ -311,8 +323,7 @@ static burnish_status replace_file(const char *path, const char *target,
     }
 #endif
     if (code == 0) {
-        code = finish_temporary(&t, !existing, what);
-        status = code == 0 ? BURNISH_STATUS_OK : fail_write(error, path, code);
+        status = finish_temporary(&t, path, !existing, what, error);
     }
     if (!t.is_named || forget(t.name)) {
         burnish_release(NULL, t.name);
@@ -384,6 +395,13 @@ static burnish_status write_content(const char *path, const content *what, burni
 burnish_status burnish_file_write(const char *path, const void *bytes, size_t size,
                                   burnish_error *error) {
     content what = {.bytes = bytes, .size = size};
+    return write_content(path, &what, error);
+}
+
+burnish_status burnish_file_write_then(const char *path, const void *bytes, size_t size,
+                                       burnish_file_ready *ready, void *context,
+                                       burnish_error *error) {
+    content what = {.bytes = bytes, .size = size, .ready = ready, .ready_context = context};
     return write_content(path, &what, error);
 }
 
