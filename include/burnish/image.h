@@ -115,6 +115,15 @@ typedef struct burnish_sheet_cell {
     const char *label;          /* one line under the picture; NULL or "" for none */
 } burnish_sheet_cell;
 
+/* The size of the sheet that burnish_image_sheet makes, before any picture is drawn: of the cells'
+ * images width, height and channels count, pixels may be NULL.
+ *   columns        [1, count]
+ *   width, height  of the sheet in pixels; 0 after an error
+ * Errors: ARGUMENT (cells that differ, a sheet over BURNISH_IMAGE_MAX_SIZE). */
+BURNISH_API burnish_status burnish_image_sheet_size(const burnish_sheet_cell *cells, size_t count,
+                                                    int columns, int *width, int *height,
+                                                    burnish_error *error);
+
 /* Lays out cells row by row under each other, labels below each cell, in a new image.
  * columns: [1, count]; background and ink: sRGB 0..255 of the margin and the labels.
  * Errors: ARGUMENT (cells that differ, a sheet over BURNISH_IMAGE_MAX_SIZE), MEMORY. */

@@ -41,7 +41,7 @@ static burnish_status check_cells(const burnish_sheet_cell *cells, size_t count,
     const burnish_image *first = cells[0].image;
     for (size_t i = 0; i < count; ++i) {
         const burnish_image *image = cells[i].image;
-        if (!image || !image->pixels) {
+        if (!image || image->width < 1 || image->height < 1) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "sheet: picture %zu is empty; render it first", i + 1);
         }
@@ -144,37 +144,67 @@ static void draw_label(burnish_image *sheet, const layout *made, int x, int base
     }
 }
 
-static burnish_status lay_out(burnish_image *sheet, const burnish_sheet_cell *cells, size_t count,
-                              int columns, const uint8_t background[3], const uint8_t ink[3],
-                              burnish_error *error) {
-    *sheet = (burnish_image){0};
+/* The layout and the size of the sheet. */
+static burnish_status lay_out(const burnish_sheet_cell *cells, size_t count, int columns,
+                              layout *made, int size[2], burnish_error *error) {
     burnish_status status = check_cells(cells, count, columns, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    layout made = make_layout(cells, count, columns);
+    *made = make_layout(cells, count, columns);
     size_t rows = (count - 1) / (size_t)columns + 1;
-    int64_t step_x = (int64_t)made.width + made.gap;
-    int64_t step_y = (int64_t)made.height + made.below + made.gap;
+    int64_t step_x = (int64_t)made->width + made->gap;
+    int64_t step_y = (int64_t)made->height + made->below + made->gap;
     /* No product overflows: each factor that passes the first two tests is below 2^15. */
     if (columns > BURNISH_IMAGE_MAX_SIZE || rows > BURNISH_IMAGE_MAX_SIZE ||
-        step_x * columns + made.gap > BURNISH_IMAGE_MAX_SIZE ||
-        step_y * (int64_t)rows + made.gap > BURNISH_IMAGE_MAX_SIZE) {
+        step_x * columns + made->gap > BURNISH_IMAGE_MAX_SIZE ||
+        step_y * (int64_t)rows + made->gap > BURNISH_IMAGE_MAX_SIZE) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "sheet: %zu pictures of %d x %d in %d columns exceed %d pixels; use "
                             "smaller pictures or another number of columns",
-                            count, made.width, made.height, columns, BURNISH_IMAGE_MAX_SIZE);
+                            count, made->width, made->height, columns, BURNISH_IMAGE_MAX_SIZE);
     }
-    status = burnish_image_create(sheet, (int)(step_x * columns + made.gap),
-                                  (int)(step_y * (int64_t)rows + made.gap),
-                                  cells[0].image->channels, error);
+    size[0] = (int)(step_x * columns + made->gap);
+    size[1] = (int)(step_y * (int64_t)rows + made->gap);
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_image_sheet_size(const burnish_sheet_cell *cells, size_t count, int columns,
+                                        int *width, int *height, burnish_error *error) {
+    layout made;
+    int size[2] = {0, 0};
+    const burnish_environment before = burnish_environment_enter();
+    const burnish_status status = lay_out(cells, count, columns, &made, size, error);
+    burnish_environment_leave(before);
+    *width = size[0];
+    *height = size[1];
+    return status;
+}
+
+static burnish_status make_sheet(burnish_image *sheet, const burnish_sheet_cell *cells,
+                                 size_t count, int columns, const uint8_t background[3],
+                                 const uint8_t ink[3], burnish_error *error) {
+    layout made;
+    int size[2];
+    *sheet = (burnish_image){0};
+    burnish_status status = lay_out(cells, count, columns, &made, size, error);
+    for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        if (!cells[i].image->pixels) {
+            status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                  "sheet: picture %zu is empty; render it first", i + 1);
+        }
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_image_create(sheet, size[0], size[1], cells[0].image->channels, error);
+    }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    int step_x = made.width + made.gap, step_y = made.height + made.below + made.gap;
     fill(sheet, background);
     for (size_t i = 0; i < count; ++i) {
-        int x = made.gap + (int)step_x * (int)(i % (size_t)columns);
-        int y = made.gap + (int)step_y * (int)(i / (size_t)columns);
+        int x = made.gap + step_x * (int)(i % (size_t)columns);
+        int y = made.gap + step_y * (int)(i / (size_t)columns);
         burnish_image_copy(sheet, x, y, cells[i].image);
         if (has_label(&cells[i])) {
             draw_label(sheet, &made, x, y + made.height + made.baseline, ink, cells[i].label);
@@ -187,7 +217,7 @@ burnish_status burnish_image_sheet(burnish_image *sheet, const burnish_sheet_cel
                                    size_t count, int columns, const uint8_t background[3],
                                    const uint8_t ink[3], burnish_error *error) {
     const burnish_environment before = burnish_environment_enter();
-    const burnish_status status = lay_out(sheet, cells, count, columns, background, ink, error);
+    const burnish_status status = make_sheet(sheet, cells, count, columns, background, ink, error);
     burnish_environment_leave(before);
     return status;
 }
