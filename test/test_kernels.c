@@ -2,7 +2,7 @@
  * libm; the lighting against the same equation in double precision; the choice of a tier.
  *
  * Needs nothing but src/kernels and src/base, so that it also runs on other processors. With
- * --bench it then prints the time of every variant; `burnish bench` compares with others. */
+ * --bench it then prints the time of every variant; `bench_kernels` compares with others. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,27 +1,25 @@
 /* The command line's parser and values, without running the program: both forms of a flag, hints,
  * strict numbers, and that the table of flags agrees with the library's own defaults. */
-#include "../tools/burnish/cli/options.c"
-#include "../tools/burnish/cli/values.c"
 #include "../tools/burnish/render/flags.c"
 #include "../tools/burnish/render/values.c"
 #include "decimal_comma.h"
 
 /* The table names it; nothing here runs it. */
-int render_main(int argc, char **argv) {
-    (void)argc, (void)argv;
-    return 1;
+burnish_status render_work(void *settings, cli_call *call, burnish_error *error) {
+    (void)settings, (void)call, (void)error;
+    return BURNISH_STATUS_OK;
 }
 
 typedef struct parsed {
     burnish_status status;
     render_settings settings;
-    cli_operands operands;
+    cli_call call;
     burnish_error error;
 } parsed;
 
 /* Parses words between '|'. */
 static parsed parse(const char *line) {
-    parsed result = {.settings = {.material = -1}};
+    parsed result = {.settings = {0}};
     static char copy[1024]; /* the settings point into it */
     char *argv[32];
     int argc = 0;
@@ -32,7 +30,7 @@ static parsed parse(const char *line) {
     result.status = cli_defaults(&render_command, &result.settings, &result.error);
     CHECK(result.status == BURNISH_STATUS_OK, "%s", result.error.text);
     result.status =
-        cli_parse(&render_command, argc, argv, &result.settings, &result.operands, &result.error);
+        cli_parse(&render_command, argc, argv, &result.settings, &result.call, &result.error);
     return result;
 }
 
@@ -55,7 +53,7 @@ static void test_defaults(void) {
     CHECK1(s->max_triangles == load.max_triangles && s->max_input_bytes == load.max_input_bytes);
     CHECK1(s->view_angle.value == fit.view_angle && s->margin.value == fit.margin);
     CHECK1(s->azimuth.value == fit.azimuth && s->elevation.value == fit.elevation);
-    CHECK1(!s->json && !s->quiet && !s->fail_on_blank && !s->orthographic && s->material == -1);
+    CHECK1(!s->json && !s->quiet && !s->fail_on_blank && !s->orthographic && s->material == 0);
 }
 
 static void test_forms(void) {
@@ -64,15 +62,15 @@ static void test_forms(void) {
     CHECK(parse("x|--samples=8|--samples|16").settings.samples == 16, "the last counts");
     parsed p = parse("-o|out.png|x.obj");
     CHECK_TEXT(p.settings.output, "out.png");
-    CHECK_TEXT(p.operands.items[0], "x.obj");
+    CHECK_TEXT(p.call.operands[0], "x.obj");
     CHECK_TEXT(parse("-oout.png|x.obj").settings.output, "out.png");
     CHECK_TEXT(parse("--output|-|x.obj").settings.output, "-");
     CHECK_TEXT(parse("--output=--json|x").settings.output, "--json");
     CHECK_TEXT(parse("--output=a=b|x").settings.output, "a=b");
     p = parse("--json|--|--quiet");
     CHECK1(p.settings.json && !p.settings.quiet);
-    CHECK_TEXT(p.operands.items[0], "--quiet");
-    CHECK_TEXT(parse("-|--json").operands.items[0], "-");
+    CHECK_TEXT(p.call.operands[0], "--quiet");
+    CHECK_TEXT(parse("-|--json").call.operands[0], "-");
     p = parse("x|--camera-azimuth-angle|-30|--camera-position|-1,-2,-3");
     CHECK(p.settings.azimuth.value == -30 && p.settings.position.values[2] == -3,
           "a negative number is a value, not a flag");
@@ -80,8 +78,9 @@ static void test_forms(void) {
     CHECK1(p.settings.size[0] == 300 && p.settings.size[1] == 200);
     p = parse("x|--resolution=300x200|--size=64");
     CHECK1(p.settings.size[0] == 64 && p.settings.size[1] == 64);
-    CHECK1(parse("x|--help|--nonsense").operands.help == 1);
-    CHECK1(parse("x|-h").operands.help == 1);
+    CHECK1(parse("x|--help|--nonsense").call.help == 1);
+    CHECK1(parse("x|-h").call.help == 1 && !parse("x|-h").call.topic);
+    CHECK_TEXT(parse("x|--help=camera").call.topic, "camera");
 }
 
 static void expect_error(const char *line, const char *text) {
@@ -99,6 +98,13 @@ static void test_errors(void) {
     expect_error("--colour=red", "--colour: unknown flag; did you mean --color?");
     expect_error("--treads|2", "--treads: unknown flag; did you mean --threads?");
     expect_error("--qzx", "--qzx: unknown flag; \"burnish render --help\" lists the flags");
+    expect_error("--zise=3", "--zise: unknown flag; did you mean --size?");
+    expect_error("--bg-color=red", "--bg-color: unknown flag; did you mean --background-color?");
+    expect_error("--fov", "--fov: unknown flag; did you mean --camera-view-angle?");
+    expect_error("--up-axis=+Z", "--up-axis: unknown flag; did you mean --up?");
+    expect_error("--transparent", "--transparent: unknown flag; did you mean --no-background?");
+    expect_error("--width=3", "--width: unknown flag; did you mean --resolution?");
+    expect_error("--height=3", "--height: unknown flag; did you mean --resolution?");
     expect_error("-z", "-z: unknown flag; \"burnish render --help\" lists the flags");
     expect_error("--samples=3", "--samples: \"3\" is not one of 1, 4, 8, 16");
     expect_error("--samples=", "--samples: \"\" is not one of 1, 4, 8, 16");
@@ -202,7 +208,8 @@ static void test_table(void) {
         const cli_flag *flag = &command->flags[i];
         CHECK(flag->handler && flag->manual && strlen(flag->manual) > 10, "--%s", flag->name);
         CHECK(strlen(flag->name) < CLI_NAME_MAX, "--%s", flag->name);
-        CHECK(!flag->group || flag->help, "--%s starts a group without a row", flag->name);
+        CHECK(flag->help && *flag->help, "--%s has no row on the help screen", flag->name);
+        CHECK(!flag->group == !flag->topic, "--%s: a group has a topic", flag->name);
         for (size_t k = 0; k < i; ++k) {
             CHECK(strcmp(flag->name, command->flags[k].name) != 0, "--%s twice", flag->name);
             CHECK(!flag->letter || flag->letter != command->flags[k].letter, "-%c twice",
@@ -210,7 +217,7 @@ static void test_table(void) {
         }
     }
     for (size_t i = 0; render_preset_words[i].name; ++i) {
-        CHECK1(render_preset_words[i].value == (int)i);
+        CHECK1(render_preset_words[i].value == (int)i + 1);
         CHECK_TEXT(render_preset_words[i].name, render_presets[i].name);
     }
 }

@@ -1,7 +1,7 @@
 #!/bin/sh
-# burnish bench: every key is there, with a positive number, or with null and a reason. No time is
+# bench_kernels: every key is there, with a positive number, or with null and a reason. No time is
 # judged.
-# usage: cli_bench.sh BURNISH SCRATCH
+# usage: cli_bench.sh BENCH_KERNELS SCRATCH
 . "$(dirname "$0")/lib.sh"
 
 positive() { printf '%s\n' "$1" | awk '{ exit !($1 ~ /^[0-9.]+(e[-+]?[0-9]+)?$/ && $1 > 0) }'; }
@@ -28,7 +28,7 @@ check_keys() {
     done
 }
 
-run bench --quick --json --isa scalar --csv rows.csv
+run --quick --json --isa scalar --csv rows.csv
 check "bench: exit code $code" [ "$code" = 0 ]
 check "bench: writes to standard error" [ ! -s "$err" ]
 check "bench: no JSON" valid_json
@@ -36,18 +36,27 @@ check_keys scalar
 check "bench --csv: no rows" [ "$(grep -c '^scalar,' rows.csv)" -ge 30 ]
 check "bench --csv: rows of 7 fields" sh -c "sed 's/\"[^\"]*\"/S/g' rows.csv | awk -F, 'NF != 7 { bad = 1 } END { exit bad }'"
 
-run bench --quick --json --isa auto
+run --quick --json --isa auto
 check "bench --isa auto: exit code $code" [ "$code" = 0 ]
 check "bench --isa auto: no JSON" valid_json
 check_keys auto
 
-run bench --quick --isa auto
+run --quick --isa auto
 check "bench: no table" grep -q 'the lobe, m = 2' "$out"
 
-expect 2 'burnish: --isa: "mmx" is not one of auto'"$("$burnish" bench --isa mmx 2>&1 | sed 's/.*auto//')" bench --isa mmx
-expect 7 'burnish: no/such/folder.csv: No such file or directory' bench --quick --isa scalar \
-    --csv no/such/folder.csv
-rm -f rows.csv
+run --isa mmx
+check "bench --isa mmx: exit code $code" [ "$code" = 2 ]
+check "bench --isa mmx: says $(cat "$err")" grep -qx 'burnish: --isa: "mmx" is not one of auto scalar.*' "$err"
+expect 7 "burnish: no/such/folder.csv: can't be written: No such file or directory; create the folder first" \
+    --quick --isa scalar --csv no/such/folder.csv
+printf 'mine' >kept.csv
+(
+    ulimit -f 1 # one block: the rows do not fit
+    "$burnish" --quick --isa scalar --csv kept.csv >"$out" 2>"$err"
+    echo $? >code
+)
+check "bench --csv: an older file is lost on an error" [ "$(cat kept.csv)" = mine ]
+rm -f rows.csv kept.csv code
 nothing_left "bench"
 
 finish

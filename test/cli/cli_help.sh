@@ -7,7 +7,7 @@
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
 
 lobe="table claims choose fit boundary sample plot"
-screens="--help;-h;help;render --help;render -h;help render;help --help;lobe --help;lobe -h;help lobe;bench --help"
+screens="--help;-h;help;render --help;render -h;help render;help --help;lobe --help;lobe -h;help lobe"
 for part in $lobe; do
     screens="$screens;lobe $part --help;help lobe $part"
 done
@@ -27,11 +27,26 @@ for part in $lobe; do
 done
 run --help
 cp "$out" main.txt
-for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'bench ' 'help \[COMMAND\]'; do
+for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'help \[COMMAND\]'; do
     check "burnish --help lacks '$code_text'" grep -q -- "  $code_text" main.txt
 done
 run render --help
 cp "$out" render.txt
+for topic in picture camera light report; do
+    run render --help=$topic
+    check "burnish render --help=$topic does not fit 40 lines of 100 columns" fits "$out"
+    check "burnish render --help lacks $topic" grep -q -- "--help=$topic" render.txt
+    cat "$out" >>topics.txt
+done
+run render --help=all
+check "burnish render --help=all: a row is too long" awk 'length($0) > 100 { exit 1 }' "$out"
+sed -n 's/^  \(-[a-z],\|   \) \(--[a-z-]*\).*/\2/p' "$out" | sort >all.txt
+sed -n 's/^  \(-[a-z],\|   \) \(--[a-z-]*\).*/\2/p' topics.txt | sort >by_topic.txt
+check "the topics show all flags, each once: $(diff all.txt by_topic.txt | head -3 | tr '\n' ' ')" cmp all.txt by_topic.txt
+check "fewer than 40 flags of render" [ "$(wc -l <all.txt)" -ge 40 ]
+for word in 'an input is malformed' 'an output' 'the picture is blank (--fail-on-blank)'; do
+    check "burnish render --help lacks the exit code of '$word'" sh -c "tr '\n' ' ' <render.txt | grep -qF '$word'"
+done
 check "burnish help render differs from render --help" sh -c "'$burnish' help render | cmp - render.txt"
 check "flags before --help count" sh -c "'$burnish' render --samples=4 --help | cmp - render.txt"
 
@@ -43,6 +58,7 @@ run help --man
 cp "$out" burnish.1
 check "burnish help --man: exit code $code" [ "$code" = 0 ]
 tr -d '\\' <burnish.1 >page.txt
+cat topics.txt >>render.txt
 grep -oh -- '--[a-z][a-z-]*' render.txt lobe.txt | sort -u >flags.txt
 check "fewer than 50 flags on the help screens" [ "$(wc -l <flags.txt)" -ge 50 ]
 while read -r flag; do
@@ -52,13 +68,32 @@ done <flags.txt
 sed -n '/^.TP/{n;s/^.*fB\(--[a-z-]*\)fR.*$/\1/p}' page.txt | grep '^--' | sort -u >described.txt
 check "the man page describes no flags" [ -s described.txt ]
 while read -r flag; do
-    check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt lobe.txt || '$burnish' help --help | grep -q -- $flag || '$burnish' bench --help | grep -q -- $flag"
+    check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt lobe.txt || '$burnish' help --help | grep -q -- $flag"
 done <described.txt
-for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE BENCH '"LOBE TABLE"' '"LOBE FIT"' COLOURS MATERIALS \
+for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE '"LOBE TABLE"' '"LOBE FIT"' COLOURS MATERIALS \
     LOBES METRICS LIGHTS '"JSON OUTPUT"' \
     '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
     check "the man page lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish.1
 done
+# What is said of JSON is what is written.
+json_keys() { tr -d '\n\t ' <"$out" | grep -oE '"[a-z0-9_]+":' | tr -d '":'; }
+run render :sphere --size=16 --json -o p.png
+json_keys >keys.txt
+run render :sphere --size=16 --views=front,top --json -o p.png
+json_keys >>keys.txt
+sort -u keys.txt >written.txt
+sed -n '/^.SH "JSON OUTPUT"/,/^.SH "EXIT/p' page.txt >section.txt
+{
+    sed -n 's/^\.B //p' section.txt | tr ', ' '\n\n'
+    grep -o 'fB[a-z_]*fR' section.txt | sed 's/^fB//; s/fR$//' # inside a key's text
+} | grep . | sort -u >told.txt
+check "JSON keys and the manual differ: $(diff written.txt told.txt | grep '^[<>]' | tr '\n' ' ')" cmp written.txt told.txt
+check "fewer than 40 JSON keys" [ "$(wc -l <written.txt)" -ge 40 ]
+rm -f p.png
+for variable in BURNISH_ISA PATH; do
+    check "the manual's ENVIRONMENT lacks $variable" sh -c "sed -n '/^.SH ENVIRONMENT/,/^.SH EXAMPLES/p' page.txt | grep -q $variable"
+done
+check "the manual takes an underscore inside a word for italics" grep -q 'Default: burnish_boundary\.' page.txt
 for exit_code in 0 2 3 4 5 6 7 8; do
     check "the man page lacks exit code $exit_code" grep -q "^.B $exit_code\$" burnish.1
 done

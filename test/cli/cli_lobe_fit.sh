@@ -106,7 +106,7 @@ bad() {
     printf "$3" >bad.csv
     expect "$1" "burnish: bad.csv$2" lobe fit bad.csv
 }
-expect 2 'burnish: lobe fit: no FILE; give CSV with angle and intensity a line, or see "burnish lobe fit --help"' lobe fit
+expect 2 'burnish: lobe fit: no FILE; give CSV with angle and intensity per line, or see "burnish lobe fit --help"' lobe fit
 expect 3 "burnish: none.csv: can't be opened: No such file or directory" lobe fit none.csv
 expect 3 "burnish: .: can't be read: Is a directory" lobe fit .
 bad 4 ': 0 samples; a fit needs 3 at least' ''

@@ -65,9 +65,32 @@ expect 8 'burnish: :sphere: the picture is blank; check the camera; nothing was 
 run render ../broken.stl -o kept.png
 check "an older picture stays" [ "$(cat kept.png)" = mine ]
 expect 0 'burnish: warning: :sphere: the picture is blank: nothing of the object is in it; check the camera' render :sphere $away
-expect 0 '' render :sphere $away --quiet
+expect 0 '' render :sphere $away --quiet --overwrite
+printf 'mine' >s.png
 "$burnish" render :sphere --size=500 --json -o s.png 2>"$err" >/dev/full
 check "a report that can't be printed: 7" [ $? = 7 ]
+check "a report that can't be printed replaces a picture" [ "$(cat s.png)" = mine ]
+(
+    ulimit -f 1
+    "$burnish" render :sphere --size=500 -o s.png 2>"$err"
+    echo $? >../code
+)
+check "a file over the limit of the shell ends with 7, not a signal: $(cat ../code)" [ "$(cat ../code)" = 7 ]
+check "a file over the limit: one line, not $(cat "$err")" grep -qx "burnish: s.png: can't be written: File too large" "$err"
+check "a file over the limit replaces a picture" [ "$(cat s.png)" = mine ]
+
+# A name made from the input's replaces nothing: a texture may lie beside the mesh.
+mkdir model
+cd model || exit 1
+triangle >part.stl
+printf 'texture' >part.png
+expect 2 'burnish: part.png: exists; replace it with --overwrite, or name the picture with --output=FILE' render part.stl
+check "the texture is as it was" [ "$(cat part.png)" = texture ]
+expect 0 '' render part.stl --size=16 -o part.png
+check "-o replaces" is_png part.png 16 16
+expect 0 '' render part.stl --size=17 --overwrite
+check "--overwrite replaces" is_png part.png 17 17
+cd ..
 {
     "$burnish" render :sphere --size=500 -o - 2>"$err"
     echo $? >../code

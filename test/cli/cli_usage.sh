@@ -8,7 +8,7 @@ expect 2 'burnish: "rendr": unknown command; did you mean render?' rendr
 expect 2 'burnish: "frobnicate": unknown command; "burnish --help" lists the commands' frobnicate
 expect 2 'burnish: "bunny.obj": unknown command; did you mean burnish render bunny.obj?' bunny.obj
 expect 2 'burnish: ":teapot": unknown command; did you mean burnish render :teapot?' :teapot
-expect 2 'burnish: --json: a command comes first, as in "burnish render INPUT --json"; burnish --help lists the commands' --json
+expect 2 'burnish: --json: a command comes first, as in "burnish render INPUT"; burnish --help lists the commands' --json
 expect 2 'burnish: render: no INPUT; try "burnish render :teapot" or "burnish render --help"' render
 expect 2 'burnish: render: "b" is one operand too many; usage: burnish render INPUT [options]' render a b
 expect 2 'burnish: --sampels: unknown flag; did you mean --samples?' render :sphere --sampels=4
@@ -32,13 +32,28 @@ expect 2 'burnish: --camera-azimuth-angle: --camera-position already says where 
 expect 2 'burnish: --light: "sun:1,2,3" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: the kind is one of directional, point, world-directional, world-point, none' render :sphere --light=sun:1,2,3
 expect 2 'burnish: --ambient: "-1" is not a number from 0 to 16, nor a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name' render :sphere --ambient=-1
 expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polished, metal' render :sphere --material=wood
-expect 2 'burnish: --resolution: a sheet of 2 cells would be 32768x16 pixels, more than 16384; make the cells smaller or change --columns' render :sphere --views=front,top --resolution=16384,16
+expect 2 'burnish: sheet: 2 pictures of 16384 x 16 in 2 columns exceed 16384 pixels; use smaller pictures or another number of columns' render :sphere --views=front,top --resolution=16384,16
 expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE' render :sphere -o - --json
 expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE' render - --json
 expect 2 'burnish: "/" gives the picture no name; name it with --output=FILE' render /
 expect 2 'burnish: "nonsense": unknown command; "burnish --help" lists the commands' help nonsense
 expect 2 'burnish: --samples: "?[31m" is not one of 1, 4, 8, 16' render :sphere --samples="$(printf '\033[31m')"
-expect 2 'burnish: --labels: 2 texts for 3 cells; give one text a cell, between commas' render :sphere --views=front,top,iso --labels=one,two
+expect 2 'burnish: --labels: 2 texts for 3 cells; give one text per cell, between commas' render :sphere --views=front,top,iso --labels=one,two
+# A sheet too large is refused before the input is looked at.
+expect 2 'burnish: sheet: 3 pictures of 16 x 8000 in 1 columns exceed 16384 pixels; use smaller pictures or another number of columns' render none.obj --views=front,top,iso --columns=1 --resolution=16,8000
+expect 2 'burnish: --camera-position: "1e308,0,0" has a number beyond 1e100; give a smaller one' render :sphere --camera-position=1e308,0,0
+expect 2 'burnish: --bg-color: unknown flag; did you mean --background-color?' render :sphere --bg-color=red
+expect 2 'burnish: --help: "nonsense" is not one of picture, camera, light, report, all' render --help=nonsense
+for name in picture.jpg out/picture.WEBP a.svg; do
+    expect 2 "burnish: --output: \"$name\": pictures are written as PNG; end the name in .png" render :sphere -o $name
+done
+BURNISH_ISA=foo
+export BURNISH_ISA
+run render :sphere --size=16 -o x.png
+check "BURNISH_ISA=foo: exit code $code, says $(cat "$err")" grep -q '^burnish: BURNISH_ISA: "foo" is not one of' "$err"
+expect 0 '' render :sphere --size=16 --isa=scalar -o x.png
+unset BURNISH_ISA
+rm -f x.png
 nothing_left "wrong usage"
 
 finish

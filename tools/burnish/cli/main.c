@@ -1,17 +1,40 @@
-/* burnish: the command line. Finds the subcommand and hands over. */
-#include <signal.h>
+/* burnish: the program. The table of commands, and `burnish help`. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "cli/commands.h"
 #include "cli/help.h"
+#include "cli/run.h"
 #include "cli/values.h"
 
+#define ROW(table) &table,
+const cli_command *const cli_commands[] = {CLI_COMMAND_LIST(ROW) NULL};
+#undef ROW
+
+const cli_example cli_examples[] = {
+    {"burnish render :teapot", "teapot.png"},
+    {"burnish render part.stl -o part.png --size=256", "a thumbnail"},
+    {"burnish render part.stl --views=front,right,top,iso -o sheet.png", "a sheet of views"},
+    {"burnish render :teapot --lobe=power,schlick,energy:2,taylor:2", "lobes side by side"},
+    {"burnish render part.obj --json --fail-on-blank", "for programs"},
+    {"burnish render - --input-format=ply -o - <in.ply >out.png", "in a pipe"},
+    {"burnish lobe table --exponents=10,100", "lobes in numbers"},
+    {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest lobe that will do"},
+    {NULL, NULL},
+};
+
+/* ---- help ---- */
+
+enum { SHELL_NONE, SHELL_BASH, SHELL_ZSH, SHELL_FISH };
+
 typedef struct help_settings {
-    int man, help;
+    int man, shell;
 } help_settings;
 
-static int help_main(int argc, char **argv);
+static cli_work help_work;
+
+static const cli_word shell_words[] = {
+    {"bash", SHELL_BASH}, {"zsh", SHELL_ZSH}, {"fish", SHELL_FISH}, {NULL, 0}};
 
 static const cli_flag help_flags[] = {
     {.group = "Options",
@@ -20,12 +43,14 @@ static const cli_flag help_flags[] = {
      .manual = "Prints this page: *burnish help --man | man -l -*",
      .handler = cli_flag_switch,
      .offset = offsetof(help_settings, man)},
-    {.name = "help",
-     .letter = 'h',
-     .help = "this screen",
-     .manual = "Prints the flags on one screen.",
-     .handler = cli_flag_switch,
-     .offset = offsetof(help_settings, help)},
+    {.name = "completion",
+     .value = "SHELL",
+     .help = "completions to source",
+     .words = shell_words,
+     .manual = "Prints the completions of commands, flags and their values for a shell. They are "
+               "installed with the program; by hand: *source <(burnish help --completion=bash)*.",
+     .handler = cli_flag_word,
+     .offset = offsetof(help_settings, shell)},
 };
 
 const cli_command cli_help_command = {
@@ -37,141 +62,88 @@ const cli_command cli_help_command = {
     .operands_max = 2,
     .flags = help_flags,
     .flag_count = sizeof help_flags / sizeof *help_flags,
-    .run = help_main,
+    .settings_size = sizeof(help_settings),
+    .work = help_work,
 };
 
-/* The closest command of a list, or NULL when none is close. */
-static const char *closest_command(const cli_command *const *commands, const char *name) {
-    const char *closest = NULL;
-    size_t best = CLI_NAME_MAX;
-    for (size_t i = 0; commands[i]; ++i) {
-        const char *candidate = cli_short_name(commands[i]);
-        if (cli_closer(name, candidate, &best)) {
-            closest = candidate;
-        }
-    }
-    return closest && cli_close_enough(name, best) ? closest : NULL;
-}
-
-/* A file's name in place of a command means that `render` was left out. */
-static int is_input(const char *name) {
-    const char *dot = strrchr(name, '.');
-    return name[0] == ':' || (dot && strlen(dot) <= 5) || strchr(name, '/');
-}
-
-int cli_fail_command(const cli_command *whole, const char *name) {
-    burnish_error error;
-    const char *prefix = whole ? whole->name : "", *space = whole ? " " : "";
-    const char *closest = closest_command(whole ? whole->parts : cli_commands, name);
-    if (!whole && is_input(name)) {
-        cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                 "\"%.60s\": unknown command; did you mean burnish render %.60s?", name, name);
-    } else if (closest) {
-        cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                 "\"%s%s%.60s\": unknown command; did you mean %s%s%s?", prefix, space, name,
-                 prefix, space, closest);
-    } else {
-        cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                 "\"%s%s%.60s\": unknown command; \"burnish %s%s--help\" lists the commands",
-                 prefix, space, name, prefix, space);
-    }
-    return cli_report_error(&error);
-}
-
-int cli_run_part(const cli_command *whole, int argc, char **argv) {
-    burnish_error error;
-    char names[160] = "";
-    for (size_t i = 0; whole->parts[i]; ++i) {
-        size_t used = strlen(names);
-        snprintf(names + used, sizeof names - used, "%s%s",
-                 i == 0                ? ""
-                 : whole->parts[i + 1] ? ", "
-                                       : " or ",
-                 cli_short_name(whole->parts[i]));
-    }
-    if (argc == 0) {
-        cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                 "%s: what comes next is one of %s; \"burnish %s --help\" explains them",
-                 whole->name, names, whole->name);
-        return cli_report_error(&error);
-    }
-    const char *name = argv[0];
-    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
-        return cli_print_command_help(whole);
-    }
-    if (name[0] == '-' && name[1]) {
-        cli_fail(&error, BURNISH_STATUS_ARGUMENT, "%s %.60s: one of %s comes first", whole->name,
-                 name, names);
-        return cli_report_error(&error);
-    }
-    const cli_command *part = cli_find_command(whole->parts, name);
-    return part ? part->run(argc - 1, argv + 1) : cli_fail_command(whole, name);
+static void print_first_screen(void) {
+    printf("burnish %s: pictures of meshes without a GPU, the same bits on every machine\n\n"
+           "Usage: burnish COMMAND [options]\n",
+           burnish_version());
+    cli_print_parts(cli_commands);
+    printf("  %-16s  %s\n  %-16s  %s\n", "--help, -h", "this screen", "--version, -V",
+           "the version");
+    cli_print_examples(cli_examples);
+    printf("\nExit codes\n");
+#define PRINT_CODE(code, text) printf("  %d  %s\n", code, text);
+#define PRINT_STATUS(name, code, text) PRINT_CODE(code, text)
+    BURNISH_STATUS_LIST(PRINT_STATUS)
+    CLI_EXIT_LIST(PRINT_CODE)
+#undef PRINT_STATUS
+#undef PRINT_CODE
+    printf(
+        "\nburnish COMMAND --help lists the flags; burnish help --man | man -l - explains them.\n");
 }
 
 /* `burnish help render`, `burnish help lobe table`. */
-static int help_about(const cli_operands *operands) {
-    const cli_command *command = cli_find_command(cli_commands, operands->items[0]);
-    if (!command) {
-        return cli_fail_command(NULL, operands->items[0]);
+static burnish_status help_about(const cli_call *call, burnish_error *error) {
+    const cli_command *command = cli_find_command(cli_commands, NULL, call->operands[0], error);
+    if (command && call->operand_count == 2) {
+        if (!command->parts) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "help: \"%.60s\": %s has no commands of its own; burnish help %s",
+                            call->operands[1], command->name, command->name);
+        }
+        command = cli_find_command(command->parts, command, call->operands[1], error);
     }
-    if (operands->count == 1) {
-        return cli_print_command_help(command);
-    }
-    if (!command->parts) {
-        burnish_error error;
-        cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                 "help: \"%.60s\": %s has no commands of its own; burnish help %s",
-                 operands->items[1], command->name, command->name);
-        return cli_report_error(&error);
-    }
-    const cli_command *part = cli_find_command(command->parts, operands->items[1]);
-    return part ? cli_print_command_help(part) : cli_fail_command(command, operands->items[1]);
+    return command ? cli_print_help(command, NULL, error) : error->status;
 }
 
-static int help_main(int argc, char **argv) {
-    help_settings settings = {0};
-    cli_operands operands;
-    burnish_error error;
-    if (cli_parse(&cli_help_command, argc, argv, &settings, &operands, &error) !=
-        BURNISH_STATUS_OK) {
-        return cli_report_error(&error);
+static burnish_status help_work(void *from, cli_call *call, burnish_error *error) {
+    const help_settings *settings = from;
+    if (call->operand_count > 0) {
+        return help_about(call, error);
     }
-    if (operands.help) {
-        return cli_print_command_help(&cli_help_command);
+    if (settings->man) {
+        cli_print_man();
+    } else if (settings->shell != SHELL_NONE) {
+        cli_print_completion(shell_words[settings->shell - SHELL_BASH].name);
+    } else {
+        print_first_screen();
     }
-    if (settings.man) {
-        return cli_print_man();
+    return BURNISH_STATUS_OK;
+}
+
+/* ---- The program ---- */
+
+static const char *option_or_command(int argc, char **argv, burnish_error *error) {
+    if (argc < 2) {
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "no command; try \"burnish render :teapot\" or \"burnish --help\"");
+        return NULL;
     }
-    if (operands.count == 0) {
-        return cli_print_help();
+    if (argv[1][0] == '-' && argv[1][1]) {
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "%.60s: a command comes first, as in \"burnish render INPUT\"; burnish --help "
+                 "lists the commands",
+                 argv[1]);
+        return NULL;
     }
-    return help_about(&operands);
+    return argv[1];
 }
 
 int main(int argc, char **argv) {
     burnish_error error;
-    /* A reader that closes its pipe early must give a message and an exit code, not a signal. */
-    signal(SIGPIPE, SIG_IGN);
-    if (argc < 2) {
-        cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                 "no command; try \"burnish render :teapot\" or \"burnish --help\"");
-        return cli_report_error(&error);
+    cli_ignore_signals();
+    if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
+        print_first_screen();
+        return cli_exit_code(cli_finish_output(&error), &error);
     }
-    const char *name = argv[1];
-    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
-        return cli_print_help();
-    }
-    if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
+    if (argc > 1 && (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0)) {
         printf("burnish %s\n", burnish_version());
-        return cli_finish_output();
+        return cli_exit_code(cli_finish_output(&error), &error);
     }
-    if (name[0] == '-' && name[1]) {
-        cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                 "%.60s: a command comes first, as in \"burnish render INPUT %.60s\"; "
-                 "burnish --help lists the commands",
-                 name, name);
-        return cli_report_error(&error);
-    }
-    const cli_command *command = cli_find_command(cli_commands, name);
-    return command ? command->run(argc - 2, argv + 2) : cli_fail_command(NULL, name);
+    const char *name = option_or_command(argc, argv, &error);
+    const cli_command *command = name ? cli_find_command(cli_commands, NULL, name, &error) : NULL;
+    return command ? cli_run(command, argc - 2, argv + 2) : cli_exit_code(error.status, &error);
 }

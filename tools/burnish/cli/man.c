@@ -1,56 +1,69 @@
 /* burnish(1) in roff (man macros), from the same tables as the help screens. */
-#include <stdlib.h>
+#include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "cli/commands.h"
 #include "cli/help.h"
+#include "cli/values.h"
 #include "lobe/metrics.h"
 #include "render/settings.h"
 
 /* When the words below were last changed; part of the page's header. */
 #define PAGE_DATE "2026-11-21"
 
-/* Prints text for roff: *bold* and _italics_ where a word begins and ends so, everything else
- * literally, control lines defused. An asterisk or underscore inside a word stands for itself. */
-static void print_text(const char *text) {
+/* Where *bold* and _italics_ begin and end: a mark opens after and closes before what is no letter
+ * or digit, so that one inside a word, as in burnish_boundary, stands for itself. */
+static int is_mark(const char *text, size_t at, size_t length, char open) {
+    char c = text[at];
+    char before = at > 0 ? text[at - 1] : ' ', after = at + 1 < length ? text[at + 1] : ' ';
+    if (c != '*' && c != '_') {
+        return 0;
+    }
+    return open ? c == open && !isalnum((unsigned char)after)
+                : !isalnum((unsigned char)before) && after != ' ';
+}
+
+/* Prints text for roff: marks, everything else literally, control lines defused. */
+static void print_span(const char *text, size_t length) {
     char open = 0;
-    int line_start = 1;
-    for (const char *c = text; *c; ++c) {
-        int marks = (*c == '*' || *c == '_') && (open ? open == *c : 1);
-        if (marks) {
-            open = open ? 0 : *c;
-            fputs(!open ? "\\fR" : *c == '*' ? "\\fB" : "\\fI", stdout);
-            line_start = 0;
+    for (size_t i = 0; i < length; ++i) {
+        char c = text[i];
+        if (is_mark(text, i, length, open)) {
+            open = open ? 0 : c;
+            fputs(!open ? "\\fR" : c == '*' ? "\\fB" : "\\fI", stdout);
             continue;
         }
-        if (line_start && (*c == '.' || *c == '\'')) {
+        if (i == 0 && (c == '.' || c == '\'')) {
             fputs("\\&", stdout);
         }
-        if (*c == '\\') {
+        if (c == '\\') {
             fputs("\\e", stdout);
-        } else if (*c == '^') {
+        } else if (c == '^') {
             fputs("\\(ha", stdout);
-        } else if (*c == '-') {
+        } else if (c == '-') {
             fputs("\\-", stdout);
         } else {
-            putchar(*c);
+            putchar(c);
         }
-        line_start = *c == '\n';
     }
     putchar('\n');
+}
+
+static void print_text(const char *text) {
+    print_span(text, strlen(text));
 }
 
 /* Paragraphs that newlines separate; the first follows what stands before. */
 static void print_paragraphs(const char *text) {
     const char *rest = text;
     while (rest) {
-        char paragraph[1024];
         const char *item;
         size_t length = cli_next_item(&rest, '\n', &item);
-        snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, item);
         if (item != text) {
             printf(".PP\n");
         }
-        print_text(paragraph);
+        print_span(item, length);
     }
 }
 
@@ -76,7 +89,7 @@ static void print_flag(const cli_flag *flag) {
     print_text(tag);
     print_text(flag->manual);
     char values[240] = "";
-    const char *shown = cli_flag_default(flag);
+    const char *shown = cli_default_label(flag);
     if (flag->words) {
         strcpy(values, "Values: ");
         cli_word_list(flag->words, values + strlen(values), sizeof values - strlen(values));
@@ -212,23 +225,24 @@ static void print_lights(void) {
 
 static void print_json(void) {
     printf(".SH \"JSON OUTPUT\"\n");
-    print_text("One object. Numbers read back as exactly the values that were used.");
+    print_text("One object. Numbers read back as exactly the values that were used. It is printed "
+               "before the picture replaces an older one, so that a report that can't be printed "
+               "leaves the older picture.");
     static const char *const keys[][2] = {
         {"burnish", "the version"},
-        {"input, format, output", "*output* is null when nothing was written"},
+        {"input, format, output", "*output* is null when nothing is written"},
         {"width, height", "of the picture, in pixels"},
-        {"triangles, vertices, materials, exponents", "of the scene after loading"},
-        {"bounding_box", "*min* and *max* of the object in the scene's units"},
+        {"triangles, vertices, materials, exponents", "of the mesh after loading"},
+        {"bounding_box", "*min* and *max* of the object in the units of the input"},
         {"up, view", "the up axis; the standard view where one was asked for"},
         {"triangles_drawn", "triangles that own at least one sample"},
         {"covered_pixels, pixel_bounds",
          "pixels that show the object; x0, y0, x1, y1, ends excluded"},
         {"camera", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* (0: "
                    "perspective)"},
-        {"lobe, equation, viewer, lights, samples, threads", "as used"},
+        {"lobe, equation, viewer, lights, samples, threads, isa", "as used"},
         {"seconds", "*start* (processor time before loading), *load* (of which *read* and "
-                    "*build*), *transform*, "
-                    "*draw*, *encode*, *write*, *total* (from *load* on)"},
+                    "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
         {"hash, hash_algorithm",
          "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
         {"blank", "true when the picture, or a cell, shows nothing"},
@@ -255,8 +269,8 @@ static void print_exit_status(void) {
     printf(".PP\n");
     print_text(
         "Every failure is one line on standard error, \"burnish: ...\", that says which file or "
-        "flag, where in it, what was wrong and what to do. No failed run leaves half a file "
-        "behind.");
+        "flag, where in it, what was wrong and what to do. A failed run leaves no part of "
+        "a file and no temporary, and an older file as it was.");
 }
 
 static void print_example_list(const cli_example *examples) {
@@ -278,7 +292,16 @@ static void print_examples(void) {
     }
 }
 
-int cli_print_man(void) {
+static void print_environment(void) {
+    printf(".SH ENVIRONMENT\n");
+    print_tagged("*BURNISH_ISA*",
+                 "the instruction set where *--isa* is *auto*: its values, or *auto*.");
+    print_tagged("*PATH*", "where *burnish lobe plot* looks for gnuplot.");
+    printf(".PP\n");
+    print_text("The locale has no influence: numbers are always written with a point.");
+}
+
+void cli_print_man(void) {
     printf(
         ".\\\" Made by burnish help --man; do not edit.\n"
         ".TH BURNISH 1 \"%s\" \"burnish %s\" \"User Commands\"\n"
@@ -289,6 +312,8 @@ int cli_print_man(void) {
         print_synopsis(cli_commands[i]);
     }
     print_text("*burnish* *--help* | *--version*");
+    printf(".br\n");
+    print_text("*burnish* _COMMAND_ *--help*[*=*_TOPIC_]");
     printf(".SH DESCRIPTION\n");
     print_paragraphs("*burnish* draws a mesh into a PNG: no GPU, no display, no toolkit. Its "
                      "highlights come from a "
@@ -307,10 +332,7 @@ int cli_print_man(void) {
     print_lights();
     print_json();
     print_exit_status();
-    printf(".SH ENVIRONMENT\n");
-    print_text(
-        "None is read. The locale has no influence: numbers are always written with a point.");
+    print_environment();
     print_examples();
     printf(".SH \"SEE ALSO\"\n.BR man (1),\n.BR xxhsum (1)\n");
-    return cli_finish_output();
 }

@@ -23,9 +23,10 @@ burnish_status cli_fail(burnish_error *error, burnish_status status, const char 
     return status;
 }
 
-int cli_report_error(const burnish_error *error) {
-    fprintf(stderr, "burnish: %s\n", error->text);
-    return burnish_status_exit_code(error->status);
+cli_command_name cli_full_name(const cli_command *command) {
+    cli_command_name name;
+    snprintf(name.text, sizeof name.text, "%s%s", command->alone ? "" : "burnish ", command->name);
+    return name;
 }
 
 void cli_warn(const char *text) {
@@ -60,22 +61,36 @@ static size_t edit_distance(const char *a, const char *b) {
     return rows[a_length % 3][b_length];
 }
 
-int cli_closer(const char *name, const char *candidate, size_t *best) {
-    size_t edits = edit_distance(name, candidate);
-    if (strlen(name) >= 4 && strstr(candidate, name) && edits > 1) {
-        edits = 1;
+/* 1 when both have the same letters, each as often: "zise", "size". */
+static int same_letters(const char *a, const char *b) {
+    int counts[256] = {0};
+    for (; *a && *b; ++a, ++b) {
+        ++counts[(unsigned char)*a];
+        --counts[(unsigned char)*b];
     }
-    if (edits >= *best) {
-        return 0;
+    for (int i = 0; i < 256; ++i) {
+        if (counts[i] != 0) {
+            return 0;
+        }
     }
-    *best = edits;
-    return 1;
+    return *a == *b;
 }
 
-int cli_close_enough(const char *name, size_t edits) {
-    size_t length = strlen(name);
-    size_t allowed = length < 4 ? 1 : length / 3;
-    return edits <= (allowed > 4 ? 4 : allowed);
+const char *cli_nearest(const char *typed, cli_name_at *name_at, const void *list) {
+    size_t length = strlen(typed), allowed = length < 4 ? 1 : length / 3;
+    size_t best = allowed < 4 ? allowed + 1 : 5;
+    const char *nearest = NULL, *name;
+    for (size_t i = 0; (name = name_at(list, i)) != NULL; ++i) {
+        size_t edits = edit_distance(typed, name);
+        if (edits > 1 && ((length >= 4 && strstr(name, typed)) || same_letters(typed, name))) {
+            edits = 1;
+        }
+        if (edits < best) {
+            best = edits;
+            nearest = name;
+        }
+    }
+    return nearest;
 }
 
 static const cli_flag *find_flag(const cli_command *command, const char *name, size_t length) {
@@ -105,26 +120,41 @@ static const cli_flag *flag_of_argument(const cli_command *command, const char *
     return find_flag(command, argument + 2, strcspn(argument + 2, "="));
 }
 
+static const char *flag_name_at(const void *list, size_t index) {
+    const cli_command *command = list;
+    return index < command->flag_count ? command->flags[index].name
+                                       : (index == command->flag_count ? "help" : NULL);
+}
+
+/* The flag that another program calls so, or NULL. */
+static const char *flag_of_alias(const cli_command *command, const char *name) {
+    size_t length = strlen(name);
+    for (size_t i = 0; i < command->flag_count; ++i) {
+        const char *at = command->flags[i].aliases;
+        for (; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
+            if (strcspn(at, ",") == length && memcmp(at, name, length) == 0) {
+                return command->flags[i].name;
+            }
+        }
+    }
+    return NULL;
+}
+
 static burnish_status fail_unknown(const cli_command *command, const char *argument,
                                    burnish_error *error) {
     char name[CLI_NAME_MAX + 1];
     const char *given = argument[1] == '-' ? argument + 2 : argument + 1;
     snprintf(name, sizeof name, "%.*s", (int)strcspn(given, "="), given);
-    const char *closest = NULL;
-    size_t best = CLI_NAME_MAX;
-    for (size_t i = 0; i < command->flag_count; ++i) {
-        if (cli_closer(name, command->flags[i].name, &best)) {
-            closest = command->flags[i].name;
-        }
-    }
+    const char *hint = flag_of_alias(command, name);
+    hint = hint ? hint : cli_nearest(name, flag_name_at, command);
     int length = (int)(given - argument) + (int)strlen(name);
-    if (closest && cli_close_enough(name, best)) {
+    if (hint) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "%.*s: unknown flag; did you mean --%s?",
-                        length, argument, closest);
+                        length, argument, hint);
     }
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "%.*s: unknown flag; \"burnish %s --help\" lists the flags", length, argument,
-                    command->name);
+                    "%.*s: unknown flag; \"%s --help\" lists the flags", length, argument,
+                    cli_full_name(command).text);
 }
 
 static burnish_status apply(const cli_flag *flag, const char *text, void *settings,
@@ -135,8 +165,8 @@ static burnish_status apply(const cli_flag *flag, const char *text, void *settin
 burnish_status cli_defaults(const cli_command *command, void *settings, burnish_error *error) {
     for (size_t i = 0; i < command->flag_count; ++i) {
         const cli_flag *flag = &command->flags[i];
-        if (flag->initial) {
-            burnish_status status = apply(flag, flag->initial, settings, error);
+        if (flag->default_text) {
+            burnish_status status = apply(flag, flag->default_text, settings, error);
             if (status != BURNISH_STATUS_OK) {
                 return status;
             }
@@ -214,34 +244,47 @@ static burnish_status parse_short(const cli_command *command, const char *argume
     return next_value(command, flag, at, text, error);
 }
 
-static burnish_status take_operand(const cli_command *command, const char *argument,
-                                   cli_operands *operands, burnish_error *error) {
-    if (operands->count == command->operands_max && command->operands_max == 0) {
+static burnish_status take_operand(const cli_command *command, const char *argument, cli_call *call,
+                                   burnish_error *error) {
+    if (call->operand_count == command->operands_max && command->operands_max == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "%s: \"%s\" is no flag; \"burnish %s --help\" lists the flags",
-                        command->name, argument, command->name);
+                        "%s: \"%s\" is no flag; \"%s --help\" lists the flags", command->name,
+                        argument, cli_full_name(command).text);
     }
-    if (operands->count == command->operands_max) {
+    if (call->operand_count == command->operands_max) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "%s: \"%s\" is one operand too many; usage: burnish %s %s [options]",
-                        command->name, argument, command->name, command->operand);
+                        "%s: \"%s\" is one operand too many; usage: %s %s [options]", command->name,
+                        argument, cli_full_name(command).text, command->operand);
     }
-    operands->items[operands->count++] = argument;
+    call->operands[call->operand_count++] = argument;
     return BURNISH_STATUS_OK;
 }
 
+/* -h, --help, --help=TOPIC */
+static int asks_for_help(const char *argument, cli_call *call) {
+    if (strcmp(argument, "-h") == 0 || strcmp(argument, "--help") == 0) {
+        call->help = 1;
+    } else if (strncmp(argument, "--help=", 7) == 0) {
+        call->help = 1;
+        call->topic = argument + 7;
+    }
+    return call->help;
+}
+
 burnish_status cli_parse(const cli_command *command, int argc, char **argv, void *settings,
-                         cli_operands *operands, burnish_error *error) {
+                         cli_call *call, burnish_error *error) {
     cursor at = {argc, 0, argv};
     int flags_ended = 0;
-    *operands = (cli_operands){0};
+    *call = (cli_call){0};
     while (at.next < argc) {
         const char *argument = argv[at.next++];
         const cli_flag *flag = NULL;
         const char *text = NULL;
         burnish_status status;
         if (flags_ended || argument[0] != '-' || !argument[1]) {
-            status = take_operand(command, argument, operands, error);
+            status = take_operand(command, argument, call, error);
+        } else if (asks_for_help(argument, call)) {
+            return BURNISH_STATUS_OK;
         } else if (argument[1] != '-') {
             status = parse_short(command, argument, &at, &flag, &text, error);
         } else if (argument[2]) {
@@ -251,10 +294,6 @@ burnish_status cli_parse(const cli_command *command, int argc, char **argv, void
             continue;
         }
         if (status == BURNISH_STATUS_OK && flag) {
-            if (strcmp(flag->name, "help") == 0) {
-                operands->help = 1;
-                return BURNISH_STATUS_OK;
-            }
             status = apply(flag, text, settings, error);
         }
         if (status != BURNISH_STATUS_OK) {

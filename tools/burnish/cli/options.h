@@ -7,6 +7,11 @@
 
 #include "burnish/core.h"
 
+/* X(code, text) of every exit code that is no burnish_status. */
+#define CLI_EXIT_LIST(X) X(8, "the picture is blank (--fail-on-blank)")
+
+enum { CLI_EXIT_BLANK = 8 };
+
 /* Longest name of a flag or command, without dashes. */
 #define CLI_NAME_MAX 48
 
@@ -24,19 +29,22 @@ typedef burnish_status cli_handler(const cli_flag *flag, const char *text, void 
 
 /* One flag. Texts for the man page mark bold as *so* and italics as _so_. */
 struct cli_flag {
-    const char *group;   /* heading that starts here; NULL: the group goes on */
-    const char *name;    /* without dashes */
-    char letter;         /* short form; 0: none */
-    const char *value;   /* what stands for the value in help; NULL: a switch */
-    const char *help;    /* text of the help row; NULL: the flag shares the row above. Where words
-                            are given, their names are appended */
-    const char *initial; /* default as the handler reads it; NULL: none */
-    const char *shown;   /* default in words, where initial is NULL or unclear */
-    const char *manual;  /* text of the man page */
+    const char *group;         /* heading that starts here; NULL: the group goes on */
+    const char *topic;         /* with group: --help=TOPIC shows it whole; NULL: no topics */
+    const char *name;          /* without dashes */
+    char letter;               /* short form; 0: none */
+    int common;                /* 1: on the first screen of a command with topics */
+    const char *value;         /* what stands for the value in help; NULL: a switch */
+    const char *help;          /* text of the help row; the names of `words` follow it */
+    const char *default_text;  /* default as the handler reads it; NULL: none */
+    const char *default_label; /* default in words, where the text is NULL or unclear */
+    const char *manual;        /* text of the man page */
+    const char *aliases;       /* what other programs call it, between commas: for hints only */
     cli_handler *handler;
     size_t offset;         /* of the target in the command's settings */
     double low, high;      /* range of a number */
     const cli_word *words; /* the names that the value may be */
+    int takes_file;        /* 1: shells complete the value with names of files */
 };
 
 /* One example; also run by the tests. */
@@ -44,11 +52,24 @@ typedef struct cli_example {
     const char *command, *what;
 } cli_example;
 
+/* One call of a command: what parsing leaves besides the settings. */
+typedef struct cli_call {
+    const char *operands[2];
+    size_t operand_count;
+    int help;          /* 1: --help was met; the rest is not parsed */
+    const char *topic; /* of --help=TOPIC; NULL: none */
+    int exit_code;     /* set by the work where success is not 0 */
+} cli_call;
+
+/* The work of a command; settings are as the flags left them. */
+typedef burnish_status cli_work(void *settings, cli_call *call, burnish_error *error);
+
 typedef struct cli_command cli_command;
 
 /* One subcommand, or a command that consists of such. */
 struct cli_command {
     const char *name;         /* as typed: "render", "lobe table" */
+    int alone;                /* 1: a program of its own, so no "burnish" stands before the name */
     const char *operand;      /* what stands for the operand; "" when there is none */
     const char *summary;      /* one line */
     const char *operand_help; /* one line for the help screen */
@@ -56,24 +77,21 @@ struct cli_command {
     size_t operands_max;
     const cli_flag *flags;
     size_t flag_count;
-    const cli_example *examples;       /* the last has a NULL command; may be NULL */
-    const cli_command *const *parts;   /* its subcommands, NULL ends them; or NULL */
-    int (*run)(int argc, char **argv); /* argv[0] is the first argument after the command */
+    const cli_example *examples;     /* the last has a NULL command; may be NULL */
+    const cli_command *const *parts; /* its subcommands, NULL ends them; or NULL */
+    size_t settings_size;            /* bytes, zero before the defaults of the flags */
+    cli_work *work;
 };
 
-/* What parsing leaves besides the settings. */
-typedef struct cli_operands {
-    const char *items[2];
-    size_t count;
-    int help; /* 1: --help was met; the rest is not parsed */
-} cli_operands;
+/* "burnish lobe table" */
+typedef struct cli_command_name {
+    char text[64];
+} cli_command_name;
+cli_command_name cli_full_name(const cli_command *command);
 
 /* Writes one line, control characters replaced, and returns status. */
 __attribute__((format(printf, 3, 4))) burnish_status
 cli_fail(burnish_error *error, burnish_status status, const char *format, ...);
-
-/* "burnish: TEXT" on standard error; returns the exit code of error's status. */
-int cli_report_error(const burnish_error *error);
 
 /* Replaces control characters by '?', so that a message stays one line. */
 void cli_clean(char *text);
@@ -81,19 +99,20 @@ void cli_clean(char *text);
 /* "burnish: warning: TEXT" on standard error. */
 void cli_warn(const char *text);
 
-/* Puts every flag's initial text into settings. */
+/* Puts every flag's default into settings. */
 burnish_status cli_defaults(const cli_command *command, void *settings, burnish_error *error);
 
 /* Reads the arguments: --x=v, --x v, -o v, -ov, switches, `--` before operands. No abbreviations;
- * of a repeated flag the last counts. An unknown flag is answered with the closest known one. */
+ * of a repeated flag the last counts. An unknown flag is answered with the closest known one. Every
+ * command has -h, --help and --help=TOPIC. */
 burnish_status cli_parse(const cli_command *command, int argc, char **argv, void *settings,
-                         cli_operands *operands, burnish_error *error);
+                         cli_call *call, burnish_error *error);
 
-/* 1 when candidate is a better guess at what `name` should have been than *best edits; updates it.
- * A name that stands whole inside a candidate counts as close. Start with CLI_NAME_MAX. */
-int cli_closer(const char *name, const char *candidate, size_t *best);
+/* Name number `index` of a list; NULL past its end. */
+typedef const char *cli_name_at(const void *list, size_t index);
 
-/* 1 when so many edits still make a sensible hint for name. */
-int cli_close_enough(const char *name, size_t edits);
+/* The name nearest to what was typed, NULL where none is near: few edits, the same letters in
+ * another order, or a name that has it inside. */
+const char *cli_nearest(const char *typed, cli_name_at *name_at, const void *list);
 
 #endif

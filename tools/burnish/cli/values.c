@@ -100,6 +100,9 @@ int cli_read_reals(const char *text, size_t length, double *values, size_t count
     return 1;
 }
 
+/* The squares of larger ones overflow, and two directions could not be compared. */
+#define LARGEST_COORDINATE 1e100
+
 static burnish_status fail_number(const cli_flag *flag, const char *text, const char *what,
                                   burnish_error *error) {
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not %s from %.10g to %.10g",
@@ -210,6 +213,13 @@ burnish_status cli_flag_vector(const cli_flag *flag, const char *text, void *tar
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: \"%.60s\" is not three numbers, such as 1,0.5,-2", flag->name, text);
     }
+    for (int k = 0; k < 3; ++k) {
+        if (!(fabs(values[k]) <= LARGEST_COORDINATE)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: \"%.60s\" has a number beyond 1e100; give a smaller one",
+                            flag->name, text);
+        }
+    }
     vector->given = 1;
     memcpy(vector->values, values, sizeof values);
     return BURNISH_STATUS_OK;
@@ -318,15 +328,12 @@ uint8_t cli_color_code(float srgb) {
     return (uint8_t)(srgb * 255.0F + 0.5F);
 }
 
-burnish_status cli_flag_isa(const cli_flag *flag, const char *text, void *target,
-                            burnish_error *error) {
+burnish_status cli_choose_isa(const char *name, burnish_isa *isa, burnish_error *error) {
     burnish_error reason;
-    burnish_status status = burnish_isa_choose(text, target, &reason);
+    burnish_status status = burnish_isa_choose(name, isa, &reason);
     if (status == BURNISH_STATUS_OK) {
         return status;
     }
-    if (strncmp(reason.text, BURNISH_ISA_VARIABLE, strlen(BURNISH_ISA_VARIABLE)) == 0) {
-        return cli_fail(error, status, "%s", reason.text);
-    }
-    return cli_fail(error, status, "--%s: %s", flag->name, reason.text);
+    int is_variable = strncmp(reason.text, BURNISH_ISA_VARIABLE, strlen(BURNISH_ISA_VARIABLE)) == 0;
+    return cli_fail(error, status, "%s%s", is_variable ? "" : "--isa: ", reason.text);
 }

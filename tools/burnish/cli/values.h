@@ -32,13 +32,16 @@ cli_handler cli_flag_vector;  /* cli_vector */
 cli_handler cli_flag_nonzero; /* the same, not 0,0,0 */
 cli_handler cli_flag_word;    /* int: value of one of flag->words */
 cli_handler cli_flag_color;   /* cli_color */
-cli_handler cli_flag_isa;     /* burnish_isa */
 
 /* The whole text as a finite decimal number. Returns 0 when it is none. */
 int cli_read_real(const char *text, size_t length, double *value);
 
 /* The whole text as `count` numbers between commas. Returns 0 when it is not that. */
 int cli_read_reals(const char *text, size_t length, double *values, size_t count);
+
+/* The instruction set that --isa=name asks for; "auto" follows BURNISH_ISA. Not a handler: a
+ * default of "auto" must not fail where a later flag overrides the variable. */
+burnish_status cli_choose_isa(const char *name, burnish_isa *isa, burnish_error *error);
 
 /* #rgb, #rrggbb, r,g,b in [0, 1] or a name. Returns 0 when it is none of these. */
 int cli_read_color(const char *text, size_t length, float srgb[3]);

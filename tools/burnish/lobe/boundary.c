@@ -5,26 +5,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/help.h"
 #include "lobe/lobe.h"
 
 typedef enum boundary_form { FORM_C, FORM_MEM, FORM_CSV } boundary_form;
 
-enum { ROUNDING_AUTO = -1 };
-
 typedef struct boundary_settings {
     const char *lobe, *exponents, *word, *name, *output;
     cli_real bits;
-    int lambda, rounding, form, help;
+    int lambda, rounding, form;
 } boundary_settings;
 
-static int boundary_main(int argc, char **argv);
+static cli_work work;
 
 static const cli_word form_words[] = {
     {"c", FORM_C}, {"mem", FORM_MEM}, {"csv", FORM_CSV}, {NULL, 0}};
-static const cli_word rounding_words[] = {{"nearest", BURNISH_THEORY_NEAREST},
-                                          {"down", BURNISH_THEORY_DOWN},
-                                          {"up", BURNISH_THEORY_UP},
+static const cli_word rounding_words[] = {{"nearest", 1 + BURNISH_THEORY_NEAREST},
+                                          {"down", 1 + BURNISH_THEORY_DOWN},
+                                          {"up", 1 + BURNISH_THEORY_UP},
                                           {NULL, 0}};
 
 #define TARGET(member) .offset = offsetof(boundary_settings, member)
@@ -34,7 +31,7 @@ static const cli_flag boundary_flags[] = {
      .name = "lobe",
      .value = "LOBE",
      .help = "such as energy:2, minimax:4, power",
-     .initial = "energy:2",
+     .default_text = "energy:2",
      .manual = "The lobe, in the words of *LOBES* and *LOBE*. Exponents below its order get the "
                "highest order that they allow.",
      .handler = cli_flag_text,
@@ -42,14 +39,14 @@ static const cli_flag boundary_flags[] = {
     {.name = "exponents",
      .value = "LIST",
      .help = "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
-     .initial = "1-1023",
+     .default_text = "1-1023",
      .manual = "Exponents, one word each, in this order; see *LOBE TABLE*.",
      .handler = cli_flag_text,
      TARGET(exponents)},
     {.name = "bits",
      .value = "Q",
      .help = "where the lobe is 2^-Q, from 1; 0: where it is zero",
-     .initial = "8",
+     .default_text = "8",
      .low = 0,
      .high = 1024,
      .manual = "Threshold: the boundary is where the lobe has fallen to 2^-_Q_, from 1 to 1024. 0 "
@@ -65,7 +62,7 @@ static const cli_flag boundary_flags[] = {
      .name = "format-word",
      .value = "FORMAT",
      .help = "UQ0.15: 15 fraction bits; Q0.15: and a sign bit",
-     .initial = "UQ0.15",
+     .default_text = "UQ0.15",
      .manual = "Fixed-point format, up to 32 bits: *UQ0.15* has no integer and 15 fraction bits, "
                "*Q0.15* a sign bit too. What does not fit is limited, so that 1 becomes the "
                "largest word of *UQ0.15*.",
@@ -73,8 +70,8 @@ static const cli_flag boundary_flags[] = {
      TARGET(word)},
     {.name = "rounding",
      .value = "NAME",
-     .help = "",
-     .shown = "keeps all that is visible",
+     .help = "of words",
+     .default_label = "keeps all that is visible",
      .words = rounding_words,
      .manual = "How words are rounded. Down for cosines and up for 1 - cosine, the default, cuts "
                "nothing that is brighter than the threshold.",
@@ -83,8 +80,8 @@ static const cli_flag boundary_flags[] = {
     {.group = "Output",
      .name = "as",
      .value = "NAME",
-     .help = "C array, Verilog memory for $readmemh, or table:",
-     .initial = "c",
+     .help = "C array, Verilog memory for $readmemh, or table",
+     .default_text = "c",
      .words = form_words,
      .manual =
          "*c* is a C array that compiles alone, *mem* a file for Verilog's $readmemh, *csv* a "
@@ -94,12 +91,11 @@ static const cli_flag boundary_flags[] = {
     {.name = "name",
      .value = "NAME",
      .help = "of the C array",
-     .initial = "burnish_boundary",
+     .default_text = "burnish_boundary",
      .manual = "Name of the C array.",
      .handler = cli_flag_text,
      TARGET(name)},
     CLI_OUTPUT_FLAG(boundary_settings, NULL),
-    CLI_HELP_FLAG(boundary_settings),
 };
 
 static const cli_example examples[] = {
@@ -113,6 +109,7 @@ const cli_command lobe_boundary_command = {
     .name = "lobe boundary",
     .operand = "",
     .summary = "the cosines from which on a lobe is dark",
+    .operand_help = "a word per exponent: the cosine below which the lobe need not be computed",
     .manual =
         "Writes a memory with a word for every exponent: the cosine below which the lobe need "
         "not be computed.",
@@ -120,7 +117,8 @@ const cli_command lobe_boundary_command = {
     .flags = boundary_flags,
     .flag_count = sizeof boundary_flags / sizeof *boundary_flags,
     .examples = examples,
-    .run = boundary_main,
+    .settings_size = sizeof(boundary_settings),
+    .work = work,
 };
 
 /* The memory, and what was asked for. */
@@ -323,9 +321,9 @@ static burnish_status fill(contents *c, burnish_error *error) {
     }
     c->memory.bits = s->bits.value;
     c->memory.lambda = s->lambda;
-    c->memory.rounding = s->rounding != ROUNDING_AUTO ? (burnish_theory_rounding)s->rounding
-                         : s->lambda                  ? BURNISH_THEORY_UP
-                                                      : BURNISH_THEORY_DOWN;
+    c->memory.rounding = s->rounding > 0 ? (burnish_theory_rounding)(s->rounding - 1)
+                         : s->lambda     ? BURNISH_THEORY_UP
+                                         : BURNISH_THEORY_DOWN;
     burnish_theory_format_name(&c->memory.format, c->format, sizeof c->format);
     cli_shortest(c->memory.bits, c->bits);
     c->consecutive = c->exponents.items[0] == floor(c->exponents.items[0]);
@@ -341,9 +339,9 @@ static burnish_status fill(contents *c, burnish_error *error) {
                                       error);
 }
 
-static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
+static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     contents c = {.settings = target};
-    (void)operands;
+    (void)call;
     burnish_status status = fill(&c, error);
     if (status == BURNISH_STATUS_OK) {
         status = print(&c, error);
@@ -351,9 +349,4 @@ static burnish_status work(void *target, const cli_operands *operands, burnish_e
     free(c.words);
     free(c.exponents.items);
     return status;
-}
-
-static int boundary_main(int argc, char **argv) {
-    boundary_settings settings = {.rounding = ROUNDING_AUTO};
-    return cli_run_work(&lobe_boundary_command, argc, argv, &settings, work);
 }

@@ -3,16 +3,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/help.h"
 #include "lobe/lobe.h"
 
 typedef struct choose_settings {
     const char *output;
     cli_real exponent, epsilon;
-    int affine, format, help;
+    int affine, format;
 } choose_settings;
 
-static int choose_main(int argc, char **argv);
+static cli_work work;
 
 #define TARGET(member) .offset = offsetof(choose_settings, member)
 
@@ -21,7 +20,7 @@ static const cli_flag choose_flags[] = {
      .name = "exponent",
      .value = "N",
      .help = "of the power that is to be replaced, from 1 to 65536",
-     .shown = "must be given",
+     .default_label = "must be given",
      .low = 1,
      .high = 65536,
      .manual = "Exponent of the power that the lobe stands for.",
@@ -30,7 +29,7 @@ static const cli_flag choose_flags[] = {
     {.name = "epsilon",
      .value = "E",
      .help = "largest error allowed, between 0 and 1, such as 0.02",
-     .shown = "must be given",
+     .default_label = "must be given",
      .low = 0,
      .high = 1,
      .manual =
@@ -46,7 +45,6 @@ static const cli_flag choose_flags[] = {
      TARGET(affine)},
     CLI_FORMAT_FLAG(choose_settings, cli_format_words, "text"),
     CLI_OUTPUT_FLAG(choose_settings, NULL),
-    CLI_HELP_FLAG(choose_settings),
 };
 
 static const cli_example examples[] = {
@@ -69,7 +67,8 @@ const cli_command lobe_choose_command = {
     .flags = choose_flags,
     .flag_count = sizeof choose_flags / sizeof *choose_flags,
     .examples = examples,
-    .run = choose_main,
+    .settings_size = sizeof(choose_settings),
+    .work = work,
 };
 
 typedef struct candidate {
@@ -192,12 +191,11 @@ static void print_code(FILE *stream, const burnish_theory_model *model) {
 /* The chosen lobe's row, then the others. */
 static void fill_table(const choose_settings *settings, const result *r, cli_table *table,
                        cli_value *cells) {
-    static const char *const yes_no[] = {"no", "yes"};
     for (size_t i = 0; i < table->row_count; ++i) {
         const candidate *c = i == 0 ? &r->best : &r->others[i - 1];
         cli_value *row = &cells[i * table->column_count];
         row[0].text = c->name;
-        row[1].text = yes_no[c->maximum <= settings->epsilon.value];
+        row[1].number = c->maximum <= settings->epsilon.value;
         row[2].number = c->maximum;
         row[3].number = c->cost.multiplications;
         row[4].number = c->cost.additions;
@@ -220,7 +218,8 @@ static void set_columns(cli_column columns[COLUMNS]) {
     for (int i = 0; i < COLUMNS; ++i) {
         snprintf(columns[i].key, sizeof columns[i].key, "%s", keys[i]);
         snprintf(columns[i].heading, sizeof columns[i].heading, "%s", headings[i]);
-        columns[i].is_text = i < 2;
+        columns[i].is_text = i == 0;
+        columns[i].is_yes_no = i == 1;
     }
     columns[2].decimals = 5;
 }
@@ -291,10 +290,10 @@ static burnish_status print(const choose_settings *settings, const result *r,
     return cli_output_end(&output, settings->output, status, error);
 }
 
-static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
+static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     const choose_settings *settings = target;
     result r = {0};
-    (void)operands;
+    (void)call;
     if (!settings->exponent.given || !settings->epsilon.given) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "lobe choose: --%s is missing; try \"burnish lobe choose "
@@ -303,9 +302,4 @@ static burnish_status work(void *target, const cli_operands *operands, burnish_e
     }
     burnish_status status = choose(settings, &r, error);
     return status == BURNISH_STATUS_OK ? print(settings, &r, error) : status;
-}
-
-static int choose_main(int argc, char **argv) {
-    choose_settings settings = {0};
-    return cli_run_work(&lobe_choose_command, argc, argv, &settings, work);
 }

@@ -3,20 +3,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/help.h"
 #include "lobe/lobe.h"
 
 typedef struct claims_settings {
     const char *output;
-    int format, help;
+    int format;
 } claims_settings;
 
-static int claims_main(int argc, char **argv);
+static cli_work work;
 
 static const cli_flag claims_flags[] = {
     CLI_FORMAT_FLAG(claims_settings, cli_table_format_words, "text"),
     CLI_OUTPUT_FLAG(claims_settings, NULL),
-    CLI_HELP_FLAG(claims_settings),
 };
 
 static const cli_example examples[] = {
@@ -41,7 +39,8 @@ const cli_command lobe_claims_command = {
     .flags = claims_flags,
     .flag_count = sizeof claims_flags / sizeof *claims_flags,
     .examples = examples,
-    .run = claims_main,
+    .settings_size = sizeof(claims_settings),
+    .work = work,
 };
 
 typedef struct claim_list {
@@ -54,16 +53,17 @@ static const char *relation_text(burnish_theory_relation relation) {
     return texts[relation];
 }
 
-static burnish_status fail_id(const char *id, burnish_error *error) {
-    const char *closest = NULL;
-    size_t best = CLI_NAME_MAX;
+static const char *id_at(const void *list, size_t index) {
     burnish_theory_claim claim;
-    for (size_t i = 0; burnish_theory_claim_compute(i, &claim) == BURNISH_STATUS_OK; ++i) {
-        closest = cli_closer(id, claim.id, &best) ? claim.id : closest;
-    }
-    if (closest && cli_close_enough(id, best)) {
+    (void)list;
+    return burnish_theory_claim_compute(index, &claim) == BURNISH_STATUS_OK ? claim.id : NULL;
+}
+
+static burnish_status fail_id(const char *id, burnish_error *error) {
+    const char *nearest = cli_nearest(id, id_at, NULL);
+    if (nearest) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "lobe claims: \"%.60s\": unknown claim; did you mean %s?", id, closest);
+                        "lobe claims: \"%.60s\": unknown claim; did you mean %s?", id, nearest);
     }
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "lobe claims: \"%.60s\": unknown claim; \"burnish lobe claims\" lists them",
@@ -208,25 +208,27 @@ static void print_csv(FILE *stream, const claim_list *list) {
     for (size_t i = 0; i < list->count; ++i) {
         const burnish_theory_claim *claim = &list->items[i];
         for (int k = 0; k < (claim->count > 0 ? claim->count : 1); ++k) {
-            char number[CLI_REAL_SIZE];
             const char *texts[] = {claim->id, claim->claim, claim->quantity};
             for (size_t t = 0; t < 3; ++t) {
-                cli_print_csv_text(stream, texts[t]);
+                cli_csv_text(stream, texts[t]);
                 fputc(',', stream);
             }
             if (k < claim->count) {
-                cli_print_csv_text(stream, claim->values[k].label);
-                fprintf(stream, ",%s,%d,", cli_shortest(claim->values[k].value, number),
-                        claim->values[k].judged);
+                cli_csv_text(stream, claim->values[k].label);
+                fputc(',', stream);
+                cli_csv_real(stream, claim->values[k].value);
+                fprintf(stream, ",%d,", claim->values[k].judged);
             } else {
                 fprintf(stream, ",,,");
             }
-            fprintf(stream, "%s,%s,", relation_text(claim->relation),
-                    cli_shortest(claim->bound, number));
-            fprintf(stream, "%s,", cli_shortest(claim->unit, number));
-            cli_print_csv_text(stream, burnish_theory_verdict_text(claim->verdict));
+            fprintf(stream, "%s,", relation_text(claim->relation));
+            cli_csv_real(stream, claim->bound);
             fputc(',', stream);
-            cli_print_csv_text(stream, claim->command);
+            cli_csv_real(stream, claim->unit);
+            fputc(',', stream);
+            cli_csv_text(stream, burnish_theory_verdict_text(claim->verdict));
+            fputc(',', stream);
+            cli_csv_text(stream, claim->command);
             fputc('\n', stream);
         }
     }
@@ -290,17 +292,13 @@ static burnish_status print_claims(const claims_settings *settings, const claim_
     return cli_output_end(&output, settings->output, status, error);
 }
 
-static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
+static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     claim_list list = {0};
-    burnish_status status = compute(operands->count > 0 ? operands->items[0] : NULL, &list, error);
+    burnish_status status =
+        compute(call->operand_count > 0 ? call->operands[0] : NULL, &list, error);
     if (status == BURNISH_STATUS_OK) {
         status = print_claims(target, &list, error);
     }
     free(list.items);
     return status;
-}
-
-static int claims_main(int argc, char **argv) {
-    claims_settings settings = {0};
-    return cli_run_work(&lobe_claims_command, argc, argv, &settings, work);
 }

@@ -5,15 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/help.h"
 #include "lobe/lobe.h"
 
 typedef struct fit_settings {
     const char *output;
-    int unit, offset, residuals, format, help;
+    int unit, offset, residuals, format;
 } fit_settings;
 
-static int fit_main(int argc, char **argv);
+static cli_work work;
 
 static const cli_word unit_words[] = {{"deg", LOBE_UNIT_DEGREES},
                                       {"rad", LOBE_UNIT_RADIANS},
@@ -26,8 +25,8 @@ static const cli_flag fit_flags[] = {
     {.group = "Samples",
      .name = "unit",
      .value = "NAME",
-     .help = "of the first column:",
-     .initial = "deg",
+     .help = "of the first column",
+     .default_text = "deg",
      .words = unit_words,
      .manual = "What the first column is: an angle in degrees or radians, of either sign, or its "
                "cosine.",
@@ -47,7 +46,6 @@ static const cli_flag fit_flags[] = {
      .handler = cli_flag_switch,
      TARGET(residuals)},
     CLI_OUTPUT_FLAG(fit_settings, NULL),
-    CLI_HELP_FLAG(fit_settings),
 };
 
 static const cli_example examples[] = {
@@ -61,9 +59,9 @@ const cli_command lobe_fit_command = {
     .name = "lobe fit",
     .operand = "FILE",
     .summary = "the lobe that fits measured angles and intensities",
-    .operand_help = "CSV: angle and intensity a line; # begins a comment; - is standard input",
+    .operand_help = "CSV: angle and intensity per line; # begins a comment; - is standard input",
     .manual =
-        "Reads samples of a highlight, an angle from its centre and an intensity a line, between "
+        "Reads samples of a highlight, an angle from its centre and an intensity per line, between "
         "commas, semicolons, tabs or blanks; one heading, empty lines and lines that begin with # "
         "are passed over; there may be a million samples. Finds by least squares the slope, the "
         "scale and with *--offset* the "
@@ -76,7 +74,8 @@ const cli_command lobe_fit_command = {
     .flags = fit_flags,
     .flag_count = sizeof fit_flags / sizeof *fit_flags,
     .examples = examples,
-    .run = fit_main,
+    .settings_size = sizeof(fit_settings),
+    .work = work,
 };
 
 /* What was found. */
@@ -259,10 +258,10 @@ static burnish_status print_lobes(FILE *stream, const fit_settings *settings, co
 static burnish_status print_residuals(FILE *stream, const fit_settings *settings,
                                       const findings *found, burnish_error *error) {
     static const char *const keys[] = {"angle_deg", "angle_rad", "cosine"};
-    cli_column columns[] = {{"", "", "", -7, 0},
-                            {"intensity", "intensity", "", -6, 0},
-                            {"fitted", "fitted", "", -6, 0},
-                            {"residual", "residual", "", -4, 0}};
+    cli_column columns[] = {{"", "", "", -7, 0, 0},
+                            {"intensity", "intensity", "", -6, 0, 0},
+                            {"fitted", "fitted", "", -6, 0, 0},
+                            {"residual", "residual", "", -4, 0, 0}};
     burnish_status status = BURNISH_STATUS_OK;
     cli_table table = {.columns = columns, .column_count = 4};
     table.row_count = found->samples.count;
@@ -313,17 +312,17 @@ static burnish_status print(const fit_settings *settings, const findings *found,
     return cli_output_end(&output, settings->output, status, error);
 }
 
-static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
+static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     const fit_settings *settings = target;
     findings found = {0};
-    if (operands->count == 0) {
+    if (call->operand_count == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "lobe fit: no FILE; give CSV with angle and intensity a line, or "
+                        "lobe fit: no FILE; give CSV with angle and intensity per line, or "
                         "see \"burnish lobe fit --help\"");
     }
-    found.path = strcmp(operands->items[0], "-") == 0 ? "standard input" : operands->items[0];
+    found.path = strcmp(call->operands[0], "-") == 0 ? "standard input" : call->operands[0];
     burnish_status status =
-        lobe_read_samples(operands->items[0], (lobe_unit)settings->unit, &found.samples, error);
+        lobe_read_samples(call->operands[0], (lobe_unit)settings->unit, &found.samples, error);
     if (status == BURNISH_STATUS_OK) {
         status = lobe_fit_samples(&found.samples, settings->offset, found.path, found.fitted,
                                   &found.count, error);
@@ -333,9 +332,4 @@ static burnish_status work(void *target, const cli_operands *operands, burnish_e
     }
     free(found.samples.items);
     return status;
-}
-
-static int fit_main(int argc, char **argv) {
-    fit_settings settings = {0};
-    return cli_run_work(&lobe_fit_command, argc, argv, &settings, work);
 }

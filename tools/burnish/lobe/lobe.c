@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/help.h"
-
 static const cli_command *const parts[] = {
     &lobe_table_command,    &lobe_claims_command, &lobe_choose_command, &lobe_fit_command,
     &lobe_boundary_command, &lobe_sample_command, &lobe_plot_command,   NULL,
@@ -19,10 +17,6 @@ static const cli_example examples[] = {
     {"burnish lobe sample --lobe=energy:2 --exponent=50 -o rays.csv", "directions to trace"},
     {NULL, NULL},
 };
-
-static int lobe_main(int argc, char **argv) {
-    return cli_run_part(&lobe_command, argc, argv);
-}
 
 const cli_command lobe_command = {
     .name = "lobe",
@@ -38,25 +32,7 @@ const cli_command lobe_command = {
               "Angles are degrees.",
     .examples = examples,
     .parts = parts,
-    .run = lobe_main,
 };
-
-int cli_run_work(const cli_command *command, int argc, char **argv, void *settings,
-                 cli_work *work) {
-    cli_operands operands;
-    burnish_error error;
-    burnish_status status = cli_defaults(command, settings, &error);
-    if (status == BURNISH_STATUS_OK) {
-        status = cli_parse(command, argc, argv, settings, &operands, &error);
-    }
-    if (status == BURNISH_STATUS_OK && operands.help) {
-        return cli_print_command_help(command);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = work(settings, &operands, &error);
-    }
-    return status == BURNISH_STATUS_OK ? EXIT_SUCCESS : cli_report_error(&error);
-}
 
 /* ---- Lists ---- */
 

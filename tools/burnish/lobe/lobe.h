@@ -4,8 +4,8 @@
 
 #include "burnish/theory.h"
 #include "cli/options.h"
+#include "cli/output.h"
 #include "cli/values.h"
-#include "lobe/output.h"
 
 extern const cli_command lobe_command;
 extern const cli_command lobe_table_command;
@@ -49,17 +49,11 @@ burnish_status lobe_read_lobes(const char *flag, const char *text, lobe_names *l
 /* "3 mul 1 add 1 max", operations that are not used left out. */
 void lobe_cost_text(const burnish_theory_cost *cost, char *text, size_t size);
 
-/* The work of a subcommand. */
-typedef burnish_status cli_work(void *settings, const cli_operands *operands, burnish_error *error);
-
-/* Defaults, parsing, --help, work, the message of an error; returns the exit code. */
-int cli_run_work(const cli_command *command, int argc, char **argv, void *settings, cli_work *work);
-
-/* The flags that most subcommands end with; `type` has members format, output and help. */
+/* The flags that most subcommands end with; `type` has members format and output. */
 #define CLI_FORMAT_FLAG(type, list, start)                                                         \
     {                                                                                              \
-        .group = "Output", .name = "format", .value = "NAME", .help = "", .initial = start,        \
-        .words = list,                                                                             \
+        .group = "Output", .name = "format", .value = "NAME", .help = "how it is written",         \
+        .default_text = start, .words = list,                                                      \
         .manual =                                                                                  \
             "How it is written. Text is rounded for reading; CSV and JSON hold every digit, "      \
             "CSV an empty field and JSON null where there is no number.",                          \
@@ -68,15 +62,9 @@ int cli_run_work(const cli_command *command, int argc, char **argv, void *settin
 #define CLI_OUTPUT_FLAG(type, heading)                                                             \
     {                                                                                              \
         .group = heading, .name = "output", .letter = 'o', .value = "FILE",                        \
-        .help = "where to; - is standard output", .initial = "-",                                  \
+        .help = "where to; - is standard output", .default_text = "-",                             \
         .manual = "File to write, whole or not at all; *-* is standard output.",                   \
-        .handler = cli_flag_text, .offset = offsetof(type, output)                                 \
-    }
-#define CLI_HELP_FLAG(type)                                                                        \
-    {                                                                                              \
-        .name = "help", .letter = 'h', .help = "this screen",                                      \
-        .manual = "Prints the flags on one screen.", .handler = cli_flag_switch,                   \
-        .offset = offsetof(type, help)                                                             \
+        .handler = cli_flag_text, .offset = offsetof(type, output), .takes_file = 1                \
     }
 
 #endif

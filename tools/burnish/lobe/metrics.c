@@ -310,18 +310,19 @@ static burnish_status add_group(const char *flag, lobe_metric_list *list, const 
     return status;
 }
 
+static const char *metric_name_at(const void *list, size_t index) {
+    (void)list;
+    return index < METRIC_COUNT ? metrics[index].name : NULL;
+}
+
 static burnish_status fail_metric(const char *flag, const char *item, size_t length,
                                   burnish_error *error) {
     char name[CLI_NAME_MAX + 1];
-    const char *closest = NULL;
-    size_t best = CLI_NAME_MAX;
     snprintf(name, sizeof name, "%.*s", length < CLI_NAME_MAX ? (int)length : CLI_NAME_MAX, item);
-    for (size_t i = 0; i < METRIC_COUNT; ++i) {
-        closest = cli_closer(name, metrics[i].name, &best) ? metrics[i].name : closest;
-    }
-    if (closest && cli_close_enough(name, best)) {
+    const char *nearest = cli_nearest(name, metric_name_at, NULL);
+    if (nearest) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%s\": unknown metric; did you mean %s?", flag, name, closest);
+                        "--%s: \"%s\": unknown metric; did you mean %s?", flag, name, nearest);
     }
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "--%s: \"%s\": unknown metric; \"burnish help --man\" lists them", flag, name);

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "burnish/core.h"
-#include "cli/help.h"
 #include "lobe/lobe.h"
 
 typedef enum sample_pattern { PATTERN_RANDOM, PATTERN_STRATIFIED } sample_pattern;
@@ -13,10 +12,10 @@ typedef struct sample_settings {
     const char *lobe, *output;
     cli_real exponent;
     uint64_t count, seed;
-    int measure, pattern, help;
+    int measure, pattern;
 } sample_settings;
 
-static int sample_main(int argc, char **argv);
+static cli_work work;
 
 static const cli_word measure_words[] = {{"solid-angle", BURNISH_THEORY_SOLID_ANGLE},
                                          {"cosine", BURNISH_THEORY_COSINE_WEIGHTED},
@@ -31,14 +30,14 @@ static const cli_flag sample_flags[] = {
      .name = "lobe",
      .value = "LOBE",
      .help = "such as energy:2, minimax:4, power",
-     .initial = "energy:2",
+     .default_text = "energy:2",
      .manual = "The lobe, in the words of *LOBES* and *LOBE*.",
      .handler = cli_flag_text,
      TARGET(lobe)},
     {.name = "exponent",
      .value = "N",
      .help = "from 1 to 65536",
-     .initial = "100",
+     .default_text = "100",
      .low = 1,
      .high = 65536,
      .manual = "Exponent of the lobe.",
@@ -46,8 +45,8 @@ static const cli_flag sample_flags[] = {
      TARGET(exponent)},
     {.name = "measure",
      .value = "NAME",
-     .help = "the lobe, or lobe times cosine:",
-     .initial = "solid-angle",
+     .help = "the lobe, or lobe times cosine",
+     .default_text = "solid-angle",
      .words = measure_words,
      .manual =
          "*solid-angle* draws directions in proportion to the lobe, *cosine* in proportion to "
@@ -57,18 +56,18 @@ static const cli_flag sample_flags[] = {
     {.group = "How",
      .name = "count",
      .value = "N",
-     .help = "up to a thousand million",
-     .initial = "1000",
+     .help = "at most 1e9",
+     .default_text = "1000",
      .low = 1,
      .high = 1e9,
-     .manual = "How many directions, up to 1000000000. They are written as they are made, in no "
+     .manual = "How many directions, at most 1e9. They are written as they are made, in no "
                "more memory for many than for few.",
      .handler = cli_flag_count,
      TARGET(count)},
     {.name = "pattern",
      .value = "NAME",
-     .help = "",
-     .initial = "random",
+     .help = "how they are drawn",
+     .default_text = "random",
      .words = pattern_words,
      .manual =
          "*random* directions are independent, and the first ones of a longer run are those of "
@@ -80,7 +79,7 @@ static const cli_flag sample_flags[] = {
     {.name = "seed",
      .value = "N",
      .help = "another seed, other directions",
-     .initial = "1",
+     .default_text = "1",
      .low = 0,
      .high = 1e18,
      .manual =
@@ -90,7 +89,6 @@ static const cli_flag sample_flags[] = {
      .handler = cli_flag_count,
      TARGET(seed)},
     CLI_OUTPUT_FLAG(sample_settings, "Output"),
-    CLI_HELP_FLAG(sample_settings),
 };
 
 static const cli_example examples[] = {
@@ -104,13 +102,14 @@ const cli_command lobe_sample_command = {
     .operand = "",
     .summary = "directions distributed like a lobe, with their density",
     .operand_help = "CSV: x,y,z,pdf; the lobe's axis is 0,0,1, the density is per steradian",
-    .manual = "Writes unit vectors around 0,0,1 as CSV, one a line: x,y,z and their density per "
+    .manual = "Writes unit vectors around 0,0,1 as CSV, one per line: x,y,z and their density per "
               "steradian.",
     .operands_max = 0,
     .flags = sample_flags,
     .flag_count = sizeof sample_flags / sizeof *sample_flags,
     .examples = examples,
-    .run = sample_main,
+    .settings_size = sizeof(sample_settings),
+    .work = work,
 };
 
 /* Number k of the sequence, in [0, 1). Source: Steele, Lea, Flood 2014, SplitMix64. */
@@ -169,18 +168,13 @@ static size_t produce(void *context, char *buffer, size_t size) {
     return used;
 }
 
-static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
+static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     sampler s = {.settings = target};
     burnish_error reason;
-    (void)operands;
+    (void)call;
     if (burnish_theory_model_parse(s.settings->lobe, s.settings->exponent.value, &s.model,
                                    &reason) != BURNISH_STATUS_OK) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobe: %s", reason.text);
     }
     return burnish_file_write_stream(s.settings->output, produce, &s, error);
-}
-
-static int sample_main(int argc, char **argv) {
-    sample_settings settings = {0};
-    return cli_run_work(&lobe_sample_command, argc, argv, &settings, work);
 }

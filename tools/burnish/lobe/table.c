@@ -3,16 +3,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/help.h"
 #include "lobe/lobe.h"
 #include "lobe/metrics.h"
 
 typedef struct table_settings {
     const char *lobes, *exponents, *metrics, *range, *output;
-    int format, help;
+    int format;
 } table_settings;
 
-static int table_main(int argc, char **argv);
+static cli_work work;
 
 #define TARGET(member) .offset = offsetof(table_settings, member)
 
@@ -21,8 +20,8 @@ static const cli_flag table_flags[] = {
      .name = "lobes",
      .value = "LIST",
      .help = "rows, such as power,energy:2,minimax:4",
-     .initial = "power,schlick,taylor:2,energy:2,minimax:2,minimax:4,minimax:8",
-     .shown = "a telling set",
+     .default_text = "power,schlick,taylor:2,energy:2,minimax:2,minimax:4,minimax:8",
+     .default_label = "a telling set",
      .manual = "Lobes, between commas, in the words of *LOBES* and *LOBE*. A lobe whose order the "
                "exponent does not allow has a row without numbers.",
      .handler = cli_flag_text,
@@ -30,24 +29,24 @@ static const cli_flag table_flags[] = {
     {.name = "exponents",
      .value = "LIST",
      .help = "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
-     .initial = "10,100",
+     .default_text = "10,100",
      .manual = "Exponents from 1 to 65536 between commas, and ranges of them: *1-1023* in steps of "
                "1, *10-100:10* in steps of 10, *2-1024x2* doubling.",
      .handler = cli_flag_text,
      TARGET(exponents)},
     {.name = "metrics",
      .value = "LIST",
-     .help = "columns: names, or shape, widths, energies, errors, cost, all",
-     .initial = "zeta,max-error,max-error-angle,rms,energy,zero-angle,ratio,multiplications,"
-                "additions,comparisons,divisions,functions",
-     .shown = "a telling set",
+     .help = "columns: names, shape, widths, energies, errors, cost, all",
+     .default_text = "zeta,max-error,max-error-angle,rms,energy,zero-angle,ratio,multiplications,"
+                     "additions,comparisons,divisions,functions",
+     .default_label = "a telling set",
      .manual = "Columns, between commas; see *METRICS*.",
      .handler = cli_flag_text,
      TARGET(metrics)},
     {.name = "range",
      .value = "NAME",
      .help = "of errors: all, inflection, level:L (where the power is L)",
-     .initial = "all",
+     .default_text = "all",
      .manual = "Angles over which errors against the power are taken, from 0 on: *all* ends at 90 "
                "degrees, *inflection* where the power has its inflection, *level:*_L_ where the "
                "power has fallen to _L_.",
@@ -55,7 +54,6 @@ static const cli_flag table_flags[] = {
      TARGET(range)},
     CLI_FORMAT_FLAG(table_settings, cli_table_format_words, "text"),
     CLI_OUTPUT_FLAG(table_settings, NULL),
-    CLI_HELP_FLAG(table_settings),
 };
 
 static const cli_example examples[] = {
@@ -77,7 +75,8 @@ const cli_command lobe_table_command = {
     .flags = table_flags,
     .flag_count = sizeof table_flags / sizeof *table_flags,
     .examples = examples,
-    .run = table_main,
+    .settings_size = sizeof(table_settings),
+    .work = work,
 };
 
 /* What the table is made of, after the lists are read. */
@@ -217,10 +216,10 @@ static burnish_status print_table(const table_settings *settings, const cli_tabl
     return cli_output_end(&output, settings->output, status, error);
 }
 
-static burnish_status work(void *target, const cli_operands *operands, burnish_error *error) {
+static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     const table_settings *settings = target;
     cli_table table = {0};
-    (void)operands;
+    (void)call;
     plan *p = calloc(1, sizeof *p);
     if (!p) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
@@ -237,9 +236,4 @@ static burnish_status work(void *target, const cli_operands *operands, burnish_e
     free(p->exponents.items);
     free(p);
     return status;
-}
-
-static int table_main(int argc, char **argv) {
-    table_settings settings = {0};
-    return cli_run_work(&lobe_table_command, argc, argv, &settings, work);
 }

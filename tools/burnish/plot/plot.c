@@ -10,7 +10,7 @@
 typedef struct plot_settings {
     const char *exponents, *lobes, *bits, *output;
     double size[2];
-    int has_size, format, help;
+    int has_size, format;
 } plot_settings;
 
 typedef enum plot_format {
@@ -27,7 +27,7 @@ static const cli_word format_words[] = {{"svg", FORMAT_SVG},
                                         {"gp", FORMAT_SCRIPT},
                                         {NULL, 0}};
 
-static int plot_main(int argc, char **argv);
+static cli_work plot;
 static cli_handler flag_size;
 
 #define TARGET(member) .offset = offsetof(plot_settings, member)
@@ -37,7 +37,7 @@ static const cli_flag plot_flags[] = {
      .name = "exponents",
      .value = "LIST",
      .help = "from 1 to 65536, as 3,10,30; of an axis its ends",
-     .shown = "the figure's own",
+     .default_label = "the figure's own",
      .manual = "Exponents to plot, between commas, or ranges as in *burnish lobe table*. In "
                "figures whose horizontal axis is the exponent "
                "the axis runs from the least to the greatest of them.",
@@ -46,7 +46,7 @@ static const cli_flag plot_flags[] = {
     {.name = "lobes",
      .value = "LIST",
      .help = "such as power,energy:2,schlick",
-     .shown = "the figure's own",
+     .default_label = "the figure's own",
      .manual = "Lobes to plot, between commas, in the words of *burnish lobe table*. The figure "
                "*object* knows those of *burnish render*; the first one is what the others are "
                "compared with.",
@@ -55,7 +55,7 @@ static const cli_flag plot_flags[] = {
     {.name = "bits",
      .value = "LIST",
      .help = "thresholds q: a lobe ends at 2^-q; ratio, widths",
-     .shown = "the figure's own",
+     .default_label = "the figure's own",
      .manual = "Thresholds of the figure *ratio*, from above 0 to 64 bits, between commas; for "
                "*widths* the range of the axis.",
      .handler = cli_flag_text,
@@ -66,7 +66,7 @@ static const cli_flag plot_flags[] = {
      .letter = 'o',
      .value = "FILE",
      .help = "where to; - is standard output",
-     .shown = "FIGURE.svg, object.png",
+     .default_label = "FIGURE.svg, object.png",
      .manual = "File to write, whole or not at all; *-* is standard output, which *--format=csv* "
                "and *--format=gp* write to unless told otherwise. Endings: _.svg_, _.csv_, _.gp_ "
                "and, for *object*, _.png_ and _.csv_.",
@@ -75,27 +75,21 @@ static const cli_flag plot_flags[] = {
     {.name = "size",
      .value = "W,H",
      .help = "in pixels; for object of one picture",
-     .shown = "by figure, most 720,440",
+     .default_label = "by figure, most 720,440",
      .manual = "Width and height in pixels, from 160 to 4096; for the figure *object* those of one "
                "picture of the sheet.",
      .handler = flag_size,
      TARGET(size)},
     {.name = "format",
      .value = "WORD",
-     .help = "what is written:",
-     .shown = "by FILE's ending, else the drawing",
+     .help = "what is written",
+     .default_label = "by FILE's ending, else the drawing",
      .manual = "*svg* and *png* are the drawing (png that of *object*, svg that of the others), "
                "*csv* the points of the curves, *gp* the gnuplot script with its data. Without it "
                "FILE's ending decides.",
      .handler = cli_flag_word,
      .words = format_words,
      TARGET(format)},
-    {.name = "help",
-     .letter = 'h',
-     .help = "this screen",
-     .manual = "Prints the flags on one screen.",
-     .handler = cli_flag_switch,
-     TARGET(help)},
 };
 
 static const cli_example plot_examples[] = {
@@ -126,7 +120,8 @@ const cli_command lobe_plot_command = {
     .flags = plot_flags,
     .flag_count = sizeof plot_flags / sizeof *plot_flags,
     .examples = plot_examples,
-    .run = plot_main,
+    .settings_size = sizeof(plot_settings),
+    .work = plot,
 };
 
 enum { SIZE_MIN = 160, SIZE_MAX_PX = 4096, BITS_MAX = 64 };
@@ -335,28 +330,25 @@ static burnish_status draw_chart(const plot_figure *figure, const plot_request *
     return status;
 }
 
+static const char *figure_name_at(const void *list, size_t index) {
+    const plot_figure *figure = plot_figure_at(index);
+    (void)list;
+    return figure ? figure->name : NULL;
+}
+
 static const plot_figure *find_figure(const char *name, burnish_error *error) {
-    char names[160] = "";
-    const char *closest = NULL;
-    size_t best = CLI_NAME_MAX;
     const plot_figure *figure;
     for (size_t i = 0; (figure = plot_figure_at(i)) != NULL; ++i) {
         if (strcmp(figure->name, name) == 0) {
             return figure;
         }
-        if (cli_closer(name, figure->name, &best)) {
-            closest = figure->name;
-        }
-        size_t used = strlen(names);
-        snprintf(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "", figure->name);
     }
-    if (closest && cli_close_enough(name, best)) {
-        cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                 "lobe plot: \"%.60s\": unknown figure; did you mean %s?", name, closest);
-    } else {
-        cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                 "lobe plot: \"%.60s\": unknown figure; there are %s", name, names);
-    }
+    const char *nearest = cli_nearest(name, figure_name_at, NULL);
+    cli_fail(error, BURNISH_STATUS_ARGUMENT,
+             nearest
+                 ? "lobe plot: \"%.60s\": unknown figure; did you mean %s?"
+                 : "lobe plot: \"%.60s\": unknown figure; \"burnish lobe plot --help\" lists them",
+             name, nearest);
     return NULL;
 }
 
@@ -390,17 +382,17 @@ static burnish_status choose_format(const plot_figure *figure, const plot_settin
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status plot(void *from, const cli_operands *operands, burnish_error *error) {
+static burnish_status plot(void *from, cli_call *call, burnish_error *error) {
     const plot_settings *settings = from;
     plot_request request = {0};
     char default_path[32];
     plot_format format = FORMAT_NONE;
-    if (operands->count == 0) {
+    if (call->operand_count == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "lobe plot: no FIGURE; try \"burnish lobe plot curves\" or "
                         "\"burnish lobe plot --help\"");
     }
-    const plot_figure *figure = find_figure(operands->items[0], error);
+    const plot_figure *figure = find_figure(call->operands[0], error);
     if (!figure) {
         return error->status;
     }
@@ -417,9 +409,4 @@ static burnish_status plot(void *from, const cli_operands *operands, burnish_err
     const char *path = settings->output ? settings->output : drawing ? default_path : "-";
     return figure->fill ? draw_chart(figure, &request, format, path, error)
                         : plot_object(&request, format == FORMAT_CSV, path, error);
-}
-
-static int plot_main(int argc, char **argv) {
-    plot_settings settings = {0};
-    return cli_run_work(&lobe_plot_command, argc, argv, &settings, plot);
 }

@@ -7,7 +7,6 @@
 
 #include "burnish/core.h"
 #include "burnish/render.h"
-#include "cli/help.h"
 #include "cli/memory.h"
 #include "render/camera.h"
 #include "render/report.h"
@@ -26,12 +25,12 @@ static double processor_seconds(void) {
     return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
 }
 
-static size_t empty_places(size_t count, size_t columns) {
+static size_t empty_cells(size_t count, size_t columns) {
     return (columns - count % columns) % columns;
 }
 
-/* Columns of a sheet: as asked; a row a view when there are several lobes too; one row for up to
- * three cells; else near a square, one column more where that leaves fewer places empty. */
+/* Columns of a sheet: as asked; a row per view when there are several lobes too; one row for up to
+ * three cells; else near a square, one column more where that leaves fewer cells empty. */
 static int choose_columns(const render_settings *settings, size_t count) {
     size_t columns = 1;
     if (settings->columns > 0) {
@@ -46,25 +45,10 @@ static int choose_columns(const render_settings *settings, size_t count) {
     while (columns * columns < count) {
         ++columns;
     }
-    return (int)(columns + (empty_places(count, columns + 1) < empty_places(count, columns)));
+    return (int)(columns + (empty_cells(count, columns + 1) < empty_cells(count, columns)));
 }
 
-/* A sheet too large is refused before anything is drawn; also bounds the memory of its cells. */
-static burnish_status check_sheet(const render_result *result, burnish_error *error) {
-    size_t columns = (size_t)result->columns;
-    size_t rows = (result->cell_count + columns - 1) / columns;
-    size_t width = columns * (size_t)result->options->width;
-    size_t height = rows * (size_t)result->options->height;
-    if (width > BURNISH_IMAGE_MAX_SIZE || height > BURNISH_IMAGE_MAX_SIZE) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--resolution: a sheet of %zu cells would be %zux%zu pixels, more than "
-                        "%d; make the cells smaller or change --columns",
-                        result->cell_count, width, height, BURNISH_IMAGE_MAX_SIZE);
-    }
-    return BURNISH_STATUS_OK;
-}
-
-/* Copies the text between the commas before and after place `index` of a list that has it. */
+/* Copies the text between the commas before and after item `index` of a list that has so many. */
 static void copy_item(const char *list, size_t index, char *text, size_t size) {
     for (; index > 0; --index) {
         list = strchr(list, ',') + 1;
@@ -108,7 +92,7 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
 }
 
 /* The one line of a run that --fail-on-blank ends. */
-static int fail_blank(const render_result *result) {
+static void report_blank(const render_result *result) {
     const char *input = result->settings->input;
     burnish_error error;
     if (result->cell_count > 1) {
@@ -119,8 +103,7 @@ static int fail_blank(const render_result *result) {
         cli_fail(&error, BURNISH_STATUS_OK,
                  "%.300s: the picture is blank; check the camera; nothing was written", input);
     }
-    cli_report_error(&error);
-    return CLI_EXIT_BLANK;
+    fprintf(stderr, "burnish: %s\n", error.text);
 }
 
 static burnish_status draw_cell(render_result *result, burnish_renderer *renderer,
@@ -148,7 +131,21 @@ static burnish_status draw_cell(render_result *result, burnish_renderer *rendere
     return BURNISH_STATUS_OK;
 }
 
-/* Fills the cells' views and lobes, the lobes of a view side by side, and draws them. */
+/* Fills the cells' views, lobes and labels; the lobes of a view stand side by side. */
+static void describe_cells(render_result *result) {
+    const render_settings *settings = result->settings;
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        render_cell *cell = &result->cells[i];
+        size_t view = i / settings->lobes.count;
+        cell->view = settings->views.count > 0 ? settings->views.items[view] : VIEW_FREE;
+        cell->lobe = settings->lobes.items[i % settings->lobes.count];
+        cell->image.width = result->options->width;
+        cell->image.height = result->options->height;
+        cell->image.channels = result->options->transparent ? 4 : 3;
+        label_cell(settings, i, cell);
+    }
+}
+
 static burnish_status draw_cells(render_result *result, burnish_render_options *options,
                                  burnish_error *error) {
     const render_settings *settings = result->settings;
@@ -157,10 +154,6 @@ static burnish_status draw_cells(render_result *result, burnish_render_options *
     burnish_status status = burnish_renderer_create(&renderer, error);
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
         render_cell *cell = &result->cells[i];
-        size_t view = i / settings->lobes.count;
-        cell->view = settings->views.count > 0 ? settings->views.items[view] : VIEW_FREE;
-        cell->lobe = settings->lobes.items[i % settings->lobes.count];
-        label_cell(settings, i, cell);
         if (progress) {
             fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
                     cell->label);
@@ -181,17 +174,47 @@ static void choose_ink(const burnish_render_options *options, uint8_t ink[3]) {
     memset(ink, luma < 128 && !options->transparent ? 230 : 40, 3);
 }
 
+/* The cells as a sheet takes them. */
+typedef struct sheet_cells {
+    burnish_sheet_cell items[RENDER_LIST_MAX * RENDER_LIST_MAX];
+} sheet_cells;
+
+static void list_cells(const render_result *result, sheet_cells *cells) {
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        cells->items[i].image = &result->cells[i].image;
+        cells->items[i].label = result->settings->no_labels ? NULL : result->cells[i].label;
+    }
+}
+
+/* A sheet too large is refused before anything is loaded or drawn. */
+static burnish_status check_sheet(const render_result *result, burnish_error *error) {
+    sheet_cells cells;
+    int width, height;
+    list_cells(result, &cells);
+    return result->cell_count > 1
+               ? burnish_image_sheet_size(cells.items, result->cell_count, result->columns, &width,
+                                          &height, error)
+               : BURNISH_STATUS_OK;
+}
+
 static burnish_status compose(const render_result *result, burnish_image *sheet,
                               burnish_error *error) {
-    burnish_sheet_cell cells[RENDER_LIST_MAX * RENDER_LIST_MAX];
+    sheet_cells cells;
     uint8_t ink[3];
     choose_ink(result->options, ink);
-    for (size_t i = 0; i < result->cell_count; ++i) {
-        cells[i].image = &result->cells[i].image;
-        cells[i].label = result->settings->no_labels ? NULL : result->cells[i].label;
-    }
-    return burnish_image_sheet(sheet, cells, result->cell_count, result->columns,
+    list_cells(result, &cells);
+    return burnish_image_sheet(sheet, cells.items, result->cell_count, result->columns,
                                result->options->background, ink, error);
+}
+
+/* When the output's bytes are all on disk but not yet in place: a report that can't be printed
+ * leaves an older picture as it was. */
+static burnish_status report(void *context, burnish_error *error) {
+    render_result *result = context;
+    double now = seconds_now();
+    result->seconds.write = now - result->encoded;
+    result->seconds.total = now - result->start;
+    return result->settings->json ? render_print_json(result, error) : BURNISH_STATUS_OK;
 }
 
 static burnish_status write_picture(render_result *result, burnish_error *error) {
@@ -203,126 +226,113 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
     burnish_png_options options = burnish_png_options_default();
     options.threads = settings->threads;
     burnish_status status = burnish_png_encode(&pixels, &options, &bytes, &size, error);
-    double encoded = seconds_now();
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_file_write(settings->output, bytes, size, error);
+        result->encoded = seconds_now();
+        result->seconds.encode = result->encoded - start;
+        result->written = 1;
+        status = burnish_file_write_then(settings->output, bytes, size, report, result, error);
         burnish_release(NULL, bytes);
     }
-    result->seconds.encode = encoded - start;
-    result->seconds.write = seconds_now() - encoded;
-    result->written = status == BURNISH_STATUS_OK;
     return status;
 }
 
 /* Draws, composes and writes; leaves in result what there is to report. */
 static burnish_status make_picture(render_result *result, burnish_render_options *options,
                                    burnish_image *sheet, burnish_error *error) {
-    burnish_status status = check_sheet(result, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = draw_cells(result, options, error);
+    burnish_status status = draw_cells(result, options, error);
+    result->picture = &result->cells[0].image;
+    result->hash = result->cells[0].hash;
+    if (status == BURNISH_STATUS_OK && result->cell_count > 1) {
+        status = compose(result, sheet, error);
+        result->picture = sheet;
+        result->hash =
+            status == BURNISH_STATUS_OK && result->settings->json ? burnish_image_hash(sheet) : 0;
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    result->picture = &result->cells[0].image;
-    result->hash = result->cells[0].hash;
-    if (result->cell_count > 1) {
-        status = compose(result, sheet, error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-        result->picture = sheet;
-        result->hash = result->settings->json ? burnish_image_hash(sheet) : 0;
-    }
-    if (result->blank_cells > 0 && result->settings->fail_on_blank) {
-        return BURNISH_STATUS_OK;
-    }
-    return write_picture(result, error);
+    return result->blank_cells > 0 && result->settings->fail_on_blank
+               ? report(result, error)
+               : write_picture(result, error);
 }
 
-static burnish_status render_scene(render_result *result, double start, burnish_error *error) {
-    const render_settings *settings = result->settings;
-    burnish_render_options options = render_make_options(settings);
-    burnish_image sheet = {0};
-    result->options = &options;
-    result->cell_count =
-        (settings->views.count > 0 ? settings->views.count : 1) * settings->lobes.count;
-    result->columns = choose_columns(settings, result->cell_count);
-    result->cells = calloc(result->cell_count, sizeof *result->cells);
-    if (!result->cells) {
-        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu pictures",
-                        result->cell_count);
+/* Loads the mesh and prints its warnings. */
+static burnish_status load(render_result *result, burnish_error *error) {
+    burnish_mesh *scene = NULL;
+    burnish_status status = render_load(result->settings, &scene, error);
+    result->scene = scene;
+    result->seconds.load = seconds_now() - result->start;
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
-    burnish_status status = make_picture(result, &options, &sheet, error);
-    result->seconds.total = seconds_now() - start;
-    if (status == BURNISH_STATUS_OK && settings->json) {
-        status = render_print_json(result, error);
+    result->seconds.read = burnish_mesh_get_info(scene)->read_seconds;
+    result->seconds.build = burnish_mesh_get_info(scene)->build_seconds;
+    for (size_t i = 0; i < burnish_mesh_warning_count(scene); ++i) {
+        render_result_warn(result, 1, "%s", burnish_mesh_warning(scene, i));
+    }
+    return render_adjust_materials(result->settings, scene, error);
+}
+
+static burnish_status render(render_result *result, burnish_render_options *options,
+                             burnish_error *error) {
+    const render_settings *settings = result->settings;
+    burnish_image sheet = {0};
+    describe_cells(result);
+    burnish_status status = check_sheet(result, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = load(result, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = make_picture(result, options, &sheet, error);
     }
     if (status == BURNISH_STATUS_OK && settings->timing) {
         render_print_timing(&result->seconds);
     }
     burnish_image_destroy(&sheet);
-    for (size_t i = 0; i < result->cell_count; ++i) {
-        burnish_image_destroy(&result->cells[i].image);
-    }
-    free(result->cells);
     return status;
 }
 
-static int render(const render_settings *settings) {
-    burnish_error error;
-    burnish_mesh *scene = NULL;
-    render_result result = {.settings = settings};
-    cli_prepare_memory();
-    result.seconds.start = processor_seconds();
-    double start = seconds_now();
-    burnish_status status = render_load(settings, &scene, &error);
-    result.scene = scene;
-    result.seconds.load = seconds_now() - start;
-    if (scene) {
-        result.seconds.read = burnish_mesh_get_info(scene)->read_seconds;
-        result.seconds.build = burnish_mesh_get_info(scene)->build_seconds;
+static void release(render_result *result) {
+    for (size_t i = 0; result->cells && i < result->cell_count; ++i) {
+        burnish_image_destroy(&result->cells[i].image);
     }
-    if (status == BURNISH_STATUS_OK) {
-        for (size_t i = 0; i < burnish_mesh_warning_count(scene); ++i) {
-            render_result_warn(&result, 1, "%s", burnish_mesh_warning(scene, i));
-        }
-        status = render_adjust_materials(settings, scene, &error);
+    free(result->cells);
+    for (size_t i = 0; i < result->warning_count; ++i) {
+        free(result->warnings[i]);
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_scene(&result, start, &error);
-    }
-    for (size_t i = 0; i < result.warning_count; ++i) {
-        free(result.warnings[i]);
-    }
-    free(result.warnings);
-    burnish_mesh_destroy(scene);
-    if (status != BURNISH_STATUS_OK) {
-        return cli_report_error(&error);
-    }
-    return result.blank_cells > 0 && settings->fail_on_blank ? fail_blank(&result) : EXIT_SUCCESS;
+    free(result->warnings);
+    burnish_mesh_destroy(result->scene);
 }
 
-int render_main(int argc, char **argv) {
-    render_settings settings = {.material = -1};
-    cli_operands operands;
-    burnish_error error;
-    const cli_command *command = &render_command;
-    if (cli_defaults(command, &settings, &error) != BURNISH_STATUS_OK ||
-        cli_parse(command, argc, argv, &settings, &operands, &error) != BURNISH_STATUS_OK) {
-        return cli_report_error(&error);
+burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
+    render_settings *settings = from;
+    render_result result = {.settings = settings};
+    if (call->operand_count == 0) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
     }
-    if (operands.help) {
-        return cli_print_command_help(command);
+    settings->input = call->operands[0];
+    burnish_status status = render_finish(settings, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
-    if (operands.count == 0) {
-        cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                 "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
-        return cli_report_error(&error);
+    cli_prepare_memory();
+    result.seconds.start = processor_seconds();
+    result.start = seconds_now();
+    burnish_render_options options = render_make_options(settings);
+    result.options = &options;
+    result.cell_count =
+        (settings->views.count > 0 ? settings->views.count : 1) * settings->lobes.count;
+    result.columns = choose_columns(settings, result.cell_count);
+    result.cells = calloc(result.cell_count, sizeof *result.cells);
+    status = result.cells ? render(&result, &options, error)
+                          : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu pictures",
+                                     result.cell_count);
+    if (status == BURNISH_STATUS_OK && result.blank_cells > 0 && settings->fail_on_blank) {
+        report_blank(&result);
+        call->exit_code = CLI_EXIT_BLANK;
     }
-    settings.input = operands.items[0];
-    if (render_finish(&settings, &error) != BURNISH_STATUS_OK) {
-        return cli_report_error(&error);
-    }
-    return render(&settings);
+    release(&result);
+    return status;
 }

@@ -24,15 +24,16 @@ typedef struct render_seconds {
 /* Everything that a run has found out. */
 typedef struct render_result {
     const render_settings *settings;
-    const burnish_mesh *scene;
+    burnish_mesh *scene;
     const burnish_render_options *options;
     render_cell *cells;
     size_t cell_count;
     const burnish_image *picture; /* the only cell's image or the sheet */
     uint64_t hash;
     int columns;
-    size_t blank_cells; /* that show nothing */
-    int written;        /* 1: the output exists */
+    size_t blank_cells;    /* that show nothing */
+    int written;           /* 1: the output is written, but for its name */
+    double start, encoded; /* clock, in seconds: before loading, after encoding */
     render_seconds seconds;
     char **warnings; /* warning_count lines, owned */
     size_t warning_count;

@@ -59,10 +59,12 @@ typedef struct render_background {
 typedef struct render_settings {
     const char *input;
     const char *output; /* NULL until render_finish */
+    int overwrite;      /* 1: a name made from the input's replaces a file */
 
     int size[2];
     int samples;
     int threads;
+    const char *isa_name; /* as the flag says */
     burnish_isa isa;
     render_background background;
     render_views views;
@@ -77,7 +79,7 @@ typedef struct render_settings {
     int orthographic;
 
     cli_color color;
-    int material; /* index into render_presets; -1: the input's own */
+    int material; /* 1 + index into render_presets; 0: the input's own */
     cli_real specular, exponent;
     render_lobes lobes;
     int equation, viewer;
@@ -89,13 +91,12 @@ typedef struct render_settings {
     int tessellation;
     uint64_t max_triangles, max_input_bytes;
     int json, timing, quiet, fail_on_blank;
-    int help;
 
     char default_output[512]; /* what output points to when the name is made from the input's */
 } render_settings;
 
-/* The subcommand: its flags and their handlers. */
-extern const cli_command render_command;
+/* What the subcommand does once its flags are read. */
+cli_work render_work;
 
 /* Checks what no single flag can: flags that exclude each other, the output's name. */
 burnish_status render_finish(render_settings *settings, burnish_error *error);
@@ -111,9 +112,6 @@ burnish_status render_adjust_materials(const render_settings *settings, burnish_
 /* The library's options but for camera and lobe, which each cell sets. */
 burnish_render_options render_make_options(const render_settings *settings);
 
-/* Runs the subcommand and returns the exit code. */
-int render_main(int argc, char **argv);
-
 /* A surface by name. */
 typedef struct render_preset {
     const char *name, *what;
@@ -123,7 +121,7 @@ typedef struct render_preset {
     float tint;     /* 0: the highlight is white, 1: it has the surface's colour */
 } render_preset;
 
-/* The presets in the order of render_preset_words, whose values are their indices. */
+/* The presets in the order of render_preset_words, whose values are 1 + their indices. */
 extern const render_preset render_presets[];
 extern const cli_word render_preset_words[];
 

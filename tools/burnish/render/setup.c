@@ -2,6 +2,7 @@
  * options. */
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,7 +41,25 @@ static int same_file(const char *a, const char *b) {
            a_status.st_dev == b_status.st_dev && a_status.st_ino == b_status.st_ino;
 }
 
+/* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
+static burnish_status check_ending(const char *path, burnish_error *error) {
+    static const char *const others[] = {"jpg",  "jpeg", "webp", "svg", "gif", "tif",
+                                         "tiff", "bmp",  "ppm",  "pgm", "exr", "avif",
+                                         "pdf",  "ico",  "tga",  "hdr", "jxl", "eps"};
+    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+    for (size_t i = 0; dot && i < sizeof others / sizeof *others; ++i) {
+        if (strcasecmp(dot + 1, others[i]) == 0) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--output: \"%.200s\": pictures are written as PNG; end the name in "
+                            ".png",
+                            path);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status check_output(const render_settings *settings, burnish_error *error) {
+    struct stat state;
     if (is_standard(settings->output)) {
         if (settings->json) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -58,7 +77,15 @@ static burnish_status check_output(const render_settings *settings, burnish_erro
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--output: \"%.200s\" is the input; name another file", settings->output);
     }
-    return BURNISH_STATUS_OK;
+    /* What happens to have the picture's name may be a texture of the mesh. */
+    if (settings->output == settings->default_output && !settings->overwrite &&
+        lstat(settings->output, &state) == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "%.200s: exists; replace it with --overwrite, or name the picture with "
+                        "--output=FILE",
+                        settings->output);
+    }
+    return check_ending(settings->output, error);
 }
 
 static burnish_status check_camera_flags(const render_settings *settings, burnish_error *error) {
@@ -94,13 +121,16 @@ static burnish_status check_labels(const render_settings *settings, burnish_erro
         return BURNISH_STATUS_OK;
     }
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--labels: %zu texts for %zu cells; give one text a cell, between "
+                    "--labels: %zu texts for %zu cells; give one text per cell, between "
                     "commas",
                     texts, cells);
 }
 
 burnish_status render_finish(render_settings *settings, burnish_error *error) {
-    burnish_status status = check_camera_flags(settings, error);
+    burnish_status status = cli_choose_isa(settings->isa_name, &settings->isa, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_camera_flags(settings, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = check_labels(settings, error);
     }
@@ -134,8 +164,8 @@ static burnish_material adjusted_material(const render_settings *settings,
         }
         material.has_diffuse = 1;
     }
-    if (settings->material >= 0) {
-        const render_preset *preset = &render_presets[settings->material];
+    if (settings->material > 0) {
+        const render_preset *preset = &render_presets[settings->material - 1];
         for (int k = 0; k < 3; ++k) {
             float tint = 1 + preset->tint * (material.diffuse[k] - 1);
             material.specular[k] = preset->specular * tint;

@@ -14,7 +14,7 @@ const render_preset render_presets[] = {
 };
 
 const cli_word render_preset_words[] = {
-    {"matte", 0}, {"satin", 1}, {"plastic", 2}, {"polished", 3}, {"metal", 4}, {NULL, 0},
+    {"matte", 1}, {"satin", 2}, {"plastic", 3}, {"polished", 4}, {"metal", 5}, {NULL, 0},
 };
 
 burnish_status render_flag_resolution(const cli_flag *flag, const char *text, void *target,

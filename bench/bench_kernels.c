@@ -1,32 +1,31 @@
-/* `burnish bench`: the kernels against what else there is, on this machine. */
-#include <cjson/cJSON.h>
-#include <errno.h>
+/* bench_kernels: the kernels against what else there is, on this machine. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/kernels.h"
-#include "cli/help.h"
+#include "cli/output.h"
+#include "cli/run.h"
 #include "cli/values.h"
 
 typedef struct bench_settings {
-    burnish_isa isa; /* BURNISH_ISA_COUNT: all of them */
-    int quick, json, help;
+    const char *isa; /* NULL: all */
+    int quick, json;
     const char *csv;
 } bench_settings;
 
-static int bench_main(int argc, char **argv);
+static cli_work bench_work;
 
 static const cli_flag flags[] = {
     {.group = "Options",
      .name = "isa",
      .value = "NAME",
      .help = "one instruction set: auto, scalar, sse2, avx2, avx512, neon",
-     .shown = "all",
+     .default_label = "all",
      .manual = "Measures the kernels of one instruction set: *auto* for the fastest, *scalar*, "
                "*sse2*, *avx2*, *avx512* or *neon*.",
-     .handler = cli_flag_isa,
+     .handler = cli_flag_text,
      .offset = offsetof(bench_settings, isa)},
     {.name = "quick",
      .help = "fewer rounds, smaller arrays: seconds, and noisier",
@@ -44,16 +43,11 @@ static const cli_flag flags[] = {
      .manual = "Writes every row also into _FILE_ as comma-separated values.",
      .handler = cli_flag_text,
      .offset = offsetof(bench_settings, csv)},
-    {.name = "help",
-     .letter = 'h',
-     .help = "this screen",
-     .manual = "Prints the flags on one screen.",
-     .handler = cli_flag_switch,
-     .offset = offsetof(bench_settings, help)},
 };
 
-const cli_command cli_bench_command = {
-    .name = "bench",
+static const cli_command command = {
+    .name = "bench_kernels",
+    .alone = 1,
     .operand = "",
     .summary = "time the kernels against pow, Schlick, tables and copies",
     .operand_help = "",
@@ -74,7 +68,8 @@ const cli_command cli_bench_command = {
     .operands_max = 0,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
-    .run = bench_main,
+    .settings_size = sizeof(bench_settings),
+    .work = bench_work,
 };
 
 /* The row that others are compared with has no ratio, nor has the bare loop. */
@@ -153,24 +148,11 @@ static void print_text(const burnish_bench_report *report) {
     print_missing(report);
 }
 
-/* Adds an item to an object; out of memory makes *failed 1. */
-static void add(cJSON *object, const char *key, cJSON *item, int *failed) {
-    if (!item || !cJSON_AddItemToObject(object, key, item)) {
-        cJSON_Delete(item);
-        *failed = 1;
-    }
-}
-
+/* Times and ratios: five digits are more than any of them is worth. */
 static cJSON *number(double value) {
     char text[32];
     snprintf(text, sizeof text, "%.5g", value);
     return value - value == 0 ? cJSON_CreateRaw(text) : cJSON_CreateNull();
-}
-
-static cJSON *size_number(size_t value) {
-    char text[32];
-    snprintf(text, sizeof text, "%zu", value);
-    return cJSON_CreateRaw(text);
 }
 
 static cJSON *table_object(const burnish_bench_table *table, cJSON *missing, int *failed) {
@@ -180,16 +162,16 @@ static cJSON *table_object(const burnish_bench_table *table, cJSON *missing, int
         char key[96];
         if (has_ratio(table, i)) {
             burnish_bench_key(row, key, sizeof key);
-            add(object, key, number(row->ratio), failed);
+            cli_json_add(object, key, number(row->ratio), failed);
             if (row->missing && !cJSON_GetObjectItemCaseSensitive(missing, key)) {
-                add(missing, key, cJSON_CreateString(row->missing), failed);
+                cli_json_add(missing, key, cJSON_CreateString(row->missing), failed);
             }
         }
         snprintf(key, sizeof key, "%s.%s_ns", row->section, row->name);
-        add(object, key, number(row->nanoseconds), failed);
+        cli_json_add(object, key, number(row->nanoseconds), failed);
         if (row->cycles == row->cycles) {
             snprintf(key, sizeof key, "%s.%s_cycles", row->section, row->name);
-            add(object, key, number(row->cycles), failed);
+            cli_json_add(object, key, number(row->cycles), failed);
         }
     }
     return object;
@@ -198,123 +180,124 @@ static cJSON *table_object(const burnish_bench_table *table, cJSON *missing, int
 static cJSON *machine_object(const burnish_bench_machine *machine, int *failed) {
     static const char *const KEYS[] = {"cache_l1_bytes", "cache_l2_bytes", "cache_l3_bytes"};
     cJSON *object = cJSON_CreateObject();
-    add(object, "processor", cJSON_CreateString(machine->processor), failed);
+    cli_json_add(object, "processor", cJSON_CreateString(machine->processor), failed);
     for (int i = 0; i < 3; ++i) {
-        add(object, KEYS[i], size_number(machine->cache_bytes[i]), failed);
+        cli_json_add(object, KEYS[i], cli_json_count(machine->cache_bytes[i]), failed);
     }
     return object;
 }
 
-static int print_json(const burnish_bench_report *report) {
+static burnish_status print_json(FILE *stream, const burnish_bench_report *report,
+                                 burnish_error *error) {
     int failed = 0;
     cJSON *root = cJSON_CreateObject(), *tiers = cJSON_CreateObject();
     cJSON *missing = cJSON_CreateObject();
-    add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-    add(root, "machine", machine_object(&report->machine, &failed), &failed);
-    add(root, "compiler", cJSON_CreateString(report->machine.compiler), &failed);
-    add(root, "rounds", cJSON_CreateNumber(report->rounds), &failed);
-    add(root, "array_bytes", size_number(report->array_bytes), &failed);
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    cli_json_add(root, "machine", machine_object(&report->machine, &failed), &failed);
+    cli_json_add(root, "compiler", cJSON_CreateString(report->machine.compiler), &failed);
+    cli_json_add(root, "rounds", cJSON_CreateNumber(report->rounds), &failed);
+    cli_json_add(root, "array_bytes", cli_json_count(report->array_bytes), &failed);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
         if (report->has_tier[isa]) {
-            add(tiers, burnish_isa_name((burnish_isa)isa),
-                table_object(&report->tiers[isa], missing, &failed), &failed);
+            cli_json_add(tiers, burnish_isa_name((burnish_isa)isa),
+                         table_object(&report->tiers[isa], missing, &failed), &failed);
         }
     }
-    add(root, "tiers", tiers, &failed);
-    add(root, "scalar", table_object(&report->scalar, missing, &failed), &failed);
-    add(root, "missing", missing, &failed);
-    char *text = failed ? NULL : cJSON_Print(root);
-    cJSON_Delete(root);
-    if (!text) {
-        burnish_error error;
-        cli_fail(&error, BURNISH_STATUS_MEMORY, "bench: out of memory");
-        return cli_report_error(&error);
+    cli_json_add(root, "tiers", tiers, &failed);
+    cli_json_add(root, "scalar", table_object(&report->scalar, missing, &failed), &failed);
+    cli_json_add(root, "missing", missing, &failed);
+    return cli_json_print(stream, root, failed, error);
+}
+
+static void write_number(FILE *file, double value) {
+    char text[32] = "";
+    if (value == value) {
+        snprintf(text, sizeof text, "%.5g", value);
     }
-    puts(text);
-    cJSON_free(text);
-    return cli_finish_output();
+    fprintf(file, ",%s", text);
 }
 
 static void write_rows(FILE *file, const char *tier, const burnish_bench_table *table) {
     for (int i = 0; i < table->count; ++i) {
         const burnish_bench_row *row = &table->rows[i];
-        char key[96], numbers[3][32];
-        const double values[3] = {row->nanoseconds, row->cycles, row->ratio};
-        burnish_bench_key(row, key, sizeof key);
-        for (int k = 0; k < 3; ++k) {
-            numbers[k][0] = 0;
-            if (values[k] == values[k]) {
-                snprintf(numbers[k], sizeof numbers[k], "%.5g", values[k]);
-            }
-        }
-        fprintf(file, "%s,%s,%s,\"%s\",%s,%s,%s\n", tier, row->section, row->name, row->label,
-                numbers[0], numbers[1], has_ratio(table, i) ? numbers[2] : "");
+        fprintf(file, "%s,%s,%s,", tier, row->section, row->name);
+        cli_csv_text(file, row->label);
+        write_number(file, row->nanoseconds);
+        write_number(file, row->cycles);
+        write_number(file, has_ratio(table, i) ? row->ratio : NAN);
+        fputc('\n', file);
     }
+}
+
+static void write_fact(FILE *file, const char *name, const char *text) {
+    fprintf(file, "run,machine,%s,", name);
+    cli_csv_text(file, text);
+    fprintf(file, ",,,\n");
+}
+
+static void write_size(FILE *file, const char *name, size_t count, const char *unit) {
+    char text[40];
+    snprintf(text, sizeof text, "%zu%s", count, unit);
+    write_fact(file, name, text);
 }
 
 static burnish_status write_csv(const burnish_bench_report *report, const char *path,
                                 burnish_error *error) {
+    static const char *const caches[] = {"cache_l1", "cache_l2", "cache_l3"};
     const burnish_bench_machine *machine = &report->machine;
-    FILE *file = fopen(path, "w");
-    if (!file) {
-        return cli_fail(error, BURNISH_STATUS_WRITE, "%s: %s", path, strerror(errno));
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
+    FILE *file = output.stream;
     fprintf(file, "tier,section,name,label,nanoseconds,cycles,ratio\n");
-    fprintf(file, "run,machine,processor,\"%s\",,,\n", machine->processor);
-    fprintf(file, "run,machine,compiler,\"%s\",,,\n", machine->compiler);
+    write_fact(file, "processor", machine->processor);
+    write_fact(file, "compiler", machine->compiler);
     for (int i = 0; i < 3; ++i) {
-        fprintf(file, "run,machine,cache_l%d,\"%zu KiB\",,,\n", i + 1,
-                machine->cache_bytes[i] / 1024);
+        write_size(file, caches[i], machine->cache_bytes[i] / 1024, " KiB");
     }
-    fprintf(file, "run,machine,rounds,\"%d\",,,\n", report->rounds);
-    fprintf(file, "run,machine,array,\"%zu MiB\",,,\n", report->array_bytes >> 20);
+    write_size(file, "rounds", (size_t)report->rounds, "");
+    write_size(file, "array", report->array_bytes >> 20, " MiB");
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
         if (report->has_tier[isa]) {
             write_rows(file, burnish_isa_name((burnish_isa)isa), &report->tiers[isa]);
         }
     }
     write_rows(file, "code", &report->scalar);
-    int failed = ferror(file) != 0;
-    failed |= fclose(file) != 0;
-    if (failed) {
-        cli_fail(error, BURNISH_STATUS_WRITE, "%s: %s", path, strerror(errno));
-        remove(path);
-        return BURNISH_STATUS_WRITE;
-    }
-    return BURNISH_STATUS_OK;
+    return cli_output_end(&output, path, BURNISH_STATUS_OK, error);
 }
 
-static int bench_main(int argc, char **argv) {
-    bench_settings settings = {.isa = BURNISH_ISA_COUNT};
-    cli_operands operands;
-    burnish_error error;
-    if (cli_parse(&cli_bench_command, argc, argv, &settings, &operands, &error) !=
-        BURNISH_STATUS_OK) {
-        return cli_report_error(&error);
-    }
-    if (operands.help) {
-        return cli_print_command_help(&cli_bench_command);
+static burnish_status bench_work(void *from, cli_call *call, burnish_error *error) {
+    const bench_settings *settings = from;
+    burnish_bench_settings bench = {.quick = settings->quick, .tiers = ~0u};
+    (void)call;
+    if (settings->isa) {
+        burnish_isa isa;
+        burnish_status status = cli_choose_isa(settings->isa, &isa, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        bench.tiers = 1u << isa;
     }
     burnish_bench_report *report = malloc(sizeof *report);
-    burnish_bench_settings bench = {.quick = settings.quick};
-    bench.tiers = settings.isa == BURNISH_ISA_COUNT ? ~0u : 1u << settings.isa;
-    burnish_status status = BURNISH_STATUS_MEMORY;
-    cli_fail(&error, status, "bench: out of memory");
-    if (report) {
-        status = burnish_bench_run(&bench, report, &error);
+    if (!report) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the report");
     }
-    if (status == BURNISH_STATUS_OK && settings.csv) {
-        status = write_csv(report, settings.csv, &error);
+    burnish_status status = burnish_bench_run(&bench, report, error);
+    if (status == BURNISH_STATUS_OK && settings->csv) {
+        status = write_csv(report, settings->csv, error);
     }
-    int code = EXIT_SUCCESS;
-    if (status != BURNISH_STATUS_OK) {
-        code = cli_report_error(&error);
-    } else if (settings.json) {
-        code = print_json(report);
-    } else {
+    if (status == BURNISH_STATUS_OK && settings->json) {
+        status = print_json(stdout, report, error);
+    } else if (status == BURNISH_STATUS_OK) {
         print_text(report);
-        code = cli_finish_output();
     }
     free(report);
-    return code;
+    return status;
+}
+
+int main(int argc, char **argv) {
+    cli_ignore_signals();
+    return cli_run(&command, argc - 1, argv + 1);
 }

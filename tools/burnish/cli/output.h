@@ -1,6 +1,6 @@
-/* What `burnish lobe` writes: tables as text, Markdown, CSV and JSON, whole files. */
-#ifndef TOOL_LOBE_OUTPUT_H
-#define TOOL_LOBE_OUTPUT_H
+/* What commands write: whole files; tables as text, Markdown, CSV and JSON; numbers. */
+#ifndef TOOL_CLI_OUTPUT_H
+#define TOOL_CLI_OUTPUT_H
 
 #include <cjson/cJSON.h>
 #include <stdio.h>
@@ -40,8 +40,10 @@ burnish_status cli_output_begin(cli_output *output, burnish_error *error);
 burnish_status cli_output_end(cli_output *output, const char *path, burnish_status status,
                               burnish_error *error);
 
-/* The shortest decimal that reads back as the same double. Finite numbers only. */
+/* The shortest decimal that reads back as the same double, or float. "inf", "-inf" and "nan" for
+ * numbers that are not finite. The program never leaves the C locale. */
 const char *cli_shortest(double value, char text[CLI_REAL_SIZE]);
+const char *cli_shortest_float(float value, char text[CLI_REAL_SIZE]);
 
 /* Prints text wrapped at `width` columns; lines after the first begin with `indent` blanks, and the
  * first is taken to stand there already. */
@@ -53,6 +55,7 @@ typedef struct cli_column {
     char unit[16];    /* below the heading; "" for none */
     int decimals;     /* of text; below 0: so many significant digits; cells of text: 0 */
     int is_text;
+    int is_yes_no; /* cells of numbers: 0 is no, else yes; JSON false and true */
 } cli_column;
 
 /* A cell: text where its column says so, otherwise a number, NaN where there is none. */
@@ -80,8 +83,9 @@ void cli_table_markdown(FILE *stream, const cli_table *table);
 /* One line of keys, then the rows. */
 void cli_table_csv(FILE *stream, const cli_table *table);
 
-/* A text field of CSV, quoted where it must be. */
-void cli_print_csv_text(FILE *stream, const char *text);
+/* Fields of a line of CSV: text, quoted where it must be; a number, empty for NaN. */
+void cli_csv_text(FILE *stream, const char *text);
+void cli_csv_real(FILE *stream, double value);
 
 /* The rows as an array of objects; NULL and *failed when out of memory. */
 cJSON *cli_table_json(const cli_table *table, int *failed);
@@ -90,8 +94,18 @@ cJSON *cli_table_json(const cli_table *table, int *failed);
  * *failed 1. */
 void cli_json_add(cJSON *object, const char *key, cJSON *item, int *failed);
 
-/* A number with all its digits; null when it is not finite. */
+/* Values: numbers with the digits that read back, null when not finite; counts exactly; seconds to
+ * the microsecond, more digits being noise; text with bytes that are not UTF-8, as file names may
+ * hold, as '?', since JSON has no other text. NULL when out of memory. */
 cJSON *cli_json_real(double value);
+cJSON *cli_json_float(float value);
+cJSON *cli_json_count(size_t value);
+cJSON *cli_json_seconds(double value);
+cJSON *cli_json_text(const char *text);
+
+/* An array of the `size` items that make(values, i) gives; NULL when out of memory. */
+cJSON *cli_json_array(size_t size, cJSON *(*make)(const void *values, size_t index),
+                      const void *values);
 
 /* Prints and deletes the object. Errors: MEMORY, also where `failed` is set. */
 burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error);

@@ -1,5 +1,5 @@
-/* What `burnish lobe` writes: tables as text, Markdown, CSV and JSON, whole files. */
-#include "lobe/output.h"
+/* What commands write: whole files; tables as text, Markdown, CSV and JSON; numbers. */
+#include "cli/output.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -45,7 +45,17 @@ burnish_status cli_output_end(cli_output *output, const char *path, burnish_stat
 const char *cli_shortest(double value, char text[CLI_REAL_SIZE]) {
     for (int digits = 15; digits <= 17; ++digits) { /* %g leaves out zeros at the end */
         snprintf(text, CLI_REAL_SIZE, "%.*g", digits, value);
-        if (strtod(text, NULL) == value) { /* the program never leaves the C locale */
+        if (strtod(text, NULL) == value) {
+            break;
+        }
+    }
+    return text;
+}
+
+const char *cli_shortest_float(float value, char text[CLI_REAL_SIZE]) {
+    for (int digits = 6; digits <= 9; ++digits) {
+        snprintf(text, CLI_REAL_SIZE, "%.*g", digits, (double)value);
+        if (strtof(text, NULL) == value) {
             break;
         }
     }
@@ -100,6 +110,8 @@ static void format_cell(const cli_table *table, size_t row, size_t column, char 
     const cli_value *cell = cell_of(table, row, column);
     if (table->columns[column].is_text) {
         snprintf(text, CELL_SIZE, "%s", cell->text);
+    } else if (table->columns[column].is_yes_no) {
+        snprintf(text, CELL_SIZE, "%s", cell->number != 0 ? "yes" : "no");
     } else {
         format_number(&table->columns[column], cell->number, text);
     }
@@ -139,7 +151,7 @@ static void print_line(FILE *stream, const part *p, size_t row,
         }
         get(p->table, row, i, text);
         int length = (int)strlen(text), left = p->widths[i] - length;
-        int is_text = p->table->columns[i].is_text;
+        int is_text = p->table->columns[i].is_text || p->table->columns[i].is_yes_no;
         blanks += is_text ? 0 : left;
         if (length > 0) {
             fprintf(stream, "%*s%s", blanks, "", text);
@@ -241,7 +253,7 @@ void cli_table_markdown(FILE *stream, const cli_table *table) {
 
 /* ---- Tables for programs ---- */
 
-void cli_print_csv_text(FILE *stream, const char *text) {
+void cli_csv_text(FILE *stream, const char *text) {
     if (!strpbrk(text, ",\"\n\r")) {
         fputs(text, stream);
         return;
@@ -256,11 +268,9 @@ void cli_print_csv_text(FILE *stream, const char *text) {
     fputc('"', stream);
 }
 
-static void print_csv_number(FILE *stream, double value) {
+void cli_csv_real(FILE *stream, double value) {
     char text[CLI_REAL_SIZE];
-    if (isinf(value)) {
-        fputs(value > 0 ? "inf" : "-inf", stream);
-    } else if (!isnan(value)) {
+    if (!isnan(value)) {
         fputs(cli_shortest(value, text), stream);
     }
 }
@@ -275,9 +285,11 @@ void cli_table_csv(FILE *stream, const cli_table *table) {
             const cli_value *cell = cell_of(table, row, i);
             fputs(i > 0 ? "," : "", stream);
             if (table->columns[i].is_text) {
-                cli_print_csv_text(stream, cell->text);
+                cli_csv_text(stream, cell->text);
+            } else if (table->columns[i].is_yes_no) {
+                fputs(cell->number != 0 ? "yes" : "no", stream);
             } else {
-                print_csv_number(stream, cell->number);
+                cli_csv_real(stream, cell->number);
             }
         }
         fputc('\n', stream);
@@ -297,15 +309,85 @@ cJSON *cli_json_real(double value) {
     return isfinite(value) ? cJSON_CreateRaw(cli_shortest(value, text)) : cJSON_CreateNull();
 }
 
+cJSON *cli_json_float(float value) {
+    char text[CLI_REAL_SIZE];
+    return isfinite(value) ? cJSON_CreateRaw(cli_shortest_float(value, text)) : cJSON_CreateNull();
+}
+
+cJSON *cli_json_count(size_t value) {
+    char text[24];
+    snprintf(text, sizeof text, "%zu", value);
+    return cJSON_CreateRaw(text);
+}
+
+cJSON *cli_json_seconds(double value) {
+    char text[40];
+    snprintf(text, sizeof text, "%.6f", value);
+    return cJSON_CreateRaw(text);
+}
+
+/* Length of the UTF-8 sequence at text (RFC 3629: no overlong forms, no surrogates), 0 for none. */
+static size_t sequence_length(const unsigned char *text) {
+    unsigned char first = text[0];
+    if (first < 0x80) {
+        return 1;
+    }
+    size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    unsigned char low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+    unsigned char high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+    if (first < 0xC2 || first > 0xF4 || text[1] < low || text[1] > high) {
+        return 0;
+    }
+    for (size_t i = 2; i < length; ++i) {
+        if ((text[i] & 0xC0) != 0x80) {
+            return 0;
+        }
+    }
+    return length;
+}
+
+cJSON *cli_json_text(const char *text) {
+    char *copy = strdup(text);
+    size_t at = 0;
+    while (copy && copy[at]) {
+        size_t length = sequence_length((const unsigned char *)copy + at);
+        if (length == 0) {
+            copy[at] = '?';
+        }
+        at += length > 0 ? length : 1;
+    }
+    cJSON *item = copy ? cJSON_CreateString(copy) : NULL;
+    free(copy);
+    return item;
+}
+
+cJSON *cli_json_array(size_t size, cJSON *(*make)(const void *values, size_t index),
+                      const void *values) {
+    int failed = 0;
+    cJSON *array = cJSON_CreateArray();
+    for (size_t i = 0; i < size && !failed; ++i) {
+        cli_json_add(array, NULL, make(values, i), &failed);
+    }
+    if (failed) {
+        cJSON_Delete(array);
+        return NULL;
+    }
+    return array;
+}
+
+static cJSON *cell_json(const cli_column *column, const cli_value *cell) {
+    return column->is_text     ? cli_json_text(cell->text)
+           : column->is_yes_no ? cJSON_CreateBool(cell->number != 0)
+                               : cli_json_real(cell->number);
+}
+
 cJSON *cli_table_json(const cli_table *table, int *failed) {
     cJSON *rows = cJSON_CreateArray();
     for (size_t row = 0; row < table->row_count && !*failed; ++row) {
         cJSON *object = cJSON_CreateObject();
         for (size_t i = 0; i < table->column_count && !*failed; ++i) {
             const cli_value *cell = cell_of(table, row, i);
-            cli_json_add(object, table->columns[i].key,
-                         table->columns[i].is_text ? cJSON_CreateString(cell->text)
-                                                   : cli_json_real(cell->number),
+            cli_json_add(object, table->columns[i].key, cell_json(&table->columns[i], cell),
                          failed);
         }
         cli_json_add(rows, NULL, object, failed);

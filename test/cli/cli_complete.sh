@@ -1,0 +1,61 @@
+#!/bin/sh
+# The completions know the commands, flags and values of the tables. bash is asked; zsh and fish check
+# the syntax where they are installed.
+# usage: cli_complete.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+
+for shell in bash zsh fish; do
+    run help --completion=$shell
+    check "burnish help --completion=$shell: exit code $code" [ "$code" = 0 ]
+    cp "$out" burnish.$shell
+done
+
+# words LINE...: what bash offers for the last of these words, after its own division at =.
+cat >ask.bash <<'END'
+source ./burnish.bash
+compopt() { :; }
+COMP_WORDS=("$@")
+COMP_CWORD=$(($# - 1))
+_burnish
+printf '%s\n' "${COMPREPLY[@]}"
+END
+offers() {
+    wanted=$1
+    shift
+    offered=$(bash ask.bash "$@" | tr '\n' ' ' | sed 's/ $//')
+    check "bash offers '$offered' for $*, not '$wanted'" [ "$offered" = "$wanted" ]
+}
+if command -v bash >/dev/null; then
+    check "bash: syntax" bash -n burnish.bash
+    touch part.stl
+    offers "render" burnish ren
+    offers "render lobe help --help --version" burnish ""
+    offers "table" burnish lobe ta
+    offers "--camera-position=" burnish render x --camera-pos
+    offers "--json" burnish render x --js
+    offers "1 4 8 16" burnish render x --samples ""
+    offers "1 16" burnish render x --samples = 1
+    offers "matte satin plastic polished metal" burnish render x --material =
+    offers "part.stl" burnish render part
+    offers "part.stl" burnish render x -o part
+    offers "--exponents=" burnish lobe table --exp
+    offers "markdown" burnish lobe table --format ma
+fi
+if command -v zsh >/dev/null; then
+    check "zsh: $(zsh -n burnish.zsh 2>&1)" zsh -n burnish.zsh
+fi
+if command -v fish >/dev/null; then
+    check "fish: $(fish --no-execute burnish.fish 2>&1)" fish --no-execute burnish.fish
+    check "fish offers no render" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish ren\"' 2>&1 | grep -q render"
+    check "fish offers no --camera-position" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish render x --camera-pos\"' 2>&1 | grep -q camera-position"
+fi
+# Every flag of the help screen is in each.
+"$burnish" render --help=all | grep -o -- '--[a-z-]*[= ]' | tr -d '= ' | sort -u | while read -r flag; do
+    for shell in bash zsh; do
+        grep -q -- "$flag" burnish.$shell || echo "$shell: $flag"
+    done
+    grep -q -- "-l ${flag#--} " burnish.fish || echo "fish: $flag"
+done >lacking.txt
+check "flags lacking: $(tr '\n' ' ' <lacking.txt)" [ ! -s lacking.txt ]
+
+finish

@@ -1,0 +1,28 @@
+/* All commands: a subcommand is one file and one row here, or in the table of its command. */
+#ifndef TOOL_CLI_COMMANDS_H
+#define TOOL_CLI_COMMANDS_H
+
+#include "cli/options.h"
+
+/* X(table) of every command, in the order of the help screen. */
+#define CLI_COMMAND_LIST(X)                                                                        \
+    X(render_command)                                                                              \
+    X(lobe_command)                                                                                \
+    X(cli_help_command)
+
+#define CLI_DECLARE_COMMAND(table) extern const cli_command table;
+CLI_COMMAND_LIST(CLI_DECLARE_COMMAND)
+#undef CLI_DECLARE_COMMAND
+
+/* The same as a list; NULL ends it. */
+extern const cli_command *const cli_commands[];
+
+/* Examples of the first screen and the man page; the last has a NULL command. */
+extern const cli_example cli_examples[];
+
+/* The man page in roff, and the completions of a shell ("bash", "zsh" or "fish"), on standard
+ * output. */
+void cli_print_man(void);
+void cli_print_completion(const char *shell);
+
+#endif

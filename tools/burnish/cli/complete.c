@@ -1,0 +1,220 @@
+/* Completions for bash, zsh and fish from the tables of commands and flags. */
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/commands.h"
+#include "cli/help.h"
+#include "cli/values.h"
+
+/* What a visit of every command that does work takes; path is "render" or "lobe table". */
+typedef void visitor(const cli_command *command);
+
+static void visit(const cli_command *const *commands, visitor *take) {
+    for (size_t i = 0; commands[i]; ++i) {
+        if (commands[i]->parts) {
+            visit(commands[i]->parts, take);
+        } else {
+            take(commands[i]);
+        }
+    }
+}
+
+static void print_names(const cli_command *const *commands) {
+    for (size_t i = 0; commands[i]; ++i) {
+        printf("%s%s", i > 0 ? " " : "", cli_short_name(commands[i]));
+    }
+}
+
+static void print_words(const cli_word *words, const char *separator) {
+    for (const cli_word *word = words; word->name; ++word) {
+        printf("%s%s", word == words ? "" : separator, word->name);
+    }
+}
+
+/* Inside '...': an apostrophe ends the quotes, is quoted itself and opens them again. */
+static void print_quoted(const char *text, const char *escaped) {
+    for (; *text; ++text) {
+        if (*text == '\'') {
+            fputs("'\\''", stdout);
+        } else {
+            printf("%s%c", strchr(escaped, *text) ? "\\" : "", *text);
+        }
+    }
+}
+
+/* ---- bash ---- */
+
+static void print_bash_command(const cli_command *command) {
+    printf("    '%s')\n        flags='", command->name);
+    for (size_t i = 0; i < command->flag_count; ++i) {
+        printf("--%s%s ", command->flags[i].name, command->flags[i].value ? "=" : "");
+    }
+    printf("--help'\n        case $previous in\n");
+    for (size_t i = 0; i < command->flag_count; ++i) {
+        const cli_flag *flag = &command->flags[i];
+        if (flag->words) {
+            printf("        --%s) words='", flag->name);
+            print_words(flag->words, " ");
+            printf("' ;;\n");
+        } else if (flag->takes_file && flag->letter) {
+            printf("        -%c) files=1 ;;\n", flag->letter);
+        }
+    }
+    printf("        esac ;;\n");
+}
+
+static void print_bash(void) {
+    printf("# bash completion of burnish; made by burnish help --completion=bash\n"
+           "_burnish() {\n"
+           "    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
+           "    local command=${COMP_WORDS[1]} flags='' words='' files=''\n"
+           "    COMPREPLY=()\n"
+           "    # bash takes = for a word of its own\n"
+           "    if [[ $current == = ]]; then\n"
+           "        current=''\n"
+           "    elif [[ $previous == = ]]; then\n"
+           "        previous=${COMP_WORDS[COMP_CWORD-2]}\n"
+           "    fi\n"
+           "    if ((COMP_CWORD == 1)); then\n        COMPREPLY=($(compgen -W '");
+    print_names(cli_commands);
+    printf(" --help --version' -- \"$current\"))\n        return\n    fi\n");
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        const cli_command *whole = cli_commands[i];
+        if (whole->parts) {
+            printf("    if [[ $command == %s ]]; then\n"
+                   "        if ((COMP_CWORD == 2)); then\n            COMPREPLY=($(compgen -W '",
+                   whole->name);
+            print_names(whole->parts);
+            printf(" --help' -- \"$current\"))\n            return\n        fi\n"
+                   "        command+=\" ${COMP_WORDS[2]}\"\n    fi\n");
+        }
+    }
+    printf("    case $command in\n");
+    visit(cli_commands, print_bash_command);
+    printf("    esac\n"
+           "    if [[ $words ]]; then\n"
+           "        COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
+           "    elif [[ $current == -* && ! $files ]]; then\n"
+           "        COMPREPLY=($(compgen -W \"$flags\" -- \"$current\"))\n"
+           "        [[ ${COMPREPLY[0]} == *= ]] && compopt -o nospace\n"
+           "    else\n"
+           "        COMPREPLY=($(compgen -f -- \"$current\"))\n"
+           "        compopt -o filenames\n"
+           "    fi\n"
+           "}\ncomplete -F _burnish burnish\n");
+}
+
+/* ---- zsh ---- */
+
+static void print_zsh_command(const cli_command *command) {
+    printf("    '%s')\n        _arguments -S \\\n", command->name);
+    for (size_t i = 0; i < command->flag_count; ++i) {
+        const cli_flag *flag = &command->flags[i];
+        printf("            '*--%s%s[", flag->name, flag->value ? "=" : "");
+        print_quoted(flag->help, "[]:\\");
+        printf("]");
+        if (flag->value) {
+            printf(":");
+            print_quoted(flag->value, "[]:\\");
+            if (flag->words) {
+                printf(":(");
+                print_words(flag->words, " ");
+                printf(")");
+            } else {
+                printf(":%s", flag->takes_file ? "_files" : " ");
+            }
+        }
+        printf("' \\\n");
+    }
+    printf("            '--help[this screen]' '*:file:_files' ;;\n");
+}
+
+static void print_zsh(void) {
+    printf("#compdef burnish\n# zsh completion of burnish; made by burnish help --completion=zsh\n"
+           "_burnish() {\n    local command=$words[2]\n"
+           "    if ((CURRENT == 2)); then\n        compadd -- ");
+    print_names(cli_commands);
+    printf(" --help --version\n        return\n    fi\n");
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        const cli_command *whole = cli_commands[i];
+        if (whole->parts) {
+            printf("    if [[ $command == %s ]]; then\n"
+                   "        if ((CURRENT == 3)); then\n            compadd -- ",
+                   whole->name);
+            print_names(whole->parts);
+            printf(" --help\n            return\n        fi\n"
+                   "        command+=\" $words[3]\"\n        shift words\n"
+                   "        ((CURRENT--))\n    fi\n");
+        }
+    }
+    printf("    shift words\n    ((CURRENT--))\n    case $command in\n");
+    visit(cli_commands, print_zsh_command);
+    printf("    esac\n}\n_burnish \"$@\"\n");
+}
+
+/* ---- fish ---- */
+
+/* The condition under which a flag of the command is offered. */
+static void print_fish_condition(const cli_command *command) {
+    const char *space = strchr(command->name, ' ');
+    printf("complete -c burnish -n '__fish_seen_subcommand_from %.*s",
+           space ? (int)(space - command->name) : (int)strlen(command->name), command->name);
+    if (space) {
+        printf("; and __fish_seen_subcommand_from %s", space + 1);
+    }
+    printf("'");
+}
+
+static void print_fish_command(const cli_command *command) {
+    for (size_t i = 0; i < command->flag_count; ++i) {
+        const cli_flag *flag = &command->flags[i];
+        print_fish_condition(command);
+        printf(" -l %s", flag->name);
+        if (flag->letter) {
+            printf(" -s %c", flag->letter);
+        }
+        if (flag->value) {
+            printf(flag->takes_file ? " -r -F" : " -x");
+        }
+        if (flag->words) {
+            printf(" -a '");
+            print_words(flag->words, " ");
+            printf("'");
+        }
+        printf(" -d '");
+        for (const char *c = flag->help; *c; ++c) {
+            printf("%s%c", *c == '\'' || *c == '\\' ? "\\" : "", *c);
+        }
+        printf("'\n");
+    }
+    print_fish_condition(command);
+    printf(" -l help -s h -d 'this screen'\n");
+}
+
+static void print_fish(void) {
+    printf("# fish completion of burnish; made by burnish help --completion=fish\n");
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        const cli_command *whole = cli_commands[i];
+        printf("complete -c burnish -n __fish_use_subcommand -f -a %s\n", whole->name);
+        if (whole->parts) {
+            printf("complete -c burnish -n '__fish_seen_subcommand_from %s; and not "
+                   "__fish_seen_subcommand_from ",
+                   whole->name);
+            print_names(whole->parts);
+            printf("' -f -a '");
+            print_names(whole->parts);
+            printf("'\n");
+        }
+    }
+    visit(cli_commands, print_fish_command);
+}
+
+void cli_print_completion(const char *shell) {
+    if (strcmp(shell, "bash") == 0) {
+        print_bash();
+    } else if (strcmp(shell, "zsh") == 0) {
+        print_zsh();
+    } else {
+        print_fish();
+    }
+}

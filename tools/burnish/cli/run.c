@@ -1,0 +1,127 @@
+/* The one way in which a command runs. */
+#include "cli/run.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/help.h"
+
+void cli_ignore_signals(void) {
+    signal(SIGPIPE, SIG_IGN);
+#ifdef SIGXFSZ
+    signal(SIGXFSZ, SIG_IGN);
+#endif
+}
+
+burnish_status cli_finish_output(burnish_error *error) {
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        return cli_fail(error, BURNISH_STATUS_WRITE, "standard output: %s", strerror(errno));
+    }
+    return BURNISH_STATUS_OK;
+}
+
+int cli_exit_code(burnish_status status, const burnish_error *error) {
+    if (status == BURNISH_STATUS_OK) {
+        return EXIT_SUCCESS;
+    }
+    fprintf(stderr, "burnish: %s\n", error->text);
+    return burnish_status_exit_code(status);
+}
+
+static const char *short_name_at(const void *list, size_t index) {
+    const cli_command *const *commands = list;
+    return commands[index] ? cli_short_name(commands[index]) : NULL;
+}
+
+/* A file's name in place of a command means that `render` was left out. */
+static int is_input(const char *name) {
+    const char *dot = strrchr(name, '.');
+    return name[0] == ':' || (dot && strlen(dot) <= 5) || strchr(name, '/');
+}
+
+const cli_command *cli_find_command(const cli_command *const *commands, const cli_command *whole,
+                                    const char *name, burnish_error *error) {
+    const char *prefix = whole ? whole->name : "", *space = whole ? " " : "";
+    for (size_t i = 0; commands[i]; ++i) {
+        if (strcmp(cli_short_name(commands[i]), name) == 0) {
+            return commands[i];
+        }
+    }
+    const char *nearest = cli_nearest(name, short_name_at, commands);
+    if (!whole && is_input(name)) {
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "\"%.60s\": unknown command; did you mean burnish render %.60s?", name, name);
+    } else if (nearest) {
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "\"%s%s%.60s\": unknown command; did you mean %s%s%s?", prefix, space, name,
+                 prefix, space, nearest);
+    } else {
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "\"%s%s%.60s\": unknown command; \"burnish %s%s--help\" lists the commands",
+                 prefix, space, name, prefix, space);
+    }
+    return NULL;
+}
+
+/* "table, claims or plot" */
+static void name_list(const cli_command *const *commands, char *text, size_t size) {
+    size_t used = 0;
+    for (size_t i = 0; commands[i] && used < size; ++i) {
+        const char *separator = i == 0 ? "" : commands[i + 1] ? ", " : " or ";
+        used += (size_t)snprintf(text + used, size - used, "%s%s", separator,
+                                 cli_short_name(commands[i]));
+    }
+}
+
+static int run_part(const cli_command *whole, int argc, char **argv) {
+    burnish_error error;
+    char names[160] = "";
+    name_list(whole->parts, names, sizeof names);
+    if (argc == 0) {
+        return cli_exit_code(
+            cli_fail(&error, BURNISH_STATUS_ARGUMENT,
+                     "%s: what comes next is one of %s; \"burnish %s --help\" explains them",
+                     whole->name, names, whole->name),
+            &error);
+    }
+    if (strcmp(argv[0], "--help") == 0 || strcmp(argv[0], "-h") == 0) {
+        burnish_status status = cli_print_help(whole, NULL, &error);
+        status = status == BURNISH_STATUS_OK ? cli_finish_output(&error) : status;
+        return cli_exit_code(status, &error);
+    }
+    if (argv[0][0] == '-' && argv[0][1]) {
+        return cli_exit_code(cli_fail(&error, BURNISH_STATUS_ARGUMENT,
+                                      "%s %.60s: one of %s comes first", whole->name, argv[0],
+                                      names),
+                             &error);
+    }
+    const cli_command *part = cli_find_command(whole->parts, whole, argv[0], &error);
+    return part ? cli_run(part, argc - 1, argv + 1) : cli_exit_code(error.status, &error);
+}
+
+int cli_run(const cli_command *command, int argc, char **argv) {
+    burnish_error error;
+    cli_call call = {0};
+    if (command->parts) {
+        return run_part(command, argc, argv);
+    }
+    void *settings = calloc(1, command->settings_size + 1); /* + 1: none may be needed */
+    burnish_status status =
+        settings ? cli_defaults(command, settings, &error)
+                 : cli_fail(&error, BURNISH_STATUS_MEMORY, "out of memory for the settings");
+    if (status == BURNISH_STATUS_OK) {
+        status = cli_parse(command, argc, argv, settings, &call, &error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = call.help ? cli_print_help(command, call.topic, &error)
+                           : command->work(settings, &call, &error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = cli_finish_output(&error);
+    }
+    free(settings);
+    return status == BURNISH_STATUS_OK ? call.exit_code : cli_exit_code(status, &error);
+}

@@ -1,0 +1,28 @@
+/* The one way in which a command runs. */
+#ifndef TOOL_CLI_RUN_H
+#define TOOL_CLI_RUN_H
+
+#include "cli/options.h"
+
+/* Settings, defaults, parsing, --help, the work, the message of an error; of a command that
+ * consists of others the one that argv[0] names. argv[0] is the first argument after the command.
+ * Returns the exit code. */
+int cli_run(const cli_command *command, int argc, char **argv);
+
+/* The command of that name in a list that NULL ends. Names are compared without the command that
+ * they are part of: "table" finds "lobe table". An unknown name is answered with the nearest one;
+ * `whole` is the command that the list is part of, NULL for the list of all. NULL after an error.
+ */
+const cli_command *cli_find_command(const cli_command *const *commands, const cli_command *whole,
+                                    const char *name, burnish_error *error);
+
+/* A closed pipe and a file that grows too large give a message and an exit code, not a signal. */
+void cli_ignore_signals(void);
+
+/* Flushes standard output. Errors: WRITE. */
+burnish_status cli_finish_output(burnish_error *error);
+
+/* The exit code of a status, after the message of one that is not OK. */
+int cli_exit_code(burnish_status status, const burnish_error *error);
+
+#endif
