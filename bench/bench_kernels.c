@@ -298,6 +298,6 @@ static burnish_status bench_work(void *from, cli_call *call, burnish_error *erro
 }
 
 int main(int argc, char **argv) {
-    cli_ignore_signals();
+    cli_handle_signals();
     return cli_run(&command, argc - 1, argv + 1);
 }

@@ -134,7 +134,7 @@ static const char *option_or_command(int argc, char **argv, burnish_error *error
 
 int main(int argc, char **argv) {
     burnish_error error;
-    cli_ignore_signals();
+    cli_handle_signals();
     if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
         print_first_screen();
         return cli_exit_code(cli_finish_output(&error), &error);

@@ -9,12 +9,27 @@
 
 #include "cli/help.h"
 
-void cli_ignore_signals(void) {
-    signal(SIGPIPE, SIG_IGN);
-#ifdef SIGXFSZ
-    signal(SIGXFSZ, SIG_IGN);
-#endif
+#ifdef _WIN32
+void cli_handle_signals(void) {}
+#else
+/* Ends the program as the signal would have. */
+static void end(int number) {
+    burnish_file_remove_temporaries();
+    raise(number); /* waits until the handler returns, then has its default effect */
 }
+
+void cli_handle_signals(void) {
+    static const int ending[] = {SIGHUP, SIGINT, SIGTERM};
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; ++i) {
+        struct sigaction before, action = {.sa_handler = end, .sa_flags = SA_RESETHAND};
+        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL) {
+            sigaction(ending[i], &action, NULL); /* not where nohup has it ignored */
+        }
+    }
+}
+#endif
 
 burnish_status cli_finish_output(burnish_error *error) {
     if (fflush(stdout) != 0 || ferror(stdout)) {

@@ -16,8 +16,9 @@ int cli_run(const cli_command *command, int argc, char **argv);
 const cli_command *cli_find_command(const cli_command *const *commands, const cli_command *whole,
                                     const char *name, burnish_error *error);
 
-/* A closed pipe and a file that grows too large give a message and an exit code, not a signal. */
-void cli_ignore_signals(void);
+/* A closed pipe and a file that grows too large give a message and an exit code, not a signal; a
+ * signal that ends the program leaves no temporary. */
+void cli_handle_signals(void);
 
 /* Flushes standard output. Errors: WRITE. */
 burnish_status cli_finish_output(burnish_error *error);
