@@ -164,8 +164,10 @@ bench-peers: short-docs ## time frames and whole processes against other rendere
 	@./bench/peers/run build/release $(ROUNDS)
 	@./scripts/frames-tables build/release/bench-peers.json $(DOCS)/frames.md
 
-install: build ## install program, library, headers and man page (DESTDIR, PREFIX)
-	@cmake --build --preset $(PRESET) -j $(JOBS)
+install: ## install program, libraries, headers and man page (DESTDIR, PREFIX), building nothing else
+	@$(DEPS) build
+	@cmake --preset $(PRESET) >/dev/null
+	@cmake --build --preset $(PRESET) -j $(JOBS) --target burnish_installed
 	@$(if $(SHORT),DESTDIR=$(CURDIR)/build/short/install )cmake --install $(BUILD) $(if $(PREFIX),--prefix $(PREFIX))
 
 check-targets: ## every other target of this list in its short form

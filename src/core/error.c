@@ -30,8 +30,15 @@ int burnish_status_exit_code(burnish_status status) {
     return 1;
 }
 
+#define TEXT_OF(number) #number
+#define VERSION_TEXT(major, minor, patch) TEXT_OF(major) "." TEXT_OF(minor) "." TEXT_OF(patch)
+
 const char *burnish_version(void) {
-    return BURNISH_VERSION_TEXT;
+    return VERSION_TEXT(BURNISH_VERSION_MAJOR, BURNISH_VERSION_MINOR, BURNISH_VERSION_PATCH);
+}
+
+int burnish_version_number(void) {
+    return BURNISH_VERSION_NUMBER;
 }
 
 burnish_status burnish_fail(burnish_error *error, burnish_status status, const char *format, ...) {

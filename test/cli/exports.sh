@@ -29,6 +29,20 @@ while read -r name; do
     grep -qE "BURNISH_API[^;]*[ *]$name\(" "$scratch/api" || fail "$name is exported but not declared BURNISH_API"
 done <"$scratch/exported"
 
+# ... and the other way round, but for the functions that headers define themselves
+grep -oE 'BURNISH_API[^;(]*[ *]burnish_[a-z0-9_]+\(' "$scratch/api" | grep -oE 'burnish_[a-z0-9_]+\($' | tr -d '(' | sort -u >"$scratch/declared"
+comm -23 "$scratch/declared" "$scratch/exported" >"$scratch/undefined"
+[ -s "$scratch/undefined" ] && fail "declared BURNISH_API but not exported: $(tr '\n' ' ' <"$scratch/undefined")"
+
+# the shared library exports the same names
+shared=$(dirname "$archive")/libburnish.so
+if [ -f "$shared" ]; then
+    nm -D --defined-only "$shared" | awk '{print $3}' | sort -u >"$scratch/dynamic"
+    diff "$scratch/exported" "$scratch/dynamic" >"$scratch/differences" || fail "the shared library's names: $(cat "$scratch/differences")"
+    readelf -d "$shared" | grep -q 'SONAME.*libburnish.so.0' || fail "no SONAME libburnish.so.0"
+    readelf -d "$shared" | grep -q NODELETE || fail "its threads could lose their code: no NODELETE"
+fi
+
 # libm: names that the system's libm defines and the image path must not use
 libm=$(gcc -print-file-name=libm.so.6)
 nm -D --defined-only "$libm" | awk '{print $3}' | sed 's/@.*//' | sort -u >"$scratch/libm"

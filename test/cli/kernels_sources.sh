@@ -4,7 +4,7 @@ flags="-std=c17 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror -D_G
 
 # sources SOURCE_DIR TIER
 sources() {
-    echo "-I$1/include -I$1/src -I$1/test -DBURNISH_VERSION_TEXT=\"0\" $1/test/test_kernels.c"
+    echo "-I$1/include -I$1/src -I$1/test $1/test/test_kernels.c"
     for file in simd/isa shading/batch shading/prepare simd/tier_scalar "simd/tier_$2" core/elementary core/error; do
         echo "$1/src/$file.c"
     done
@@ -12,7 +12,7 @@ sources() {
 
 # renderer_sources SOURCE_DIR TIER
 renderer_sources() {
-    echo "-pthread -I$1/include -I$1/src -I$1/test -DBURNISH_VERSION_TEXT=\"0\" $1/test/test_visibility.c"
+    echo "-pthread -I$1/include -I$1/src -I$1/test $1/test/test_visibility.c"
     for file in simd/isa shading/batch shading/prepare core/elementary core/error core/context core/memory core/processors core/srgb core/tasks \
         raster/bins raster/clip raster/geometry raster/samples raster/tier raster/tile \
         shading/attributes shading/interpolate shading/strip shading/shade; do

@@ -1,0 +1,18 @@
+# Where float is not computed as float by default (src/core/arithmetic.h refuses that), the flags that
+# make it so: SSE2 on i386, single rounding on s390x. Before everything that looks at the compiler.
+include(CheckCSourceCompiles)
+set(BURNISH_FLOAT_TEST "#include <float.h>\n#if FLT_EVAL_METHOD != 0\n#error no\n#endif\nint main(void) { return 0; }")
+check_c_source_compiles("${BURNISH_FLOAT_TEST}" BURNISH_FLOAT_IS_FLOAT)
+if(NOT BURNISH_FLOAT_IS_FLOAT)
+  foreach(flags "-msse2 -mfpmath=sse" "-fexcess-precision=fast")
+    string(MAKE_C_IDENTIFIER "BURNISH_FLOAT_BY${flags}" works)
+    set(CMAKE_REQUIRED_FLAGS "${flags}")
+    check_c_source_compiles("${BURNISH_FLOAT_TEST}" ${works})
+    unset(CMAKE_REQUIRED_FLAGS)
+    if(${works})
+      message(STATUS "float is computed as float by ${flags}")
+      string(APPEND CMAKE_C_FLAGS " ${flags}")
+      break()
+    endif()
+  endforeach()
+endif()

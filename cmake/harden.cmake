@@ -1,0 +1,26 @@
+# burnish_options gets what makes a defect harder to exploit; measured: no cost. The debug build and
+# sanitizers, which bring checks of their own, go without.
+option(BURNISH_HARDEN "Stack protector, FORTIFY_SOURCE, CET, full RELRO, PIE" ON)
+if(BURNISH_HARDEN AND NOT CMAKE_C_FLAGS MATCHES "fsanitize")
+  include(CheckCCompilerFlag)
+  include(CheckLinkerFlag)
+  include(CheckPIESupported)
+  check_pie_supported(LANGUAGES C)
+  # -Werror: clang only warns about a flag that the processor lacks
+  foreach(flag -fstack-protector-strong -fstack-clash-protection -fcf-protection=full)
+    string(MAKE_C_IDENTIFIER "BURNISH_HAS${flag}" has)
+    check_c_compiler_flag("-Werror ${flag}" ${has})
+    if(${has})
+      target_compile_options(burnish_options INTERFACE ${flag})
+    endif()
+  endforeach()
+  target_compile_options(burnish_options INTERFACE
+    $<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-U_FORTIFY_SOURCE> $<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-D_FORTIFY_SOURCE=2>)
+  foreach(flag -z,relro -z,now -z,noexecstack)
+    string(MAKE_C_IDENTIFIER "BURNISH_LINKS${flag}" has)
+    check_linker_flag(C "LINKER:${flag}" ${has})
+    if(${has})
+      target_link_options(burnish_options INTERFACE "LINKER:${flag}")
+    endif()
+  endforeach()
+endif()
