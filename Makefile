@@ -132,7 +132,7 @@ figures: short-docs ## draw the figures and fill the tables of docs/theory.md ag
 
 mcu: short-docs ## run the firmware in simulators, check every pixel, count cycles (minutes); rewrites docs/firmware.md
 	@$(DEPS) mcu mcu-float
-	@$(MAKE) --no-print-directory program-prove_q15 program-burnish
+	@$(MAKE) --no-print-directory program-prove_q15 program-firmware_sheet
 	@./scripts/firmware-tables build/release $(DOCS)/firmware.md $(DOCS)/images/firmware.png
 
 rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)

@@ -174,7 +174,7 @@ static void draw_tile(const tracer *t, const burnish_kernels_shader *shader, int
     tile_points points;
     struct RTCRayHit16 rays;
     struct RTCIntersectContext context;
-    int valid[LANES];
+    _Alignas(64) int valid[LANES]; /* rtcIntersect16 reads it as a vector */
     points.count = 0;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;

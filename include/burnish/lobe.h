@@ -20,8 +20,8 @@
  *          specular = burnish_lobe_at_lambda(lobe, burnish_lobe_chord(n, h));
  *
  * What it does not do. It does not normalise vectors (Lyon's lobe below does), reflect, test N.L,
- * or light anything; the fits level and projected need roots and live in burnish/theory.h, as do
- * the reference lobes that need libm; the minimax fit is a table, see burnish_lobe_from_zeta.
+ * or light anything; fits that need roots or a search (level, projected, minimax, leastsquares,
+ * affine) are in burnish/shading.h, the reference lobes that need libm in burnish/theory.h.
  *
  * What it promises.
  * - Every evaluation returns a finite value in [0, 1] for every float given: NaN gives 0,
@@ -32,8 +32,8 @@
  *
  * Accuracy at every float cosine in [-1, 1], against the formula in exact arithmetic with the
  * lobe's own zeta or exponent. absolute: largest error in units of 2^-24. relative: largest error
- * in units in the last place of the exact value, where that is at least 2^-10. Bounds, and behind
- * them the largest errors found in 240 million random cases a line; the tests hold the bounds
+ * in units in the last place of the exact value, where that is at least 2^-10. Bounds, and after
+ * them the largest errors found in 240 million random cases per line; the tests hold the bounds
  * (test/sweep.h) and fail above them.
  *
  *     lobe     order  exponents    absolute      relative
@@ -161,7 +161,8 @@ static inline int burnish_lobe_highest_order(int order, float exponent) {
 }
 
 /* Makes the lobe with a given slope, for fits of your own. Minimax slopes for m = 2 by Beaudoin and
- * Guardado (2002): n = 4 1.683, 6 2.385, 10 3.802, 18 6.645; for large n about .7118 n/m.
+ * Guardado (2002): n = 4 1.683, 6 2.385, 10 3.802, 18 6.645; for large n about .7118 n/m. For every
+ * n: burnish_lobe_solve of burnish/shading.h.
  *   lobe   becomes the lobe, on error the dark one; not NULL
  *   zeta   (0, 65536]
  *   order  2, 4, 8, 16 or 32

@@ -60,11 +60,10 @@ typedef struct burnish_lobe_spec {
 
 /* Reads a lobe's words: FIT[:ORDER] (order 2 where left out) with FIT taylor, energy, levelQ,
  * shift7, shift3, projected, minimax, leastsquares, affine or zetaZ (Q, Z decimal numbers of at
- * most 15 digits); lyon[:ORDER]; power, schlick, gaussian, gx.
- *   text   the words, zero-terminated; not NULL
- *   lobe   becomes the lobe, as it was on error; not NULL
- *   error  receives the one line of an error; may be NULL
- * Errors: ARGUMENT with the list of words; also for the lobes that only theory.h knows. */
+ * most 15 digits, leading zeros not counted, and 20 decimals); lyon[:ORDER]; power, schlick,
+ * gaussian, gx. text   the words, zero-terminated; not NULL lobe   becomes the lobe, as it was on
+ * error; not NULL error  receives the one line of an error; may be NULL Errors: ARGUMENT with the
+ * list of words; also for the lobes that only theory.h knows. */
 BURNISH_API burnish_status burnish_lobe_spec_parse(const char *text, burnish_lobe_spec *lobe,
                                                    burnish_error *error);
 

@@ -113,10 +113,10 @@ static double imbalance(double zeta, const void *context) {
     return above - below;
 }
 
-/* The zeta at which both errors are equal, for a given peak. */
-static double balance(int order, double n, double scale) {
+/* The zeta at which both errors are equal, for a given peak; zeta m/n lies in (0.6, 1.42). */
+static double balance(int order, double n, double scale, double tolerance) {
     const family f = {0, scale, n, order, 0};
-    return find_root(imbalance, &f, 0.1 * n / order, 4 * n / order, 1e-15);
+    return find_root(imbalance, &f, 0.5 * n / order, 1.5 * n / order, tolerance);
 }
 
 /* How much further the peak lies below 1 than the largest error elsewhere, at its best zeta. */
@@ -124,7 +124,7 @@ static double excess_at_peak(double drop, const void *context) {
     family f = *(const family *)context;
     double above, below;
     f.scale = 1 - drop;
-    f.zeta = balance(f.order, f.exponent, f.scale);
+    f.zeta = balance(f.order, f.exponent, f.scale, 1e-13);
     largest_errors(&f, &above, &below);
     return drop - (above > below ? above : below);
 }
@@ -214,7 +214,13 @@ burnish_lobe_status burnish_lobe_solve(const burnish_lobe_spec *lobe, double exp
         return status;
     }
     const family unsolved = {0, 1, exponent, order, 0};
+    const int searches =
+        fit == BURNISH_FIT_MINIMAX || fit == BURNISH_FIT_LEAST_SQUARES || fit == BURNISH_FIT_AFFINE;
     *scale = 1;
+    if (searches && exponent == order) { /* the power is a lobe itself */
+        *zeta = 1;
+        return BURNISH_LOBE_OK;
+    }
     switch (fit) {
     case BURNISH_FIT_TAYLOR:
         *zeta = exponent / order;
@@ -235,15 +241,15 @@ burnish_lobe_status burnish_lobe_solve(const burnish_lobe_spec *lobe, double exp
         *zeta = projected_zeta(order, exponent);
         break;
     case BURNISH_FIT_MINIMAX:
-        *zeta = balance(order, exponent, 1);
+        *zeta = balance(order, exponent, 1, 1e-15);
         break;
     case BURNISH_FIT_LEAST_SQUARES:
-        *zeta = find_root(squares_slope, &unsolved, 0.1 * exponent / order, 4 * exponent / order,
+        *zeta = find_root(squares_slope, &unsolved, 0.5 * exponent / order, 1.5 * exponent / order,
                           1e-15);
         break;
     case BURNISH_FIT_AFFINE:
-        *scale = 1 - find_root(excess_at_peak, &unsolved, 0, 0.5, 1e-14);
-        *zeta = balance(order, exponent, *scale);
+        *scale = 1 - find_root(excess_at_peak, &unsolved, 0, 0.1, 1e-13);
+        *zeta = balance(order, exponent, *scale, 1e-15);
         break;
     case BURNISH_FIT_GIVEN:
         *zeta = lobe->parameter;

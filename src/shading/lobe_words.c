@@ -47,7 +47,8 @@ enum {
     WORD_COUNT = sizeof WORDS / sizeof WORDS[0],
     EXAMPLE_COUNT = sizeof EXAMPLES / sizeof EXAMPLES[0],
     DEFAULT_ORDER = 2,
-    MAX_DIGITS = 15 /* a double holds them exactly */
+    MAX_DIGITS = 15,  /* a double holds them exactly */
+    MAX_DECIMALS = 20 /* and so it does their power of ten */
 };
 
 #define DRAWN_WORDS                                                                                \
@@ -88,10 +89,10 @@ static const struct word *find_word(const char *text) {
     return NULL;
 }
 
-/* Reads "0.5", ".5" or "256" and moves *text past it; -1 when malformed. */
+/* Reads "0.5", ".5" or "256" and moves *text past it; -1 when malformed or too long. */
 static double read_number(const char **text) {
     double digits = 0, scale = 1;
-    int count = 0, seen_point = 0;
+    int count = 0, decimals = 0, seen_point = 0, seen_digit = 0;
     for (; (**text >= '0' && **text <= '9') || (**text == '.' && !seen_point); ++*text) {
         if (**text == '.') {
             seen_point = 1;
@@ -99,9 +100,11 @@ static double read_number(const char **text) {
         }
         digits = digits * 10 + (**text - '0');
         scale *= seen_point ? 10 : 1;
-        ++count;
+        decimals += seen_point;
+        count += digits > 0; /* leading zeros are free */
+        seen_digit = 1;
     }
-    return count > 0 && count <= MAX_DIGITS ? digits / scale : -1;
+    return seen_digit && count <= MAX_DIGITS && decimals <= MAX_DECIMALS ? digits / scale : -1;
 }
 
 /* Reads "" (2), ":2", ... ":32" as the end of the text; 0 when malformed. */
@@ -195,19 +198,22 @@ burnish_status burnish_lobe_words_parse(const char *text, burnish_lobe_spec *lob
 /* A number in [0, 65536] without the locale's decimal point: the shortest that read_number reads
  * back, or cut to 15 digits, so that a level below 1 stays below 1. */
 static void write_number(double x, char *text, size_t size) {
-    const uint64_t limit = 1000000000000000u; /* 10^MAX_DIGITS */
-    uint64_t scale = 1, digits = (uint64_t)(x + 0.5);
+    const double limit = 1e15; /* 10^MAX_DIGITS */
+    double scale = 1;
+    uint64_t digits = (uint64_t)(x + 0.5);
     int decimals = 0;
-    while ((double)digits / (double)scale != x && scale < limit &&
-           x * 10 * (double)scale + 0.5 < (double)limit) {
+    while ((double)digits / scale != x && decimals < MAX_DECIMALS &&
+           x * (10 * scale) + 0.5 < limit) {
         scale *= 10;
-        digits = (uint64_t)(x * (double)scale + 0.5);
+        digits = (uint64_t)(x * scale + 0.5);
         ++decimals;
     }
-    if ((double)digits / (double)scale != x) {
-        digits = (uint64_t)(x * (double)scale);
+    if ((double)digits / scale != x) {
+        for (digits = (uint64_t)(x * scale); decimals > 0 && digits % 10 == 0; digits /= 10) {
+            --decimals;
+        }
     }
-    char fraction[MAX_DIGITS + 2] = ".";
+    char fraction[MAX_DECIMALS + 2] = ".";
     for (int i = decimals; i > 0; --i, digits /= 10) {
         fraction[i] = (char)('0' + digits % 10);
     }
@@ -216,7 +222,7 @@ static void write_number(double x, char *text, size_t size) {
 
 void burnish_lobe_spec_name(const burnish_lobe_spec *lobe, char *text, size_t size) {
     const struct word *word = word_of(lobe);
-    char number[24] = "";
+    char number[MAX_DECIMALS + 8] = "";
     if (!word) {
         snprintf(text, size, "unknown");
     } else if (word->tail == ENTRIES) {
@@ -235,8 +241,7 @@ burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe, burnish_er
     char name[BURNISH_LOBE_NAME_SIZE];
     if (!is_drawn(lobe->kind)) {
         burnish_lobe_spec_name(lobe, name, sizeof name);
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: \"%s\" (kind %d) can't be drawn; %s", name, (int)lobe->kind,
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: \"%s\" can't be drawn; %s", name,
                             DRAWN_WORDS);
     }
     if (!has_order(lobe)) {

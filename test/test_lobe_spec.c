@@ -1,0 +1,317 @@
+/* burnish/shading.h: lobe words there and back, the searched fits against an independent evaluation
+ * in long double, and every lobe that a choice recommends drawn. */
+#include <math.h>
+
+#include "burnish/render.h"
+#include "burnish/theory.h"
+#include "support.h"
+
+/* ---- Words ---- */
+
+static void check_words(void) {
+    static const char *const GOOD[] = {"taylor:2",
+                                       "energy:32",
+                                       "level0.5:4",
+                                       "level0.25:2",
+                                       "shift7:2",
+                                       "shift3:2",
+                                       "projected:8",
+                                       "minimax:16",
+                                       "affine:4",
+                                       "leastsquares:32",
+                                       "zeta4:2",
+                                       "zeta6.645:2",
+                                       "power",
+                                       "schlick",
+                                       "lyon:4",
+                                       "gaussian",
+                                       "gx",
+                                       "zeta65536:2",
+                                       "level0.9999999999:2",
+                                       "level0.000000000001:2",
+                                       "level0.00000000000000000001:32",
+                                       "zeta0.1:2",
+                                       "zeta65535.1234567891:32"};
+    static const char *const BAD[] = {
+        "",         "phong",    "energy:3", "energy:",  "energy:64",   "shift7:4",    "level:2",
+        "level1:2", "level0:2", "power:2",  "gxx",      "levelx:2",    "taylor :2",   "zeta0:2",
+        "zeta:2",   "nv2x",     "table256", "affine:3", "zeta65537:2", "kuijk-blake", "minimax:",
+        "zeta-1:2", "zeta1e3:2"};
+    char name[BURNISH_LOBE_NAME_SIZE];
+    burnish_lobe_spec lobe;
+    for (size_t i = 0; i < sizeof GOOD / sizeof GOOD[0]; ++i) {
+        CHECK(burnish_lobe_spec_parse(GOOD[i], &lobe, NULL) == BURNISH_STATUS_OK, "%s", GOOD[i]);
+        burnish_lobe_spec_name(&lobe, name, sizeof name);
+        CHECK_TEXT(name, GOOD[i]);
+    }
+    for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; ++i) {
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        CHECK(burnish_lobe_spec_parse(BAD[i], &lobe, &error) == BURNISH_STATUS_ARGUMENT &&
+                  error.text[0],
+              "\"%s\" is no lobe to draw", BAD[i]);
+    }
+    CHECK1(burnish_lobe_spec_parse("shift7", &lobe, NULL) == BURNISH_STATUS_OK && lobe.order == 2);
+    CHECK1(burnish_lobe_spec_check(&(burnish_lobe_spec){0}, NULL) == BURNISH_STATUS_ARGUMENT);
+    burnish_lobe_spec_name(&(burnish_lobe_spec){.kind = BURNISH_LOBE_KIND_COUNT}, name,
+                           sizeof name);
+    CHECK_TEXT(name, "unknown");
+}
+
+/* A parameter's words give the same number back, for all that the words can say. */
+static void check_parameters(void) {
+    uint64_t state = test_seed(12);
+    char name[BURNISH_LOBE_NAME_SIZE];
+    for (int i = 0; i < 200000; ++i) {
+        const int is_level = i & 1;
+        double scale = pow(10, (double)(test_random32(&state) % 21));
+        double limit = is_level ? scale : 65536 * scale;
+        limit = limit < 1e15 ? limit : 1e15;
+        double digits = 1 + floor(test_uniform(&state, 0, 1) * (limit - 1.5));
+        burnish_lobe_spec read, lobe = {.fit = is_level ? BURNISH_FIT_LEVEL : BURNISH_FIT_GIVEN,
+                                        .order = 32,
+                                        .parameter = digits / scale};
+        if (is_level && !(lobe.parameter > 0 && lobe.parameter < 1)) {
+            continue;
+        }
+        burnish_lobe_spec_name(&lobe, name, sizeof name);
+        int ok = burnish_lobe_spec_parse(name, &read, NULL) == BURNISH_STATUS_OK &&
+                 read.fit == lobe.fit && read.order == 32 && read.parameter == lobe.parameter;
+        if (!CHECK(ok, "%.17g is written %s", lobe.parameter, name)) {
+            return;
+        }
+    }
+    /* more digits than words have: cut, and still a level */
+    burnish_lobe_spec read, near = {.fit = BURNISH_FIT_LEVEL, .order = 2, .parameter = 1 - 0x1p-53};
+    burnish_lobe_spec_name(&near, name, sizeof name);
+    CHECK_TEXT(name, "level0.99999999999999:2");
+    CHECK1(burnish_lobe_spec_parse(name, &read, NULL) == BURNISH_STATUS_OK);
+    near.parameter = 0.1 + 0.2;
+    burnish_lobe_spec_name(&near, name, sizeof name);
+    CHECK_TEXT(name, "level0.3:2");
+}
+
+/* ---- Fits ---- */
+
+/* scale u^m - c^n at lambda. */
+static long double difference(long double zeta, long double scale, int order, long double n,
+                              long double lambda) {
+    long double u = 1 - zeta * lambda;
+    return scale * (u > 0 ? powl(u, order) : 0) - (lambda < 1 ? expl(n * log1pl(-lambda)) : 0);
+}
+
+/* The largest and the least difference but for the peak: a walk along sqrt(lambda), then a golden
+ * section around each extreme. */
+static void extremes(long double zeta, long double scale, int order, long double n,
+                     long double range[2]) {
+    const int steps = 2000;
+    const long double golden = 0.6180339887498948482L;
+    const long double reach = 60 / n < 1 ? sqrtl(60 / n) : 1;
+    long double best[2] = {0, 0};
+    range[0] = range[1] = 0;
+    for (int i = 1; i <= steps; ++i) {
+        long double s = reach * i / steps, d = difference(zeta, scale, order, n, s * s);
+        for (int which = 0; which < 2; ++which) {
+            if (which ? d > range[1] : d < range[0]) {
+                range[which] = d, best[which] = s;
+            }
+        }
+    }
+    for (int which = 0; which < 2; ++which) {
+        long double sign = which ? 1 : -1, low = best[which] - reach / steps,
+                    high = best[which] + reach / steps;
+        low = low > 0 ? low : 0;
+        high = high < 1 ? high : 1;
+        for (int i = 0; i < 60; ++i) {
+            long double a = high - golden * (high - low), b = low + golden * (high - low);
+            if (sign * difference(zeta, scale, order, n, a * a) >
+                sign * difference(zeta, scale, order, n, b * b)) {
+                high = b;
+            } else {
+                low = a;
+            }
+        }
+        long double d = difference(zeta, scale, order, n, low * low);
+        range[which] = sign * d > sign * range[which] ? d : range[which];
+    }
+}
+
+/* Above minus below: 0 at the best zeta. */
+static long double imbalance(long double zeta, long double scale, int order, long double n) {
+    long double range[2];
+    extremes(zeta, scale, order, n, range);
+    return range[1] + range[0];
+}
+
+/* The derivative of the integral of (lobe - power)^2 over lambda in -zeta, by Gauss-Legendre panels
+ * along sqrt(lambda): 0 at the best zeta. */
+static long double squares_slope(long double zeta, int order, long double n) {
+    static const long double node[2] = {0.33998104358485626480L, 0.86113631159405257522L};
+    static const long double weight[2] = {0.65214515486254614263L, 0.34785484513745385737L};
+    const long double end = zeta > 1 ? 1 / sqrtl(zeta) : 1;
+    const int panels = zeta < 1 ? 4000 : 200; /* (1 - lambda)^n is no polynomial at 1 */
+    long double sum = 0, half = end / (2 * panels);
+    for (int i = 0; i < panels * 4; ++i) {
+        long double x = node[i / 2 % 2] * (i % 2 ? 1 : -1);
+        long double s = half * (2 * (i / 4) + 1 + x), lambda = s * s, u = 1 - zeta * lambda;
+        sum += weight[i / 2 % 2] * half * 2 * s * lambda * powl(u > 0 ? u : 0, order - 1) *
+               difference(zeta, 1, order, n, lambda);
+    }
+    return sum;
+}
+
+/* How far zeta is from the zero of a function of it, relative, by one step of Newton's. */
+static double distance(long double at, long double below, long double above, long double step) {
+    return (double)fabsl(at * 2 * step / (above - below));
+}
+
+static void check_searched_fits(void) {
+    static const double exponents[] = {1,    1.25, 1.9, 2.1, 3,   4.5,   8.1,  10,
+                                       16.5, 18,   33,  64,  100, 999.5, 4096, 65536};
+    double worst[3] = {0, 0, 0}, peak = 0;
+    for (size_t i = 0; i < 5 * sizeof exponents / sizeof exponents[0]; ++i) {
+        const int order = 2 << i % 5;
+        const double n = exponents[i / 5], step = 1e-5;
+        double zeta, scale;
+        if (n <= order && order > 2) {
+            continue;
+        }
+        burnish_lobe_spec lobe = {.fit = BURNISH_FIT_MINIMAX, .order = order};
+        CHECK1(burnish_lobe_solve(&lobe, n, &zeta, &scale) == BURNISH_LOBE_OK && scale == 1);
+        double off =
+            distance(imbalance(zeta, 1, order, n), imbalance(zeta * (1 - step), 1, order, n),
+                     imbalance(zeta * (1 + step), 1, order, n), step);
+        CHECK(off < 1e-9, "minimax:%d n=%g: zeta %.15g off by %.2g", order, n, zeta, off);
+        worst[0] = fmax(worst[0], off);
+
+        lobe.fit = BURNISH_FIT_LEAST_SQUARES;
+        CHECK1(burnish_lobe_solve(&lobe, n, &zeta, &scale) == BURNISH_LOBE_OK && scale == 1);
+        off = distance(squares_slope(zeta, order, n), squares_slope(zeta * (1 - step), order, n),
+                       squares_slope(zeta * (1 + step), order, n), step);
+        CHECK(off < 1e-9, "leastsquares:%d n=%g: zeta %.15g off by %.2g", order, n, zeta, off);
+        worst[1] = fmax(worst[1], off);
+
+        lobe.fit = BURNISH_FIT_AFFINE;
+        if (n > order) {
+            long double range[2];
+            CHECK1(burnish_lobe_solve(&lobe, n, &zeta, &scale) == BURNISH_LOBE_OK && scale < 1);
+            extremes(zeta, scale, order, n, range);
+            off = distance(imbalance(zeta, scale, order, n),
+                           imbalance(zeta * (1 - step), scale, order, n),
+                           imbalance(zeta * (1 + step), scale, order, n), step);
+            CHECK(off < 1e-9, "affine:%d n=%g: zeta %.15g off by %.2g", order, n, zeta, off);
+            worst[2] = fmax(worst[2], off);
+            off = fabs((double)(range[1] - (1 - (long double)scale)));
+            CHECK(off < 1e-9, "affine:%d n=%g: peak %.15g off by %.2g", order, n, scale, off);
+            peak = fmax(peak, off);
+        }
+    }
+    printf("zeta off by at most: minimax %.2g, leastsquares %.2g, affine %.2g (its peak %.2g)\n",
+           worst[0], worst[1], worst[2], peak);
+}
+
+/* The power is a lobe itself where exponent and order agree. */
+static void check_exact_fits(void) {
+    for (int order = 2; order <= 32; order *= 2) {
+        for (int fit = BURNISH_FIT_MINIMAX; fit <= BURNISH_FIT_AFFINE; ++fit) {
+            double zeta, scale;
+            burnish_lobe_spec lobe = {.fit = (burnish_lobe_fit)fit, .order = order};
+            CHECK(burnish_lobe_solve(&lobe, order, &zeta, &scale) == BURNISH_LOBE_OK && zeta == 1 &&
+                      scale == 1,
+                  "fit %d order %d", fit, order);
+        }
+    }
+}
+
+/* The bits of slopes and peaks: the same on every machine, since no libm takes part. */
+#define FITS_HASH 0x280b76c6c2386c7cu
+
+static uint64_t add_double(uint64_t hash, double x) {
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    for (int i = 0; i < 64; i += 8) {
+        hash = (hash ^ (bits >> i & 255)) * 0x100000001b3u;
+    }
+    return hash;
+}
+
+static void check_bits(void) {
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (int fit = 0; fit < BURNISH_FIT_COUNT; ++fit) {
+        double n = 1;
+        for (int i = 0; i < 300; ++i, n *= 1.0375) {
+            burnish_lobe_spec lobe = {
+                .fit = (burnish_lobe_fit)fit, .order = 2 << i % 5, .parameter = 0.37};
+            double zeta, scale;
+            (void)burnish_lobe_solve(&lobe, n, &zeta, &scale);
+            hash = add_double(add_double(hash, zeta), scale);
+        }
+    }
+    CHECK(hash == FITS_HASH, "hash %#llx", (unsigned long long)hash);
+}
+
+/* ---- What a choice recommends ---- */
+
+static void check_choice_is_drawn(void) {
+    static const double epsilons[] = {0.3, 0.1, 0.06, 0.03, 0.0285, 0.01, 1 / 256.0, 0.001, 1e-6};
+    int drawn = 0, words = 0;
+    char names[32][BURNISH_LOBE_NAME_SIZE];
+    burnish_mesh *sphere;
+    burnish_load_options load = burnish_load_options_default();
+    load.tessellation = 2;
+    if (!CHECK1(burnish_mesh_load(":sphere", &load, &sphere, NULL) == BURNISH_STATUS_OK)) {
+        return;
+    }
+    burnish_render_options options = burnish_render_options_default();
+    options.width = options.height = 12;
+    options.threads = 1;
+    options.camera.position[2] = 5;
+    for (double n = 1; n < 65536; n = n < 4 ? n + 0.25 : n * 1.8) {
+        burnish_material material = burnish_material_default();
+        material.exponent = (float)n;
+        CHECK1(burnish_mesh_set_material(sphere, 0, &material, NULL) == BURNISH_STATUS_OK);
+        for (size_t i = 0; i < 2 * sizeof epsilons / sizeof epsilons[0]; ++i) {
+            burnish_theory_model model;
+            burnish_error error = {BURNISH_STATUS_OK, ""};
+            burnish_image image;
+            burnish_render_report report;
+            char name[BURNISH_LOBE_NAME_SIZE];
+            CHECK1(burnish_theory_choose((double)(float)n, epsilons[i / 2], i % 2, &model, NULL,
+                                         NULL, NULL) == BURNISH_STATUS_OK);
+            burnish_lobe_spec_name(&model.lobe, name, sizeof name);
+            if (!CHECK(burnish_lobe_spec_parse(name, &options.lobe, &error) == BURNISH_STATUS_OK,
+                       "%s", error.text)) {
+                continue;
+            }
+            CHECK(burnish_render(sphere, &options, &image, &report, &error) == BURNISH_STATUS_OK &&
+                      report.lobe_fallbacks == 0,
+                  "%s at n=%g: %zu fallbacks, %s", name, n, report.lobe_fallbacks, error.text);
+            burnish_image_destroy(&image);
+            int at = 0;
+            while (at < words && strcmp(names[at], name) != 0) {
+                ++at;
+            }
+            if (at == words && words < 32) {
+                strcpy(names[words++], name);
+            }
+            ++drawn;
+        }
+    }
+    burnish_mesh_destroy(sphere);
+    printf("%d lobes drawn:", drawn);
+    for (int i = 0; i < words; ++i) {
+        printf(" %s", names[i]);
+    }
+    printf("\n");
+    CHECK(words >= 10, "only %d different lobes", words);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(check_words());
+    RUN(check_parameters());
+    RUN(check_searched_fits());
+    RUN(check_exact_fits());
+    RUN(check_bits());
+    RUN(check_choice_is_drawn());
+    return test_end("lobe_spec");
+}
