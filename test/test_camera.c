@@ -15,7 +15,7 @@ static burnish_mesh *builtin(const char *name) {
     burnish_mesh *scene = NULL;
     options.tessellation = 6;
     CHECK1(burnish_make_builtin(name, &options, &data, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_build(&data, name, &options, BURNISH_FORMAT_BUILTIN, &scene, NULL) ==
+    CHECK1(burnish_mesh_build(&data, name, &options, BURNISH_FORMAT_BUILTIN, &scene) ==
            BURNISH_STATUS_OK);
     burnish_mesh_data_destroy(&data);
     return scene;
@@ -140,7 +140,7 @@ static void test_sphere_distance(void) {
     burnish_mesh *scene = NULL;
     load.tessellation = 64;
     CHECK1(burnish_make_builtin("sphere", &load, &data, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_build(&data, "sphere", &load, BURNISH_FORMAT_BUILTIN, &scene, NULL) ==
+    CHECK1(burnish_mesh_build(&data, "sphere", &load, BURNISH_FORMAT_BUILTIN, &scene) ==
            BURNISH_STATUS_OK);
     burnish_mesh_data_destroy(&data);
     burnish_framing options = burnish_framing_default();

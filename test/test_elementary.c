@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "core/elementary.h"
+#include "core/processors.h"
 #include "support.h"
 
 /* The largest error of one function, and where. */
@@ -144,10 +145,12 @@ static void check_atan2_array(void) {
                 x[i] = special[bits[1] / 8 % 7];
             }
         }
-        burnish_atan2_array(y, x, angles, count);
-        for (size_t i = 0; i < count; ++i) {
-            double one = burnish_atan2(y[i], x[i]);
-            equal &= memcmp(&one, &angles[i], sizeof one) == 0;
+        for (int wide = 0; wide <= burnish_processor_has_avx2(); ++wide) {
+            burnish_atan2_array(y, x, angles, count, wide);
+            for (size_t i = 0; i < count; ++i) {
+                double one = burnish_atan2(y[i], x[i]);
+                equal &= memcmp(&one, &angles[i], sizeof one) == 0;
+            }
         }
     }
     CHECK(equal, "the array's bits differ");

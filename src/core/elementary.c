@@ -176,12 +176,14 @@ double burnish_atan2(double y, double x) {
 #include "core/arctangent_simd.h"
 #endif
 
-void burnish_atan2_array(const double *y, const double *x, double *angles, size_t count) {
+void burnish_atan2_array(const double *y, const double *x, double *angles, size_t count, int wide) {
     size_t i = 0;
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) {
+    if (wide) {
         i = four_array(y, x, angles, i, count);
     }
+#else
+    (void)wide;
 #endif
     i = pair_array(y, x, angles, i, count);
     for (; i < count; ++i) {

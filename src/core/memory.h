@@ -37,6 +37,16 @@ static inline burnish_memory burnish_memory_of(const burnish_context *context,
     return (burnish_memory){context, BURNISH_STATUS_OK, error};
 }
 
+/* Takes over the failure of a thread's own memory, where it has one and this has none. */
+static inline void burnish_memory_join(burnish_memory *memory, const burnish_memory *thread) {
+    if (memory->status == BURNISH_STATUS_OK && thread->status != BURNISH_STATUS_OK) {
+        memory->status = thread->status;
+        if (memory->error && thread->error) {
+            *memory->error = *thread->error;
+        }
+    }
+}
+
 /* count elements of size bytes, not cleared, aligned to BURNISH_ALIGNMENT. NULL on failure and for
  * count 0. `what` names the array in the message. */
 void *burnish_allocate(burnish_memory *memory, size_t count, size_t size, const char *what);

@@ -257,7 +257,7 @@ static burnish_status create(creation *c, const burnish_load_options *options,
         status = copy_arrays(c);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_mesh_build(&c->data, name, options, BURNISH_FORMAT_ARRAYS, mesh, c->error);
+        status = burnish_mesh_build(&c->data, name, options, BURNISH_FORMAT_ARRAYS, mesh);
     }
     if (status == BURNISH_STATUS_OK) {
         const burnish_vec3 up = burnish_vec3_normalize(burnish_vec3_loadf(c->from->up_axis));
@@ -283,7 +283,7 @@ burnish_status burnish_mesh_create(const burnish_mesh_description *description,
     const burnish_environment before = burnish_environment_enter();
     burnish_tasks tasks;
     burnish_tasks_begin(&tasks, options->context, options->threads);
-    c.data = burnish_mesh_data_begin(NULL, &tasks, error);
+    c.data = burnish_mesh_data_begin(options->context, &tasks, error);
     status = create(&c, options, mesh);
     burnish_mesh_data_destroy(&c.data);
     burnish_environment_leave(before);

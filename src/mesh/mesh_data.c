@@ -27,7 +27,7 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
     burnish_release(context, mesh->warnings);
     burnish_release(context, mesh->materials);
     burnish_release(context, mesh->triangle_materials);
-    *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks};
+    *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start};
 }
 
 static const char *const item_names[BURNISH_ATTRIBUTE_COUNT] = {"positions", "normals", "colours",

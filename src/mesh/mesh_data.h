@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "burnish/mesh.h"
+#include "core/clock.h"
 #include "core/memory.h"
 #include "core/tasks.h"
 
@@ -47,7 +48,7 @@ typedef struct burnish_mesh_data {
     burnish_stream streams[BURNISH_ATTRIBUTE_COUNT];
     size_t triangle_count;
 
-    uint16_t *triangle_materials; /* 1 per triangle; NULL: all have material 0 */
+    uint16_t *triangle_materials; /* 1 per triangle, in range; NULL: all have material 0 */
     size_t triangle_material_capacity;
 
     burnish_material *materials; /* empty: build adds burnish_material_default() */
@@ -56,14 +57,17 @@ typedef struct burnish_mesh_data {
     char **warnings;
     size_t warning_count, warning_capacity;
 
-    burnish_memory memory; /* where all arrays come from */
+    burnish_memory memory; /* where all arrays come from, and whom errors are told */
     burnish_tasks *tasks;  /* of the load call, not owned; NULL: the caller alone */
+    double start;          /* when reading began, burnish_seconds_now() */
 } burnish_mesh_data;
 
 static inline burnish_mesh_data burnish_mesh_data_begin(const burnish_context *context,
                                                         burnish_tasks *tasks,
                                                         burnish_error *error) {
-    return (burnish_mesh_data){.memory = burnish_memory_of(context, error), .tasks = tasks};
+    return (burnish_mesh_data){.memory = burnish_memory_of(context, error),
+                               .tasks = tasks,
+                               .start = burnish_seconds_now()};
 }
 
 void burnish_mesh_data_destroy(burnish_mesh_data *mesh);
@@ -101,10 +105,14 @@ static inline const uint32_t *burnish_stream_corners(const burnish_mesh_data *me
     return own ? own : mesh->streams[BURNISH_POSITION].corners;
 }
 
-/* Weld, make normals, orient, drop triangles without area. Takes arrays out of mesh; the caller
- * still destroys it. name stands in messages. */
-burnish_status burnish_mesh_build(burnish_mesh_data *mesh, const char *name,
+/* Welds positions, turns and orders triangles, drops those without area, generates normals. Takes
+ * arrays out of the data; the caller still destroys it. *mesh is NULL on error.
+ *   name     of the input, for messages, which go to the data's memory.error
+ *   options  checked
+ *   format   tells the up axis and the crease angle
+ * Errors: FORMAT, MEMORY, CANCELLED. */
+burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                                   const burnish_load_options *options, burnish_format format,
-                                  burnish_mesh **scene, burnish_error *error);
+                                  burnish_mesh **mesh);
 
 #endif

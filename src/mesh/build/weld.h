@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/error.h"
+#include "core/memory.h"
 #include "core/tasks.h"
 
 /* Numbers bitwise equal positions alike, in the order of their first appearance.
@@ -13,18 +13,21 @@
  * O(n) for meshes as they are, O(n log n) for any input whatsoever; the result depends on the
  * positions only.
  *
- * positions: 3 words a position (the bits of floats); -0.0 must have been made 0.0 before
+ * positions: 3 words per position (the bits of floats); -0.0 must have been made 0.0 before
  * count:     [0, 2^32 - 2]
- * pool:      threads to share the work
+ * tasks:     threads to share the work
  * remap:     count numbers, written
  * unique:    how many different positions there are, written
- * Errors: MEMORY, LIMIT. */
-burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *pool,
-                            uint32_t *remap, size_t *unique, burnish_error *error);
+ * Errors: MEMORY, LIMIT, CANCELLED. */
+burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *tasks,
+                            burnish_memory *memory, uint32_t *remap, size_t *unique);
 
-/* Something to be sorted by four words; the value breaks ties, so that the order is total. */
+/* Words that a vertex of one position can differ in: normal, colour, texture coordinates. */
+enum { BURNISH_WELD_KEY_WORDS = 6 };
+
+/* Something to be sorted by words; the value breaks ties, so that the order is total. */
 typedef struct burnish_weld_record {
-    uint32_t key[4];
+    uint32_t key[BURNISH_WELD_KEY_WORDS];
     uint32_t value;
 } burnish_weld_record;
 

@@ -173,19 +173,6 @@ static burnish_status read_format(const burnish_reader_input *input, burnish_for
                            "format");
 }
 
-/* Builds; start: when reading began. */
-static burnish_status build(burnish_mesh_data *data, const char *name,
-                            const burnish_load_options *options, burnish_format format,
-                            double start, burnish_mesh **scene, burnish_error *error) {
-    double read = burnish_seconds_now();
-    burnish_status status = burnish_mesh_build(data, name, options, format, scene, error);
-    if (status == BURNISH_STATUS_OK) {
-        (*scene)->info.read_seconds = read - start;
-        (*scene)->info.build_seconds = burnish_seconds_now() - read;
-    }
-    return status;
-}
-
 /* Reads and builds; releases *owned, the bytes of a file, as soon as it has been read. start: when
  * it was opened. */
 static burnish_status load(const burnish_reader_input *input, uint8_t *owned, double start,
@@ -199,7 +186,8 @@ static burnish_status load(const burnish_reader_input *input, uint8_t *owned, do
     burnish_mesh_data data = burnish_mesh_data_begin(NULL, &tasks, error);
     if (status == BURNISH_STATUS_OK) {
         burnish_source_move(&source, &data);
-        status = build(&data, input->name, input->options, format, start, scene, error);
+        data.start = start;
+        status = burnish_mesh_build(&data, input->name, input->options, format, scene);
     }
     burnish_mesh_data_destroy(&data);
     burnish_source_destroy(&source);
@@ -209,12 +197,11 @@ static burnish_status load(const burnish_reader_input *input, uint8_t *owned, do
 static burnish_status load_builtin(const char *name, const burnish_load_options *options,
                                    burnish_mesh **scene, burnish_error *error) {
     burnish_tasks tasks;
-    burnish_tasks_begin(&tasks, NULL, options->threads);
-    burnish_mesh_data data = burnish_mesh_data_begin(NULL, &tasks, error);
-    double start = burnish_seconds_now();
+    burnish_tasks_begin(&tasks, options->context, options->threads);
+    burnish_mesh_data data = burnish_mesh_data_begin(options->context, &tasks, error);
     burnish_status status = burnish_make_builtin(name + 1, options, &data, error);
     if (status == BURNISH_STATUS_OK) {
-        status = build(&data, name, options, BURNISH_FORMAT_BUILTIN, start, scene, error);
+        status = burnish_mesh_build(&data, name, options, BURNISH_FORMAT_BUILTIN, scene);
     }
     burnish_mesh_data_destroy(&data);
     return status;

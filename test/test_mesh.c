@@ -1,13 +1,11 @@
-/* Scenes from triangles: welding, made normals, orientation, materials, and every refusal. */
+/* Meshes from triangles: welding, made normals, orientation, materials, and every refusal. */
 #include <math.h>
 
 #include "burnish/mesh.h"
-#include "core/memory.h"
+#include "core/processors.h"
 #include "mesh/build/normals.h"
 #include "mesh/build/weld.h"
-#include "mesh/mesh_data.h"
 #include "mesh_arrays.h"
-#include "short_memory.h"
 #include "support.h"
 
 /* 24 bits, which a float holds exactly. */
@@ -39,25 +37,20 @@ static void cube_point(uint32_t number, float p[3]) {
 /* The cube as an STL file states it: nothing shared. */
 static burnish_mesh *soup(double crease, int turned) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data data = {0};
+    burnish_mesh_description arrays = burnish_mesh_description_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *scene = NULL;
+    burnish_mesh *mesh = NULL;
     uint32_t corners[36];
+    float positions[3 * 36];
     options.crease_angle = crease;
     cube_corners(corners, turned);
-    data.streams[BURNISH_POSITION].items = malloc(36 * 3 * sizeof(float));
-    data.streams[BURNISH_POSITION].corners = malloc(36 * sizeof(uint32_t));
     for (uint32_t i = 0; i < 36; ++i) {
-        cube_point(corners[i], burnish_positions(&data) + 3 * i);
-        data.streams[BURNISH_POSITION].corners[i] = i;
+        cube_point(corners[i], positions + 3 * i);
     }
-    data.streams[BURNISH_POSITION].count = 36;
-    data.triangle_count = 12;
-    CHECK(burnish_mesh_build(&data, "cube.stl", &options, BURNISH_FORMAT_STL, &scene, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
-    burnish_mesh_data_destroy(&data);
-    return scene;
+    arrays.positions = (burnish_array){positions, 36, 0};
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
 }
 
 static burnish_status create(const float *positions, const float *normals, const uint8_t *colors,
@@ -110,7 +103,7 @@ static void test_cube(void) {
         }
         CHECK1(mesh->bounds_min[1] == -1 && mesh->bounds_max[2] == 1);
         CHECK1(mesh->colors == NULL && mesh->triangle_materials == NULL);
-        CHECK1(burnish_mesh_get_info(smooth)->format == BURNISH_FORMAT_STL);
+        CHECK1(burnish_mesh_get_info(smooth)->format == BURNISH_FORMAT_ARRAYS);
         burnish_mesh_destroy(flat);
         burnish_mesh_destroy(smooth);
     }
@@ -237,10 +230,11 @@ static void test_weld(void) {
     for (size_t i = 1; i < COUNT; ++i) {
         expected += memcmp(sorted + 3 * i, sorted + 3 * i - 3, 12) != 0;
     }
-    burnish_tasks tasks, *pool = &tasks;
+    burnish_tasks tasks;
+    burnish_memory memory = burnish_memory_of(NULL, &error);
     burnish_tasks_begin(&tasks, NULL, 3);
-    CHECK(burnish_weld(positions, COUNT, pool, remap, &unique, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK(burnish_weld(positions, COUNT, &tasks, &memory, remap, &unique) == BURNISH_STATUS_OK,
+          "%s", error.text);
     CHECK(unique == expected, "%zu of %zu", unique, expected);
     int ordered = 1, equal = 1;
     for (size_t i = 0; i < COUNT; ++i) {
@@ -252,7 +246,7 @@ static void test_weld(void) {
     }
     CHECK(ordered && next == unique, "numbers are not in order of appearance");
     CHECK(equal, "different positions share a number");
-    CHECK1(burnish_weld(NULL, 0, NULL, NULL, &unique, &error) == BURNISH_STATUS_OK && unique == 0);
+    CHECK1(burnish_weld(NULL, 0, NULL, &memory, NULL, &unique) == BURNISH_STATUS_OK && unique == 0);
     free(positions);
     free(sorted);
     free(remap);
@@ -308,11 +302,6 @@ static void test_zero_area(void) {
            BURNISH_STATUS_FORMAT);
     CHECK1(scene == NULL && error.status == BURNISH_STATUS_FORMAT);
     CHECK(strstr(error.text, "mesh: no triangle has any area; 4 triangles"), "%s", error.text);
-    burnish_mesh_data empty = {0};
-    burnish_load_options options = burnish_load_options_default();
-    CHECK1(burnish_mesh_build(&empty, "empty.obj", &options, BURNISH_FORMAT_OBJ, &scene, &error) ==
-           BURNISH_STATUS_FORMAT);
-    CHECK(strstr(error.text, "empty.obj: no triangle has any area; 0 triangles"), "%s", error.text);
 }
 
 /* Coordinates at both ends of float: nothing overflows or vanishes. */
@@ -370,61 +359,53 @@ static void test_colors(void) {
 
 /* Four triangles in a row, the second without area; material numbers as given. */
 static burnish_status build_materials(size_t material_count, const uint16_t numbers[4],
-                                      burnish_mesh **scene, burnish_error *error) {
+                                      burnish_mesh **mesh, burnish_error *error) {
+    static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
+    static const uint32_t corners[] = {0, 1, 2, 1, 1, 2, 1, 3, 2, 2, 3, 4};
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data data = {0};
-    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
-    const uint32_t corners[] = {0, 1, 2, 1, 1, 2, 1, 3, 2, 2, 3, 4};
-    data.streams[BURNISH_POSITION].items = malloc(sizeof positions);
-    data.streams[BURNISH_POSITION].corners = malloc(sizeof corners);
-    data.triangle_materials = malloc(4 * sizeof(uint16_t));
-    data.materials = malloc(sizeof(burnish_material) * (material_count + 1));
-    memcpy(burnish_positions(&data), positions, sizeof positions);
-    memcpy(data.streams[BURNISH_POSITION].corners, corners, sizeof corners);
-    memcpy(data.triangle_materials, numbers, 4 * sizeof(uint16_t));
-    for (size_t i = 0; i < material_count; ++i) {
-        data.materials[i] = burnish_material_default();
-        data.materials[i].exponent = (float)(10 + i);
+    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 5, corners, 4);
+    burnish_material materials[3];
+    for (size_t i = 0; i < 3; ++i) {
+        materials[i] = burnish_material_default();
+        materials[i].exponent = (float)(10 + i);
     }
-    data.streams[BURNISH_POSITION].count = 5;
-    data.triangle_count = 4;
-    data.material_count = material_count;
-    burnish_status status =
-        burnish_mesh_build(&data, "row.obj", &options, BURNISH_FORMAT_OBJ, scene, error);
-    burnish_mesh_data_destroy(&data);
-    return status;
+    arrays.name = "row";
+    arrays.materials = materials;
+    arrays.material_count = material_count;
+    arrays.triangle_materials = (burnish_array){numbers, 4, 0};
+    return burnish_mesh_create(&arrays, &options, mesh, error);
 }
 
 static void test_material_numbers(void) {
-    burnish_mesh *scene;
+    burnish_mesh *mesh;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    const uint16_t numbers[4] = {2, 1, 0, 2};
-    CHECK(build_materials(3, numbers, &scene, &error) == BURNISH_STATUS_OK, "%s", error.text);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    CHECK1(mesh->triangle_count == 3 && burnish_mesh_material_count(scene) == 3);
-    const uint16_t *kept = mesh->triangle_materials;
+    const uint16_t numbers[4] = {2, 1, 0, 2}, zeros[4] = {0};
+    CHECK(build_materials(3, numbers, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    CHECK1(view->triangle_count == 3 && burnish_mesh_material_count(mesh) == 3);
+    const uint16_t *kept = view->triangle_materials;
     if (CHECK1(kept != NULL)) {
         CHECK(kept[0] == 2 && kept[1] == 0 && kept[2] == 2, "%d %d %d", kept[0], kept[1], kept[2]);
     }
-    CHECK1(burnish_mesh_material(scene, 2)->exponent == 12);
-    CHECK1(burnish_mesh_material(scene, 3) == NULL);
-    burnish_mesh_destroy(scene);
+    CHECK1(burnish_mesh_material(mesh, 2)->exponent == 12);
+    CHECK1(burnish_mesh_material(mesh, 3) == NULL);
+    burnish_mesh_destroy(mesh);
 
-    CHECK1(build_materials(1, numbers, &scene, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_get_view(scene)->triangle_materials == NULL);
-    CHECK1(burnish_mesh_material_count(scene) == 1);
-    CHECK1(burnish_mesh_material(scene, 0)->exponent == 10);
-    burnish_mesh_destroy(scene);
+    CHECK1(build_materials(1, zeros, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_get_view(mesh)->triangle_materials == NULL);
+    CHECK1(burnish_mesh_material_count(mesh) == 1);
+    CHECK1(burnish_mesh_material(mesh, 0)->exponent == 10);
+    burnish_mesh_destroy(mesh);
 
-    CHECK1(build_materials(0, numbers, &scene, &error) == BURNISH_STATUS_OK);
+    CHECK1(build_materials(0, zeros, &mesh, &error) == BURNISH_STATUS_OK);
     burnish_material grey = burnish_material_default();
-    CHECK1(burnish_mesh_material_count(scene) == 1);
-    CHECK1(memcmp(burnish_mesh_material(scene, 0), &grey, sizeof grey) == 0);
-    burnish_mesh_destroy(scene);
+    CHECK1(burnish_mesh_material_count(mesh) == 1);
+    CHECK1(memcmp(burnish_mesh_material(mesh, 0), &grey, sizeof grey) == 0);
+    burnish_mesh_destroy(mesh);
 
-    CHECK1(build_materials(2, numbers, &scene, &error) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(error.text, "row.obj: triangle 0 has material 2, but there are only 2");
-    CHECK1(scene == NULL);
+    CHECK1(build_materials(2, numbers, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "triangle_materials[0]: 2 is out of range, there are 2 materials");
+    CHECK1(mesh == NULL);
 }
 
 static void test_set_material(void) {
@@ -576,48 +557,6 @@ static void test_crease_auto(void) {
     }
 }
 
-/* Each allocation fails once: MEMORY, no scene, nothing lost (the leak checker says so). The mesh
- * must make a warning. */
-static void check_out_of_memory(const float *positions, const float *normals, const uint8_t *colors,
-                                size_t vertex_count, const uint32_t *indices,
-                                size_t triangle_count) {
-    burnish_status status = BURNISH_STATUS_MEMORY;
-    long failures = 0;
-    for (; status != BURNISH_STATUS_OK && failures < 100; ++failures) {
-        burnish_mesh *scene = NULL;
-        burnish_error error = {BURNISH_STATUS_OK, ""};
-        allocations_left = failures;
-        status = create(positions, normals, colors, vertex_count, indices, triangle_count, 40,
-                        &scene, &error);
-        long left = allocations_left;
-        allocations_left = -1;
-        if (status != BURNISH_STATUS_OK) {
-            CHECK(status == BURNISH_STATUS_MEMORY && scene == NULL, "%ld: %s", failures,
-                  error.text);
-            CHECK(strncmp(error.text, "out of memory", 13) == 0, "%s", error.text);
-        } else if (left < 0) {
-            status = BURNISH_STATUS_MEMORY; /* only the warning was lost: go on */
-            CHECK1(burnish_mesh_warning_count(scene) == 0);
-        }
-        burnish_mesh_destroy(scene);
-    }
-    CHECK(failures > 15 && failures < 100, "%ld allocations", failures);
-}
-
-static void test_out_of_memory(void) {
-    float positions[24];
-    float normals[24];
-    uint8_t colors[32] = {0};
-    uint32_t indices[39];
-    cube_corners(indices, 0);
-    memcpy(indices + 36, (uint32_t[]){0, 0, 1}, 12); /* makes a warning */
-    for (uint32_t i = 0; i < 8; ++i) {
-        cube_point(i, positions + 3 * i);
-        cube_point(i, normals + 3 * i);
-    }
-    check_out_of_memory(positions, normals, colors, 8, indices, 13);
-}
-
 /* A sheet of SHEET x SHEET squares, their triangles in random order; square q's corners are its own
  * place and those beside and below it. */
 enum {
@@ -628,7 +567,7 @@ enum {
 typedef struct sheet_mesh {
     float positions[3 * SHEET_VERTICES], normals[3 * SHEET_VERTICES];
     uint8_t colors[4 * SHEET_VERTICES];
-    uint32_t indices[3 * (SHEET_TRIANGLES + 1)];
+    uint32_t indices[3 * SHEET_TRIANGLES];
 } sheet_mesh;
 
 static void make_sheet(sheet_mesh *mesh) {
@@ -666,37 +605,26 @@ static uint32_t sheet_number(const float *positions, const uint32_t *corners) {
     return 2 * ((uint32_t)y * SHEET + (uint32_t)x) + (sum - 3 * (x + y) > 3);
 }
 
-static burnish_mesh *build_sheet(const sheet_mesh *mesh, burnish_tasks *pool) {
-    const size_t corners = (size_t)3 * SHEET_TRIANGLES;
+static burnish_mesh *build_sheet(const sheet_mesh *sheet, int threads) {
+    static uint16_t numbers[SHEET_TRIANGLES];
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data data = {.tasks = pool};
-    burnish_mesh *scene = NULL;
-    data.streams[BURNISH_POSITION].items = malloc(sizeof mesh->positions);
-    data.streams[BURNISH_COLOR].items = malloc(sizeof mesh->colors);
-    data.streams[BURNISH_NORMAL].items = malloc(sizeof mesh->normals);
-    data.streams[BURNISH_POSITION].corners = malloc(corners * sizeof(uint32_t));
-    data.streams[BURNISH_NORMAL].corners = malloc(corners * sizeof(uint32_t));
-    data.triangle_materials = malloc(SHEET_TRIANGLES * sizeof(uint16_t));
-    data.materials = malloc(7 * sizeof *data.materials);
-    memcpy(burnish_positions(&data), mesh->positions, sizeof mesh->positions);
-    memcpy(burnish_colors(&data), mesh->colors, sizeof mesh->colors);
-    memcpy(burnish_normals(&data), mesh->normals, sizeof mesh->normals);
-    memcpy(data.streams[BURNISH_POSITION].corners, mesh->indices, corners * sizeof(uint32_t));
-    memcpy(data.streams[BURNISH_NORMAL].corners, mesh->indices, corners * sizeof(uint32_t));
+    burnish_material materials[7];
+    burnish_mesh_description arrays =
+        describe_arrays(sheet->positions, sheet->normals, sheet->colors, SHEET_VERTICES,
+                        sheet->indices, SHEET_TRIANGLES);
+    burnish_mesh *mesh = NULL;
     for (size_t i = 0; i < SHEET_TRIANGLES; ++i) {
-        data.triangle_materials[i] =
-            (uint16_t)(sheet_number(mesh->positions, mesh->indices + 3 * i) % 7);
+        numbers[i] = (uint16_t)(sheet_number(sheet->positions, sheet->indices + 3 * i) % 7);
     }
     for (int i = 0; i < 7; ++i) {
-        data.materials[i] = burnish_material_default();
+        materials[i] = burnish_material_default();
     }
-    data.streams[BURNISH_POSITION].count = data.streams[BURNISH_NORMAL].count =
-        data.streams[BURNISH_COLOR].count = SHEET_VERTICES;
-    data.triangle_count = SHEET_TRIANGLES;
-    data.material_count = 7;
-    burnish_mesh_build(&data, "sheet.obj", &options, BURNISH_FORMAT_OBJ, &scene, NULL);
-    burnish_mesh_data_destroy(&data);
-    return scene;
+    arrays.materials = materials;
+    arrays.material_count = 7;
+    arrays.triangle_materials = (burnish_array){numbers, SHEET_TRIANGLES, 0};
+    options.threads = threads;
+    burnish_mesh_create(&arrays, &options, &mesh, NULL);
+    return mesh;
 }
 
 /* The triangles of a large mesh are ordered in space, each with its material, colours and normals,
@@ -705,9 +633,7 @@ static void test_order(void) {
     static sheet_mesh sheet;
     static uint8_t seen[SHEET_TRIANGLES];
     make_sheet(&sheet);
-    burnish_tasks tasks, *pool = &tasks;
-    burnish_tasks_begin(&tasks, NULL, 3);
-    burnish_mesh *scene = build_sheet(&sheet, NULL), *other = build_sheet(&sheet, pool);
+    burnish_mesh *scene = build_sheet(&sheet, 1), *other = build_sheet(&sheet, 3);
     if (!CHECK1(scene != NULL && other != NULL)) {
         return;
     }
@@ -738,22 +664,21 @@ static void test_order(void) {
     CHECK(way / SHEET_TRIANGLES < 10, "neighbours are %g apart", way / SHEET_TRIANGLES);
     burnish_mesh_destroy(scene);
     burnish_mesh_destroy(other);
-    memset(sheet.indices + (size_t)3 * SHEET_TRIANGLES, 0, 12); /* makes a warning */
-    check_out_of_memory(sheet.positions, sheet.normals, sheet.colors, SHEET_VERTICES, sheet.indices,
-                        SHEET_TRIANGLES + 1);
 }
 
 /* The bits of normals do not depend on how many faces are compared at once: fans with and without
  * gaps, flat and jagged, of every size that is compared pairwise. */
 static void test_wide_fans(void) {
     enum { MOST = 10, ROUNDS = 20000 };
-    burnish_fan fan;
+    burnish_rings rings;
+    burnish_memory memory = burnish_memory_of(NULL, NULL);
     int different = 0, apart = 0;
     uint64_t state = test_seed(4);
-    if (!CHECK1(burnish_fan_create(&fan, MOST, 60, NULL) == BURNISH_STATUS_OK)) {
+    const int wide = burnish_processor_has_avx2();
+    burnish_rings_create(&rings, MOST, 60, wide, &memory);
+    if (!CHECK1(memory.status == BURNISH_STATUS_OK)) {
         return;
     }
-    int wide = fan.wide;
     for (int round = 0; round < ROUNDS; ++round) {
         size_t faces = 1 + random_bits(&state) % MOST;
         float positions[3 * (MOST + 2)], normals[2][3 * MOST];
@@ -774,9 +699,9 @@ static void test_wide_fans(void) {
         }
         memset(normals, 0, sizeof normals);
         for (int k = 0; k < 2; ++k) {
-            fan.wide = k ? wide : 0;
-            burnish_fan_measure(&fan, positions, triangles, corners, faces);
-            common[k] = burnish_fan_normals(&fan, 0, faces, normals[k]);
+            rings.wide = k ? wide : 0;
+            burnish_rings_measure(&rings, positions, triangles, corners, faces);
+            common[k] = burnish_rings_normals(&rings, 0, faces, normals[k]);
         }
         different += common[0] != common[1] || memcmp(normals[0], normals[1], sizeof *normals) != 0;
         apart += !common[0];
@@ -784,7 +709,7 @@ static void test_wide_fans(void) {
     CHECK(different == 0, "%d of %d fans have other normals", different, ROUNDS);
     CHECK(apart > ROUNDS / 10 && apart < ROUNDS - ROUNDS / 10, "%d of %d fans are apart", apart,
           ROUNDS);
-    burnish_fan_destroy(&fan);
+    burnish_rings_destroy(&rings, NULL);
 }
 
 int main(int count, char **arguments) {
@@ -805,7 +730,6 @@ int main(int count, char **arguments) {
     RUN(test_arguments());
     RUN(test_options());
     RUN(test_crease_auto());
-    RUN(test_out_of_memory());
     RUN(test_order());
-    return test_end("scene");
+    return test_end("mesh");
 }

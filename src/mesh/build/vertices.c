@@ -1,0 +1,361 @@
+/* Vertices of any mesh: the corners that meet in a position share one where normal, colour and
+ * texture coordinates are equal. Normals that the file lacks are generated. Threads take positions;
+ * vertices are then numbered in the order in which the triangles first use them, so that the result
+ * does not depend on who made them. */
+#include "core/processors.h"
+#include "mesh/build/builder.h"
+#include "mesh/build/normals.h"
+#include "mesh/build/weld.h"
+
+enum {
+    POSITIONS_PER_THREAD = BURNISH_BUILD_GRAIN / 2, /* worth a thread */
+    POSITIONS_PER_TASK = 512,
+    CORNERS_PER_BATCH = 512 /* measured together; the rings stay in the first-level cache */
+};
+
+/* One vertex of the result while they are collected. */
+typedef struct built_vertex {
+    uint32_t corner;   /* the first one that uses it */
+    uint32_t position; /* number of the welded position */
+    float normal[3];
+} built_vertex;
+
+/* What one thread makes vertices with. */
+typedef struct vertex_maker {
+    burnish_builder *b;
+    burnish_memory memory;
+    burnish_error error;
+    burnish_rings rings;
+    float *normals;               /* 3 per corner of one position */
+    burnish_weld_record *records; /* 1 per corner of one position */
+    built_vertex *vertices;
+    size_t count, capacity;
+} vertex_maker;
+
+/* Lists the corners of every welded position, in the order of the triangles. */
+static burnish_status list_corners(burnish_builder *b) {
+    const size_t corner_count = 3 * b->triangle_count, starts = b->position_count + 2;
+    b->first_corner =
+        burnish_allocate_zeroed(b->memory, starts, sizeof *b->first_corner, "vertices");
+    b->corners = burnish_allocate(b->memory, corner_count, sizeof *b->corners, "vertices");
+    if (b->memory->status != BURNISH_STATUS_OK) {
+        return b->memory->status;
+    }
+    /* Counting sort with the counts two entries on, so that filling leaves the starts behind. */
+    for (size_t i = 0; i < corner_count; ++i) {
+        ++b->first_corner[b->corner_positions[i] + (size_t)2];
+    }
+    for (size_t i = 2; i < starts; ++i) {
+        if (b->first_corner[i] > b->max_faces) {
+            b->max_faces = b->first_corner[i];
+        }
+        b->first_corner[i] += b->first_corner[i - 1];
+    }
+    for (size_t i = 0; i < corner_count; ++i) {
+        b->corners[b->first_corner[b->corner_positions[i] + (size_t)1]++] = (uint32_t)i;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* ---- one position ---- */
+
+static int needs_normal(const burnish_builder *b, const uint32_t *corners, size_t count) {
+    for (size_t i = 0; i < count && !b->normals_complete; ++i) {
+        if (!burnish_file_normal(b->data, corners[i])) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* What a corner has of an attribute that is only passed on; white or 0 where it has none. Returns
+ * the bytes that it takes. */
+static size_t copy_item(const burnish_mesh_data *data, int attribute, uint32_t corner, void *to) {
+    const size_t size = burnish_attribute_size((burnish_attribute)attribute);
+    const uint32_t number = burnish_stream_corners(data, (burnish_attribute)attribute)[corner];
+    const uint8_t *items = data->streams[attribute].items;
+    if (number == BURNISH_NONE) {
+        memset(to, attribute == BURNISH_COLOR ? 255 : 0, size);
+    } else if (size == 4) {
+        memcpy(to, items + 4 * (size_t)number, 4);
+    } else {
+        memcpy(to, items + size * number, size);
+    }
+    return size;
+}
+
+static void describe_corner(const burnish_builder *b, uint32_t corner, const float *normal,
+                            burnish_weld_record *record) {
+    size_t used = 3 * sizeof(float);
+    *record = (burnish_weld_record){{0}, corner};
+    memcpy(record->key, normal, used);
+    for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT && b->has_extras; ++i) {
+        if (b->data->streams[i].count > 0) {
+            used += copy_item(b->data, i, corner, (uint8_t *)record->key + used);
+        }
+    }
+}
+
+static int same_vertex(const burnish_weld_record *x, const burnish_weld_record *y) {
+    return memcmp(x->key, y->key, sizeof x->key) == 0;
+}
+
+/* Appends a vertex. There is room. */
+static void append_vertex(vertex_maker *maker, uint32_t position, uint32_t first_corner,
+                          const void *normal) {
+    built_vertex *vertex = &maker->vertices[maker->count++];
+    vertex->corner = first_corner;
+    vertex->position = position;
+    memcpy(vertex->normal, normal, sizeof vertex->normal);
+}
+
+/* Gives each corner of one position its vertex: corners that have the same share one. In the mesh's
+ * indices stands the first corner of that vertex for now. */
+static void number_corners(vertex_maker *maker, uint32_t position) {
+    enum { FEW = 16 };
+    const burnish_builder *b = maker->b;
+    const uint32_t *corners = b->corners + b->first_corner[position];
+    const size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
+    burnish_weld_record *records = maker->records;
+    uint32_t *indices = b->mesh->indices;
+    for (size_t i = 0; i < count; ++i) {
+        describe_corner(b, corners[i], maker->normals + 3 * i, &records[i]);
+    }
+    if (count > FEW) {
+        burnish_weld_sort(records, count);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        size_t head = count > FEW && i > 0 ? i - 1 : 0;
+        while (head < i && !same_vertex(&records[head], &records[i])) {
+            ++head;
+        }
+        indices[records[i].value] = head < i ? indices[records[head].value] : records[i].value;
+        if (head == i) {
+            append_vertex(maker, position, records[i].value, records[i].key);
+        }
+    }
+}
+
+/* All corners of a position have one normal, the first in maker, and nothing else. */
+static void share_vertex(vertex_maker *maker, uint32_t position) {
+    const burnish_builder *b = maker->b;
+    const uint32_t *corners = b->corners + b->first_corner[position];
+    const uint32_t *end = b->corners + b->first_corner[position + (size_t)1];
+    append_vertex(maker, position, *corners, maker->normals);
+    for (const uint32_t *corner = corners; corner < end; ++corner) {
+        b->mesh->indices[*corner] = *corners;
+    }
+}
+
+/* Whether corners that have normals of the file's have the same one. */
+static int have_one_normal(const burnish_builder *b, const uint32_t *corners, size_t count) {
+    const uint32_t *normals = burnish_stream_corners(b->data, BURNISH_NORMAL);
+    for (size_t i = 1; i < count; ++i) {
+        if (normals[corners[i]] != normals[corners[0]]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The vertices of one position; measured: whether its corners are in the rings, from `first` on. */
+static void make_position(vertex_maker *maker, uint32_t position, int measured, size_t first) {
+    const burnish_builder *b = maker->b;
+    const uint32_t *corners = b->corners + b->first_corner[position];
+    const size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
+    const int has_file_normals = b->data->streams[BURNISH_NORMAL].count > 0;
+    maker->vertices = burnish_reserve(&maker->memory, maker->vertices, &maker->capacity,
+                                      maker->count + count, sizeof *maker->vertices, "vertices");
+    if (maker->memory.status != BURNISH_STATUS_OK) {
+        return;
+    }
+    if (b->normals_complete && !b->has_extras && have_one_normal(b, corners, count)) {
+        memcpy(maker->normals, burnish_file_normal(b->data, corners[0]), 3 * sizeof(float));
+        share_vertex(maker, position);
+        return;
+    }
+    if (measured && needs_normal(b, corners, count) &&
+        burnish_rings_normals(&maker->rings, first, count, maker->normals)) {
+        if (!has_file_normals && !b->has_extras) {
+            share_vertex(maker, position);
+            return;
+        }
+        for (size_t i = 1; i < count; ++i) {
+            memcpy(maker->normals + 3 * i, maker->normals, 3 * sizeof(float));
+        }
+    }
+    for (size_t i = 0; i < count && has_file_normals; ++i) {
+        const float *normal = burnish_file_normal(b->data, corners[i]);
+        if (normal) {
+            memcpy(maker->normals + 3 * i, normal, 3 * sizeof(float));
+        }
+    }
+    number_corners(maker, position);
+}
+
+/* ---- many positions ---- */
+
+/* The vertices of positions [first, end), whose corners fit the rings. */
+static void make_batch(vertex_maker *maker, size_t first, size_t end) {
+    const burnish_builder *b = maker->b;
+    const uint32_t start = b->first_corner[first];
+    const size_t count = b->first_corner[end] - start;
+    const int measured = needs_normal(b, b->corners + start, count);
+    if (measured) {
+        burnish_rings_measure(&maker->rings, burnish_positions(b->data), b->corner_positions,
+                              b->corners + start, count);
+    }
+    for (size_t i = first; i < end && maker->memory.status == BURNISH_STATUS_OK; ++i) {
+        if (b->first_corner[i + 1] > b->first_corner[i]) {
+            make_position(maker, (uint32_t)i, measured, b->first_corner[i] - start);
+        }
+    }
+}
+
+/* The vertices of some positions, but for those with more corners than fit the rings. */
+static void make_task(void *context, size_t task, int thread) {
+    vertex_maker *maker = (vertex_maker *)context + thread;
+    const uint32_t *starts = maker->b->first_corner;
+    const size_t count = maker->b->position_count, capacity = maker->rings.capacity;
+    size_t first = task * POSITIONS_PER_TASK;
+    const size_t end = count - first < POSITIONS_PER_TASK ? count : first + POSITIONS_PER_TASK;
+    while (first < end && maker->memory.status == BURNISH_STATUS_OK) {
+        size_t next = first + 1;
+        while (next < end && starts[next + 1] - starts[first] <= capacity) {
+            ++next;
+        }
+        if (starts[next] - starts[first] <= capacity) {
+            make_batch(maker, first, next);
+        }
+        first = next;
+    }
+}
+
+/* ---- makers ---- */
+
+static void destroy_scratch(vertex_maker *maker) {
+    const burnish_context *context = maker->memory.context;
+    burnish_rings_destroy(&maker->rings, context);
+    burnish_release(context, maker->normals);
+    burnish_release(context, maker->records);
+    maker->normals = NULL;
+    maker->records = NULL;
+}
+
+static void create_scratch(vertex_maker *maker, size_t capacity) {
+    const burnish_builder *b = maker->b;
+    burnish_rings_create(&maker->rings, capacity, b->crease_angle, burnish_processor_has_avx2(),
+                         &maker->memory);
+    maker->normals =
+        burnish_allocate(&maker->memory, capacity, 3 * sizeof *maker->normals, "vertices");
+    maker->records = burnish_allocate(&maker->memory, capacity, sizeof *maker->records, "vertices");
+}
+
+static vertex_maker *create_makers(burnish_builder *b, int count) {
+    const size_t corners = 3 * b->triangle_count;
+    vertex_maker *makers =
+        burnish_allocate_zeroed(b->memory, (size_t)count, sizeof *makers, "vertices");
+    for (int i = 0; i < count && makers; ++i) {
+        makers[i].b = b;
+        makers[i].memory = burnish_memory_of(b->memory->context, &makers[i].error);
+        create_scratch(&makers[i], corners < CORNERS_PER_BATCH ? corners : CORNERS_PER_BATCH);
+        burnish_memory_join(b->memory, &makers[i].memory);
+    }
+    return makers;
+}
+
+static void destroy_makers(vertex_maker *makers, int count) {
+    for (int i = 0; i < count && makers; ++i) {
+        const burnish_context *context = makers[i].memory.context;
+        destroy_scratch(&makers[i]);
+        burnish_release(context, makers[i].vertices);
+    }
+    if (makers) {
+        burnish_release(makers->b->memory->context, makers);
+    }
+}
+
+/* Positions with more corners than fit: one by one, with rings of their size. */
+static void make_large(vertex_maker *maker) {
+    const burnish_builder *b = maker->b;
+    destroy_scratch(maker);
+    create_scratch(maker, b->max_faces);
+    for (size_t i = 0; i < b->position_count && maker->memory.status == BURNISH_STATUS_OK; ++i) {
+        if (b->first_corner[i + 1] - b->first_corner[i] > CORNERS_PER_BATCH) {
+            make_batch(maker, i, i + 1);
+        }
+    }
+}
+
+static burnish_status make_vertices(burnish_builder *b, vertex_maker *makers, int count) {
+    const size_t tasks = (b->position_count + POSITIONS_PER_TASK - 1) / POSITIONS_PER_TASK;
+    burnish_tasks_run(b->data->tasks, tasks, 1, count, make_task, makers);
+    burnish_status status = burnish_tasks_check(b->data->tasks, b->memory->error);
+    if (status == BURNISH_STATUS_OK && b->max_faces > CORNERS_PER_BATCH) {
+        make_large(&makers[0]);
+    }
+    for (int i = 0; i < count; ++i) {
+        burnish_memory_join(b->memory, &makers[i].memory);
+        destroy_scratch(&makers[i]);
+        b->vertex_count += makers[i].count;
+    }
+    return status == BURNISH_STATUS_OK ? b->memory->status : status;
+}
+
+/* ---- the result ---- */
+
+/* Numbers the vertices in the order in which the triangles first use them. A vertex's first corner
+ * comes before its others, so that their numbers are known by then. */
+static void number_vertices(burnish_builder *b) {
+    uint32_t *indices = b->mesh->indices, next = 0;
+    for (size_t i = 0; i < 3 * b->triangle_count; ++i) {
+        indices[i] = indices[i] == i ? next++ : indices[indices[i]];
+    }
+}
+
+static void write_range(void *context, size_t first, size_t end) {
+    const vertex_maker *maker = context;
+    const burnish_builder *b = maker->b;
+    void *const *attributes = b->mesh->attributes;
+    const float *from = burnish_positions(b->data);
+    float *positions = attributes[BURNISH_POSITION], *normals = attributes[BURNISH_NORMAL];
+    for (size_t k = first; k < end; ++k) {
+        const built_vertex *vertex = &maker->vertices[k];
+        const size_t number = b->mesh->indices[vertex->corner];
+        memcpy(positions + 3 * number, from + 3 * (size_t)vertex->position, 3 * sizeof(float));
+        memcpy(normals + 3 * number, vertex->normal, 3 * sizeof(float));
+        for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT && b->has_extras; ++i) {
+            if (attributes[i]) {
+                const size_t size = burnish_attribute_size((burnish_attribute)i);
+                copy_item(b->data, i, vertex->corner, (uint8_t *)attributes[i] + size * number);
+            }
+        }
+    }
+}
+
+burnish_status burnish_build_vertices(burnish_builder *b) {
+    const size_t worth = b->position_count / POSITIONS_PER_THREAD,
+                 all = (size_t)burnish_tasks_threads(b->data->tasks);
+    const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
+    if (list_corners(b) != BURNISH_STATUS_OK) {
+        return b->memory->status;
+    }
+    vertex_maker *makers = create_makers(b, count);
+    burnish_status status = b->memory->status;
+    if (status == BURNISH_STATUS_OK) {
+        status = make_vertices(b, makers, count);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        burnish_build_release_corners(b, b->has_extras);
+        status = burnish_build_allocate(b);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        number_vertices(b);
+        for (int i = 0; i < count; ++i) {
+            burnish_tasks_ranges(b->data->tasks, makers[i].count, BURNISH_BUILD_GRAIN, write_range,
+                                 &makers[i]);
+        }
+    }
+    destroy_makers(makers, count);
+    return status;
+}
