@@ -249,6 +249,18 @@ static void check_bits(void) {
     CHECK(hash == FITS_HASH, "hash %#llx", (unsigned long long)hash);
 }
 
+/* Arrays have the peak that the fit gives. */
+static void check_affine_array(void) {
+    const burnish_lobe_spec lobe = {.fit = BURNISH_FIT_AFFINE, .order = 4};
+    float values[3] = {1, 0.97f, 0.2f};
+    double zeta, scale;
+    CHECK1(burnish_lobe_solve(&lobe, 50, &zeta, &scale) == BURNISH_LOBE_OK && scale < 0.99);
+    CHECK1(burnish_kernels_lobe_of_cosines(burnish_kernels_best(), &lobe, 50, 3, values, values,
+                                           NULL) == BURNISH_STATUS_OK);
+    CHECK1(values[0] == (float)scale && values[2] == 0);
+    CHECK1(fabs((double)values[1] - scale * burnish_theory_family(zeta, 4, (double)0.97f)) < 1e-6);
+}
+
 /* ---- What a choice recommends ---- */
 
 static void check_choice_is_drawn(void) {
@@ -312,6 +324,7 @@ int main(int count, char **arguments) {
     RUN(check_searched_fits());
     RUN(check_exact_fits());
     RUN(check_bits());
+    RUN(check_affine_array());
     RUN(check_choice_is_drawn());
     return test_end("lobe_spec");
 }

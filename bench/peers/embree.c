@@ -221,7 +221,7 @@ static void draw_task(void *of, size_t tile, int thread) {
     draw_tile(context->t, context->shader, (int)tile % COLUMNS, (int)tile / COLUMNS);
 }
 
-static int draw(const tracer *t, const char *variant) {
+static int draw(tracer *t, const char *variant) {
     burnish_kernels_shader shader;
     if (!make_shader(t, variant, &shader)) {
         return 0;

@@ -12,7 +12,7 @@
  * float array for x, one for y, one for z. None needs any alignment beyond a float's, though 64
  * bytes are fastest; lengths need not be a multiple of anything, and 0 is fine.
  *
- * What it promises. A result depends on its own point only, not on its place in the array, the
+ * What it promises. A result depends on its own point only, not on its index in the array, the
  * array's length, the tier, the compiler or the thread. No fused multiply-add, no approximate
  * instruction, no libm. The caller's floating-point environment is the default one: rounding to
  * nearest, subnormal numbers kept. NaN and infinity in an input harm no other point.
@@ -173,13 +173,13 @@ typedef struct burnish_kernels_points {
     const float *normal[3];   /* length in [2^-60, 2^60]; (0, 0, 0) gets the ambient term only */
     const float *diffuse[3];  /* d, >= 0; all NULL: 1 */
     const float *position[3]; /* times w; read where a light is a point or the viewer local */
-    const float *w;           /* > 0: the point's place is position / w; NULL: 1 */
+    const float *w;           /* > 0: the point's position is position / w; NULL: 1 */
 } burnish_kernels_points;
 
 /* Shades points into pixels: channel = 255 min(1, value), halves to even; alpha 255.
  *   batch   from burnish_kernels_best or burnish_kernels_for
  *   shader  from burnish_kernels_prepare
- *   points  no array overlaps the output; differences of places in [2^-60, 2^60]
+ *   points  no array overlaps the output; differences of positions in [2^-60, 2^60]
  *   count   number of points
  *   rgba    receives 4 count bytes, R first
  * Errors: ARGUMENT for a shader that was not prepared or a missing array; nothing is written. */

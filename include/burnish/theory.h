@@ -232,14 +232,14 @@ typedef struct burnish_theory_difference {
 } burnish_theory_difference;
 
 /* Measures all of that. The maxima are certified. The slopes of a lobe and of the power are equal
- * at two places at most, found by bisection (family, schlick, gaussian, gx, nv2x; within each cell
- * of a table one place in closed form). For kuijk-blake, both curves falling with the angle,
+ * at two points at most, found by bisection (family, schlick, gaussian, gx, nv2x; within each cell
+ * of a table one point in closed form). For kuijk-blake, both curves falling with the angle,
  * lobe(a) - power(b) bounds the error on [a, b], and intervals are split until no bound exceeds the
  * maximum found by more than 1e-9.
  *   end     (0, pi/2]: burnish_theory_inflection_angle, burnish_theory_angle_at of the power, or
  *           pi/2 for everything
  *   result  receives the numbers, all NaN for an end out of range; not NULL
- * Guarantees: maxima within 1e-9, places where the error is within 1e-9 of the maximum; integral
+ * Guarantees: maxima within 1e-9, angles where the error is within 1e-9 of the maximum; integral
  * and rms within 1e-8 relative where the maximum is above 1e-7. */
 BURNISH_API void burnish_theory_compare(const burnish_theory_model *model, double end,
                                         burnish_theory_difference *result);
@@ -254,10 +254,10 @@ BURNISH_API double burnish_theory_relative_error(const burnish_theory_model *mod
 /* Where the family's relative error has its extreme before it falls to -1 at the zero:
  * cos = n (zeta - 1) / (zeta (n - m)). energy, m = 2: tan = sqrt(2n + 1) / n; shift7:
  * tan = 2 sqrt(7n - 15) / (7n - 16). NaN for other lobes and where there is no such
- * place (zeta <= 1, n <= m, zeta > n/m). */
+ * angle (zeta <= 1, n <= m, zeta > n/m). */
 BURNISH_API double burnish_theory_extreme_angle(const burnish_theory_model *model);
 
-/* The same place by a search that knows nothing of the formula: the maximum of lobe / power.
+/* The same angle by a search that knows nothing of the formula: the maximum of lobe / power.
  * NaN where burnish_theory_extreme_angle is. */
 BURNISH_API double burnish_theory_extreme_angle_searched(const burnish_theory_model *model);
 
@@ -422,7 +422,7 @@ typedef struct burnish_theory_claim {
     const char *id;       /* one word for tables and options */
     const char *claim;    /* what the paper says, in our words */
     const char *quantity; /* what the values are, with unit */
-    const char *note;     /* what is behind a verdict that needs a word; otherwise "" */
+    const char *note;     /* why, for a verdict that needs a word; otherwise "" */
     const char *command;  /* a command line that shows it */
     int count;            /* number of values: [0, BURNISH_THEORY_CLAIM_VALUES] */
     struct {

@@ -87,19 +87,19 @@ static void largest_errors(family *f, double *above, double *below) {
     turn = turn > 0 && turn < limit ? turn : limit;
     const double bounds[3] = {0, turn, limit};
     f->log_ratio = burnish_log(f->scale * f->order * f->zeta / f->exponent);
-    double places[4] = {end, 1};
+    double points[4] = {end, 1};
     int count = 2;
     for (int i = 0; i < 2; ++i) {
         double low = bounds[i], high = bounds[i + 1];
         if (low < high && (slope_ratio(low, f) > 0) != (slope_ratio(high, f) > 0)) {
             /* the error is stationary there: 1e-9 off changes it by 1e-18 */
-            places[count++] = find_root(slope_ratio, f, low, high, 1e-10);
+            points[count++] = find_root(slope_ratio, f, low, high, 1e-10);
         }
     }
     *above = *below = 0;
     for (int i = 0; i < count; ++i) {
         double difference =
-            f->scale * family_at(places[i], f->zeta, f->order) - power_at(places[i], f->exponent);
+            f->scale * family_at(points[i], f->zeta, f->order) - power_at(points[i], f->exponent);
         *above = difference > *above ? difference : *above;
         *below = -difference > *below ? -difference : *below;
     }

@@ -7,7 +7,7 @@
 
 enum { MAX_WIDTH = 32 };
 
-/* Reads up to two digits and moves *text behind them; -1 when there is none. */
+/* Reads up to two digits and moves *text past them; -1 when there is none. */
 static int read_bits(const char **text) {
     int bits = -1;
     for (int i = 0; i < 2 && **text >= '0' && **text <= '9'; ++i, ++*text) {

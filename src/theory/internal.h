@@ -24,7 +24,7 @@ double burnish_theory_lambda_at(const burnish_theory_model *model, double level)
 typedef double (*burnish_theory_integrand)(double s, const void *context);
 
 /* The integral of f from s0 to s1 by adaptive Gauss-Kronrod, in panels that end where the model
- * has a corner or a step, absolute error about `tolerance` a panel. */
+ * has a corner or a step, absolute error about `tolerance` per panel. */
 double burnish_theory_quadrature(burnish_theory_integrand f, const void *context,
                                  const burnish_theory_model *model, double s0, double s1,
                                  double tolerance);

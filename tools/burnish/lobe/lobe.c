@@ -25,10 +25,9 @@ const cli_command lobe_command = {
     .operand_help =
         "burnish lobe COMMAND --help lists the flags; burnish help --man explains them.",
     .manual = "Numbers about the lobes of *LOBES*, computed when asked for, in double precision. "
-              "Beside the words of *burnish render* these know the fits *minimax* (least maximum "
-              "error), *leastsquares* and *affine* (least maximum error, peak below 1), *zeta*_Z_ "
-              "(that slope), and for comparison *nv2x*, *kuijk-blake*, *table*_N_ and "
-              "*table*_N_*:linear*. Errors are those against the power with the same exponent. "
+              "Beside the words of *burnish render* these know, for comparison, *nv2x*, "
+              "*kuijk-blake*, *table*_N_ and *table*_N_*:linear*. Errors are those against the "
+              "power with the same exponent. "
               "Angles are degrees.",
     .examples = examples,
     .parts = parts,
