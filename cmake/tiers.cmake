@@ -1,6 +1,6 @@
-# BURNISH_TIERS and BURNISH_BENCH_TIERS: the sources of the vector tiers that the target's processors
-# may have, of the kernels and of their contenders, each with its instruction set's flags. Which of
-# them runs is found out at run time.
+# The flags of each instruction set that the target's processors may have. Every src/simd/isa_<name>.c
+# is compiled; without its flags it says that it has nothing. Which of them runs is found out at run
+# time. BURNISH_BENCH_TIERS: the contenders of the benchmark.
 include(CheckCSourceCompiles)
 check_c_source_compiles("#if !defined(__SSE2__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_SSE2)
 check_c_source_compiles("#if !defined(__aarch64__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_NEON)
@@ -17,12 +17,9 @@ if(BURNISH_HAS_SSE2 OR BURNISH_HAS_NEON)
   # Where there is a vector tier the scalar one is scalar: the reference, and what its name says.
   set(scalar_flags -fno-tree-vectorize -fno-tree-slp-vectorize)
 endif()
-set(BURNISH_TIERS)
 set(BURNISH_BENCH_TIERS)
 foreach(tier ${BURNISH_TIER_NAMES})
-  set(sources src/simd/tier_${tier}.c src/raster/raster_${tier}.c)
-  list(APPEND BURNISH_TIERS ${sources})
-  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${${tier}_flags}")
+  set_source_files_properties(src/simd/isa_${tier}.c PROPERTIES COMPILE_OPTIONS "${${tier}_flags}")
   # the contenders need not keep bits: they may fuse
   list(APPEND BURNISH_BENCH_TIERS bench/kernels_tier_${tier}.c)
   set(bench_flags ${${tier}_flags})

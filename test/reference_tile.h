@@ -13,6 +13,7 @@
 
 #include "core/memory.h"
 #include "raster/raster.h"
+#include "raster/samples.h"
 
 /* All slots, of triangles that may be seen and of others. */
 static inline size_t reference_slot_count(const burnish_geometry *geometry) {
@@ -21,9 +22,9 @@ static inline size_t reference_slot_count(const burnish_geometry *geometry) {
 
 /* The side from which the triangle in a slot is seen: 0 front, 1 back, -1 none. */
 static inline int reference_side(const burnish_geometry *geometry, size_t slot) {
-    const burnish_batch_header *head = &geometry->headers[slot / BURNISH_BATCH_SIZE];
+    const burnish_batch_header *header = &geometry->headers[slot / BURNISH_BATCH_SIZE];
     const unsigned lane = slot % BURNISH_BATCH_SIZE;
-    return head->lanes[0] >> lane & 1 ? 0 : head->lanes[1] >> lane & 1 ? 1 : -1;
+    return header->visible[0] >> lane & 1 ? 0 : header->visible[1] >> lane & 1 ? 1 : -1;
 }
 
 static inline burnish_primitive reference_corners(const burnish_geometry *geometry, size_t slot) {

@@ -5,6 +5,7 @@
 
 #include "raster/raster.h"
 #include "reference_tile.h"
+#include "simd/isa_ops.h"
 #include "support.h"
 
 enum { GRID = 12, SIZE = BURNISH_TILE_SIZE, MAX_TRIANGLES = 4096 };
@@ -89,7 +90,7 @@ static void check_each_sample_once(const char *name, const burnish_raster_view *
     burnish_geometry geometry = {0};
     memset(coverage, 0, sizeof coverage);
     burnish_error error;
-    if (!CHECK(burnish_geometry_update(&geometry, burnish_raster_tier_of(BURNISH_ISA_SCALAR), view,
+    if (!CHECK(burnish_geometry_update(&geometry, burnish_isa_ops_for(BURNISH_ISA_SCALAR), view,
                                        mesh->positions, mesh->vertex_count, mesh->indices,
                                        mesh->triangle_count, NULL, &error) == BURNISH_STATUS_OK,
                "%s", error.text)) {
@@ -186,10 +187,10 @@ static void check_bins(void) {
     }
     burnish_raster_view view = parallel_view(300, 200, 4);
     burnish_geometry geometry = {0};
-    const burnish_raster_tier *tiers[2] = {
-        burnish_raster_tier_of(BURNISH_ISA_SCALAR),
-        burnish_raster_tier_of(burnish_isa_best(burnish_isa_available()))};
-    CHECK(burnish_geometry_update(&geometry, tiers[0], &view, mesh.positions, mesh.vertex_count,
+    const burnish_isa_ops *ops[2] = {
+        burnish_isa_ops_for(BURNISH_ISA_SCALAR),
+        burnish_isa_ops_for(burnish_isa_best(burnish_isa_available()))};
+    CHECK(burnish_geometry_update(&geometry, ops[0], &view, mesh.positions, mesh.vertex_count,
                                   mesh.indices, mesh.triangle_count, NULL,
                                   NULL) == BURNISH_STATUS_OK,
           "geometry");
@@ -209,11 +210,11 @@ static void check_bins(void) {
         burnish_tasks tasks, *pool = &tasks;
         burnish_tasks_begin(&tasks, NULL, THREADS[run % 3]);
         burnish_bins bins = {0};
-        burnish_bins_begin(&bins);
+        burnish_bins_begin(&bins, NULL);
         bins.entry_budget = BUDGETS[run / 3];
         int tiles = 0, bands = 0, wrong = 0;
         do {
-            CHECK(burnish_bin_tiles(&bins, tiers[run % 2], &geometry, &view, pool, NULL) ==
+            CHECK(burnish_bin_tiles(&bins, ops[run % 2], &geometry, &view, pool, NULL) ==
                       BURNISH_STATUS_OK,
                   "bins");
             ++bands;
@@ -264,12 +265,12 @@ static void check_fragments(void) {
     add_triangle(&mesh, 3, 4, 5);
     burnish_raster_view view = parallel_view(SIZE, SIZE, 4);
     burnish_geometry geometry = {0};
-    const burnish_raster_tier *tier = burnish_raster_tier_of(BURNISH_ISA_SCALAR);
-    burnish_geometry_update(&geometry, tier, &view, mesh.positions, 6, mesh.indices, 2, NULL, NULL);
-    CHECK(geometry.triangle_count == 2 && geometry.headers[0].lanes[0] == 3, "two front faces");
+    const burnish_isa_ops *ops = burnish_isa_ops_for(BURNISH_ISA_SCALAR);
+    burnish_geometry_update(&geometry, ops, &view, mesh.positions, 6, mesh.indices, 2, NULL, NULL);
+    CHECK(geometry.triangle_count == 2 && geometry.headers[0].visible[0] == 3, "two front faces");
     burnish_bins bins = {0};
-    burnish_bins_begin(&bins);
-    burnish_bin_tiles(&bins, tier, &geometry, &view, NULL, NULL);
+    burnish_bins_begin(&bins, NULL);
+    burnish_bin_tiles(&bins, ops, &geometry, &view, NULL, NULL);
     reference_tile tile;
     reference_tile_create(&tile, 4, NULL);
     reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);

@@ -3,7 +3,7 @@
 #include "../tools/generate/srgb_table.c"
 
 #include "core/srgb.h"
-#include "shading/table.h"
+#include "simd/isa_ops.h"
 #include "support.h"
 
 /* The nearest code by the encoding formula; the generator uses the decoding one. */
@@ -138,7 +138,7 @@ static void test_encoders(void) {
                     }
                 }
             }
-            batch->encode(&encoder, COUNT, rgb, NULL, 0, 0, pixels);
+            batch->encode_pixels(&encoder, COUNT, rgb, NULL, 0, 0, pixels);
             for (int i = 0; i < COUNT; ++i) {
                 for (int k = 0; k < 3; ++k) {
                     wrong += (pixels[i] >> 8 * k & 255) != burnish_linear_to_srgb(values[k][i]);
@@ -172,14 +172,14 @@ static void test_packing(void) {
         if (!batch) {
             continue;
         }
-        batch->encode(&encoder, COUNT, rgb, shown, 0xff000000u, 0x00123456u, pixels);
+        batch->encode_pixels(&encoder, COUNT, rgb, shown, 0xff000000u, 0x00123456u, pixels);
         for (uint32_t i = 0; i < COUNT; ++i) {
             uint32_t code = i | (255 - i) << 8 | 2 * i << 16 | 0xff000000u;
             wrong += pixels[i] != (i % 3 == 0 ? 0x00123456u : code);
             pixels[i] &= 0xffffffu;
         }
         memset(bytes, 0xa5, sizeof bytes);
-        batch->pack(4, pixels + 4, 16, bytes); /* every fourth group */
+        batch->pack_groups(4, pixels + 4, 16, bytes); /* every fourth group */
         for (int i = 0; i < 48; ++i) {
             uint32_t pixel = pixels[4 + i / 12 * 16 + i / 3 % 4];
             wrong += bytes[i] != (pixel >> 8 * (i % 3) & 255);

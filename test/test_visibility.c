@@ -225,7 +225,7 @@ static int same_whole(const burnish_tile *fast, const burnish_strip *strip, cons
 }
 
 /* All points of a tile by both paths; *points counts them. */
-static int compare_points(reference_tile *tile, burnish_tile *fast, const burnish_raster_tier *tier,
+static int compare_points(reference_tile *tile, burnish_tile *fast, const burnish_isa_ops *ops,
                           const burnish_raster_view *view, const burnish_geometry *geometry,
                           const burnish_shader *shader, burnish_shade_cache *cache, int *points) {
     static point expected[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
@@ -243,7 +243,7 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
     for (int i = 0; i < count; ++i) { /* whole pixels, a strip after another */
         const int number = expected[i].place / BURNISH_BLOCK_ROW_PIXELS;
         if (number != known) {
-            burnish_shade_strip(shader, cache, tier, fast, view, number, &strip);
+            burnish_shade_strip(shader, cache, ops, fast, view, number, &strip);
             known = number;
         }
         wrong += expected[i].weight == tile->samples && !same_whole(fast, &strip, &expected[i]);
@@ -316,8 +316,8 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
     burnish_shader shader;
     burnish_shade_material materials[3];
     burnish_shade_cache cache = {.material = -1};
-    const burnish_raster_tier *tier = burnish_raster_tier_of(pick_isa(state));
-    burnish_geometry_update(&geometry, tier, &view, scene->positions, scene->vertex_count,
+    const burnish_isa_ops *ops = burnish_isa_ops_for(pick_isa(state));
+    burnish_geometry_update(&geometry, ops, &view, scene->positions, scene->vertex_count,
                             scene->indices, scene->triangle_count, NULL, NULL);
     check_geometry(scene, &view, &geometry, number);
     make_shader(&shader, &attributes, materials, scene, &geometry, state);
@@ -334,19 +334,19 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
         fast.primitives.capacity =
             least < fast.primitives.capacity ? least : fast.primitives.capacity;
     }
-    burnish_bins_begin(&bins);
+    burnish_bins_begin(&bins, NULL);
     do {
-        burnish_bin_tiles(&bins, tier, &geometry, &view, NULL, NULL);
+        burnish_bin_tiles(&bins, ops, &geometry, &view, NULL, NULL);
         for (int row = bins.first_row; row < bins.end_row; ++row) {
             for (int column = 0; column < bins.columns; ++column) {
                 int drawn = reference_draw_tile(&tile, &view, &geometry, &bins, column, row);
                 int wrong =
-                    burnish_tile_draw(&fast, tier, &view, &geometry, &bins, column, row) != drawn;
+                    burnish_tile_draw(&fast, ops, &view, &geometry, &bins, column, row) != drawn;
                 if (drawn && !wrong) {
                     wrong = compare_owners(&tile, &fast, &geometry);
                     CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: %d ids differ", number,
                           samples, column, row, wrong);
-                    wrong = compare_points(&tile, &fast, tier, &view, &geometry, &shader, &cache,
+                    wrong = compare_points(&tile, &fast, ops, &view, &geometry, &shader, &cache,
                                            points);
                 }
                 CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: points or colours differ",
@@ -382,18 +382,18 @@ static void check_forgetting(void) {
     burnish_bins bins = {0};
     reference_tile tile;
     burnish_tile fast;
-    const burnish_raster_tier *tier = burnish_raster_tier_of(BURNISH_ISA_SCALAR);
+    const burnish_isa_ops *ops = burnish_isa_ops_for(BURNISH_ISA_SCALAR);
     const burnish_tile_options options = {.samples = SAMPLES, .planes = 3};
-    burnish_geometry_update(&geometry, tier, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS,
+    burnish_geometry_update(&geometry, ops, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS,
                             NULL, NULL);
     burnish_attributes_update(&attributes, &geometry, normals, NULL, indices, NULL, NULL);
-    burnish_bins_begin(&bins);
-    burnish_bin_tiles(&bins, tier, &geometry, &view, NULL, NULL);
+    burnish_bins_begin(&bins, NULL);
+    burnish_bin_tiles(&bins, ops, &geometry, &view, NULL, NULL);
     reference_tile_create(&tile, SAMPLES, NULL);
     burnish_tile_create(&fast, &options, NULL);
     fast.attributes[0] = attributes.normals;
     reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
-    burnish_tile_draw(&fast, tier, &view, &geometry, &bins, 0, 0);
+    burnish_tile_draw(&fast, ops, &view, &geometry, &bins, 0, 0);
     CHECK(geometry.triangle_count == LAYERS, "all may be seen: %zu", geometry.triangle_count);
     CHECK(fast.primitives.count < LAYERS, "forgot some: %zu", fast.primitives.count);
     CHECK(compare_owners(&tile, &fast, &geometry) == 0, "ids after forgetting");

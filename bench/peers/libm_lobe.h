@@ -2,13 +2,13 @@
 #ifndef BURNISH_BENCH_PEERS_LIBM_LOBE_H
 #define BURNISH_BENCH_PEERS_LIBM_LOBE_H
 
-#include "shading/table.h"
+#include "simd/isa_ops.h"
 
 /* Copies batch and replaces its power kernels, for directional lights and a distant viewer, by
  * loops over arrays around one powf a lit point. */
-struct burnish_kernels burnish_peers_libm_batch(const burnish_kernels *batch);
+burnish_isa_ops burnish_peers_libm_batch(const burnish_kernels *batch);
 
 /* The same with kernels that shade everything black: shows whether a renderer calls them. */
-struct burnish_kernels burnish_peers_dark_batch(const burnish_kernels *batch);
+burnish_isa_ops burnish_peers_dark_batch(const burnish_kernels *batch);
 
 #endif

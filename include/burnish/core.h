@@ -153,15 +153,16 @@ BURNISH_API int burnish_processor_count(void);
 
 /* ---- Instruction sets ---- */
 
-/* The tiers, X(name, word, lanes): lanes is the number of floats in a vector. A processor's tiers
- * are ordered: a later one is faster. avx512 means F, DQ, BW and VL together. */
+/* The tiers, X(name, word, lanes), the one list of them: lanes is the number of floats in a vector.
+ * A processor's tiers are ordered: a later one is faster. avx512 means F, DQ, BW and VL together.
+ */
 #define BURNISH_ISA_LIST(X)                                                                        \
-    X(SCALAR, "scalar", 1)                                                                         \
-    X(SSE2, "sse2", 4)                                                                             \
-    X(AVX2, "avx2", 8)                                                                             \
-    X(AVX512, "avx512", 16)                                                                        \
-    X(NEON, "neon", 4)                                                                             \
-    X(WASM, "wasm", 4)
+    X(SCALAR, scalar, 1)                                                                           \
+    X(SSE2, sse2, 4)                                                                               \
+    X(AVX2, avx2, 8)                                                                               \
+    X(AVX512, avx512, 16)                                                                          \
+    X(NEON, neon, 4)                                                                               \
+    X(WASM, wasm, 4)
 
 typedef enum burnish_isa {
 #define BURNISH_ISA_ENUM(name, word, lanes) BURNISH_ISA_##name,

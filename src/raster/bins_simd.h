@@ -1,37 +1,57 @@
-/* Listing the triangles of a tile by vectors. Included by the tiers after geometry_simd.h. */
+/* Appending triangles to tile lists, by vectors. */
+#ifndef BURNISH_RASTER_BINS_SIMD_H
+#define BURNISH_RASTER_BINS_SIMD_H
 
-enum { ALL_OF_BLOCK = (1 << BURNISH_BATCH_SIZE) - 1 };
+#include "raster/geometry_simd.h"
+#include "raster/raster.h"
 
-/* Adds triangles of a block at the end of a chain; 0 when there is no room. Whether the last entry
- * is of the same block is too hard to foresee for a branch. */
-static inline int add_lanes(burnish_bin_slice *slice, burnish_tile_list *chain, size_t block,
-                            unsigned lanes) {
-    uint32_t next = chain->next;
-    const burnish_bin_entry before = slice->entries[next ? next - 1 : 0];
-    const uint32_t is_same = (next > 0) & (before.batch == block);
-    if (next % BURNISH_CHUNK_ENTRIES == 0 && !is_same) { /* full, or not begun */
-        slice->status = burnish_list_start_piece(slice, chain);
-        if (slice->status != BURNISH_STATUS_OK) {
-            return 0;
-        }
-        next = chain->next;
+enum { ALL_OF_BATCH = (1 << BURNISH_BATCH_SIZE) - 1 };
+
+/* Begins another chunk of a list, whose last one is full or which has none; 0 when the slice has no
+ * more chunks. */
+static int append_chunk(burnish_bin_slice *slice, burnish_tile_list *list) {
+    if (slice->chunk_count == slice->chunk_capacity) {
+        return 0;
     }
-    slice->entries[next - is_same] =
-        (burnish_bin_entry){(uint32_t)block, lanes | (before.mask & (0 - is_same))};
-    chain->next = next + 1 - is_same;
+    const uint32_t chunk = (uint32_t)slice->chunk_count++;
+    if (list->first) {
+        slice->next_chunks[list->next / BURNISH_CHUNK_ENTRIES - 1] = chunk;
+    } else {
+        list->first = chunk;
+    }
+    list->next = chunk * BURNISH_CHUNK_ENTRIES;
     return 1;
 }
 
-/* A triangle into the lists of the band's tiles that it touches; 0 when there is no room. */
-static int add_triangle(const burnish_bins *bins, burnish_bin_slice *slice, size_t block,
+/* Appends triangles of a batch to a list; 0 when there is no room. Whether the list's last entry is
+ * of the same batch is unpredictable, so there is no branch. */
+static inline int append_entry(burnish_bin_slice *slice, burnish_tile_list *list, size_t batch,
+                               unsigned mask) {
+    uint32_t next = list->next;
+    const burnish_bin_entry last = slice->entries[next ? next - 1 : 0];
+    const uint32_t is_same = (next > 0) & (last.batch == batch);
+    if (next % BURNISH_CHUNK_ENTRIES == 0 && !is_same) { /* full, or not begun */
+        if (!append_chunk(slice, list)) {
+            return 0;
+        }
+        next = list->next;
+    }
+    slice->entries[next - is_same] =
+        (burnish_bin_entry){(uint32_t)batch, mask | (last.mask & (0 - is_same))};
+    list->next = next + 1 - is_same;
+    return 1;
+}
+
+/* A triangle to the lists of the band's tiles that its bounds touch; 0 when there is no room. */
+static int bin_triangle(const burnish_bins *bins, burnish_bin_slice *slice, size_t batch,
                         burnish_tile_box box, unsigned lane, unsigned back) {
     box.row0 = box.row0 < bins->first_row ? bins->first_row : box.row0;
     box.row1 = box.row1 >= bins->end_row ? bins->end_row - 1 : box.row1;
     for (int row = box.row0; row <= box.row1; ++row) {
         const int base = (row - bins->first_row) * bins->columns;
         for (int column = box.column0; column <= box.column1; ++column) {
-            if (!add_lanes(slice, &slice->chains[2 * (size_t)(base + column) + back], block,
-                           1u << lane)) {
+            burnish_tile_list *lists = &slice->lists[2 * (size_t)(base + column)];
+            if (!append_entry(slice, &lists[back], batch, 1u << lane)) {
                 return 0;
             }
         }
@@ -39,53 +59,58 @@ static int add_triangle(const burnish_bins *bins, burnish_bin_slice *slice, size
     return 1;
 }
 
-/* Triangles of a block that are in one tile alone into its lists; 0 when there is no room. */
-static inline int add_to_tile(const burnish_bins *bins, burnish_bin_slice *slice, size_t block,
-                              const burnish_batch_header *head, uint32_t tile, unsigned lanes) {
-    const int column = (int)(tile & 0xffff), row = (int)(tile >> 16);
+/* Triangles of a batch that touch one tile alone to its lists; 0 when there is no room. */
+static inline int bin_to_tile(const burnish_bins *bins, burnish_bin_slice *slice, size_t batch,
+                              const burnish_batch_header *header, uint32_t tile, unsigned mask) {
+    const int column = (int)BURNISH_PACKED_X(tile), row = (int)BURNISH_PACKED_Y(tile);
     if (row < bins->first_row || row >= bins->end_row) {
         return 1;
     }
     const size_t number = (size_t)((row - bins->first_row) * bins->columns + column);
-    burnish_tile_list *chains = &slice->chains[2 * number];
-    const unsigned front = head->lanes[0] & lanes, back = head->lanes[1] & lanes;
-    return (!front || add_lanes(slice, chains, block, front)) &&
-           (!back || add_lanes(slice, chains + 1, block, back));
+    burnish_tile_list *lists = &slice->lists[2 * number];
+    const unsigned front = header->visible[0] & mask, back = header->visible[1] & mask;
+    return (!front || append_entry(slice, lists, batch, front)) &&
+           (!back || append_entry(slice, lists + 1, batch, back));
 }
 
-/* The triangles of a block into the lists of all tiles of the band that they touch; 0 when there is
+/* The triangles of a batch to the lists of all tiles of the band that they touch; 0 when there is
  * no room. */
-static int add_block(const burnish_bins *bins, burnish_bin_slice *slice,
-                     const burnish_triangle_batch *from, const burnish_batch_header *head,
-                     size_t block) {
-    unsigned rest = head->lanes[0] | head->lanes[1];
-    unsigned alone = rest & ~find_apart(from); /* touch one tile each */
-    rest &= ~alone;
-    while (alone) {
-        const uint32_t tile = from->first[__builtin_ctz(alone)] & BURNISH_TILE_BITS;
-        const unsigned lanes = alone & ~find_elsewhere(from, tile);
-        if (!add_to_tile(bins, slice, block, head, tile / BURNISH_HIZ_SIZE, lanes)) {
+static int bin_batch(const burnish_bins *bins, burnish_bin_slice *slice,
+                     const burnish_triangle_batch *bounds, const burnish_batch_header *header,
+                     size_t batch) {
+    unsigned rest = header->visible[0] | header->visible[1];
+    unsigned in_one_tile = rest & ~spans_tiles(bounds);
+    rest &= ~in_one_tile;
+    while (in_one_tile) {
+        const uint32_t tile = bounds->first[__builtin_ctz(in_one_tile)] & BURNISH_HIZ_TILE_MASK;
+        const unsigned mask = in_one_tile & ~begins_elsewhere(bounds, tile);
+        if (!bin_to_tile(bins, slice, batch, header, tile / BURNISH_HIZ_SIZE, mask)) {
             return 0;
         }
-        alone &= ~lanes;
+        in_one_tile &= ~mask;
     }
     for (; rest; rest &= rest - 1) {
         const unsigned lane = (unsigned)__builtin_ctz(rest);
-        if (!add_triangle(bins, slice, block, burnish_tile_box_of(from, lane), lane,
-                          head->lanes[1] >> lane & 1)) {
+        if (!bin_triangle(bins, slice, batch, burnish_tile_box_of(bounds, lane), lane,
+                          header->visible[1] >> lane & 1)) {
             return 0;
         }
     }
     return 1;
 }
 
-static void list_blocks(const burnish_bins *bins, burnish_bin_slice *slice,
-                        const burnish_geometry *geometry, size_t first, size_t end, size_t limit) {
-    int added = 1;
-    for (size_t i = first; i < end && added && slice->piece_count <= limit; ++i) {
-        const burnish_batch_header *head = &geometry->headers[i];
-        added = head->tile != BURNISH_NO_TILE /* as small triangles mostly do */
-                    ? add_to_tile(bins, slice, i, head, head->tile, ALL_OF_BLOCK)
-                    : add_block(bins, slice, &geometry->batches[i], head, i);
+static size_t bin_batches(const burnish_bins *bins, burnish_bin_slice *slice,
+                          const burnish_geometry *geometry, size_t first, size_t end) {
+    for (size_t i = first; i < end; ++i) {
+        const burnish_batch_header *header = &geometry->headers[i];
+        const int has_room = header->tile != BURNISH_NO_TILE /* as small triangles mostly have */
+                                 ? bin_to_tile(bins, slice, i, header, header->tile, ALL_OF_BATCH)
+                                 : bin_batch(bins, slice, &geometry->batches[i], header, i);
+        if (!has_room) {
+            return i;
+        }
     }
+    return end;
 }
+
+#endif

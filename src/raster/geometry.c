@@ -3,7 +3,8 @@
 #include <string.h>
 
 #include "core/memory.h"
-#include "raster/tier.h"
+#include "raster/raster.h"
+#include "simd/isa_ops.h"
 
 /* A piece of a clipped triangle; vertices count from the chunk's own clipped ones. */
 typedef struct clipped_piece {
@@ -64,7 +65,7 @@ static burnish_screen_vertex project(const burnish_raster_view *view, const floa
 /* What the tasks of burnish_geometry_update share. */
 typedef struct chunk_context {
     burnish_geometry *geometry;
-    const burnish_raster_tier *tier;
+    const burnish_isa_ops *ops;
     const burnish_raster_view *view;
     const float *positions;
     size_t triangle_count; /* of the mesh */
@@ -76,8 +77,8 @@ static void transform_chunk(void *of, size_t index, int thread) {
     burnish_screen_vertices *vertices = &context->geometry->vertices;
     const size_t first = index * BURNISH_TASK_GRAIN, end = first + BURNISH_TASK_GRAIN;
     (void)thread;
-    context->tier->transform(vertices, context->view, context->positions, first,
-                             end < vertices->mesh_count ? end : vertices->mesh_count);
+    context->ops->transform_vertices(vertices, context->view, context->positions, first,
+                                     end < vertices->mesh_count ? end : vertices->mesh_count);
 }
 
 static int64_t min3(int64_t a, int64_t b, int64_t c) {
@@ -182,7 +183,7 @@ static burnish_status append_clipped(const chunk_context *context, uint32_t sour
 
 /* A triangle that the tier leaves to us: clipped or large. */
 static burnish_status set_up_other(const chunk_context *context, size_t triangle,
-                                   burnish_triangle_batch *block, burnish_batch_header *head,
+                                   burnish_triangle_batch *block, burnish_batch_header *header,
                                    chunk_output *output) {
     const size_t lane = triangle % BURNISH_BATCH_SIZE;
     burnish_screen_vertex v[3];
@@ -197,8 +198,8 @@ static burnish_status set_up_other(const chunk_context *context, size_t triangle
     }
     if (set_up(context->view, v, &made, &back)) {
         put_lane(block, lane, made);
-        head->lanes[back] |= (uint16_t)(1u << lane);
-        head->tile = BURNISH_NO_TILE; /* it hardly fits one */
+        header->visible[back] |= (uint16_t)(1u << lane);
+        header->tile = BURNISH_NO_TILE; /* it hardly fits one */
         ++output->triangle_count;
     }
     return BURNISH_STATUS_OK;
@@ -211,13 +212,14 @@ static burnish_status set_up_chunk(const chunk_context *context, size_t first, s
     for (size_t at = first; at < end; at += BURNISH_BATCH_SIZE) {
         const size_t count = end - at < BURNISH_BATCH_SIZE ? end - at : BURNISH_BATCH_SIZE;
         burnish_triangle_batch *block = &geometry->batches[at / BURNISH_BATCH_SIZE];
-        burnish_batch_header *head = &geometry->headers[at / BURNISH_BATCH_SIZE];
+        burnish_batch_header *header = &geometry->headers[at / BURNISH_BATCH_SIZE];
         unsigned others;
-        output->triangle_count += (size_t)context->tier->set_up(
-            &geometry->vertices, context->view, geometry->indices, at, count, block, head, &others);
+        output->triangle_count += (size_t)context->ops->cull_and_bound(
+            &geometry->vertices, context->view, geometry->indices, at, count, block, header,
+            &others);
         for (; others; others &= others - 1) { /* hardly ever */
             burnish_status status =
-                set_up_other(context, at + (size_t)__builtin_ctz(others), block, head, output);
+                set_up_other(context, at + (size_t)__builtin_ctz(others), block, header, output);
             if (status != BURNISH_STATUS_OK) {
                 return status;
             }
@@ -275,17 +277,17 @@ static burnish_status reserve_pieces(burnish_geometry *geometry, size_t pieces, 
 static void add_piece(burnish_geometry *geometry, const clipped_piece *piece, size_t clip_base) {
     const size_t number = geometry->piece_count++, lane = number % BURNISH_BATCH_SIZE;
     const size_t block = geometry->mesh_batches + number / BURNISH_BATCH_SIZE;
-    burnish_batch_header *head = &geometry->headers[block];
+    burnish_batch_header *header = &geometry->headers[block];
     burnish_primitive *corners = &geometry->pieces[number];
     *corners = piece->corners;
     for (int i = 0; i < 3; ++i) {
         corners->vertices[i] += (uint32_t)clip_base;
     }
     if (lane == 0) {
-        *head = (burnish_batch_header){{0, 0}, BURNISH_NO_TILE};
+        *header = (burnish_batch_header){{0, 0}, BURNISH_NO_TILE};
     }
     put_lane(&geometry->batches[block], lane, piece->triangle);
-    head->lanes[corners->id_and_facing & 1] |= (uint16_t)(1u << lane);
+    header->visible[corners->id_and_facing & 1] |= (uint16_t)(1u << lane);
 }
 
 /* Appends the pieces of clipped triangles and their vertices in the order of the chunks. */
@@ -388,14 +390,14 @@ static burnish_status set_up_all(chunk_context *context, burnish_tasks *pool,
     return status;
 }
 
-burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_tier *tier,
+burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_isa_ops *ops,
                                        const burnish_raster_view *view, const float *positions,
                                        size_t vertex_count, const uint32_t *indices,
                                        size_t triangle_count, burnish_tasks *pool,
                                        burnish_error *error) {
     burnish_status status = allocate(geometry, vertex_count, triangle_count, error);
     if (status == BURNISH_STATUS_OK) {
-        chunk_context context = {geometry, tier, view, positions, triangle_count, NULL};
+        chunk_context context = {geometry, ops, view, positions, triangle_count, NULL};
         geometry->indices = indices;
         burnish_tasks_run(pool, (vertex_count + BURNISH_TASK_GRAIN - 1) / BURNISH_TASK_GRAIN, 1, 0,
                           transform_chunk, &context);

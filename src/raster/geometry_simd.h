@@ -1,9 +1,10 @@
-/* Vertices to the screen and triangles to set-up triangles, by vectors. Included by the tiers,
- * which define BURNISH_VECTOR_... What comes out is, bit for bit, what geometry.c computes one at a
- * time for clipped and large triangles. */
+/* Vertices to the screen, and triangles to bounds, by vectors. */
+#ifndef BURNISH_RASTER_GEOMETRY_SIMD_H
+#define BURNISH_RASTER_GEOMETRY_SIMD_H
+
 #include <string.h>
 
-#include "raster/tier.h"
+#include "raster/raster.h"
 #include "simd/vector.h"
 
 enum { ALL_LANES = (int)((1ull << LANES) - 1) };
@@ -166,21 +167,21 @@ BURNISH_INLINE setup_bits set_up_vector(const burnish_raster_view *view,
     return bits;
 }
 
-/* Triangles of a block whose bounds touch more than one tile. */
-BURNISH_INLINE unsigned find_apart(const burnish_triangle_batch *block) {
+/* Triangles of a batch whose bounds touch more than one tile. */
+BURNISH_INLINE unsigned spans_tiles(const burnish_triangle_batch *block) {
     unsigned apart = 0;
     for (size_t at = 0; at < BURNISH_BATCH_SIZE; at += LANES) {
         vi first = vi_load((const int32_t *)block->first + at);
         vi last = vi_load((const int32_t *)block->last + at);
-        vi difference = vi_and(vi_xor(first, last), vi_set((int32_t)BURNISH_TILE_BITS));
+        vi difference = vi_and(vi_xor(first, last), vi_set((int32_t)BURNISH_HIZ_TILE_MASK));
         apart |= vm_bits(is_nonzero(difference)) << at;
     }
     return apart;
 }
 
-/* Triangles of a block whose bounds begin in another tile. */
-BURNISH_INLINE unsigned find_elsewhere(const burnish_triangle_batch *block, uint32_t tile) {
-    const vi wanted = vi_set((int32_t)tile), bits = vi_set((int32_t)BURNISH_TILE_BITS);
+/* Triangles of a batch whose bounds begin in another tile. */
+BURNISH_INLINE unsigned begins_elsewhere(const burnish_triangle_batch *block, uint32_t tile) {
+    const vi wanted = vi_set((int32_t)tile), bits = vi_set((int32_t)BURNISH_HIZ_TILE_MASK);
     unsigned elsewhere = 0;
     for (size_t at = 0; at < BURNISH_BATCH_SIZE; at += LANES) {
         vi first = vi_load((const int32_t *)block->first + at);
@@ -189,10 +190,10 @@ BURNISH_INLINE unsigned find_elsewhere(const burnish_triangle_batch *block, uint
     return elsewhere;
 }
 
-static int set_up_triangles(const burnish_screen_vertices *vertices,
-                            const burnish_raster_view *view, const uint32_t *indices, size_t first,
-                            size_t count, burnish_triangle_batch *block, burnish_batch_header *head,
-                            unsigned *others) {
+static int cull_and_bound(const burnish_screen_vertices *vertices, const burnish_raster_view *view,
+                          const uint32_t *indices, size_t first, size_t count,
+                          burnish_triangle_batch *block, burnish_batch_header *header,
+                          unsigned *others) {
     const void *corners[3][LANES];
     unsigned kept = 0, back = 0, more = 0;
     for (size_t at = 0; at < BURNISH_BATCH_SIZE; at += LANES) {
@@ -210,10 +211,12 @@ static int set_up_triangles(const burnish_screen_vertices *vertices,
     const unsigned real = (1u << count) - 1;
     kept &= real;
     *others = more & real;
-    head->lanes[0] = (uint16_t)(kept & ~back);
-    head->lanes[1] = (uint16_t)(kept & back);
-    const uint32_t tile = kept ? block->first[__builtin_ctz(kept)] & BURNISH_TILE_BITS : 0;
-    const unsigned apart = find_apart(block) | find_elsewhere(block, tile);
-    head->tile = apart & kept ? BURNISH_NO_TILE : tile / BURNISH_HIZ_SIZE;
+    header->visible[0] = (uint16_t)(kept & ~back);
+    header->visible[1] = (uint16_t)(kept & back);
+    const uint32_t tile = kept ? block->first[__builtin_ctz(kept)] & BURNISH_HIZ_TILE_MASK : 0;
+    const unsigned apart = spans_tiles(block) | begins_elsewhere(block, tile);
+    header->tile = apart & kept ? BURNISH_NO_TILE : tile / BURNISH_HIZ_SIZE;
     return __builtin_popcount(kept);
 }
+
+#endif

@@ -27,9 +27,10 @@ enum {
     BURNISH_SUBPIXELS = 256, /* fixed-point steps a pixel */
     BURNISH_TILE_SIZE = 64,  /* pixels along a tile's edge */
     BURNISH_TILE_PIXELS = BURNISH_TILE_SIZE * BURNISH_TILE_SIZE,
-    BURNISH_MAX_SAMPLES = 16,    /* coverage samples a pixel */
-    BURNISH_MAX_TILES = 256,     /* along an image's edge */
-    BURNISH_HIZ_PIXELS = 8,      /* pixels along the edge of a block of the coarse depth */
+    BURNISH_MAX_SAMPLES = 16, /* coverage samples a pixel */
+    BURNISH_MAX_TILES = 256,  /* along an image's edge */
+    BURNISH_HIZ_PIXELS = 8,   /* pixels along the edge of a block of the coarse depth */
+    BURNISH_HIZ_SIZE = BURNISH_TILE_SIZE / BURNISH_HIZ_PIXELS, /* cells along a tile's edge */
     BURNISH_FRAGMENT_BATCH = 256 /* visible points handed over at once: their arrays stay in L1 */
 };
 
@@ -96,6 +97,13 @@ enum {
 };
 
 /* What is known of a triangle before it is drawn. */
+#define BURNISH_PACK(x, y) ((uint32_t)(x) | (uint32_t)(y) << 16)
+#define BURNISH_PACKED_X(packed) ((packed)&0xffff)
+#define BURNISH_PACKED_Y(packed) ((packed) >> 16)
+
+/* The tile part of a HiZ cell's packed coordinates. */
+#define BURNISH_HIZ_TILE_MASK (~((BURNISH_HIZ_SIZE - 1) * BURNISH_PACK(1, 1)))
+
 typedef struct burnish_triangle_bounds {
     float nearest; /* depth of its nearest vertex */
     /* the coarse blocks that its bounds touch, from one to the other: x, and y in the upper half */
@@ -110,8 +118,8 @@ typedef struct burnish_triangle_batch {
 
 /* Which triangles of a block may be seen. */
 typedef struct burnish_batch_header {
-    uint16_t lanes[2]; /* bits: those seen from their front, from their back */
-    uint32_t tile;     /* that holds all of them: x, and y in the upper half; or BURNISH_NO_TILE */
+    uint16_t visible[2]; /* bits: front-facing triangles, back-facing ones */
+    uint32_t tile; /* that holds all of them: x, and y in the upper half; or BURNISH_NO_TILE */
 } burnish_batch_header;
 #define BURNISH_NO_TILE UINT32_MAX
 
@@ -143,16 +151,12 @@ static inline burnish_primitive burnish_geometry_primitive(const burnish_geometr
     return (burnish_primitive){{v[0], v[2 - back], v[1 + back]}, (uint32_t)slot * 2 + back};
 }
 
-/* What is compiled for each instruction set; see the bodies. */
-typedef struct burnish_raster_tier burnish_raster_tier;
-
-/* The tier of an instruction set; the scalar one where there is no other. */
-const burnish_raster_tier *burnish_raster_tier_of(burnish_isa isa);
+typedef struct burnish_isa_ops burnish_isa_ops; /* simd/isa_ops.h */
 
 /* Transforms, clips, cull_back_faces. positions: 3 floats a vertex; indices: 3 a triangle, which
  * must outlive the geometry's use. The result does not depend on the pool or the tier. Errors:
  * MEMORY, LIMIT; destroy it all the same. */
-burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_tier *tier,
+burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_isa_ops *ops,
                                        const burnish_raster_view *view, const float *positions,
                                        size_t vertex_count, const uint32_t *indices,
                                        size_t triangle_count, burnish_tasks *pool,
@@ -180,34 +184,59 @@ enum { BURNISH_CLIP_MAX = 8 }; /* corners of a triangle cut by five planes */
  * two triangles share comes out with the same bits for both. */
 int burnish_clip_triangle(burnish_clip_corner *corners);
 
-/* Triangle lists of a band of tile rows: two a tile, of the triangles seen from their front, then
- * of those seen from their back. Where two triangles have the same depth, the first one drawn
- * stays. A list is a chain of fixed pieces, so that one look at each triangle fills all lists; each
- * slice of the triangles has its own chains, which follow one another. */
-enum { BURNISH_CHUNK_ENTRIES = 16 }; /* entries */
+/* Longest edge, in 1/256 pixel along an axis, whose functions fit 32 bits all over a tile that the
+ * triangle touches: 2 * 24576 * (24576 + 64 * 256) < 2^31. */
+enum { BURNISH_SMALL_EDGE = 96 * BURNISH_SUBPIXELS };
 
-/* Triangles of a block. */
+/* Tiles from one to the other, both inclusive. */
+typedef struct burnish_tile_box {
+    int column0, row0, column1, row1;
+} burnish_tile_box;
+
+/* The tiles that the bounds of triangle `lane` of a batch touch. */
+static inline burnish_tile_box burnish_tile_box_of(const burnish_triangle_batch *batch,
+                                                   unsigned lane) {
+    const uint32_t first = batch->first[lane], last = batch->last[lane];
+    return (burnish_tile_box){(int)(BURNISH_PACKED_X(first) / BURNISH_HIZ_SIZE),
+                              (int)(BURNISH_PACKED_Y(first) / BURNISH_HIZ_SIZE),
+                              (int)(BURNISH_PACKED_X(last) / BURNISH_HIZ_SIZE),
+                              (int)(BURNISH_PACKED_Y(last) / BURNISH_HIZ_SIZE)};
+}
+
+/* Tile lists of a band of tile rows: two per tile, of the front-facing triangles, then of the
+ * back-facing ones. Where two triangles have the same depth, the first one drawn stays. A list is
+ * made of chunks, so that a single pass over the triangles fills all lists. Each slice of the
+ * triangles has lists of its own; a tile's follow one another. */
+enum {
+    BURNISH_CHUNK_ENTRIES = 16,
+    BURNISH_LISTS_MAX = 1 << 21 /* of all slices: 16 MiB */
+};
+
+/* Triangles of a batch. */
 typedef struct burnish_bin_entry {
     uint32_t batch;
     uint32_t mask; /* bit i: triangle i of it */
 } burnish_bin_entry;
 
-/* Where a chain begins, and its next entry goes; 0: it is empty. Pieces count from 1. */
+/* The first chunk (0: the list is empty), and where in the entries the next one goes. */
 typedef struct burnish_tile_list {
-    uint32_t first, next; /* a piece; a place in entries */
+    uint32_t first, next;
 } burnish_tile_list;
 
 typedef struct burnish_bin_slice {
-    burnish_tile_list *chains;  /* a list each */
-    burnish_bin_entry *entries; /* blocks ascending in a chain; a piece after another */
-    uint32_t *links;            /* the piece after each piece of a chain */
-    size_t piece_count;
-    size_t chain_capacity, entry_capacity, link_capacity;
+    burnish_tile_list *lists;
+    burnish_bin_entry *entries; /* chunk after chunk; batches ascend along a list */
+    uint32_t *next_chunks;      /* of a list, after each of its chunks */
+    size_t chunk_count;         /* with chunk 0, which is not used */
+    size_t chunk_capacity;      /* that may be used */
+    size_t list_capacity, entry_capacity, next_capacity; /* entry_capacity in chunks */
+    int fits;                                            /* 0: the limit was reached */
     burnish_status status;
     burnish_error error;
 } burnish_bin_slice;
 
 typedef struct burnish_bins {
+    const burnish_context *context;
     int columns, rows; /* tiles of the whole image */
     int first_row, end_row;
     burnish_bin_slice *slices;
@@ -215,20 +244,22 @@ typedef struct burnish_bins {
     size_t entry_budget; /* entries that a band of several rows may hold */
 } burnish_bins;
 
-/* Bins before a frame's first band; all zero before the first frame. */
-void burnish_bins_begin(burnish_bins *bins);
+/* Bins before a frame's first band; all zero before the first frame. The context, which may be
+ * NULL, is the same in every frame. */
+void burnish_bins_begin(burnish_bins *bins, const burnish_context *context);
 
-/* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries under
- * the budget, at least one. The lists do not depend on the pool. */
-burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_raster_tier *tier,
+/* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries
+ * within the budget, at least one. The lists do not depend on threads or the instruction set.
+ * Errors: MEMORY, LIMIT. */
+burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_isa_ops *ops,
                                  const burnish_geometry *geometry, const burnish_raster_view *view,
-                                 burnish_tasks *pool, burnish_error *error);
+                                 burnish_tasks *tasks, burnish_error *error);
 
 /* Reads a list in order. */
 typedef struct burnish_list_reader {
     const burnish_bins *bins;
     size_t list, slice;
-    uint32_t piece;
+    uint32_t chunk;
 } burnish_list_reader;
 burnish_list_reader burnish_list_begin(const burnish_bins *bins, int column, int row, int back);
 
@@ -271,8 +302,5 @@ typedef struct burnish_fragments {
         weight1[BURNISH_FRAGMENT_BATCH]; /* screen-space barycentric weights of vertices 1 and 2 */
     float weight2[BURNISH_FRAGMENT_BATCH];
 } burnish_fragments;
-
-/* Sample positions in 1/16 pixel from the pixel's centre: (x, y) pairs. */
-const int8_t (*burnish_sample_offsets(int samples))[2];
 
 #endif

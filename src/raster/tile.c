@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/memory.h"
-#include "raster/tier.h"
+#include "simd/isa_ops.h"
 
 static burnish_status allocate_floats(float **array, size_t count, burnish_error *error) {
     burnish_status status =
@@ -111,7 +111,7 @@ void burnish_tile_destroy(burnish_tile *tile) {
 
 /* Samples own at most half of the triangles that the tile can remember, so that half are free
  * afterwards. Triangles keep their order. */
-void burnish_tile_evict_hidden(burnish_tile *tile) {
+static void evict_hidden(burnish_tile *tile) {
     const size_t samples = (size_t)BURNISH_TILE_PIXELS * (size_t)tile->options.samples;
     burnish_tile_primitives *triangles = &tile->primitives;
     int32_t *places = tile->places, kept = 0;
@@ -140,21 +140,6 @@ void burnish_tile_evict_hidden(burnish_tile *tile) {
     triangles->count = (size_t)kept;
 }
 
-/* Finds the coarse depth. */
-static void find_coarse(burnish_tile *tile, const burnish_raster_tier *tier) {
-    enum { LAST = BURNISH_HIZ_SIZE - 1 };
-    tier->find_least(tile);
-    for (int y = 0; y <= LAST; ++y) {
-        const float *row = tile->coarse[0][y], *below = tile->coarse[0][y < LAST ? y + 1 : y];
-        for (int x = 0; x <= LAST; ++x) {
-            const int next = x < LAST ? x + 1 : x;
-            const float first = row[x] < row[next] ? row[x] : row[next];
-            const float second = below[x] < below[next] ? below[x] : below[next];
-            tile->coarse[1][y][x] = first < second ? first : second;
-        }
-    }
-}
-
 enum {
     LIST_PART = 128, /* entries read at once */
     /* triangles drawn before the coarse depth is found again: as much work as a few of them */
@@ -174,7 +159,7 @@ static size_t find_slots(const burnish_bin_entry *entries, size_t count, uint32_
 
 /* Draws a list. Those triangles that the coarse depth hides are left out; before any is drawn, if
  * `is_behind` others. */
-static void draw_list(burnish_tile *tile, const burnish_raster_tier *tier,
+static void draw_list(burnish_tile *tile, const burnish_isa_ops *ops,
                       const burnish_geometry *geometry, burnish_list_reader reader, unsigned back,
                       int is_behind) {
     burnish_bin_entry part[LIST_PART];
@@ -183,15 +168,20 @@ static void draw_list(burnish_tile *tile, const burnish_raster_tier *tier,
     int is_coarse = 0;
     while ((count = burnish_list_read(&reader, part, LIST_PART)) > 0) {
         if (age >= COARSE_AGE) {
-            find_coarse(tile, tier);
+            ops->hiz_build(tile);
             is_coarse = 1;
             age = 0;
         }
         if (is_coarse) {
-            count = tier->find_seen(tile, geometry, part, count);
+            count = ops->hiz_cull(tile, geometry, part, count);
         }
         count = find_slots(part, count, slots);
-        tier->draw(tile, geometry, slots, count, back);
+        if (tile->options.samples > 1 &&
+            tile->primitives.count + count + BURNISH_TILE_PRIMITIVES_EXTRA >
+                tile->primitives.capacity) {
+            evict_hidden(tile);
+        }
+        ops->draw_primitives(tile, geometry, slots, count, back);
         age += count;
     }
 }
@@ -213,7 +203,7 @@ static void clear_outside(burnish_tile *tile) {
     }
 }
 
-int burnish_tile_draw(burnish_tile *tile, const burnish_raster_tier *tier,
+int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
                       const burnish_raster_view *view, const burnish_geometry *geometry,
                       const burnish_bins *bins, int column, int row) {
     const burnish_list_reader fronts = burnish_list_begin(bins, column, row, 0);
@@ -224,7 +214,7 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_raster_tier *tier,
     tile->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
     tile->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
     tile->next_block = 0;
-    tile->tier = tier;
+    tile->ops = ops;
     tile->primitives.count = 0;
     if (burnish_list_is_empty(fronts) && burnish_list_is_empty(backs)) {
         return 0;
@@ -237,8 +227,8 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_raster_tier *tier,
         memset(tile->ids, 0xff, count * sizeof *tile->ids);
     }
     memset(tile->dirty_blocks, 0, sizeof tile->dirty_blocks);
-    draw_list(tile, tier, geometry, fronts, 0, 0);
-    draw_list(tile, tier, geometry, backs, 1, !burnish_list_is_empty(fronts));
+    draw_list(tile, ops, geometry, fronts, 0, 0);
+    draw_list(tile, ops, geometry, backs, 1, !burnish_list_is_empty(fronts));
     if (tile->width % BURNISH_BLOCK_SIZE || tile->height % BURNISH_BLOCK_SIZE) {
         clear_outside(tile);
     }
@@ -251,7 +241,7 @@ static int center_of(int pixel) {
 }
 
 /* The points of a block's shared pixels. */
-static void append_points(const burnish_tile *tile, int block, const burnish_shared_points *shared,
+static void append_points(const burnish_tile *tile, int block, const burnish_complex_pixels *shared,
                           burnish_sample_points *points, burnish_fragments *fragments) {
     const int samples = tile->options.samples;
     for (int i = 0; i < shared->count; ++i) {
@@ -270,7 +260,7 @@ static void append_points(const burnish_tile *tile, int block, const burnish_sha
 
 int burnish_tile_next_fragments(burnish_tile *tile, const burnish_raster_view *view,
                                 burnish_fragments *fragments) {
-    burnish_shared_points shared;
+    burnish_complex_pixels shared;
     burnish_sample_points points;
     int block = tile->next_block;
     points.count = 0;
@@ -279,7 +269,7 @@ int burnish_tile_next_fragments(burnish_tile *tile, const burnish_raster_view *v
         if (!(tile->dirty_blocks[block / BURNISH_TILE_BLOCKS] >> block % BURNISH_TILE_BLOCKS & 1)) {
             continue;
         }
-        tile->tier->find_shared(tile, block, &shared);
+        tile->ops->group_samples(tile, block, &shared);
         if (points.count + shared.count > BURNISH_FRAGMENT_BATCH) {
             break;
         }
@@ -287,7 +277,7 @@ int burnish_tile_next_fragments(burnish_tile *tile, const burnish_raster_view *v
     }
     fragments->count = points.count;
     if (points.count > 0) {
-        tile->tier->place(tile, view, &points, fragments);
+        tile->ops->compute_fragments(tile, view, &points, fragments);
     }
     tile->next_block = block;
     return fragments->count > 0;

@@ -6,10 +6,11 @@
  * attributes are interpolated at its centre while the triangle is drawn. The others are shared:
  * all samples of such a pixel that show one triangle become one point
  * (burnish_tile_next_fragments). */
-#ifndef BURNISH_RASTER_VISIBILITY_H
-#define BURNISH_RASTER_VISIBILITY_H
+#ifndef BURNISH_RASTER_TILE_H
+#define BURNISH_RASTER_TILE_H
 
 #include "raster/raster.h"
+#include "raster/samples.h"
 
 /* What the points of shared pixels need of the triangles that own, or may have owned, a sample of
  * the tile: arrays of four words a triangle, stored and loaded by vectors. Coordinates are 1/256
@@ -42,8 +43,7 @@ typedef struct burnish_tile_primitives {
 enum {
     /* Triangles that a tile remembers before it forgets those that own nothing any more. */
     BURNISH_TILE_PRIMITIVES = 2 * BURNISH_TILE_PIXELS,
-    BURNISH_TILE_PRIMITIVES_EXTRA = 16, /* that a vector may write behind the last one */
-    BURNISH_HIZ_SIZE = BURNISH_TILE_SIZE / BURNISH_HIZ_PIXELS
+    BURNISH_TILE_PRIMITIVES_EXTRA = 16, /* that a vector may write past the last one */
 };
 
 /* Interpolated numbers of a pixel. */
@@ -89,11 +89,30 @@ typedef struct burnish_tile {
     int32_t *places; /* one a triangle: scratch while triangles are forgotten */
     /* least depth of each coarse block, and of it, the next one, and the two below */
     float coarse[2][BURNISH_HIZ_SIZE][BURNISH_HIZ_SIZE];
-    int next_block;                  /* where burnish_tile_next_fragments goes on */
-    const burnish_raster_tier *tier; /* that drew the tile */
+    int next_block;             /* where burnish_tile_next_fragments goes on */
+    const burnish_isa_ops *ops; /* that drew the tile */
     /* by the bits of up to eight samples: how many, and their offsets' mean in 1/256 pixel */
     burnish_sample_mean means[256];
 } burnish_tile;
+
+/* No triangle is that far away. */
+#define BURNISH_FARTHEST -1e30f
+
+/* The samples of a block's complex pixels, grouped by triangle. */
+typedef struct burnish_complex_pixels {
+    int count;
+    uint8_t pixel[BURNISH_FRAGMENT_BATCH];
+    uint16_t samples[BURNISH_FRAGMENT_BATCH]; /* bits of those that show the triangle */
+    int32_t id[BURNISH_FRAGMENT_BATCH];
+} burnish_complex_pixels;
+
+/* Fragments before their weights are computed. */
+typedef struct burnish_sample_points {
+    int count;
+    int32_t id[BURNISH_FRAGMENT_BATCH];
+    /* 1/256 pixel from the tile's corner */
+    int32_t x[BURNISH_FRAGMENT_BATCH], y[BURNISH_FRAGMENT_BATCH];
+} burnish_sample_points;
 
 /* Where sample s of the pixel at `place` lies in depths and ids. */
 static inline int burnish_sample_index(int samples, int place, int s) {
@@ -108,7 +127,7 @@ void burnish_tile_destroy(burnish_tile *tile);
 
 /* Makes the tile (column, row) current and draws its triangles. Returns 0 when no triangle's bounds
  * touch it. */
-int burnish_tile_draw(burnish_tile *tile, const burnish_raster_tier *tier,
+int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
                       const burnish_raster_view *view, const burnish_geometry *geometry,
                       const burnish_bins *bins, int column, int row);
 

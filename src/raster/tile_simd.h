@@ -1,4 +1,4 @@
-/* Drawing triangles into a tile by vectors. Included by the tiers after geometry_simd.h.
+/* Drawing triangles into a tile by vectors.
  *
  * Edge functions are whole numbers and exact: 32-bit ones for triangles up to 96 pixels, doubles,
  * which hold all of them, for larger ones. What is computed from them keeps one order of
@@ -7,6 +7,12 @@
  * As many triangles as a vector has lanes are set up at once. Then each is drawn by units, the part
  * of a block of pixels that is one vector; or, where several are small, their pixels are found for
  * all of them at once. */
+
+#ifndef BURNISH_RASTER_TILE_SIMD_H
+#define BURNISH_RASTER_TILE_SIMD_H
+
+#include "raster/geometry_simd.h"
+#include "raster/tile.h"
 
 enum { HALF_PIXEL = BURNISH_SUBPIXELS / 2 };
 
@@ -774,9 +780,6 @@ BURNISH_INLINE void draw_multiple(burnish_tile *tile, setup_block *block, int sa
     burnish_tile_primitives *triangles = &tile->primitives;
     const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
     sample_steps steps;
-    if (triangles->count + LANES > triangles->capacity) {
-        burnish_tile_evict_hidden(tile);
-    }
     const size_t first = triangles->count;
     int32_t ids[LANES];
     remember(triangles, block);
@@ -798,8 +801,8 @@ BURNISH_INLINE void draw_multiple(burnish_tile *tile, setup_block *block, int sa
     }
 }
 
-static void draw_slots(burnish_tile *tile, const burnish_geometry *geometry, const uint32_t *slots,
-                       size_t count, unsigned back) {
+static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry,
+                            const uint32_t *slots, size_t count, unsigned back) {
     const burnish_tile_options *options = &tile->options;
     setup_block block;
     tiny_pixels pixels = {0};
@@ -876,8 +879,8 @@ BURNISH_INLINE unsigned find_seen_vector(const burnish_tile *tile,
     return lanes & ~hidden;
 }
 
-static size_t find_seen(const burnish_tile *tile, const burnish_geometry *geometry,
-                        burnish_bin_entry *entries, size_t count) {
+static size_t hiz_cull(const burnish_tile *tile, const burnish_geometry *geometry,
+                       burnish_bin_entry *entries, size_t count) {
     size_t kept = 0;
     for (size_t i = 0; i < count; ++i) {
         const burnish_bin_entry entry = entries[i];
@@ -894,7 +897,7 @@ static size_t find_seen(const burnish_tile *tile, const burnish_geometry *geomet
 }
 
 /* A coarse block is four blocks of pixels: lane by lane, then over the lanes. */
-static void find_least(burnish_tile *tile) {
+static void hiz_reduce(burnish_tile *tile) {
     enum { PARTS = BURNISH_BLOCK_PIXELS / LANES };
     const int samples = tile->options.samples, size = samples * BURNISH_BLOCK_PIXELS;
     for (int y = 0; y < BURNISH_HIZ_SIZE; ++y) {
@@ -921,6 +924,21 @@ static void find_least(burnish_tile *tile) {
                 }
             }
             tile->coarse[0][y][x] = lanes[0];
+        }
+    }
+}
+
+/* The least depth of each cell, and of each 2 x 2 cells. */
+static void hiz_build(burnish_tile *tile) {
+    enum { LAST = BURNISH_HIZ_SIZE - 1 };
+    hiz_reduce(tile);
+    for (int y = 0; y <= LAST; ++y) {
+        const float *row = tile->coarse[0][y], *below = tile->coarse[0][y < LAST ? y + 1 : y];
+        for (int x = 0; x <= LAST; ++x) {
+            const int next = x < LAST ? x + 1 : x;
+            const float first = row[x] < row[next] ? row[x] : row[next];
+            const float second = below[x] < below[next] ? below[x] : below[next];
+            tile->coarse[1][y][x] = first < second ? first : second;
         }
     }
 }
@@ -954,7 +972,7 @@ BURNISH_INLINE unsigned find_block(const burnish_tile *tile, int block, int32_t 
 /* The samples of LANES pixels of a block, from pixel `first` on: bit t of group[s] is set where
  * sample t shows the same triangle as sample s. */
 BURNISH_INLINE void find_points(const burnish_tile *tile, int samples, int block, int first,
-                                burnish_shared_points *points) {
+                                burnish_complex_pixels *points) {
     const int32_t *ids = tile->ids + block * samples * BURNISH_BLOCK_PIXELS + first;
     const vi none = vi_set(0);
     vi id[BURNISH_MAX_SAMPLES], group[BURNISH_MAX_SAMPLES], different = none;
@@ -988,7 +1006,7 @@ BURNISH_INLINE void find_points(const burnish_tile *tile, int samples, int block
     }
 }
 
-static void find_shared(const burnish_tile *tile, int block, burnish_shared_points *points) {
+static void group_samples(const burnish_tile *tile, int block, burnish_complex_pixels *points) {
     points->count = 0;
     for (int first = 0; first < BURNISH_BLOCK_PIXELS; first += LANES) {
         if (tile->options.samples == 4) {
@@ -1053,14 +1071,14 @@ BURNISH_INLINE void place_vector(const burnish_tile *tile, const burnish_raster_
     }
 }
 
-static void place_points(const burnish_tile *tile, const burnish_raster_view *view,
-                         const burnish_sample_points *points, burnish_fragments *fragments) {
+static void compute_fragments(const burnish_tile *tile, const burnish_raster_view *view,
+                              const burnish_sample_points *points, burnish_fragments *fragments) {
     for (int first = 0; first < points->count; first += LANES) {
         place_vector(tile, view, points, first, fragments);
     }
 }
 
-static void find_shown(const burnish_tile *tile, int strip, burnish_block_row *pixels) {
+static void classify_block_row(const burnish_tile *tile, int strip, burnish_block_row *pixels) {
     for (int x = 0; x < BURNISH_TILE_BLOCKS; ++x) {
         int32_t *whole = pixels->simple + x * BURNISH_BLOCK_PIXELS;
         if (tile->dirty_blocks[strip] >> x & 1) {
@@ -1101,3 +1119,5 @@ static void mark_drawn(const burnish_tile *tile, uint8_t *drawn) {
         }
     }
 }
+
+#endif

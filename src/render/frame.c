@@ -123,8 +123,8 @@ static void encode_blocks(const burnish_frame *frame, burnish_tile_worker *worke
         if (dirty_blocks >> block & 1) {
             const float *const rgb[3] = {strip->rgb[0] + first, strip->rgb[1] + first,
                                          strip->rgb[2] + first};
-            frame->shader->batch->encode(frame->encoder, BURNISH_BLOCK_PIXELS, rgb,
-                                         strip->pixels.simple + first, alpha, behind, pixels);
+            frame->ops->encode_pixels(frame->encoder, BURNISH_BLOCK_PIXELS, rgb,
+                                      strip->pixels.simple + first, alpha, behind, pixels);
         } else {
             for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
                 pixels[i] = behind;
@@ -137,14 +137,14 @@ static void encode_strip(const burnish_frame *frame, burnish_tile_worker *worker
     const burnish_strip *strip = &worker->strip;
     const float *const rgb[3] = {strip->rgb[0], strip->rgb[1], strip->rgb[2]};
     const int samples = frame->options->samples;
-    const struct burnish_kernels *batch = frame->shader->batch;
     const uint32_t alpha = frame->options->transparent ? 0xff000000u : 0;
     if (samples == 1) {
         encode_blocks(frame, worker, number, alpha);
         return;
     }
     mix_strip(frame, worker, number);
-    batch->encode(frame->encoder, BURNISH_BLOCK_ROW_PIXELS, rgb, NULL, 0, 0, worker->pixels);
+    frame->ops->encode_pixels(frame->encoder, BURNISH_BLOCK_ROW_PIXELS, rgb, NULL, 0, 0,
+                              worker->pixels);
     const uint8_t *covered = worker->covered + number * BURNISH_BLOCK_ROW_PIXELS;
     for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && alpha; ++i) {
         const int count = strip->pixels.simple[i] >= 0 ? samples : covered[i];
@@ -173,8 +173,8 @@ static void store_row(const burnish_frame *frame, const burnish_tile_worker *wor
         return;
     }
     uint8_t bytes[3 * BURNISH_TILE_SIZE + 4];
-    frame->shader->batch->pack(BURNISH_TILE_SIZE / BURNISH_BLOCK_SIZE, pixels, BURNISH_BLOCK_PIXELS,
-                               bytes);
+    frame->ops->pack_groups(BURNISH_TILE_SIZE / BURNISH_BLOCK_SIZE, pixels, BURNISH_BLOCK_PIXELS,
+                            bytes);
     if (width == BURNISH_TILE_SIZE) {
         memcpy(out, bytes, 3 * BURNISH_TILE_SIZE);
     } else {
@@ -197,7 +197,7 @@ static void finish_tile(const burnish_frame *frame, burnish_tile_worker *worker,
             continue;
         }
         if (y % BURNISH_BLOCK_SIZE == 0) {
-            burnish_shade_strip(frame->shader, &worker->cache, frame->tier, tile, frame->view,
+            burnish_shade_strip(frame->shader, &worker->cache, frame->ops, tile, frame->view,
                                 number, &worker->strip);
             if (frame->wants_counts) {
                 count_strip(worker, number);
@@ -211,7 +211,7 @@ static void finish_tile(const burnish_frame *frame, burnish_tile_worker *worker,
 static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
                       burnish_tile_worker *worker, int column, int row) {
     burnish_tile *tile = &worker->tile;
-    if (!burnish_tile_draw(tile, frame->tier, frame->view, frame->geometry, bins, column, row)) {
+    if (!burnish_tile_draw(tile, frame->ops, frame->view, frame->geometry, bins, column, row)) {
         finish_tile(frame, worker, 1);
         return;
     }
@@ -225,7 +225,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     }
     finish_tile(frame, worker, 0);
     if (frame->drawn) {
-        frame->tier->mark(tile, frame->drawn);
+        frame->ops->mark_drawn(tile, frame->drawn);
     }
 }
 
@@ -255,10 +255,10 @@ static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tile
                                  burnish_error *error) {
     burnish_bins *bins = &tiles->bins;
     burnish_status status = BURNISH_STATUS_OK;
-    burnish_bins_begin(bins);
+    burnish_bins_begin(bins, NULL);
     do {
         status =
-            burnish_bin_tiles(bins, frame->tier, frame->geometry, frame->view, frame->pool, error);
+            burnish_bin_tiles(bins, frame->ops, frame->geometry, frame->view, frame->pool, error);
         if (status != BURNISH_STATUS_OK) {
             break;
         }

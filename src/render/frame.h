@@ -3,13 +3,13 @@
 #define BURNISH_RENDER_FRAME_H
 
 #include "burnish/render.h"
+#include "core/srgb.h"
 #include "raster/tile.h"
 #include "shading/strip.h"
-#include "shading/table.h"
 
 typedef struct burnish_frame {
     const burnish_raster_view *view;
-    const burnish_raster_tier *tier;
+    const burnish_isa_ops *ops;
     const burnish_geometry *geometry;
     const burnish_srgb_encoder *encoder;
     const burnish_shader *shader;

@@ -189,12 +189,11 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
 
 /* Vertices to the screen, triangles to their chunks. */
 static burnish_status transform(burnish_renderer *renderer, const burnish_mesh_view *mesh,
-                                const burnish_render_options *options,
-                                const burnish_raster_tier *tier, const burnish_raster_view *view,
-                                burnish_error *error) {
-    burnish_status status = burnish_geometry_update(
-        &renderer->geometry, tier, view, mesh->positions, mesh->vertex_count, mesh->indices,
-        mesh->triangle_count, &renderer->tasks, error);
+                                const burnish_render_options *options, const burnish_isa_ops *ops,
+                                const burnish_raster_view *view, burnish_error *error) {
+    burnish_status status =
+        burnish_geometry_update(&renderer->geometry, ops, view, mesh->positions, mesh->vertex_count,
+                                mesh->indices, mesh->triangle_count, &renderer->tasks, error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_attributes_update(
             &renderer->attributes, &renderer->geometry, mesh->normals,
@@ -224,15 +223,14 @@ static burnish_status draw(burnish_renderer *renderer, const burnish_mesh *scene
     shader->triangle_materials = mesh->triangle_materials;
     shader->needs_position = needs_position(&shader->lighting);
     report->isa = burnish_kernels_isa(shader->batch);
-    const burnish_raster_tier *tier = burnish_raster_tier_of(report->isa);
     status = burnish_shader_check(shader, burnish_mesh_material_count(scene), error);
     if (status == BURNISH_STATUS_OK) {
-        status = transform(renderer, mesh, options, tier, &view, error);
+        status = transform(renderer, mesh, options, shader->batch, &view, error);
         report->seconds_transform = burnish_seconds_now() - start;
     }
     if (status == BURNISH_STATUS_OK) {
         const burnish_frame frame = {.view = &view,
-                                     .tier = tier,
+                                     .ops = shader->batch,
                                      .geometry = &renderer->geometry,
                                      .encoder = &renderer->encoder,
                                      .shader = shader,

@@ -1,39 +1,15 @@
-/* The public face of the kernels: checks arguments and hands over to a tier's table. */
+/* The public face of the kernels: checks arguments and hands over to the table of an instruction
+ * set. */
 #include "burnish/kernels.h"
 
 #include <string.h>
 
 #include "core/error.h"
-#include "shading/table.h"
-#include "simd/isa.h"
-
-static const burnish_kernels *const TABLES[BURNISH_ISA_COUNT] = {
-    [BURNISH_ISA_SCALAR] = &burnish_kernels_scalar,
-#if defined(__SSE2__)
-    [BURNISH_ISA_SSE2] = &burnish_kernels_sse2,     [BURNISH_ISA_AVX2] = &burnish_kernels_avx2,
-    [BURNISH_ISA_AVX512] = &burnish_kernels_avx512,
-#endif
-#if defined(__aarch64__)
-    [BURNISH_ISA_NEON] = &burnish_kernels_neon,
-#endif
-#if defined(__wasm_simd128__)
-    [BURNISH_ISA_WASM] = &burnish_kernels_wasm,
-#endif
-};
-
-uint32_t burnish_isa_built(void) {
-    uint32_t mask = 0;
-    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        mask |= TABLES[isa] ? 1u << isa : 0;
-    }
-    return mask;
-}
+#include "simd/isa_ops.h"
 
 const burnish_kernels *burnish_kernels_for(burnish_isa isa) {
-    if ((unsigned)isa >= BURNISH_ISA_COUNT || !(burnish_isa_available() >> isa & 1)) {
-        return NULL;
-    }
-    return TABLES[isa];
+    const int runs = (unsigned)isa < BURNISH_ISA_COUNT && burnish_isa_available() >> isa & 1;
+    return runs ? burnish_isa_ops_for(isa) : NULL;
 }
 
 const burnish_kernels *burnish_kernels_best(void) {
@@ -41,7 +17,7 @@ const burnish_kernels *burnish_kernels_best(void) {
     if (burnish_isa_choose(NULL, &isa, NULL) != BURNISH_STATUS_OK) {
         isa = burnish_isa_best(burnish_isa_available());
     }
-    return TABLES[isa];
+    return burnish_isa_ops_for(isa);
 }
 
 burnish_isa burnish_kernels_isa(const burnish_kernels *batch) {
@@ -81,7 +57,7 @@ burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *batch,
 
 void burnish_kernels_normalize(const burnish_kernels *batch, size_t count, const float *const in[3],
                                float *const out[3]) {
-    batch->normalize(count, in, out);
+    batch->normalize_array(count, in, out);
 }
 
 static burnish_status check_points(const burnish_kernels_shader *shader,

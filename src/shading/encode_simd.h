@@ -1,4 +1,9 @@
-/* Linear light to sRGB codes, exactly those of burnish_linear_to_srgb. Included by the tiers. */
+/* Linear light to sRGB codes, exactly those of burnish_linear_to_srgb.*/
+#ifndef BURNISH_SHADING_ENCODE_SIMD_H
+#define BURNISH_SHADING_ENCODE_SIMD_H
+
+#include "core/srgb.h"
+#include "simd/vector.h"
 
 BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) {
     const vi first = vi_set(BURNISH_SRGB_FIRST_BITS);
@@ -29,8 +34,10 @@ static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
     }
 }
 
-static void pack_groups(size_t count, const uint32_t *pixels, size_t apart, uint8_t *to) {
+static void pack_groups(size_t count, const uint32_t *pixels, size_t stride, uint8_t *to) {
     for (size_t i = 0; i < count; ++i) {
-        pack_pixels(to + 12 * i, pixels + apart * i);
+        pack_pixels(to + 12 * i, pixels + stride * i);
     }
 }
+
+#endif

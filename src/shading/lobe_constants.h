@@ -1,4 +1,5 @@
-/* A lobe with everything worked out that does not depend on the point. */
+/* A lobe with everything worked out that does not depend on the point, and the forms that the
+ * kernels come in. */
 #ifndef BURNISH_SHADING_LOBE_CONSTANTS_H
 #define BURNISH_SHADING_LOBE_CONSTANTS_H
 
@@ -18,6 +19,17 @@ typedef enum burnish_lobe_body {
     BURNISH_LOBE_BODY_GX,
     BURNISH_LOBE_BODY_COUNT
 } burnish_lobe_body;
+
+enum { BURNISH_LOBE_INPUT_COSINE, BURNISH_LOBE_INPUT_LAMBDA, BURNISH_LOBE_INPUT_COUNT };
+
+/* DISTANT: every light directional, the viewer distant and Blinn's cosine: the half vectors are
+ * constant. GENERAL: anything. */
+enum { BURNISH_SHADE_DISTANT, BURNISH_SHADE_GENERAL, BURNISH_SHADE_GEOMETRY_COUNT };
+
+enum { BURNISH_SHADE_RGBA8, BURNISH_SHADE_FLOAT, BURNISH_SHADE_OUTPUT_COUNT };
+
+/* Marks what burnish_kernels_prepare made. */
+#define BURNISH_SHADER_COOKIE 0x73686472u
 
 /* Fills *constants, and *scale with the value at the peak. Returns OK or ARGUMENT, with a line. */
 burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float exponent,

@@ -1,9 +1,12 @@
 /* Every lobe over a vector, and over an array. Included by the tiers, which make functions of it.
  */
+#ifndef BURNISH_SHADING_LOBE_SIMD_H
+#define BURNISH_SHADING_LOBE_SIMD_H
+
 #include <string.h>
 
 #include "shading/lobe_constants.h"
-#include "shading/table.h"
+#include "simd/isa_ops.h"
 #include "simd/vector_math.h"
 
 /* From this many bytes of output on, stores go past the caches: nobody finds such an array in
@@ -118,3 +121,5 @@ BURNISH_INLINE void lobe_array(int body, int from_lambda,
         lobe_rest(body, from_lambda, &lobe, count - i, in + i, out + i);
     }
 }
+
+#endif

@@ -1,4 +1,9 @@
-/* Pixels to places in space. Included by the tiers. */
+/* Pixels to places in space. */
+#ifndef BURNISH_SHADING_LOCATE_SIMD_H
+#define BURNISH_SHADING_LOCATE_SIMD_H
+
+#include "shading/shade.h"
+#include "simd/vector.h"
 
 /* The pixels of a block from its first one. */
 static const float PIXEL_X[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
@@ -19,3 +24,5 @@ static void locate_pixels(const burnish_rays *rays, float x, float y, size_t cou
         vf_store(w + i, vf_add(vf_mul(depth, vf_set(rays->q_per_depth)), vf_set(rays->q_constant)));
     }
 }
+
+#endif

@@ -1,4 +1,10 @@
-/* Vectors to unit length, over arrays. Included by the tiers. */
+/* Vectors to unit length, over arrays. */
+#ifndef BURNISH_SHADING_NORMALIZE_SIMD_H
+#define BURNISH_SHADING_NORMALIZE_SIMD_H
+
+#include <string.h>
+
+#include "simd/vector_math.h"
 
 BURNISH_INLINE void normalize_vectors(const float *const in[3], size_t from, float *const out[3],
                                       size_t to) {
@@ -29,3 +35,5 @@ static void normalize_array(size_t count, const float *const in[3], float *const
         }
     }
 }
+
+#endif

@@ -3,7 +3,7 @@
 
 #include "core/elementary.h"
 #include "core/error.h"
-#include "shading/table.h"
+#include "shading/lobe_constants.h"
 
 #define LIGHTING_COOKIE 0x6c676874u
 #define LARGEST_COLOR 1e6f

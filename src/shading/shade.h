@@ -10,7 +10,15 @@
 #include "burnish/kernels.h"
 #include "raster/raster.h"
 #include "shading/attributes.h"
-#include "shading/table.h"
+#include "simd/isa_ops.h"
+
+/* How a pixel's position on the screen becomes one in space. A visible point lies, from the eye, at
+ *   (ray + x ray_x + y ray_y + (1 - depth) ray_depth) / q,   x, y in pixels from the centre,
+ *   q = depth * q_per_depth + q_constant (1/w in perspective, 1 in parallel projection). */
+typedef struct burnish_rays {
+    float ray[3], ray_x[3], ray_y[3], ray_depth[3];
+    float q_per_depth, q_constant;
+} burnish_rays;
 
 /* A material and its lobe, before they are folded with the lights. */
 typedef struct burnish_shade_material {

@@ -1,7 +1,11 @@
-/* The whole lighting equation over vectors of points. Included by the tiers.
+/* The whole lighting equation over vectors of points.
  *
  * A skipped lobe is exactly 0 and sums are never negative, so that leaving out what a whole vector
  * does not need changes no bit, however long the vector is. */
+#ifndef BURNISH_SHADING_SHADE_SIMD_H
+#define BURNISH_SHADING_SHADE_SIMD_H
+
+#include "shading/lobe_simd.h"
 
 /* The arrays of a call, at the place of a vector. */
 typedef struct shade_vectors {
@@ -294,3 +298,5 @@ BURNISH_INLINE void shade_array(int body, int geometry, int output,
         shade_rest(body, geometry, output, shader, points, i, count - i, rgba, rgb);
     }
 }
+
+#endif

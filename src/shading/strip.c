@@ -35,9 +35,9 @@ static void locate(const burnish_shader *shader, const burnish_tile *tile,
     const int y = tile->y + burnish_pixel_y(base + first);
     float *const position[3] = {strip->position[0] + first, strip->position[1] + first,
                                 strip->position[2] + first};
-    shader->batch->locate(&shader->rays, (float)(2 * x + 1 - raster->width) * 0.5f,
-                          (float)(raster->height - 2 * y - 1) * 0.5f, (size_t)(end - first),
-                          tile->center_depths + base + first, position, strip->w + first);
+    shader->batch->locate_pixels(&shader->rays, (float)(2 * x + 1 - raster->width) * 0.5f,
+                                 (float)(raster->height - 2 * y - 1) * 0.5f, (size_t)(end - first),
+                                 tile->center_depths + base + first, position, strip->w + first);
 }
 
 static void shade_run(const burnish_shader *shader, burnish_shade_cache *cache,
@@ -95,10 +95,10 @@ static void shade_blocks(const burnish_shader *shader, burnish_shade_cache *cach
 }
 
 void burnish_shade_strip(const burnish_shader *shader, burnish_shade_cache *cache,
-                         const burnish_raster_tier *tier, const burnish_tile *tile,
+                         const burnish_isa_ops *ops, const burnish_tile *tile,
                          const burnish_raster_view *view, int number, burnish_strip *strip) {
     const unsigned dirty_blocks = tile->dirty_blocks[number];
-    tier->find_pixels(tile, number, &strip->pixels);
+    ops->classify_block_row(tile, number, &strip->pixels);
     for (int block = 0, end; block < BURNISH_TILE_BLOCKS; block = end + 1) {
         for (end = block; end < BURNISH_TILE_BLOCKS && dirty_blocks >> end & 1; ++end) {
         }

@@ -2,7 +2,7 @@
 #ifndef BURNISH_SHADING_STRIP_H
 #define BURNISH_SHADING_STRIP_H
 
-#include "raster/tier.h"
+#include "raster/tile.h"
 #include "shading/shade.h"
 
 /* What a strip needs on its way, pixels in the tile's order; entries of pixels that are not whole
@@ -22,7 +22,7 @@ int burnish_shade_planes(const burnish_shader *shader);
 /* Shades the blocks of the strip that show a triangle. The strip's arrays must have been set once,
  * to anything that is a number. */
 void burnish_shade_strip(const burnish_shader *shader, burnish_shade_cache *cache,
-                         const burnish_raster_tier *tier, const burnish_tile *tile,
+                         const burnish_isa_ops *ops, const burnish_tile *tile,
                          const burnish_raster_view *view, int number, burnish_strip *strip);
 
 #endif

@@ -12,7 +12,7 @@
 
 const char *burnish_isa_name(burnish_isa isa) {
     static const char *const names[] = {
-#define ISA_WORD(name, word, lanes) word,
+#define ISA_WORD(name, word, lanes) #word,
         BURNISH_ISA_LIST(ISA_WORD)
 #undef ISA_WORD
     };
@@ -74,8 +74,21 @@ static uint32_t processor_mask(void) {
 }
 #endif
 
+const burnish_isa_ops *burnish_isa_ops_for(burnish_isa isa) {
+    static const burnish_isa_ops *(*const tables[])(void) = {
+#define ISA_TABLE(name, word, lanes) burnish_isa_ops_##word,
+        BURNISH_ISA_LIST(ISA_TABLE)
+#undef ISA_TABLE
+    };
+    return (unsigned)isa < BURNISH_ISA_COUNT ? tables[isa]() : NULL;
+}
+
 uint32_t burnish_isa_available(void) {
-    return burnish_isa_built() & processor_mask();
+    uint32_t built = 0;
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        built |= burnish_isa_ops_for((burnish_isa)isa) ? 1u << isa : 0;
+    }
+    return built & processor_mask();
 }
 
 burnish_isa burnish_isa_best(uint32_t mask) {

@@ -1,10 +1,11 @@
-/* What CPUID says, apart from asking it: a pure function, so that tests can try any processor. */
+/* Instruction sets: which there are, and what CPUID says of them. */
 #ifndef BURNISH_SIMD_ISA_H
 #define BURNISH_SIMD_ISA_H
 
 #include <stdint.h>
 
 #include "burnish/core.h"
+#include "simd/isa_ops.h"
 
 /* The registers that decide, as an x86 processor gives them; 0 where a leaf does not exist. */
 typedef struct burnish_cpuid {
@@ -13,10 +14,13 @@ typedef struct burnish_cpuid {
     uint64_t xcr0; /* what the operating system saves; 0 without OSXSAVE */
 } burnish_cpuid;
 
-/* The tiers that such a processor runs, SCALAR included. */
+/* The tiers that such a processor runs, SCALAR included. A pure function, so that tests can try any
+ * processor. */
 uint32_t burnish_isa_from_cpuid(const burnish_cpuid *cpuid);
 
-/* The tiers that this build has a table for. */
-uint32_t burnish_isa_built(void);
+/* Each isa_<name>.c gives its table, or NULL where it was not compiled for that instruction set. */
+#define BURNISH_ISA_DECLARE(name, word, lanes) const burnish_isa_ops *burnish_isa_ops_##word(void);
+BURNISH_ISA_LIST(BURNISH_ISA_DECLARE)
+#undef BURNISH_ISA_DECLARE
 
 #endif

@@ -1,7 +1,7 @@
 /* The vector type that every template (*_simd.h) is written over. The file that includes a template
  * defines one BURNISH_VECTOR_...; each instruction set's header gives the same operations:
  *
- *   LANES                floats per vector
+ *   LANES, VECTOR_ISA    floats per vector; the instruction set
  *   vf, vi, vm           floats, 32-bit integers, one truth value per lane
  *
  *   vf_set, vi_set       one number in all lanes; vi_ramp: 0, step, 2 step ...
@@ -39,6 +39,8 @@
  * result has the same bits for every instruction set. */
 #ifndef BURNISH_SIMD_VECTOR_H
 #define BURNISH_SIMD_VECTOR_H
+
+#include "burnish/core.h"
 
 #if defined(BURNISH_VECTOR_AVX512)
 #include "simd/vector_avx512.h"

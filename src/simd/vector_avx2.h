@@ -5,7 +5,7 @@
 #include <immintrin.h>
 #include <stdint.h>
 
-enum { LANES = 8 };
+enum { LANES = 8, VECTOR_ISA = BURNISH_ISA_AVX2 };
 typedef __m256 vf;
 typedef __m256i vi;
 typedef __m256 vm;

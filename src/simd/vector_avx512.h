@@ -5,7 +5,7 @@
 #include <immintrin.h>
 #include <stdint.h>
 
-enum { LANES = 16 };
+enum { LANES = 16, VECTOR_ISA = BURNISH_ISA_AVX512 };
 typedef __m512 vf;
 typedef __m512i vi;
 typedef __mmask16 vm;

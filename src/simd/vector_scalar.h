@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
-enum { LANES = 1 };
+enum { LANES = 1, VECTOR_ISA = BURNISH_ISA_SCALAR };
 typedef float vf;
 typedef uint32_t vi;
 typedef uint32_t vm; /* 0 or all ones */

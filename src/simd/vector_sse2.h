@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
-enum { LANES = 4 };
+enum { LANES = 4, VECTOR_ISA = BURNISH_ISA_SSE2 };
 typedef __m128 vf;
 typedef __m128i vi;
 typedef __m128 vm;

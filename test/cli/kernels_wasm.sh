@@ -9,7 +9,7 @@ done
 . "$(dirname "$0")/kernels_sources.sh"
 mkdir -p "$2"
 # shellcheck disable=SC2046,SC2086
-clang-14 --target=wasm32-wasi -msimd128 $flags $(sources "$1" wasm) -o "$2/test_kernels.wasm"
+clang-14 --target=wasm32-wasi -msimd128 $flags $(sources "$1") -o "$2/test_kernels.wasm"
 cat >"$2/run.mjs" <<'END'
 import { readFile } from "node:fs/promises";
 import { WASI } from "node:wasi";

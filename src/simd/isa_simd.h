@@ -1,11 +1,14 @@
-/* One tier: defined BURNISH_VECTOR_... chooses the vector type, BATCH names the table, ISA the
- * tier. */
-#include "shading/lobe_simd.h"
-/* needs the vector type */
+/* The table of one instruction set, OPS: everything that is compiled for it. The file that includes
+ * this defines a BURNISH_VECTOR_... */
+#include "raster/bins_simd.h"
+#include "raster/geometry_simd.h"
+#include "raster/tile_simd.h"
 #include "shading/encode_simd.h"
+#include "shading/lobe_simd.h"
 #include "shading/locate_simd.h"
 #include "shading/normalize_simd.h"
 #include "shading/shade_simd.h"
+#include "simd/isa_ops.h"
 
 #define LOBE_FUNCTIONS(name, body)                                                                 \
     static void name##_of_cosines(const burnish_kernels_lobe_constants *lobe, size_t count,        \
@@ -58,9 +61,20 @@ SHADE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
             shade_##name##_general_rgba8, shade_##name##_general_float                             \
         }                                                                                          \
     }
+#define OP(name) .name = name
 
-const struct burnish_kernels BATCH = {
-    .isa = ISA,
+static const burnish_isa_ops OPS = {
+    .isa = (burnish_isa)VECTOR_ISA,
+    OP(transform_vertices),
+    OP(cull_and_bound),
+    OP(bin_batches),
+    OP(draw_primitives),
+    OP(hiz_build),
+    OP(hiz_cull),
+    OP(classify_block_row),
+    OP(group_samples),
+    OP(compute_fragments),
+    OP(mark_drawn),
     .lobe = {[BURNISH_LOBE_BODY_NONE] = LOBE_ROW(none),
              [BURNISH_LOBE_BODY_SQUARE] = LOBE_ROW(square),
              [BURNISH_LOBE_BODY_SQUARES] = LOBE_ROW(squares),
@@ -69,10 +83,6 @@ const struct burnish_kernels BATCH = {
              [BURNISH_LOBE_BODY_SCHLICK] = LOBE_ROW(schlick),
              [BURNISH_LOBE_BODY_GAUSSIAN] = LOBE_ROW(gaussian),
              [BURNISH_LOBE_BODY_GX] = LOBE_ROW(gx)},
-    .normalize = normalize_array,
-    .locate = locate_pixels,
-    .encode = encode_pixels,
-    .pack = pack_groups,
     .shade = {[BURNISH_LOBE_BODY_NONE] = SHADE_ROW(none),
               [BURNISH_LOBE_BODY_SQUARE] = SHADE_ROW(square),
               [BURNISH_LOBE_BODY_SQUARES] = SHADE_ROW(squares),
@@ -81,4 +91,8 @@ const struct burnish_kernels BATCH = {
               [BURNISH_LOBE_BODY_SCHLICK] = SHADE_ROW(schlick),
               [BURNISH_LOBE_BODY_GAUSSIAN] = SHADE_ROW(gaussian),
               [BURNISH_LOBE_BODY_GX] = SHADE_ROW(gx)},
+    OP(normalize_array),
+    OP(locate_pixels),
+    OP(encode_pixels),
+    OP(pack_groups),
 };

@@ -1,0 +1,131 @@
+/* What is compiled once per instruction set: one table of functions, each signature declared here
+ * and nowhere else. A field has the name of its function; the function is a template over the
+ * vector type (raster/..._simd.h, shading/..._simd.h).
+ *
+ * simd/isa_<name>.c is where templates meet an instruction set: the only files that include them.
+ * Calls go down from C files through this table into templates and never come back up. */
+#ifndef BURNISH_SIMD_ISA_OPS_H
+#define BURNISH_SIMD_ISA_OPS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "burnish/kernels.h"
+#include "shading/lobe_constants.h"
+
+struct burnish_batch_header;
+struct burnish_bin_entry;
+struct burnish_bin_slice;
+struct burnish_bins;
+struct burnish_block_row;
+struct burnish_fragments;
+struct burnish_geometry;
+struct burnish_raster_view;
+struct burnish_rays;
+struct burnish_complex_pixels;
+struct burnish_sample_points;
+struct burnish_screen_vertices;
+struct burnish_srgb_encoder;
+struct burnish_tile;
+struct burnish_triangle_batch;
+
+/* out[i] = lobe(in[i]); out may be in. */
+typedef void burnish_lobe_function(const burnish_kernels_lobe_constants *lobe, size_t count,
+                                   const float *in, float *out);
+
+/* The lighting of count points, as burnish/kernels.h says. Exactly one of rgba and rgb is written.
+ */
+typedef void burnish_shade_function(const burnish_kernels_shader *shader,
+                                    const burnish_kernels_points *points, size_t count,
+                                    uint8_t *rgba, float *const rgb[3]);
+
+typedef struct burnish_isa_ops {
+    burnish_isa isa;
+
+    /* ---- raster: a frame ---- */
+
+    /* Transforms the vertices [first, end) to the screen. */
+    void (*transform_vertices)(struct burnish_screen_vertices *vertices,
+                               const struct burnish_raster_view *view, const float *positions,
+                               size_t first, size_t end);
+
+    /* Culls the mesh's triangles [first, first + count), count <= BURNISH_BATCH_SIZE, and finds
+     * depth and bounds of those that may be seen; returns how many. Where bit i of *others is set,
+     * triangle first + i must be clipped or is too large for 32-bit edge functions, and is up to
+     * the caller. */
+    int (*cull_and_bound)(const struct burnish_screen_vertices *vertices,
+                          const struct burnish_raster_view *view, const uint32_t *indices,
+                          size_t first, size_t count, struct burnish_triangle_batch *batch,
+                          struct burnish_batch_header *header, unsigned *others);
+
+    /* Appends the triangles of the batches [first, end) to a slice's tile lists. Returns where it
+     * stopped: end, or the batch for which the slice has too few chunks. To be called again from
+     * there when it has more: what that batch has already added is not added twice. */
+    size_t (*bin_batches)(const struct burnish_bins *bins, struct burnish_bin_slice *slice,
+                          const struct burnish_geometry *geometry, size_t first, size_t end);
+
+    /* ---- raster: a tile ---- */
+
+    /* Draws primitives into a tile in their order; all are front- or all back-facing. */
+    void (*draw_primitives)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
+                            const uint32_t *indices, size_t count, unsigned back);
+
+    /* Builds HiZ from the tile's depths. */
+    void (*hiz_build)(struct burnish_tile *tile);
+
+    /* Removes the triangles that HiZ hides wherever they touch the tile; returns how many entries
+     * are left. */
+    size_t (*hiz_cull)(const struct burnish_tile *tile, const struct burnish_geometry *geometry,
+                       struct burnish_bin_entry *entries, size_t count);
+
+    /* Finds which pixels of a block row are covered, and which of them are simple. */
+    void (*classify_block_row)(const struct burnish_tile *tile, int row,
+                               struct burnish_block_row *pixels);
+
+    /* Groups the samples of a block's complex pixels by triangle, pixel after pixel. */
+    void (*group_samples)(const struct burnish_tile *tile, int block,
+                          struct burnish_complex_pixels *pixels);
+
+    /* Computes the barycentric weights (and, if requested, screen positions) of fragments. May
+     * write up to LANES - 1 items past the last one. */
+    void (*compute_fragments)(const struct burnish_tile *tile,
+                              const struct burnish_raster_view *view,
+                              const struct burnish_sample_points *points,
+                              struct burnish_fragments *fragments);
+
+    /* Sets drawn[t] to 1 for each of the mesh's triangles t that a sample shows; needs ids. Several
+     * threads may do so at the same time. */
+    void (*mark_drawn)(const struct burnish_tile *tile, uint8_t *drawn);
+
+    /* ---- shading ---- */
+
+    burnish_lobe_function *lobe[BURNISH_LOBE_BODY_COUNT][BURNISH_LOBE_INPUT_COUNT];
+    burnish_shade_function
+        *shade[BURNISH_LOBE_BODY_COUNT][BURNISH_SHADE_GEOMETRY_COUNT][BURNISH_SHADE_OUTPUT_COUNT];
+
+    /* out = in scaled to unit length; out may be in. */
+    void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
+
+    /* Positions from the eye, times w, and w of `count` pixels, a multiple of 16: in blocks of
+     * 4 x 4 side by side, a block's pixels row by row. The centre of the first one is at (x, y). */
+    void (*locate_pixels)(const struct burnish_rays *rays, float x, float y, size_t count,
+                          const float *depths, float *const position[3], float *w);
+
+    /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel,
+     * then green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and
+     * the others are `behind`. */
+    void (*encode_pixels)(const struct burnish_srgb_encoder *encoder, size_t count,
+                          const float *const rgb[3], const int32_t *shown, uint32_t alpha,
+                          uint32_t behind, uint32_t *pixels);
+
+    /* count groups of four pixels, each `stride` pixels after the last, to 12 bytes per group, one
+     * after another: red, green, blue. The highest byte of a pixel must be 0. May write up to four
+     * bytes past the last. */
+    void (*pack_groups)(size_t count, const uint32_t *pixels, size_t stride, uint8_t *to);
+} burnish_isa_ops;
+
+/* The table of an instruction set; NULL where this build has none. Whether it runs here says
+ * burnish_isa_available(). */
+const burnish_isa_ops *burnish_isa_ops_for(burnish_isa isa);
+
+#endif
