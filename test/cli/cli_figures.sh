@@ -107,9 +107,9 @@ expect 2 'burnish: --exponents: the figure cost is drawn for one exponent' lobe 
 expect 2 'burnish: --bits: "0" is not a number above 0 up to 64' lobe plot ratio --bits=0
 expect 2 'burnish: --lobes: the figure object takes 2 to 6 lobes, the one to compare with first' lobe plot object --lobes=power
 expect 2 'burnish: --size: "9,9" is not a width and a height from 160 to 4096, such as 720,440' lobe plot curves --size=9,9
-expect 2 "burnish: --size: 200,300 is too small for the names in this figure; it takes 328,250 or more" \
+expect 2 "burnish: --size: the names in the figure ratio take 400,250 or more" \
     lobe plot ratio --size=200,300
-expect 2 'burnish: --output: the figure curves is written as svg, csv or gp' lobe plot curves -o curves.pdf
+expect 2 'burnish: --output: the figure curves is written as svg, png, csv or gp' lobe plot curves -o curves.pdf
 expect 2 'burnish: --format: the figure object is written as png or csv' lobe plot object --format=gp
 expect 2 'burnish: curves: more than 48 curves; leave out some lobes, exponents or bits' \
     lobe plot curves --exponents=1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17
@@ -132,7 +132,7 @@ with_gnuplot() {
 }
 with_gnuplot "" "not found, and it draws the figures; install it (Debian: gnuplot-nox), or take --format=gp to another machine, or --format=csv"
 with_gnuplot 'echo "    line 7: out of luck" >&2; exit 1' "failed: line 7: out of luck; version 5.4 is known to work"
-with_gnuplot 'read -r line' "wrote no SVG; version 5.4 is known to work"
+with_gnuplot 'read -r line' "wrote no drawing; version 5.4 is known to work"
 nothing_left "a gnuplot that fails"
 
 # ---- Drawings --------------------------------------------------------------------------------------
@@ -142,7 +142,7 @@ cp kept.csv again.csv
 check "by the ending: csv" grep -q '^series,angle_deg,value$' kept.csv
 check "to standard output: the same" sh -c "'$burnish' lobe plot curves --format=csv | cmp - kept.csv"
 run lobe plot curves -o script.gp
-check "by the ending: gp" grep -q '^set terminal svg' script.gp
+check "by the ending: gp" grep -q 'set terminal svg' script.gp
 check "an output that can't be written is kept as it was" sh -c "chmod 400 kept.csv; '$burnish' lobe plot curves --lobes=foo -o kept.csv; cmp kept.csv again.csv"
 rm -f kept.csv again.csv script.gp
 

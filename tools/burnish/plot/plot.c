@@ -68,8 +68,8 @@ static const cli_flag plot_flags[] = {
      .help = "where to; - is standard output",
      .default_label = "FIGURE.svg, object.png",
      .manual = "File to write, whole or not at all; *-* is standard output, which *--format=csv* "
-               "and *--format=gp* write to unless told otherwise. Endings: _.svg_, _.csv_, _.gp_ "
-               "and, for *object*, _.png_ and _.csv_.",
+               "and *--format=gp* write to unless told otherwise. Endings: _.svg_, _.csv_, _.gp_, "
+               "_.png_ and, for *object*, _.png_ and _.csv_.",
      .handler = cli_flag_text,
      TARGET(output)},
     {.name = "size",
@@ -84,7 +84,8 @@ static const cli_flag plot_flags[] = {
      .value = "WORD",
      .help = "what is written",
      .default_label = "by FILE's ending, else the drawing",
-     .manual = "*svg* and *png* are the drawing (png that of *object*, svg that of the others), "
+     .manual = "*svg* and *png* are the drawing (*object* has png only; the svg has a light and a "
+               "dark form), "
                "*csv* the points of the curves, *gp* the gnuplot script with its data. Without it "
                "FILE's ending decides.",
      .handler = cli_flag_word,
@@ -124,7 +125,13 @@ const cli_command lobe_plot_command = {
     .work = plot,
 };
 
-enum { SIZE_MIN = 160, SIZE_MAX_PX = 4096, BITS_MAX = 64 };
+enum {
+    CHART_WIDTH_MIN = 400,
+    CHART_HEIGHT_MIN = 250,
+    SIZE_MIN = 160,
+    SIZE_MAX_PX = 4096,
+    BITS_MAX = 64
+};
 
 static burnish_status flag_size(const cli_flag *flag, const char *text, void *target,
                                 burnish_error *error) {
@@ -246,6 +253,12 @@ static burnish_status make_request(const plot_figure *figure, const plot_setting
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--bits: the figure %s has no thresholds; leave it out", figure->name);
     }
+    if (settings->has_size && figure->fill &&
+        (settings->size[0] < CHART_WIDTH_MIN || settings->size[1] < CHART_HEIGHT_MIN)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--size: the names in the figure %s take %d,%d or more", figure->name,
+                        CHART_WIDTH_MIN, CHART_HEIGHT_MIN);
+    }
     request->lenient = !settings->lobes || !settings->exponents;
     request->width = settings->has_size ? (int)settings->size[0] : figure->width;
     request->height = settings->has_size ? (int)settings->size[1] : figure->height;
@@ -267,14 +280,15 @@ static burnish_status make_request(const plot_figure *figure, const plot_setting
 }
 
 /* A chart's text, CSV or script, in memory. */
-static burnish_status chart_text(const plot_chart *chart, int data, char **text, size_t *size,
+static burnish_status chart_text(const plot_figure *figure, const plot_chart *chart,
+                                 plot_format format, char **text, size_t *size,
                                  burnish_error *error) {
     FILE *file = open_memstream(text, size);
     if (file) {
-        if (data) {
+        if (format == FORMAT_CSV) {
             plot_write_data(chart, file);
         } else {
-            plot_write_script(chart, file);
+            plot_write_script(chart, figure, format == FORMAT_PNG, file);
         }
         if (fclose(file) == 0) {
             return BURNISH_STATUS_OK;
@@ -283,17 +297,6 @@ static burnish_status chart_text(const plot_chart *chart, int data, char **text,
     }
     *text = NULL;
     return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
-}
-
-static burnish_status check_size(const plot_chart *chart, burnish_error *error) {
-    int width = plot_least_width(chart), height = plot_least_height(chart);
-    if (chart->width >= width && chart->height >= height) {
-        return BURNISH_STATUS_OK;
-    }
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--size: %d,%d is too small for the names in this figure; it takes "
-                    "%d,%d or more",
-                    chart->width, chart->height, width, height);
 }
 
 static burnish_status draw_chart(const plot_figure *figure, const plot_request *request,
@@ -310,17 +313,15 @@ static burnish_status draw_chart(const plot_figure *figure, const plot_request *
     chart->height = request->height;
     burnish_status status = figure->fill(request, chart, error);
     if (status == BURNISH_STATUS_OK) {
-        plot_finish_axes(chart);
-        status = check_size(chart, error);
+        status = chart_text(figure, chart, format, &text, &size, error);
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = chart_text(chart, format == FORMAT_CSV, &text, &size, error);
+    if (status == BURNISH_STATUS_OK && (format == FORMAT_SVG || format == FORMAT_PNG)) {
+        char *script = text;
+        status = plot_run(script, size, &text, &size, error);
+        free(script);
     }
     if (status == BURNISH_STATUS_OK && format == FORMAT_SVG) {
-        char *script = text;
-        text = NULL;
-        status = plot_run(chart, script, size, &text, &size, error);
-        free(script);
+        status = plot_dress(chart, &text, &size, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_file_write(path, text, size, error);
@@ -373,11 +374,11 @@ static burnish_status choose_format(const plot_figure *figure, const plot_settin
     *format = settings->format   ? (plot_format)settings->format
               : settings->output ? format_of_path(settings->output, drawing)
                                  : drawing;
-    int possible =
-        *format == drawing || *format == FORMAT_CSV || (*format == FORMAT_SCRIPT && figure->fill);
+    int possible = *format == FORMAT_PNG || *format == FORMAT_CSV ||
+                   (figure->fill && (*format == FORMAT_SVG || *format == FORMAT_SCRIPT));
     if (!possible) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s: the figure %s is written as %s", flag,
-                        figure->name, figure->fill ? "svg, csv or gp" : "png or csv");
+                        figure->name, figure->fill ? "svg, png, csv or gp" : "png or csv");
     }
     return BURNISH_STATUS_OK;
 }

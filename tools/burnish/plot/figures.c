@@ -1,5 +1,6 @@
 /* The figures: what each plots, for which lobes and exponents unless told otherwise. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "plot/plot.h"
@@ -9,12 +10,13 @@ static const double DEGREES = 180 / 3.14159265358979323846;
 typedef burnish_status fill(const plot_request *request, plot_chart *chart, burnish_error *error);
 
 static fill fill_error, fill_curves, fill_core, fill_ratio, fill_extreme, fill_energy, fill_orders,
-    fill_widths;
+    fill_widths, fill_cost;
 
 enum { WIDTH = 720, HEIGHT = 440 }; /* px, of most figures */
 
 static const plot_figure figures[] = {
     {.name = "error",
+     .script = "error",
      .title = "Absolute error of W against the angle",
      .exponents = "3,10,30,100,300,1000",
      .lobes = "taylor:2",
@@ -22,6 +24,7 @@ static const plot_figure figures[] = {
      .height = HEIGHT,
      .fill = fill_error},
     {.name = "curves",
+     .script = "curves",
      .title = "The power, W and Schlick's function against the angle",
      .exponents = "100",
      .lobes = "power,taylor:2,schlick",
@@ -29,6 +32,7 @@ static const plot_figure figures[] = {
      .height = HEIGHT,
      .fill = fill_curves},
     {.name = "core",
+     .script = "core",
      .title = "Largest relative error from the peak to the inflection against the exponent",
      .exponents = "2,1000",
      .exponents_are_range = 1,
@@ -37,6 +41,7 @@ static const plot_figure figures[] = {
      .height = HEIGHT,
      .fill = fill_core},
     {.name = "ratio",
+     .script = "ratio",
      .title = "Ratio R of the angles at which power and lobe fall to 2^-q against the exponent",
      .exponents = "2,1000",
      .exponents_are_range = 1,
@@ -46,6 +51,7 @@ static const plot_figure figures[] = {
      .height = HEIGHT,
      .fill = fill_ratio},
     {.name = "w1",
+     .script = "curves",
      .title = "W1 and the power against the angle",
      .exponents = "10",
      .lobes = "power,energy:2",
@@ -53,6 +59,7 @@ static const plot_figure figures[] = {
      .height = HEIGHT,
      .fill = fill_curves},
     {.name = "w1-extreme",
+     .script = "w1-extreme",
      .title = "Extreme relative error of W1 against the exponent",
      .exponents = "2,1000",
      .exponents_are_range = 1,
@@ -68,6 +75,7 @@ static const plot_figure figures[] = {
      .width = 480,
      .height = 360},
     {.name = "cost",
+     .script = "cost",
      .title = "Largest absolute error of every lobe against what it costs",
      .exponents = "64",
      .single_exponent = 1,
@@ -75,8 +83,9 @@ static const plot_figure figures[] = {
               "minimax:32,nv2x,power,schlick,gx,gaussian,kuijk-blake,table256,table256:linear",
      .width = 960,
      .height = 600,
-     .fill = plot_fill_cost},
+     .fill = fill_cost},
     {.name = "energy",
+     .script = "energy",
      .title = "Energy over the hemisphere relative to the power's against the exponent",
      .exponents = "2,1000",
      .exponents_are_range = 1,
@@ -85,6 +94,7 @@ static const plot_figure figures[] = {
      .height = HEIGHT,
      .fill = fill_energy},
     {.name = "orders",
+     .script = "orders",
      .title = "Largest absolute error of every order against the exponent",
      .exponents = "2,5000",
      .exponents_are_range = 1,
@@ -93,6 +103,7 @@ static const plot_figure figures[] = {
      .height = HEIGHT,
      .fill = fill_orders},
     {.name = "widths",
+     .script = "widths",
      .title = "Ratio R of the angles at which power and lobe fall to 2^-q against q",
      .exponents = "64",
      .single_exponent = 1,
@@ -108,8 +119,8 @@ const plot_figure *plot_figure_at(size_t index) {
     return index < sizeof figures / sizeof *figures ? &figures[index] : NULL;
 }
 
-burnish_status plot_model(const char *word, double exponent, burnish_theory_model *model,
-                          burnish_error *error) {
+static burnish_status make_model(const char *word, double exponent, burnish_theory_model *model,
+                                 burnish_error *error) {
     burnish_error inner;
     if (burnish_theory_model_parse(word, exponent, model, &inner) == BURNISH_STATUS_OK) {
         return BURNISH_STATUS_OK;
@@ -117,7 +128,7 @@ burnish_status plot_model(const char *word, double exponent, burnish_theory_mode
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
 }
 
-plot_series *plot_add_series(plot_chart *chart, burnish_error *error) {
+static plot_series *add_series(plot_chart *chart, burnish_error *error) {
     if (chart->series_count == PLOT_SERIES_MAX) {
         cli_fail(error, BURNISH_STATUS_ARGUMENT,
                  "%s: more than %d curves; leave out some lobes, exponents or bits", chart->name,
@@ -129,7 +140,7 @@ plot_series *plot_add_series(plot_chart *chart, burnish_error *error) {
 
 /* The lobe's name as text of a figure: the paper's where it has one. */
 static void lobe_text(const burnish_theory_model *model, char *text, size_t size) {
-    char word[PLOT_LOBE_SIZE];
+    char word[LOBE_NAME];
     burnish_lobe_spec_name(&model->lobe, word, sizeof word);
     if (strcmp(word, "taylor:2") == 0) {
         snprintf(text, size, "{/:Italic W}");
@@ -144,6 +155,13 @@ static void lobe_text(const burnish_theory_model *model, char *text, size_t size
     } else {
         snprintf(text, size, "%s", word);
     }
+}
+
+/* The ink for item i of `count` ordered ones, spread over the steps. */
+static int ramp_ink(size_t i, size_t count) {
+    size_t last = PLOT_RAMP_INKS - 1;
+    size_t step = count > 1 ? (i * last + (count - 1) / 2) / (count - 1) : 2;
+    return PLOT_INK_RAMP + (int)(step > last ? last : step);
 }
 
 /* A lobe has the same hue in every figure; labels tell apart the few that share one. */
@@ -167,7 +185,7 @@ static int lobe_ink(const burnish_theory_model *model) {
 }
 
 /* The order shows as dashes. */
-static plot_style lobe_style(const burnish_theory_model *model) {
+static plot_dash lobe_style(const burnish_theory_model *model) {
     return model->lobe.order <= 2   ? PLOT_LINE
            : model->lobe.order == 4 ? PLOT_DASHED
            : model->lobe.order == 8 ? PLOT_DASH_DOT
@@ -175,8 +193,8 @@ static plot_style lobe_style(const burnish_theory_model *model) {
 }
 
 /* The i-th style of curves that share their hues. */
-static plot_style style_of(size_t i) {
-    static const plot_style styles[] = {PLOT_LINE, PLOT_DASHED, PLOT_DASH_DOT, PLOT_DOTTED};
+static plot_dash style_of(size_t i) {
+    static const plot_dash styles[] = {PLOT_LINE, PLOT_DASHED, PLOT_DASH_DOT, PLOT_DOTTED};
     return styles[i % (sizeof styles / sizeof *styles)];
 }
 
@@ -208,7 +226,7 @@ static double step_between(double low, double high, int logarithmic, size_t i) {
 /* ---- Figures over the angle -------------------------------------------------------------------*/
 
 /* A figure for one exponent says which. */
-void plot_state_exponent(const plot_request *request, plot_chart *chart) {
+static void state_exponent(const plot_request *request, plot_chart *chart) {
     snprintf(chart->condition, sizeof chart->condition, ", {/:Italic n} = %.6g",
              request->exponents[0]);
 }
@@ -237,8 +255,8 @@ static void dress_angle_series(const plot_request *request, size_t l, size_t e,
     } else {
         snprintf(series->text, sizeof series->text, "%s", text);
     }
-    series->ink = several ? plot_ramp_ink(e, request->exponent_count) : lobe_ink(model);
-    series->style = style_of(several && !many ? e : l);
+    series->ink = several ? ramp_ink(e, request->exponent_count) : lobe_ink(model);
+    series->dash = style_of(several && !many ? e : l);
 }
 
 static void sample_angles(const burnish_theory_model *model, double end, int error_wanted,
@@ -262,12 +280,11 @@ static burnish_status fill_angles(const plot_request *request, plot_chart *chart
     for (size_t l = 0; l < request->lobe_count; ++l) {
         for (size_t e = 0; e < request->exponent_count; ++e) {
             burnish_theory_model model;
-            status = plot_model(request->lobes[l], request->exponents[e], &model, error);
+            status = make_model(request->lobes[l], request->exponents[e], &model, error);
             if (status != BURNISH_STATUS_OK && request->lenient) {
                 continue;
             }
-            plot_series *series =
-                status == BURNISH_STATUS_OK ? plot_add_series(chart, error) : NULL;
+            plot_series *series = status == BURNISH_STATUS_OK ? add_series(chart, error) : NULL;
             if (!series) {
                 return error->status;
             }
@@ -278,27 +295,23 @@ static burnish_status fill_angles(const plot_request *request, plot_chart *chart
     if (chart->series_count == 0) {
         return status;
     }
-    chart->x.title = "lobe angle {/:Italic γ} in degrees";
-    chart->x.column = "angle_deg";
-    chart->x.high = end;
+    chart->x_column = "angle_deg";
+    chart->x_high = end;
     if (request->exponent_count == 1) {
-        plot_state_exponent(request, chart);
+        state_exponent(request, chart);
     }
     return BURNISH_STATUS_OK;
 }
 
 static burnish_status fill_error(const plot_request *request, plot_chart *chart,
                                  burnish_error *error) {
-    chart->y.title = "absolute error, |lobe − cos^{{/:Italic n}}{/:Italic γ}|";
-    chart->y.column = "absolute_error";
+    chart->y_column = "absolute_error";
     return fill_angles(request, chart, 1, error);
 }
 
 static burnish_status fill_curves(const plot_request *request, plot_chart *chart,
                                   burnish_error *error) {
-    chart->y.title = "value of the lobe";
-    chart->y.column = "value";
-    chart->y.high = 1;
+    chart->y_column = "value";
     return fill_angles(request, chart, 0, error);
 }
 
@@ -329,7 +342,7 @@ static burnish_status fill_curve(const plot_request *request, const char *word, 
     double low = least(request->exponents, request->exponent_count);
     double high = greatest(request->exponents, request->exponent_count);
     int before = 0;
-    burnish_status status = plot_model(word, high, &pattern, error);
+    burnish_status status = make_model(word, high, &pattern, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -359,9 +372,9 @@ static burnish_status fill_exponents(const plot_request *request, plot_chart *ch
         for (size_t b = 0; b < bits_count; ++b) {
             double bits = request->bits_count > 0 ? request->bits[b] : 0;
             burnish_theory_model model;
-            plot_series *series = plot_add_series(chart, error);
+            plot_series *series = add_series(chart, error);
             burnish_status status =
-                series ? plot_model(request->lobes[l], top, &model, error) : error->status;
+                series ? make_model(request->lobes[l], top, &model, error) : error->status;
             if (status == BURNISH_STATUS_OK) {
                 status = fill_curve(request, request->lobes[l], bits, measure, series, error);
             }
@@ -372,22 +385,19 @@ static burnish_status fill_exponents(const plot_request *request, plot_chart *ch
             lobe_text(&model, text, sizeof text);
             snprintf(series->name, sizeof series->name, "%s", request->lobes[l]);
             snprintf(series->text, sizeof series->text, "%s", paper_names ? text : series->name);
-            series->ink = ramp ? plot_ramp_ink(l, request->lobe_count) : lobe_ink(&model);
-            series->style = ramp ? PLOT_LINE : lobe_style(&model);
+            series->ink = ramp ? ramp_ink(l, request->lobe_count) : lobe_ink(&model);
+            series->dash = ramp ? PLOT_LINE : lobe_style(&model);
             if (request->bits_count > 0) {
                 snprintf(series->name, sizeof series->name, "%s q=%.10g", request->lobes[l], bits);
                 snprintf(series->text, sizeof series->text, "%s, {/:Italic q} = %.6g", text, bits);
-                series->ink = plot_ramp_ink(b, bits_count);
-                series->style = style_of(l);
+                series->ink = ramp_ink(b, bits_count);
+                series->dash = style_of(l);
             }
         }
     }
-    chart->labels_at_end = 1;
-    chart->x.title = "specular exponent {/:Italic n}";
-    chart->x.column = "exponent";
-    chart->x.logarithmic = 1;
-    chart->x.low = least(request->exponents, request->exponent_count);
-    chart->x.high = top;
+    chart->x_column = "exponent";
+    chart->x_low = least(request->exponents, request->exponent_count);
+    chart->x_high = top;
     return BURNISH_STATUS_OK;
 }
 
@@ -404,18 +414,13 @@ static double core_error(const burnish_theory_model *model, double bits) {
 
 static burnish_status fill_core(const plot_request *request, plot_chart *chart,
                                 burnish_error *error) {
-    chart->y.title =
-        "largest relative error up to the inflection of cos^{{/:Italic n}}, in percent";
-    chart->y.column = "relative_error_percent";
+    chart->y_column = "relative_error_percent";
     return fill_exponents(request, chart, core_error, 1, 0, error);
 }
 
 static burnish_status fill_ratio(const plot_request *request, plot_chart *chart,
                                  burnish_error *error) {
-    chart->y.title =
-        "{/:Italic R} = angle of the power / angle of the lobe, both at level 2^{−{/:Italic q}}";
-    chart->y.column = "ratio";
-    chart->rule = (plot_rule){"as wide as the power", 1};
+    chart->y_column = "ratio";
     return fill_exponents(request, chart, burnish_theory_width_ratio, 1, 0, error);
 }
 
@@ -440,7 +445,7 @@ static burnish_status fill_extreme(const plot_request *request, plot_chart *char
     size_t lines = chart->series_count;
     for (size_t l = 0; l < lines && status == BURNISH_STATUS_OK; ++l) {
         plot_series *line = &chart->series[l];
-        plot_series *points = plot_add_series(chart, error);
+        plot_series *points = add_series(chart, error);
         if (!points) {
             return error->status;
         }
@@ -451,19 +456,16 @@ static burnish_status fill_extreme(const plot_request *request, plot_chart *char
         snprintf(points->name, sizeof points->name, "%s searched", request->lobes[l]);
         snprintf(points->text, sizeof points->text, "found by search");
         snprintf(line->text + strlen(line->text), sizeof line->text - strlen(line->text),
-                 ", place by formula");
+                 ", by formula");
         points->ink = line->ink;
-        points->style = PLOT_RINGS;
+        points->dash = PLOT_LINE; /* the script draws it as points */
         points->count = 0;
         for (size_t i = 0; i < PLOT_POINTS; i += 20) {
             points->x[points->count] = points->x[i];
             points->y[points->count++] = points->y[i];
         }
     }
-    chart->labels_at_end = 0;
-    chart->key_inside = 1;
-    chart->y.title = "extreme relative error, in percent";
-    chart->y.column = "relative_error_percent";
+    chart->y_column = "relative_error_percent";
     return status;
 }
 
@@ -478,10 +480,7 @@ static double energy_ratio(const burnish_theory_model *model, double bits) {
 
 static burnish_status fill_energy(const plot_request *request, plot_chart *chart,
                                   burnish_error *error) {
-    chart->y.title = "integral over the hemisphere / that of cos^{{/:Italic n}}";
-    chart->y.column = "energy_ratio";
-    chart->y.logarithmic = 1;
-    chart->rule = (plot_rule){"", 1};
+    chart->y_column = "energy_ratio";
     return fill_exponents(request, chart, energy_ratio, 0, 0, error);
 }
 
@@ -492,12 +491,7 @@ static double whole_error(const burnish_theory_model *model, double bits) {
 
 static burnish_status fill_orders(const plot_request *request, plot_chart *chart,
                                   burnish_error *error) {
-    chart->y.title = "largest absolute error, angles from 0° to 90°";
-    chart->y.column = "maximum_error";
-    chart->y.logarithmic = 1;
-    chart->y.low = 5e-4;
-    chart->y.high = 0.1;
-    chart->rule = (plot_rule){"half a step of 8 bits", 1.0 / 510};
+    chart->y_column = "maximum_error";
     return fill_exponents(request, chart, whole_error, 0, 1, error);
 }
 
@@ -509,9 +503,9 @@ static burnish_status fill_widths(const plot_request *request, plot_chart *chart
     double high = greatest(request->bits, request->bits_count);
     for (size_t l = 0; l < request->lobe_count; ++l) {
         burnish_theory_model model;
-        plot_series *series = plot_add_series(chart, error);
+        plot_series *series = add_series(chart, error);
         burnish_status status =
-            series ? plot_model(request->lobes[l], request->exponents[0], &model, error)
+            series ? make_model(request->lobes[l], request->exponents[0], &model, error)
                    : error->status;
         if (status != BURNISH_STATUS_OK) {
             return status;
@@ -519,21 +513,125 @@ static burnish_status fill_widths(const plot_request *request, plot_chart *chart
         snprintf(series->name, sizeof series->name, "%s", request->lobes[l]);
         snprintf(series->text, sizeof series->text, "%s", request->lobes[l]);
         series->ink = lobe_ink(&model);
-        series->style = lobe_style(&model);
+        series->dash = lobe_style(&model);
         series->count = PLOT_POINTS;
         for (size_t i = 0; i < PLOT_POINTS; ++i) {
             series->x[i] = step_between(low, high, 0, i);
             series->y[i] = burnish_theory_width_ratio(&model, series->x[i]);
         }
     }
-    chart->labels_at_end = 1;
-    plot_state_exponent(request, chart);
-    chart->x.title = "threshold {/:Italic q} in bits: the lobe ends at 2^{−{/:Italic q}}";
-    chart->x.column = "bits";
-    chart->x.low = low;
-    chart->x.high = high;
-    chart->y.title = "{/:Italic R} = angle of the power / angle of the lobe";
-    chart->y.column = "ratio";
-    chart->rule = (plot_rule){"as wide as the power", 1};
+    state_exponent(request, chart);
+    chart->x_column = "bits";
+    chart->x_low = low;
+    chart->x_high = high;
+    chart->y_column = "ratio";
     return BURNISH_STATUS_OK;
+}
+
+/* ---- Error and cost ---------------------------------------------------------------------------*/
+
+/* What the script takes a series for. */
+enum { COST_FRONT = 1, COST_FAMILY, COST_OTHER, COST_EXACT, COST_HEADING };
+
+typedef struct candidate {
+    const char *word;
+    burnish_theory_model model;
+    burnish_theory_cost cost;
+    double error;
+} candidate;
+
+/* The dearest kind of operation: what the rows are grouped by. */
+static const char *heading(const burnish_theory_cost *cost) {
+    return cost->transcendentals > 0 ? "with pow, exp or acos"
+           : cost->divisions > 0     ? "with a division"
+           : cost->lookups > 0       ? "with a table"
+                                     : "multiplications, additions, maximum only";
+}
+
+static int compare_costs(const void *a, const void *b) {
+    const candidate *x = a, *y = b;
+    int order = burnish_theory_cost_order(&x->cost, &y->cost);
+    return order ? order : (x->error > y->error) - (x->error < y->error);
+}
+
+static burnish_status measure(const plot_request *request, candidate *candidates,
+                              burnish_error *error) {
+    for (size_t i = 0; i < request->lobe_count; ++i) {
+        candidate *c = &candidates[i];
+        c->word = request->lobes[i];
+        burnish_status status = make_model(c->word, request->exponents[0], &c->model, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        c->cost = burnish_theory_model_cost(&c->model);
+        c->error = burnish_theory_maximum_error(&c->model, acos(0));
+    }
+    qsort(candidates, request->lobe_count, sizeof *candidates, compare_costs);
+    return BURNISH_STATUS_OK;
+}
+
+static void add_point(plot_series *series, double x, double y) {
+    series->x[series->count] = x;
+    series->y[series->count++] = y;
+}
+
+/* A row: its name and cost, and the point; the front steps down to it where it is below. */
+static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
+                              burnish_error *error) {
+    plot_series *front = &chart->series[0], *series = add_series(chart, error);
+    char cost[64];
+    if (!series) {
+        return error->status;
+    }
+    int family =
+        c->model.lobe.kind == BURNISH_LOBE_FAMILY || c->model.lobe.kind == BURNISH_LOBE_LYON;
+    lobe_cost_text(&c->cost, cost, sizeof cost);
+    snprintf(series->name, sizeof series->name, "%s", c->word);
+    snprintf(series->text, sizeof series->text, "%s   %s", cost, c->word);
+    series->ink = PLOT_INK_LOBE + !family;
+    series->dash = !(c->error > 0) ? COST_EXACT : family ? COST_FAMILY : COST_OTHER;
+    add_point(series, row, c->error > 0 ? c->error : NAN);
+    double best = front->count > 0 ? front->y[front->count - 1] : INFINITY;
+    if (c->error < best) {
+        if (front->count > 0) {
+            add_point(front, row, best);
+        }
+        add_point(front, row, c->error > 0 ? c->error : NAN);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status fill_cost(const plot_request *request, plot_chart *chart,
+                                burnish_error *error) {
+    candidate candidates[PLOT_LIST_MAX];
+    double row = 0;
+    const char *group = NULL;
+    burnish_status status = measure(request, candidates, error);
+    plot_series *front = status == BURNISH_STATUS_OK ? add_series(chart, error) : NULL;
+    if (!front) {
+        return status == BURNISH_STATUS_OK ? error->status : status;
+    }
+    snprintf(front->name, sizeof front->name, "front");
+    front->ink = PLOT_INK_AXIS;
+    front->dash = COST_FRONT;
+    for (size_t i = 0; i < request->lobe_count && status == BURNISH_STATUS_OK; ++i) {
+        const char *next = heading(&candidates[i].cost);
+        if (!group || strcmp(group, next) != 0) {
+            plot_series *title = add_series(chart, error);
+            if (!title) {
+                return error->status;
+            }
+            group = next;
+            snprintf(title->text, sizeof title->text, "%s", group);
+            title->ink = PLOT_INK_TEXT;
+            title->dash = COST_HEADING;
+            add_point(title, ++row, NAN);
+        }
+        status = add_row(chart, &candidates[i], ++row, error);
+    }
+    chart->x_high = row;
+    chart->x_column = "row";
+    chart->y_column = "maximum_error";
+    state_exponent(request, chart);
+    return status;
 }
