@@ -1,0 +1,381 @@
+/* burnish_mesh_create: arrays of every shape, and what the context brings: memory that runs short,
+ * cancelling, progress, the log; the caller's floating-point environment. */
+#include <fenv.h>
+#include <math.h>
+#include <stdatomic.h>
+
+#include "mesh_arrays.h"
+#include "support.h"
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+enum { SIDES = 600, VERTICES = SIDES + 2, TRIANGLES = SIDES + 1 };
+
+/* A cone, whose tip has more faces than are measured at once, and a triangle without area. */
+static float positions[3 * VERTICES], normals[3 * VERTICES], texcoords[2 * VERTICES];
+static uint8_t colors[4 * VERTICES];
+static uint32_t indices[3 * TRIANGLES];
+
+static void make_cone(void) {
+    for (uint32_t i = 0; i < SIDES; ++i) {
+        const double angle = 2 * acos(-1.0) * i / SIDES;
+        positions[3 * i] = (float)cos(angle);
+        positions[3 * i + 1] = (float)sin(angle);
+        memcpy(indices + 3 * i, (uint32_t[]){SIDES, i, (i + 1) % SIDES}, 12);
+    }
+    positions[3 * SIDES + 2] = 1;
+    positions[3 * SIDES + 4] = 0x1p-140f; /* subnormal */
+    for (uint32_t i = 0; i < VERTICES; ++i) {
+        memcpy(normals + 3 * i, (float[]){positions[3 * i], positions[3 * i + 1], 0.1f}, 12);
+        memcpy(texcoords + 2 * i, (float[]){(float)i, 1.0f / (float)(i + 1)}, 8);
+        memcpy(colors + 4 * i, (uint8_t[]){(uint8_t)i, (uint8_t)(i / 7), 3, 255}, 4);
+    }
+}
+
+/* ---- Shapes of arrays ---- */
+
+static burnish_mesh *create(const burnish_mesh_description *arrays, int texture_coordinates) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {0};
+    options.keep_texture_coordinates = texture_coordinates;
+    CHECK(burnish_mesh_create(arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
+}
+
+static int same_floats(const float *a, const float *b, size_t count) {
+    return (!a && !b) || (a && b && memcmp(a, b, count * sizeof *a) == 0);
+}
+
+static void check_same(const burnish_mesh *a, const burnish_mesh *b, const char *what) {
+    const burnish_mesh_view *x = burnish_mesh_get_view(a), *y = burnish_mesh_get_view(b);
+    if (CHECK(x && y && x->vertex_count == y->vertex_count &&
+                  x->triangle_count == y->triangle_count,
+              "%s", what)) {
+        CHECK(
+            same_floats(x->positions, y->positions, 3 * x->vertex_count) &&
+                same_floats(x->normals, y->normals, 3 * x->vertex_count) &&
+                same_floats(x->texture_coordinates, y->texture_coordinates, 2 * x->vertex_count) &&
+                memcmp(x->indices, y->indices, 12 * x->triangle_count) == 0,
+            "%s", what);
+        CHECK(memcmp(x->bounds_min, y->bounds_min, 9 * sizeof(float)) == 0, "%s", what);
+    }
+}
+
+/* Everything of a vertex in one struct, and something between. */
+typedef struct fat_vertex {
+    float position[3];
+    uint8_t pad, color[4];
+    float normal[3], texcoord[2];
+} fat_vertex;
+
+static void test_strides(void) {
+    static fat_vertex fat[VERTICES];
+    static uint16_t shorts[3 * TRIANGLES];
+    burnish_mesh_description packed =
+        describe_arrays(positions, normals, colors, VERTICES, indices, TRIANGLES);
+    packed.texture_coordinates = (burnish_array){texcoords, VERTICES, 0};
+    for (size_t i = 0; i < VERTICES; ++i) {
+        memcpy(fat[i].position, positions + 3 * i, 12);
+        memcpy(fat[i].normal, normals + 3 * i, 12);
+        memcpy(fat[i].color, colors + 4 * i, 4);
+        memcpy(fat[i].texcoord, texcoords + 2 * i, 8);
+    }
+    for (size_t i = 0; i < (size_t)3 * TRIANGLES; ++i) {
+        shorts[i] = (uint16_t)indices[i];
+    }
+    burnish_mesh_description strided = burnish_mesh_description_default();
+    strided.positions = (burnish_array){fat->position, VERTICES, sizeof *fat};
+    strided.normals = (burnish_array){fat->normal, VERTICES, sizeof *fat};
+    strided.colors = (burnish_array){fat->color, VERTICES, sizeof *fat};
+    strided.texture_coordinates = (burnish_array){fat->texcoord, VERTICES, sizeof *fat};
+    strided.indices = (burnish_array){shorts, (size_t)3 * TRIANGLES, 0};
+    strided.index_size = 2;
+    burnish_mesh *a = create(&packed, 1), *b = create(&strided, 1);
+    check_same(a, b, "strides and 16-bit indices");
+    CHECK1(memcmp(burnish_mesh_get_view(a)->colors, burnish_mesh_get_view(b)->colors,
+                  4 * burnish_mesh_get_view(a)->vertex_count) == 0);
+    burnish_mesh_destroy(a);
+    burnish_mesh_destroy(b);
+}
+
+/* Bytes as indices, and none at all. */
+static void test_small_indices(void) {
+    static const float square[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    static const uint8_t bytes[] = {0, 1, 2, 3, 4, 5};
+    static const uint32_t words[] = {0, 1, 2, 3, 4, 5};
+    burnish_mesh_description arrays = describe_arrays(square, NULL, NULL, 6, words, 2);
+    burnish_mesh *whole = create(&arrays, 0);
+    arrays.indices.items = bytes;
+    arrays.index_size = 1;
+    burnish_mesh *small = create(&arrays, 0);
+    arrays.indices = (burnish_array){0};
+    burnish_mesh *none = create(&arrays, 0);
+    check_same(whole, small, "8-bit indices");
+    check_same(whole, none, "no indices");
+    CHECK1(burnish_mesh_get_view(none)->vertex_count == 4);
+    burnish_mesh_destroy(whole);
+    burnish_mesh_destroy(small);
+    burnish_mesh_destroy(none);
+}
+
+/* Two triangles that meet in an edge; at one of its ends they have other texture coordinates. Only
+ * where they are kept does that make two vertices, and each corner keeps its own. */
+static void test_texture_coordinates(void) {
+    static const float square[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    static const float own[] = {0, 0, 1, 0, 0, 1, 0.5f, 0, 1, 1, 0, 1};
+    burnish_mesh_description arrays = burnish_mesh_description_default();
+    arrays.positions = (burnish_array){square, 6, 0};
+    arrays.texture_coordinates = (burnish_array){own, 6, 0};
+    burnish_mesh *dropped = create(&arrays, 0), *kept = create(&arrays, 1);
+    const burnish_mesh_view *view = burnish_mesh_get_view(kept);
+    CHECK1(burnish_mesh_get_view(dropped)->vertex_count == 4);
+    CHECK1(burnish_mesh_get_view(dropped)->texture_coordinates == NULL);
+    if (CHECK(view->vertex_count == 5 && view->texture_coordinates, "%zu", view->vertex_count)) {
+        for (size_t i = 0; i < 6; ++i) {
+            const size_t vertex = view->indices[i];
+            CHECK(memcmp(view->texture_coordinates + 2 * vertex, own + 2 * i, 8) == 0 &&
+                      memcmp(view->positions + 3 * vertex, square + 3 * i, 12) == 0,
+                  "corner %zu", i);
+        }
+    }
+    burnish_mesh_destroy(dropped);
+    burnish_mesh_destroy(kept);
+}
+
+static void refuse(const burnish_mesh_description *arrays, const char *text) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error = {0};
+    burnish_mesh *mesh = (burnish_mesh *)&error;
+    CHECK(burnish_mesh_create(arrays, &options, &mesh, &error) == BURNISH_STATUS_ARGUMENT && !mesh,
+          "%s", text);
+    CHECK_TEXT(error.text, text);
+}
+
+static void test_refusals(void) {
+    static const float bad[] = {0, 0, 1, NAN, 0, 0};
+    static const float square[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    burnish_material material = burnish_material_default();
+    burnish_mesh_description good = burnish_mesh_description_default(), wrong;
+    good.positions = (burnish_array){square, 3, 0};
+    wrong = good;
+    wrong.cookie = 0;
+    refuse(&wrong, "description: not initialised; start from burnish_mesh_description_default()");
+    wrong = good;
+    wrong.normals = (burnish_array){square, 2, 0};
+    refuse(&wrong, "normals: count is 2; expected one per vertex, that is 3");
+    wrong = good;
+    wrong.positions.stride = 8;
+    refuse(&wrong, "positions: stride is 8; an item has 12 bytes");
+    wrong = good;
+    wrong.index_size = 3;
+    refuse(&wrong, "index_size: 3 is not 1, 2 or 4");
+    wrong = good;
+    wrong.positions.count = 4;
+    refuse(&wrong, "positions: count is 4; triangles need a multiple of 3, at least 3");
+    wrong = good;
+    wrong.texture_coordinates = (burnish_array){bad, 3, 0};
+    refuse(&wrong, "texture_coordinates[1]: number 2 of 2 is not finite");
+    wrong = good;
+    wrong.up_axis[1] = 0;
+    refuse(&wrong, "up_axis: needs three finite numbers, not all 0; use for example 0, 1, 0");
+    wrong = good;
+    wrong.material_count = 2;
+    refuse(&wrong, "materials: there are 2 at NULL; expected at most 65536, and an array");
+    wrong.materials = &material;
+    wrong.material_count = 1;
+    material.diffuse[1] = 2;
+    refuse(&wrong, "materials[0]: diffuse[1] is 2, not in [0, 1]");
+}
+
+/* ---- Contexts ---- */
+
+/* What a context of the tests' counts. */
+typedef struct counts {
+    atomic_long left; /* allocations before one fails; negative: none does */
+    atomic_long live; /* taken and not given back */
+    long questions;   /* of cancelled, before it says yes; negative: never */
+    double fraction;
+    int wrong_order, lines;
+} counts;
+
+static void *count_allocate(void *user_data, size_t size, size_t alignment) {
+    counts *c = user_data;
+    if (atomic_load(&c->left) >= 0 && atomic_fetch_sub(&c->left, 1) == 0) {
+        return NULL;
+    }
+    atomic_fetch_add(&c->live, 1);
+    return aligned_alloc(alignment, size);
+}
+
+static void count_release(void *user_data, void *memory) {
+    atomic_fetch_sub(&((counts *)user_data)->live, 1);
+    free(memory);
+}
+
+static int count_cancelled(void *user_data) {
+    counts *c = user_data;
+    return c->questions >= 0 && c->questions-- == 0;
+}
+
+static void count_progress(void *user_data, burnish_stage stage, double fraction) {
+    counts *c = user_data;
+    c->wrong_order |= stage != BURNISH_STAGE_BUILD || fraction < c->fraction || fraction > 1;
+    c->fraction = fraction;
+}
+
+static void count_line(void *user_data, const char *line) {
+    counts *c = user_data;
+    c->lines += strcmp(line, "mesh: 1 of 601 triangles have no area and were left out") == 0;
+}
+
+static burnish_context *make_context(counts *c) {
+    burnish_context_options options = burnish_context_options_default();
+    burnish_context *context = NULL;
+    *c = (counts){.left = -1, .questions = -1};
+    options.allocator = (burnish_allocator){count_allocate, count_release, c};
+    options.cancelled = count_cancelled;
+    options.progress = count_progress;
+    options.log = count_line;
+    options.cancelled_user_data = options.progress_user_data = options.log_user_data = c;
+    CHECK1(burnish_context_create(&options, &context, NULL) == BURNISH_STATUS_OK);
+    return context;
+}
+
+/* Vertices by the file's normals, by generated ones, with colours and texture coordinates. */
+static burnish_mesh_description kind_of_mesh(int kind) {
+    burnish_mesh_description arrays =
+        describe_arrays(positions, kind == 0 ? normals : NULL, kind == 2 ? colors : NULL, VERTICES,
+                        indices, TRIANGLES);
+    if (kind == 2) {
+        arrays.texture_coordinates = (burnish_array){texcoords, VERTICES, 0};
+    }
+    return arrays;
+}
+
+/* Every allocation fails once: MEMORY with its line, no mesh, nothing lost. */
+static void test_memory(int kind, int threads) {
+    const burnish_mesh_description arrays = kind_of_mesh(kind);
+    burnish_load_options options = burnish_load_options_default();
+    counts c;
+    burnish_context *context = make_context(&c);
+    burnish_status status = BURNISH_STATUS_MEMORY;
+    long k = 0;
+    options.context = context;
+    options.threads = threads;
+    options.keep_texture_coordinates = 1;
+    const long before = atomic_load(&c.live);
+    for (; status == BURNISH_STATUS_MEMORY && k < 200; ++k) {
+        burnish_mesh *mesh = NULL;
+        burnish_error error = {0};
+        burnish_camera camera;
+        const burnish_framing framing = burnish_framing_default();
+        atomic_store(&c.left, k);
+        status = burnish_mesh_create(&arrays, &options, &mesh, &error);
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_camera_frame(mesh, &framing, &camera, &error);
+        }
+        CHECK(status == BURNISH_STATUS_OK ||
+                  (status == BURNISH_STATUS_MEMORY && error.status == status &&
+                   strncmp(error.text, "out of memory", 13) == 0),
+              "allocation %ld: status %d, \"%s\"", k, (int)status, error.text);
+        burnish_mesh_destroy(mesh);
+        CHECK(atomic_load(&c.live) == before, "allocation %ld: %ld blocks are lost", k,
+              atomic_load(&c.live) - before);
+    }
+    CHECK(k > 15 && k < 200, "%ld allocations", k);
+    burnish_context_destroy(context);
+}
+
+/* Cancelled at every question: CANCELLED, no mesh, nothing lost. */
+static void test_cancelling(int kind, int threads) {
+    const burnish_mesh_description arrays = kind_of_mesh(kind);
+    burnish_load_options options = burnish_load_options_default();
+    counts c;
+    burnish_context *context = make_context(&c);
+    burnish_status status = BURNISH_STATUS_CANCELLED;
+    long k = 0;
+    options.context = context;
+    options.threads = threads;
+    const long before = atomic_load(&c.live);
+    for (; status == BURNISH_STATUS_CANCELLED && k < 1000; ++k) {
+        burnish_mesh *mesh = NULL;
+        burnish_error error = {0};
+        c.questions = k;
+        c.fraction = 0;
+        status = burnish_mesh_create(&arrays, &options, &mesh, &error);
+        CHECK(status == BURNISH_STATUS_OK
+                  ? c.fraction == 1
+                  : status == BURNISH_STATUS_CANCELLED && error.status == status && !mesh,
+              "question %ld: status %d, \"%s\"", k, (int)status, error.text);
+        burnish_mesh_destroy(mesh);
+        CHECK(atomic_load(&c.live) == before, "question %ld: blocks are lost", k);
+    }
+    CHECK(k > 5 && k < 1000, "%ld questions", k);
+    CHECK1(!c.wrong_order && c.lines > 0);
+    burnish_context_destroy(context);
+}
+
+/* ---- The floating-point environment ---- */
+
+static unsigned control_bits(void) {
+#if defined(__SSE2__)
+    return _mm_getcsr() & 0xffc0u; /* all but the flags of exceptions */
+#else
+    return (unsigned)fegetround();
+#endif
+}
+
+static void set_mode(int mode) {
+    static const int roundings[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    fesetround(roundings[mode & 3]);
+#if defined(__SSE2__)
+    _mm_setcsr((_mm_getcsr() & ~0x8040u) | (mode & 4 ? 0x8040u : 0)); /* FTZ and DAZ */
+#endif
+}
+
+static void test_environment(int kind) {
+    const burnish_mesh_description arrays = kind_of_mesh(kind);
+    const burnish_framing framing = burnish_framing_default();
+    burnish_camera cameras[8];
+    burnish_mesh *meshes[8] = {NULL};
+    for (int mode = 0; mode < 8; ++mode) {
+        burnish_load_options options = burnish_load_options_default();
+        set_mode(mode);
+        const unsigned before = control_bits();
+        const burnish_status made = burnish_mesh_create(&arrays, &options, &meshes[mode], NULL);
+        const burnish_status framed =
+            burnish_camera_frame(meshes[mode], &framing, &cameras[mode], NULL);
+        const unsigned after = control_bits();
+        set_mode(0);
+        CHECK(made == BURNISH_STATUS_OK && framed == BURNISH_STATUS_OK, "mode %d", mode);
+        CHECK(before == after, "mode %d: the caller's is not put back", mode);
+        check_same(meshes[0], meshes[mode], "the caller's floating-point environment");
+        CHECK(memcmp(&cameras[0], &cameras[mode], sizeof *cameras) == 0, "mode %d: the camera",
+              mode);
+    }
+    for (int mode = 0; mode < 8; ++mode) {
+        burnish_mesh_destroy(meshes[mode]);
+    }
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    make_cone();
+    RUN(test_strides());
+    RUN(test_small_indices());
+    RUN(test_texture_coordinates());
+    RUN(test_refusals());
+    RUN(test_memory(0, 1));
+    RUN(test_memory(1, 1));
+    RUN(test_memory(2, 3));
+    RUN(test_cancelling(0, 1));
+    RUN(test_cancelling(1, 3));
+    RUN(test_cancelling(2, 1));
+    RUN(test_environment(0));
+    RUN(test_environment(1));
+    return test_end("mesh_arrays");
+}
