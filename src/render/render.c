@@ -71,8 +71,8 @@ static burnish_status check_camera(const burnish_camera *camera, burnish_error *
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "camera: orthographic height must be a finite number >= 0");
     }
-    if (camera->orthographic_height == 0 &&
-        !(camera->view_angle >= 0.001 && camera->view_angle <= 179)) {
+    if (camera->orthographic_height == 0 && !(camera->view_angle >= BURNISH_VIEW_ANGLE_MIN &&
+                                              camera->view_angle <= BURNISH_VIEW_ANGLE_MAX)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "camera: view angle %g is not in [0.001, 179] degrees",
                             camera->view_angle);
