@@ -18,6 +18,7 @@ expect 2 'burnish: --qzx: unknown flag; "burnish render --help" lists the flags'
 expect 2 'burnish: --samples: "3" is not one of 1, 4, 8, 16' render :sphere --samples=3
 expect 2 'burnish: --samples: a value is missing: --samples=N' render :sphere --samples
 expect 2 'burnish: --output: a value is missing before --json: --output=FILE' render :sphere -o --json
+expect 2 'burnish: --output: a value is missing before --help: --output=FILE' render :sphere -o --help
 expect 2 'burnish: --json: takes no value; write --json alone' render :sphere --json=1
 expect 2 'burnish: --resolution: "0,5" is not a width and a height from 1 to 16384, such as 1920,1080' render :sphere --resolution=0,5
 expect 2 'burnish: --size: "16385" is not a whole number from 1 to 16384' render :sphere --size=16385

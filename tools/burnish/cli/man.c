@@ -326,7 +326,10 @@ void cli_print_man(void) {
                      "The same input and flags give the same pixels on every processor, with every "
                      "compiler and any "
                      "number of threads, so that the hash that *--json* prints can be compared "
-                     "between machines.");
+                     "between machines.\n"
+                     "Every command has *-h* and *--help*: its flags on one screen. Where it has "
+                     "many, these are the common ones; *--help=*_TOPIC_ shows the others, "
+                     "*--help=all* all of them.");
     for (size_t i = 0; cli_commands[i]; ++i) {
         print_command(cli_commands[i]);
     }

@@ -189,7 +189,7 @@ static burnish_status next_value(const cli_command *command, const cli_flag *fla
                         flag->name, flag->name, flag->value);
     }
     *text = at->argv[at->next];
-    if (flag_of_argument(command, *text)) {
+    if (flag_of_argument(command, *text) || strcmp(*text, "--help") == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: a value is missing before %s: --%s=%s", flag->name, *text,
                         flag->name, flag->value);

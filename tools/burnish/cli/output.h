@@ -65,7 +65,7 @@ typedef union cli_value {
 } cli_value;
 
 typedef struct cli_table {
-    cli_column *columns;
+    const cli_column *columns;
     cli_value *cells; /* row after row */
     size_t column_count, row_count;
     size_t

@@ -208,21 +208,16 @@ static void fill_table(const choose_settings *settings, const result *r, cli_tab
 
 enum { COLUMNS = 8 };
 
-static void set_columns(cli_column columns[COLUMNS]) {
-    static const char *const keys[] = {
-        "lobe",      "within_epsilon", "max_error", "multiplications",
-        "additions", "comparisons",    "divisions", "functions"};
-    static const char *const headings[] = {"lobe", "within", "max error", "mul",
-                                           "add",  "max",    "div",       "fn"};
-    memset(columns, 0, COLUMNS * sizeof *columns);
-    for (int i = 0; i < COLUMNS; ++i) {
-        snprintf(columns[i].key, sizeof columns[i].key, "%s", keys[i]);
-        snprintf(columns[i].heading, sizeof columns[i].heading, "%s", headings[i]);
-        columns[i].is_text = i == 0;
-        columns[i].is_yes_no = i == 1;
-    }
-    columns[2].decimals = 5;
-}
+static const cli_column columns[COLUMNS] = {
+    {.key = "lobe", .heading = "lobe", .is_text = 1},
+    {.key = "within_epsilon", .heading = "within", .is_yes_no = 1},
+    {.key = "max_error", .heading = "max error", .decimals = 5},
+    {.key = "multiplications", .heading = "mul"},
+    {.key = "additions", .heading = "add"},
+    {.key = "comparisons", .heading = "max"},
+    {.key = "divisions", .heading = "div"},
+    {.key = "functions", .heading = "fn"},
+};
 
 static void print_text(FILE *stream, const choose_settings *settings, const result *r,
                        const cli_table *table) {
@@ -270,7 +265,6 @@ static burnish_status print_json(FILE *stream, const choose_settings *settings, 
 
 static burnish_status print(const choose_settings *settings, const result *r,
                             burnish_error *error) {
-    cli_column columns[COLUMNS];
     cli_value cells[(CANDIDATES_MAX + 1) * COLUMNS];
     cli_table table = {.columns = columns, .column_count = COLUMNS, .row_count = r->count + 1};
     cli_output output;
@@ -278,7 +272,6 @@ static burnish_status print(const choose_settings *settings, const result *r,
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    set_columns(columns);
     fill_table(settings, r, &table, cells);
     if (settings->format == CLI_FORMAT_CSV) {
         cli_table_csv(output.stream, &table);

@@ -118,26 +118,18 @@ static double exponent_as(const lobe_fitted *f, burnish_lobe_fit fit) {
 
 enum { COLUMNS = 10 };
 
-static void set_columns(cli_column columns[COLUMNS]) {
-    static const struct {
-        const char *key, *heading, *unit;
-        int decimals;
-    } texts[COLUMNS] = {
-        {"lobe", "lobe", "", 0},          {"zeta", "zeta", "", -6},
-        {"exponent", "exponent", "", -6}, {"scale", "scale", "", -5},
-        {"offset", "offset", "", -4},     {"rms", "rms", "", -4},
-        {"max", "max", "", -4},           {"explained_percent", "explained", "%", 3},
-        {"operations", "ops", "", 0},     {"slow_operations", "div, fn", "", 0},
-    };
-    memset(columns, 0, COLUMNS * sizeof *columns);
-    for (int i = 0; i < COLUMNS; ++i) {
-        snprintf(columns[i].key, sizeof columns[i].key, "%s", texts[i].key);
-        snprintf(columns[i].heading, sizeof columns[i].heading, "%s", texts[i].heading);
-        snprintf(columns[i].unit, sizeof columns[i].unit, "%s", texts[i].unit);
-        columns[i].decimals = texts[i].decimals;
-    }
-    columns[0].is_text = 1;
-}
+static const cli_column columns[COLUMNS] = {
+    {.key = "lobe", .heading = "lobe", .is_text = 1},
+    {.key = "zeta", .heading = "zeta", .decimals = -6},
+    {.key = "exponent", .heading = "exponent", .decimals = -6},
+    {.key = "scale", .heading = "scale", .decimals = -5},
+    {.key = "offset", .heading = "offset", .decimals = -4},
+    {.key = "rms", .heading = "rms", .decimals = -4},
+    {.key = "max", .heading = "max", .decimals = -4},
+    {.key = "explained_percent", .heading = "explained", .unit = "%", .decimals = 3},
+    {.key = "operations", .heading = "ops"},
+    {.key = "slow_operations", .heading = "div, fn"},
+};
 
 static void fill_row(const findings *found, size_t i, char name[LOBE_NAME],
                      cli_value row[COLUMNS]) {
@@ -224,12 +216,10 @@ static cJSON *best_object(const findings *found, int *failed) {
 
 static burnish_status print_lobes(FILE *stream, const fit_settings *settings, const findings *found,
                                   burnish_error *error) {
-    cli_column columns[COLUMNS];
     cli_value cells[LOBE_FITTED_MAX * COLUMNS];
     char names[LOBE_FITTED_MAX][LOBE_NAME];
     cli_table table = {
         .columns = columns, .cells = cells, .column_count = COLUMNS, .row_count = found->count};
-    set_columns(columns);
     for (size_t i = 0; i < found->count; ++i) {
         fill_row(found, i, names[i], &cells[i * COLUMNS]);
     }
@@ -257,19 +247,22 @@ static burnish_status print_lobes(FILE *stream, const fit_settings *settings, co
 
 static burnish_status print_residuals(FILE *stream, const fit_settings *settings,
                                       const findings *found, burnish_error *error) {
-    static const char *const keys[] = {"angle_deg", "angle_rad", "cosine"};
-    cli_column columns[] = {{"", "", "", -7, 0, 0},
-                            {"intensity", "intensity", "", -6, 0, 0},
-                            {"fitted", "fitted", "", -6, 0, 0},
-                            {"residual", "residual", "", -4, 0, 0}};
+    static const cli_column tables[][4] = {
+#define COLUMNS_OF(key, heading, unit)                                                             \
+    {                                                                                              \
+        {key, heading, unit, -7, 0, 0}, {"intensity", "intensity", "", -6, 0, 0},                  \
+            {"fitted", "fitted", "", -6, 0, 0}, {                                                  \
+            "residual", "residual", "", -4, 0, 0                                                   \
+        }                                                                                          \
+    }
+        COLUMNS_OF("angle_deg", "angle", "deg"),
+        COLUMNS_OF("angle_rad", "angle", "rad"),
+        COLUMNS_OF("cosine", "cosine", ""),
+#undef COLUMNS_OF
+    };
     burnish_status status = BURNISH_STATUS_OK;
-    cli_table table = {.columns = columns, .column_count = 4};
+    cli_table table = {.columns = tables[settings->unit], .column_count = 4};
     table.row_count = found->samples.count;
-    snprintf(columns[0].key, sizeof columns[0].key, "%s", keys[settings->unit]);
-    snprintf(columns[0].heading, sizeof columns[0].heading, "%s",
-             settings->unit == LOBE_UNIT_COSINE ? "cosine" : "angle");
-    snprintf(columns[0].unit, sizeof columns[0].unit, "%s",
-             settings->unit == LOBE_UNIT_COSINE ? "" : unit_words[settings->unit].name);
     table.cells = calloc(table.row_count * 4, sizeof *table.cells);
     if (!table.cells) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the residuals");

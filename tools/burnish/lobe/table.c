@@ -161,16 +161,17 @@ static burnish_status make_table(const plan *p, cli_table *table, burnish_error 
                         "for fewer lobes, exponents or metrics",
                         table->row_count, table->column_count, CLI_CELLS_MAX);
     }
-    table->columns = calloc(table->column_count, sizeof *table->columns);
+    cli_column *columns = calloc(table->column_count, sizeof *columns);
+    table->columns = columns;
     table->cells = calloc(table->row_count * table->column_count, sizeof *table->cells);
-    if (!table->columns || !table->cells) {
+    if (!columns || !table->cells) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu rows",
                         table->row_count);
     }
-    table->columns[0] = (cli_column){.key = "exponent", .heading = "n", .decimals = -6};
-    table->columns[1] = (cli_column){.key = "lobe", .heading = "lobe", .is_text = 1};
+    columns[0] = (cli_column){.key = "exponent", .heading = "n", .decimals = -6};
+    columns[1] = (cli_column){.key = "lobe", .heading = "lobe", .is_text = 1};
     for (size_t i = 0; i < p->metrics.count; ++i) {
-        lobe_metric_column(&p->metrics.items[i], &table->columns[2 + i]);
+        lobe_metric_column(&p->metrics.items[i], &columns[2 + i]);
     }
     cli_value *row = table->cells;
     for (size_t k = 0; k < p->exponents.count; ++k) {
@@ -231,7 +232,7 @@ static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     if (status == BURNISH_STATUS_OK) {
         status = print_table(settings, &table, error);
     }
-    free(table.columns);
+    free((void *)table.columns);
     free(table.cells);
     free(p->exponents.items);
     free(p);

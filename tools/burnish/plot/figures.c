@@ -7,12 +7,8 @@
 
 static const double DEGREES = 180 / 3.14159265358979323846;
 
-typedef burnish_status fill(const plot_request *request, plot_chart *chart, burnish_error *error);
-
-static fill fill_error, fill_curves, fill_core, fill_ratio, fill_extreme, fill_energy, fill_orders,
-    fill_widths, fill_cost;
-
-enum { WIDTH = 720, HEIGHT = 440 }; /* px, of most figures */
+static plot_fill fill_angles, fill_exponents, fill_extreme, fill_widths, fill_cost;
+static plot_metric core_error, extreme_error, energy_ratio, whole_error;
 
 static const plot_figure figures[] = {
     {.name = "error",
@@ -20,98 +16,99 @@ static const plot_figure figures[] = {
      .title = "Absolute error of W against the angle",
      .exponents = "3,10,30,100,300,1000",
      .lobes = "taylor:2",
-     .width = WIDTH,
-     .height = HEIGHT,
-     .fill = fill_error},
+     .y_column = "absolute_error",
+     .measures_error = 1,
+     .fill = fill_angles},
     {.name = "curves",
      .script = "curves",
      .title = "The power, W and Schlick's function against the angle",
      .exponents = "100",
      .lobes = "power,taylor:2,schlick",
-     .width = WIDTH,
-     .height = HEIGHT,
-     .fill = fill_curves},
+     .y_column = "value",
+     .fill = fill_angles},
     {.name = "core",
+     .axis = PLOT_AXIS_EXPONENTS,
      .script = "core",
      .title = "Largest relative error from the peak to the inflection against the exponent",
      .exponents = "2,1000",
-     .exponents_are_range = 1,
      .lobes = "taylor:2,schlick",
-     .width = WIDTH,
-     .height = HEIGHT,
-     .fill = fill_core},
+     .y_column = "relative_error_percent",
+     .measure = core_error,
+     .has_paper_names = 1,
+     .fill = fill_exponents},
     {.name = "ratio",
+     .axis = PLOT_AXIS_EXPONENTS,
      .script = "ratio",
      .title = "Ratio R of the angles at which power and lobe fall to 2^-q against the exponent",
      .exponents = "2,1000",
-     .exponents_are_range = 1,
      .lobes = "taylor:2,schlick",
      .bits = "2,4,8,12",
-     .width = WIDTH,
-     .height = HEIGHT,
-     .fill = fill_ratio},
+     .y_column = "ratio",
+     .measure = burnish_theory_width_ratio,
+     .has_paper_names = 1,
+     .fill = fill_exponents},
     {.name = "w1",
      .script = "curves",
      .title = "W1 and the power against the angle",
      .exponents = "10",
      .lobes = "power,energy:2",
-     .width = WIDTH,
-     .height = HEIGHT,
-     .fill = fill_curves},
+     .y_column = "value",
+     .fill = fill_angles},
     {.name = "w1-extreme",
+     .axis = PLOT_AXIS_EXPONENTS,
      .script = "w1-extreme",
      .title = "Extreme relative error of W1 against the exponent",
      .exponents = "2,1000",
-     .exponents_are_range = 1,
      .lobes = "energy:2",
-     .width = WIDTH,
-     .height = HEIGHT,
+     .y_column = "relative_error_percent",
+     .measure = extreme_error,
+     .has_paper_names = 1,
      .fill = fill_extreme},
     {.name = "object",
+     .axis = PLOT_AXIS_NONE,
      .title = "An object shaded with the power, W1 and Schlick's function, and the differences",
      .exponents = "40",
-     .single_exponent = 1,
      .lobes = "power,energy:2,schlick",
      .width = 480,
      .height = 360},
     {.name = "cost",
+     .axis = PLOT_AXIS_NONE,
      .script = "cost",
      .title = "Largest absolute error of every lobe against what it costs",
      .exponents = "64",
-     .single_exponent = 1,
      .lobes = "taylor:2,energy:2,minimax:2,affine:2,energy:4,minimax:4,minimax:8,minimax:16,"
               "minimax:32,nv2x,power,schlick,gx,gaussian,kuijk-blake,table256,table256:linear",
      .width = 960,
      .height = 600,
+     .y_column = "maximum_error",
      .fill = fill_cost},
     {.name = "energy",
+     .axis = PLOT_AXIS_EXPONENTS,
      .script = "energy",
      .title = "Energy over the hemisphere relative to the power's against the exponent",
      .exponents = "2,1000",
-     .exponents_are_range = 1,
      .lobes = "schlick,gx,energy:2,minimax:2,shift3,shift7,taylor:2",
-     .width = WIDTH,
-     .height = HEIGHT,
-     .fill = fill_energy},
+     .y_column = "energy_ratio",
+     .measure = energy_ratio,
+     .fill = fill_exponents},
     {.name = "orders",
+     .axis = PLOT_AXIS_EXPONENTS,
      .script = "orders",
      .title = "Largest absolute error of every order against the exponent",
      .exponents = "2,5000",
-     .exponents_are_range = 1,
      .lobes = "minimax:2,minimax:4,minimax:8,minimax:16,minimax:32",
-     .width = WIDTH,
-     .height = HEIGHT,
-     .fill = fill_orders},
+     .y_column = "maximum_error",
+     .measure = whole_error,
+     .is_ordered = 1,
+     .fill = fill_exponents},
     {.name = "widths",
+     .axis = PLOT_AXIS_BITS,
      .script = "widths",
      .title = "Ratio R of the angles at which power and lobe fall to 2^-q against q",
      .exponents = "64",
-     .single_exponent = 1,
      .lobes = "taylor:2,shift7,energy:2,minimax:2,shift3,minimax:4,minimax:8,gaussian,schlick",
      .bits = "1,16",
-     .bits_are_range = 1,
-     .width = WIDTH,
-     .height = HEIGHT,
+     .y_column = "ratio",
      .fill = fill_widths},
 };
 
@@ -273,8 +270,8 @@ static void sample_angles(const burnish_theory_model *model, double end, int err
     }
 }
 
-static burnish_status fill_angles(const plot_request *request, plot_chart *chart, int error_wanted,
-                                  burnish_error *error) {
+static burnish_status fill_angles(const plot_figure *figure, const plot_request *request,
+                                  plot_chart *chart, burnish_error *error) {
     double end = angle_range(request);
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t l = 0; l < request->lobe_count; ++l) {
@@ -289,7 +286,7 @@ static burnish_status fill_angles(const plot_request *request, plot_chart *chart
                 return error->status;
             }
             dress_angle_series(request, l, e, &model, series);
-            sample_angles(&model, end, error_wanted, series);
+            sample_angles(&model, end, figure->measures_error, series);
         }
     }
     if (chart->series_count == 0) {
@@ -303,22 +300,7 @@ static burnish_status fill_angles(const plot_request *request, plot_chart *chart
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status fill_error(const plot_request *request, plot_chart *chart,
-                                 burnish_error *error) {
-    chart->y_column = "absolute_error";
-    return fill_angles(request, chart, 1, error);
-}
-
-static burnish_status fill_curves(const plot_request *request, plot_chart *chart,
-                                  burnish_error *error) {
-    chart->y_column = "value";
-    return fill_angles(request, chart, 0, error);
-}
-
 /* ---- Figures over the exponent ----------------------------------------------------------------*/
-
-/* What a figure plots for one lobe: the lobe at an exponent, and q where the figure has bits. */
-typedef double metric(const burnish_theory_model *model, double bits);
 
 /* The least exponent between the one without (low) and the one with such a lobe (high). */
 static double first_exponent(const burnish_theory_model *pattern, double low, double high,
@@ -337,7 +319,7 @@ static double first_exponent(const burnish_theory_model *pattern, double low, do
 
 /* One curve against the exponent; it begins where the lobe begins to exist. */
 static burnish_status fill_curve(const plot_request *request, const char *word, double bits,
-                                 metric *measure, plot_series *series, burnish_error *error) {
+                                 plot_metric *measure, plot_series *series, burnish_error *error) {
     burnish_theory_model pattern, model;
     double low = least(request->exponents, request->exponent_count);
     double high = greatest(request->exponents, request->exponent_count);
@@ -362,10 +344,9 @@ static burnish_status fill_curve(const plot_request *request, const char *word, 
     return BURNISH_STATUS_OK;
 }
 
-/* A curve a lobe, and a bit count where there are some. With ramp the lobes are an ordered set. */
-static burnish_status fill_exponents(const plot_request *request, plot_chart *chart,
-                                     metric *measure, int paper_names, int ramp,
-                                     burnish_error *error) {
+/* A curve per lobe, and per number of bits where there are some. */
+static burnish_status fill_exponents(const plot_figure *figure, const plot_request *request,
+                                     plot_chart *chart, burnish_error *error) {
     size_t bits_count = request->bits_count > 0 ? request->bits_count : 1;
     double top = greatest(request->exponents, request->exponent_count);
     for (size_t l = 0; l < request->lobe_count; ++l) {
@@ -376,7 +357,8 @@ static burnish_status fill_exponents(const plot_request *request, plot_chart *ch
             burnish_status status =
                 series ? make_model(request->lobes[l], top, &model, error) : error->status;
             if (status == BURNISH_STATUS_OK) {
-                status = fill_curve(request, request->lobes[l], bits, measure, series, error);
+                status =
+                    fill_curve(request, request->lobes[l], bits, figure->measure, series, error);
             }
             if (status != BURNISH_STATUS_OK) {
                 return status;
@@ -384,9 +366,10 @@ static burnish_status fill_exponents(const plot_request *request, plot_chart *ch
             char text[64];
             lobe_text(&model, text, sizeof text);
             snprintf(series->name, sizeof series->name, "%s", request->lobes[l]);
-            snprintf(series->text, sizeof series->text, "%s", paper_names ? text : series->name);
-            series->ink = ramp ? ramp_ink(l, request->lobe_count) : lobe_ink(&model);
-            series->dash = ramp ? PLOT_LINE : lobe_style(&model);
+            snprintf(series->text, sizeof series->text, "%s",
+                     figure->has_paper_names ? text : series->name);
+            series->ink = figure->is_ordered ? ramp_ink(l, request->lobe_count) : lobe_ink(&model);
+            series->dash = figure->is_ordered ? PLOT_LINE : lobe_style(&model);
             if (request->bits_count > 0) {
                 snprintf(series->name, sizeof series->name, "%s q=%.10g", request->lobes[l], bits);
                 snprintf(series->text, sizeof series->text, "%s, {/:Italic q} = %.6g", text, bits);
@@ -412,18 +395,6 @@ static double core_error(const burnish_theory_model *model, double bits) {
     return 100 * difference.relative;
 }
 
-static burnish_status fill_core(const plot_request *request, plot_chart *chart,
-                                burnish_error *error) {
-    chart->y_column = "relative_error_percent";
-    return fill_exponents(request, chart, core_error, 1, 0, error);
-}
-
-static burnish_status fill_ratio(const plot_request *request, plot_chart *chart,
-                                 burnish_error *error) {
-    chart->y_column = "ratio";
-    return fill_exponents(request, chart, burnish_theory_width_ratio, 1, 0, error);
-}
-
 /* The relative error at an angle, in percent; NaN where there is no such angle. */
 static double percent_at(const burnish_theory_model *model, double angle) {
     return isnan(angle) ? NAN : 100 * burnish_theory_relative_error(model, angle);
@@ -439,9 +410,9 @@ static double extreme_error_searched(const burnish_theory_model *model, double b
     return percent_at(model, burnish_theory_extreme_angle_searched(model));
 }
 
-static burnish_status fill_extreme(const plot_request *request, plot_chart *chart,
-                                   burnish_error *error) {
-    burnish_status status = fill_exponents(request, chart, extreme_error, 1, 0, error);
+static burnish_status fill_extreme(const plot_figure *figure, const plot_request *request,
+                                   plot_chart *chart, burnish_error *error) {
+    burnish_status status = fill_exponents(figure, request, chart, error);
     size_t lines = chart->series_count;
     for (size_t l = 0; l < lines && status == BURNISH_STATUS_OK; ++l) {
         plot_series *line = &chart->series[l];
@@ -465,7 +436,6 @@ static burnish_status fill_extreme(const plot_request *request, plot_chart *char
             points->y[points->count++] = points->y[i];
         }
     }
-    chart->y_column = "relative_error_percent";
     return status;
 }
 
@@ -478,27 +448,16 @@ static double energy_ratio(const burnish_theory_model *model, double bits) {
            burnish_theory_integral(&power, BURNISH_THEORY_SOLID_ANGLE);
 }
 
-static burnish_status fill_energy(const plot_request *request, plot_chart *chart,
-                                  burnish_error *error) {
-    chart->y_column = "energy_ratio";
-    return fill_exponents(request, chart, energy_ratio, 0, 0, error);
-}
-
 static double whole_error(const burnish_theory_model *model, double bits) {
     (void)bits;
     return burnish_theory_maximum_error(model, acos(0));
 }
 
-static burnish_status fill_orders(const plot_request *request, plot_chart *chart,
-                                  burnish_error *error) {
-    chart->y_column = "maximum_error";
-    return fill_exponents(request, chart, whole_error, 0, 1, error);
-}
-
 /* ---- R over the threshold ---------------------------------------------------------------------*/
 
-static burnish_status fill_widths(const plot_request *request, plot_chart *chart,
-                                  burnish_error *error) {
+static burnish_status fill_widths(const plot_figure *figure, const plot_request *request,
+                                  plot_chart *chart, burnish_error *error) {
+    (void)figure;
     double low = least(request->bits, request->bits_count);
     double high = greatest(request->bits, request->bits_count);
     for (size_t l = 0; l < request->lobe_count; ++l) {
@@ -524,7 +483,6 @@ static burnish_status fill_widths(const plot_request *request, plot_chart *chart
     chart->x_column = "bits";
     chart->x_low = low;
     chart->x_high = high;
-    chart->y_column = "ratio";
     return BURNISH_STATUS_OK;
 }
 
@@ -601,8 +559,9 @@ static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status fill_cost(const plot_request *request, plot_chart *chart,
-                                burnish_error *error) {
+static burnish_status fill_cost(const plot_figure *figure, const plot_request *request,
+                                plot_chart *chart, burnish_error *error) {
+    (void)figure;
     candidate candidates[PLOT_LIST_MAX];
     double row = 0;
     const char *group = NULL;
@@ -631,7 +590,6 @@ static burnish_status fill_cost(const plot_request *request, plot_chart *chart,
     }
     chart->x_high = row;
     chart->x_column = "row";
-    chart->y_column = "maximum_error";
     state_exponent(request, chart);
     return status;
 }

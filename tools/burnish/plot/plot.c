@@ -126,6 +126,8 @@ const cli_command lobe_plot_command = {
 };
 
 enum {
+    WIDTH = 720,
+    HEIGHT = 440,
     CHART_WIDTH_MIN = 400,
     CHART_HEIGHT_MIN = 250,
     SIZE_MIN = 160,
@@ -211,17 +213,19 @@ static int all_equal(const double *list, size_t count) {
 
 static burnish_status check_lists(const plot_figure *figure, const plot_request *request,
                                   burnish_error *error) {
-    if (figure->single_exponent && request->exponent_count > 1) {
+    if (figure->axis != PLOT_AXIS_ANGLES && figure->axis != PLOT_AXIS_EXPONENTS &&
+        request->exponent_count > 1) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--exponents: the figure %s is drawn for one exponent", figure->name);
     }
-    if (figure->exponents_are_range && all_equal(request->exponents, request->exponent_count)) {
+    if (figure->axis == PLOT_AXIS_EXPONENTS &&
+        all_equal(request->exponents, request->exponent_count)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--exponents: the figure %s has an axis of exponents; give its two "
                         "ends, such as 2,1000",
                         figure->name);
     }
-    if (figure->bits_are_range && all_equal(request->bits, request->bits_count)) {
+    if (figure->axis == PLOT_AXIS_BITS && all_equal(request->bits, request->bits_count)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--bits: the figure %s has an axis of bits; give its two ends, "
                         "such as 1,16",
@@ -260,8 +264,12 @@ static burnish_status make_request(const plot_figure *figure, const plot_setting
                         CHART_WIDTH_MIN, CHART_HEIGHT_MIN);
     }
     request->lenient = !settings->lobes || !settings->exponents;
-    request->width = settings->has_size ? (int)settings->size[0] : figure->width;
-    request->height = settings->has_size ? (int)settings->size[1] : figure->height;
+    request->width = settings->has_size ? (int)settings->size[0]
+                     : figure->width    ? figure->width
+                                        : WIDTH;
+    request->height = settings->has_size ? (int)settings->size[1]
+                      : figure->height   ? figure->height
+                                         : HEIGHT;
     burnish_status status = read_exponents(
         settings->exponents ? settings->exponents : figure->exponents, request, error);
     if (status == BURNISH_STATUS_OK) {
@@ -309,9 +317,10 @@ static burnish_status draw_chart(const plot_figure *figure, const plot_request *
     size_t size = 0;
     chart->name = figure->name;
     chart->title = figure->title;
+    chart->y_column = figure->y_column;
     chart->width = request->width;
     chart->height = request->height;
-    burnish_status status = figure->fill(request, chart, error);
+    burnish_status status = figure->fill(figure, request, chart, error);
     if (status == BURNISH_STATUS_OK) {
         status = chart_text(figure, chart, format, &text, &size, error);
     }

@@ -60,18 +60,39 @@ typedef struct plot_request {
     int lenient; /* 1: lobes or exponents are the figure's own, which need not all fit the others */
 } plot_request;
 
+typedef struct plot_figure plot_figure;
+
+/* What a figure plots for one lobe: the lobe at an exponent, and q where the figure has bits. */
+typedef double plot_metric(const burnish_theory_model *model, double bits);
+
+/* Fills a chart that is zero but for name, title, size and the column of y. */
+typedef burnish_status plot_fill(const plot_figure *figure, const plot_request *request,
+                                 plot_chart *chart, burnish_error *error);
+
+/* What --exponents and --bits are: curves; the ends of the axis; or, for PLOT_AXIS_NONE, one
+ * exponent only. */
+typedef enum plot_axis {
+    PLOT_AXIS_ANGLES,
+    PLOT_AXIS_EXPONENTS,
+    PLOT_AXIS_BITS, /* and one exponent only */
+    PLOT_AXIS_NONE
+} plot_axis;
+
 /* One figure. Defaults are lists as the flags read them; NULL: the figure has no use for the flag.
- * exponents_are_range, bits_are_range: the axis runs from the least to the greatest of the list. */
-typedef struct plot_figure {
+ */
+struct plot_figure {
     const char *name, *title;
     const char *script; /* figures/SCRIPT.gp; NULL: a picture, see plot_object */
+    plot_axis axis;
     const char *exponents, *lobes, *bits;
-    int exponents_are_range, bits_are_range;
-    int single_exponent; /* 1: takes one exponent only */
-    int width, height;
-    /* Fills a chart that is zero but for name, title and size; NULL: a picture. */
-    burnish_status (*fill)(const plot_request *request, plot_chart *chart, burnish_error *error);
-} plot_figure;
+    int width, height; /* px; 0: 720 x 440 */
+    const char *y_column;
+    plot_metric *measure; /* over the exponent */
+    int measures_error;   /* over the angle: the error instead of the lobe */
+    int has_paper_names;  /* 1: lobes are called as the paper does */
+    int is_ordered;       /* 1: the lobes are an ordered set */
+    plot_fill *fill;      /* NULL: a picture */
+};
 
 /* All figures; `index` past the end gives NULL. */
 const plot_figure *plot_figure_at(size_t index);
