@@ -219,7 +219,8 @@ static void random_direction(uint64_t *state, burnish_light *light) {
     float v[3];
     random_unit(state, v);
     for (int k = 0; k < 3; ++k) {
-        light->vector[k] = (double)v[k];
+        volatile float rounded = v[k]; /* GCC 12 leaves out pairs of double to float to double */
+        light->vector[k] = (double)rounded;
     }
 }
 
@@ -344,7 +345,7 @@ static void check_tiers(void) {
 
 /* FNV-1a over what the scalar kernels give for fixed input: the same on every processor, with every
  * compiler. It changes with the kernels' arithmetic only; then pixels change too. */
-#define SCALAR_HASH 0x1ff635908b6bd165u
+#define SCALAR_HASH 0x7c39e9d686512d2u
 
 static uint64_t add_bytes(uint64_t hash, const void *data, size_t size) {
     const uint8_t *bytes = data;
