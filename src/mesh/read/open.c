@@ -1,11 +1,9 @@
 /* From a path, standard input or memory to a scene: reads the bytes, finds the reader, builds. */
 #include <errno.h>
-#include <fcntl.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "core/clock.h"
+#include "core/platform.h"
 #include "mesh/mesh.h"
 #include "mesh/read/reader.h"
 #include "mesh/read/text.h"
@@ -15,7 +13,7 @@ enum { FIRST_CHUNK = 1 << 16, LARGEST_READ = 1 << 30 };
 static burnish_status fail_errno(burnish_error *error, const char *name, const char *what,
                                  int code) {
     return burnish_fail_at(error, BURNISH_STATUS_READ, burnish_place_file(name), "%s%s", what,
-                           strerror(code));
+                           burnish_errno_reason(code).text);
 }
 
 static burnish_status fail_size(burnish_error *error, const char *name, uint64_t max_bytes) {
@@ -115,7 +113,7 @@ static burnish_status read_path(const char *path, const char *name, int only_reg
                                 uint64_t max_bytes, uint8_t **bytes, size_t *size,
                                 burnish_error *error) {
     /* A pipe given as the input is waited for; one posing as a material library is not. */
-    int flags = O_RDONLY | O_CLOEXEC | O_NOCTTY | (only_regular ? O_NONBLOCK : 0);
+    int flags = O_RDONLY | O_BINARY | O_CLOEXEC | O_NOCTTY | (only_regular ? O_NONBLOCK : 0);
     int descriptor;
     do {
         descriptor = open(path, flags);

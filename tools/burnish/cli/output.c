@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "burnish/core.h"
+#include "cli/platform.h"
 
 const cli_word cli_format_words[] = {
     {"text", CLI_FORMAT_TEXT}, {"csv", CLI_FORMAT_CSV}, {"json", CLI_FORMAT_JSON}, {NULL, 0}};
@@ -21,15 +22,14 @@ enum { CELL_SIZE = 64 };
 
 burnish_status cli_output_begin(cli_output *output, burnish_error *error) {
     *output = (cli_output){0};
-    output->stream = open_memstream(&output->text, &output->size);
+    output->stream = cli_open_memory(&output->text, &output->size);
     return output->stream ? BURNISH_STATUS_OK
                           : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
 }
 
 burnish_status cli_output_end(cli_output *output, const char *path, burnish_status status,
                               burnish_error *error) {
-    int failed = ferror(output->stream);
-    failed = fclose(output->stream) != 0 || failed;
+    const int failed = cli_close_memory(output->stream, &output->text, &output->size);
     if (status == BURNISH_STATUS_OK && failed) {
         status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
     }

@@ -1,13 +1,13 @@
 /* Values of flags: numbers, vectors, colours, words. */
 #include "cli/values.h"
 
-#include <locale.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "burnish/core.h"
+#include "cli/platform.h"
 
 const char cli_color_forms[] = "a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name";
 
@@ -70,12 +70,7 @@ int cli_read_real(const char *text, size_t length, double *value) {
     }
     memcpy(copy, text, length);
     copy[length] = 0;
-    locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (!c_locale) {
-        return 0;
-    }
-    *value = strtod_l(copy, NULL, c_locale);
-    freelocale(c_locale);
+    *value = cli_strtod(copy);
     return isfinite(*value);
 }
 

@@ -3,7 +3,9 @@
  * a function of one number, searched by NLopt: DIRECT over the whole range, since measured lobes
  * make several minima, then a simplex. */
 #include <math.h>
+#if BURNISH_HAS_NLOPT
 #include <nlopt.h>
+#endif
 #include <stdlib.h>
 #include <string.h>
 
@@ -71,6 +73,9 @@ static double project(const problem *p, const burnish_theory_model *model, doubl
     return rest / n;
 }
 
+typedef enum search_kind { SEARCH_EVERYWHERE, SEARCH_NEARBY } search_kind;
+
+#if BURNISH_HAS_NLOPT
 static double objective(unsigned dimensions, const double *x, double *gradient, void *context) {
     double scale, offset;
     burnish_theory_model model = model_at(context, x[0]);
@@ -80,8 +85,10 @@ static double objective(unsigned dimensions, const double *x, double *gradient, 
 
 /* Runs one algorithm from *x within [low, high]; what it finds replaces *x. 0 when out of memory.
  */
-static int search(problem *p, nlopt_algorithm algorithm, int evaluations, double low, double high,
+static int search(problem *p, search_kind kind, int evaluations, double low, double high,
                   double *x) {
+    const nlopt_algorithm algorithm =
+        kind == SEARCH_EVERYWHERE ? NLOPT_GN_DIRECT_L : NLOPT_LN_NELDERMEAD;
     double best = *x, value, step = 0.1 * (high - low);
     nlopt_opt opt = nlopt_create(algorithm, 1);
     if (!opt) {
@@ -103,18 +110,25 @@ static int search(problem *p, nlopt_algorithm algorithm, int evaluations, double
     *x = best >= low && best <= high ? best : *x;
     return 1;
 }
+#else
+static int search(problem *p, search_kind kind, int evaluations, double low, double high,
+                  double *x) {
+    (void)p, (void)kind, (void)evaluations, (void)low, (void)high, (void)x;
+    return 0;
+}
+#endif
 
 static int fit_kind(problem *p, lobe_fitted *fitted) {
     double low = p->kind == BURNISH_LOBE_FAMILY ? log(0.25) : 0, high = log(65536);
     double x = 0.5 * (low + high);
     size_t count = p->samples->count;
     p->stride = count > COARSE_SAMPLES ? (count + COARSE_SAMPLES - 1) / COARSE_SAMPLES : 1;
-    if (!search(p, NLOPT_GN_DIRECT_L, COARSE_EVALUATIONS, low, high, &x)) {
+    if (!search(p, SEARCH_EVERYWHERE, COARSE_EVALUATIONS, low, high, &x)) {
         return 0;
     }
     p->stride = 1;
     double from = x - 0.1 > low ? x - 0.1 : low, to = x + 0.1 < high ? x + 0.1 : high;
-    if (!search(p, NLOPT_LN_NELDERMEAD, FINE_EVALUATIONS, from, to, &x)) {
+    if (!search(p, SEARCH_NEARBY, FINE_EVALUATIONS, from, to, &x)) {
         return 0;
     }
     fitted->model = model_at(p, x);
@@ -188,6 +202,11 @@ burnish_status lobe_fit_samples(const lobe_samples *samples, int with_offset, co
     *count = 0;
     if (status != BURNISH_STATUS_OK) {
         return status;
+    }
+    if (!BURNISH_HAS_NLOPT) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "lobe fit: this program was built without NLopt, which searches for the "
+                        "slopes; use one that has it");
     }
     for (int i = 0; i < LOBE_FITTED_MAX; ++i) {
         p.kind = i < 5 ? BURNISH_LOBE_FAMILY : others[i - 5];

@@ -2,13 +2,16 @@
  * light and dark pages. */
 #include <errno.h>
 #include <math.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
+#ifndef _WIN32
+#include <spawn.h>
+#include <sys/wait.h>
+#endif
 
+#include "cli/platform.h"
 #include "plot/plot.h"
 
 /* ---- What gnuplot reads ---- */
@@ -131,6 +134,18 @@ static burnish_status fail_run(burnish_error *error, int code) {
     return cli_fail(error, BURNISH_STATUS_WRITE, "gnuplot: can't be started: %s", strerror(code));
 }
 
+#ifdef _WIN32
+/* Not done here: as if it were not installed. */
+static int spawn_gnuplot(FILE *streams[3], pid_t *child) {
+    (void)streams, (void)child;
+    return ENOENT;
+}
+
+static int wait_for(pid_t child) {
+    (void)child;
+    return -1;
+}
+#else
 /* Starts gnuplot with files as its three standard streams. The environment holds what matters
  * only, so that no locale, start-up file or default of the user changes a byte. */
 static int spawn_gnuplot(FILE *streams[3], pid_t *child) {
@@ -156,6 +171,7 @@ static int spawn_gnuplot(FILE *streams[3], pid_t *child) {
     return code;
 }
 
+/* gnuplot's exit code, or -1. */
 static int wait_for(pid_t child) {
     int status;
     while (waitpid(child, &status, 0) < 0) {
@@ -163,8 +179,9 @@ static int wait_for(pid_t child) {
             return -1;
         }
     }
-    return status;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
+#endif
 
 /* Everything in a temporary file, zero-terminated; NULL without memory. */
 static char *read_stream(FILE *file, size_t *size) {
@@ -204,8 +221,7 @@ static burnish_status run(FILE *streams[3], char **drawing, size_t *size, burnis
     if (code != 0) {
         return fail_run(error, code);
     }
-    int status = wait_for(child);
-    int exit_code = status != -1 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    int exit_code = wait_for(child);
     if (exit_code == 127) { /* older C libraries start a child before they look for the program */
         return fail_run(error, ENOENT);
     }
@@ -259,7 +275,8 @@ static void write_rules(const char *light, const char *dark, const char *svg, FI
     if (strstr(svg, narrow)) {
         fprintf(file, "[fill=\"%s\"]{fill:%.7s}\n", narrow, dark);
     }
-    if (strcasestr(svg, "fill=\"#ffffff\"") && strncmp(light, "#ffffff", 7) == 0) {
+    if ((strstr(svg, "fill=\"#ffffff\"") || strstr(svg, "fill=\"#FFFFFF\"")) &&
+        strncmp(light, "#ffffff", 7) == 0) {
         fprintf(file, "[fill=\"#ffffff\"],[fill=\"#FFFFFF\"]{fill:%.7s}\n", dark);
     }
 }
@@ -284,7 +301,7 @@ burnish_status plot_dress(const plot_chart *chart, char **svg, size_t *size, bur
                         "gnuplot: wrote no drawing; version 5.4 is known to work");
     }
     *svg = NULL;
-    FILE *file = open_memstream(svg, size);
+    FILE *file = cli_open_memory(svg, size);
     if (file) {
         /* the spaces beside changes of font, which some readers drop, are kept */
         fprintf(file, "%.*s<svg xml:space=\"preserve\" ", (int)(body - raw), raw);
@@ -295,8 +312,7 @@ burnish_status plot_dress(const plot_chart *chart, char **svg, size_t *size, bur
         write_dark_rules(rest, file);
         fprintf(file, "}\n</style>%s", rest + strlen(end));
     }
-    int failed = !file || ferror(file);
-    failed = (file && fclose(file) != 0) || failed;
+    const int failed = !file || cli_close_memory(file, svg, size) != 0;
     free(raw);
     return failed ? cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure")
                   : BURNISH_STATUS_OK;

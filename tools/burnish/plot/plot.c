@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "burnish/core.h"
+#include "cli/platform.h"
 #include "lobe/lobe.h"
 #include "plot/plot.h"
 
@@ -291,14 +292,14 @@ static burnish_status make_request(const plot_figure *figure, const plot_setting
 static burnish_status chart_text(const plot_figure *figure, const plot_chart *chart,
                                  plot_format format, char **text, size_t *size,
                                  burnish_error *error) {
-    FILE *file = open_memstream(text, size);
+    FILE *file = cli_open_memory(text, size);
     if (file) {
         if (format == FORMAT_CSV) {
             plot_write_data(chart, file);
         } else {
             plot_write_script(chart, figure, format == FORMAT_PNG, file);
         }
-        if (fclose(file) == 0) {
+        if (cli_close_memory(file, text, size) == 0) {
             return BURNISH_STATUS_OK;
         }
         free(*text);

@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include "cli/platform.h"
 #include "render/settings.h"
 
 static int is_standard(const char *path) {
@@ -35,12 +35,6 @@ static burnish_status derive_output(render_settings *settings, burnish_error *er
 }
 
 /* 1 when both paths lead to the same file. */
-static int same_file(const char *a, const char *b) {
-    struct stat a_status, b_status;
-    return stat(a, &a_status) == 0 && stat(b, &b_status) == 0 && S_ISREG(a_status.st_mode) &&
-           a_status.st_dev == b_status.st_dev && a_status.st_ino == b_status.st_ino;
-}
-
 /* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
 static burnish_status check_ending(const char *path, burnish_error *error) {
     static const char *const others[] = {"jpg",  "jpeg", "webp", "svg", "gif", "tif",
@@ -59,7 +53,6 @@ static burnish_status check_ending(const char *path, burnish_error *error) {
 }
 
 static burnish_status check_output(const render_settings *settings, burnish_error *error) {
-    struct stat state;
     if (is_standard(settings->output)) {
         if (settings->json) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -73,13 +66,13 @@ static burnish_status check_output(const render_settings *settings, burnish_erro
         }
         return BURNISH_STATUS_OK;
     }
-    if (same_file(settings->input, settings->output)) {
+    if (cli_same_file(settings->input, settings->output)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--output: \"%.200s\" is the input; name another file", settings->output);
     }
     /* What happens to have the picture's name may be a texture of the mesh. */
     if (settings->output == settings->default_output && !settings->overwrite &&
-        lstat(settings->output, &state) == 0) {
+        cli_name_exists(settings->output)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "%.200s: exists; replace it with --overwrite, or name the picture with "
                         "--output=FILE",

@@ -1,0 +1,80 @@
+/* What systems lack of POSIX, as the program needs it. */
+#ifndef CLI_PLATFORM_H
+#define CLI_PLATFORM_H
+
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* strtod in the C locale; NaN without memory. */
+static inline double cli_strtod(const char *text) {
+#ifdef _WIN32
+    return strtod(text, NULL); /* the program leaves the C locale nowhere */
+#else
+    const locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    const double value = c_locale ? strtod_l(text, NULL, c_locale) : NAN;
+    if (c_locale) {
+        freelocale(c_locale);
+    }
+    return value;
+#endif
+}
+
+/* Opens a stream whose text cli_close_memory puts at *text, *size bytes and a 0, to be freed.
+ * NULL without memory. */
+static inline FILE *cli_open_memory(char **text, size_t *size) {
+#ifdef _WIN32
+    *text = NULL;
+    *size = 0;
+    return tmpfile();
+#else
+    return open_memstream(text, size);
+#endif
+}
+
+/* Returns 0, or EOF without memory; *text is then to be freed too. */
+static inline int cli_close_memory(FILE *stream, char **text, size_t *size) {
+#ifdef _WIN32
+    const long length = ftell(stream);
+    *text = length >= 0 && !ferror(stream) ? malloc((size_t)length + 1) : NULL;
+    rewind(stream);
+    *size = *text ? fread(*text, 1, (size_t)length, stream) : 0;
+    if (*text) {
+        (*text)[*size] = 0;
+    }
+    fclose(stream);
+    return *text && *size == (size_t)length ? 0 : EOF;
+#else
+    (void)text, (void)size;
+    const int failed = ferror(stream);
+    return fclose(stream) != 0 || failed ? EOF : 0;
+#endif
+}
+
+/* Whether two names stand for one regular file. */
+static inline int cli_same_file(const char *a, const char *b) {
+#ifdef _WIN32
+    char whole_a[1024], whole_b[1024]; /* files have no numbers here */
+    return _fullpath(whole_a, a, sizeof whole_a) && _fullpath(whole_b, b, sizeof whole_b) &&
+           _stricmp(whole_a, whole_b) == 0;
+#else
+    struct stat a_status, b_status;
+    return stat(a, &a_status) == 0 && stat(b, &b_status) == 0 && S_ISREG(a_status.st_mode) &&
+           a_status.st_dev == b_status.st_dev && a_status.st_ino == b_status.st_ino;
+#endif
+}
+
+/* Whether a name is taken, by a link to nothing too. */
+static inline int cli_name_exists(const char *path) {
+    struct stat status;
+#ifdef _WIN32
+    return stat(path, &status) == 0;
+#else
+    return lstat(path, &status) == 0;
+#endif
+}
+
+#endif
