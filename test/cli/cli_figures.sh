@@ -164,7 +164,17 @@ if [ "$has_gnuplot" = 1 ]; then
     done
     run lobe plot energy -o -
     check "standard output" cmp "$out" one/energy.svg
-    rm -r two
+    # Other lobes and exponents: nothing to draw, long axes, many names; as PNG too.
+    for arguments in "core --lobes=power" "error --lobes=power" "cost --lobes=power" "ratio --exponents=1,65536" \
+        "ratio --lobes=taylor:2,schlick,minimax:8,gaussian,gx --bits=2,4,8,12" "curves --exponents=1" "energy --size=400,250"; do
+        # shellcheck disable=SC2086
+        run lobe plot $arguments -o other.svg
+        check "burnish lobe plot $arguments: exit code $code, $(cat "$err")" [ "$code" = 0 ]
+    done
+    run lobe plot curves -o other.png
+    check "burnish lobe plot curves -o other.png: $(cat "$err")" \
+        [ "$(od -An -tu1 -j16 -N8 other.png | awk '{print $3 * 256 + $4, $7 * 256 + $8}')" = "720 440" ]
+    rm -r two other.svg other.png
 fi
 rm -rf one
 nothing_left "figures"

@@ -220,7 +220,7 @@ static void print_lights(void) {
                  "from the direction _X_,_Y_,_Z_ as the camera sees it: x to the right, y "
                  "up, z toward the viewer.");
     print_tagged("*point*",
-                 "at that place as the camera sees it; the unit is the distance from the camera "
+                 "at that position as the camera sees it; the unit is the distance from the camera "
                  "to the focal point.");
     print_tagged("*world-directional*, *world-point*", "the same in the scene's coordinates.");
     print_tagged("*none*", "takes away the default rig and every light given before.");

@@ -52,8 +52,7 @@ static double end_of(const plot_series *series) {
     return last > 0 ? series->y[last - 1] : 0;
 }
 
-/* Least and greatest finite y; of figures with a logarithmic axis only what is above 0 counts, and
- * they take it from y_low > 0. */
+/* The ends of the axes of x, and least and greatest y; greatest > 0. */
 static void write_ranges(const plot_chart *chart, FILE *file) {
     double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < chart->series_count; ++i) {
@@ -63,9 +62,8 @@ static void write_ranges(const plot_chart *chart, FILE *file) {
             high = y > high ? y : high;
         }
     }
-    if (!(low <= high)) {
-        low = high = 1;
-    }
+    high = high > 1e-12 ? high : 1; /* nothing is drawn, or errors are all rounding noise */
+    low = low < high ? low : high;
     fprintf(file, "x_low = %.9g\nx_high = %.9g\ny_low = %.9g\ny_high = %.9g\n", chart->x_low,
             chart->x_high, low, high);
 }

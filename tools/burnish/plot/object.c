@@ -135,7 +135,7 @@ static void draw_scale(burnish_image *card, int left, int top, int width, int th
     }
 }
 
-/* The place under the reference: the scale of the second row. */
+/* The cell under the reference: the scale of the second row. */
 static burnish_status draw_legend(gallery *g, double exponent, burnish_error *error) {
     burnish_image *card = &g->images[1][0];
     burnish_status status = create_like(&g->images[0][0], card, error);

@@ -42,7 +42,7 @@ typedef struct plot_chart {
     const char *name, *title;
     char condition[PLOT_TEXT_SIZE];  /* what holds for all curves, after the title of y */
     const char *x_column, *y_column; /* headings in the CSV */
-    double x_low, x_high;            /* of the axis; equal: of the data */
+    double x_low, x_high;            /* of the axis */
     int width, height;               /* px */
     plot_series series[PLOT_SERIES_MAX];
     size_t series_count;

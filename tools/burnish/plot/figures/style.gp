@@ -53,14 +53,15 @@ set yrange [low:high]
 if (x_log) { set logscale x }
 if (y_log) { set logscale y }
 
-# Labels at 1, 2, 5; small marks between.
+# Labels at 1, 2, 5, on long axes at 1; small marks between.
 do for [axis = 1:2] {
     if (axis == 1 ? x_log : y_log) {
         if (axis == 1) { set xtics () } else { set ytics () }
+        long = log10(axis == 1 ? 1.0 * x_high / x_low : 1.0 * high / low) > 3.6
         do for [power = -6:5] {
             do for [digit = 1:9] {
                 at = digit * 10.0**power
-                level = digit == 1 || digit == 2 || digit == 5 ? 0 : 1
+                level = digit == 1 || (!long && (digit == 2 || digit == 5)) ? 0 : 1
                 label = level ? "" : sprintf("%.6g", at)
                 if (axis == 1 && at > 0.999 * x_low && at < 1.001 * x_high) { set xtics add (label at level) }
                 if (axis == 2 && level == 0 && at > 0.999 * low && at < 1.001 * high) { set ytics add (label at level) }
@@ -92,12 +93,13 @@ if (names eq "end") { unset key }
 if (names eq "key") { set key at screen 1 - (66 + 8.0 * longest) / width, screen 1 - 40.0 / height left top }
 if (names eq "inside") { set key at graph 1, 0.03 right bottom }
 
-# Names at the right ends of the lines, in their order and moved apart to one line of text each: from
-# below every name is pushed up, then from above every name down to where there is room.
+# Names at the right ends of the lines, in their order, each at least a line of text above the one below:
+# neighbours that are nearer move apart by half of what is missing, again and again. (A label's text
+# begins with "" . because gnuplot takes text[i] for a number.)
 share(y) = y_log ? log(larger(y, low) / low) / log(1.0 * high / low) : (y - low) / (high - low)
 gap = 17.0 / (height - 114)
 array order[lines]
-array place[lines]
+array height_of[lines]
 if (names eq "end") {
     do for [i = 1:lines] {
         rank = 1
@@ -105,21 +107,21 @@ if (names eq "end") {
             if (end_y[k] < end_y[i] || (end_y[k] == end_y[i] && k < i)) { rank = rank + 1 }
         }
         order[rank] = i
-        place[i] = share(end_y[i])
+        height_of[i] = share(end_y[i])
     }
     do for [pass = 1:200] {
         do for [k = 2:lines] {
-            near = gap - (place[order[k]] - place[order[k - 1]])
+            near = gap - (height_of[order[k]] - height_of[order[k - 1]])
             if (near > 0) {
-                place[order[k]] = place[order[k]] + near / 2
-                place[order[k - 1]] = place[order[k - 1]] - near / 2
+                height_of[order[k]] = height_of[order[k]] + near / 2
+                height_of[order[k - 1]] = height_of[order[k - 1]] - near / 2
             }
         }
-        if (place[order[1]] < 0) { place[order[1]] = 0 }
+        if (height_of[order[1]] < 0) { height_of[order[1]] = 0 }
     }
     do for [i = 1:lines] {
-        set label "" . text[i] at graph 1, graph place[i] left offset 2.6, 0 textcolor rgb ink(color[i])
-        set arrow from graph 1, first larger(end_y[i], low) to graph 1 + 14.0 / (width - 108 - 8 * longest), graph place[i] nohead linewidth 0.7 linecolor rgb ink(color[i])
+        set label "" . text[i] at graph 1, graph height_of[i] left offset 2.6, 0 textcolor rgb ink(color[i])
+        set arrow from graph 1, first larger(end_y[i], low) to graph 1 + 14.0 / (width - 108 - 8 * longest), graph height_of[i] nohead linewidth 0.7 linecolor rgb ink(color[i])
     }
 }
 
