@@ -29,7 +29,7 @@ static int bench_lobe(const burnish_mesh *scene, const char *name, const char *l
     fit.aspect = 1920.0 / 1080;
     if (burnish_lobe_spec_parse(lobe, &options.lobe, &error) != BURNISH_STATUS_OK ||
         burnish_camera_frame(scene, &fit, &options.camera, &error) != BURNISH_STATUS_OK ||
-        burnish_renderer_create(&renderer, &error) != BURNISH_STATUS_OK) {
+        burnish_renderer_create(NULL, &renderer, &error) != BURNISH_STATUS_OK) {
         fprintf(stderr, "frame: %s\n", error.text);
         return EXIT_FAILURE;
     }

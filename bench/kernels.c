@@ -81,7 +81,7 @@ static void run_lobe(const void *given) {
 
 static void run_library_lobe(const void *given) {
     const context *at = given;
-    const burnish_kernels_lobe_constants *lobe = &shader_of(at)->shader.lobe;
+    const burnish_lobe_constants *lobe = &shader_of(at)->shader.lobe;
     at->batch->lobe[lobe->body][BURNISH_LOBE_INPUT_COSINE](lobe, BURNISH_BENCH_POINTS,
                                                            at->input->cosines, at->input->values);
 }
@@ -95,7 +95,7 @@ static void run_lobe_in_memory(const void *given) {
 
 static void run_library_lobe_in_memory(const void *given) {
     const context *at = given;
-    const burnish_kernels_lobe_constants *lobe = &shader_of(at)->shader.lobe;
+    const burnish_lobe_constants *lobe = &shader_of(at)->shader.lobe;
     at->batch->lobe[lobe->body][BURNISH_LOBE_INPUT_COSINE](
         lobe, at->input->array_bytes / sizeof(float), at->input->source, at->input->destination);
 }

@@ -94,7 +94,15 @@ static burnish_status prepare(burnish_bench_input *input, int scene, int of, bur
         lighting.lobe.kind = BURNISH_LOBE_SCHLICK;
     }
     shader->table = input->table;
-    return burnish_kernels_prepare(&lighting, &shader->shader, error);
+    burnish_kernels_shader *made;
+    burnish_status status = burnish_kernels_shader_create(&lighting, NULL, &made, error);
+    if (status == BURNISH_STATUS_OK) {
+        shader->shader = *made;
+        shader->light = made->lights[0];
+        shader->shader.lights = &shader->light;
+        burnish_kernels_shader_destroy(made);
+    }
+    return status;
 }
 
 burnish_status burnish_bench_input_create(burnish_bench_input **made, burnish_error *error) {

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "burnish/kernels.h"
+#include "shading/shader.h"
 
 /* The lobes that the library does not have; max(0, c)^n unless the line says otherwise. Values
  * begin above those of the library's bodies, beside which the lighting kernel switches. */
@@ -42,6 +43,7 @@ typedef void burnish_bench_library(void);
  * through it. */
 typedef struct burnish_bench_shader {
     burnish_kernels_shader shader;
+    burnish_light_constants light;  /* the shader's */
     const float *table;             /* BURNISH_BENCH_TABLE_SIZE entries and one of padding */
     burnish_bench_library *library; /* for BURNISH_BENCH_LIBRARY */
 } burnish_bench_shader;

@@ -23,9 +23,9 @@ static double time_variant(const burnish_kernels *batch, burnish_lobe_kind kind,
     double times[BENCH_ROUNDS];
     uint64_t state = 3;
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
-    burnish_kernels_shader shader;
+    burnish_kernels_shader *shader;
     lighting.lobe = make(kind, 2, 32).spec;
-    burnish_kernels_prepare(&lighting, &shader, NULL);
+    burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
     make_points(&arrays, BENCH_POINTS, 1, &state);
     for (int i = 0; i < BENCH_POINTS; ++i) {
         cosines[i] = test_uniform_float(&state, 0.1f, 1);
@@ -35,7 +35,7 @@ static double time_variant(const burnish_kernels *batch, burnish_lobe_kind kind,
         double start = nanoseconds();
         for (int call = 0; call < BENCH_CALLS; ++call) {
             if (shading) {
-                burnish_kernels_shade_rgba8(batch, &shader, &points, BENCH_POINTS, pixels, NULL);
+                burnish_kernels_shade_rgba8(batch, shader, &points, BENCH_POINTS, pixels, NULL);
             } else {
                 burnish_kernels_lobe_of_cosines(batch, &lighting.lobe, 32, BENCH_POINTS, cosines,
                                                 values, NULL);
@@ -43,6 +43,7 @@ static double time_variant(const burnish_kernels *batch, burnish_lobe_kind kind,
         }
         times[round] = (nanoseconds() - start) / ((double)BENCH_CALLS * BENCH_POINTS);
     }
+    burnish_kernels_shader_destroy(shader);
     qsort(times, BENCH_ROUNDS, sizeof *times, compare_doubles);
     return times[BENCH_ROUNDS / 2];
 }

@@ -268,13 +268,14 @@ static void check_shade_tier(const burnish_kernels *batch, uint64_t *state) {
     for (int trial = 0; trial < 1200; ++trial) {
         burnish_lobe_kind kind = KINDS[trial % KIND_COUNT];
         burnish_kernels_lighting lighting = random_lighting(kind, state);
-        burnish_kernels_shader shader;
+        burnish_kernels_shader *shader;
         burnish_error error;
         size_t count = trial % 50 == 49 ? BLOCK - MOST_LANES : test_random32(state) % 70;
         int wrong = 0;
         make_points(&arrays, BLOCK, trial & 1, state);
-        if (!CHECK(burnish_kernels_prepare(&lighting, &shader, &error) == BURNISH_STATUS_OK,
-                   "prepare: %s", error.text)) {
+        if (!CHECK(burnish_kernels_shader_create(&lighting, NULL, &shader, &error) ==
+                       BURNISH_STATUS_OK,
+                   "shader: %s", error.text)) {
             continue;
         }
         burnish_kernels_points points =
@@ -285,9 +286,9 @@ static void check_shade_tier(const burnish_kernels *batch, uint64_t *state) {
         for (int which = 0; which < 2; ++which) {
             const burnish_kernels *one = which ? batch : scalar();
             float *const rgb[3] = {colors[which][0], colors[which][1], colors[which][2]};
-            wrong |= burnish_kernels_shade_rgba8(one, &shader, &points, count, pixels[which],
+            wrong |= burnish_kernels_shade_rgba8(one, shader, &points, count, pixels[which],
                                                  NULL) != BURNISH_STATUS_OK;
-            wrong |= burnish_kernels_shade_float(one, &shader, &points, count, rgb, NULL) !=
+            wrong |= burnish_kernels_shade_float(one, shader, &points, count, rgb, NULL) !=
                      BURNISH_STATUS_OK;
         }
         CHECK(!wrong, "%s: shading failed", name);
@@ -296,6 +297,7 @@ static void check_shade_tier(const burnish_kernels *batch, uint64_t *state) {
         CHECK(memcmp(colors[0], colors[1], sizeof colors[0]) == 0, "%s: trial %d, kind %d: colours",
               name, trial, kind);
         CHECK(pixels[1][4 * count] == 0x5a, "%s: wrote past the pixels", name);
+        burnish_kernels_shader_destroy(shader);
     }
 }
 
@@ -388,16 +390,17 @@ static void check_processors(void) {
     }
     for (int trial = 0; trial < 80; ++trial) {
         burnish_kernels_lighting lighting = random_lighting(KINDS[trial % KIND_COUNT], &state);
-        burnish_kernels_shader shader;
+        burnish_kernels_shader *shader;
         make_points(&arrays, BLOCK, trial & 1, &state);
-        burnish_kernels_prepare(&lighting, &shader, NULL);
+        burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
         burnish_kernels_points points = points_at(&arrays, 0, trial & 2, trial & 4);
-        burnish_kernels_shade_float(scalar(), &shader, &points, BLOCK, rgb, NULL);
-        burnish_kernels_shade_rgba8(scalar(), &shader, &points, BLOCK, pixels, NULL);
+        burnish_kernels_shade_float(scalar(), shader, &points, BLOCK, rgb, NULL);
+        burnish_kernels_shade_rgba8(scalar(), shader, &points, BLOCK, pixels, NULL);
         for (int k = 0; k < 3; ++k) {
             hash = add_floats(hash, colors[k], BLOCK);
         }
         hash = add_bytes(hash, pixels, sizeof pixels);
+        burnish_kernels_shader_destroy(shader);
     }
     CHECK(hash == SCALAR_HASH, "hash %#llx", (unsigned long long)hash);
 }
@@ -607,12 +610,13 @@ static void check_equation(void) {
     int bright = 0, pixel_errors = 0;
     for (int trial = 0; trial < 60; ++trial) {
         burnish_kernels_lighting lighting = random_lighting(KINDS[trial % LYON_AT], &state);
-        burnish_kernels_shader shader;
+        burnish_kernels_shader *shader;
         make_points(&arrays, BLOCK, 1, &state);
-        burnish_kernels_prepare(&lighting, &shader, NULL);
+        burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
         burnish_kernels_points points = points_at(&arrays, 0, 1, 1);
-        burnish_kernels_shade_float(scalar(), &shader, &points, BLOCK, rgb, NULL);
-        burnish_kernels_shade_rgba8(scalar(), &shader, &points, BLOCK, pixels, NULL);
+        burnish_kernels_shade_float(scalar(), shader, &points, BLOCK, rgb, NULL);
+        burnish_kernels_shade_rgba8(scalar(), shader, &points, BLOCK, pixels, NULL);
+        burnish_kernels_shader_destroy(shader);
         /* a cosine is off by 1e-7 at three lights, and the lobe by that times its slope */
         lobe_case lobe = make(lighting.lobe.kind, lighting.lobe.order, lighting.material.exponent);
         double slope = lighting.lobe.kind == BURNISH_LOBE_FAMILY
@@ -651,7 +655,7 @@ static void check_equation(void) {
 /* Lyon's lobe is burnish_lyon_at_vectors of the same vectors. */
 static void check_lyon(void) {
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
-    burnish_kernels_shader shader;
+    burnish_kernels_shader *shader;
     uint64_t state = test_seed(5);
     double worst = 0;
     lighting.lobe = (burnish_lobe_spec){.kind = BURNISH_LOBE_LYON, .order = 4};
@@ -660,7 +664,7 @@ static void check_lyon(void) {
         lighting.material.ambient[k] = lighting.material.diffuse[k] = 0;
         lighting.material.specular[k] = 1;
     }
-    burnish_kernels_prepare(&lighting, &shader, NULL);
+    burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
     const double *light = lighting.lights[0].vector;
     vec h = unit(sum((vec){light[0], light[1], light[2]}, load(lighting.viewer)));
     for (int i = 0; i < 2000; ++i) {
@@ -671,11 +675,12 @@ static void check_lyon(void) {
         float half[3] = {(float)h.x, (float)h.y, (float)h.z};
         float *const rgb[3] = {&color[0], &color[1], &color[2]};
         burnish_kernels_points points = {.normal = {&normal[0], &normal[1], &normal[2]}};
-        burnish_kernels_shade_float(scalar(), &shader, &points, 1, rgb, NULL);
+        burnish_kernels_shade_float(scalar(), shader, &points, 1, rgb, NULL);
         double error =
             fabs((double)color[0] - (double)burnish_lyon_at_vectors(normal, half, 40, 4));
         worst = error > worst ? error : worst;
     }
+    burnish_kernels_shader_destroy(shader);
     CHECK(worst < 1e-4, "Lyon's lobe is off by %.3g", worst);
 }
 
@@ -683,7 +688,7 @@ static void check_lyon(void) {
 
 static void check_errors(void) {
     burnish_kernels_lighting good = burnish_kernels_lighting_default(), bad;
-    burnish_kernels_shader shader;
+    burnish_kernels_shader *shader;
     burnish_error error;
     float value = 0.5f;
     uint8_t pixel[4];
@@ -694,12 +699,13 @@ static void check_errors(void) {
         bad = good;                                                                                \
         change;                                                                                    \
         error.text[0] = 0;                                                                         \
-        CHECK(burnish_kernels_prepare(&bad, &shader, &error) == BURNISH_STATUS_ARGUMENT &&         \
+        CHECK(burnish_kernels_shader_create(&bad, NULL, &shader, &error) ==                        \
+                      BURNISH_STATUS_ARGUMENT &&                                                   \
                   error.text[0],                                                                   \
               "refused: " #change);                                                                \
-        CHECK(burnish_kernels_shade_rgba8(scalar(), &shader, &points, 1, pixel, NULL) ==           \
+        CHECK(burnish_kernels_shade_rgba8(scalar(), shader, &points, 1, pixel, NULL) ==            \
                   BURNISH_STATUS_ARGUMENT,                                                         \
-              "not prepared: " #change);                                                           \
+              "no shader: " #change);                                                              \
     } while (0)
     REFUSED(bad.cookie = 0);
     REFUSED(bad.material.ambient[1] = NAN);
@@ -724,14 +730,16 @@ static void check_errors(void) {
 #undef REFUSED
     bad = good;
     bad.lights[0].color[0] = -1;
-    CHECK(burnish_kernels_prepare(&bad, &shader, &error) == BURNISH_STATUS_ARGUMENT &&
+    CHECK(burnish_kernels_shader_create(&bad, NULL, &shader, &error) == BURNISH_STATUS_ARGUMENT &&
               strstr(error.text, "light 1"),
           "lights count from 1: \"%s\"", error.text);
     good.local_viewer = 1;
-    CHECK(burnish_kernels_prepare(&good, &shader, &error) == BURNISH_STATUS_OK, "%s", error.text);
-    CHECK(burnish_kernels_shade_rgba8(scalar(), &shader, &points, 1, pixel, &error) ==
+    CHECK(burnish_kernels_shader_create(&good, NULL, &shader, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    CHECK(burnish_kernels_shade_rgba8(scalar(), shader, &points, 1, pixel, &error) ==
               BURNISH_STATUS_ARGUMENT,
           "a local viewer needs positions");
+    burnish_kernels_shader_destroy(shader);
     lobe.exponent = 70000;
     CHECK(burnish_kernels_lobe_of_cosines(scalar(), &lobe.spec, lobe.exponent, 1, &value, &value,
                                           &error) == BURNISH_STATUS_ARGUMENT &&

@@ -12,17 +12,18 @@ static const struct layer {
     const char *may_include;
 } LAYERS[] = {
     {"src/core", "burnish/core.h"},
-    {"src/simd", "core shading/lobe_constants.h burnish/core.h burnish/kernels.h"},
+    {"src/simd", "core shading/shader.h burnish/core.h burnish/kernels.h"},
     {"src/theory", "core shading/lobe_words.h burnish/core.h burnish/lobe.h "
                    "burnish/shading.h burnish/theory.h"},
-    {"src/shading", "core simd raster burnish/core.h burnish/kernels.h burnish/lobe.h "
+    {"src/shading", "core simd burnish/core.h burnish/kernels.h burnish/lobe.h "
                     "burnish/shading.h"},
     {"src/mesh", "core mesh/read mesh/build burnish/core.h burnish/mesh.h"},
     {"src/mesh/build", "core mesh mesh/read burnish/core.h burnish/mesh.h"},
     {"src/mesh/read", "core mesh mesh/build burnish/core.h burnish/mesh.h"},
     {"src/raster", "core simd burnish/core.h"},
     {"src/image", "core burnish/core.h burnish/image.h"},
-    {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/render.h"},
+    {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/mesh.h "
+                   "burnish/render.h"},
     {"tools/burnish/cli", "lobe render burnish"},
     {"tools/burnish/lobe", "cli plot burnish"},
     {"tools/burnish/plot", "cli lobe burnish"},
@@ -34,7 +35,7 @@ static const struct layer {
 };
 
 /* Where templates (..._simd.h) meet an instruction set: what this file may include besides. */
-static const struct layer MEETING = {"src/simd/isa_simd.h", "raster shading"};
+static const struct layer MEETING = {"src/simd/isa_simd.h", "raster shading render"};
 
 /* Templates are included by templates and by the meeting; the contenders take the
  * kernels' too, and core has one of its own. */

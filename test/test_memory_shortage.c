@@ -45,7 +45,7 @@ static int fail_one(const burnish_mesh *mesh, const burnish_render_options *opti
     burnish_image image = {0};
     burnish_render_report report;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    if (!CHECK1(burnish_renderer_create(&renderer, NULL) == BURNISH_STATUS_OK)) {
+    if (!CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK)) {
         return 0;
     }
     allocations_left = k;

@@ -423,7 +423,7 @@ static void check_renderer(burnish_mesh *sphere) {
     burnish_mesh *const scenes[] = {load(":knot", 16), sphere, make_surface(0, 0)};
     burnish_renderer *renderer;
     burnish_image image = {0};
-    CHECK(burnish_renderer_create(&renderer, NULL) == BURNISH_STATUS_OK, "a renderer");
+    CHECK(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK, "a renderer");
     for (int i = 0; i < 36; ++i) {
         static const int SAMPLES[] = {1, 4, 1, 16, 8}, SIZES[] = {131, 64, 200, 64};
         burnish_render_options options = front_options(SIZES[i % 4], SIZES[i / 2 % 4], 0);
@@ -532,7 +532,7 @@ static void check_errors(burnish_mesh *sphere) {
     memset(&options, 0, sizeof options);
     expect_error(sphere, &options, "burnish_render_options_default");
     expect_error(sphere, NULL, "burnish_render_options_default");
-    expect_error(NULL, &good, "scene");
+    expect_error(NULL, &good, "mesh");
 #define WRONG(change, part)                                                                        \
     options = good;                                                                                \
     change;                                                                                        \

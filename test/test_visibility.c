@@ -1,4 +1,4 @@
-/* The fast renderer against the reference: thousands of random scenes, every tier and number of
+/* The fast renderer against the reference: thousands of random scenes, every ops and number of
  * samples; the same id of every sample, the same visible points, the same colours, bit for bit.
  */
 #include <stdint.h>
@@ -6,7 +6,8 @@
 #include "raster/tile.h"
 #include "reference_geometry.h"
 #include "reference_tile.h"
-#include "shading/strip.h"
+#include "render/fragments.h"
+#include "shading/shader_table.h"
 #include "support.h"
 
 enum { MOST_VERTICES = 1200, MOST_TRIANGLES = 400, SCENES = 2000 };
@@ -186,7 +187,7 @@ typedef struct point {
     float x, y, depth, weights[2], color[3];
 } point;
 
-static point take_point(const burnish_fragments *fragments, const burnish_shaded *shaded, int i) {
+static point take_point(const burnish_fragments *fragments, const float *const rgb[3], int i) {
     point made;
     memset(&made, 0, sizeof made);
     made.place = fragments->pixels[i];
@@ -198,7 +199,7 @@ static point take_point(const burnish_fragments *fragments, const burnish_shaded
     made.weights[0] = fragments->weight1[i];
     made.weights[1] = fragments->weight2[i];
     for (int k = 0; k < 3; ++k) {
-        made.color[k] = shaded->channel[k][i];
+        made.color[k] = rgb[k][i];
     }
     return made;
 }
@@ -210,50 +211,60 @@ static int compare_places(const void *a, const void *b) {
 }
 
 /* What the fast renderer makes of a pixel that is one triangle's alone. */
-static int same_whole(const burnish_tile *fast, const burnish_strip *strip, const point *expected) {
+static int same_whole(const burnish_tile *fast, const burnish_row_light *row,
+                      const point *expected) {
     const int i = expected->place % BURNISH_BLOCK_ROW_PIXELS;
-    if (strip->pixels.simple[i] < 0) {
+    if (row->pixels.simple[i] < 0) {
         return 0;
     }
-    const float got[4] = {fast->center_depths[expected->place], strip->rgb[0][i], strip->rgb[1][i],
-                          strip->rgb[2][i]};
+    const float got[4] = {fast->center_depths[expected->place], row->rgb[0][i], row->rgb[1][i],
+                          row->rgb[2][i]};
     const float want[4] = {expected->depth, expected->color[0], expected->color[1],
                            expected->color[2]};
     return memcmp(got, want, sizeof got) == 0 &&
            burnish_tile_id_and_facing(fast, expected->place / BURNISH_BLOCK_ROW_PIXELS, i,
-                                      strip->pixels.simple[i]) == expected->corners.id_and_facing;
+                                      row->pixels.simple[i]) == expected->corners.id_and_facing;
+}
+
+static void shade_fragments(const burnish_surface *surface, const burnish_fragments *fragments,
+                            burnish_fragment_scratch *scratch, float *const rgb[3]) {
+    const burnish_fragment_batch batch = burnish_gather_fragments(surface, fragments, scratch);
+    burnish_shade(surface->shading, &batch, &scratch->shade, rgb);
 }
 
 /* All points of a tile by both paths; *points counts them. */
 static int compare_points(reference_tile *tile, burnish_tile *fast, const burnish_isa_ops *ops,
                           const burnish_raster_view *view, const burnish_geometry *geometry,
-                          const burnish_shader *shader, burnish_shade_cache *cache, int *points) {
+                          const burnish_surface *surface, int *points) {
     static point expected[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
     static burnish_fragments fragments;
-    static burnish_shaded shaded;
-    static burnish_strip strip;
+    static burnish_fragment_scratch scratch;
+    static burnish_row_light light;
+    static float colors[3][BURNISH_SHADE_BATCH];
+    float *const rgb[3] = {colors[0], colors[1], colors[2]};
     int count = 0, wrong = 0, at = 0, known = -1;
     while (reference_next_fragments(tile, view, geometry, &fragments)) {
-        burnish_shade(shader, cache, &fragments, &shaded);
+        shade_fragments(surface, &fragments, &scratch, rgb);
         for (int i = 0; i < fragments.count; ++i) {
-            expected[count++] = take_point(&fragments, &shaded, i);
+            expected[count++] = take_point(&fragments, (const float *const *)rgb, i);
         }
     }
     *points += count;
     for (int i = 0; i < count; ++i) { /* whole pixels, a strip after another */
         const int number = expected[i].place / BURNISH_BLOCK_ROW_PIXELS;
         if (number != known) {
-            burnish_shade_strip(shader, cache, ops, fast, view, number, &strip);
+            ops->classify_block_row(fast, number, &light.pixels);
+            burnish_shade_block_row(surface, fast, number, &scratch, &light);
             known = number;
         }
-        wrong += expected[i].weight == tile->samples && !same_whole(fast, &strip, &expected[i]);
+        wrong += expected[i].weight == tile->samples && !same_whole(fast, &light, &expected[i]);
     }
     static point got[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
     int got_count = 0;
     while (burnish_tile_next_fragments(fast, view, &fragments)) {
-        burnish_shade(shader, cache, &fragments, &shaded);
+        shade_fragments(surface, &fragments, &scratch, rgb);
         for (int i = 0; i < fragments.count; ++i) {
-            got[got_count] = take_point(&fragments, &shaded, i);
+            got[got_count] = take_point(&fragments, (const float *const *)rgb, i);
             got[got_count].number = got_count;
             ++got_count;
         }
@@ -273,33 +284,50 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
     return wrong + (at != count);
 }
 
-static void make_shader(burnish_shader *shader, burnish_attributes *attributes,
-                        burnish_shade_material materials[3], const random_scene *scene,
-                        const burnish_geometry *geometry, uint64_t *state) {
-    memset(shader, 0, sizeof *shader);
-    shader->batch = burnish_kernels_best();
-    shader->lighting = burnish_kernels_lighting_default();
-    shader->lighting.local_viewer = (int)(test_random32(state) & 1);
-    shader->lighting.viewer[2] = shader->lighting.local_viewer ? 0 : 1;
-    shader->lighting.lobe.kind =
-        test_random32(state) % 4 == 0 ? BURNISH_LOBE_LYON : BURNISH_LOBE_FAMILY;
-    shader->needs_position = 1; /* the reference always gives places */
-    shader->rays.q_per_depth = 0x1p14f;
-    shader->rays.ray[2] = -1;
-    shader->rays.ray_x[0] = shader->rays.ray_y[1] = 0.01f;
+/* What a scene is shaded with; kept, as a renderer keeps it. */
+typedef struct scene_shading {
+    burnish_attributes attributes;
+    burnish_shader_table shaders;
+    burnish_shading shading;
+    burnish_surface surface;
+} scene_shading;
+
+static void make_shading(scene_shading *made, const random_scene *scene,
+                         const burnish_raster_view *view, const burnish_geometry *geometry,
+                         uint64_t *state) {
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
+    burnish_shade_material materials[3];
+    burnish_memory memory = burnish_memory_of(NULL, NULL);
+    lighting.local_viewer = (int)(test_random32(state) & 1);
+    lighting.viewer[2] = lighting.local_viewer ? 0 : 1;
+    lighting.lobe.kind = test_random32(state) % 4 == 0 ? BURNISH_LOBE_LYON : BURNISH_LOBE_FAMILY;
+    memset(materials, 0, sizeof materials);
     for (int i = 0; i < 3; ++i) {
-        memset(&materials[i], 0, sizeof materials[i]);
-        materials[i].lobe = shader->lighting.lobe;
+        materials[i].lobe = lighting.lobe;
         materials[i].material.exponent = 32;
         materials[i].material.diffuse[i] = 0.75f;
         materials[i].material.specular[2 - i] = 0.5f;
     }
-    shader->materials = materials;
-    shader->triangle_materials = test_random32(state) & 1 ? scene->materials : NULL;
-    shader->attributes = attributes;
-    burnish_attributes_update(attributes, geometry, scene->normals,
-                              test_random32(state) & 1 ? scene->colors : NULL, scene->indices, NULL,
-                              NULL);
+    CHECK1(burnish_shader_table_update(&made->shaders, &lighting, materials, 3, &memory) ==
+           BURNISH_STATUS_OK);
+    made->shading =
+        (burnish_shading){.ops = burnish_kernels_best(),
+                          .shaders = made->shaders.shaders,
+                          .rays = {.ray = {0, 0, -1},
+                                   .ray_x = {0.01f, 0, 0},
+                                   .ray_y = {0, 0.01f, 0},
+                                   .q_per_depth = 0x1p14f},
+                          .needs_position = 1, /* the reference always gives positions */
+                          .is_lyon = lighting.lobe.kind == BURNISH_LOBE_LYON};
+    made->surface.view = view;
+    made->surface.shading = &made->shading;
+    made->surface.attributes = &made->attributes;
+    made->surface.triangle_materials = test_random32(state) & 1 ? scene->materials : NULL;
+    const burnish_mesh_view mesh = {
+        .normals = scene->normals, .colors = scene->colors, .indices = scene->indices};
+    CHECK1(burnish_attributes_update(&made->attributes, geometry, &mesh,
+                                     (int)(test_random32(state) & 1), NULL,
+                                     &memory) == BURNISH_STATUS_OK);
 }
 
 static void check_scene(const random_scene *scene, int number, uint64_t *state, int *points) {
@@ -309,26 +337,23 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
                                          1 + (int)(test_random32(state) % 130), samples, state);
     view.cull_back_faces = number % 5 == 4;
     static burnish_geometry geometry; /* kept, as a renderer keeps them */
-    static burnish_attributes attributes;
+    static scene_shading shading;
     static burnish_bins bins;
     reference_tile tile;
     burnish_tile fast;
-    burnish_shader shader;
-    burnish_shade_material materials[3];
-    burnish_shade_cache cache = {.material = -1};
     const burnish_isa_ops *ops = burnish_isa_ops_for(pick_isa(state));
     burnish_geometry_update(&geometry, ops, &view, scene->positions, scene->vertex_count,
                             scene->indices, scene->triangle_count, NULL, NULL);
     check_geometry(scene, &view, &geometry, number);
-    make_shader(&shader, &attributes, materials, scene, &geometry, state);
+    make_shading(&shading, scene, &view, &geometry, state);
     reference_tile_create(&tile, samples, NULL);
     const burnish_tile_options options = {.samples = samples,
-                                          .planes = burnish_shade_planes(&shader),
+                                          .planes = burnish_surface_planes(&shading.surface),
                                           .keep_ids = 1,
                                           .needs_position = 1};
     burnish_tile_create(&fast, &options, NULL);
-    fast.attributes[0] = attributes.normals;
-    fast.attributes[1] = attributes.colors;
+    fast.attributes[0] = shading.attributes.normals;
+    fast.attributes[1] = shading.attributes.colors;
     if (samples > 1 && test_random32(state) % 4 == 0) { /* forget triangles often */
         size_t least = 2 * (size_t)BURNISH_TILE_PIXELS * (size_t)samples; /* own at most half */
         fast.primitives.capacity =
@@ -346,7 +371,7 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
                     wrong = compare_owners(&tile, &fast, &geometry);
                     CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: %d ids differ", number,
                           samples, column, row, wrong);
-                    wrong = compare_points(&tile, &fast, ops, &view, &geometry, &shader, &cache,
+                    wrong = compare_points(&tile, &fast, ops, &view, &geometry, &shading.surface,
                                            points);
                 }
                 CHECK(wrong == 0, "scene %d, %d samples, tile %d,%d: points or colours differ",
@@ -386,7 +411,9 @@ static void check_forgetting(void) {
     const burnish_tile_options options = {.samples = SAMPLES, .planes = 3};
     burnish_geometry_update(&geometry, ops, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS,
                             NULL, NULL);
-    burnish_attributes_update(&attributes, &geometry, normals, NULL, indices, NULL, NULL);
+    const burnish_mesh_view mesh = {.normals = normals, .indices = indices};
+    burnish_memory memory = burnish_memory_of(NULL, NULL);
+    burnish_attributes_update(&attributes, &geometry, &mesh, 0, NULL, &memory);
     burnish_bins_begin(&bins, NULL);
     burnish_bin_tiles(&bins, ops, &geometry, &view, NULL, NULL);
     reference_tile_create(&tile, SAMPLES, NULL);
@@ -399,7 +426,7 @@ static void check_forgetting(void) {
     CHECK(compare_owners(&tile, &fast, &geometry) == 0, "ids after forgetting");
     burnish_tile_destroy(&fast);
     reference_tile_destroy(&tile);
-    burnish_attributes_destroy(&attributes);
+    burnish_attributes_destroy(&attributes, NULL);
     burnish_bins_destroy(&bins);
     burnish_geometry_destroy(&geometry);
 }

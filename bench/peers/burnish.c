@@ -24,7 +24,7 @@ static int shades_by_table(const burnish_peers_job *job, const burnish_kernels *
     burnish_render_options options = job->options;
     burnish_image image;
     burnish_error error;
-    options.batch = &dark;
+    options.kernels = &dark;
     options.lobe.kind = BURNISH_LOBE_POWER;
     if (burnish_render(job->scene, &options, &image, NULL, &error) != BURNISH_STATUS_OK) {
         return 0;
@@ -40,7 +40,7 @@ static int shades_by_table(const burnish_peers_job *job, const burnish_kernels *
 static int open_renderer(void **state, const burnish_peers_job *job, int threads, char *note) {
     contestant *made = calloc(1, sizeof *made);
     burnish_error error;
-    if (!made || burnish_renderer_create(&made->renderer, &error) != BURNISH_STATUS_OK) {
+    if (!made || burnish_renderer_create(NULL, &made->renderer, &error) != BURNISH_STATUS_OK) {
         free(made);
         return 0;
     }
@@ -72,7 +72,7 @@ static int choose(contestant *r, const char *variant) {
             if (is_libm && !r->libm_works) {
                 return 0;
             }
-            r->options.batch = is_libm ? &r->libm : r->best;
+            r->options.kernels = is_libm ? &r->libm : r->best;
             r->options.cull_back_faces = !LOBES[i].two_sided;
             return burnish_lobe_spec_parse(LOBES[i].lobe, &r->options.lobe, &error) ==
                    BURNISH_STATUS_OK;

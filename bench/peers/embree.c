@@ -21,7 +21,7 @@ typedef struct tracer {
     const burnish_mesh_view *mesh;
     RTCDevice device;
     RTCScene scene;
-    const burnish_kernels *batch;
+    const burnish_kernels *kernels;
     uint8_t *rgba;
     uint32_t *numbers; /* NULL while frames are timed */
     uint8_t *encoded;  /* NULL while frames are timed; 3 a pixel */
@@ -75,7 +75,7 @@ static int open_tracer(void **state, const burnish_peers_job *job, int threads, 
     t->mesh = burnish_mesh_get_view(job->scene);
     t->rgba = calloc(BURNISH_PEERS_PIXELS, 4);
     burnish_tasks_begin(&t->tasks, NULL, threads);
-    t->batch = burnish_kernels_best();
+    t->kernels = burnish_kernels_best();
     t->device = rtcNewDevice(threads == 1 ? "threads=1" : "threads=2");
     if (t->device) {
         build(t);
@@ -155,12 +155,12 @@ static void shade(const tracer *t, const burnish_kernels_shader *shader,
     const burnish_kernels_points arrays = {
         .normal = {points->normal[0], points->normal[1], points->normal[2]}};
     const size_t count = (size_t)points->count;
-    (void)burnish_kernels_shade_rgba8(t->batch, shader, &arrays, count, (uint8_t *)colors, NULL);
+    (void)burnish_kernels_shade_rgba8(t->kernels, shader, &arrays, count, (uint8_t *)colors, NULL);
     for (size_t i = 0; i < count; ++i) {
         memcpy(t->rgba + 4 * (size_t)points->pixel[i], &colors[i], 4);
     }
     if (t->encoded) {
-        (void)burnish_kernels_shade_float(t->batch, shader, &arrays, count, rgb, NULL);
+        (void)burnish_kernels_shade_float(t->kernels, shader, &arrays, count, rgb, NULL);
         for (size_t i = 0; i < count; ++i) {
             for (size_t k = 0; k < 3; ++k) {
                 t->encoded[3 * (size_t)points->pixel[i] + k] =
@@ -188,7 +188,7 @@ static void draw_tile(const tracer *t, const burnish_kernels_shader *shader, int
     shade(t, shader, &points);
 }
 
-static int make_shader(const tracer *t, const char *variant, burnish_kernels_shader *shader) {
+static burnish_kernels_shader *make_shader(const tracer *t, const char *variant) {
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     const burnish_peers_job *job = t->job;
     for (int k = 0; k < 3; ++k) {
@@ -205,9 +205,11 @@ static int make_shader(const tracer *t, const char *variant, burnish_kernels_sha
     } else if (strcmp(variant, "family") == 0) {
         lighting.lobe = (burnish_lobe_spec){.fit = BURNISH_FIT_ENERGY, .order = 2};
     } else {
-        return 0;
+        return NULL;
     }
-    return burnish_kernels_prepare(&lighting, shader, NULL) == BURNISH_STATUS_OK;
+    burnish_kernels_shader *shader;
+    (void)burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
+    return shader;
 }
 
 typedef struct tile_context {
@@ -222,13 +224,14 @@ static void draw_task(void *of, size_t tile, int thread) {
 }
 
 static int draw(tracer *t, const char *variant) {
-    burnish_kernels_shader shader;
-    if (!make_shader(t, variant, &shader)) {
+    burnish_kernels_shader *shader = make_shader(t, variant);
+    if (!shader) {
         return 0;
     }
     memset(t->rgba, 0, (size_t)BURNISH_PEERS_PIXELS * 4);
-    tile_context context = {t, &shader};
+    tile_context context = {t, shader};
     burnish_tasks_run(&t->tasks, COLUMNS * ROWS, 1, 0, draw_task, &context);
+    burnish_kernels_shader_destroy(shader);
     return 1;
 }
 

@@ -12,9 +12,8 @@ typedef struct block_sums {
     float inverse[BLOCK], cosine[BLOCK], lit[BLOCK];
 } block_sums;
 
-static void add_light(const burnish_kernels_shader *shader,
-                      const burnish_kernels_light_constants *light, int output,
-                      const float *const normal[3], int count, block_sums *sums) {
+static void add_light(const burnish_kernels_shader *shader, const burnish_light_constants *light,
+                      int output, const float *const normal[3], int count, block_sums *sums) {
     for (int i = 0; i < count; ++i) {
         float n_dot_l = (normal[0][i] * light->vector[0] + normal[1][i] * light->vector[1] +
                          normal[2][i] * light->vector[2]) *

@@ -12,15 +12,15 @@
 enum { SIZE = 256 };
 
 int main(void) {
-    const burnish_kernels *batch = burnish_kernels_best();
+    const burnish_kernels *kernels = burnish_kernels_best();
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default(); /* a white light, energy:2 */
-    burnish_kernels_shader shader;
+    burnish_kernels_shader *shader;
     burnish_error error;
-    if (burnish_kernels_prepare(&lighting, &shader, &error) != BURNISH_STATUS_OK) {
+    if (burnish_kernels_shader_create(&lighting, NULL, &shader, &error) != BURNISH_STATUS_OK) {
         fprintf(stderr, "%s\n", error.text);
         return 1;
     }
-    fprintf(stderr, "kernels: %s\n", burnish_isa_name(burnish_kernels_isa(batch)));
+    fprintf(stderr, "kernels: %s\n", burnish_isa_name(burnish_kernels_isa(kernels)));
     printf("P6\n%d %d\n255\n", SIZE, SIZE);
     for (int row = 0; row < SIZE; ++row) {
         static float x[SIZE], y[SIZE], z[SIZE];
@@ -33,7 +33,7 @@ int main(void) {
         }
         /* any length will do: the kernel makes unit vectors of normals itself */
         const burnish_kernels_points points = {.normal = {x, y, z}};
-        if (burnish_kernels_shade_rgba8(batch, &shader, &points, SIZE, rgba, &error) !=
+        if (burnish_kernels_shade_rgba8(kernels, shader, &points, SIZE, rgba, &error) !=
             BURNISH_STATUS_OK) {
             fprintf(stderr, "%s\n", error.text);
             return 1;
@@ -44,5 +44,6 @@ int main(void) {
             }
         }
     }
+    burnish_kernels_shader_destroy(shader);
     return 0;
 }

@@ -36,11 +36,13 @@ BURNISH_API burnish_status burnish_image_create(burnish_image *image, int width,
 /* Releases the pixels and makes the image empty. An empty image and NULL are allowed. */
 BURNISH_API void burnish_image_destroy(burnish_image *image);
 
-/* How 8-bit pixels lie in memory, sRGB. A fourth channel is straight (not premultiplied) alpha. */
+/* How pixels lie in memory: sRGB codes of 8 bits, or floats. A fourth channel is straight (not
+ * premultiplied) alpha. */
 typedef enum burnish_pixel_format {
     BURNISH_PIXELS_RGB8,
     BURNISH_PIXELS_RGBA8,
-    BURNISH_PIXELS_BGRA8, /* what most window systems show */
+    BURNISH_PIXELS_BGRA8,      /* what most window systems show */
+    BURNISH_PIXELS_RGBA_FLOAT, /* linear light, 4 floats: drawn by render.h, not kept as PNG */
     BURNISH_PIXELS_COUNT
 } burnish_pixel_format;
 

@@ -1,21 +1,24 @@
 /* burnish/kernels.h: lobes and the whole lighting equation over arrays, at the speed of the
  * machine, with the same bits on every instruction set.
  *
- * How to use it.
- *   1. Once: const burnish_kernels *batch = burnish_kernels_best();
- *   2. Lobes over arrays of cosines: burnish_kernels_lobe_of_cosines(batch, &lobe, ...).
- *   3. Lighting: fill a burnish_kernels_lighting from burnish_kernels_lighting_default(), prepare
- * it once a material with burnish_kernels_prepare, then call burnish_kernels_shade_rgba8 or _float.
+ * What it does not do: start threads, keep state or draw triangles; only a shader is allocated.
+ * Call it from as many threads as you like, each with its own part of the arrays.
  *
- * What it does not do: allocate, start threads, keep state or draw triangles. Call it from as many
- * threads as you like, each with its own part of the arrays. Arrays are structures of arrays: one
- * float array for x, one for y, one for z. None needs any alignment beyond a float's, though 64
- * bytes are fastest; lengths need not be a multiple of anything, and 0 is fine.
+ * How to use it.
+ *   1. Once: const burnish_kernels *kernels = burnish_kernels_best();
+ *   2. Lobes over arrays of cosines: burnish_kernels_lobe_of_cosines(kernels, &lobe, n, ...).
+ *   3. Lighting: fill a burnish_kernels_lighting from burnish_kernels_lighting_default(), make a
+ *      shader of it, one per material, with burnish_kernels_shader_create, then call
+ *      burnish_kernels_shade_rgba8 or _float for the points.
+ *
+ * Arrays are structures of arrays: one float array for x, one for y, one for z. None needs any
+ * alignment beyond a float's, though 64 bytes are fastest; lengths need not be a multiple of
+ * anything, and 0 is fine.
  *
  * What it promises. A result depends on its own point only, not on its index in the array, the
- * array's length, the tier, the compiler or the thread. No fused multiply-add, no approximate
- * instruction, no libm. The caller's floating-point environment is the default one: rounding to
- * nearest, subnormal numbers kept. NaN and infinity in an input harm no other point.
+ * array's length, the instruction set, the compiler, the thread or the caller's floating-point
+ * environment, which is as before afterwards. No fused multiply-add, no approximate instruction, no
+ * libm. NaN and infinity in an input harm no other point.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -46,7 +49,7 @@ BURNISH_API const burnish_kernels *burnish_kernels_best(void);
 BURNISH_API const burnish_kernels *burnish_kernels_for(burnish_isa isa);
 
 /* The tier of these kernels. */
-BURNISH_API burnish_isa burnish_kernels_isa(const burnish_kernels *batch);
+BURNISH_API burnish_isa burnish_kernels_isa(const burnish_kernels *kernels);
 
 /* ---- Lobes ---- */
 
@@ -58,15 +61,18 @@ BURNISH_API burnish_isa burnish_kernels_isa(const burnish_kernels *batch);
  *   whole power  the same as power, by multiplications */
 
 /* values[i] = lobe(cosines[i]).
- *   batch     from burnish_kernels_best or burnish_kernels_for
+ *   kernels   from burnish_kernels_best or burnish_kernels_for
  *   lobe      any that burnish_lobe_spec_check accepts, and whole power; not NULL. The searched
- * fits (minimax, leastsquares, affine) are solved in each call: 10 to 100 microseconds exponent  n:
- * [1, 65536], for the family as burnish_lobe_solve has it; a whole number for whole power count
- * number of cosines cosines   any floats values    receives count values; may be cosines itself,
- * must not overlap it otherwise error     receives the one line of an error; may be NULL Arrays of
- * 8 MiB and more are written past the caches. Errors: ARGUMENT for a lobe or exponent out of range;
- * nothing is written. */
-BURNISH_API burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels *batch,
+ *             fits (minimax, leastsquares, affine) are solved in each call: 10 to 100 microseconds
+ *   exponent  n: [1, 65536], for the family as burnish_lobe_solve has it; a whole number for whole
+ *             power
+ *   count     number of cosines
+ *   cosines   any floats
+ *   values    receives count values; may be cosines itself, must not overlap it otherwise
+ *   error     receives the one line of an error; may be NULL
+ * Arrays of 8 MiB and more are written past the caches.
+ * Errors: ARGUMENT for a lobe or exponent out of range; nothing is written. */
+BURNISH_API burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels *kernels,
                                                            const burnish_lobe_spec *lobe,
                                                            float exponent, size_t count,
                                                            const float *cosines, float *values,
@@ -74,7 +80,7 @@ BURNISH_API burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels
 
 /* values[i] = lobe at 1 - cosine = lambdas[i]: the form that keeps its digits for large exponents
  * (family; the other lobes take the cosine 1 - lambda). Otherwise the same. */
-BURNISH_API burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *batch,
+BURNISH_API burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *kernels,
                                                            const burnish_lobe_spec *lobe,
                                                            float exponent, size_t count,
                                                            const float *lambdas, float *values,
@@ -87,7 +93,7 @@ BURNISH_API burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels
  *   in   x, y, z of lengths in [2^-60, 2^60]; (0, 0, 0) stays (0, 0, 0), others give no unit
  *        vector
  *   out  receives x, y, z; may be in's arrays */
-BURNISH_API void burnish_kernels_normalize(const burnish_kernels *batch, size_t count,
+BURNISH_API void burnish_kernels_normalize(const burnish_kernels *kernels, size_t count,
                                            const float *const in[3], float *const out[3]);
 
 /* ---- Lighting ----
@@ -124,73 +130,49 @@ typedef struct burnish_kernels_lighting {
  * distant viewer toward +z, one white directional light from (-.48, .6, .64). */
 BURNISH_API burnish_kernels_lighting burnish_kernels_lighting_default(void);
 
-/* A lobe worked out. Made by burnish_kernels_prepare; nobody else's business. */
-typedef struct burnish_kernels_lobe_constants {
-    int body;       /* which kernel */
-    int squarings;  /* family: log2 of the order */
-    float zeta;     /* family */
-    float exponent; /* n */
-    float slope;    /* factor in an exponent or denominator */
-    float least;    /* WHOLE_POWER: the cosine up to which the power is below 2^-126 */
-    uint32_t whole; /* WHOLE_POWER: n */
-} burnish_kernels_lobe_constants;
+/* A lighting, checked and folded into what does not depend on the point. Constant. */
+typedef struct burnish_kernels_shader burnish_kernels_shader;
 
-/* A light worked out: colours times material, for results in [0, 1] and in [0, 255]. */
-typedef struct burnish_kernels_light_constants {
-    int is_point;
-    float vector[3];
-    float half[3]; /* of a distant light and viewer: H, with the family zeta H */
-    float diffuse[2][3], specular[2][3];
-} burnish_kernels_light_constants;
-
-/* Lighting, prepared. Copy it freely, change nothing. */
-typedef struct burnish_kernels_shader {
-    uint32_t cookie;
-    int geometry; /* which kernel */
-    int phong, lyon, local_viewer, needs_position;
-    int light_count;
-    float offset; /* family: 1 - zeta */
-    float cutoff; /* family: cosines below it are surely dark; -1 where there are none */
-    float viewer[3];
-    float ambient[2][3];
-    burnish_kernels_lobe_constants lobe;
-    burnish_kernels_light_constants lights[BURNISH_LIGHT_MAX];
-} burnish_kernels_shader;
-
-/* Checks a lighting and folds into constants what does not depend on the point. Cheap: some tens of
- * operations a light.
- *   lighting  not NULL
- *   shader    becomes the prepared lighting; on error it shades nothing; not NULL
+/* Makes one. Some tens of operations per light; the searched fits of the family (minimax,
+ * leastsquares, affine) take 10 to 100 microseconds.
+ *   lighting  not NULL; not kept
+ *   context   where its memory comes from; NULL: malloc. Must outlive the shader
+ *   shader    receives it, NULL on error; give it to burnish_kernels_shader_destroy; not NULL
  *   error     receives the one line of an error; may be NULL
  * Errors: ARGUMENT for numbers out of range, directions that are not unit vectors (by more than
- * 1e-3), a lighting that does not come from burnish_kernels_lighting_default. */
-BURNISH_API burnish_status burnish_kernels_prepare(const burnish_kernels_lighting *lighting,
-                                                   burnish_kernels_shader *shader,
-                                                   burnish_error *error);
+ * 1e-3), a lighting that does not come from burnish_kernels_lighting_default; MEMORY. */
+BURNISH_API burnish_status burnish_kernels_shader_create(const burnish_kernels_lighting *lighting,
+                                                         const burnish_context *context,
+                                                         burnish_kernels_shader **shader,
+                                                         burnish_error *error);
+
+/* NULL is allowed. */
+BURNISH_API void burnish_kernels_shader_destroy(burnish_kernels_shader *shader);
 
 /* The points to shade: arrays of count floats. */
 typedef struct burnish_kernels_points {
     const float *normal[3];   /* length in [2^-60, 2^60]; (0, 0, 0) gets the ambient term only */
     const float *diffuse[3];  /* d, >= 0; all NULL: 1 */
     const float *position[3]; /* times w; read where a light is a point or the viewer local */
-    const float *w;           /* > 0: the point's position is position / w; NULL: 1 */
+    const float *w;           /* > 0: the point lies at position / w; NULL: 1 */
 } burnish_kernels_points;
 
 /* Shades points into pixels: channel = 255 min(1, value), halves to even; alpha 255.
- *   batch   from burnish_kernels_best or burnish_kernels_for
- *   shader  from burnish_kernels_prepare
- *   points  no array overlaps the output; differences of positions in [2^-60, 2^60]
- *   count   number of points
- *   rgba    receives 4 count bytes, R first
- * Errors: ARGUMENT for a shader that was not prepared or a missing array; nothing is written. */
-BURNISH_API burnish_status burnish_kernels_shade_rgba8(const burnish_kernels *batch,
+ *   kernels  from burnish_kernels_best or burnish_kernels_for
+ *   shader   from burnish_kernels_shader_create; not NULL
+ *   points   no array overlaps the output; differences of positions in [2^-60, 2^60]
+ *   count    number of points
+ *   rgba     receives 4 count bytes, R first
+ *   error    receives the one line of an error; may be NULL
+ * Errors: ARGUMENT for a missing shader or array; nothing is written. */
+BURNISH_API burnish_status burnish_kernels_shade_rgba8(const burnish_kernels *kernels,
                                                        const burnish_kernels_shader *shader,
                                                        const burnish_kernels_points *points,
                                                        size_t count, uint8_t *rgba,
                                                        burnish_error *error);
 
 /* The same into linear floats, three arrays of count, not clamped above. */
-BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *batch,
+BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *kernels,
                                                        const burnish_kernels_shader *shader,
                                                        const burnish_kernels_points *points,
                                                        size_t count, float *const rgb[3],

@@ -1,11 +1,27 @@
-/* burnish/render.h: draw a scene into an image.
+/* burnish/render.h: draw a mesh into an image, or into the caller's memory.
  *
  * The Phong illumination equation, per pixel, in linear light (model.md's notation):
  *   I = Ia ka + sum over lights Il (kd max(0, N.L) + ks S(c)),  S = 0 where N.L <= 0,
- * with c = N.H (Blinn) or R.V (Phong) and S any lobe that burnish knows. The same scene and options
- * give the same bytes on every machine, compiler and thread count.
+ * with c = N.H (Blinn) or R.V (Phong) and S any lobe that burnish knows.
  *
  * What it does not do: shadows, reflections, transparency, textures.
+ *
+ * How to use it.
+ *   1. Options: burnish_render_options options = burnish_render_options_default();
+ *      set options.camera (burnish_camera_frame of mesh.h shows the whole mesh) and what else
+ *      differs from the defaults.
+ *   2. A single picture: burnish_render(mesh, &options, &image, NULL, &error).
+ *   3. Many pictures: a burnish_renderer keeps its memory from one to the next:
+ *      burnish_renderer_create, burnish_renderer_draw for each, burnish_renderer_destroy.
+ *   4. Into memory of your own (a window's surface, a shared segment), or with planes of depth,
+ *      triangles, normals and coverage: fill a burnish_target from burnish_target_default() and
+ *      call burnish_renderer_draw_into.
+ *   5. Where memory comes from, who runs the work, progress and cancelling: a burnish_context.
+ *
+ * What it promises. The same mesh, options and target format give the same bytes on every machine,
+ * compiler, instruction set and number of threads, whatever the caller's floating-point
+ * environment, which is as before afterwards. After an error, a shortage of memory or cancelling a
+ * renderer can be used as if nothing had happened.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -31,14 +47,17 @@ typedef enum burnish_counts {
     BURNISH_COUNTS_NONE
 } burnish_counts;
 
+/* As many threads as the process may use, or as the context's task runner has. */
+#define BURNISH_THREADS_AUTO 0
+
 /* How to draw. Start from burnish_render_options_default(). */
 typedef struct burnish_render_options {
-    uint32_t cookie;   /* set by burnish_render_options_default() */
-    int width, height; /* pixels, [1, BURNISH_IMAGE_MAX_SIZE] */
-    int samples;       /* coverage samples a pixel: 1, 4, 8 or 16 */
-    int threads;       /* [1, 1024]; 0: as many as the machine offers. Never changes the pixels */
-    const burnish_kernels
-        *batch; /* the kernels; NULL: burnish_kernels_best(). Never change the pixels */
+    uint32_t cookie;                /* set by burnish_render_options_default() */
+    const burnish_context *context; /* of burnish_render; with a renderer NULL, or its own */
+    int width, height;              /* pixels, [1, BURNISH_IMAGE_MAX_SIZE] */
+    int samples;                    /* coverage samples per pixel: 1, 4, 8 or 16 */
+    int threads; /* [1, 1024] or BURNISH_THREADS_AUTO; never changes the pixels */
+    const burnish_kernels *kernels; /* NULL: burnish_kernels_best(); never change the pixels */
     burnish_camera camera;
     burnish_lobe_spec lobe; /* any that burnish_lobe_spec_check accepts */
     burnish_specular_model specular_model;
@@ -63,44 +82,96 @@ BURNISH_API burnish_render_options burnish_render_options_default(void);
 /* What was drawn. */
 typedef struct burnish_render_report {
     size_t triangles;       /* of the mesh */
-    size_t triangles_drawn; /* that own at least one sample after clipping and depth test */
+    size_t triangles_drawn; /* that show in at least one sample */
     size_t covered_pixels;  /* pixels with at least one covered sample */
     int bounds[4];          /* x0, y0, x1, y1 (exclusive) of the covered pixels; all 0 when blank */
     int threads;            /* used */
     burnish_isa isa;        /* used */
-    size_t lobe_fallbacks;  /* materials whose exponent is too low for the chosen order: drawn with
-                               the highest order that fits */
-    double seconds_transform; /* vertices, clipping, set-up, binning */
-    double seconds_draw;      /* visibility and shading */
+    size_t lobe_fallbacks;  /* materials whose exponent is too low for the lobe's order: drawn with
+                               the highest order that it allows */
+    double seconds_transform; /* materials, vertices, clipping, culling */
+    double seconds_draw;      /* tiles: binning, visibility, shading */
 } burnish_render_report;
 
-/* Draws the scene into a new image (RGB, or RGBA when transparent). report may be NULL.
- * Memory besides the image: 36 bytes a vertex (20 its place on the screen, 16 its normal), 16 more
- * where the mesh has colours; 13 bytes a triangle and 1 where drawn ones are counted; tile lists of
- * 8 bytes an entry, which stands for up to 16 neighbouring triangles, about 128 MiB of them at most
- * unless a single row of tiles needs more; and for each thread 0.2 MB, with several samples 0.2 MB
- * more and 0.7 MB a sample, of which only what is needed is touched.
- * Errors: ARGUMENT, MEMORY, LIMIT (also a mesh so small, below about 1e-33 across, or so much
- * enlarged that single precision can't hold it); the image is then empty. */
-BURNISH_API burnish_status burnish_render(const burnish_mesh *scene,
+/* Draws the mesh into a new image (RGB, or RGBA when transparent). report may be NULL.
+ * Memory besides the image: 36 bytes per vertex (20 for its position on the screen, 16 for its
+ * normal), 16 more where the mesh has colours; 13 bytes per triangle and 1 where drawn ones are
+ * counted; tile lists of 8 bytes an entry, which stands for up to 16 neighbouring triangles, about
+ * 128 MiB of them at most unless a single row of tiles needs more; and for each thread 0.2 MB, with
+ * several samples 0.2 MB more and 0.7 MB per sample, of which only what is needed is touched.
+ * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (also a mesh so small, below about 1e-33 across, or so
+ * much enlarged that single precision can't hold it); the image is then empty. */
+BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,
                                           const burnish_render_options *options,
                                           burnish_image *image, burnish_render_report *report,
                                           burnish_error *error);
+
+/* ---- Targets ---- */
+
+/* The triangle of a pixel that shows none. */
+#define BURNISH_TRIANGLE_NONE UINT32_MAX
+
+/* Where a picture goes: the caller's memory, in rows from the top, strides in bytes from one row to
+ * the next. What lies between rows is not touched. NULL: not wanted; what is not wanted costs
+ * nothing.
+ *
+ * Alpha is straight: 255 (1 in floats) where options.transparent is 0, else the part of a pixel's
+ * samples that show something. RGBA_FLOAT is linear light, not clamped above; for the other formats
+ * light is clamped to 1 before a pixel's samples are mixed.
+ *
+ * In its planes a pixel shows one triangle: of those in its samples the one in most of them, of
+ * equals the one in the first of them. Depth and normal are those at the pixel's centre where one
+ * triangle shows in all samples, else at the mean of the samples that show it, which lies inside
+ * it: where the triangle is shaded. Nothing is mixed. */
+typedef struct burnish_target {
+    uint32_t cookie;        /* set by burnish_target_default() */
+    burnish_pixels pixels;  /* of options.width x options.height; pixels.pixels NULL: nothing is
+                               shaded. RGB8 not with options.transparent */
+    float *depth;           /* distance from the camera along its axis, in the mesh's units; where
+                               nothing shows infinity */
+    size_t depth_stride;    /* at least 4 width, a multiple of 4 */
+    uint32_t *triangles;    /* number of the triangle in burnish_mesh_get_view()'s indices, or
+                               BURNISH_TRIANGLE_NONE */
+    size_t triangle_stride; /* at least 4 width, a multiple of 4 */
+    float *normals;       /* x, y, z of the interpolated normal, of unit length within 2e-7, in the
+                             mesh's axes, turned round on triangles seen from their back; where
+                             nothing shows, or there is no normal, 0, 0, 0 */
+    size_t normal_stride; /* at least 12 width, a multiple of 4 */
+    uint8_t *coverage;    /* 255 times the part of the samples that show something, rounded */
+    size_t coverage_stride; /* at least width */
+} burnish_target;
+
+/* Nothing wanted. */
+BURNISH_API burnish_target burnish_target_default(void);
+
+/* ---- Renderers ---- */
 
 /* What is worth keeping from one frame to the next: the memory that burnish_render would ask for
  * and give back each time. One thread may use a renderer at a time. */
 typedef struct burnish_renderer burnish_renderer;
 
-/* Errors: ARGUMENT, MEMORY. Release it with burnish_renderer_destroy. */
-BURNISH_API burnish_status burnish_renderer_create(burnish_renderer **renderer,
+/* *renderer is NULL on error. Release it with burnish_renderer_destroy.
+ *   context   where its memory comes from, who runs its tasks, hears of its progress and may cancel
+ *             it; NULL: the process' default. Must outlive the renderer
+ * Errors: ARGUMENT, MEMORY. */
+BURNISH_API burnish_status burnish_renderer_create(const burnish_context *context,
+                                                   burnish_renderer **renderer,
                                                    burnish_error *error);
 
 /* Like burnish_render, the same pixels, into an image that is empty ({0}) or was drawn before: its
  * memory is used again where size and channels allow. Scenes and options may differ from frame to
  * frame. Errors as there; the image is then empty. */
 BURNISH_API burnish_status burnish_renderer_draw(
-    burnish_renderer *renderer, const burnish_mesh *scene, const burnish_render_options *options,
+    burnish_renderer *renderer, const burnish_mesh *mesh, const burnish_render_options *options,
     burnish_image *image, burnish_render_report *report, burnish_error *error);
+
+/* The same into the caller's memory.
+ *   target   from burnish_target_default(), with what is wanted set; its memory is not kept
+ * Errors: as burnish_render, and ARGUMENT for a target that does not fit, which is then not
+ * touched. After any other error it holds some pixels. */
+BURNISH_API burnish_status burnish_renderer_draw_into(
+    burnish_renderer *renderer, const burnish_mesh *mesh, const burnish_render_options *options,
+    const burnish_target *target, burnish_render_report *report, burnish_error *error);
 
 /* NULL is allowed. */
 BURNISH_API void burnish_renderer_destroy(burnish_renderer *renderer);

@@ -234,6 +234,9 @@ void burnish_tasks_run(burnish_tasks *tasks, size_t count, size_t grain, int max
     job j = {tasks ? tasks : &alone, task, context, count, grain, 0};
     const int all = j.tasks->threads;
     int threads = max_threads > 0 && max_threads < all ? max_threads : all;
+    if (atomic_load(&j.tasks->cancelled)) {
+        return; /* what came before is incomplete: nothing may build on it */
+    }
     threads = count / grain < (size_t)threads ? (int)(count / grain) : threads;
     if (threads <= 1) {
         work(&j, 0);

@@ -62,7 +62,7 @@ burnish_status burnish_pixels_check(const burnish_pixels *pixels, const char *wh
                             "%s: a size of %d x %d pixels; width and height must be 1 to %d", what,
                             pixels->width, pixels->height, BURNISH_IMAGE_MAX_SIZE);
     }
-    if ((unsigned)pixels->format >= BURNISH_PIXELS_COUNT) {
+    if ((unsigned)pixels->format > BURNISH_PIXELS_BGRA8) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "%s: %d is no pixel format; expected RGB8, RGBA8 or BGRA8", what,
                             (int)pixels->format);

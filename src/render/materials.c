@@ -1,6 +1,6 @@
 #include "render/materials.h"
 
-#include "core/memory.h"
+#include <string.h>
 
 /* A lobe of the family for an exponent, solved, its value at the peak in *scale: the order asked
  * for or the highest below it that the exponent allows, and when none suits the fit, energy at
@@ -23,20 +23,41 @@ static burnish_lobe_spec solved_lobe(const burnish_lobe_spec *lobe, double expon
     return solved;
 }
 
-/* A material with the lobe that its exponent allows, whose peak goes into the specular colour. */
-static void set_lobe(const burnish_lobe_spec *lobe, burnish_shade_material *made,
-                     size_t *fallbacks) {
+/* A lobe as it is drawn for an exponent: what the specular colour is multiplied by, and whether its
+ * order is lower than the one asked for. */
+typedef struct drawn_lobe {
+    float exponent; /* 0: none yet */
+    burnish_lobe_spec lobe;
+    float scale;
+    size_t fallbacks;
+} drawn_lobe;
+
+static drawn_lobe lobe_for(const burnish_lobe_spec *lobe, float exponent) {
+    drawn_lobe drawn = {exponent, *lobe, 1.0f, 0};
     double scale = 1;
-    made->lobe = *lobe;
     if (lobe->kind == BURNISH_LOBE_LYON) {
-        made->lobe.order = burnish_lobe_highest_order(lobe->order, made->material.exponent);
-        *fallbacks += made->lobe.order != lobe->order;
+        drawn.lobe.order = burnish_lobe_highest_order(lobe->order, exponent);
+        drawn.fallbacks = drawn.lobe.order != lobe->order;
     } else if (lobe->kind == BURNISH_LOBE_FAMILY) {
-        made->lobe = solved_lobe(lobe, (double)made->material.exponent, &scale, fallbacks);
+        drawn.lobe = solved_lobe(lobe, (double)exponent, &scale, &drawn.fallbacks);
     }
-    for (int k = 0; k < 3; ++k) {
-        made->material.specular[k] *= (float)scale;
+    drawn.scale = (float)scale;
+    return drawn;
+}
+
+/* Lobes that were solved in this frame, by exponent: a search takes up to 100 microseconds, and
+ * materials mostly share a few exponents. */
+enum { KNOWN_LOBES = 64 };
+
+static const drawn_lobe *known_lobe(drawn_lobe known[KNOWN_LOBES], const burnish_lobe_spec *lobe,
+                                    float exponent) {
+    uint32_t bits;
+    memcpy(&bits, &exponent, sizeof bits);
+    drawn_lobe *entry = &known[(bits * 0x9e3779b1u) >> 26];
+    if (entry->exponent != exponent) {
+        *entry = lobe_for(lobe, exponent);
     }
+    return entry;
 }
 
 /* Vertex colours take the place of burnish's grey, and multiply a colour that the file gave. */
@@ -48,22 +69,25 @@ static burnish_material with_colors(const burnish_material *material) {
     return white;
 }
 
-burnish_status burnish_materials_create(const burnish_mesh *scene,
-                                        const burnish_render_options *options,
-                                        burnish_shade_material **materials, size_t *fallbacks,
-                                        burnish_error *error) {
-    size_t count = burnish_mesh_material_count(scene);
-    int has_colors = burnish_mesh_get_view(scene)->colors && !options->ignore_colors;
-    burnish_status status =
-        burnish_legacy_allocate((void **)materials, count, sizeof **materials, "materials", error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
+burnish_status burnish_materials_update(burnish_materials *materials, const burnish_mesh *mesh,
+                                        const burnish_render_options *options, size_t *fallbacks,
+                                        burnish_memory *memory) {
+    const size_t count = burnish_mesh_material_count(mesh);
+    const int has_colors = burnish_mesh_get_view(mesh)->colors && !options->ignore_colors;
+    drawn_lobe known[KNOWN_LOBES] = {{0}};
+    materials->items = burnish_reserve_discard(memory, materials->items, &materials->capacity,
+                                               count, sizeof *materials->items, "materials");
     *fallbacks = 0;
-    for (size_t i = 0; i < count; ++i) {
-        const burnish_material *material = burnish_mesh_material(scene, i);
-        (*materials)[i].material = has_colors ? with_colors(material) : *material;
-        set_lobe(&options->lobe, &(*materials)[i], fallbacks);
+    for (size_t i = 0; i < count && materials->items; ++i) {
+        const burnish_material *material = burnish_mesh_material(mesh, i);
+        burnish_shade_material *made = &materials->items[i];
+        const drawn_lobe *lobe = known_lobe(known, &options->lobe, material->exponent);
+        made->material = has_colors ? with_colors(material) : *material;
+        made->lobe = lobe->lobe;
+        for (int k = 0; k < 3; ++k) {
+            made->material.specular[k] *= lobe->scale;
+        }
+        *fallbacks += lobe->fallbacks;
     }
-    return BURNISH_STATUS_OK;
+    return memory->status;
 }

@@ -78,7 +78,9 @@ static void store_row(const camera_frame *frame, burnish_vec3 axis, double facto
 }
 
 static void make_perspective(const camera_frame *frame, double view_angle, int height,
-                             burnish_raster_view *raster, burnish_rays *shade) {
+                             burnish_view *view) {
+    burnish_raster_view *raster = &view->raster;
+    burnish_rays *rays = &view->rays;
     double sine, cosine;
     burnish_sincos(view_angle * (3.14159265358979323846 / 360), &sine, &cosine);
     double pixels = height * 0.5 * cosine / sine; /* a unit at distance 1 */
@@ -87,17 +89,20 @@ static void make_perspective(const camera_frame *frame, double view_angle, int h
     memset(raster->rows[2], 0, sizeof raster->rows[2]);
     raster->rows[2][3] = (float)NEAR_PLANE;
     store_row(frame, frame->forward, 1, 0, raster->rows[3]);
-    store(frame->forward, shade->ray);
-    store(burnish_vec3_scale(frame->right, 1 / pixels), shade->ray_x);
-    store(burnish_vec3_scale(frame->up, 1 / pixels), shade->ray_y);
-    memset(shade->ray_depth, 0, sizeof shade->ray_depth);
-    shade->q_per_depth = (float)(1 / NEAR_PLANE);
-    shade->q_constant = 0;
+    store(frame->forward, rays->ray);
+    store(burnish_vec3_scale(frame->right, 1 / pixels), rays->ray_x);
+    store(burnish_vec3_scale(frame->up, 1 / pixels), rays->ray_y);
+    memset(rays->ray_depth, 0, sizeof rays->ray_depth);
+    rays->q_per_depth = (float)(1 / NEAR_PLANE);
+    rays->q_constant = 0;
+    view->distance = (burnish_view_distance){(float)(1 / frame->scale), 0};
 }
 
 /* Depth falls from 1 at the camera to 0 behind the scene. */
 static void make_orthographic(const camera_frame *frame, double view_height, int height,
-                              burnish_raster_view *raster, burnish_rays *shade) {
+                              burnish_view *view) {
+    burnish_raster_view *raster = &view->raster;
+    burnish_rays *rays = &view->rays;
     double pixels = height / (view_height * frame->scale);
     double range = burnish_vec3_length(frame->eye) + 2;
     store_row(frame, frame->right, pixels, 0, raster->rows[0]);
@@ -105,12 +110,13 @@ static void make_orthographic(const camera_frame *frame, double view_height, int
     store_row(frame, frame->forward, -1 / range, 1, raster->rows[2]);
     memset(raster->rows[3], 0, sizeof raster->rows[3]);
     raster->rows[3][3] = 1;
-    memset(shade->ray, 0, sizeof shade->ray);
-    store(burnish_vec3_scale(frame->right, 1 / pixels), shade->ray_x);
-    store(burnish_vec3_scale(frame->up, 1 / pixels), shade->ray_y);
-    store(burnish_vec3_scale(frame->forward, range), shade->ray_depth);
-    shade->q_per_depth = 0;
-    shade->q_constant = 1;
+    memset(rays->ray, 0, sizeof rays->ray);
+    store(burnish_vec3_scale(frame->right, 1 / pixels), rays->ray_x);
+    store(burnish_vec3_scale(frame->up, 1 / pixels), rays->ray_y);
+    store(burnish_vec3_scale(frame->forward, range), rays->ray_depth);
+    rays->q_per_depth = 0;
+    rays->q_constant = 1;
+    view->distance = (burnish_view_distance){0, (float)(range / frame->scale)};
 }
 
 /* Refuses what single precision can't hold: meshes of next to no size (1e-33 and less), pictures
@@ -206,11 +212,11 @@ static void make_lighting(const camera_frame *frame, const burnish_mesh_view *me
 }
 
 burnish_status burnish_view_create(const burnish_mesh_view *mesh,
-                                   const burnish_render_options *options,
-                                   burnish_raster_view *raster, burnish_rays *shade,
-                                   burnish_kernels_lighting *lighting, burnish_error *error) {
+                                   const burnish_render_options *options, burnish_view *view,
+                                   burnish_error *error) {
     camera_frame frame;
     const burnish_camera *camera = &options->camera;
+    burnish_raster_view *raster = &view->raster;
     burnish_status status = make_frame(mesh, camera, &frame, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -221,13 +227,13 @@ burnish_status burnish_view_create(const burnish_mesh_view *mesh,
     raster->cull_back_faces = options->cull_back_faces;
     store(bounds_center(mesh), raster->origin);
     if (camera->orthographic_height > 0) {
-        make_orthographic(&frame, camera->orthographic_height, options->height, raster, shade);
+        make_orthographic(&frame, camera->orthographic_height, options->height, view);
     } else {
-        make_perspective(&frame, camera->view_angle, options->height, raster, shade);
+        make_perspective(&frame, camera->view_angle, options->height, view);
     }
     status = check_rows(&frame, raster, error);
     if (status == BURNISH_STATUS_OK) {
-        make_lighting(&frame, mesh, options, lighting);
+        make_lighting(&frame, mesh, options, &view->lighting);
     }
     return status;
 }

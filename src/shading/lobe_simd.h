@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "shading/lobe_constants.h"
+#include "shading/shader.h"
 #include "simd/isa_ops.h"
 #include "simd/vector_math.h"
 
@@ -44,7 +44,7 @@ BURNISH_INLINE vf lobe_multiply(vf c, uint32_t n) {
 }
 
 /* A lobe other than the family at a cosine, as burnish/lobe.h and burnish/kernels.h define it. */
-BURNISH_INLINE vf lobe_of_cosine(int body, const burnish_kernels_lobe_constants *lobe, vf cosine) {
+BURNISH_INLINE vf lobe_of_cosine(int body, const burnish_lobe_constants *lobe, vf cosine) {
     const vf one = vf_set(1.0f), exponent = vf_set(lobe->exponent);
     vf c, lambda;
     switch (body) {
@@ -71,8 +71,7 @@ BURNISH_INLINE vf lobe_of_cosine(int body, const burnish_kernels_lobe_constants 
     }
 }
 
-BURNISH_INLINE vf lobe_of(int body, int from_lambda, const burnish_kernels_lobe_constants *lobe,
-                          vf x) {
+BURNISH_INLINE vf lobe_of(int body, int from_lambda, const burnish_lobe_constants *lobe, vf x) {
     const vf one = vf_set(1.0f);
     if (body == BURNISH_LOBE_BODY_SQUARE || body == BURNISH_LOBE_BODY_SQUARES) {
         vf lambda = from_lambda ? x : vf_sub(one, x);
@@ -83,7 +82,7 @@ BURNISH_INLINE vf lobe_of(int body, int from_lambda, const burnish_kernels_lobe_
 }
 
 /* Fewer points than a vector has. */
-BURNISH_INLINE void lobe_rest(int body, int from_lambda, const burnish_kernels_lobe_constants *lobe,
+BURNISH_INLINE void lobe_rest(int body, int from_lambda, const burnish_lobe_constants *lobe,
                               size_t count, const float *in, float *out) {
     float block[LANES];
     memset(block, 0, sizeof block);
@@ -92,10 +91,9 @@ BURNISH_INLINE void lobe_rest(int body, int from_lambda, const burnish_kernels_l
     memcpy(out, block, count * sizeof *out);
 }
 
-BURNISH_INLINE void lobe_array(int body, int from_lambda,
-                               const burnish_kernels_lobe_constants *given, size_t count,
-                               const float *in, float *out) {
-    const burnish_kernels_lobe_constants lobe = *given; /* which no store can change */
+BURNISH_INLINE void lobe_array(int body, int from_lambda, const burnish_lobe_constants *given,
+                               size_t count, const float *in, float *out) {
+    const burnish_lobe_constants lobe = *given; /* which no store can change */
     size_t i = 0;
     if (count >= STREAM_BYTES / sizeof *out) {
         const size_t vector = LANES * sizeof *out;

@@ -3,7 +3,7 @@
 
 #include "core/elementary.h"
 #include "core/error.h"
-#include "shading/lobe_constants.h"
+#include "shading/shader.h"
 
 #define LIGHTING_COOKIE 0x6c676874u
 #define LARGEST_COLOR 1e6f
@@ -18,7 +18,7 @@ static int squarings_of(int order) {
 }
 
 static burnish_status family_constants(const burnish_lobe_spec *lobe, float exponent,
-                                       burnish_kernels_lobe_constants *constants, float *scale,
+                                       burnish_lobe_constants *constants, float *scale,
                                        burnish_error *error) {
     burnish_lobe family;
     double zeta, peak;
@@ -38,7 +38,7 @@ static burnish_status family_constants(const burnish_lobe_spec *lobe, float expo
 }
 
 /* The exponent's constants; all fields are set, whichever the body reads. */
-static void exponent_constants(float n, int body, burnish_kernels_lobe_constants *constants) {
+static void exponent_constants(float n, int body, burnish_lobe_constants *constants) {
     const double ln2 = 0.693147180559945309417, log2_e = 1.44269504088896340736;
     constants->body = body;
     constants->exponent = n;
@@ -49,7 +49,7 @@ static void exponent_constants(float n, int body, burnish_kernels_lobe_constants
 }
 
 burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float exponent,
-                                           burnish_kernels_lobe_constants *constants, float *scale,
+                                           burnish_lobe_constants *constants, float *scale,
                                            burnish_error *error) {
     static const int bodies[BURNISH_LOBE_KIND_COUNT] = {
         [BURNISH_LOBE_POWER] = BURNISH_LOBE_BODY_POWER,
@@ -161,18 +161,15 @@ static burnish_status check_lights(const burnish_kernels_lighting *lighting, bur
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status check_lighting(const burnish_kernels_lighting *lighting,
-                                     burnish_error *error) {
+burnish_status burnish_lighting_check(const burnish_kernels_lighting *lighting,
+                                      burnish_error *error) {
     if (lighting->cookie != LIGHTING_COOKIE) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "lighting: start from burnish_kernels_lighting_default()");
     }
-    const burnish_material *material = &lighting->material;
-    if (!is_color(material->ambient) || !is_color(material->diffuse) ||
-        !is_color(material->specular) || !is_color(lighting->ambient_light)) {
+    if (!is_color(lighting->ambient_light)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lighting: ambient, diffuse, specular and ambient light must be in "
-                            "[0, 1e6]");
+                            "lighting: ambient light must be in [0, 1e6]");
     }
     if ((unsigned)lighting->specular_model > BURNISH_SPECULAR_PHONG) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -199,11 +196,10 @@ static void find_half(const float a[3], const float b[3], double half[3]) {
 }
 
 /* scale is the lobe's value at its peak, which is folded into the specular colour. */
-static void fold_light(const burnish_kernels_lighting *lighting, const burnish_light *light,
-                       float scale, const burnish_kernels_shader *shader,
-                       burnish_kernels_light_constants *constants) {
-    const burnish_material *material = &lighting->material;
-    double half[3], slope = shader->lobe.zeta > 0.0f ? (double)shader->lobe.zeta : 1.0;
+static void fold_light(const burnish_kernels_lighting *lighting, const burnish_material *material,
+                       const burnish_light *light, float zeta, float scale,
+                       burnish_light_constants *constants) {
+    double half[3], slope = zeta > 0.0f ? (double)zeta : 1.0;
     constants->is_point = light->kind == BURNISH_LIGHT_POINT;
     round_vector(light->vector, constants->vector);
     find_half(constants->vector, lighting->viewer, half);
@@ -220,48 +216,53 @@ static void fold_light(const burnish_kernels_lighting *lighting, const burnish_l
 
 /* Below this cosine the family is dark whatever the rounding: 1e-5 is ten times what the cosine of
  * a point can be off. */
-static float find_cutoff(const burnish_kernels_lobe_constants *lobe) {
+static float find_cutoff(const burnish_lobe_constants *lobe) {
     double cutoff = lobe->zeta > 0.0f ? 1.0 - 1.0 / (double)lobe->zeta - 1e-5 : -1.0;
     return cutoff > 0.0 ? (float)cutoff : -1.0f;
 }
 
-burnish_status burnish_kernels_prepare(const burnish_kernels_lighting *lighting,
-                                       burnish_kernels_shader *shader, burnish_error *error) {
-    const burnish_material *material = &lighting->material;
+static int is_dark(const float color[3]) {
+    return color[0] == 0.0f && color[1] == 0.0f && color[2] == 0.0f;
+}
+
+burnish_status burnish_shader_fold(const burnish_kernels_lighting *lighting,
+                                   const burnish_material *material, const burnish_lobe_spec *lobe,
+                                   burnish_light_constants *lights, burnish_kernels_shader *shader,
+                                   burnish_error *error) {
     float scale;
-    shader->cookie = 0;
-    burnish_status status = check_lighting(lighting, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_lobe_constants_make(&lighting->lobe, material->exponent, &shader->lobe,
-                                             &scale, error);
+    if (!is_color(material->ambient) || !is_color(material->diffuse) ||
+        !is_color(material->specular)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "material: ambient, diffuse and specular must be in [0, 1e6]");
     }
+    burnish_status status =
+        burnish_lobe_constants_make(lobe, material->exponent, &shader->lobe, &scale, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const float *ks = material->specular;
-    if (ks[0] == 0.0f && ks[1] == 0.0f && ks[2] == 0.0f) {
+    if (is_dark(material->specular)) {
         shader->lobe.body = BURNISH_LOBE_BODY_NONE;
     }
     shader->phong = lighting->specular_model == BURNISH_SPECULAR_PHONG;
-    shader->lyon = lighting->lobe.kind == BURNISH_LOBE_LYON && !shader->phong;
+    shader->lyon = lobe->kind == BURNISH_LOBE_LYON && !shader->phong;
     shader->local_viewer = lighting->local_viewer != 0;
     shader->needs_position = shader->local_viewer;
+    shader->lights = lights;
     shader->light_count = lighting->light_count;
     shader->offset = (float)(1.0 - (double)shader->lobe.zeta);
     shader->cutoff = shader->lyon ? -1.0f : find_cutoff(&shader->lobe);
     for (int k = 0; k < 3; ++k) {
-        shader->viewer[k] = lighting->viewer[k];
         const float ambient = lighting->ambient_light[k] * material->ambient[k];
+        shader->viewer[k] = lighting->viewer[k];
         shader->ambient[BURNISH_SHADE_FLOAT][k] = ambient;
         shader->ambient[BURNISH_SHADE_RGBA8][k] = 255.0f * ambient;
     }
     for (int i = 0; i < lighting->light_count; ++i) {
-        fold_light(lighting, &lighting->lights[i], scale, shader, &shader->lights[i]);
-        shader->needs_position |= shader->lights[i].is_point;
+        fold_light(lighting, material, &lighting->lights[i], shader->lobe.zeta, scale, &lights[i]);
+        shader->needs_position |= lights[i].is_point;
     }
     shader->geometry = shader->phong || shader->lyon || shader->needs_position
                            ? BURNISH_SHADE_GENERAL
                            : BURNISH_SHADE_DISTANT;
-    shader->cookie = BURNISH_SHADER_COOKIE;
     return BURNISH_STATUS_OK;
 }

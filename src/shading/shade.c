@@ -1,83 +1,66 @@
-/* The Phong equation for a block of visible points, by the kernels, a run of one material after
- * another. */
+/* A batch of fragments: attributes divided by 1/w, positions from depths, then the kernels, a run
+ * of one material after another. */
 #include "shading/shade.h"
 
-#include "shading/interpolate.h"
+#include "core/arithmetic.h"
 
-/* Places from the eye, times w. */
-typedef struct block_places {
-    float position[3][BURNISH_FRAGMENT_BATCH];
-    float w[BURNISH_FRAGMENT_BATCH];
-} block_places;
-
-static void locate(const burnish_rays *view, const burnish_fragments *fragments,
-                   block_places *places) {
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int i = 0; i < fragments->count; ++i) {
-            places->position[axis][i] = ((view->ray[axis] + fragments->x[i] * view->ray_x[axis]) +
-                                         fragments->y[i] * view->ray_y[axis]) +
-                                        (1.0f - fragments->depth[i]) * view->ray_depth[axis];
+/* attribute / (1/w) in three arrays. */
+static void divide(int count, const float *const attribute[3], const float *inverse_w,
+                   float (*out)[BURNISH_SHADE_BATCH]) {
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < count; ++i) {
+            out[k][i] = attribute[k][i] * (1.0f / inverse_w[i]);
         }
-    }
-    for (int i = 0; i < fragments->count; ++i) {
-        places->w[i] = fragments->depth[i] * view->q_per_depth + view->q_constant;
     }
 }
 
-static int run_end(const burnish_points *points, int first) {
+/* The fragments [first, end), which have one material. */
+static void shade_run(const burnish_shading *shading, const burnish_kernels_points *points,
+                      const burnish_kernels_shader *shader, int first, int end,
+                      float *const rgb[3]) {
+    burnish_kernels_points run = {.w = points->w + first};
+    float *to[3];
+    for (int k = 0; k < 3; ++k) {
+        run.normal[k] = points->normal[k] + first;
+        run.diffuse[k] = points->diffuse[k] ? points->diffuse[k] + first : NULL;
+        run.position[k] = points->position[k] + first;
+        to[k] = rgb[k] + first;
+    }
+    shading->ops->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
+        shader, &run, (size_t)(end - first), NULL, to);
+}
+
+static int run_end(const burnish_fragment_batch *batch, int first) {
+    const uint16_t *material = batch->material;
     int end = first + 1;
-    while (end < points->count && points->material[end] == points->material[first]) {
+    while (end < batch->count && material[end] == material[first]) {
         ++end;
     }
     return end;
 }
 
-static burnish_status prepare(const burnish_shader *shader, size_t index,
-                              burnish_kernels_shader *prepared, burnish_error *error) {
-    const burnish_shade_material *material = &shader->materials[index];
-    burnish_kernels_lighting lighting = shader->lighting;
-    lighting.material = material->material;
-    lighting.lobe = material->lobe;
-    return burnish_kernels_prepare(&lighting, prepared, error);
-}
-
-burnish_status burnish_shader_check(const burnish_shader *shader, size_t material_count,
-                                    burnish_error *error) {
-    burnish_status status = BURNISH_STATUS_OK;
-    burnish_kernels_shader prepared;
-    for (size_t i = 0; i < material_count && status == BURNISH_STATUS_OK; ++i) {
-        status = prepare(shader, i, &prepared, error);
+void burnish_shade(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                   burnish_shade_scratch *scratch, float *const rgb[3]) {
+    burnish_kernels_points points = {.w = scratch->w};
+    float *const position[3] = {scratch->position[0], scratch->position[1], scratch->position[2]};
+    for (int k = 0; k < 3; ++k) {
+        points.normal[k] = shading->is_lyon ? scratch->normal[k] : batch->normal[k];
+        points.diffuse[k] = batch->color[k] ? scratch->diffuse[k] : NULL;
+        points.position[k] = position[k];
     }
-    return status;
-}
-
-void burnish_shade_prepare(const burnish_shader *shader, int material, burnish_shade_cache *cache) {
-    if (cache->material != material) {
-        (void)prepare(shader, (size_t)material, &cache->prepared, NULL); /* checked before */
-        cache->material = material;
+    if (shading->is_lyon) {
+        divide(batch->count, batch->normal, batch->inverse_w, scratch->normal);
     }
-}
-
-void burnish_shade(const burnish_shader *shader, burnish_shade_cache *cache,
-                   const burnish_fragments *fragments, burnish_shaded *shaded) {
-    burnish_points points;
-    block_places places;
-    burnish_interpolate(shader, fragments, &points);
-    if (shader->needs_position) {
-        locate(&shader->rays, fragments, &places);
+    if (batch->color[0]) {
+        divide(batch->count, batch->color, batch->inverse_w, scratch->diffuse);
     }
-    for (int first = 0, end; first < points.count; first = end) {
-        end = run_end(&points, first);
-        burnish_shade_prepare(shader, points.material[first], cache);
-        burnish_kernels_points run = {.w = places.w + first};
-        float *rgb[3];
-        for (int k = 0; k < 3; ++k) {
-            run.normal[k] = points.normal[k] + first;
-            run.diffuse[k] = shader->attributes->has_colors ? points.diffuse[k] + first : NULL;
-            run.position[k] = places.position[k] + first;
-            rgb[k] = shaded->channel[k] + first;
-        }
-        (void)burnish_kernels_shade_float(shader->batch, &cache->prepared, &run,
-                                          (size_t)(end - first), rgb, NULL);
+    if (shading->needs_position) {
+        shading->ops->position_from_depth(&shading->rays, &batch->points, (size_t)batch->count,
+                                          position, scratch->w);
+    }
+    for (int first = 0, end; first < batch->count; first = end) {
+        end = batch->material ? run_end(batch, first) : batch->count;
+        const int material = batch->material ? batch->material[first] : 0;
+        shade_run(shading, &points, &shading->shaders[material], first, end, rgb);
     }
 }

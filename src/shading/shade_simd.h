@@ -30,16 +30,16 @@ BURNISH_INLINE int shade_is_family(int body) {
     return body == BURNISH_LOBE_BODY_SQUARE || body == BURNISH_LOBE_BODY_SQUARES;
 }
 
-BURNISH_INLINE void shade_add_diffuse(const burnish_kernels_light_constants *light, int output,
-                                      vf n_dot_l, shade_sums *sums) {
+BURNISH_INLINE void shade_add_diffuse(const burnish_light_constants *light, int output, vf n_dot_l,
+                                      shade_sums *sums) {
     for (int k = 0; k < 3; ++k) {
         sums->diffuse[k] =
             vf_add(sums->diffuse[k], vf_mul(n_dot_l, vf_set(light->diffuse[output][k])));
     }
 }
 
-BURNISH_INLINE void shade_add_specular(const burnish_kernels_light_constants *light, int output,
-                                       vf lobe, shade_sums *sums) {
+BURNISH_INLINE void shade_add_specular(const burnish_light_constants *light, int output, vf lobe,
+                                       shade_sums *sums) {
     for (int k = 0; k < 3; ++k) {
         sums->specular[k] =
             vf_add(sums->specular[k], vf_mul(lobe, vf_set(light->specular[output][k])));
@@ -48,8 +48,8 @@ BURNISH_INLINE void shade_add_specular(const burnish_kernels_light_constants *li
 
 /* The family from its base u, where lit and above 0; adds nothing where no lane is. */
 BURNISH_INLINE void shade_add_family(int body, const burnish_kernels_shader *shader,
-                                     const burnish_kernels_light_constants *light, int output,
-                                     vm lit, vf u, shade_sums *sums) {
+                                     const burnish_light_constants *light, int output, vm lit, vf u,
+                                     shade_sums *sums) {
     vm shines = vm_and(lit, vf_greater(u, vf_set(0.0f)));
     if (vm_any(shines)) {
         u = vf_and_mask(shines, vf_min(u, vf_set(1.0f)));
@@ -59,7 +59,7 @@ BURNISH_INLINE void shade_add_family(int body, const burnish_kernels_shader *sha
 
 /* A directional light and a distant viewer: one constant half vector. */
 BURNISH_INLINE void shade_distant_light(int body, int output, const burnish_kernels_shader *shader,
-                                        const burnish_kernels_light_constants *light,
+                                        const burnish_light_constants *light,
                                         const shade_vectors *at, vf inverse, shade_sums *sums) {
     const vf zero = vf_set(0.0f);
     vf n_dot_l = vf_max(vf_mul(shade_dot_constant(at->normal, light->vector), inverse), zero);
@@ -108,7 +108,7 @@ BURNISH_INLINE int shade_is_dark(const burnish_kernels_shader *shader, vm lit, v
 
 BURNISH_INLINE void shade_general_specular(int body, int output,
                                            const burnish_kernels_shader *shader,
-                                           const burnish_kernels_light_constants *light,
+                                           const burnish_light_constants *light,
                                            const shade_cosines *at, vf squared_n, vf inverse_n,
                                            shade_sums *sums) {
     const vf two = vf_set(2.0f);
@@ -138,7 +138,7 @@ BURNISH_INLINE void shade_general_specular(int body, int output,
 
 /* Any light and viewer. to_viewer is a unit vector. */
 BURNISH_INLINE void shade_general_light(int body, int output, const burnish_kernels_shader *shader,
-                                        const burnish_kernels_light_constants *light,
+                                        const burnish_light_constants *light,
                                         const shade_vectors *at, const vf to_viewer[3],
                                         vf squared_n, vf inverse_n, vf n_dot_v, shade_sums *sums) {
     vf to_light[3];

@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #include "burnish/kernels.h"
-#include "shading/lobe_constants.h"
+#include "shading/shader.h"
 
 struct burnish_batch_header;
 struct burnish_bin_entry;
@@ -24,13 +24,14 @@ struct burnish_raster_view;
 struct burnish_rays;
 struct burnish_complex_pixels;
 struct burnish_sample_points;
+struct burnish_screen_points;
 struct burnish_screen_vertices;
 struct burnish_srgb_encoder;
 struct burnish_tile;
 struct burnish_triangle_batch;
 
 /* out[i] = lobe(in[i]); out may be in. */
-typedef void burnish_lobe_function(const burnish_kernels_lobe_constants *lobe, size_t count,
+typedef void burnish_lobe_function(const burnish_lobe_constants *lobe, size_t count,
                                    const float *in, float *out);
 
 /* The lighting of count points, as burnish/kernels.h says. Exactly one of rgba and rgb is written.
@@ -106,17 +107,20 @@ typedef struct burnish_isa_ops {
     /* out = in scaled to unit length; out may be in. */
     void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
 
-    /* Positions from the eye, times w, and w of `count` pixels, a multiple of 16: in blocks of
-     * 4 x 4 side by side, a block's pixels row by row. The centre of the first one is at (x, y). */
-    void (*locate_pixels)(const struct burnish_rays *rays, float x, float y, size_t count,
-                          const float *depths, float *const position[3], float *w);
+    /* The positions of count points from the eye, times w, and w. Reads and writes whole vectors:
+     * up to the next multiple of 16. */
+    void (*position_from_depth)(const struct burnish_rays *rays,
+                                const struct burnish_screen_points *points, size_t count,
+                                float *const position[3], float *w);
+
+    /* ---- render ---- */
 
     /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel,
      * then green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and
-     * the others are `behind`. */
+     * the others are `background`. */
     void (*encode_pixels)(const struct burnish_srgb_encoder *encoder, size_t count,
                           const float *const rgb[3], const int32_t *shown, uint32_t alpha,
-                          uint32_t behind, uint32_t *pixels);
+                          uint32_t background, uint32_t *pixels);
 
     /* count groups of four pixels, each `stride` pixels after the last, to 12 bytes per group, one
      * after another: red, green, blue. The highest byte of a pixel must be 0. May write up to four

@@ -3,19 +3,19 @@
 #include "raster/bins_simd.h"
 #include "raster/geometry_simd.h"
 #include "raster/tile_simd.h"
-#include "shading/encode_simd.h"
+#include "render/encode_simd.h"
 #include "shading/lobe_simd.h"
-#include "shading/locate_simd.h"
 #include "shading/normalize_simd.h"
+#include "shading/position_simd.h"
 #include "shading/shade_simd.h"
 #include "simd/isa_ops.h"
 
 #define LOBE_FUNCTIONS(name, body)                                                                 \
-    static void name##_of_cosines(const burnish_kernels_lobe_constants *lobe, size_t count,        \
+    static void name##_of_cosines(const burnish_lobe_constants *lobe, size_t count,                \
                                   const float *in, float *out) {                                   \
         lobe_array(body, 0, lobe, count, in, out);                                                 \
     }                                                                                              \
-    static void name##_of_lambdas(const burnish_kernels_lobe_constants *lobe, size_t count,        \
+    static void name##_of_lambdas(const burnish_lobe_constants *lobe, size_t count,                \
                                   const float *in, float *out) {                                   \
         lobe_array(body, 1, lobe, count, in, out);                                                 \
     }
@@ -92,7 +92,7 @@ static const burnish_isa_ops OPS = {
               [BURNISH_LOBE_BODY_GAUSSIAN] = SHADE_ROW(gaussian),
               [BURNISH_LOBE_BODY_GX] = SHADE_ROW(gx)},
     OP(normalize_array),
-    OP(locate_pixels),
+    OP(position_from_depth),
     OP(encode_pixels),
     OP(pack_groups),
 };

@@ -151,7 +151,7 @@ static burnish_status draw_cells(render_result *result, burnish_render_options *
     const render_settings *settings = result->settings;
     int progress = result->cell_count > 1 && !settings->quiet && isatty(STDERR_FILENO);
     burnish_renderer *renderer;
-    burnish_status status = burnish_renderer_create(&renderer, error);
+    burnish_status status = burnish_renderer_create(NULL, &renderer, error);
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
         render_cell *cell = &result->cells[i];
         if (progress) {

@@ -199,7 +199,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
     options.height = settings->size[1];
     options.samples = settings->samples;
     options.threads = settings->threads;
-    options.batch = burnish_kernels_for(settings->isa);
+    options.kernels = burnish_kernels_for(settings->isa);
     options.specular_model = (burnish_specular_model)settings->equation;
     options.local_viewer = settings->viewer;
     options.ignore_colors = settings->color.given;

@@ -1,10 +1,12 @@
 /* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
  * screen. */
-#ifndef BURNISH_SHADING_ATTRIBUTES_H
-#define BURNISH_SHADING_ATTRIBUTES_H
+#ifndef BURNISH_RENDER_ATTRIBUTES_H
+#define BURNISH_RENDER_ATTRIBUTES_H
 
 #include <stdint.h>
 
+#include "burnish/mesh.h"
+#include "core/memory.h"
 #include "raster/raster.h"
 
 /* One item a screen vertex, those that clipping made included. Owned; all zero before the first
@@ -16,12 +18,12 @@ typedef struct burnish_attributes {
     size_t normal_capacity, color_capacity;
 } burnish_attributes;
 
-/* normals: 3 a vertex of the mesh; colors: 4 sRGB codes a vertex, or NULL; indices: the mesh's.
- * Errors: MEMORY; destroy them all the same. */
+/* The mesh's normals and, unless they are to be ignored, colours. Errors: MEMORY; destroy them all
+ * the same. */
 burnish_status burnish_attributes_update(burnish_attributes *attributes,
-                                         const burnish_geometry *geometry, const float *normals,
-                                         const uint8_t *colors, const uint32_t *indices,
-                                         burnish_tasks *pool, burnish_error *error);
-void burnish_attributes_destroy(burnish_attributes *attributes);
+                                         const burnish_geometry *geometry,
+                                         const burnish_mesh_view *mesh, int ignore_colors,
+                                         burnish_tasks *tasks, burnish_memory *memory);
+void burnish_attributes_destroy(burnish_attributes *attributes, const burnish_context *context);
 
 #endif

@@ -1,6 +1,6 @@
-/* Linear light to sRGB codes, exactly those of burnish_linear_to_srgb.*/
-#ifndef BURNISH_SHADING_ENCODE_SIMD_H
-#define BURNISH_SHADING_ENCODE_SIMD_H
+/* Linear light to sRGB codes, exactly those of burnish_linear_to_srgb. */
+#ifndef BURNISH_RENDER_ENCODE_SIMD_H
+#define BURNISH_RENDER_ENCODE_SIMD_H
 
 #include "core/srgb.h"
 #include "simd/vector.h"
@@ -20,7 +20,7 @@ BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) 
 
 static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
                           const float *const rgb[3], const int32_t *shown, uint32_t alpha,
-                          uint32_t behind, uint32_t *pixels) {
+                          uint32_t background, uint32_t *pixels) {
     for (size_t i = 0; i < count; i += LANES) {
         vi red = encode_vector(encoder, vf_load(rgb[0] + i));
         vi green = encode_vector(encoder, vf_load(rgb[1] + i));
@@ -28,7 +28,8 @@ static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
         vi pixel = vi_or(vi_or(red, vi_shl(green, 8)), vi_shl(blue, 16));
         if (shown) {
             vm mask = vi_not_negative(vi_load(shown + i));
-            pixel = vi_blend(mask, vi_or(pixel, vi_set((int32_t)alpha)), vi_set((int32_t)behind));
+            pixel =
+                vi_blend(mask, vi_or(pixel, vi_set((int32_t)alpha)), vi_set((int32_t)background));
         }
         vi_store((int32_t *)pixels + i, pixel);
     }

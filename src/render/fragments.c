@@ -1,0 +1,144 @@
+#include "render/fragments.h"
+
+/* The pixels of a row of blocks from its first one. */
+#define BLOCK_X(x)                                                                                 \
+    x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3
+#define BLOCK_Y 0, 0, 0, 0, -1, -1, -1, -1, -2, -2, -2, -2, -3, -3, -3, -3
+static const float PIXEL_X[BURNISH_BLOCK_ROW_PIXELS] = {
+    BLOCK_X(0),  BLOCK_X(4),  BLOCK_X(8),  BLOCK_X(12), BLOCK_X(16), BLOCK_X(20),
+    BLOCK_X(24), BLOCK_X(28), BLOCK_X(32), BLOCK_X(36), BLOCK_X(40), BLOCK_X(44),
+    BLOCK_X(48), BLOCK_X(52), BLOCK_X(56), BLOCK_X(60)};
+static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
+    BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y,
+    BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y};
+_Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
+                   (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
+               "a row of blocks is one batch");
+_Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
+               "so is a group of fragments");
+
+int burnish_surface_planes(const burnish_surface *surface) {
+    const int has_colors = surface->attributes->has_colors;
+    if (has_colors) {
+        return BURNISH_PLANE_COUNT;
+    }
+    return burnish_shading_divides(surface->shading, 0) ? BURNISH_PLANE_W + 1 : BURNISH_PLANE_Z + 1;
+}
+
+/* Neighbouring blocks of a row that show a triangle: its pixels [first, end). */
+typedef struct block_run {
+    int row, first, end;
+} block_run;
+
+/* Complex pixels get the material of the pixel before, so that runs of one material stay long;
+ * their result is discarded. */
+static void find_materials(const burnish_surface *surface, const burnish_tile *tile, block_run run,
+                           const burnish_block_row *pixels, uint16_t *material) {
+    uint16_t last = 0;
+    for (int i = run.first; i < run.end; ++i) {
+        if (pixels->simple[i] >= 0) {
+            const uint32_t id = burnish_tile_id_and_facing(tile, run.row, i, pixels->simple[i]);
+            last = surface->triangle_materials[id >> 1];
+        }
+        material[i] = last;
+    }
+}
+
+/* The pixels of a run, which lie in the tile's planes. */
+static burnish_fragment_batch run_batch(const burnish_surface *surface, const burnish_tile *tile,
+                                        block_run run) {
+    const int start = run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;
+    const int y = tile->y + run.row * BURNISH_BLOCK_SIZE;
+    const int has_colors = surface->attributes->has_colors;
+    burnish_fragment_batch batch = {
+        .count = run.end - run.first,
+        .points = {.x = (float)(2 * tile->x + 1 - surface->view->width) * 0.5f,
+                   .y = (float)(surface->view->height - 2 * y - 1) * 0.5f,
+                   .x_offset = PIXEL_X + run.first,
+                   .y_offset = PIXEL_Y + run.first,
+                   .depth = tile->center_depths + start}};
+    for (int k = 0; k < 3; ++k) {
+        batch.normal[k] = tile->planes[BURNISH_PLANE_X + k] + start;
+        batch.color[k] = has_colors ? tile->planes[BURNISH_PLANE_R + k] + start : NULL;
+    }
+    if (burnish_shading_divides(surface->shading, has_colors)) {
+        batch.inverse_w = tile->planes[BURNISH_PLANE_W] + start;
+    }
+    return batch;
+}
+
+static void shade_run(const burnish_surface *surface, const burnish_tile *tile, block_run run,
+                      burnish_fragment_scratch *scratch, burnish_row_light *row) {
+    burnish_fragment_batch batch = run_batch(surface, tile, run);
+    float *const rgb[3] = {row->rgb[0] + run.first, row->rgb[1] + run.first,
+                           row->rgb[2] + run.first};
+    if (surface->triangle_materials) {
+        find_materials(surface, tile, run, &row->pixels, scratch->material);
+        batch.material = scratch->material + run.first;
+    }
+    burnish_shade(surface->shading, &batch, &scratch->shade, rgb);
+}
+
+void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
+                             burnish_fragment_scratch *scratch, burnish_row_light *row) {
+    const unsigned dirty = tile->dirty_blocks[number];
+    for (int block = 0, end; block < BURNISH_TILE_BLOCKS; block = end + 1) {
+        for (end = block; end < BURNISH_TILE_BLOCKS && dirty >> end & 1; ++end) {
+        }
+        if (end > block) {
+            const block_run run = {number, block * BURNISH_BLOCK_PIXELS,
+                                   end * BURNISH_BLOCK_PIXELS};
+            shade_run(surface, tile, run, scratch, row);
+        }
+    }
+}
+
+/* An attribute at barycentric weights. In perspective an attribute times 1/w is linear on the
+ * screen. */
+static burnish_float4 interpolate(const burnish_float4 *attribute, const uint32_t v[3],
+                                  float weight1, float weight2) {
+    const float weight0 = (1.0f - weight1) - weight2;
+    return (attribute[v[0]] * weight0 + attribute[v[1]] * weight1) + attribute[v[2]] * weight2;
+}
+
+static void gather(const burnish_surface *surface, const burnish_fragments *fragments,
+                   burnish_fragment_scratch *scratch) {
+    const burnish_attributes *attributes = surface->attributes;
+    for (int i = 0; i < fragments->count; ++i) {
+        const burnish_primitive *primitive = &fragments->primitives[i];
+        const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
+        const float side = primitive->id_and_facing & 1 ? -1.0f : 1.0f;
+        const burnish_float4 normal =
+            interpolate(attributes->normals, primitive->vertices, weight1, weight2);
+        scratch->normal[0][i] = normal[0] * side;
+        scratch->normal[1][i] = normal[1] * side;
+        scratch->normal[2][i] = normal[2] * side;
+        scratch->inverse_w[i] = normal[3];
+        if (attributes->has_colors) {
+            const burnish_float4 color =
+                interpolate(attributes->colors, primitive->vertices, weight1, weight2);
+            scratch->color[0][i] = color[0];
+            scratch->color[1][i] = color[1];
+            scratch->color[2][i] = color[2];
+        }
+        if (surface->triangle_materials) {
+            scratch->material[i] = surface->triangle_materials[primitive->id_and_facing >> 1];
+        }
+    }
+}
+
+burnish_fragment_batch burnish_gather_fragments(const burnish_surface *surface,
+                                                const burnish_fragments *fragments,
+                                                burnish_fragment_scratch *scratch) {
+    burnish_fragment_batch batch = {.count = fragments->count,
+                                    .inverse_w = scratch->inverse_w,
+                                    .points = {0, 0, fragments->x, fragments->y, fragments->depth},
+                                    .material =
+                                        surface->triangle_materials ? scratch->material : NULL};
+    for (int k = 0; k < 3; ++k) {
+        batch.normal[k] = scratch->normal[k];
+        batch.color[k] = surface->attributes->has_colors ? scratch->color[k] : NULL;
+    }
+    gather(surface, fragments, scratch);
+    return batch;
+}

@@ -1,0 +1,172 @@
+/* The public face of the kernels: checks arguments and hands over to the table of an instruction
+ * set. */
+#include "burnish/kernels.h"
+
+#include "core/environment.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "simd/isa_ops.h"
+
+const burnish_kernels *burnish_kernels_for(burnish_isa isa) {
+    const int runs = (unsigned)isa < BURNISH_ISA_COUNT && burnish_isa_available() >> isa & 1;
+    return runs ? burnish_isa_ops_for(isa) : NULL;
+}
+
+const burnish_kernels *burnish_kernels_best(void) {
+    burnish_isa isa;
+    if (burnish_isa_choose(NULL, &isa, NULL) != BURNISH_STATUS_OK) {
+        isa = burnish_isa_best(burnish_isa_available());
+    }
+    return burnish_isa_ops_for(isa);
+}
+
+burnish_isa burnish_kernels_isa(const burnish_kernels *kernels) {
+    return kernels->isa;
+}
+
+/* ---- Lobes ---- */
+
+static burnish_status lobe_array(const burnish_kernels *kernels, const burnish_lobe_spec *lobe,
+                                 float exponent, int input, size_t count, const float *in,
+                                 float *out, burnish_error *error) {
+    const burnish_environment environment = burnish_environment_enter();
+    burnish_lobe_constants constants;
+    float scale;
+    burnish_status status = burnish_lobe_constants_make(lobe, exponent, &constants, &scale, error);
+    if (status == BURNISH_STATUS_OK) {
+        kernels->lobe[constants.body][input](&constants, count, in, out);
+        for (size_t i = 0; scale != 1.0f && i < count; ++i) {
+            out[i] *= scale;
+        }
+    }
+    burnish_environment_leave(environment);
+    return status;
+}
+
+burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels *kernels,
+                                               const burnish_lobe_spec *lobe, float exponent,
+                                               size_t count, const float *cosines, float *values,
+                                               burnish_error *error) {
+    return lobe_array(kernels, lobe, exponent, BURNISH_LOBE_INPUT_COSINE, count, cosines, values,
+                      error);
+}
+
+burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *kernels,
+                                               const burnish_lobe_spec *lobe, float exponent,
+                                               size_t count, const float *lambdas, float *values,
+                                               burnish_error *error) {
+    return lobe_array(kernels, lobe, exponent, BURNISH_LOBE_INPUT_LAMBDA, count, lambdas, values,
+                      error);
+}
+
+void burnish_kernels_normalize(const burnish_kernels *kernels, size_t count,
+                               const float *const in[3], float *const out[3]) {
+    const burnish_environment environment = burnish_environment_enter();
+    kernels->normalize_array(count, in, out);
+    burnish_environment_leave(environment);
+}
+
+/* ---- Lighting ---- */
+
+/* A shader and its lights in one piece of memory. */
+typedef struct owned_shader {
+    burnish_kernels_shader shader;
+    burnish_light_constants lights[];
+} owned_shader;
+
+static burnish_status make_shader(const burnish_kernels_lighting *lighting,
+                                  const burnish_context *context, burnish_kernels_shader **shader,
+                                  burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(context, error);
+    burnish_status status = burnish_lighting_check(lighting, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    const size_t lights = (size_t)lighting->light_count * sizeof(burnish_light_constants);
+    owned_shader *made = burnish_allocate_zeroed(&memory, 1, sizeof *made + lights, "a shader");
+    if (!made) {
+        return memory.status;
+    }
+    made->shader.context = context;
+    status = burnish_shader_fold(lighting, &lighting->material, &lighting->lobe, made->lights,
+                                 &made->shader, error);
+    if (status != BURNISH_STATUS_OK) {
+        burnish_release(context, made);
+        return status;
+    }
+    *shader = &made->shader;
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_kernels_shader_create(const burnish_kernels_lighting *lighting,
+                                             const burnish_context *context,
+                                             burnish_kernels_shader **shader,
+                                             burnish_error *error) {
+    if (!shader) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "shader: NULL; pass where to put it");
+    }
+    *shader = NULL;
+    if (!lighting) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "lighting: NULL; start from burnish_kernels_lighting_default()");
+    }
+    const burnish_environment environment = burnish_environment_enter();
+    const burnish_status status = make_shader(lighting, context, shader, error);
+    burnish_environment_leave(environment);
+    return status;
+}
+
+void burnish_kernels_shader_destroy(burnish_kernels_shader *shader) {
+    if (shader) {
+        burnish_release(shader->context, shader); /* the first member of owned_shader */
+    }
+}
+
+static burnish_status check_points(const burnish_kernels_shader *shader,
+                                   const burnish_kernels_points *points, burnish_error *error) {
+    if (!shader) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "shader: NULL; make it with burnish_kernels_shader_create()");
+    }
+    const float *const *d = points->diffuse, *const *p = points->position;
+    if (!points->normal[0] || !points->normal[1] || !points->normal[2]) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "points: an array of normals is NULL");
+    }
+    if (!d[0] != !d[1] || !d[0] != !d[2]) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "points: give all three arrays of diffuse colours or none");
+    }
+    if (shader->needs_position && (!p[0] || !p[1] || !p[2])) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "points: point lights and local viewers need the arrays of positions");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status shade(const burnish_kernels *kernels, const burnish_kernels_shader *shader,
+                            const burnish_kernels_points *points, size_t count, uint8_t *rgba,
+                            float *const rgb[3], burnish_error *error) {
+    const burnish_status status = check_points(shader, points, error);
+    if (status == BURNISH_STATUS_OK) {
+        const burnish_environment environment = burnish_environment_enter();
+        const int output = rgba ? BURNISH_SHADE_RGBA8 : BURNISH_SHADE_FLOAT;
+        kernels->shade[shader->lobe.body][shader->geometry][output](shader, points, count, rgba,
+                                                                    rgb);
+        burnish_environment_leave(environment);
+    }
+    return status;
+}
+
+burnish_status burnish_kernels_shade_rgba8(const burnish_kernels *kernels,
+                                           const burnish_kernels_shader *shader,
+                                           const burnish_kernels_points *points, size_t count,
+                                           uint8_t *rgba, burnish_error *error) {
+    return shade(kernels, shader, points, count, rgba, NULL, error);
+}
+
+burnish_status burnish_kernels_shade_float(const burnish_kernels *kernels,
+                                           const burnish_kernels_shader *shader,
+                                           const burnish_kernels_points *points, size_t count,
+                                           float *const rgb[3], burnish_error *error) {
+    return shade(kernels, shader, points, count, NULL, rgb, error);
+}

@@ -1,0 +1,78 @@
+/* A lobe, and a whole lighting, with everything worked out that does not depend on the point. */
+#ifndef BURNISH_SHADING_SHADER_H
+#define BURNISH_SHADING_SHADER_H
+
+#include <stdint.h>
+
+#include "burnish/kernels.h"
+
+/* The bodies that lobes are evaluated by. */
+typedef enum burnish_lobe_body {
+    BURNISH_LOBE_BODY_NONE,     /* 0 */
+    BURNISH_LOBE_BODY_SQUARE,   /* the family, m = 2 */
+    BURNISH_LOBE_BODY_SQUARES,  /* the family, m = 4 .. 32 */
+    BURNISH_LOBE_BODY_POWER,    /* any exponent, by polynomials */
+    BURNISH_LOBE_BODY_MULTIPLY, /* whole exponents, by multiplications */
+    BURNISH_LOBE_BODY_SCHLICK,
+    BURNISH_LOBE_BODY_GAUSSIAN,
+    BURNISH_LOBE_BODY_GX,
+    BURNISH_LOBE_BODY_COUNT
+} burnish_lobe_body;
+
+enum { BURNISH_LOBE_INPUT_COSINE, BURNISH_LOBE_INPUT_LAMBDA, BURNISH_LOBE_INPUT_COUNT };
+
+/* DISTANT: every light directional, the viewer distant and Blinn's cosine: the half vectors are
+ * constant. GENERAL: anything. */
+enum { BURNISH_SHADE_DISTANT, BURNISH_SHADE_GENERAL, BURNISH_SHADE_GEOMETRY_COUNT };
+
+enum { BURNISH_SHADE_RGBA8, BURNISH_SHADE_FLOAT, BURNISH_SHADE_OUTPUT_COUNT };
+
+typedef struct burnish_lobe_constants {
+    int body;       /* burnish_lobe_body */
+    int squarings;  /* family: log2 of the order */
+    float zeta;     /* family */
+    float exponent; /* n */
+    float slope;    /* factor in an exponent or denominator */
+    float least;    /* MULTIPLY: the cosine up to which the power is below 2^-126 */
+    uint32_t whole; /* MULTIPLY: n */
+} burnish_lobe_constants;
+
+/* A light: colours times material, for results in [0, 255] and in [0, 1] (BURNISH_SHADE_...). */
+typedef struct burnish_light_constants {
+    int is_point;
+    float vector[3];
+    float half[3]; /* of a distant light and viewer: H, with the family zeta H */
+    float diffuse[2][3], specular[2][3];
+} burnish_light_constants;
+
+struct burnish_kernels_shader {
+    const burnish_context *context; /* whose memory it is */
+    const burnish_light_constants *lights;
+    int light_count;
+    int geometry; /* which kernel: BURNISH_SHADE_DISTANT or GENERAL */
+    int phong, lyon, local_viewer, needs_position;
+    float offset; /* family: 1 - zeta */
+    float cutoff; /* family: cosines below it are surely dark; -1 where there are none */
+    float viewer[3];
+    float ambient[2][3];
+    burnish_lobe_constants lobe;
+};
+
+/* Fills *constants, and *scale with the value at the peak. Returns OK or ARGUMENT, with a line. */
+burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float exponent,
+                                           burnish_lobe_constants *constants, float *scale,
+                                           burnish_error *error);
+
+/* Checks what all materials share: lights, viewer, specular model, cookie. Errors: ARGUMENT. */
+burnish_status burnish_lighting_check(const burnish_kernels_lighting *lighting,
+                                      burnish_error *error);
+
+/* Checks a material and its lobe and folds them with a checked lighting, whose own material and
+ * lobe are not read. lights has room for lighting->light_count and must live as long as the shader.
+ * Errors: ARGUMENT. */
+burnish_status burnish_shader_fold(const burnish_kernels_lighting *lighting,
+                                   const burnish_material *material, const burnish_lobe_spec *lobe,
+                                   burnish_light_constants *lights, burnish_kernels_shader *shader,
+                                   burnish_error *error);
+
+#endif

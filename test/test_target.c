@@ -1,0 +1,716 @@
+/* Pictures in the caller's memory: every format and stride, the planes against what a plain
+ * program finds, cancelling, progress, the floating-point environment. */
+#include <fenv.h>
+#include <math.h>
+
+#include "burnish/render.h"
+#include "core/srgb.h"
+#include "mesh_arrays.h"
+#include "raster/raster.h"
+#include "raster/samples.h"
+#include "support.h"
+
+enum { WIDTH = 131, HEIGHT = 77, PADDING = 20, GUARD = 64, MAX_PIXEL = 16 };
+
+static const uint8_t GUARD_BYTE = 0x5a;
+
+static burnish_mesh *load(const char *name, int tessellation) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    options.tessellation = tessellation;
+    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    return mesh;
+}
+
+/* A dim picture, whose light nothing clamps. */
+static burnish_render_options make_options(const burnish_mesh *mesh, int samples) {
+    burnish_render_options options = burnish_render_options_default();
+    burnish_framing framing = burnish_framing_default();
+    options.width = WIDTH;
+    options.height = HEIGHT;
+    options.samples = samples;
+    options.background[0] = 30;
+    options.background[1] = 90;
+    options.background[2] = 200;
+    for (int i = 0; i < options.light_count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            options.lights[i].color[k] *= 0.25f;
+        }
+    }
+    framing.aspect = (double)WIDTH / HEIGHT;
+    burnish_camera_frame(mesh, &framing, &options.camera, NULL);
+    return options;
+}
+
+/* Memory for a plane between guards. */
+typedef struct guarded {
+    uint8_t *bytes, *first; /* all of it; the plane */
+    size_t row, stride;     /* bytes */
+    int rows;
+} guarded;
+
+static guarded make_guarded(size_t row, size_t padding, int rows) {
+    guarded g = {.row = row, .stride = row + padding, .rows = rows};
+    const size_t size = g.stride * (size_t)rows + 2 * GUARD;
+    g.bytes = aligned_alloc(64, (size + 63) / 64 * 64);
+    g.first = g.bytes + GUARD;
+    memset(g.bytes, GUARD_BYTE, size);
+    return g;
+}
+
+/* Whether something beside the rows was written. */
+static int is_damaged(const guarded *g) {
+    const size_t size = g->stride * (size_t)g->rows + 2 * GUARD;
+    for (size_t i = 0; i < size; ++i) {
+        const int is_inside = i >= GUARD && i < size - GUARD && (i - GUARD) % g->stride < g->row;
+        if (!is_inside && g->bytes[i] != GUARD_BYTE) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static const uint8_t *row_at(const guarded *g, int y) {
+    return g->first + (size_t)y * g->stride;
+}
+
+static uint64_t add_hash(uint64_t hash, const void *data, size_t size) {
+    const uint8_t *bytes = data;
+    for (size_t i = 0; i < size; ++i) {
+        hash = (hash ^ bytes[i]) * 0x100000001b3u;
+    }
+    return hash;
+}
+
+static uint64_t hash_rows(uint64_t hash, const guarded *g) {
+    for (int y = 0; y < g->rows; ++y) {
+        hash = add_hash(hash, row_at(g, y), g->row);
+    }
+    return hash;
+}
+
+/* ---- Formats ---- */
+
+/* Whether a pixel of a target is that of an image that burnish_render made. */
+static int same_pixel(burnish_pixel_format format, const uint8_t *pixel, const uint8_t *expected,
+                      int channels) {
+    const uint8_t alpha = channels == 4 ? expected[3] : 255;
+    float light[4];
+    switch (format) {
+    case BURNISH_PIXELS_RGB8:
+        return memcmp(pixel, expected, 3) == 0;
+    case BURNISH_PIXELS_RGBA8:
+        return memcmp(pixel, expected, 3) == 0 && pixel[3] == alpha;
+    case BURNISH_PIXELS_BGRA8:
+        return pixel[0] == expected[2] && pixel[1] == expected[1] && pixel[2] == expected[0] &&
+               pixel[3] == alpha;
+    default:
+        memcpy(light, pixel, sizeof light);
+        return burnish_linear_to_srgb(light[0]) == expected[0] &&
+               burnish_linear_to_srgb(light[1]) == expected[1] &&
+               burnish_linear_to_srgb(light[2]) == expected[2] &&
+               (int)(light[3] * 255 + 0.5f) == alpha;
+    }
+}
+
+static const size_t PIXEL_SIZES[BURNISH_PIXELS_COUNT] = {3, 4, 4, 16};
+
+static void check_format(burnish_renderer *renderer, const burnish_mesh *mesh,
+                         const burnish_render_options *options, burnish_pixel_format format,
+                         size_t padding) {
+    guarded g = make_guarded(WIDTH * PIXEL_SIZES[format], padding, HEIGHT);
+    burnish_target target = burnish_target_default();
+    burnish_image image = {0};
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    int wrong = 0;
+    target.pixels = (burnish_pixels){WIDTH, HEIGHT, format, g.stride, g.first};
+    CHECK(burnish_render(mesh, options, &image, NULL, &error) == BURNISH_STATUS_OK &&
+              burnish_renderer_draw_into(renderer, mesh, options, &target, NULL, &error) ==
+                  BURNISH_STATUS_OK,
+          "%s", error.text);
+    for (int y = 0; y < HEIGHT && image.pixels; ++y) {
+        for (int x = 0; x < WIDTH; ++x) {
+            const uint8_t *expected =
+                image.pixels + (size_t)(y * WIDTH + x) * (size_t)image.channels;
+            wrong += !same_pixel(format, row_at(&g, y) + (size_t)x * PIXEL_SIZES[format], expected,
+                                 image.channels);
+        }
+    }
+    CHECK(wrong == 0, "format %d, %d samples, transparent %d: %d pixels differ", (int)format,
+          options->samples, options->transparent, wrong);
+    CHECK(!is_damaged(&g), "format %d, padding %zu: wrote beside the rows", (int)format, padding);
+    burnish_image_destroy(&image);
+    free(g.bytes);
+}
+
+static void test_formats(int samples) {
+    burnish_mesh *mesh = load(":knot", 12);
+    burnish_renderer *renderer;
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    for (int i = 0; i < 2 * BURNISH_PIXELS_COUNT; ++i) {
+        const burnish_pixel_format format = (burnish_pixel_format)(i / 2);
+        burnish_render_options options = make_options(mesh, samples);
+        options.transparent = i % 2;
+        options.threads = 1 + i % 3;
+        if (format != BURNISH_PIXELS_RGB8 || !options.transparent) {
+            check_format(renderer, mesh, &options, format, 0);
+            check_format(renderer, mesh, &options, format, PADDING + (size_t)(i % 3));
+        }
+    }
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+static burnish_mesh *make_mesh(const float *positions, size_t vertex_count, const uint32_t *indices,
+                               size_t triangle_count) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    const burnish_mesh_description arrays =
+        describe_arrays(positions, NULL, NULL, vertex_count, indices, triangle_count);
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
+}
+
+/* Ten times white on a white quad is 10 in floats, also where samples are mixed. */
+static void test_unclamped(int samples) {
+    static const float POSITIONS[12] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    static const uint32_t QUAD[6] = {0, 1, 2, 0, 2, 3};
+    burnish_mesh *mesh = make_mesh(POSITIONS, 4, QUAD, 2);
+    burnish_material material = burnish_material_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_target target = burnish_target_default();
+    burnish_renderer *renderer;
+    float pixels[8][8][4], largest = 0;
+    for (int k = 0; k < 3; ++k) {
+        material.ambient[k] = 1;
+        material.diffuse[k] = material.specular[k] = 0;
+        options.ambient_light[k] = 10;
+    }
+    burnish_mesh_set_material(mesh, 0, &material, NULL);
+    options.width = options.height = 8;
+    options.samples = samples;
+    options.camera.position[2] = 5;
+    options.camera.orthographic_height = 3.1;
+    options.background[0] = options.background[1] = options.background[2] = 0;
+    target.pixels =
+        (burnish_pixels){8, 8, BURNISH_PIXELS_RGBA_FLOAT, sizeof pixels[0], (uint8_t *)pixels};
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, NULL) ==
+           BURNISH_STATUS_OK);
+    int mixed = 0;
+    for (int i = 0; i < 64; ++i) {
+        const float *pixel = pixels[i / 8][i % 8];
+        largest = pixel[0] > largest ? pixel[0] : largest;
+        mixed += pixel[0] > 0 && pixel[0] < 10;
+        CHECK1(pixel[3] == 1);
+    }
+    CHECK(largest == 10 && (mixed > 0) == (samples > 1), "largest %g, %d mixed", (double)largest,
+          mixed);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Planes ---- */
+
+typedef struct planes {
+    guarded pixels, depth, triangles, normals, coverage;
+    burnish_target target;
+} planes;
+
+static planes make_planes(int width, int height, int with_pixels) {
+    const size_t w = (size_t)width;
+    planes p = {make_guarded(4 * w, 7, height),  make_guarded(4 * w, 8, height),
+                make_guarded(4 * w, 12, height), make_guarded(12 * w, 4, height),
+                make_guarded(w, 3, height),      burnish_target_default()};
+    p.target.pixels = (burnish_pixels){width, height, BURNISH_PIXELS_RGBA8, p.pixels.stride,
+                                       with_pixels ? p.pixels.first : NULL};
+    p.target.depth = (float *)p.depth.first;
+    p.target.depth_stride = p.depth.stride;
+    p.target.triangles = (uint32_t *)p.triangles.first;
+    p.target.triangle_stride = p.triangles.stride;
+    p.target.normals = (float *)p.normals.first;
+    p.target.normal_stride = p.normals.stride;
+    p.target.coverage = p.coverage.first;
+    p.target.coverage_stride = p.coverage.stride;
+    return p;
+}
+
+static void free_planes(planes *p) {
+    CHECK(!is_damaged(&p->pixels) && !is_damaged(&p->depth) && !is_damaged(&p->triangles) &&
+              !is_damaged(&p->normals) && !is_damaged(&p->coverage),
+          "wrote beside the rows");
+    free(p->pixels.bytes);
+    free(p->depth.bytes);
+    free(p->triangles.bytes);
+    free(p->normals.bytes);
+    free(p->coverage.bytes);
+}
+
+static uint64_t hash_planes(const planes *p) {
+    uint64_t hash = hash_rows(0xcbf29ce484222325u, &p->depth);
+    hash = hash_rows(hash, &p->triangles);
+    hash = hash_rows(hash, &p->normals);
+    return hash_rows(hash, &p->coverage);
+}
+
+static float depth_at(const planes *p, int x, int y) {
+    return ((const float *)(const void *)row_at(&p->depth, y))[x];
+}
+
+static uint32_t triangle_at(const planes *p, int x, int y) {
+    return ((const uint32_t *)(const void *)row_at(&p->triangles, y))[x];
+}
+
+static const float *normal_at(const planes *p, int x, int y) {
+    return (const float *)(const void *)row_at(&p->normals, y) + 3 * x;
+}
+
+static void draw_planes(const burnish_mesh *mesh, const burnish_render_options *options, planes *p,
+                        burnish_render_report *report) {
+    burnish_renderer *renderer;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &p->target, report, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    burnish_renderer_destroy(renderer);
+}
+
+/* The unit sphere at the origin, seen along -z: depth and normal by Pythagoras. */
+static void test_sphere(int samples, double orthographic_height) {
+    enum { SIZE = 160 };
+    burnish_mesh *mesh = load(":sphere", 256);
+    burnish_render_options options = burnish_render_options_default();
+    planes p = make_planes(SIZE, SIZE, 0);
+    double worst_depth = 0, worst_normal = 0, worst_length = 0;
+    int inside = 0;
+    options.width = options.height = SIZE;
+    options.samples = samples;
+    options.camera.position[2] = 10;
+    options.camera.orthographic_height = orthographic_height;
+    options.camera.view_angle = 14;
+    draw_planes(mesh, &options, &p, NULL);
+    const double extent = orthographic_height > 0 ? orthographic_height / 2 : tan(7 * M_PI / 180);
+    for (int y = 0; y < SIZE; ++y) {
+        for (int x = 0; x < SIZE; ++x) {
+            const double px = (x + 0.5 - SIZE / 2.0) / (SIZE / 2.0) * extent;
+            const double py = (SIZE / 2.0 - y - 0.5) / (SIZE / 2.0) * extent;
+            /* parallel: (px, py, z); perspective: t (px, py, -1) from (0, 0, 10) */
+            double t = 10 - sqrt(fmax(0, 1 - px * px - py * py)), rest = 1 - px * px - py * py;
+            double n[3] = {px, py, 10 - t};
+            if (orthographic_height == 0) {
+                const double a = px * px + py * py + 1;
+                rest = 100 - a * 99;
+                t = (10 - sqrt(fmax(0, rest))) / a;
+                n[0] = t * px;
+                n[1] = t * py;
+                n[2] = 10 - t;
+            }
+            if (rest > 0.1) {
+                const float *normal = normal_at(&p, x, y);
+                double difference = 0, length = 0;
+                for (int k = 0; k < 3; ++k) {
+                    difference = fmax(difference, fabs((double)normal[k] - n[k]));
+                    length += (double)normal[k] * (double)normal[k];
+                }
+                worst_depth = fmax(worst_depth, fabs((double)depth_at(&p, x, y) - t));
+                worst_normal = fmax(worst_normal, difference);
+                worst_length = fmax(worst_length, fabs(sqrt(length) - 1));
+                ++inside;
+            } else if (rest < -0.1) {
+                const float *normal = normal_at(&p, x, y);
+                CHECK(isinf(depth_at(&p, x, y)) && depth_at(&p, x, y) > 0 && normal[0] == 0 &&
+                          normal[1] == 0 && normal[2] == 0 &&
+                          triangle_at(&p, x, y) == BURNISH_TRIANGLE_NONE &&
+                          !row_at(&p.coverage, y)[x],
+                      "(%d, %d) is empty", x, y);
+            }
+        }
+    }
+    CHECK(inside > 5000, "%d pixels inside", inside);
+    /* where triangles share a pixel, the point is up to half a pixel from its centre */
+    const double bound = samples == 1 ? 1e-3 : 0.03;
+    CHECK(worst_depth < bound, "depth is off by %g", worst_depth);
+    CHECK(worst_normal < bound, "normals are off by %g", worst_normal);
+    CHECK(worst_length < 4e-7, "normals' length is off by %g", worst_length);
+    free_planes(&p);
+    burnish_mesh_destroy(mesh);
+}
+
+/* The nearest triangle at a point of the screen, the plain way. Triangles are in pixels, y down, z
+ * toward the viewer. Returns -1 for none, -2 where it is too close to tell. */
+static int nearest_triangle(const double (*corners)[3][3], int count, double x, double y,
+                            double *z) {
+    int nearest = -1, unclear = 0;
+    *z = -1e9;
+    for (int i = 0; i < count; ++i) {
+        const double(*c)[3] = corners[i];
+        const double area =
+            (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]);
+        double weights[3], least = 1e9, at = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double *a = c[(k + 1) % 3], *b = c[(k + 2) % 3];
+            weights[k] = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
+            least = fmin(least, weights[k]);
+            at += weights[k] * c[k][2];
+        }
+        unclear |= fabs(least) * fabs(area) < 2 || (least > 0 && fabs(at - *z) < 0.01);
+        if (least > 0 && at > *z) {
+            nearest = i;
+            *z = at;
+        }
+    }
+    return unclear ? -2 : nearest;
+}
+
+/* What a pixel shows, by its samples: the triangle in most of them, of equals the one in the first.
+ * Returns -2 where that is not clear. */
+static int expected_triangle(const double (*corners)[3][3], int count, int samples, int x, int y,
+                             double mean[2], int *covered) {
+    const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
+    int shown[BURNISH_MAX_SAMPLES], best = -1, best_count = 0;
+    *covered = 0;
+    for (int s = 0; s < samples; ++s) {
+        double z;
+        shown[s] = nearest_triangle(corners, count, x + 0.5 + offsets[s][0] / 16.0,
+                                    y + 0.5 + offsets[s][1] / 16.0, &z);
+        if (shown[s] == -2) {
+            return -2;
+        }
+        *covered += shown[s] >= 0;
+    }
+    for (int s = 0; s < samples; ++s) {
+        double sum[2] = {0, 0};
+        int same = 0;
+        for (int t = 0; t < samples && shown[s] >= 0; ++t) {
+            if (shown[t] == shown[s]) {
+                ++same;
+                sum[0] += offsets[t][0];
+                sum[1] += offsets[t][1];
+            }
+        }
+        if (same > best_count) {
+            best = shown[s];
+            best_count = same;
+            mean[0] = same == samples ? 0 : sum[0] / same / 16;
+            mean[1] = same == samples ? 0 : sum[1] / same / 16;
+        }
+    }
+    return best;
+}
+
+static double depth_of(const double c[3][3], double x, double y) {
+    const double area =
+        (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]);
+    double z = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double *a = c[(k + 1) % 3], *b = c[(k + 2) % 3];
+        z += ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area * c[k][2];
+    }
+    return z;
+}
+
+/* Random triangles in parallel projection, a unit per pixel, against the plain way. */
+static void test_plain_reference(int samples) {
+    enum { SIZE = 90, COUNT = 40 };
+    static float positions[9 * COUNT];
+    static uint32_t indices[3 * COUNT];
+    static double corners[COUNT][3][3];
+    uint64_t state = test_seed(7);
+    burnish_render_options options = burnish_render_options_default();
+    planes p = make_planes(SIZE, SIZE, 1);
+    burnish_render_report report;
+    int clear = 0, wrong = 0, several = 0;
+    double worst = 0;
+    size_t covered_pixels = 0;
+    for (int i = 0; i < 9 * COUNT; ++i) {
+        const double limit = i % 3 == 2 ? 20 : 50;
+        positions[i] = (float)test_uniform(&state, -limit, limit);
+        indices[i / 3] = (uint32_t)(i / 3);
+    }
+    burnish_mesh *mesh = make_mesh(positions, 3 * COUNT, indices, COUNT);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    for (int i = 0; i < COUNT; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const float *v = view->positions + 3 * view->indices[3 * i + k];
+            corners[i][k][0] = SIZE / 2.0 + (double)v[0];
+            corners[i][k][1] = SIZE / 2.0 - (double)v[1];
+            corners[i][k][2] = (double)v[2];
+        }
+    }
+    options.width = options.height = SIZE;
+    options.samples = samples;
+    options.camera.position[2] = 100;
+    options.camera.orthographic_height = SIZE;
+    options.transparent = 1;
+    draw_planes(mesh, &options, &p, &report);
+    for (int y = 0; y < SIZE; ++y) {
+        for (int x = 0; x < SIZE; ++x) {
+            double mean[2] = {0, 0};
+            int covered;
+            const uint8_t coverage = row_at(&p.coverage, y)[x];
+            const int expected = expected_triangle((const double(*)[3][3])corners, COUNT, samples,
+                                                   x, y, mean, &covered);
+            covered_pixels += coverage > 0;
+            wrong += coverage != row_at(&p.pixels, y)[4 * x + 3];
+            wrong += (coverage > 0) != (triangle_at(&p, x, y) != BURNISH_TRIANGLE_NONE);
+            if (expected == -2) {
+                continue;
+            }
+            ++clear;
+            several += covered > 0 && covered < samples;
+            wrong += coverage != (255 * covered + samples / 2) / samples;
+            wrong += triangle_at(&p, x, y) !=
+                     (expected < 0 ? BURNISH_TRIANGLE_NONE : (uint32_t)expected);
+            if (expected >= 0) {
+                const double z = depth_of((const double(*)[3])corners[expected], x + 0.5 + mean[0],
+                                          y + 0.5 + mean[1]);
+                worst = fmax(worst, fabs((double)depth_at(&p, x, y) - (100 - z)));
+            }
+        }
+    }
+    CHECK(wrong == 0, "%d samples: %d pixels differ", samples, wrong);
+    CHECK(worst < 0.05, "%d samples: depth is off by %g", samples, worst);
+    CHECK(clear > SIZE * SIZE / 4 && (several > 20 || samples == 1),
+          "%d pixels are clear, %d partly covered", clear, several);
+    CHECK(covered_pixels == report.covered_pixels, "%zu pixels are covered, not %zu",
+          covered_pixels, report.covered_pixels);
+    free_planes(&p);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Planes do not depend on threads, instruction set, or whether pixels are drawn too; nor pixels on
+ * planes. */
+static void test_independence(int samples) {
+    burnish_mesh *mesh = load(":knot", 12);
+    burnish_render_options options = make_options(mesh, samples);
+    burnish_image image;
+    uint64_t first = 0;
+    options.transparent = 1;
+    CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
+    for (int i = 0; i < 4 * BURNISH_ISA_COUNT; ++i) {
+        static const int THREADS[] = {1, 2, 7, 3};
+        planes p = make_planes(WIDTH, HEIGHT, i % 2);
+        options.kernels = burnish_kernels_for((burnish_isa)(i / 4));
+        options.threads = THREADS[i % 4];
+        draw_planes(mesh, &options, &p, NULL);
+        const uint64_t hash = hash_planes(&p);
+        first = i == 0 ? hash : first;
+        CHECK(hash == first, "%d threads, %s: other planes", THREADS[i % 4],
+              burnish_isa_name((burnish_isa)(i / 4)));
+        if (i % 2) {
+            CHECK(burnish_pixels_hash(&p.target.pixels) == burnish_image_hash(&image),
+                  "planes change pixels");
+        }
+        free_planes(&p);
+    }
+    burnish_image_destroy(&image);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Arguments ---- */
+
+static void test_errors(void) {
+    burnish_mesh *mesh = load(":knot", 8);
+    burnish_render_options options = make_options(mesh, 1);
+    planes p = make_planes(WIDTH, HEIGHT, 1);
+    const burnish_target good = p.target;
+    burnish_renderer *renderer;
+    burnish_target target;
+    burnish_error error;
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+#define WRONG(change, part)                                                                        \
+    do {                                                                                           \
+        target = good;                                                                             \
+        change;                                                                                    \
+        error.text[0] = 0;                                                                         \
+        CHECK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==       \
+                      BURNISH_STATUS_ARGUMENT &&                                                   \
+                  strstr(error.text, part),                                                        \
+              "\"%s\" says nothing of %s", error.text, part);                                      \
+    } while (0)
+    WRONG(target.cookie = 0, "burnish_target_default");
+    WRONG(target.pixels.stride = 4 * WIDTH - 1, "pixels has a stride of 523 bytes");
+    WRONG(target.pixels.width = WIDTH - 1, "130 x 77");
+    WRONG(target.pixels.format = BURNISH_PIXELS_COUNT, "no pixel format");
+    WRONG(target.depth_stride = 4 * WIDTH - 4, "depth");
+    WRONG(target.depth_stride = 4 * WIDTH + 2, "multiple of 4");
+    WRONG(target.triangle_stride = 4, "triangles");
+    WRONG(target.normal_stride = 4 * WIDTH, "normals");
+    WRONG(target.coverage_stride = WIDTH - 1, "coverage");
+    options.transparent = 1;
+    WRONG(target.pixels.format = BURNISH_PIXELS_RGB8, "alpha");
+    options.transparent = 0;
+    WRONG(options.samples = 3, "samples");
+#undef WRONG
+    CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, NULL, NULL, NULL) ==
+           BURNISH_STATUS_ARGUMENT);
+    for (int y = 0; y < HEIGHT; ++y) {
+        CHECK1(row_at(&p.pixels, y)[0] == GUARD_BYTE && row_at(&p.coverage, y)[0] == GUARD_BYTE);
+    }
+    burnish_renderer_destroy(renderer);
+    free_planes(&p);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Context ---- */
+
+typedef struct watcher {
+    int asked, cancel_at; /* the question that is answered by yes; 0: none */
+    double last[BURNISH_STAGE_COUNT];
+    int falls;
+} watcher;
+
+static int is_cancelled(void *user_data) {
+    watcher *w = user_data;
+    return ++w->asked == w->cancel_at;
+}
+
+static void hear_progress(void *user_data, burnish_stage stage, double fraction) {
+    watcher *w = user_data;
+    w->falls += fraction < w->last[stage] || fraction > 1;
+    w->last[stage] = fraction;
+}
+
+static void test_cancel(int threads) {
+    burnish_mesh *mesh = load(":knot", 12);
+    burnish_render_options options = make_options(mesh, 4);
+    burnish_context_options context_options = burnish_context_options_default();
+    burnish_context *context;
+    burnish_renderer *renderer;
+    burnish_image image = {0}, expected;
+    watcher w = {0};
+    context_options.cancelled = is_cancelled;
+    context_options.progress = hear_progress;
+    context_options.cancelled_user_data = context_options.progress_user_data = &w;
+    options.width = 640;
+    options.height = 480;
+    options.threads = threads;
+    CHECK1(burnish_render(mesh, &options, &expected, NULL, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_context_create(&context_options, &context, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_create(context, &renderer, NULL) == BURNISH_STATUS_OK);
+    burnish_status status = BURNISH_STATUS_CANCELLED;
+    int cancelled = 0;
+    for (int at = 1; status == BURNISH_STATUS_CANCELLED; at += at < 20 ? 1 : 7) {
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        w = (watcher){.cancel_at = at};
+        status = burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error);
+        CHECK(status == (w.asked < at ? BURNISH_STATUS_OK : BURNISH_STATUS_CANCELLED) &&
+                  error.status == status,
+              "question %d of %d: status %d", at, w.asked, (int)status);
+        /* whoever said yes is not asked for long */
+        CHECK(w.asked <= at + 1 && w.falls == 0, "asked %d times after the answer", w.asked - at);
+        cancelled += status == BURNISH_STATUS_CANCELLED;
+        CHECK1((status == BURNISH_STATUS_OK) == (image.pixels != NULL));
+    }
+    CHECK(cancelled >= (threads == 1 ? 20 : 2), "asked only %d times", cancelled);
+    CHECK(burnish_image_hash(&image) == burnish_image_hash(&expected), "other pixels afterwards");
+    CHECK(w.last[BURNISH_STAGE_TRANSFORM] == 1 && w.last[BURNISH_STAGE_DRAW] == 1,
+          "progress ends at 1");
+    burnish_image_destroy(&image);
+    burnish_image_destroy(&expected);
+    burnish_renderer_destroy(renderer);
+    options.context = context;
+    w = (watcher){.cancel_at = 1};
+    CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_CANCELLED);
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, NULL) ==
+           BURNISH_STATUS_ARGUMENT);
+    burnish_renderer_destroy(renderer);
+    burnish_context_destroy(context);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- The floating-point environment ---- */
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+static void flush_subnormals(int flush) {
+    _mm_setcsr((_mm_getcsr() & ~0x8040u) | (flush ? 0x8040u : 0));
+}
+static unsigned control(void) {
+    return _mm_getcsr() & ~0x3fu; /* without the exceptions that have come */
+}
+#else
+static void flush_subnormals(int flush) {
+    (void)flush;
+}
+static unsigned control(void) {
+    return (unsigned)fegetround();
+}
+#endif
+
+/* A picture, its planes and the kernels' results. */
+static uint64_t work_hash(const burnish_mesh *mesh, int threads) {
+    burnish_render_options options = make_options(mesh, 4);
+    planes p = make_planes(WIDTH, HEIGHT, 1);
+    const burnish_kernels *kernels = burnish_kernels_best();
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
+    burnish_kernels_shader *shader;
+    float values[7] = {0.1f, 0.5f, 0.83f, 0.97f, 0.995f, 1e-40f, 0.3f}, colors[3][7];
+    float *const rgb[3] = {colors[0], colors[1], colors[2]};
+    const float *const normal[3] = {values, values + 1, values};
+    uint8_t rgba[7][4];
+    const burnish_kernels_points points = {.normal = {values, values, values}};
+    options.threads = threads;
+    draw_planes(mesh, &options, &p, NULL);
+    uint64_t hash = hash_rows(hash_planes(&p), &p.pixels);
+    free_planes(&p);
+    burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
+    burnish_kernels_shade_rgba8(kernels, shader, &points, 7, rgba[0], NULL);
+    hash = add_hash(hash, rgba, sizeof rgba);
+    burnish_kernels_shade_float(kernels, shader, &points, 7, rgb, NULL);
+    hash = add_hash(hash, colors, sizeof colors);
+    burnish_kernels_shader_destroy(shader);
+    burnish_kernels_normalize(kernels, 6, normal, rgb);
+    hash = add_hash(hash, colors, sizeof colors);
+    lighting.lobe.kind = BURNISH_LOBE_POWER;
+    burnish_kernels_lobe_of_cosines(kernels, &lighting.lobe, 3.5f, 7, values, colors[0], NULL);
+    burnish_kernels_lobe_of_lambdas(kernels, &lighting.lobe, 3.5f, 7, values, colors[1], NULL);
+    return add_hash(hash, colors, sizeof colors);
+}
+
+static void test_environment(void) {
+    static const int MODES[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    burnish_mesh *mesh = load(":knot", 12);
+    const uint64_t expected = work_hash(mesh, 1);
+    for (int i = 0; i < 16; ++i) {
+        fesetround(MODES[i % 4]);
+        flush_subnormals(i / 4 % 2);
+        const unsigned before = control();
+        const uint64_t hash = work_hash(mesh, 1 + i / 8);
+        const int is_same = control() == before && fegetround() == MODES[i % 4];
+        fesetround(FE_TONEAREST);
+        flush_subnormals(0);
+        CHECK(hash == expected, "rounding mode %d, flushing %d: other bits", i % 4, i / 4 % 2);
+        CHECK(is_same, "rounding mode %d, flushing %d: not put back", i % 4, i / 4 % 2);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_formats(1));
+    RUN(test_formats(4));
+    RUN(test_formats(16));
+    RUN(test_unclamped(1));
+    RUN(test_unclamped(8));
+    RUN(test_sphere(1, 2.4));
+    RUN(test_sphere(1, 0));
+    RUN(test_sphere(8, 2.4));
+    RUN(test_sphere(4, 0));
+    RUN(test_plain_reference(1));
+    RUN(test_plain_reference(4));
+    RUN(test_plain_reference(8));
+    RUN(test_plain_reference(16));
+    RUN(test_independence(1));
+    RUN(test_independence(8));
+    RUN(test_errors());
+    RUN(test_cancel(1));
+    RUN(test_cancel(3));
+    RUN(test_environment());
+    return test_end("target");
+}
