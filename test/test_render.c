@@ -546,7 +546,7 @@ static void check_errors(burnish_mesh *sphere) {
     WRONG(options.lights[1].vector[0] = NAN, "light 2");
     WRONG(options.lights[0].color[2] = -1, "light 1");
     WRONG(options.camera.position[0] = INFINITY, "camera");
-    WRONG(options.camera.position[2] = 0, "same place");
+    WRONG(options.camera.position[2] = 0, "are the same");
     WRONG(options.camera.view_up[1] = 0; options.camera.view_up[2] = 1, "parallel");
     WRONG(options.camera.position[2] = 1e9, "scene sizes away");
     WRONG(options.camera.orthographic_height = 0; options.camera.view_angle = 180, "view angle");

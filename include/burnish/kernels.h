@@ -37,18 +37,18 @@
 extern "C" {
 #endif
 
-/* The kernels of one tier. Constant, never freed. */
+/* The kernels of one instruction set. Constant, never freed. */
 typedef struct burnish_isa_ops burnish_kernels;
 
-/* The kernels of the fastest tier that runs here, or of the one that the environment variable
- * BURNISH_ISA names; a name that does not run here is passed over. Never NULL. Keep the result: it
- * asks the processor. */
+/* The kernels of the fastest instruction set that runs here, or of the one that the environment
+ * variable BURNISH_ISA names; a name that does not run here is passed over. Never NULL. Keep the
+ * result: it asks the processor. */
 BURNISH_API const burnish_kernels *burnish_kernels_best(void);
 
-/* The kernels of a tier, NULL where this build or processor lacks it. */
+/* The kernels of an instruction set, NULL where this build or processor lacks it. */
 BURNISH_API const burnish_kernels *burnish_kernels_for(burnish_isa isa);
 
-/* The tier of these kernels. */
+/* The instruction set of these kernels. */
 BURNISH_API burnish_isa burnish_kernels_isa(const burnish_kernels *kernels);
 
 /* ---- Lobes ---- */

@@ -112,7 +112,7 @@ BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,
 #define BURNISH_TRIANGLE_NONE UINT32_MAX
 
 /* Where a picture goes: the caller's memory, in rows from the top, strides in bytes from one row to
- * the next. What lies between rows is not touched. NULL: not wanted; what is not wanted costs
+ * the next. What lies between rows is not touched. A plane that is NULL is not drawn and costs
  * nothing.
  *
  * Alpha is straight: 255 (1 in floats) where options.transparent is 0, else the part of a pixel's
@@ -141,7 +141,7 @@ typedef struct burnish_target {
     size_t coverage_stride; /* at least width */
 } burnish_target;
 
-/* Nothing wanted. */
+/* Every pointer NULL. */
 BURNISH_API burnish_target burnish_target_default(void);
 
 /* ---- Renderers ---- */
@@ -166,7 +166,7 @@ BURNISH_API burnish_status burnish_renderer_draw(
     burnish_image *image, burnish_render_report *report, burnish_error *error);
 
 /* The same into the caller's memory.
- *   target   from burnish_target_default(), with what is wanted set; its memory is not kept
+ *   target   from burnish_target_default(), with the planes to draw set; its memory is not kept
  * Errors: as burnish_render, and ARGUMENT for a target that does not fit, which is then not
  * touched. After any other error it holds some pixels. */
 BURNISH_API burnish_status burnish_renderer_draw_into(

@@ -10,10 +10,10 @@ BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) 
     /* the order of the first clamp's operands sends NaN to the lowest bucket */
     vf x = vf_max(linear, vf_from_bits(first));
     x = vf_min(x, vf_from_bits(vi_set(BURNISH_SRGB_LAST_BITS)));
-    vi place = vi_sub(vf_bits(x), first);
-    vi entry = vi_gather(encoder->entries, vi_shr(place, 16));
+    vi offset = vi_sub(vf_bits(x), first);
+    vi entry = vi_gather(encoder->entries, vi_shr(offset, 16));
     /* threshold - 1 - low is negative where the float has reached the threshold */
-    vi low = vi_shr(vi_shl(place, 16), 16), threshold = vi_shr(vi_shl(entry, 15), 15);
+    vi low = vi_shr(vi_shl(offset, 16), 16), threshold = vi_shr(vi_shl(entry, 15), 15);
     vi reached = vi_shr(vi_sub(vi_sub(threshold, vi_set(1)), low), 31);
     return vi_add(vi_shr(entry, 17), reached);
 }

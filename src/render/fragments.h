@@ -33,7 +33,8 @@ typedef struct burnish_row_light {
 /* The planes that shading needs of a tile. */
 int burnish_surface_planes(const burnish_surface *surface);
 
-/* Shades the simple pixels of row `number`, in place. */
+/* Shades the simple pixels of row `number`, whose attributes are read where they lie. row->pixels
+ * must hold what the row's pixels show. */
 void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
                              burnish_fragment_scratch *scratch, burnish_row_light *row);
 

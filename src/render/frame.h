@@ -15,7 +15,7 @@ typedef struct burnish_frame {
     burnish_output output;
     burnish_plane_writer planes;
     int has_planes;    /* 1: the target has some */
-    int counts_pixels; /* 1: covered pixels and their bounds are wanted */
+    int counts_pixels; /* 1: covered pixels and their bounds are counted */
     uint8_t *drawn;    /* a byte per triangle of the mesh, set when it shows in a sample; or NULL */
     burnish_tasks *tasks;
     const burnish_context *context; /* whose memory is used */
@@ -29,7 +29,8 @@ typedef struct burnish_tiles {
     int worker_count;
 } burnish_tiles;
 
-/* Draws every tile. report gets covered_pixels and bounds where they are wanted. Errors: MEMORY,
+/* Draws every tile. report gets covered_pixels and bounds where they are
+ * counted. Errors: MEMORY,
  * CANCELLED. */
 burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_tiles *tiles,
                                   burnish_render_report *report, burnish_error *error);

@@ -6,13 +6,13 @@
 void burnish_sums_add(burnish_tile_sums *sums, const burnish_fragments *fragments,
                       const float *const rgb[3], float limit) {
     for (int i = 0; i < fragments->count; ++i) {
-        const int place = fragments->pixels[i];
+        const int pixel = fragments->pixels[i];
         const float weight = (float)fragments->weight[i];
         for (int k = 0; k < 3; ++k) {
             const float value = rgb[k][i];
-            sums->light[k][place] += weight * (value < limit ? value : limit);
+            sums->light[k][pixel] += weight * (value < limit ? value : limit);
         }
-        sums->covered[place] = (uint8_t)(sums->covered[place] + fragments->weight[i]);
+        sums->covered[pixel] = (uint8_t)(sums->covered[pixel] + fragments->weight[i]);
     }
 }
 

@@ -17,7 +17,7 @@
  * overflows on the way to the screen. */
 #define LARGEST_ENTRY 1e36
 
-/* The camera's place and axes in the raster's space (moved and scaled). */
+/* The camera's position and axes in the raster's space (moved and scaled). */
 typedef struct camera_frame {
     burnish_vec3 eye, right, up, forward;
     double scale; /* raster units a scene unit */
@@ -50,7 +50,7 @@ static burnish_status make_frame(const burnish_mesh_view *mesh, const burnish_ca
     frame->eye = burnish_vec3_scale(burnish_vec3_sub(position, bounds_center(mesh)), frame->scale);
     if (!(burnish_vec3_length(frame->forward) > 0.5)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "camera: position and focal point are the same place; move one");
+                            "camera: position and focal point are the same; move one");
     }
     if (!(burnish_vec3_length(frame->right) > 0.5)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -1,5 +1,4 @@
-/* Every lobe over a vector, and over an array. Included by the tiers, which make functions of it.
- */
+/* Every lobe over a vector, and over an array. */
 #ifndef BURNISH_SHADING_LOBE_SIMD_H
 #define BURNISH_SHADING_LOBE_SIMD_H
 

@@ -7,7 +7,7 @@
 
 #include "shading/lobe_simd.h"
 
-/* The arrays of a call, at the place of a vector. */
+/* The arrays of a call, at one vector of points. */
 typedef struct shade_vectors {
     vf normal[3], position[3], w;
 } shade_vectors;

@@ -8,9 +8,9 @@ source=$3
 scratch=$4
 mkdir -p "$scratch"
 $compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include/burnish" "$source/docs/examples/copy_lobe.c" -lm -o "$scratch/copy_lobe"
-$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" "$source/docs/examples/link_batch.c" "$archive" -lm -o "$scratch/link_batch"
+$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" "$source/docs/examples/link_kernels.c" "$archive" -lm -o "$scratch/link_kernels"
 "$scratch/copy_lobe" >"$scratch/copy.ppm"
-"$scratch/link_batch" >"$scratch/link.ppm" 2>"$scratch/link.txt"
+"$scratch/link_kernels" >"$scratch/link.ppm" 2>"$scratch/link.txt"
 grep -q '^kernels: ' "$scratch/link.txt"
 size=$(wc -c <"$scratch/copy.ppm")
 [ "$size" -eq $((256 * 256 * 3 + 15)) ] && [ "$(wc -c <"$scratch/link.ppm")" -eq "$size" ]

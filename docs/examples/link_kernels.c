@@ -1,7 +1,7 @@
 /* The second way in: link libburnish and hand over arrays. The fastest kernels of the processor do
  * the rest, with the same bits as every other.
  *
- *     cc link_batch.c $(pkg-config --cflags --libs burnish) -lm -o link_batch && ./link_batch > sphere.ppm
+ *     cc link_kernels.c $(pkg-config --cflags --libs burnish) -lm -o link_kernels && ./link_kernels > sphere.ppm
  */
 #include <math.h>
 #include <stdint.h>
