@@ -78,9 +78,17 @@ static const lobe_case LOBES[] = {
 
 /* The lobe's value in double precision. */
 static double exact_lobe(const lobe_case *lobe, double cosine) {
-    burnish_lobe_spec choice;
-    double zeta = 0, scale;
-    burnish_lobe_spec_parse(lobe->name, &choice, NULL);
+    static const lobe_case *solved; /* the searched fits take a while */
+    static burnish_lobe_spec choice;
+    static double zeta, scale;
+    if (lobe != solved) {
+        solved = lobe;
+        burnish_lobe_spec_parse(lobe->name, &choice, NULL);
+        CHECK((choice.kind != BURNISH_LOBE_FAMILY && choice.kind != BURNISH_LOBE_LYON) ||
+                  burnish_lobe_solve(&choice, (double)lobe->exponent, &zeta, &scale) ==
+                      BURNISH_LOBE_OK,
+              "zeta of %s", lobe->name);
+    }
     switch (choice.kind) {
     case BURNISH_LOBE_POWER:
         return burnish_theory_power(cosine, (double)lobe->exponent);
@@ -91,8 +99,6 @@ static double exact_lobe(const lobe_case *lobe, double cosine) {
     case BURNISH_LOBE_GX:
         return burnish_theory_gx(cosine, (double)lobe->exponent);
     default:
-        CHECK(burnish_lobe_solve(&choice, (double)lobe->exponent, &zeta, &scale) == BURNISH_LOBE_OK,
-              "zeta of %s", lobe->name);
         return scale * burnish_theory_family(zeta, choice.order, cosine);
     }
 }
