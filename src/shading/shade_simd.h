@@ -7,9 +7,11 @@
 
 #include "shading/lobe_simd.h"
 
-/* The arrays of a call, at one vector of points. */
+/* One vector of points: what the arrays hold, and what all lights need of it. */
 typedef struct shade_vectors {
     vf normal[3], position[3], w;
+    vf squared_n, inverse_n;  /* |N|^2, 1 / |N| */
+    vf to_viewer[3], n_dot_v; /* GENERAL: unit vector, cosine */
 } shade_vectors;
 
 /* What every light adds to. */
@@ -60,8 +62,8 @@ BURNISH_INLINE void shade_add_family(int body, const burnish_kernels_shader *sha
 /* A directional light and a distant viewer: one constant half vector. */
 BURNISH_INLINE void shade_distant_light(int body, int output, const burnish_kernels_shader *shader,
                                         const burnish_light_constants *light,
-                                        const shade_vectors *at, vf inverse, shade_sums *sums) {
-    const vf zero = vf_set(0.0f);
+                                        const shade_vectors *at, shade_sums *sums) {
+    const vf zero = vf_set(0.0f), inverse = at->inverse_n;
     vf n_dot_l = vf_max(vf_mul(shade_dot_constant(at->normal, light->vector), inverse), zero);
     shade_add_diffuse(light, output, n_dot_l, sums);
     if (body == BURNISH_LOBE_BODY_NONE) {
@@ -78,9 +80,9 @@ BURNISH_INLINE void shade_distant_light(int body, int output, const burnish_kern
     }
 }
 
-/* Directions at a vector of points, toward the viewer and one light. */
+/* Cosines of one light. */
 typedef struct shade_cosines {
-    vf n_dot_l, n_dot_v, l_dot_v;
+    vf n_dot_l, l_dot_v;
 } shade_cosines;
 
 /* Lyon's lobe: N of length s is scaled by three terms of 1/s instead of exactly; what is left of
@@ -109,17 +111,17 @@ BURNISH_INLINE int shade_is_dark(const burnish_kernels_shader *shader, vm lit, v
 BURNISH_INLINE void shade_general_specular(int body, int output,
                                            const burnish_kernels_shader *shader,
                                            const burnish_light_constants *light,
-                                           const shade_cosines *at, vf squared_n, vf inverse_n,
+                                           const shade_vectors *at, const shade_cosines *cosines,
                                            shade_sums *sums) {
     const vf two = vf_set(2.0f);
-    vm lit = vf_greater(at->n_dot_l, vf_set(0.0f));
+    vm lit = vf_greater(cosines->n_dot_l, vf_set(0.0f));
     vf cosine;
     if (shader->phong) {
-        cosine = vf_sub(vf_mul(vf_mul(two, at->n_dot_l), at->n_dot_v), at->l_dot_v);
+        cosine = vf_sub(vf_mul(vf_mul(two, cosines->n_dot_l), at->n_dot_v), cosines->l_dot_v);
     } else {
         /* opposite L and V leave no half vector: any bound that is not 0 will do */
-        vf squared = vf_max(vf_add(two, vf_mul(two, at->l_dot_v)), vf_set(0x1p-20f));
-        vf sum = vf_add(at->n_dot_l, at->n_dot_v);
+        vf squared = vf_max(vf_add(two, vf_mul(two, cosines->l_dot_v)), vf_set(0x1p-20f));
+        vf sum = vf_add(cosines->n_dot_l, at->n_dot_v);
         if (shade_is_family(body) && shade_is_dark(shader, lit, sum, squared)) {
             return;
         }
@@ -127,7 +129,7 @@ BURNISH_INLINE void shade_general_specular(int body, int output,
     }
     if (shade_is_family(body)) {
         vf u = shader->lyon
-                   ? shade_lyon(shader, squared_n, inverse_n, cosine)
+                   ? shade_lyon(shader, at->squared_n, at->inverse_n, cosine)
                    : vf_add(vf_mul(cosine, vf_set(shader->lobe.zeta)), vf_set(shader->offset));
         shade_add_family(body, shader, light, output, lit, u, sums);
     } else if (vm_any(lit)) {
@@ -136,13 +138,12 @@ BURNISH_INLINE void shade_general_specular(int body, int output,
     }
 }
 
-/* Any light and viewer. to_viewer is a unit vector. */
+/* Any light and viewer. */
 BURNISH_INLINE void shade_general_light(int body, int output, const burnish_kernels_shader *shader,
                                         const burnish_light_constants *light,
-                                        const shade_vectors *at, const vf to_viewer[3],
-                                        vf squared_n, vf inverse_n, vf n_dot_v, shade_sums *sums) {
+                                        const shade_vectors *at, shade_sums *sums) {
     vf to_light[3];
-    vf inverse = inverse_n;
+    vf inverse = at->inverse_n;
     shade_cosines cosines;
     for (int k = 0; k < 3; ++k) {
         to_light[k] = vf_set(light->vector[k]);
@@ -150,8 +151,7 @@ BURNISH_INLINE void shade_general_light(int body, int output, const burnish_kern
             to_light[k] = vf_sub(vf_mul(to_light[k], at->w), at->position[k]);
         }
     }
-    cosines.n_dot_v = n_dot_v;
-    cosines.l_dot_v = shade_dot(to_light, to_viewer);
+    cosines.l_dot_v = shade_dot(to_light, at->to_viewer);
     if (light->is_point) {
         vf inverse_l = vector_inverse_sqrt(shade_dot(to_light, to_light));
         inverse = vf_mul(inverse, inverse_l);
@@ -160,31 +160,25 @@ BURNISH_INLINE void shade_general_light(int body, int output, const burnish_kern
     cosines.n_dot_l = vf_mul(shade_dot(at->normal, to_light), inverse);
     shade_add_diffuse(light, output, vf_max(cosines.n_dot_l, vf_set(0.0f)), sums);
     if (body != BURNISH_LOBE_BODY_NONE) {
-        shade_general_specular(body, output, shader, light, &cosines, squared_n, inverse_n, sums);
+        shade_general_specular(body, output, shader, light, at, &cosines, sums);
     }
 }
 
-BURNISH_INLINE void shade_general(int body, int output, const burnish_kernels_shader *shader,
-                                  const shade_vectors *at, vf squared_n, vf inverse_n,
-                                  shade_sums *sums) {
-    vf to_viewer[3];
+/* Toward the viewer. */
+BURNISH_INLINE void shade_view(const burnish_kernels_shader *shader, shade_vectors *at) {
     for (int k = 0; k < 3; ++k) {
-        to_viewer[k] = vf_set(shader->viewer[k]);
+        at->to_viewer[k] = vf_set(shader->viewer[k]);
         if (shader->local_viewer) {
-            to_viewer[k] = vf_sub(vf_mul(to_viewer[k], at->w), at->position[k]);
+            at->to_viewer[k] = vf_sub(vf_mul(at->to_viewer[k], at->w), at->position[k]);
         }
     }
     if (shader->local_viewer) {
-        vf inverse = vector_inverse_sqrt(shade_dot(to_viewer, to_viewer));
+        vf inverse = vector_inverse_sqrt(shade_dot(at->to_viewer, at->to_viewer));
         for (int k = 0; k < 3; ++k) {
-            to_viewer[k] = vf_mul(to_viewer[k], inverse);
+            at->to_viewer[k] = vf_mul(at->to_viewer[k], inverse);
         }
     }
-    vf n_dot_v = vf_mul(shade_dot(at->normal, to_viewer), inverse_n);
-    for (int i = 0; i < shader->light_count; ++i) {
-        shade_general_light(body, output, shader, &shader->lights[i], at, to_viewer, squared_n,
-                            inverse_n, n_dot_v, sums);
-    }
+    at->n_dot_v = vf_mul(shade_dot(at->normal, at->to_viewer), at->inverse_n);
 }
 
 BURNISH_INLINE void shade_load(int geometry, const burnish_kernels_shader *shader,
@@ -212,13 +206,16 @@ BURNISH_INLINE void shade_points(int body, int geometry, int output,
         sums.diffuse[k] = vf_set(shader->ambient[output][k]);
         sums.specular[k] = vf_set(0.0f);
     }
-    vf squared = shade_dot(at.normal, at.normal);
-    vf inverse = vector_inverse_sqrt(squared);
+    at.squared_n = shade_dot(at.normal, at.normal);
+    at.inverse_n = vector_inverse_sqrt(at.squared_n);
     if (geometry == BURNISH_SHADE_GENERAL) {
-        shade_general(body, output, shader, &at, squared, inverse, &sums);
-    } else {
-        for (int l = 0; l < shader->light_count; ++l) {
-            shade_distant_light(body, output, shader, &shader->lights[l], &at, inverse, &sums);
+        shade_view(shader, &at);
+    }
+    for (int l = 0; l < shader->light_count; ++l) {
+        if (geometry == BURNISH_SHADE_GENERAL) {
+            shade_general_light(body, output, shader, &shader->lights[l], &at, &sums);
+        } else {
+            shade_distant_light(body, output, shader, &shader->lights[l], &at, &sums);
         }
     }
     for (int k = 0; k < 3; ++k) {
