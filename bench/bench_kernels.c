@@ -50,7 +50,6 @@ static const cli_command command = {
     .alone = 1,
     .operand = "",
     .summary = "time the kernels against pow, Schlick, tables and copies",
-    .operand_help = "",
     .manual =
         "Times the m = 2 lobe of the kernels and what it is compared with, taking turns in one "
         "run: a copy, m = 4, Schlick with a true division, squarings, a table, a tuned vector "
