@@ -232,8 +232,29 @@ static void check_bits(void) {
     CHECK(hash == 0xcfab5e56986bed8eu, "the bits changed");
 }
 
+/* Three doubles to float and back. */
+__attribute__((noinline)) static void through_float(double x, double y, double length,
+                                                    double out[3]) {
+    float v[3];
+    v[0] = (float)(x / length);
+    v[1] = (float)(y / length);
+    v[2] = (float)(0.3 / length);
+    for (int k = 0; k < 3; ++k) {
+        out[k] = (double)v[k];
+    }
+}
+
+/* The compiler keeps a rounding that stands in the source: GCC 12's SLP vectoriser does not. */
+static void check_compiler(void) {
+    double out[3];
+    through_float(0.7, 0.9, 1.37, out);
+    CHECK(out[0] == 0x1.059b18p-1 && out[1] == 0x1.5059b2p-1 && out[2] == 0x1.c07798p-3, "%a %a %a",
+          out[0], out[1], out[2]);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
+    RUN(check_compiler());
     RUN(check_square_root());
     RUN(check_sincos());
     RUN(check_atan2());
