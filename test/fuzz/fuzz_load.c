@@ -4,10 +4,12 @@
  *
  * byte 0:  format, by the letters of FORMATS; FUZZ_FORMAT in the environment comes first
  * byte 1:  options, see load_options() and draw()
+ * byte 2:  samples, camera inside the mesh, threads compared; see draw() and compare_threads()
  * the rest: the file. Of an OBJ what stands behind the first NUL is its material library, "101".
  *
  * Built by `make fuzz`; test/fuzz/run starts it, test/fuzz/seeds makes what it starts from. */
 #include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +24,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 #define FORMATS "a  ops" /* auto, OBJ, PLY, STL at the values of burnish_format */
 
 enum {
-    HEAD = 2,
+    HEAD = 3,
     /* Where the files are, so that "/proc/self/fd/100" finds its library "101" beside it. */
     MESH_DESCRIPTOR = 100,
     LIBRARY_DESCRIPTOR = 101,
@@ -49,6 +51,7 @@ static burnish_load_options load_options(const uint8_t *head) {
     options.crease_angle = creases[head[1] & 3];
     options.max_triangles = head[1] & 4 ? 5 : TRIANGLE_LIMIT;
     options.max_input_bytes = INPUT_LIMIT;
+    options.threads = 1;
     return options;
 }
 
@@ -138,9 +141,26 @@ static int is_tiny(const burnish_mesh_view *mesh) {
     return 1;
 }
 
-/* A mesh that loads can be framed and drawn, whatever its size and place. */
-static void draw(const burnish_mesh *scene, uint8_t choice) {
-    static const int samples[2] = {1, 4};
+/* From the middle of the mesh toward a corner of its box, with a wide angle. Returns 0 where single
+ * precision can't hold that. */
+static int move_inside(const burnish_mesh_view *mesh, burnish_camera *camera) {
+    int apart = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double low = (double)mesh->bounds_min[i], high = (double)mesh->bounds_max[i];
+        camera->position[i] = low + (high - low) * (0.5 + 0.03 * i);
+        camera->focal_point[i] = high;
+        apart |= high - low > 1e-6 * (1 + fabs(low) + fabs(high));
+    }
+    camera->orthographic_height = 0;
+    camera->view_angle = 120;
+    return apart;
+}
+
+/* A mesh that loads can be framed and drawn, whatever its size and place. Wherever the camera
+ * stands, the answer is a picture or one line. */
+static void draw(const burnish_mesh *scene, uint8_t choice, uint8_t more) {
+    static const int samples[4] = {1, 4, 8, 16};
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     burnish_error error = {0};
     burnish_image image = {0};
     burnish_render_report report = {0};
@@ -150,19 +170,55 @@ static void draw(const burnish_mesh *scene, uint8_t choice) {
     options.width = 40;
     options.height = 24;
     fit.aspect = 40.0 / 24;
-    options.threads = 1;
-    options.samples = samples[choice >> 5 & 1];
+    options.threads = more & 16 ? 2 : 1;
+    options.samples = samples[(choice >> 5 & 1) ^ (more & 3)];
     options.lobe.kind = choice & 64 ? BURNISH_LOBE_LYON : BURNISH_LOBE_FAMILY;
     burnish_status status = burnish_camera_frame(scene, &fit, &options.camera, &error);
     require(status == BURNISH_STATUS_OK, "camera", &error);
+    const int inside = more & 4 && move_inside(mesh, &options.camera);
     status = burnish_render(scene, &options, &image, &report, &error);
-    if (status == BURNISH_STATUS_LIMIT && is_tiny(burnish_mesh_get_view(scene))) {
+    if (status != BURNISH_STATUS_OK) {
+        require(inside || (status == BURNISH_STATUS_LIMIT && is_tiny(mesh)), "render", &error);
+        check_line(error.text);
         return;
     }
-    require(status == BURNISH_STATUS_OK, "render", &error);
     require(report.triangles_drawn <= report.triangles && report.covered_pixels <= 40 * 24,
             "report", NULL);
     burnish_image_destroy(&image);
+}
+
+static int same_bytes(const void *a, const void *b, size_t size) {
+    return (!a && !b) || (a && b && memcmp(a, b, size) == 0);
+}
+
+/* Three threads read what one reads: the same arrays, warnings and error. */
+static void compare_threads(const uint8_t *bytes, size_t size, int from_file,
+                            burnish_load_options options, const burnish_mesh *scene,
+                            const burnish_error *expected) {
+    burnish_mesh *other = NULL;
+    burnish_error error = {0};
+    options.threads = 3;
+    burnish_status status = load(bytes, size, from_file, &options, &other, &error);
+    require(status == expected->status && strcmp(error.text, expected->text) == 0,
+            "another error by threads", &error);
+    require(burnish_mesh_warning_count(other) == burnish_mesh_warning_count(scene), "warnings",
+            NULL);
+    for (size_t i = 0; i < burnish_mesh_warning_count(scene); ++i) {
+        require(strcmp(burnish_mesh_warning(other, i), burnish_mesh_warning(scene, i)) == 0,
+                "another warning by threads", NULL);
+    }
+    if (scene) {
+        const burnish_mesh_view *a = burnish_mesh_get_view(scene),
+                                *b = burnish_mesh_get_view(other);
+        require(a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count &&
+                    same_bytes(a->positions, b->positions, 12 * a->vertex_count) &&
+                    same_bytes(a->normals, b->normals, 12 * a->vertex_count) &&
+                    same_bytes(a->colors, b->colors, 4 * a->vertex_count) &&
+                    same_bytes(a->indices, b->indices, 12 * a->triangle_count) &&
+                    same_bytes(a->triangle_materials, b->triangle_materials, 2 * a->triangle_count),
+                "another mesh by threads", NULL);
+    }
+    burnish_mesh_destroy(other);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -175,10 +231,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     burnish_status status = load(data + HEAD, size - HEAD, data[1] & 8, &options, &scene, &error);
     if (status == BURNISH_STATUS_OK) {
         check_scene(scene);
-        draw(scene, data[1]);
+        draw(scene, data[1], data[2]);
     } else {
         require(!scene && error.status == status, "status", &error);
         check_line(error.text);
+    }
+    if (data[2] & 8) {
+        compare_threads(data + HEAD, size - HEAD, data[1] & 8, options, scene, &error);
     }
     burnish_mesh_destroy(scene);
     return 0;
