@@ -60,7 +60,7 @@ ctest-%:
 	@cmake --build --preset $* -j $(JOBS)
 	@BURNISH_TEST_ONLY='$(only_case)' ctest --preset $* --no-tests=error -j $(JOBS) $(CTEST) $(if $(ONLY),-V -R '^$(only_test)$$')
 
-check: format-check asan tsan msan fuzz-briefly ## format, tests under sanitizers, a little fuzzing
+check: format-check asan tsan fuzz-briefly ## format, tests under sanitizers, a little fuzzing
 
 asan: ## tests with the address and undefined behaviour sanitizers
 	@$(DEPS) build test check
@@ -70,9 +70,9 @@ tsan: ## tests with the thread sanitizer
 	@$(DEPS) build test check
 	@$(MAKE) --no-print-directory ctest-tsan
 
-msan: ## tests with the memory sanitizer
+msan: ## unit tests with the memory sanitizer
 	@$(DEPS) build test check
-	@$(MAKE) --no-print-directory ctest-msan
+	@$(MAKE) --no-print-directory ctest-msan CTEST='-L unit'
 
 clang: ## tests of the optimised clang build
 	@$(DEPS) build test check
