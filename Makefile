@@ -1,7 +1,7 @@
 # The front door. `make help` lists what there is; ./make does the same where make itself is missing.
 .DEFAULT_GOAL := help
 .PHONY: help deps build demo pictures test test-all check asan tsan msan clang scalar fuzz fuzz-briefly build-fuzz sweep bench \
-	bench-peers bench-scale format format-check golden figures mcu prove-q15 rtl rtl-prove cross install check-targets short-docs clean
+	bench-peers bench-scale format format-check golden abi figures mcu prove-q15 rtl rtl-prove cross install check-targets short-docs clean
 
 PRESET ?= release
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -123,6 +123,10 @@ golden: build ## rewrite test/golden/pixels.txt after a deliberate change of pix
 
 short-docs:
 	@$(if $(SHORT),mkdir -p build/short && rm -rf $(DOCS) && cp -R docs $(DOCS))
+
+abi: ## rewrite test/golden/abi.txt after a deliberate change of the binary interface
+	@$(DEPS) check
+	@./test/cli/abi.sh . build/abi --update $(if $(SHORT),build/short/abi.txt)
 
 figures: short-docs ## draw the figures and fill the tables of docs/theory.md again
 	@$(DEPS) build figures

@@ -153,6 +153,7 @@ static burnish_status write_standard_output(const content *what, burnish_error *
 /* Names of temporaries that exist or are about to; NULL in free slots. Process-wide, because a
  * handler of signals knows nothing else. */
 static _Atomic(const char *) temporaries[TEMPORARIES];
+static atomic_int handlers; /* that look at them */
 
 static void remember(const char *name) {
     for (int i = 0; i < TEMPORARIES; ++i) {
@@ -163,25 +164,27 @@ static void remember(const char *name) {
     }
 }
 
-/* Returns 0 when a handler has the name at this moment: then it must stay in memory. */
+/* Returns 0 when a handler may have the name at this moment: then it must stay in memory. */
 static int forget(const char *name) {
     for (int i = 0; i < TEMPORARIES; ++i) {
         const char *expected = name;
         if (atomic_compare_exchange_strong(&temporaries[i], &expected, NULL)) {
-            return 1;
+            break;
         }
     }
-    return 0;
+    return atomic_load(&handlers) == 0;
 }
 
 void burnish_file_remove_temporaries(void) {
     const int code = errno;
+    atomic_fetch_add(&handlers, 1);
     for (int i = 0; i < TEMPORARIES; ++i) {
-        const char *name = atomic_exchange(&temporaries[i], NULL);
+        const char *name = atomic_load(&temporaries[i]);
         if (name) {
             unlink(name);
         }
     }
+    atomic_fetch_sub(&handlers, 1);
     errno = code;
 }
 

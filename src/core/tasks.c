@@ -33,7 +33,6 @@ static struct {
     job *job;
     int started, sleeping;        /* threads */
     int open, joined, max_joined; /* takes more threads, so many have come, and may come */
-    pthread_t threads[BURNISH_THREADS_MAX];
 } pool = {.busy = ATOMIC_FLAG_INIT,
           .mutex = PTHREAD_MUTEX_INITIALIZER,
           .wake = PTHREAD_COND_INITIALIZER,
@@ -119,9 +118,9 @@ static void watch_forks(void) {
 #endif
 
 static void create_threads(int wanted) {
-    while (pool.started < wanted &&
-           pthread_create(&pool.threads[pool.started], NULL, run_thread, NULL) == 0) {
-        pthread_detach(pool.threads[pool.started]);
+    pthread_t thread;
+    while (pool.started < wanted && pthread_create(&thread, NULL, run_thread, NULL) == 0) {
+        pthread_detach(thread);
         ++pool.started;
     }
 }

@@ -8,6 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
 
 /* strtod in the C locale; NaN without memory. */
 static inline double cli_strtod(const char *text) {

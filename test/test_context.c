@@ -1,0 +1,175 @@
+/* Contexts, and memory that goes through them. */
+#include <stdint.h>
+
+#include "core/context.h"
+#include "core/memory.h"
+#include "support.h"
+
+static void check_refused(const burnish_context_options *options, const char *text) {
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_context *context = (burnish_context *)&error;
+    CHECK1(burnish_context_create(options, &context, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, text);
+    CHECK1(context == NULL);
+}
+
+static void *no_memory(void *user_data, size_t size, size_t alignment) {
+    (void)user_data, (void)size, (void)alignment;
+    return NULL;
+}
+
+static void release_nothing(void *user_data, void *memory) {
+    (void)user_data, (void)memory;
+}
+
+static void run_nothing(void *user_data, int count, void (*task)(void *data, int index),
+                        void *data) {
+    (void)user_data, (void)count, (void)task, (void)data;
+}
+
+static void test_refusals(void) {
+    burnish_error error;
+    burnish_context_options options = {0};
+    CHECK1(burnish_context_create(&options, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "context: NULL; pass where to put it");
+    check_refused(NULL, "context options: not initialised; start from "
+                        "burnish_context_options_default()");
+    check_refused(&options, "context options: not initialised; start from "
+                            "burnish_context_options_default()");
+    options = burnish_context_options_default();
+    options.allocator.allocate = no_memory;
+    check_refused(&options, "context options: allocator has one function of two; set both, or "
+                            "neither");
+    options = burnish_context_options_default();
+    options.tasks = (burnish_task_runner){0, run_nothing, NULL};
+    check_refused(&options, "context options: tasks.thread_count is 0; expected 1 to 1024");
+    options.tasks.thread_count = 1025;
+    check_refused(&options, "context options: tasks.thread_count is 1025; expected 1 to 1024");
+    options = burnish_context_options_default();
+    options.allocator = (burnish_allocator){no_memory, release_nothing, NULL};
+    burnish_context *context;
+    CHECK1(burnish_context_create(&options, &context, &error) == BURNISH_STATUS_MEMORY);
+    CHECK1(context == NULL);
+    burnish_context_destroy(NULL);
+}
+
+/* An allocator that counts and sees to what it promises. */
+typedef struct counts {
+    int live, wrong;
+} counts;
+
+static void *count_allocate(void *user_data, size_t size, size_t alignment) {
+    counts *c = user_data;
+    c->wrong += size == 0 || alignment > 64 || (alignment & (alignment - 1)) != 0;
+    ++c->live;
+    return aligned_alloc(alignment, size);
+}
+
+static void count_release(void *user_data, void *memory) {
+    counts *c = user_data;
+    c->wrong += memory == NULL;
+    --c->live;
+    free(memory);
+}
+
+/* Arrays of every size, aligned, kept while they grow. */
+static void check_arrays(const burnish_context *context) {
+    burnish_error error;
+    burnish_memory memory = burnish_memory_of(context, &error);
+    for (size_t count = 1; count < 2000; count += count / 3 + 1) {
+        uint8_t *items = burnish_allocate_zeroed(&memory, count, 3, "items");
+        if (!CHECK(items && (uintptr_t)items % BURNISH_ALIGNMENT == 0, "%zu items", count)) {
+            return;
+        }
+        int sum = 0;
+        for (size_t i = 0; i < 3 * count; ++i) {
+            sum += items[i];
+        }
+        CHECK(sum == 0, "%zu items are not cleared", count);
+        burnish_release(context, items);
+    }
+    size_t capacity = 0;
+    uint32_t *numbers = NULL;
+    for (uint32_t i = 0; i < 5000; ++i) {
+        numbers = burnish_reserve(&memory, numbers, &capacity, i + 1, sizeof *numbers, "numbers");
+        numbers[i] = i * 7;
+    }
+    int wrong = 0;
+    for (uint32_t i = 0; i < 5000; ++i) {
+        wrong += numbers[i] != i * 7;
+    }
+    CHECK(wrong == 0 && capacity >= 5000, "%d numbers lost, capacity %zu", wrong, capacity);
+    uint32_t *same =
+        burnish_reserve_discard(&memory, numbers, &capacity, 100, sizeof *numbers, "numbers");
+    CHECK1(same == numbers);
+    numbers =
+        burnish_reserve_discard(&memory, numbers, &capacity, 100000, sizeof *numbers, "numbers");
+    CHECK1(numbers && capacity == 100000 && memory.status == BURNISH_STATUS_OK);
+    burnish_release(context, numbers);
+    CHECK1(burnish_allocate(&memory, 0, 8, "nothing") == NULL);
+    CHECK1(memory.status == BURNISH_STATUS_OK);
+    burnish_release(context, NULL);
+}
+
+/* What can't be had is said once; later requests fail with it. */
+static void check_shortage(const burnish_context *context) {
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_memory memory = burnish_memory_of(context, &error);
+    size_t capacity = 0;
+    CHECK1(burnish_allocate(&memory, SIZE_MAX / 2, 3, "items") == NULL);
+    CHECK1(memory.status == BURNISH_STATUS_LIMIT && error.status == BURNISH_STATUS_LIMIT);
+    CHECK1(strstr(error.text, "items: ") == error.text);
+    error.text[0] = 0;
+    CHECK1(burnish_allocate(&memory, 1, 1, "more") == NULL);
+    CHECK1(burnish_reserve(&memory, NULL, &capacity, 1, 1, "more") == NULL && capacity == 0);
+    CHECK1(error.text[0] == 0 && memory.status == BURNISH_STATUS_LIMIT);
+
+    memory = burnish_memory_of(context, &error);
+    uint8_t *items = burnish_reserve(&memory, NULL, &capacity, 10, 1, "items");
+    const size_t before = capacity;
+    CHECK1(burnish_reserve(&memory, items, &capacity, SIZE_MAX - 1, 2, "items") == items);
+    CHECK1(capacity == before && memory.status == BURNISH_STATUS_LIMIT);
+    burnish_release(context, items);
+}
+
+static void test_memory_of(int own) {
+    counts c = {0, 0};
+    burnish_error error;
+    burnish_context_options options = burnish_context_options_default();
+    if (own) {
+        options.allocator = (burnish_allocator){count_allocate, count_release, &c};
+    }
+    burnish_context *context = NULL;
+    CHECK1(burnish_context_create(&options, &context, &error) == BURNISH_STATUS_OK);
+    CHECK1(c.live == own);
+    check_arrays(context);
+    check_shortage(context);
+    CHECK(c.live == own && c.wrong == 0, "%d allocations left, %d wrong", c.live - own, c.wrong);
+    burnish_context_destroy(context);
+    CHECK1(c.live == 0);
+}
+
+static void test_version(void) {
+    char text[32];
+    snprintf(text, sizeof text, "%d.%d.%d", BURNISH_VERSION_MAJOR, BURNISH_VERSION_MINOR,
+             BURNISH_VERSION_PATCH);
+    CHECK_TEXT(burnish_version(), text);
+    CHECK1(burnish_version_number() == BURNISH_VERSION_NUMBER);
+}
+
+/* Every errno has a text, also one that no system has. */
+static void test_reasons(void) {
+    CHECK1(burnish_errno_reason(2).text[0] != 0);
+    CHECK_TEXT(burnish_errno_reason(2).text, strerror(2));
+    CHECK1(burnish_errno_reason(99999).text[0] != 0);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_refusals());
+    RUN(test_memory_of(0));
+    RUN(test_memory_of(1));
+    RUN(test_version());
+    RUN(test_reasons());
+    return test_end("context");
+}
