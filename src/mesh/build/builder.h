@@ -13,6 +13,13 @@ enum {
     BURNISH_EXTRA_ATTRIBUTES = BURNISH_NORMAL + 1 /* the first one that is only passed on */
 };
 
+/* An attribute besides position and normal: only passed on. */
+typedef struct burnish_extra {
+    burnish_attribute attribute;
+    const uint32_t *corners; /* BURNISH_NONE: white, or 0 */
+    const uint8_t *items;
+} burnish_extra;
+
 typedef struct burnish_builder {
     burnish_mesh_data *data;
     burnish_memory *memory; /* the data's */
@@ -29,6 +36,8 @@ typedef struct burnish_builder {
     uint32_t *first_corner; /* position_count + 1: where a position's corners start in ... */
     uint32_t *corners;      /* ... all corners, by position */
     size_t max_faces;       /* around one position */
+    burnish_extra extras[BURNISH_ATTRIBUTE_COUNT]; /* from the vertices on */
+    int extra_count;
     size_t vertex_count;
 } burnish_builder;
 

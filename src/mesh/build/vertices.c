@@ -68,18 +68,26 @@ static int needs_normal(const burnish_builder *b, const uint32_t *corners, size_
     return 0;
 }
 
-/* What a corner has of an attribute that is only passed on; white or 0 where it has none. Returns
- * the bytes that it takes. */
-static size_t copy_item(const burnish_mesh_data *data, int attribute, uint32_t corner, void *to) {
-    const size_t size = burnish_attribute_size((burnish_attribute)attribute);
-    const uint32_t number = burnish_stream_corners(data, (burnish_attribute)attribute)[corner];
-    const uint8_t *items = data->streams[attribute].items;
+static void find_extras(burnish_builder *b) {
+    for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        if (b->data->streams[i].count > 0) {
+            b->extras[b->extra_count++] = (burnish_extra){
+                (burnish_attribute)i, burnish_stream_corners(b->data, (burnish_attribute)i),
+                b->data->streams[i].items};
+        }
+    }
+}
+
+/* Copies what a corner has of it; returns the bytes that this takes. */
+static inline size_t copy_item(const burnish_extra *extra, uint32_t corner, uint8_t *to) {
+    const size_t size = burnish_attribute_size(extra->attribute);
+    const uint32_t number = extra->corners[corner];
     if (number == BURNISH_NONE) {
-        memset(to, attribute == BURNISH_COLOR ? 255 : 0, size);
+        memset(to, extra->attribute == BURNISH_COLOR ? 255 : 0, size);
     } else if (size == 4) {
-        memcpy(to, items + 4 * (size_t)number, 4);
+        memcpy(to, extra->items + 4 * (size_t)number, 4);
     } else {
-        memcpy(to, items + size * number, size);
+        memcpy(to, extra->items + size * number, size);
     }
     return size;
 }
@@ -89,10 +97,8 @@ static void describe_corner(const burnish_builder *b, uint32_t corner, const flo
     size_t used = 3 * sizeof(float);
     *record = (burnish_weld_record){{0}, corner};
     memcpy(record->key, normal, used);
-    for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT && b->has_extras; ++i) {
-        if (b->data->streams[i].count > 0) {
-            used += copy_item(b->data, i, corner, (uint8_t *)record->key + used);
-        }
+    for (int i = 0; i < b->extra_count; ++i) {
+        used += copy_item(&b->extras[i], corner, (uint8_t *)record->key + used);
     }
 }
 
@@ -324,11 +330,11 @@ static void write_range(void *context, size_t first, size_t end) {
         const size_t number = b->mesh->indices[vertex->corner];
         memcpy(positions + 3 * number, from + 3 * (size_t)vertex->position, 3 * sizeof(float));
         memcpy(normals + 3 * number, vertex->normal, 3 * sizeof(float));
-        for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT && b->has_extras; ++i) {
-            if (attributes[i]) {
-                const size_t size = burnish_attribute_size((burnish_attribute)i);
-                copy_item(b->data, i, vertex->corner, (uint8_t *)attributes[i] + size * number);
-            }
+        for (int i = 0; i < b->extra_count; ++i) {
+            const burnish_attribute attribute = b->extras[i].attribute;
+            uint8_t *to = attributes[attribute];
+            copy_item(&b->extras[i], vertex->corner,
+                      to + burnish_attribute_size(attribute) * number);
         }
     }
 }
@@ -340,6 +346,7 @@ burnish_status burnish_build_vertices(burnish_builder *b) {
     if (list_corners(b) != BURNISH_STATUS_OK) {
         return b->memory->status;
     }
+    find_extras(b);
     vertex_maker *makers = create_makers(b, count);
     burnish_status status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
