@@ -1,15 +1,10 @@
 /* burnish_mesh_create: arrays of every shape, and what the context brings: memory that runs short,
  * cancelling, progress, the log; the caller's floating-point environment. */
-#include <fenv.h>
 #include <math.h>
-#include <stdatomic.h>
 
+#include "counting_context.h"
 #include "mesh_arrays.h"
 #include "support.h"
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 enum { SIDES = 600, VERTICES = SIDES + 2, TRIANGLES = SIDES + 1 };
 
@@ -193,58 +188,6 @@ static void test_refusals(void) {
 
 /* ---- Contexts ---- */
 
-/* What a context of the tests' counts. */
-typedef struct counts {
-    atomic_long left; /* allocations before one fails; negative: none does */
-    atomic_long live; /* taken and not given back */
-    long questions;   /* of cancelled, before it says yes; negative: never */
-    double fraction;
-    int wrong_order, lines;
-} counts;
-
-static void *count_allocate(void *user_data, size_t size, size_t alignment) {
-    counts *c = user_data;
-    if (atomic_load(&c->left) >= 0 && atomic_fetch_sub(&c->left, 1) == 0) {
-        return NULL;
-    }
-    atomic_fetch_add(&c->live, 1);
-    return aligned_alloc(alignment, size);
-}
-
-static void count_release(void *user_data, void *memory) {
-    atomic_fetch_sub(&((counts *)user_data)->live, 1);
-    free(memory);
-}
-
-static int count_cancelled(void *user_data) {
-    counts *c = user_data;
-    return c->questions >= 0 && c->questions-- == 0;
-}
-
-static void count_progress(void *user_data, burnish_stage stage, double fraction) {
-    counts *c = user_data;
-    c->wrong_order |= stage != BURNISH_STAGE_BUILD || fraction < c->fraction || fraction > 1;
-    c->fraction = fraction;
-}
-
-static void count_line(void *user_data, const char *line) {
-    counts *c = user_data;
-    c->lines += strcmp(line, "mesh: 1 of 601 triangles have no area and were left out") == 0;
-}
-
-static burnish_context *make_context(counts *c) {
-    burnish_context_options options = burnish_context_options_default();
-    burnish_context *context = NULL;
-    *c = (counts){.left = -1, .questions = -1};
-    options.allocator = (burnish_allocator){count_allocate, count_release, c};
-    options.cancelled = count_cancelled;
-    options.progress = count_progress;
-    options.log = count_line;
-    options.cancelled_user_data = options.progress_user_data = options.log_user_data = c;
-    CHECK1(burnish_context_create(&options, &context, NULL) == BURNISH_STATUS_OK);
-    return context;
-}
-
 /* Vertices by the file's normals, by generated ones, with colours and texture coordinates. */
 static burnish_mesh_description kind_of_mesh(int kind) {
     burnish_mesh_description arrays =
@@ -305,7 +248,7 @@ static void test_cancelling(int kind, int threads) {
         burnish_mesh *mesh = NULL;
         burnish_error error = {0};
         c.questions = k;
-        c.fraction = 0;
+        c.stage = BURNISH_STAGE_READ;
         status = burnish_mesh_create(&arrays, &options, &mesh, &error);
         CHECK(status == BURNISH_STATUS_OK
                   ? c.fraction == 1
@@ -316,26 +259,11 @@ static void test_cancelling(int kind, int threads) {
     }
     CHECK(k > 5 && k < 1000, "%ld questions", k);
     CHECK1(!c.wrong_order && c.lines > 0);
+    CHECK_TEXT(c.last_line, "mesh: 1 of 601 triangles have no area and were left out");
     burnish_context_destroy(context);
 }
 
 /* ---- The floating-point environment ---- */
-
-static unsigned control_bits(void) {
-#if defined(__SSE2__)
-    return _mm_getcsr() & 0xffc0u; /* all but the flags of exceptions */
-#else
-    return (unsigned)fegetround();
-#endif
-}
-
-static void set_mode(int mode) {
-    static const int roundings[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    fesetround(roundings[mode & 3]);
-#if defined(__SSE2__)
-    _mm_setcsr((_mm_getcsr() & ~0x8040u) | (mode & 4 ? 0x8040u : 0)); /* FTZ and DAZ */
-#endif
-}
 
 static void test_environment(int kind) {
     const burnish_mesh_description arrays = kind_of_mesh(kind);

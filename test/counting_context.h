@@ -1,0 +1,92 @@
+/* For tests: a context that counts what it is asked for, runs out of memory and cancels on demand;
+ * and floating-point environments. */
+#ifndef BURNISH_TEST_COUNTING_CONTEXT_H
+#define BURNISH_TEST_COUNTING_CONTEXT_H
+
+#include <fenv.h>
+#include <stdatomic.h>
+
+#include "burnish/core.h"
+#include "support.h"
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+/* What a context of the tests' counts. */
+typedef struct counts {
+    atomic_long left;    /* allocations before one fails; negative: none does */
+    atomic_long live;    /* taken and not given back */
+    long questions;      /* of cancelled, before it says yes; negative: never */
+    burnish_stage stage; /* of the last progress, and its ... */
+    double fraction;
+    int wrong_order;
+    int lines; /* of the log, and ... */
+    char last_line[480];
+} counts;
+
+static inline void *count_allocate(void *user_data, size_t size, size_t alignment) {
+    counts *c = user_data;
+    if (atomic_load(&c->left) >= 0 && atomic_fetch_sub(&c->left, 1) == 0) {
+        return NULL;
+    }
+    atomic_fetch_add(&c->live, 1);
+    return aligned_alloc(alignment, size);
+}
+
+static inline void count_release(void *user_data, void *memory) {
+    atomic_fetch_sub(&((counts *)user_data)->live, 1);
+    free(memory);
+}
+
+static inline int count_cancelled(void *user_data) {
+    counts *c = user_data;
+    return c->questions >= 0 && c->questions-- == 0;
+}
+
+static inline void count_progress(void *user_data, burnish_stage stage, double fraction) {
+    counts *c = user_data;
+    c->wrong_order |= stage < c->stage || fraction < 0 || fraction > 1 ||
+                      (stage == c->stage && fraction < c->fraction);
+    c->stage = stage;
+    c->fraction = fraction;
+}
+
+static inline void count_line(void *user_data, const char *line) {
+    counts *c = user_data;
+    snprintf(c->last_line, sizeof c->last_line, "%s", line);
+    ++c->lines;
+}
+
+static inline burnish_context *make_context(counts *c) {
+    burnish_context_options options = burnish_context_options_default();
+    burnish_context *context = NULL;
+    *c = (counts){.left = -1, .questions = -1};
+    options.allocator = (burnish_allocator){count_allocate, count_release, c};
+    options.cancelled = count_cancelled;
+    options.progress = count_progress;
+    options.log = count_line;
+    options.cancelled_user_data = options.progress_user_data = options.log_user_data = c;
+    CHECK1(burnish_context_create(&options, &context, NULL) == BURNISH_STATUS_OK);
+    return context;
+}
+
+/* The caller's mode, without the flags of exceptions. */
+static inline unsigned control_bits(void) {
+#if defined(__SSE2__)
+    return _mm_getcsr() & 0xffc0u;
+#else
+    return (unsigned)fegetround();
+#endif
+}
+
+/* Mode 0: as it should be; [1, 8): other roundings, and with 4 no subnormal numbers. */
+static inline void set_mode(int mode) {
+    static const int roundings[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    fesetround(roundings[mode & 3]);
+#if defined(__SSE2__)
+    _mm_setcsr((_mm_getcsr() & ~0x8040u) | (mode & 4 ? 0x8040u : 0)); /* FTZ and DAZ */
+#endif
+}
+
+#endif
