@@ -157,37 +157,37 @@ static void test_sphere(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *scene = make(":sphere", n, 40);
-        const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-        topology t = examine(mesh);
+        burnish_mesh *mesh = make(":sphere", n, 40);
+        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+        topology t = examine(view);
         CHECK(t.open == 0 && t.wrong == 0, "%zu open, %zu wrong", t.open, t.wrong);
-        CHECK(euler(&t, mesh) == 2, "%ld", euler(&t, mesh));
-        CHECK(mesh->triangle_count == 48u * n * n, "%zu", mesh->triangle_count);
-        CHECK(mesh->vertex_count == t.vertices, "%zu, %zu", mesh->vertex_count, t.vertices);
-        CHECK1(burnish_mesh_warning_count(scene) == 0);
+        CHECK(euler(&t, view) == 2, "%ld", euler(&t, view));
+        CHECK(view->triangle_count == 48u * n * n, "%zu", view->triangle_count);
+        CHECK(view->vertex_count == t.vertices, "%zu, %zu", view->vertex_count, t.vertices);
+        CHECK1(burnish_mesh_warning_count(mesh) == 0);
         size_t equator = 0;
-        for (size_t i = 0; i < mesh->vertex_count; ++i) {
-            const float *p = mesh->positions + 3 * i;
+        for (size_t i = 0; i < view->vertex_count; ++i) {
+            const float *p = view->positions + 3 * i;
             double r2 = (double)p[0] * (double)p[0] + (double)p[1] * (double)p[1] +
                         (double)p[2] * (double)p[2];
             CHECK(fabs(sqrt(r2) - 1) < 1.2e-7, "radius %.9g", sqrt(r2));
             for (int axis = 0; axis < 3; ++axis) {
-                double off = (double)p[axis] - (double)mesh->normals[3 * i + axis];
+                double off = (double)p[axis] - (double)view->normals[3 * i + axis];
                 CHECK(fabs(off) <= 6e-8, "normal is not the position: %g", off);
             }
             equator += p[1] == 0;
         }
         CHECK(equator == 8u * n, "%zu vertices around", equator);
         double volume, area;
-        measure(mesh, &volume, &area);
+        measure(view, &volume, &area);
         error[k] = 4 * PI / 3 - volume;
         CHECK(error[k] > 0 && error[k] < 1.6 / (n * n), "volume %g", volume);
         CHECK(fabs(area - 4 * PI) < 1.7 / (n * n), "area %g", area);
-        check_normals(mesh, "sphere", 0.99);
+        check_normals(view, "sphere", 0.99);
         for (int axis = 0; axis < 3; ++axis) {
-            CHECK1(mesh->bounds_min[axis] == -1 && mesh->bounds_max[axis] == 1);
+            CHECK1(view->bounds_min[axis] == -1 && view->bounds_max[axis] == 1);
         }
-        burnish_mesh_destroy(scene);
+        burnish_mesh_destroy(mesh);
     }
     CHECK(fabs(error[0] / error[1] - 4) < 0.1, "second order: %g", error[0] / error[1]);
 }
@@ -196,48 +196,48 @@ static void test_torus(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *scene = make(":torus", n, 40);
-        const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-        topology t = examine(mesh);
+        burnish_mesh *mesh = make(":torus", n, 40);
+        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+        topology t = examine(view);
         double volume, area, exact = 2 * PI * PI * 0.4 * 0.4;
-        CHECK(t.open == 0 && t.wrong == 0 && euler(&t, mesh) == 0, "%zu open, Euler %ld", t.open,
-              euler(&t, mesh));
-        CHECK1(mesh->vertex_count == t.vertices && mesh->vertex_count == 32u * n * n);
-        measure(mesh, &volume, &area);
+        CHECK(t.open == 0 && t.wrong == 0 && euler(&t, view) == 0, "%zu open, Euler %ld", t.open,
+              euler(&t, view));
+        CHECK1(view->vertex_count == t.vertices && view->vertex_count == 32u * n * n);
+        measure(view, &volume, &area);
         error[k] = exact - volume;
         CHECK(error[k] > 0 && error[k] < 3.2 / (n * n), "volume %g of %g", volume, exact);
         CHECK(fabs(area - 4 * PI * PI * 0.4) < 8.0 / (n * n), "area %g", area);
-        for (size_t i = 0; i < mesh->vertex_count; ++i) {
-            const float *p = mesh->positions + 3 * i, *normal = mesh->normals + 3 * i;
+        for (size_t i = 0; i < view->vertex_count; ++i) {
+            const float *p = view->positions + 3 * i, *normal = view->normals + 3 * i;
             double ring = hypot((double)p[0], (double)p[2]), y = (double)p[1];
             CHECK(fabs(hypot(ring - 1, y) - 0.4) < 2e-7, "off the torus");
             CHECK(fabs((double)normal[1] - y / 0.4) < 1e-6, "normal");
             CHECK1(fabs((double)normal[0] - (double)p[0] / ring * (ring - 1) / 0.4) < 1e-6);
         }
-        check_normals(mesh, "torus", 0.98);
-        burnish_mesh_destroy(scene);
+        check_normals(view, "torus", 0.98);
+        burnish_mesh_destroy(mesh);
     }
     CHECK(fabs(error[0] / error[1] - 4) < 0.1, "second order: %g", error[0] / error[1]);
 }
 
 static void test_knot(void) {
-    burnish_mesh *scene = make(":knot", 16, 40);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    topology t = examine(mesh);
-    CHECK(t.open == 0 && t.wrong == 0 && euler(&t, mesh) == 0, "%zu open, Euler %ld", t.open,
-          euler(&t, mesh));
-    CHECK1(mesh->vertex_count == t.vertices && burnish_mesh_warning_count(scene) == 0);
-    check_normals(mesh, "knot", 0.95);
+    burnish_mesh *mesh = make(":knot", 16, 40);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    topology t = examine(view);
+    CHECK(t.open == 0 && t.wrong == 0 && euler(&t, view) == 0, "%zu open, Euler %ld", t.open,
+          euler(&t, view));
+    CHECK1(view->vertex_count == t.vertices && burnish_mesh_warning_count(mesh) == 0);
+    check_normals(view, "knot", 0.95);
     /* A tube's volume is its section times the length of the knot (Pappus). */
     double volume, area, length = 0;
-    measure(mesh, &volume, &area);
+    measure(view, &volume, &area);
     for (int i = 0; i < 100000; ++i) {
         double a = 2 * PI * (i + 0.5) / 100000, r = 2 + cos(3 * a);
         length += 2 * PI / 100000 * sqrt(9 + 4 * r * r);
     }
     CHECK(fabs(volume / (PI * 0.36 * length) - 1) < 0.01, "%g", volume / (PI * 0.36 * length));
     CHECK(fabs(area / (2 * PI * 0.6 * length) - 1) < 0.01, "%g", area / (2 * PI * 0.6 * length));
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 }
 
 /* The data set has six open borders: the rim's inner edge, the lid's lower edge (both circles of
@@ -246,31 +246,31 @@ static void test_knot(void) {
  * triangles of the spout's lip contradict the surface's normals, and are turned. */
 static void test_teapot(void) {
     for (int n = 3; n <= 16; n += n < 5 ? 1 : 5) {
-        burnish_mesh *scene = make(":teapot", n, 40);
-        const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-        topology t = examine(mesh);
+        burnish_mesh *mesh = make(":teapot", n, 40);
+        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+        topology t = examine(view);
         size_t triangles = 32u * 2 * n * n - 8u * n;
-        CHECK(mesh->triangle_count == triangles, "%d: %zu", n, mesh->triangle_count);
+        CHECK(view->triangle_count == triangles, "%d: %zu", n, view->triangle_count);
         CHECK(t.wrong == 0, "%d: %zu edges used twice in one direction", n, t.wrong);
         CHECK(t.open == 16u * n, "%d: %zu open edges", n, t.open);
         CHECK(t.loops == 6, "%d: %zu loops", n, t.loops);
         /* Body, rim and bottom: a disc (1); lid: a disc (1); handle and spout: tubes (0). The
          * common point counts once. */
-        CHECK(euler(&t, mesh) == 1 + 1 + 0 + 0 - 1, "%d: Euler %ld", n, euler(&t, mesh));
-        CHECK(burnish_mesh_warning_count(scene) == 0, "%s", burnish_mesh_warning(scene, 0));
-        burnish_mesh_destroy(scene);
+        CHECK(euler(&t, view) == 1 + 1 + 0 + 0 - 1, "%d: Euler %ld", n, euler(&t, view));
+        CHECK(burnish_mesh_warning_count(mesh) == 0, "%s", burnish_mesh_warning(mesh, 0));
+        burnish_mesh_destroy(mesh);
     }
-    burnish_mesh *scene = make(":teapot", 16, 40);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    check_normals(mesh, "teapot", 0.5);
-    CHECK(mesh->bounds_min[1] == 0 && mesh->bounds_max[1] == 3.15f, "%g .. %g",
-          (double)mesh->bounds_min[1], (double)mesh->bounds_max[1]);
-    CHECK(mesh->bounds_min[2] == -mesh->bounds_max[2], "mirrored");
-    CHECK(mesh->bounds_min[0] == -3 && mesh->bounds_max[0] > 3.4f, "spout along +x");
+    burnish_mesh *mesh = make(":teapot", 16, 40);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    check_normals(view, "teapot", 0.5);
+    CHECK(view->bounds_min[1] == 0 && view->bounds_max[1] == 3.15f, "%g .. %g",
+          (double)view->bounds_min[1], (double)view->bounds_max[1]);
+    CHECK(view->bounds_min[2] == -view->bounds_max[2], "mirrored");
+    CHECK(view->bounds_min[0] == -3 && view->bounds_max[0] > 3.4f, "spout along +x");
     /* The poles: the lid's top looks up, the middle of the bottom down. */
     size_t poles = 0;
-    for (size_t i = 0; i < mesh->vertex_count; ++i) {
-        const float *p = mesh->positions + 3 * i, *normal = mesh->normals + 3 * i;
+    for (size_t i = 0; i < view->vertex_count; ++i) {
+        const float *p = view->positions + 3 * i, *normal = view->normals + 3 * i;
         if (p[0] == 0 && p[2] == 0) {
             float up = p[1] > 1 ? 1.0f : -1.0f;
             CHECK(normal[0] == 0 && normal[1] == up && normal[2] == 0, "%g %g %g",
@@ -279,37 +279,37 @@ static void test_teapot(void) {
         }
     }
     CHECK(poles == 2, "%zu vertices at the poles", poles);
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 }
 
 static void test_arguments(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
+    burnish_mesh *view = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK1(burnish_mesh_load(":kettle", &options, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_load(":kettle", &options, &view, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text,
                ":kettle: unknown built-in object; there are :teapot, :sphere, :torus, :knot");
     const char *names[] = {":teapot", ":sphere", ":torus", ":knot"};
     for (int i = 0; i < 4; ++i) {
         options = burnish_load_options_default();
         options.max_triangles = 100;
-        CHECK1(burnish_mesh_load(names[i], &options, &mesh, &error) == BURNISH_STATUS_LIMIT);
+        CHECK1(burnish_mesh_load(names[i], &options, &view, &error) == BURNISH_STATUS_LIMIT);
         CHECK(strstr(error.text, names[i]) && strstr(error.text, "100"), "%s", error.text);
-        CHECK1(mesh == NULL);
-        burnish_mesh *scene = make(names[i], 1, 40);
-        check_normals(burnish_mesh_get_view(scene), names[i], -1);
-        burnish_mesh_destroy(scene);
+        CHECK1(view == NULL);
+        burnish_mesh *mesh = make(names[i], 1, 40);
+        check_normals(burnish_mesh_get_view(mesh), names[i], -1);
+        burnish_mesh_destroy(mesh);
     }
     int wrong[] = {0, -1, 257};
     for (int i = 0; i < 3; ++i) {
         options = burnish_load_options_default();
         options.tessellation = wrong[i];
-        CHECK1(burnish_mesh_load(":sphere", &options, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
+        CHECK1(burnish_mesh_load(":sphere", &options, &view, &error) == BURNISH_STATUS_ARGUMENT);
         CHECK(strstr(error.text, "tessellation"), "%s", error.text);
     }
     options = burnish_load_options_default();
     options.cookie = 1;
-    CHECK1(burnish_mesh_load(":sphere", &options, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_load(":sphere", &options, &view, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK(strstr(error.text, "burnish_load_options_default()"), "%s", error.text);
 }
 

@@ -12,26 +12,26 @@
 static burnish_mesh *builtin(const char *name) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh_data data = {0};
-    burnish_mesh *scene = NULL;
+    burnish_mesh *mesh = NULL;
     options.tessellation = 6;
     CHECK1(burnish_make_builtin(name, &options, &data, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_build(&data, name, &options, BURNISH_FORMAT_BUILTIN, &scene) ==
+    CHECK1(burnish_mesh_build(&data, name, &options, BURNISH_FORMAT_BUILTIN, &mesh) ==
            BURNISH_STATUS_OK);
     burnish_mesh_data_destroy(&data);
-    return scene;
+    return mesh;
 }
 
 static burnish_mesh *triangles(const float *positions, size_t triangle_count) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *scene = NULL;
+    burnish_mesh *mesh = NULL;
     uint32_t indices[64];
     for (uint32_t i = 0; i < 64; ++i) {
         indices[i] = i;
     }
     const burnish_mesh_description arrays =
         describe_arrays(positions, NULL, NULL, 3 * triangle_count, indices, triangle_count);
-    CHECK1(burnish_mesh_create(&arrays, &options, &scene, NULL) == BURNISH_STATUS_OK);
-    return scene;
+    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, NULL) == BURNISH_STATUS_OK);
+    return mesh;
 }
 
 static double dot(const double a[3], const double b[3]) {
@@ -64,16 +64,16 @@ static double axes(const burnish_camera *camera, double right[3], double up[3], 
 }
 
 /* The mesh's extent in the picture, in units of half its height: x0, x1, y0, y1. */
-static void extent(const burnish_mesh *scene, const burnish_camera *camera, double e[4]) {
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
+static void extent(const burnish_mesh *mesh, const burnish_camera *camera, double e[4]) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     double right[3], up[3], back[3], scale = tan(camera->view_angle * DEGREE / 2);
     axes(camera, right, up, back);
     e[0] = e[2] = INFINITY;
     e[1] = e[3] = -INFINITY;
-    for (size_t i = 0; i < mesh->vertex_count; ++i) {
+    for (size_t i = 0; i < view->vertex_count; ++i) {
         double v[3];
         for (int k = 0; k < 3; ++k) {
-            v[k] = (double)mesh->positions[3 * i + k] - camera->position[k];
+            v[k] = (double)view->positions[3 * i + k] - camera->position[k];
         }
         double depth = -dot(v, back);
         CHECK(depth > 0, "vertex %zu lies behind the camera", i);
@@ -89,14 +89,14 @@ static void extent(const burnish_mesh *scene, const burnish_camera *camera, doub
 
 /* Fits and proves it: centred in both axes, inside the margins, touching in one. touches 0: a
  * camera that had to keep its distance. */
-static burnish_camera fit(const burnish_mesh *scene, const burnish_framing *options, int touches) {
+static burnish_camera fit(const burnish_mesh *mesh, const burnish_framing *options, int touches) {
     burnish_camera camera = {{0}, {0}, {0}, 0, 0};
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(burnish_camera_frame(scene, options, &camera, &error) == BURNISH_STATUS_OK, "%s",
+    CHECK(burnish_camera_frame(mesh, options, &camera, &error) == BURNISH_STATUS_OK, "%s",
           error.text);
     double e[4], free_side = 2 * options->margin * fmin(options->aspect, 1);
     double limit_x = options->aspect - free_side, limit_y = 1 - free_side;
-    extent(scene, &camera, e);
+    extent(mesh, &camera, e);
     CHECK(fabs(e[0] + e[1]) < 1e-9 && fabs(e[2] + e[3]) < 1e-9, "centre off by %g, %g", e[0] + e[1],
           e[2] + e[3]);
     CHECK(e[1] <= limit_x + 1e-9 && e[3] <= limit_y + 1e-9, "x %g of %g, y %g of %g", e[1], limit_x,
@@ -118,7 +118,7 @@ static void test_exact_fit(void) {
     const double aspects[] = {1, 16 / 9.0, 0.4}, angles[] = {30, 5, 100};
     const double margins[] = {0.05, 0, 0.45};
     for (int name = 0; name < 3; ++name) {
-        burnish_mesh *scene = builtin(names[name]);
+        burnish_mesh *mesh = builtin(names[name]);
         for (int i = 0; i < 54; ++i) {
             burnish_framing options = burnish_framing_default();
             options.aspect = aspects[i % 3];
@@ -127,9 +127,9 @@ static void test_exact_fit(void) {
             options.orthographic = i / 27;
             options.azimuth = 17 * i;
             options.elevation = 3 * i;
-            fit(scene, &options, 1);
+            fit(mesh, &options, 1);
         }
-        burnish_mesh_destroy(scene);
+        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -137,26 +137,26 @@ static void test_exact_fit(void) {
 static void test_sphere_distance(void) {
     burnish_load_options load = burnish_load_options_default();
     burnish_mesh_data data = {0};
-    burnish_mesh *scene = NULL;
+    burnish_mesh *mesh = NULL;
     load.tessellation = 64;
     CHECK1(burnish_make_builtin("sphere", &load, &data, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_build(&data, "sphere", &load, BURNISH_FORMAT_BUILTIN, &scene) ==
+    CHECK1(burnish_mesh_build(&data, "sphere", &load, BURNISH_FORMAT_BUILTIN, &mesh) ==
            BURNISH_STATUS_OK);
     burnish_mesh_data_destroy(&data);
     burnish_framing options = burnish_framing_default();
-    burnish_camera camera = fit(scene, &options, 1);
+    burnish_camera camera = fit(mesh, &options, 1);
     double distance = sqrt(dot(camera.position, camera.position));
     double expected = 1 / sin(atan(tan(15 * DEGREE) * 0.9));
     CHECK(fabs(distance / expected - 1) < 1e-3, "%g, not %g", distance, expected);
     CHECK(sqrt(dot(camera.focal_point, camera.focal_point)) < 1e-3, "focal point off the centre");
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 }
 
 static void test_three_quarter(void) {
-    burnish_mesh *scene = builtin("sphere");
+    burnish_mesh *mesh = builtin("sphere");
     burnish_framing options = burnish_framing_default();
     double right[3], up[3], back[3], a = 35 * DEGREE, e = 20 * DEGREE;
-    burnish_camera camera = fit(scene, &options, 1);
+    burnish_camera camera = fit(mesh, &options, 1);
     axes(&camera, right, up, back);
     check_axis(back, sin(a) * cos(e), sin(e), cos(a) * cos(e), "+Y up: back");
     check_axis(right, cos(a), 0, -sin(a), "+Y up: right");
@@ -164,14 +164,14 @@ static void test_three_quarter(void) {
 
     options.up[1] = 0;
     options.up[2] = 7; /* any length */
-    camera = fit(scene, &options, 1);
+    camera = fit(mesh, &options, 1);
     axes(&camera, right, up, back);
     check_axis(back, sin(a) * cos(e), -cos(a) * cos(e), sin(e), "+Z up: back");
     check_axis(right, cos(a), sin(a), 0, "+Z up: right");
 
     options.up[2] = 0;
     options.up[1] = -1e-50;
-    camera = fit(scene, &options, 1);
+    camera = fit(mesh, &options, 1);
     axes(&camera, right, up, back);
     CHECK(up[1] < -0.9 && back[1] < 0 && back[2] < 0, "-Y up: back %g %g %g", back[0], back[1],
           back[2]);
@@ -179,12 +179,12 @@ static void test_three_quarter(void) {
     options.up[0] = 1e90;
     options.up[1] = 2e90;
     options.up[2] = -3e90;
-    camera = fit(scene, &options, 1);
+    camera = fit(mesh, &options, 1);
     axes(&camera, right, up, back);
     double length = sqrt(14), unit[3] = {1 / length, 2 / length, -3 / length};
     CHECK(fabs(dot(back, unit) - sin(e)) < 1e-9 && fabs(dot(right, unit)) < 1e-9, "any up: %g %g",
           dot(back, unit), dot(right, unit));
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 }
 
 /* Views that CAD names: direction, and what is right and up in the picture. */
@@ -201,95 +201,95 @@ static void test_named_views(void) {
         {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}},  /* top */
         {{0, 0, 1}, {0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  /* bottom */
     };
-    burnish_mesh *scene = builtin("teapot");
+    burnish_mesh *mesh = builtin("teapot");
     for (int i = 0; i < 8; ++i) {
         burnish_framing options = burnish_framing_default();
         double right[3], up[3], back[3];
         memcpy(options.up, views[i].up, sizeof options.up);
         memcpy(options.direction, views[i].direction, sizeof options.direction);
-        burnish_camera camera = fit(scene, &options, 1);
+        burnish_camera camera = fit(mesh, &options, 1);
         axes(&camera, right, up, back);
         const double *r = views[i].right, *u = views[i].picture_up;
         check_axis(right, r[0], r[1], r[2], "right");
         check_axis(up, u[0], u[1], u[2], "up");
     }
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 }
 
 /* Azimuth and elevation turn the given direction; tilting past the pole does not jump. */
 static void test_turns(void) {
-    burnish_mesh *scene = builtin("knot");
+    burnish_mesh *mesh = builtin("knot");
     burnish_framing options = burnish_framing_default();
     double right[3], up[3], back[3], s = sqrt(0.5);
     options.direction[2] = -3;
     options.azimuth = 90;
-    burnish_camera camera = fit(scene, &options, 1);
+    burnish_camera camera = fit(mesh, &options, 1);
     axes(&camera, right, up, back);
     check_axis(back, 1, 0, 0, "azimuth 90: the camera is on the right");
     options.azimuth = -45;
-    camera = fit(scene, &options, 1);
+    camera = fit(mesh, &options, 1);
     axes(&camera, right, up, back);
     check_axis(back, -s, 0, s, "azimuth -45");
     options.elevation = 90;
-    camera = fit(scene, &options, 1);
+    camera = fit(mesh, &options, 1);
     axes(&camera, right, up, back);
     check_axis(back, 0, 1, 0, "elevation 90: from above");
     check_axis(up, s, 0, -s, "elevation 90: up");
     options.azimuth = 0;
     options.elevation = 135;
-    camera = fit(scene, &options, 1);
+    camera = fit(mesh, &options, 1);
     axes(&camera, right, up, back);
     check_axis(back, 0, s, -s, "elevation 135: over the top");
     check_axis(up, 0, -s, -s, "elevation 135: upside down");
     options.elevation = -30;
-    camera = fit(scene, &options, 1);
+    camera = fit(mesh, &options, 1);
     axes(&camera, right, up, back);
     check_axis(back, 0, -0.5, sqrt(0.75), "elevation -30: from below");
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 }
 
 static void test_degenerate_shapes(void) {
     burnish_framing options = burnish_framing_default();
     const float flat[] = {-1, 0, 0, 1, 0, 0, 0, 0, 1};
-    burnish_mesh *scene = triangles(flat, 1);
+    burnish_mesh *mesh = triangles(flat, 1);
     for (int i = 0; i < 2; ++i) {
         options.orthographic = i;
         options.direction[0] = options.direction[1] = 0;
         options.direction[2] = -1; /* along the plane */
-        fit(scene, &options, 1);
+        fit(mesh, &options, 1);
         options.direction[1] = -1;
         options.direction[2] = 0;
-        fit(scene, &options, 1);
+        fit(mesh, &options, 1);
     }
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 
     /* A needle seen from its tip: the sides alone would put the camera on the tip. */
     const float needle[] = {0, 0, 10, -0.1f, 0, 0, 0.1f, 0, 0};
-    scene = triangles(needle, 1);
+    mesh = triangles(needle, 1);
     options = burnish_framing_default();
     options.direction[2] = -1;
-    burnish_camera camera = fit(scene, &options, 0);
+    burnish_camera camera = fit(mesh, &options, 0);
     CHECK(camera.position[2] > 10.05, "%g", camera.position[2]);
     CHECK(camera.focal_point[2] < 10, "%g", camera.focal_point[2]);
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 
     /* Sizes at both ends of float, and a small mesh far from the origin. */
     const float sizes[] = {1e-45f, 1e-20f, 3e38f};
     for (int i = 0; i < 6; ++i) {
         float s = sizes[i / 2];
-        const float mesh[] = {-s, 0, 0, s, 0, 0, 0, s, 0};
-        scene = triangles(mesh, 1);
+        const float view[] = {-s, 0, 0, s, 0, 0, 0, s, 0};
+        mesh = triangles(view, 1);
         options = burnish_framing_default();
         options.orthographic = i % 2;
-        fit(scene, &options, 1);
-        burnish_mesh_destroy(scene);
+        fit(mesh, &options, 1);
+        burnish_mesh_destroy(mesh);
     }
     const float far[] = {1e6f, 1e6f, 1e6f, 1e6f + 1, 1e6f, 1e6f, 1e6f, 1e6f + 2, 1e6f};
-    scene = triangles(far, 1);
+    mesh = triangles(far, 1);
     options = burnish_framing_default();
     options.direction[2] = -1;
-    fit(scene, &options, 1);
-    burnish_mesh_destroy(scene);
+    fit(mesh, &options, 1);
+    burnish_mesh_destroy(mesh);
 }
 
 /* Without an up axis of the caller's the picture's up is the mesh's: an STL stands on +Z. */
@@ -312,7 +312,7 @@ static void test_up_of_format(void) {
 }
 
 static void test_arguments(void) {
-    burnish_mesh *scene = builtin("torus");
+    burnish_mesh *mesh = builtin("torus");
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_camera camera;
     burnish_framing wrong[16];
@@ -352,22 +352,22 @@ static void test_arguments(void) {
     wrong[14].margin = NAN;
     wrong[15].direction[1] = -1e200;
     for (int i = 0; i < 16; ++i) {
-        CHECK(burnish_camera_frame(scene, &wrong[i], &camera, &error) == BURNISH_STATUS_ARGUMENT,
+        CHECK(burnish_camera_frame(mesh, &wrong[i], &camera, &error) == BURNISH_STATUS_ARGUMENT,
               "%d", i);
         CHECK(strstr(error.text, words[i]), "%d: %s", i, error.text);
     }
     burnish_framing options = burnish_framing_default();
     options.view_angle = 1e-320;
-    CHECK1(burnish_camera_frame(scene, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_camera_frame(mesh, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK(strstr(error.text, "view_angle"), "%s", error.text);
     options.view_angle = 1e-3;
-    fit(scene, &options, 1);
+    fit(mesh, &options, 1);
     options = burnish_framing_default();
     CHECK1(options.view_angle == 30 && options.margin == 0.05 && options.aspect == 1);
     CHECK1(burnish_camera_frame(NULL, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK1(burnish_camera_frame(scene, NULL, &camera, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK1(burnish_camera_frame(scene, &options, NULL, &error) == BURNISH_STATUS_ARGUMENT);
-    burnish_mesh_destroy(scene);
+    CHECK1(burnish_camera_frame(mesh, NULL, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_camera_frame(mesh, &options, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    burnish_mesh_destroy(mesh);
 }
 
 int main(int count, char **arguments) {

@@ -55,23 +55,23 @@ static burnish_mesh *soup(double crease, int turned) {
 
 static burnish_status create(const float *positions, const float *normals, const uint8_t *colors,
                              size_t vertex_count, const uint32_t *indices, size_t triangle_count,
-                             double crease, burnish_mesh **scene, burnish_error *error) {
+                             double crease, burnish_mesh **mesh, burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
     const burnish_mesh_description arrays =
         describe_arrays(positions, normals, colors, vertex_count, indices, triangle_count);
     options.crease_angle = crease;
-    return burnish_mesh_create(&arrays, &options, scene, error);
+    return burnish_mesh_create(&arrays, &options, mesh, error);
 }
 
-/* The scene of plain positions and indices; must succeed. */
+/* The mesh of plain positions and indices; must succeed. */
 static burnish_mesh *plain(const float *positions, size_t vertex_count, const uint32_t *indices,
                            size_t triangle_count, double crease) {
-    burnish_mesh *scene = NULL;
+    burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(create(positions, NULL, NULL, vertex_count, indices, triangle_count, crease, &scene,
+    CHECK(create(positions, NULL, NULL, vertex_count, indices, triangle_count, crease, &mesh,
                  &error) == BURNISH_STATUS_OK,
           "%s", error.text);
-    return scene;
+    return mesh;
 }
 
 static int near(const float *v, double x, double y, double z, double bound) {
@@ -82,27 +82,27 @@ static int near(const float *v, double x, double y, double z, double bound) {
 static void test_cube(void) {
     for (int turned = 0; turned < 64; ++turned) {
         burnish_mesh *flat = soup(40, turned), *smooth = soup(180, turned);
-        const burnish_mesh_view *mesh = burnish_mesh_get_view(flat);
-        CHECK(mesh->vertex_count == 24 && mesh->triangle_count == 12, "%zu", mesh->vertex_count);
+        const burnish_mesh_view *view = burnish_mesh_get_view(flat);
+        CHECK(view->vertex_count == 24 && view->triangle_count == 12, "%zu", view->vertex_count);
         for (size_t i = 0; i < 36; ++i) {
-            const float *n = mesh->normals + 3 * mesh->indices[i];
-            const float *p = mesh->positions + 3 * mesh->indices[i];
+            const float *n = view->normals + 3 * view->indices[i];
+            const float *p = view->positions + 3 * view->indices[i];
             CHECK(fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]) == 1 &&
                       n[0] * p[0] + n[1] * p[1] + n[2] * p[2] == 1,
                   "not a face's normal");
         }
         /* Smooth: one vertex a corner, along the diagonal however the faces are cut. */
-        mesh = burnish_mesh_get_view(smooth);
-        CHECK(mesh->vertex_count == 8, "%zu", mesh->vertex_count);
-        for (size_t i = 0; i < mesh->vertex_count; ++i) {
-            const float *p = mesh->positions + 3 * i;
+        view = burnish_mesh_get_view(smooth);
+        CHECK(view->vertex_count == 8, "%zu", view->vertex_count);
+        for (size_t i = 0; i < view->vertex_count; ++i) {
+            const float *p = view->positions + 3 * i;
             double third = sqrt(1 / 3.0);
-            CHECK(near(mesh->normals + 3 * i, third * (double)p[0], third * (double)p[1],
+            CHECK(near(view->normals + 3 * i, third * (double)p[0], third * (double)p[1],
                        third * (double)p[2], 1e-7),
                   "cut %d", turned);
         }
-        CHECK1(mesh->bounds_min[1] == -1 && mesh->bounds_max[2] == 1);
-        CHECK1(mesh->colors == NULL && mesh->triangle_materials == NULL);
+        CHECK1(view->bounds_min[1] == -1 && view->bounds_max[2] == 1);
+        CHECK1(view->colors == NULL && view->triangle_materials == NULL);
         CHECK1(burnish_mesh_get_info(smooth)->format == BURNISH_FORMAT_ARRAYS);
         burnish_mesh_destroy(flat);
         burnish_mesh_destroy(smooth);
@@ -111,10 +111,10 @@ static void test_cube(void) {
     const double crease[3] = {0, 90, 91};
     const size_t vertices[3] = {24, 24, 8};
     for (int i = 0; i < 3; ++i) {
-        burnish_mesh *scene = soup(crease[i], 21);
-        CHECK(burnish_mesh_get_view(scene)->vertex_count == vertices[i], "%g: %zu", crease[i],
-              burnish_mesh_get_view(scene)->vertex_count);
-        burnish_mesh_destroy(scene);
+        burnish_mesh *mesh = soup(crease[i], 21);
+        CHECK(burnish_mesh_get_view(mesh)->vertex_count == vertices[i], "%g: %zu", crease[i],
+              burnish_mesh_get_view(mesh)->vertex_count);
+        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -139,19 +139,19 @@ static void test_cylinder(void) {
         t += 12;
     }
     memcpy(positions + 3 * 2 * SIDES, (float[]){0, 0, -1, 0, 0, 1}, 6 * sizeof(float));
-    burnish_mesh *scene = plain(positions, 2 * SIDES + 2, indices, 4 * SIDES, 40);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    CHECK(mesh->vertex_count == 4 * SIDES + 2, "%zu", mesh->vertex_count);
+    burnish_mesh *mesh = plain(positions, 2 * SIDES + 2, indices, 4 * SIDES, 40);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    CHECK(view->vertex_count == 4 * SIDES + 2, "%zu", view->vertex_count);
     for (size_t i = 0; i < 4 * SIDES; ++i) {
         for (size_t k = 0; k < 3; ++k) {
-            uint32_t v = mesh->indices[3 * i + k];
-            const float *p = mesh->positions + 3 * v, *n = mesh->normals + 3 * v;
+            uint32_t v = view->indices[3 * i + k];
+            const float *p = view->positions + 3 * v, *n = view->normals + 3 * v;
             CHECK((i % 4 < 2 ? near(n, (double)p[0], (double)p[1], 0, 1e-6)
                              : near(n, 0, 0, (double)p[2], 0)),
                   "triangle %zu: %g %g %g", i, (double)n[0], (double)n[1], (double)n[2]);
         }
     }
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 }
 
 /* A cone of 200,000 sides: the hub's faces are joined in a ring. Then as many faces on one edge. */
@@ -167,26 +167,26 @@ static void test_large_fan(void) {
         memcpy(indices + 3 * i, (uint32_t[]){count, i, (i + 1) % count}, 12);
     }
     memcpy(positions + 3 * count, (float[]){0, 0, 1, 0, 0, -1}, 6 * sizeof(float));
-    burnish_mesh *scene = plain(positions, count + 2, indices, count, 40);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    CHECK(mesh->vertex_count == count + 1, "%zu", mesh->vertex_count);
-    CHECK(mesh->vertex_count > 0 && near(mesh->positions, 0, 0, 1, 0) &&
-              near(mesh->normals, 0, 0, 1, 1e-6),
-          "%g %g %g", (double)mesh->normals[0], (double)mesh->normals[1], (double)mesh->normals[2]);
-    CHECK1(burnish_mesh_warning_count(scene) == 0);
-    burnish_mesh_destroy(scene);
+    burnish_mesh *mesh = plain(positions, count + 2, indices, count, 40);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    CHECK(view->vertex_count == count + 1, "%zu", view->vertex_count);
+    CHECK(view->vertex_count > 0 && near(view->positions, 0, 0, 1, 0) &&
+              near(view->normals, 0, 0, 1, 1e-6),
+          "%g %g %g", (double)view->normals[0], (double)view->normals[1], (double)view->normals[2]);
+    CHECK1(burnish_mesh_warning_count(mesh) == 0);
+    burnish_mesh_destroy(mesh);
 
     for (uint32_t i = 0; i < count; ++i) {
         memcpy(indices + 3 * i, (uint32_t[]){count, count + 1, i}, 12);
     }
-    scene = plain(positions, count + 2, indices, count, 40);
-    mesh = burnish_mesh_get_view(scene);
-    CHECK1(mesh->triangle_count == count);
+    mesh = plain(positions, count + 2, indices, count, 40);
+    view = burnish_mesh_get_view(mesh);
+    CHECK1(view->triangle_count == count);
     /* Joined one to the next they make some groups, none of which goes all the way round: at the
        outer end each face has one vertex, at the edge's ends the groups have one each. */
-    CHECK(mesh->vertex_count > count + 2 && mesh->vertex_count < count + 200, "all around: %zu",
-          mesh->vertex_count);
-    burnish_mesh_destroy(scene);
+    CHECK(view->vertex_count > count + 2 && view->vertex_count < count + 200, "all around: %zu",
+          view->vertex_count);
+    burnish_mesh_destroy(mesh);
     free(positions);
     free(indices);
 }
@@ -195,14 +195,14 @@ static void test_large_fan(void) {
 static void test_double_sided(void) {
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0.1f, 1, 1, 0};
     const uint32_t indices[] = {0, 1, 2, 0, 2, 1, 1, 3, 2, 1, 2, 3};
-    burnish_mesh *scene = plain(positions, 4, indices, 4, 40);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    CHECK(mesh->vertex_count == 8, "%zu", mesh->vertex_count);
+    burnish_mesh *mesh = plain(positions, 4, indices, 4, 40);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    CHECK(view->vertex_count == 8, "%zu", view->vertex_count);
     for (int k = 0; k < 12; ++k) {
-        float z = mesh->normals[3 * mesh->indices[k] + 2];
+        float z = view->normals[3 * view->indices[k] + 2];
         CHECK((k / 3 % 2 == 0) == (z > 0), "corner %d: %g", k, (double)z);
     }
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 }
 
 static int compare_positions(const void *a, const void *b) {
@@ -285,22 +285,22 @@ static void test_zero_area(void) {
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0, 0, 0, -0.0f, 9, 9, 9};
     /* good; on a line; index twice; position twice; -0 is 0; good */
     const uint32_t indices[] = {0, 1, 2, 0, 1, 3, 1, 1, 2, 0, 0, 0, 0, 4, 1, 4, 3, 2};
-    burnish_mesh *scene = plain(positions, 6, indices, 6, 40);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    CHECK(mesh->triangle_count == 2 && mesh->vertex_count == 4, "%zu", mesh->vertex_count);
-    CHECK1(near(mesh->positions + 3 * mesh->indices[4], 2, 0, 0, 0));
-    CHECK1(mesh->bounds_max[0] == 2 && mesh->bounds_max[2] == 0);
-    CHECK1(burnish_mesh_warning_count(scene) == 1);
-    CHECK_TEXT(burnish_mesh_warning(scene, 0),
+    burnish_mesh *mesh = plain(positions, 6, indices, 6, 40);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    CHECK(view->triangle_count == 2 && view->vertex_count == 4, "%zu", view->vertex_count);
+    CHECK1(near(view->positions + 3 * view->indices[4], 2, 0, 0, 0));
+    CHECK1(view->bounds_max[0] == 2 && view->bounds_max[2] == 0);
+    CHECK1(burnish_mesh_warning_count(mesh) == 1);
+    CHECK_TEXT(burnish_mesh_warning(mesh, 0),
                "mesh: 4 of 6 triangles have no area and were left out");
-    CHECK1(burnish_mesh_warning(scene, 1) == NULL);
-    burnish_mesh_destroy(scene);
+    CHECK1(burnish_mesh_warning(mesh, 1) == NULL);
+    burnish_mesh_destroy(mesh);
 
     burnish_error error;
-    scene = (burnish_mesh *)&error;
-    CHECK1(create(positions, NULL, NULL, 6, indices + 3, 4, 40, &scene, &error) ==
+    mesh = (burnish_mesh *)&error;
+    CHECK1(create(positions, NULL, NULL, 6, indices + 3, 4, 40, &mesh, &error) ==
            BURNISH_STATUS_FORMAT);
-    CHECK1(scene == NULL && error.status == BURNISH_STATUS_FORMAT);
+    CHECK1(mesh == NULL && error.status == BURNISH_STATUS_FORMAT);
     CHECK(strstr(error.text, "mesh: no triangle has any area; 4 triangles"), "%s", error.text);
 }
 
@@ -311,9 +311,9 @@ static void test_extreme_sizes(void) {
     for (int i = 0; i < 4; ++i) {
         float s = sizes[i];
         const float positions[] = {-s, 0, 0, s, 0, 0, 0, s, 0};
-        burnish_mesh *scene = plain(positions, 3, indices, 1, 40);
-        CHECK(near(burnish_mesh_get_view(scene)->normals, 0, 0, 1, 0), "%g", (double)s);
-        burnish_mesh_destroy(scene);
+        burnish_mesh *mesh = plain(positions, 3, indices, 1, 40);
+        CHECK(near(burnish_mesh_get_view(mesh)->normals, 0, 0, 1, 0), "%g", (double)s);
+        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -322,21 +322,21 @@ static void test_given_normals(void) {
     /* Any length; pointing away from the first triangle's winding; one 0 and one not a number. */
     const float normals[] = {0, -1e-30f, -1e-30f, 0, 0, -3e38f, 0, 0, 0, NAN, 0, 1};
     const uint32_t indices[] = {0, 1, 2, 1, 3, 2};
-    burnish_mesh *scene = NULL;
+    burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(create(positions, normals, NULL, 4, indices, 2, 40, &scene, &error) == BURNISH_STATUS_OK,
+    CHECK(create(positions, normals, NULL, 4, indices, 2, 40, &mesh, &error) == BURNISH_STATUS_OK,
           "%s", error.text);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    const float *n = mesh->normals;
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const float *n = view->normals;
     /* Both triangles are turned, and the made normals follow. */
-    CHECK(mesh->vertex_count == 4, "%zu", mesh->vertex_count);
-    CHECK1(near(mesh->positions + 3 * mesh->indices[1], 0, 1, 0, 0));
-    CHECK1(near(mesh->positions + 3 * mesh->indices[4], 0, 1, 0, 0));
-    CHECK1(near(n + 3 * mesh->indices[0], 0, -sqrt(0.5), -sqrt(0.5), 1e-7));
-    CHECK1(near(n + 3 * mesh->indices[1], 0, 0, -1, 0));
-    CHECK1(near(n + 3 * mesh->indices[2], 0, 0, -1, 0));
-    CHECK1(near(n + 3 * mesh->indices[5], 0, 0, -1, 0));
-    burnish_mesh_destroy(scene);
+    CHECK(view->vertex_count == 4, "%zu", view->vertex_count);
+    CHECK1(near(view->positions + 3 * view->indices[1], 0, 1, 0, 0));
+    CHECK1(near(view->positions + 3 * view->indices[4], 0, 1, 0, 0));
+    CHECK1(near(n + 3 * view->indices[0], 0, -sqrt(0.5), -sqrt(0.5), 1e-7));
+    CHECK1(near(n + 3 * view->indices[1], 0, 0, -1, 0));
+    CHECK1(near(n + 3 * view->indices[2], 0, 0, -1, 0));
+    CHECK1(near(n + 3 * view->indices[5], 0, 0, -1, 0));
+    burnish_mesh_destroy(mesh);
 }
 
 static void test_colors(void) {
@@ -345,16 +345,16 @@ static void test_colors(void) {
     const uint8_t colors[] = {1, 2, 3, 255, 5, 6, 7, 255, 9, 9, 9,   255,
                               5, 6, 7, 255, 8, 8, 8, 255, 9, 9, 200, 255};
     const uint32_t indices[] = {0, 1, 2, 3, 4, 5};
-    burnish_mesh *scene = NULL;
-    CHECK1(create(positions, NULL, colors, 6, indices, 2, 40, &scene, NULL) == BURNISH_STATUS_OK);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    CHECK(mesh->vertex_count == 5, "%zu", mesh->vertex_count);
+    burnish_mesh *mesh = NULL;
+    CHECK1(create(positions, NULL, colors, 6, indices, 2, 40, &mesh, NULL) == BURNISH_STATUS_OK);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    CHECK(view->vertex_count == 5, "%zu", view->vertex_count);
     for (int i = 0; i < 6; ++i) {
-        CHECK(memcmp(mesh->colors + 4 * mesh->indices[i], colors + 4 * i, 4) == 0, "corner %d", i);
-        CHECK(memcmp(mesh->positions + 3 * mesh->indices[i], positions + 3 * i, 12) == 0,
+        CHECK(memcmp(view->colors + 4 * view->indices[i], colors + 4 * i, 4) == 0, "corner %d", i);
+        CHECK(memcmp(view->positions + 3 * view->indices[i], positions + 3 * i, 12) == 0,
               "corner %d", i);
     }
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
 }
 
 /* Four triangles in a row, the second without area; material numbers as given. */
@@ -409,19 +409,19 @@ static void test_material_numbers(void) {
 }
 
 static void test_set_material(void) {
-    burnish_mesh *scene = soup(40, 0);
+    burnish_mesh *mesh = soup(40, 0);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_material m = burnish_material_default();
     CHECK1(m.has_diffuse == 0 && m.has_exponent == 0 && m.exponent >= 1);
     m.exponent = 65536;
     m.diffuse[1] = 1;
     m.specular[2] = 0;
-    CHECK1(burnish_mesh_set_material(scene, 0, &m, &error) == BURNISH_STATUS_OK);
-    CHECK1(memcmp(burnish_mesh_material(scene, 0), &m, sizeof m) == 0);
-    CHECK1(burnish_mesh_set_material(scene, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_set_material(mesh, 0, &m, &error) == BURNISH_STATUS_OK);
+    CHECK1(memcmp(burnish_mesh_material(mesh, 0), &m, sizeof m) == 0);
+    CHECK1(burnish_mesh_set_material(mesh, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "index: 1 is out of range, the mesh has 1 material");
     CHECK1(burnish_mesh_set_material(NULL, 0, &m, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK1(burnish_mesh_set_material(scene, 0, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_set_material(mesh, 0, NULL, &error) == BURNISH_STATUS_ARGUMENT);
     const float bad[] = {-0.1f, 1.5f, NAN, INFINITY};
     for (int i = 0; i < 4; ++i) {
         burnish_material wrong[4] = {m, m, m, m};
@@ -429,24 +429,24 @@ static void test_set_material(void) {
         wrong[3].exponent = bad[i] == 1.5f ? 0.5f : bad[i];
         const char *words[] = {"ambient[0]", "diffuse[1]", "specular[2]", "exponent"};
         for (int k = 0; k < 4; ++k) {
-            CHECK1(burnish_mesh_set_material(scene, 0, &wrong[k], &error) ==
+            CHECK1(burnish_mesh_set_material(mesh, 0, &wrong[k], &error) ==
                    BURNISH_STATUS_ARGUMENT);
             CHECK(strstr(error.text, words[k]), "%s", error.text);
         }
     }
-    CHECK(memcmp(burnish_mesh_material(scene, 0), &m, sizeof m) == 0, "a refused one was stored");
-    burnish_mesh_destroy(scene);
+    CHECK(memcmp(burnish_mesh_material(mesh, 0), &m, sizeof m) == 0, "a refused one was stored");
+    burnish_mesh_destroy(mesh);
 }
 
 /* One refusal of mesh: the status is ARGUMENT, the text names the culprit. */
 static void refused(const float *positions, size_t vertex_count, const uint32_t *indices,
                     size_t triangle_count, const char *text) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *scene = (burnish_mesh *)&error;
-    CHECK(create(positions, NULL, NULL, vertex_count, indices, triangle_count, 40, &scene,
-                 &error) == BURNISH_STATUS_ARGUMENT,
+    burnish_mesh *mesh = (burnish_mesh *)&error;
+    CHECK(create(positions, NULL, NULL, vertex_count, indices, triangle_count, 40, &mesh, &error) ==
+              BURNISH_STATUS_ARGUMENT,
           "%s", text);
-    CHECK(scene == NULL, "%s", text);
+    CHECK(mesh == NULL, "%s", text);
     CHECK(strncmp(error.text, text, strlen(text)) == 0, "\"%s\", not \"%s\"", error.text, text);
 }
 
@@ -507,19 +507,19 @@ static void test_options(void) {
     wrong[8].format = BURNISH_FORMAT_ARRAYS;
     for (int i = 0; i < 10; ++i) {
         burnish_error error = {BURNISH_STATUS_OK, ""};
-        burnish_mesh *scene = (burnish_mesh *)&error;
+        burnish_mesh *mesh = (burnish_mesh *)&error;
         const burnish_load_options *options = i < 9 ? &wrong[i] : NULL;
-        CHECK(burnish_mesh_create(&arrays, options, &scene, &error) == BURNISH_STATUS_ARGUMENT,
-              "%d", i);
-        CHECK(scene == NULL && strstr(error.text, i < 9 ? words[i] : "NULL"), "%s", error.text);
+        CHECK(burnish_mesh_create(&arrays, options, &mesh, &error) == BURNISH_STATUS_ARGUMENT, "%d",
+              i);
+        CHECK(mesh == NULL && strstr(error.text, i < 9 ? words[i] : "NULL"), "%s", error.text);
     }
     burnish_load_options options = burnish_load_options_default();
     CHECK1(options.crease_angle == BURNISH_CREASE_AUTO && options.tessellation == 16);
     CHECK1(options.max_triangles == 1431655764 && options.max_input_bytes >> 30 == 16);
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *scene = NULL;
+    burnish_mesh *mesh = NULL;
     options.max_triangles = 1;
-    CHECK1(burnish_mesh_create(&arrays, &options, &scene, &error) == BURNISH_STATUS_LIMIT);
+    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_LIMIT);
     CHECK(strstr(error.text, "mesh: more than 1 triangles; raise the limit"), "%s", error.text);
 }
 
@@ -544,16 +544,16 @@ static void test_crease_auto(void) {
                  {STL, "a.stl", 51, 4}};
     for (int i = 0; i < 4; ++i) {
         burnish_load_options options = burnish_load_options_default();
-        burnish_mesh *scene = NULL;
+        burnish_mesh *mesh = NULL;
         burnish_error error = {BURNISH_STATUS_OK, ""};
         options.crease_angle = cases[i].angle;
         if (CHECK(burnish_mesh_load_memory(cases[i].text, strlen(cases[i].text), cases[i].name,
-                                           &options, &scene, &error) == BURNISH_STATUS_OK,
+                                           &options, &mesh, &error) == BURNISH_STATUS_OK,
                   "%s", error.text)) {
-            size_t count = burnish_mesh_get_view(scene)->vertex_count;
+            size_t count = burnish_mesh_get_view(mesh)->vertex_count;
             CHECK(count == cases[i].vertices, "case %d: %zu vertices", i, count);
         }
-        burnish_mesh_destroy(scene);
+        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -633,36 +633,36 @@ static void test_order(void) {
     static sheet_mesh sheet;
     static uint8_t seen[SHEET_TRIANGLES];
     make_sheet(&sheet);
-    burnish_mesh *scene = build_sheet(&sheet, 1), *other = build_sheet(&sheet, 3);
-    if (!CHECK1(scene != NULL && other != NULL)) {
+    burnish_mesh *mesh = build_sheet(&sheet, 1), *other = build_sheet(&sheet, 3);
+    if (!CHECK1(mesh != NULL && other != NULL)) {
         return;
     }
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene),
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh),
                             *same = burnish_mesh_get_view(other);
-    CHECK1(mesh->triangle_count == SHEET_TRIANGLES && mesh->vertex_count == SHEET_VERTICES);
-    CHECK1(memcmp(mesh->indices, same->indices, sizeof(uint32_t) * 3 * SHEET_TRIANGLES) == 0);
-    CHECK1(memcmp(mesh->positions, same->positions, sizeof sheet.positions) == 0);
+    CHECK1(view->triangle_count == SHEET_TRIANGLES && view->vertex_count == SHEET_VERTICES);
+    CHECK1(memcmp(view->indices, same->indices, sizeof(uint32_t) * 3 * SHEET_TRIANGLES) == 0);
+    CHECK1(memcmp(view->positions, same->positions, sizeof sheet.positions) == 0);
     double way = 0;
     int wrong = 0;
     for (size_t i = 0; i < SHEET_TRIANGLES; ++i) {
-        const uint32_t *corners = mesh->indices + 3 * i;
-        const uint32_t number = sheet_number(mesh->positions, corners);
-        wrong += seen[number]++ || mesh->triangle_materials[i] != number % 7;
+        const uint32_t *corners = view->indices + 3 * i;
+        const uint32_t number = sheet_number(view->positions, corners);
+        wrong += seen[number]++ || view->triangle_materials[i] != number % 7;
         for (int k = 0; k < 3; ++k) {
-            const float *p = mesh->positions + 3 * (size_t)corners[k];
+            const float *p = view->positions + 3 * (size_t)corners[k];
             const uint32_t vertex = (uint32_t)p[1] * (SHEET + 1) + (uint32_t)p[0];
-            wrong += mesh->colors[4 * (size_t)corners[k] + vertex % 3] != 255;
+            wrong += view->colors[4 * (size_t)corners[k] + vertex % 3] != 255;
         }
         if (i > 0) {
-            const float *p = mesh->positions + 3 * (size_t)corners[0];
-            const float *q = mesh->positions + 3 * (size_t)corners[-3];
+            const float *p = view->positions + 3 * (size_t)corners[0];
+            const float *q = view->positions + 3 * (size_t)corners[-3];
             way += fabs((double)p[0] - q[0]) + fabs((double)p[1] - q[1]);
         }
     }
     CHECK(wrong == 0, "%d triangles or corners are not what they were", wrong);
     /* random places are 53 apart, places in cells of 10 x 10 are 7 */
     CHECK(way / SHEET_TRIANGLES < 10, "neighbours are %g apart", way / SHEET_TRIANGLES);
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
     burnish_mesh_destroy(other);
 }
 

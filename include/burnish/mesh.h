@@ -126,8 +126,8 @@ BURNISH_API burnish_status burnish_mesh_load_memory(const void *bytes, size_t si
                                                     const burnish_load_options *options,
                                                     burnish_mesh **mesh, burnish_error *error);
 
-/* Values of the caller's: item i starts at (const char *)items + i * stride, aligned to its
- * numbers. No items: not there. */
+/* Values of the caller's: item i starts at (const char *)items + i * stride, at any alignment.
+ * items NULL: the array is not there. */
 typedef struct burnish_array {
     const void *items;
     size_t count;  /* of items */
@@ -139,7 +139,8 @@ typedef struct burnish_mesh_description {
     uint32_t cookie;                   /* set by burnish_mesh_description_default() */
     const char *name;                  /* stands in messages; NULL: "mesh" */
     burnish_array positions;           /* 3 floats per vertex, finite; [3, 2^32 - 2] of them */
-    burnish_array normals;             /* 3 floats per vertex, any length; 0: to be generated */
+    burnish_array normals;             /* 3 floats per vertex, of any length; 0, 0, 0: to be
+                                          generated */
     burnish_array colors;              /* 4 bytes per vertex: sRGB and alpha */
     burnish_array texture_coordinates; /* 2 floats per vertex, finite */
     burnish_array indices; /* 3 numbers of vertices per triangle, one after another; not there:
