@@ -3,54 +3,62 @@
 #ifndef BURNISH_TEST_READER_INPUT_H
 #define BURNISH_TEST_READER_INPUT_H
 
+#include "mesh/read/mtl.h"
 #include "mesh/read/reader.h"
 #include "support.h"
 
-static const char *const reader_names[BURNISH_FORMAT_COUNT] = {[BURNISH_FORMAT_AUTO] = "mesh",
-                                                               [BURNISH_FORMAT_OBJ] = "mesh.obj",
-                                                               [BURNISH_FORMAT_PLY] = "mesh.ply",
-                                                               [BURNISH_FORMAT_STL] = "mesh.stl"};
+typedef burnish_status load_function(void *user_data, const char *name, uint64_t max_bytes,
+                                     const void **bytes, size_t *size, burnish_error *error);
 
-typedef burnish_status open_beside_function(const char *input_name, const char *file,
-                                            uint64_t max_bytes, uint8_t **bytes, size_t *size,
-                                            burnish_error *error);
-
+/* Texture coordinates too, whatever the options say. */
 static inline burnish_status run_reader_threads(burnish_format format, const void *bytes,
                                                 size_t size, const burnish_load_options *options,
-                                                open_beside_function *open_beside,
-                                                burnish_tasks *pool, burnish_source *source,
-                                                burnish_error *error) {
+                                                load_function *load_companion, burnish_tasks *tasks,
+                                                burnish_mesh_data *mesh, burnish_error *error) {
+    burnish_load_options all = *options;
+    char name[16];
     uint8_t *copy = malloc(size > 0 ? size : 1);
     if (!copy) {
         abort();
     }
     memcpy(copy, bytes, size);
-    burnish_reader_input input = {.bytes = size > 0 ? copy : NULL,
+    snprintf(name, sizeof name, "mesh.%s", burnish_format_get_info(format)->name);
+    all.keep_texture_coordinates = 1;
+    burnish_reader_input input = {.bytes = copy,
                                   .size = size,
-                                  .name = reader_names[format],
-                                  .options = options,
-                                  .open_beside = open_beside};
-    *source = (burnish_source){.pool = pool};
+                                  .name = name,
+                                  .options = &all,
+                                  .companions = {load_companion, NULL, NULL}};
     *error = (burnish_error){0};
-    burnish_status status = format == BURNISH_FORMAT_OBJ ? burnish_read_obj(&input, source, error)
-                            : format == BURNISH_FORMAT_PLY
-                                ? burnish_read_ply(&input, source, error)
-                                : burnish_read_stl(&input, source, error);
+    *mesh = burnish_mesh_data_begin(NULL, tasks, error);
+    burnish_reader reader = {.input = &input, .mesh = mesh, .error = error};
+    burnish_status status = burnish_read(&reader, &format);
     free(copy);
     return status;
 }
 
 static inline burnish_status run_reader(burnish_format format, const void *bytes, size_t size,
                                         const burnish_load_options *options,
-                                        open_beside_function *open_beside, burnish_source *source,
+                                        load_function *load_companion, burnish_mesh_data *mesh,
                                         burnish_error *error) {
-    return run_reader_threads(format, bytes, size, options, open_beside, NULL, source, error);
+    return run_reader_threads(format, bytes, size, options, load_companion, NULL, mesh, error);
 }
 
 static inline burnish_status read_text(burnish_format format, const char *text,
-                                       burnish_source *source, burnish_error *error) {
+                                       burnish_mesh_data *mesh, burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
-    return run_reader(format, text, strlen(text), &options, NULL, source, error);
+    return run_reader(format, text, strlen(text), &options, NULL, mesh, error);
+}
+
+static inline burnish_status read_mtl(const char *text, burnish_mtl *library,
+                                      burnish_error *error) {
+    const burnish_reader_input input = {
+        .bytes = (const uint8_t *)text, .size = strlen(text), .name = "a.mtl"};
+    burnish_mesh_data mesh = burnish_mesh_data_begin(NULL, NULL, error);
+    burnish_reader reader = {.input = &input, .mesh = &mesh, .error = error};
+    burnish_status status = burnish_read_mtl(&reader, library);
+    burnish_mesh_data_destroy(&mesh);
+    return status;
 }
 
 /* Bytes under construction. */

@@ -28,26 +28,29 @@
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 #define FACET "solid\nfacet normal 0 0 1\nouter loop\n"
 
-static burnish_status open_nothing(const char *input_name, const char *file, uint64_t max_bytes,
-                                   uint8_t **bytes, size_t *size, burnish_error *error) {
-    (void)input_name, (void)max_bytes, (void)bytes, (void)size;
+static burnish_status open_nothing(void *user_data, const char *file, uint64_t max_bytes,
+                                   const void **bytes, size_t *size, burnish_error *error) {
+    (void)user_data;
+    (void)max_bytes, (void)bytes, (void)size;
     return burnish_fail(error, BURNISH_STATUS_READ, "%s: not here", file);
 }
 
-/* Any outcome is right but a silent one: a mesh that keeps what source.h promises, or one line. */
-static int is_sound(burnish_status status, const burnish_source *s, const burnish_error *e) {
+/* Any outcome is right but a silent one: a mesh that keeps what mesh_data.h promises, or one line.
+ */
+static int is_sound(burnish_status status, const burnish_mesh_data *s, const burnish_error *e) {
     if (status != BURNISH_STATUS_OK) {
         return e->status == status && e->text[0] != 0 && !strchr(e->text, '\n');
     }
     for (size_t i = 0; i < 3 * s->triangle_count; ++i) {
-        if (s->corner_positions[i] >= s->position_count ||
-            (s->corner_normals && s->corner_normals[i] != BURNISH_SOURCE_NONE &&
-             s->corner_normals[i] >= s->normal_count)) {
+        if (s->streams[BURNISH_POSITION].corners[i] >= s->streams[BURNISH_POSITION].count ||
+            (s->streams[BURNISH_NORMAL].corners &&
+             s->streams[BURNISH_NORMAL].corners[i] != BURNISH_NONE &&
+             s->streams[BURNISH_NORMAL].corners[i] >= s->streams[BURNISH_NORMAL].count)) {
             return 0;
         }
     }
-    for (size_t i = 0; i < 3 * s->position_count; ++i) {
-        if (!(s->positions[i] - s->positions[i] == 0)) {
+    for (size_t i = 0; i < 3 * s->streams[BURNISH_POSITION].count; ++i) {
+        if (!(burnish_positions(s)[i] - burnish_positions(s)[i] == 0)) {
             return 0;
         }
     }
@@ -62,13 +65,13 @@ static int is_sound(burnish_status status, const burnish_source *s, const burnis
 static burnish_status try_bytes(burnish_format format, const void *bytes, size_t size,
                                 const char *what, size_t number) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_source source;
+    burnish_mesh_data source;
     burnish_error error;
     burnish_status status =
         run_reader(format, bytes, size, &options, open_nothing, &source, &error);
     CHECK(is_sound(status, &source, &error), "%s %zu: status %d, \"%s\"", what, number, (int)status,
           error.text);
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&source);
     return status;
 }
 
@@ -78,9 +81,9 @@ static const struct {
     burnish_format format;
     const char *text, *message;
 } messages[] = {
-    {BURNISH_FORMAT_OBJ, "", "mesh.obj: byte 0: the file is empty; fetch it again"},
-    {BURNISH_FORMAT_PLY, "", "mesh.ply: byte 0: the file is empty; fetch it again"},
-    {BURNISH_FORMAT_STL, "", "mesh.stl: byte 0: the file is empty; fetch it again"},
+    {BURNISH_FORMAT_OBJ, "", "mesh.obj: byte 0: the file is empty"},
+    {BURNISH_FORMAT_PLY, "", "mesh.ply: byte 0: the file is empty"},
+    {BURNISH_FORMAT_STL, "", "mesh.stl: byte 0: the file is empty"},
     {BURNISH_FORMAT_OBJ, "v 0 0 0\n",
      "mesh.obj: no faces among 1 vertices; export the mesh with its faces"},
     {BURNISH_FORMAT_OBJ, "v 0 0\n",
@@ -98,16 +101,16 @@ static const struct {
      "it "
      "like 1.5 or -2e-3"},
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 4\n",
-     "mesh.obj:4: face refers to vertex 4, but 3 stand before it; correct the index"},
+     "mesh.obj:4: face refers to vertex 4, but the file has 3; correct the index"},
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 -4\n",
-     "mesh.obj:4: face refers to vertex -4, but 3 stand before it; correct the index"},
+     "mesh.obj:4: face refers to vertex -4, but the file has 3 before it; correct the index"},
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 \\\n99999999999999999999\n",
-     "mesh.obj:5: face refers to vertex 99999999999999999999, but 3 stand before it; correct the "
+     "mesh.obj:5: face refers to vertex 99999999999999999999, but the file has 3; correct the "
      "index"},
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 0 1 2\n",
      "mesh.obj:4: face refers to vertex 0; indices start at 1"},
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 1//1 2 3\n",
-     "mesh.obj:4: face refers to normal 1, but 0 stand before it; correct the index"},
+     "mesh.obj:4: face refers to normal 1, but the file has 0; correct the index"},
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 3a\n",
      "mesh.obj:4: face corner \"3a\" is not an index; write v, v/t, v//n or v/t/n"},
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 1/2/3/4 2 3\n",
@@ -118,23 +121,23 @@ static const struct {
 
     {BURNISH_FORMAT_STL, "hello",
      "mesh.stl: byte 5: the file ends within the 84 bytes of a binary STL header and is no ASCII "
-     "STL; fetch it again"},
+     "STL; the file is truncated or not STL"},
     {BURNISH_FORMAT_STL, "solid x\nendsolid x\n", "mesh.stl: no triangles; export the mesh again"},
     {BURNISH_FORMAT_STL, "solid x\n",
-     "mesh.stl:1: the file ends where \"endsolid\" should follow; it is truncated, fetch it again"},
+     "mesh.stl:1: expected \"endsolid\", found the end of the file; the file is truncated"},
     {BURNISH_FORMAT_STL, FACET "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nfacet\n",
-     "mesh.stl:8: \"facet\" stands where \"endfacet\" should; repair the file"},
+     "mesh.stl:8: expected \"endfacet\", found \"facet\"; repair the file"},
     {BURNISH_FORMAT_STL, FACET "vertex 0 0 0\nvertex 1 0 0\nendloop\n",
-     "mesh.stl:6: \"endloop\" stands where \"vertex\" should; repair the file"},
+     "mesh.stl:6: expected \"vertex\", found \"endloop\"; repair the file"},
     {BURNISH_FORMAT_STL, FACET "vertex 0 0 inf\n",
      "mesh.stl:4: coordinate \"inf\" is not finite; repair or remove it"},
     {BURNISH_FORMAT_STL, "solid\nfacet normal 0 outer loop\n",
      "mesh.stl:2: normal \"outer\" is not a number; write it like 1.5 or -2e-3"},
 
     {BURNISH_FORMAT_PLY, "plymouth",
-     "mesh.ply:1: a PLY file starts with the line \"ply\", this one does not; check the format"},
+     "mesh.ply:1: expected the line \"ply\", found \"plymouth\"; check the format"},
     {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\n",
-     "mesh.ply:2: the file ends within the header; it is truncated, fetch it again"},
+     "mesh.ply:2: the file ends within the header; the file is truncated"},
     {BURNISH_FORMAT_PLY, "ply\nformat ascii 2.0\n",
      "mesh.ply:2: format version is \"2.0\"; only 1.0 exists"},
     {BURNISH_FORMAT_PLY, "ply\nformat zip 1.0\n",
@@ -151,8 +154,8 @@ static const struct {
     {BURNISH_FORMAT_PLY, "ply\nproperty float x\n",
      "mesh.ply:2: property before the first element; declare its element first"},
     {BURNISH_FORMAT_PLY, "ply\nnonsense\n",
-     "mesh.ply:2: \"nonsense\" stands in the header where element, property or end_header should; "
-     "repair the header"},
+     "mesh.ply:2: expected \"element\", \"property\" or \"end_header\", found \"nonsense\"; repair "
+     "the header"},
     {BURNISH_FORMAT_PLY, "ply\n" PLY_VERTEX "end_header\n",
      "mesh.ply:6: the header has no format line; add \"format ascii 1.0\" or what the file is"},
     {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\nend_header\n",
@@ -181,22 +184,23 @@ static const struct {
     {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n-1 0 1 2\n",
      "mesh.ply:13: element face, row 1: list length -1 is no count; repair the file"},
     {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n250 0 1 2\n",
-     "mesh.ply:13: element face, row 1: a list of 250 values does not fit the rest of the file; it "
-     "is truncated or damaged, fetch it again"},
+     "mesh.ply:13: element face, row 1: a list of 250 values does not fit the rest of the file; "
+     "the "
+     "file is truncated or damaged"},
     {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n  3   0   1\n",
-     "mesh.ply:13: the file ends in element face, row 1 of 1; it is truncated, fetch it again"},
+     "mesh.ply:13: the file ends in element face, row 1 of 1; the file is truncated"},
     {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 zero\n1 0 0\n0 1 0\n3 0 1 2\n",
      "mesh.ply:10: value \"zero\" is not a number; write it like 1.5 or -2e-3"},
 };
 
 static void test_messages(void) {
     for (size_t i = 0; i < sizeof messages / sizeof *messages; ++i) {
-        burnish_source source;
+        burnish_mesh_data source;
         burnish_error error;
         burnish_status status = read_text(messages[i].format, messages[i].text, &source, &error);
         CHECK(status == BURNISH_STATUS_FORMAT, "message %zu: status %d", i, (int)status);
         CHECK_TEXT(error.text, messages[i].message);
-        burnish_source_destroy(&source);
+        burnish_mesh_data_destroy(&source);
     }
 }
 
@@ -215,30 +219,29 @@ static void test_mtl_messages(void) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         burnish_mtl library = {0};
         burnish_error error = {0};
-        CHECK1(burnish_read_mtl((const uint8_t *)cases[i].text, strlen(cases[i].text), "a.mtl",
-                                &library, &error) == BURNISH_STATUS_FORMAT);
+        CHECK1(read_mtl(cases[i].text, &library, &error) == BURNISH_STATUS_FORMAT);
         CHECK_TEXT(error.text, cases[i].message);
-        burnish_mtl_destroy(&library);
+        burnish_mtl_destroy(NULL, &library);
     }
 }
 
 /* Messages whose bytes are binary. */
 static void test_binary_messages(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_source source;
+    burnish_mesh_data source;
     burnish_error error;
     byte_list stl = {.size = 0}, ply = {.size = 0};
     put_stl(&stl, "solid", 2);
     CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size - 1, &options, NULL, &source,
                       &error) == BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "mesh.stl: byte 80: 2 triangles are announced, but the file ends after "
-                           "1; it is truncated or not STL, fetch it again");
-    burnish_source_destroy(&source);
+                           "1; it is truncated or not STL");
+    burnish_mesh_data_destroy(&source);
     memcpy(stl.bytes + 84 + 50 + 12 + 8, "\0\0\x80\x7f", 4); /* infinity as z of facet 1 */
     CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source, &error) ==
            BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "mesh.stl: byte 154: coordinate is not finite; repair the mesh");
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&source);
 
     put_ply(&ply, 2);
     CHECK1(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size - 1, &options, NULL, &source,
@@ -246,15 +249,15 @@ static void test_binary_messages(void) {
     char expected[200];
     snprintf(expected, sizeof expected,
              "mesh.ply: byte %zu: element face, row 2: a list of 3 values does not fit the rest of "
-             "the file; it is truncated or damaged, fetch it again",
+             "the file; the file is truncated or damaged",
              ply.size - 13);
     CHECK_TEXT(error.text, expected);
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&source);
 }
 
 static void test_limits(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_source source;
+    burnish_mesh_data source;
     burnish_error error;
     static const char quad[] = TRIANGLE "f 1 2 3\nf 1 2 3 1\n";
     byte_list stl = {.size = 0}, ply = {.size = 0};
@@ -265,19 +268,19 @@ static void test_limits(void) {
            BURNISH_STATUS_LIMIT);
     CHECK_TEXT(error.text,
                "mesh.obj:5: more than 2 triangles; raise the limit or simplify the mesh");
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&source);
     CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source, &error) ==
            BURNISH_STATUS_LIMIT);
     CHECK_TEXT(error.text,
                "mesh.stl: byte 80: more than 2 triangles; raise the limit or simplify the mesh");
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&source);
     CHECK1(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size, &options, NULL, &source, &error) ==
            BURNISH_STATUS_LIMIT);
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&source);
     options.max_triangles = 3;
     CHECK1(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source, &error) ==
            BURNISH_STATUS_OK);
-    burnish_source_destroy(&source);
+    burnish_mesh_data_destroy(&source);
 }
 
 /* ---- truncation and mutation ---- */
@@ -390,7 +393,7 @@ static int refuses_within_16_mib(burnish_format format, const byte_list *list) {
     if (child == 0) {
         size_t limit = memory_used() + ((size_t)16 << 20);
         burnish_load_options options = burnish_load_options_default();
-        burnish_source source;
+        burnish_mesh_data source;
         burnish_error error;
         int limited = SANITIZED || setrlimit(RLIMIT_AS, &(struct rlimit){limit, limit}) == 0;
         burnish_status status =
@@ -425,13 +428,12 @@ static void test_claims(void) {
     stl.bytes[83] = 0x01; /* 16,777,216 triangles, 839 MB, in 100 bytes */
     put(&stl, "sixteen bytes...", 16);
     CHECK1(refuses_within_16_mib(BURNISH_FORMAT_STL, &stl));
-    burnish_source source;
+    burnish_mesh_data source;
     burnish_error error;
     CHECK1(read_text(BURNISH_FORMAT_PLY, texts[0], &source, &error) == BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "mesh.ply:3: element vertex announces 80000000 rows, but the rest of "
-                           "the file has room for 0 at most; it is truncated or damaged, fetch it "
-                           "again");
-    burnish_source_destroy(&source);
+                           "the file has room for 0 at most; the file is truncated or damaged");
+    burnish_mesh_data_destroy(&source);
 }
 
 /* ---- files ---- */
@@ -464,11 +466,11 @@ static void test_files(void) {
     check_load(".", &options, BURNISH_STATUS_READ, ".: can't be read: Is a directory");
     write_file("empty.stl", "");
     check_load("empty.stl", &options, BURNISH_STATUS_FORMAT,
-               "empty.stl: byte 0: the file is empty; fetch it again");
+               "empty.stl: byte 0: the file is empty");
     write_file("note.txt", "hello");
-    check_load(
-        "note.txt", &options, BURNISH_STATUS_FORMAT,
-        "note.txt: neither its name nor its first bytes tell OBJ, PLY or STL; name the format");
+    check_load("note.txt", &options, BURNISH_STATUS_FORMAT,
+               "note.txt: neither its name nor its first bytes tell the format; name it, one of "
+               "obj, ply, stl");
     write_file("bad.mtl", "newmtl a\nKd x\n");
     write_file("bad.obj", "mtllib bad.mtl\n" TRIANGLE "f 1 2 3\n");
     check_load("bad.obj", &options, BURNISH_STATUS_FORMAT,
@@ -476,7 +478,7 @@ static void test_files(void) {
     CHECK1(mkfifo("pipe.mtl", 0600) == 0);
     write_file("pipe.obj", "mtllib pipe.mtl\nf 1 2 3\n");
     check_load("pipe.obj", &options, BURNISH_STATUS_FORMAT,
-               "pipe.obj:2: face refers to vertex 1, but 0 stand before it; correct the index");
+               "pipe.obj:2: face refers to vertex 1, but the file has 0; correct the index");
     options.max_input_bytes = 4;
     check_load("note.txt", &options, BURNISH_STATUS_LIMIT,
                "note.txt: larger than the limit of 4 bytes; raise the limit or simplify the mesh");

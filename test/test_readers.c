@@ -5,7 +5,6 @@
 
 #include "core/srgb.h"
 #include "decimal_comma.h"
-#include "mesh/read/number.h"
 #include "mesh/read/polygon.h"
 #include "reader_input.h"
 
@@ -42,10 +41,13 @@ static void random_decimal(uint64_t *state, char *out, size_t size) {
     }
 }
 
-static void check_number(burnish_number_reader *reader, const char *text) {
+static burnish_token token_of(const char *text) {
+    return (burnish_token){(const uint8_t *)text, strlen(text)};
+}
+
+static void check_number(const char *text) {
     double value = 0, expected = strtod(text, NULL);
-    burnish_number_status status =
-        burnish_parse_double(reader, (const uint8_t *)text, strlen(text), &value);
+    burnish_number_status status = burnish_parse_double(token_of(text), &value);
     if (isinf(expected)) {
         CHECK(status == BURNISH_NUMBER_RANGE, "%s", text);
     } else {
@@ -57,19 +59,16 @@ static void check_number(burnish_number_reader *reader, const char *text) {
 static void test_random_numbers(void) {
     enum { COUNT = 200000 };
     uint64_t state = test_seed(20240607);
-    burnish_number_reader reader = {0};
     char text[256];
     for (int i = 0; i < COUNT; ++i) {
         random_decimal(&state, text, sizeof text);
-        check_number(&reader, text);
+        check_number(text);
     }
-    burnish_number_reader_close(&reader);
 }
 
 /* Thousands of digits: the copy that is parsed is bounded, the result is as if it were not. */
 static void test_long_numbers(void) {
     static char text[5000];
-    burnish_number_reader reader = {0};
     /* 1 + 2^-53 is halfway between 1 and its neighbour: the tail decides, however far away. */
     const char *half = "1.00000000000000011102230246251565404236316680908203125";
     for (size_t tail = 0; tail < 4000; tail += 97) {
@@ -77,23 +76,22 @@ static void test_long_numbers(void) {
         memcpy(text, half, length);
         memset(text + length, '0', tail);
         strcpy(text + length + tail, "1");
-        check_number(&reader, text);
+        check_number(text);
         text[length + tail] = 0;
-        check_number(&reader, text);
+        check_number(text);
     }
     memset(text, '0', 4000);
     strcpy(text + 4000, "12.5e-1");
-    check_number(&reader, text);
+    check_number(text);
     memset(text, '9', 4000);
     strcpy(text + 4000, "e-3995");
-    check_number(&reader, text);
+    check_number(text);
     text[0] = '.';
     strcpy(text + 4000, "e7");
-    check_number(&reader, text);
-    check_number(&reader, "1e-99999999999999999999");
-    check_number(&reader, "0e99999999999999999999");
-    check_number(&reader, "1e99999999999999999999");
-    burnish_number_reader_close(&reader);
+    check_number(text);
+    check_number("1e-99999999999999999999");
+    check_number("0e99999999999999999999");
+    check_number("1e99999999999999999999");
 }
 
 static void test_number_grammar(void) {
@@ -127,21 +125,17 @@ static void test_number_grammar(void) {
         {"-1e999", BURNISH_NUMBER_RANGE, 0},
         {"1e-60", BURNISH_NUMBER_OK, 0},
     };
-    burnish_number_reader reader = {0};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         float value = 0;
-        burnish_number_status status = burnish_parse_float(&reader, (const uint8_t *)cases[i].text,
-                                                           strlen(cases[i].text), &value);
+        burnish_number_status status = burnish_parse_float(token_of(cases[i].text), &value);
         CHECK(status == cases[i].status && (double)value == cases[i].value, "\"%s\": %d, %g",
               cases[i].text, (int)status, (double)value);
     }
     float largest = 0;
-    CHECK1(burnish_parse_float(&reader, (const uint8_t *)"3.4028235677973366e38", 21, &largest) ==
+    CHECK1(burnish_parse_float(token_of("3.4028235677973366e38"), &largest) ==
            BURNISH_NUMBER_RANGE);
-    CHECK1(burnish_parse_float(&reader, (const uint8_t *)"3.4028235677973362e38", 21, &largest) ==
-               BURNISH_NUMBER_OK &&
+    CHECK1(burnish_parse_float(token_of("3.4028235677973362e38"), &largest) == BURNISH_NUMBER_OK &&
            largest == FLT_MAX);
-    burnish_number_reader_close(&reader);
 }
 
 /* ---- polygons ---- */
@@ -251,18 +245,19 @@ static void test_random_polygons(void) {
 
 /* ---- OBJ ---- */
 
-static int position_is(const burnish_source *s, size_t i, float x, float y, float z) {
-    return i < s->position_count && s->positions[3 * i] == x && s->positions[3 * i + 1] == y &&
-           s->positions[3 * i + 2] == z;
+static int position_is(const burnish_mesh_data *s, size_t i, float x, float y, float z) {
+    return i < s->streams[BURNISH_POSITION].count && burnish_positions(s)[3 * i] == x &&
+           burnish_positions(s)[3 * i + 1] == y && burnish_positions(s)[3 * i + 2] == z;
 }
 
-static int triangle_is(const burnish_source *s, size_t i, uint32_t a, uint32_t b, uint32_t c) {
-    return i < s->triangle_count && s->corner_positions[3 * i] == a &&
-           s->corner_positions[3 * i + 1] == b && s->corner_positions[3 * i + 2] == c;
+static int triangle_is(const burnish_mesh_data *s, size_t i, uint32_t a, uint32_t b, uint32_t c) {
+    return i < s->triangle_count && s->streams[BURNISH_POSITION].corners[3 * i] == a &&
+           s->streams[BURNISH_POSITION].corners[3 * i + 1] == b &&
+           s->streams[BURNISH_POSITION].corners[3 * i + 2] == c;
 }
 
 static void test_obj(void) {
-    burnish_source s;
+    burnish_mesh_data s;
     burnish_error e;
     CHECK(read_text(
               BURNISH_FORMAT_OBJ,
@@ -271,28 +266,44 @@ static void test_obj(void) {
               "vn nan 0 0\nfoo bar\n\n  f 1/1/1 2/1/1 -2//-2 4/1 # end\nf -4/ -3// 3",
               &s, &e) == BURNISH_STATUS_OK,
           "%s", e.text);
-    CHECK1(s.position_count == 4 && s.normal_count == 2 && s.triangle_count == 3);
+    CHECK1(s.streams[BURNISH_POSITION].count == 4 && s.streams[BURNISH_NORMAL].count == 2 &&
+           s.triangle_count == 3);
     CHECK1(position_is(&s, 1, 1, 0, 0) && position_is(&s, 2, 1, 1, -0.25f) &&
            position_is(&s, 3, 0, 1, 0));
     CHECK1(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) &&
            triangle_is(&s, 2, 0, 1, 2));
-    static const uint32_t normals[9] = {0,
-                                        0,
-                                        0,
-                                        0,
-                                        0,
-                                        BURNISH_SOURCE_NONE,
-                                        BURNISH_SOURCE_NONE,
-                                        BURNISH_SOURCE_NONE,
-                                        BURNISH_SOURCE_NONE};
-    CHECK1(s.corner_normals && memcmp(s.corner_normals, normals, sizeof normals) == 0);
-    CHECK1(s.normals[2] == 1 && s.normals[3] == 0);
-    CHECK1(!s.colors && !s.triangle_materials && s.material_count == 1 && s.warning_count == 0);
-    burnish_source_destroy(&s);
+    static const uint32_t normals[9] = {
+        0, 0, 0, 0, 0, BURNISH_NONE, BURNISH_NONE, BURNISH_NONE, BURNISH_NONE};
+    CHECK1(s.streams[BURNISH_NORMAL].corners &&
+           memcmp(s.streams[BURNISH_NORMAL].corners, normals, sizeof normals) == 0);
+    CHECK1(burnish_normals(&s)[2] == 1 && burnish_normals(&s)[3] == 0);
+    CHECK1(!burnish_colors(&s) && !s.triangle_materials && s.material_count == 1 &&
+           s.warning_count == 0);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Faces before their vertices; texture coordinates, of which some are not there. */
+static void test_obj_forward(void) {
+    static const uint32_t texcoords[12] = {0, 1, BURNISH_NONE, 1, 0, 1, 1, 1, 1, 0, 0, 0};
+    static const float values[4] = {0, 0.25f, 0.5f, 1};
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(read_text(BURNISH_FORMAT_OBJ,
+                    "f 1/1 2/2 3/9\nf 1/2/1 4/1/1 3/2/1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 .25\n"
+                    "vt .5 1 2\nf -3/-1 2/2 3/-1\nf -3/-2 2/1 3/1\nv 0 1 0\nvn 0 0 1\n",
+                    &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK1(s.triangle_count == 4 && triangle_is(&s, 1, 0, 3, 2) && triangle_is(&s, 2, 0, 1, 2));
+    const burnish_stream *read = &s.streams[BURNISH_TEXCOORD];
+    CHECK1(read->count == 2 && memcmp(read->items, values, sizeof values) == 0);
+    CHECK1(read->corners && memcmp(read->corners, texcoords, sizeof texcoords) == 0);
+    CHECK1(s.streams[BURNISH_NORMAL].corners[3] == 0 &&
+           s.streams[BURNISH_NORMAL].corners[0] == BURNISH_NONE);
+    burnish_mesh_data_destroy(&s);
 }
 
 static void test_obj_colors(void) {
-    burnish_source s;
+    burnish_mesh_data s;
     burnish_error e;
     static const uint8_t expected[] = {255, 255, 255, 255, 255, 128, 0,   255,
                                        0,   255, 51,  255, 255, 255, 255, 255};
@@ -301,18 +312,18 @@ static void test_obj_colors(void) {
                   "v 0 0 0\nv 1 0 0 1 .5 0\nv 0 1 0 -1 2 .2\nv 0 0 1\nf 1 2 3\nl 1 2\np 1\nf 1 2\n",
                   &s, &e) == BURNISH_STATUS_OK,
         "%s", e.text);
-    CHECK1(s.colors && memcmp(s.colors, expected, sizeof expected) == 0);
+    CHECK1(burnish_colors(&s) && memcmp(burnish_colors(&s), expected, sizeof expected) == 0);
     if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
         CHECK_TEXT(s.warnings[0], "mesh.obj:6: lines and points were ignored");
         CHECK_TEXT(s.warnings[1], "mesh.obj:8: faces with fewer than 3 corners were ignored");
     }
-    CHECK1(!s.corner_normals && s.triangle_count == 1);
-    burnish_source_destroy(&s);
+    CHECK1(!s.streams[BURNISH_NORMAL].corners && s.triangle_count == 1);
+    burnish_mesh_data_destroy(&s);
 }
 
 /* Concave faces keep their area, huge ones become fans. */
 static void test_obj_polygons(void) {
-    burnish_source s;
+    burnish_mesh_data s;
     burnish_error e;
     CHECK(read_text(BURNISH_FORMAT_OBJ,
                     "v 0 0 0\nv 2 -2 0\nv 1 0 0\nv 2 2 0\nf 1 2 3 4\nf 2 3 4 1\n", &s,
@@ -320,14 +331,15 @@ static void test_obj_polygons(void) {
           "%s", e.text);
     double area = 0;
     for (size_t t = 0; t < s.triangle_count; ++t) {
-        const uint32_t *c = s.corner_positions + 3 * t;
+        const uint32_t *c = s.streams[BURNISH_POSITION].corners + 3 * t;
         double part =
-            triangle_area(s.positions + 3 * c[0], s.positions + 3 * c[1], s.positions + 3 * c[2]);
+            triangle_area(burnish_positions(&s) + 3 * c[0], burnish_positions(&s) + 3 * c[1],
+                          burnish_positions(&s) + 3 * c[2]);
         CHECK(part > 0, "triangle %zu: %g", t, part);
         area += part;
     }
     CHECK(s.triangle_count == 4 && area == 4, "%zu triangles, area %g", s.triangle_count, area);
-    burnish_source_destroy(&s);
+    burnish_mesh_data_destroy(&s);
 
     enum { CORNERS = 1000 };
     static char text[CORNERS * 40];
@@ -342,26 +354,25 @@ static void test_obj_polygons(void) {
     CHECK(read_text(BURNISH_FORMAT_OBJ, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
     CHECK1(s.triangle_count == CORNERS - 2 &&
            triangle_is(&s, CORNERS - 3, 0, CORNERS - 2, CORNERS - 1));
-    burnish_source_destroy(&s);
+    burnish_mesh_data_destroy(&s);
 }
 
 /* ---- MTL ---- */
 
 static const char *library_text;
 
-static burnish_status open_library(const char *input_name, const char *file, uint64_t max_bytes,
-                                   uint8_t **bytes, size_t *size, burnish_error *error) {
-    if (strcmp(input_name, "mesh.obj") != 0 || strcmp(file, "my parts/a b.mtl") != 0 ||
-        max_bytes == 0) {
+static burnish_status open_library(void *user_data, const char *file, uint64_t max_bytes,
+                                   const void **bytes, size_t *size, burnish_error *error) {
+    (void)user_data;
+    if (strcmp(file, "my parts/a b.mtl") != 0 || max_bytes == 0) {
         return burnish_fail(error, BURNISH_STATUS_READ, "%s: No such file", file);
     }
     *size = strlen(library_text);
-    *bytes = malloc(*size);
-    memcpy(*bytes, library_text, *size);
+    *bytes = library_text;
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status read_with_library(const char *text, const char *library, burnish_source *s,
+static burnish_status read_with_library(const char *text, const char *library, burnish_mesh_data *s,
                                         burnish_error *e) {
     burnish_load_options options = burnish_load_options_default();
     library_text = library;
@@ -382,9 +393,7 @@ static void test_mtl(void) {
     burnish_mtl mtl = {0};
     burnish_error e = {0};
     burnish_material grey = burnish_material_default();
-    CHECK(burnish_read_mtl((const uint8_t *)library, sizeof library - 1, "a.mtl", &mtl, &e) ==
-              BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK(read_mtl(library, &mtl, &e) == BURNISH_STATUS_OK, "%s", e.text);
     if (CHECK1(mtl.count == 5)) {
         const burnish_material *red = &mtl.entries[0].material, *dull = &mtl.entries[1].material;
         const burnish_material *matt = &mtl.entries[2].material, *bare = &mtl.entries[3].material;
@@ -399,14 +408,14 @@ static void test_mtl(void) {
         CHECK1(memcmp(matt->diffuse, grey.diffuse, sizeof grey.diffuse) == 0);
         CHECK1(memcmp(bare, &grey, sizeof grey) == 0);
     }
-    burnish_mtl_destroy(&mtl);
+    burnish_mtl_destroy(NULL, &mtl);
     CHECK1(mtl.entries == NULL && mtl.count == 0);
 }
 
 static void test_obj_materials(void) {
     static const char library[] =
         "newmtl a\nKd 1 0 0\nNs 0.5\nnewmtl b\nKd 0 1 0\nnewmtl a\nKd 1 1 1\n";
-    burnish_source s;
+    burnish_mesh_data s;
     burnish_error e;
     CHECK(
         read_with_library("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nusemtl b\nusemtl a\n"
@@ -425,7 +434,7 @@ static void test_obj_materials(void) {
         CHECK_TEXT(s.warnings[1],
                    "mesh.obj: material \"none\" is in no material library; it is burnish's grey");
     }
-    burnish_source_destroy(&s);
+    burnish_mesh_data_destroy(&s);
 
     CHECK(
         read_with_library("mtllib my parts/a b.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
@@ -433,13 +442,13 @@ static void test_obj_materials(void) {
         "%s", e.text);
     CHECK1(s.material_count == 1 && !s.triangle_materials &&
            color_is(s.materials[0].diffuse, 0, 1, 0));
-    burnish_source_destroy(&s);
+    burnish_mesh_data_destroy(&s);
 }
 
 /* Warnings stop after 16 lines, however many there would be. */
 static void test_many_warnings(void) {
     char library[512] = "newmtl a\n";
-    burnish_source s;
+    burnish_mesh_data s;
     burnish_error e;
     for (int i = 0; i < 40; ++i) {
         strcat(library, "Ns 0.5\n");
@@ -448,7 +457,7 @@ static void test_many_warnings(void) {
                             library, &s, &e) == BURNISH_STATUS_OK,
           "%s", e.text);
     CHECK(s.warning_count == 16, "%zu", s.warning_count);
-    burnish_source_destroy(&s);
+    burnish_mesh_data_destroy(&s);
 }
 
 static void test_missing_libraries(void) {
@@ -470,7 +479,7 @@ static void test_missing_libraries(void) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char text[256];
-        burnish_source s;
+        burnish_mesh_data s;
         burnish_error e;
         snprintf(text, sizeof text, "%s\n%s", cases[i].line, mesh);
         CHECK(read_with_library(text, "", &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
@@ -478,27 +487,27 @@ static void test_missing_libraries(void) {
             CHECK_TEXT(s.warnings[0], cases[i].warning);
         }
         CHECK1(s.material_count == 1 && !s.materials[0].has_diffuse);
-        burnish_source_destroy(&s);
+        burnish_mesh_data_destroy(&s);
     }
 }
 
 /* Asked for under whatever name, a file is opened once; no more than 64 files are. */
 static size_t libraries_opened;
 
-static burnish_status count_library(const char *input_name, const char *file, uint64_t max_bytes,
-                                    uint8_t **bytes, size_t *size, burnish_error *error) {
-    (void)input_name, (void)file, (void)max_bytes, (void)error;
+static burnish_status count_library(void *user_data, const char *file, uint64_t max_bytes,
+                                    const void **bytes, size_t *size, burnish_error *error) {
+    (void)user_data;
+    (void)file, (void)max_bytes, (void)error;
     ++libraries_opened;
     *size = 9;
-    *bytes = malloc(*size);
-    memcpy(*bytes, "newmtl a\n", *size);
+    *bytes = "newmtl a\n";
     return BURNISH_STATUS_OK;
 }
 
 static void check_libraries(const char *lines, size_t opened, const char *warning) {
     static char text[4096];
     burnish_load_options options = burnish_load_options_default();
-    burnish_source s;
+    burnish_mesh_data s;
     burnish_error e;
     snprintf(text, sizeof text, "%susemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", lines);
     libraries_opened = 0;
@@ -509,7 +518,7 @@ static void check_libraries(const char *lines, size_t opened, const char *warnin
     if (CHECK(s.warning_count == (warning != NULL), "%zu", s.warning_count) && warning) {
         CHECK_TEXT(s.warnings[0], warning);
     }
-    burnish_source_destroy(&s);
+    burnish_mesh_data_destroy(&s);
 }
 
 static void test_library_names(void) {
@@ -525,10 +534,61 @@ static void test_library_names(void) {
                     "mesh.obj:65: only the first 64 material libraries are read; merge them");
 }
 
+/* A million names on one line: comparing each with all bytes of the line would take hours. */
+static void test_library_line(void) {
+    enum { NAMES = 1000000 };
+    static char text[2 * NAMES + 100];
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh_data s;
+    burnish_error e;
+    strcpy(text, "mtllib ");
+    for (size_t i = 0; i < NAMES; ++i) {
+        memcpy(text + 7 + 2 * i, "a ", 2);
+    }
+    strcpy(text + 7 + 2 * NAMES, "\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    libraries_opened = 0;
+    CHECK(run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, count_library, &s, &e) ==
+              BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK(libraries_opened == 1, "%zu", libraries_opened);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* What materials have and pictures do not: one line for the file, of materials in use only. */
+static void test_undrawn(void) {
+    static const char library[] =
+        "newmtl a\nmap_Kd -s 1 1 1 mars.png\nmap_Ks other.png\nd 0.5\nnewmtl b\nbump moon b.png\n"
+        "Tr 0\nnewmtl c\nmap_Kd mars.png\nTr 0.1\nnewmtl unused\nmap_Kd x.png\n";
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(
+        read_with_library("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
+                          "usemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n",
+                          library, &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "mesh.obj: 2 textures (mars.png, moon b.png) and the "
+                                  "transparency of 2 materials are not drawn");
+    }
+    burnish_mesh_data_destroy(&s);
+    CHECK1(read_text(BURNISH_FORMAT_PLY,
+                     "ply\nformat ascii 1.0\ncomment TextureFile moon.png\nelement vertex 3\n"
+                     "property float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+                     "property uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+                     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                     "0 0 0 1 2 3 255\n1 0 0 1 2 3 254\n0 1 0 1 2 3 255\n3 0 1 2\n",
+                     &s, &e) == BURNISH_STATUS_OK);
+    if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0],
+                   "mesh.ply: 1 texture (moon.png) and transparency (alpha) are not drawn");
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
 /* ---- STL ---- */
 
 static void test_stl(void) {
-    burnish_source s;
+    burnish_mesh_data s;
     burnish_error e;
     CHECK(read_text(BURNISH_FORMAT_STL,
                     "Solid one facet\nFACET NORMAL 0 0 1\r\nouter loop\nvertex 0 0 0 vertex 1 0 0\n"
@@ -537,17 +597,18 @@ static void test_stl(void) {
                     "vertex 3 1 0\nendloop\nendfacet\nendsolid",
                     &s, &e) == BURNISH_STATUS_OK,
           "%s", e.text);
-    CHECK1(s.triangle_count == 2 && s.position_count == 6 && s.normal_count == 0);
+    CHECK1(s.triangle_count == 2 && s.streams[BURNISH_POSITION].count == 6 &&
+           s.streams[BURNISH_NORMAL].count == 0);
     CHECK1(position_is(&s, 2, 0, 1.5f, -20) && position_is(&s, 5, 3, 1, 0));
     CHECK1(triangle_is(&s, 1, 3, 4, 5));
-    burnish_source_destroy(&s);
+    burnish_mesh_data_destroy(&s);
 }
 
 static void test_binary_stl(void) {
     static const char *const headers[] = {"", "solid made by a CAD program",
                                           "solid x\nfacet normal"};
     burnish_load_options options = burnish_load_options_default();
-    burnish_source s;
+    burnish_mesh_data s;
     burnish_error e;
     for (size_t h = 0; h < 3; ++h) {
         for (size_t more = 0; more < 3; ++more) { /* bytes behind the last facet */
@@ -562,9 +623,9 @@ static void test_binary_stl(void) {
             CHECK1(s.warning_count == (more > 0));
             if (more == 2 && s.warning_count == 1) {
                 CHECK_TEXT(s.warnings[0],
-                           "mesh.stl: byte 234: 2 bytes behind the last triangle were ignored");
+                           "mesh.stl: byte 234: 2 bytes after the last triangle were ignored");
             }
-            burnish_source_destroy(&s);
+            burnish_mesh_data_destroy(&s);
         }
     }
 }
@@ -575,27 +636,28 @@ static void test_ply(void) {
     burnish_load_options options = burnish_load_options_default();
     for (int encoding = 0; encoding < 3; ++encoding) {
         byte_list list = {.size = 0};
-        burnish_source s;
+        burnish_mesh_data s;
         burnish_error e;
         put_ply(&list, encoding);
         CHECK(run_reader(BURNISH_FORMAT_PLY, list.bytes, list.size, &options, NULL, &s, &e) ==
                   BURNISH_STATUS_OK,
               "%d: %s", encoding, e.text);
-        CHECK1(s.position_count == 5 && s.normal_count == 5 && s.triangle_count == 3);
+        CHECK1(s.streams[BURNISH_POSITION].count == 5 && s.streams[BURNISH_NORMAL].count == 5 &&
+               s.triangle_count == 3);
         CHECK1(position_is(&s, 2, 1, 1, 0) && position_is(&s, 4, 0.5f, 2, -1.25f));
         CHECK1(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) &&
                triangle_is(&s, 2, 3, 2, 4));
-        CHECK1(s.corner_normals && memcmp(s.corner_normals, s.corner_positions, 9 * 4) == 0);
-        CHECK1(s.normals[14] == 1 && s.normals[12] == 0);
-        CHECK1(s.colors && s.colors[16] == 40 && s.colors[17] == 80 && s.colors[18] == 120 &&
-               s.colors[19] == 251);
-        burnish_source_destroy(&s);
+        CHECK1(!s.streams[BURNISH_NORMAL].corners); /* numbered as positions are */
+        CHECK1(burnish_normals(&s)[14] == 1 && burnish_normals(&s)[12] == 0);
+        CHECK1(burnish_colors(&s) && burnish_colors(&s)[16] == 40 && burnish_colors(&s)[17] == 80 &&
+               burnish_colors(&s)[18] == 120 && burnish_colors(&s)[19] == 251);
+        burnish_mesh_data_destroy(&s);
     }
 }
 
 /* Faces before vertices, types of every kind, strips, colours as floats and 16 bits. */
 static void test_ply_variants(void) {
-    burnish_source s;
+    burnish_mesh_data s;
     burnish_error e;
     CHECK(
         read_text(BURNISH_FORMAT_PLY,
@@ -610,14 +672,15 @@ static void test_ply_variants(void) {
         "%s", e.text);
     static const uint8_t colors[] = {0, 128, 255, 255, 255, 255, 0, 255,
                                      0, 0,   0,   255, 0,   0,   0, 255};
-    CHECK1(s.triangle_count == 2 && s.position_count == 4 && !s.corner_normals);
-    CHECK1(s.colors && memcmp(s.colors, colors, sizeof colors) == 0);
+    CHECK1(s.triangle_count == 2 && s.streams[BURNISH_POSITION].count == 4 &&
+           !s.streams[BURNISH_NORMAL].corners);
+    CHECK1(burnish_colors(&s) && memcmp(burnish_colors(&s), colors, sizeof colors) == 0);
     for (size_t t = 0; t < s.triangle_count; ++t) { /* cut by positions that come later */
-        const uint32_t *c = s.corner_positions + 3 * t;
-        CHECK1(triangle_area(s.positions + 3 * c[0], s.positions + 3 * c[1],
-                             s.positions + 3 * c[2]) == 1);
+        const uint32_t *c = s.streams[BURNISH_POSITION].corners + 3 * t;
+        CHECK1(triangle_area(burnish_positions(&s) + 3 * c[0], burnish_positions(&s) + 3 * c[1],
+                             burnish_positions(&s) + 3 * c[2]) == 1);
     }
-    burnish_source_destroy(&s);
+    burnish_mesh_data_destroy(&s);
 
     CHECK(read_text(BURNISH_FORMAT_PLY,
                     "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
@@ -631,8 +694,9 @@ static void test_ply_variants(void) {
     CHECK(s.triangle_count == 4, "%zu", s.triangle_count);
     CHECK1(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 2, 1, 3) &&
            triangle_is(&s, 2, 2, 3, 4) && triangle_is(&s, 3, 4, 3, 2));
-    CHECK1(s.colors && s.colors[0] == 255 && s.colors[1] == 0 && s.colors[2] == 1);
-    burnish_source_destroy(&s);
+    CHECK1(burnish_colors(&s) && burnish_colors(&s)[0] == 255 && burnish_colors(&s)[1] == 0 &&
+           burnish_colors(&s)[2] == 1);
+    burnish_mesh_data_destroy(&s);
 }
 
 /* What the header does not declare is not there: no colours, no normals, also with some of them. */
@@ -641,7 +705,7 @@ static void test_ply_plain(void) {
                                         "property float nx\nproperty float nz\n"};
     for (size_t i = 0; i < 3; ++i) {
         char text[512];
-        burnish_source s;
+        burnish_mesh_data s;
         burnish_error e;
         const char *row = i > 0 ? " 1 1" : "";
         snprintf(text, sizeof text,
@@ -650,8 +714,10 @@ static void test_ply_plain(void) {
                  "end_header\n0 0 0%s\n1 0 0%s\n0 1 0%s\n3 0 1 2\n",
                  extra[i], row, row, row);
         CHECK(read_text(BURNISH_FORMAT_PLY, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
-        CHECK(!s.colors && !s.normals && !s.corner_normals && s.triangle_count == 1, "%zu", i);
-        burnish_source_destroy(&s);
+        CHECK(!burnish_colors(&s) && !burnish_normals(&s) && !s.streams[BURNISH_NORMAL].corners &&
+                  s.triangle_count == 1,
+              "%zu", i);
+        burnish_mesh_data_destroy(&s);
     }
 }
 
@@ -671,7 +737,7 @@ static void test_ply_line_ends(void) {
     burnish_load_options options = burnish_load_options_default();
     for (size_t k = 0; k < 3; ++k) {
         byte_list list = {.size = 0};
-        burnish_source s;
+        burnish_mesh_data s;
         burnish_error e;
         for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i) {
             put_text(&list, lines[i]);
@@ -682,8 +748,38 @@ static void test_ply_line_ends(void) {
                   BURNISH_STATUS_OK,
               "%zu: %s", k, e.text);
         CHECK1(s.triangle_count == 1 && position_is(&s, 0, 10, 13, 10));
-        burnish_source_destroy(&s);
+        burnish_mesh_data_destroy(&s);
     }
+}
+
+/* Many face elements, each with a row or two: none looks at the rest of the file. */
+static void test_ply_elements(void) {
+    enum { ELEMENTS = 100000, ROOM = 100 };
+    char *text = malloc((size_t)ELEMENTS * ROOM);
+    burnish_load_options options = burnish_load_options_default();
+    burnish_tasks tasks;
+    burnish_mesh_data s;
+    burnish_error e;
+    size_t size =
+        (size_t)sprintf(text, "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                              "property float y\nproperty float z\n");
+    for (int i = 0; i < ELEMENTS; ++i) {
+        size += (size_t)sprintf(text + size,
+                                "element face %d\nproperty list uchar int "
+                                "vertex_index\n",
+                                1 + i % 2);
+    }
+    size += (size_t)sprintf(text + size, "end_header\n0 0 0\n1 0 0\n0 1 0\n");
+    for (int i = 0; i < ELEMENTS; ++i) {
+        size += (size_t)sprintf(text + size, i % 2 ? "2 0 1\n3 0 1 2\n" : "3 0 1 2\n");
+    }
+    burnish_tasks_begin(&tasks, NULL, 2);
+    CHECK(run_reader_threads(BURNISH_FORMAT_PLY, text, size, &options, NULL, &tasks, &s, &e) ==
+              BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK(s.triangle_count == ELEMENTS, "%zu", s.triangle_count);
+    burnish_mesh_data_destroy(&s);
+    free(text);
 }
 
 /* ---- from a file ---- */
@@ -760,19 +856,45 @@ static void test_standard_input(void) {
     pclose(pipe);
 }
 
+/* A pipe that gives more than the limit is left alone one byte after it. */
+static void test_pipe_limit(void) {
+    enum { LIMIT = 100000, ALL = 1000000 };
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error e = {0};
+    size_t rest = 0;
+    ssize_t got;
+    char bytes[4096];
+    FILE *pipe = popen("head -c 1000000 /dev/zero", "r");
+    int saved = dup(STDIN_FILENO);
+    if (!CHECK1(pipe && saved >= 0 && dup2(fileno(pipe), STDIN_FILENO) == STDIN_FILENO)) {
+        return;
+    }
+    options.max_input_bytes = LIMIT;
+    CHECK1(burnish_mesh_load("-", &options, &mesh, &e) == BURNISH_STATUS_LIMIT);
+    while ((got = read(STDIN_FILENO, bytes, sizeof bytes)) > 0) {
+        rest += (size_t)got;
+    }
+    CHECK(rest == ALL - LIMIT - 1, "%zu bytes were read", ALL - rest);
+    dup2(saved, STDIN_FILENO);
+    close(saved);
+    pclose(pipe);
+}
+
 /* The program that loads a mesh may have set a locale with a decimal comma. */
 static void test_decimal_comma(void) {
     static const char obj[] =
         "v 1.5 0 0\nv 2.25e0 1 0\nv 0.1 1.00000000000000000000001 3\nf 1 2 3\n";
-    burnish_source source;
+    burnish_mesh_data source;
     burnish_error error;
     if (!test_decimal_comma_begin()) {
         return;
     }
     CHECK1(read_text(BURNISH_FORMAT_OBJ, obj, &source, &error) == BURNISH_STATUS_OK);
-    CHECK1(source.position_count == 3 && source.positions[0] == 1.5f &&
-           source.positions[3] == 2.25f && source.positions[6] == 0.1f && source.positions[7] == 1);
-    burnish_source_destroy(&source);
+    CHECK1(source.streams[BURNISH_POSITION].count == 3 && burnish_positions(&source)[0] == 1.5f &&
+           burnish_positions(&source)[3] == 2.25f && burnish_positions(&source)[6] == 0.1f &&
+           burnish_positions(&source)[7] == 1);
+    burnish_mesh_data_destroy(&source);
     test_decimal_comma_end();
 }
 
@@ -785,6 +907,7 @@ int main(int count, char **arguments) {
     RUN(test_polygons());
     RUN(test_random_polygons());
     RUN(test_obj());
+    RUN(test_obj_forward());
     RUN(test_obj_colors());
     RUN(test_obj_polygons());
     RUN(test_mtl());
@@ -792,14 +915,18 @@ int main(int count, char **arguments) {
     RUN(test_many_warnings());
     RUN(test_missing_libraries());
     RUN(test_library_names());
+    RUN(test_library_line());
+    RUN(test_undrawn());
     RUN(test_stl());
     RUN(test_binary_stl());
     RUN(test_ply());
     RUN(test_ply_variants());
     RUN(test_ply_plain());
     RUN(test_ply_line_ends());
+    RUN(test_ply_elements());
     RUN(test_guess());
     RUN(test_files());
     RUN(test_standard_input());
+    RUN(test_pipe_limit());
     return test_end("readers");
 }

@@ -1,4 +1,4 @@
-/* What callers see of a mesh: formats, options, access, materials. */
+/* What callers see of a mesh: options, access, materials. */
 #include "mesh/mesh.h"
 
 #include "core/tasks.h"
@@ -10,23 +10,6 @@ static const burnish_material default_material = {
     .specular = {0.5f, 0.5f, 0.5f},
     .exponent = 64,
 };
-
-static const burnish_format_info formats[BURNISH_FORMAT_COUNT] = {
-    [BURNISH_FORMAT_AUTO] = {"auto", "", 60, {0, 1, 0}, 0},
-    [BURNISH_FORMAT_BUILTIN] = {"builtin", "", 60, {0, 1, 0}, 0},
-    [BURNISH_FORMAT_ARRAYS] = {"arrays", "", 60, {0, 1, 0}, 0},
-    [BURNISH_FORMAT_OBJ] = {"obj", ".obj", 60, {0, 1, 0}, 1},
-    [BURNISH_FORMAT_PLY] = {"ply", ".ply", 60, {0, 1, 0}, 1},
-    [BURNISH_FORMAT_STL] = {"stl", ".stl", 40, {0, 0, 1}, 1},
-};
-
-int burnish_format_count(void) {
-    return BURNISH_FORMAT_COUNT;
-}
-
-const burnish_format_info *burnish_format_get_info(burnish_format format) {
-    return (unsigned)format < BURNISH_FORMAT_COUNT ? &formats[format] : NULL;
-}
 
 /* ---- options ---- */
 

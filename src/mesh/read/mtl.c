@@ -1,31 +1,28 @@
 /* MTL: the material library of an OBJ (Wavefront, "MTL material format", 1995).
  *
  * Read: newmtl, Ka, Kd, Ks (sRGB values, made linear; outside [0, 1] clamped), Ns, illum. All else,
- * maps and transparency among it, is passed over. Ka is unreliable: exporters write 1 1 1 or 0 0 0
- * whatever the material is. So the ambient colour is Kd when Ka is absent, all 0 or all 1. */
+ * is passed over; maps and transparency are remembered, for a warning. Ka is unreliable: exporters
+ * write 1 1 1 or 0 0 0 whatever the material is. So the ambient colour is Kd when Ka is absent, all
+ * 0 or all 1. */
 #include <string.h>
 
 #include "core/srgb.h"
 #include "mesh/read/mtl.h"
-#include "mesh/read/text.h"
 
 /* The statements seen for the material at hand; finish() makes it of them. */
 typedef struct mtl_state {
-    const char *name;
+    burnish_reader *reader;
     burnish_mtl *library;
     size_t first; /* entries that were there before this file */
-    burnish_source *source;
-    burnish_error *error;
-    burnish_text text;
-    burnish_number_reader numbers;
+    burnish_lexer lexer;
     float ambient[3], diffuse[3], specular[3], exponent; /* colours as written */
     int has_ambient, has_diffuse, has_specular, has_exponent;
     int matt; /* illum 0 or 1: no highlight */
 } mtl_state;
 
-static burnish_place here(const mtl_state *mtl) {
-    return burnish_place_line(mtl->name, mtl->text.line);
-}
+/* A malformed statement. */
+#define FAIL(mtl, ...)                                                                             \
+    burnish_reader_fail((mtl)->reader, BURNISH_STATUS_FORMAT, (mtl)->lexer.next, __VA_ARGS__)
 
 static int all_are(const float color[3], float value) {
     return color[0] == value && color[1] == value && color[2] == value;
@@ -64,26 +61,32 @@ static void finish(mtl_state *mtl) {
     }
 }
 
+/* NULL: out of memory. */
+static char *copy_text(mtl_state *mtl, burnish_token token) {
+    char *copy = burnish_allocate(&mtl->reader->mesh->memory, token.size + 1, 1, "a name");
+    if (copy) {
+        memcpy(copy, token.bytes, token.size);
+        copy[token.size] = 0;
+    }
+    return copy;
+}
+
 static burnish_status begin(mtl_state *mtl) {
-    burnish_token name = burnish_text_rest(&mtl->text);
+    burnish_token name = burnish_lexer_rest(&mtl->lexer);
     burnish_mtl *library = mtl->library;
     if (name.size == 0) {
-        return burnish_fail_at(mtl->error, BURNISH_STATUS_FORMAT, here(mtl),
-                               "newmtl without a name; write newmtl NAME");
+        return FAIL(mtl, "newmtl without a name; write newmtl NAME");
     }
-    burnish_status status =
-        burnish_legacy_reserve((void **)&library->entries, &library->capacity, library->count + 1,
-                               sizeof *library->entries, "materials", mtl->error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    burnish_memory *memory = &mtl->reader->mesh->memory;
+    library->entries = burnish_reserve(memory, library->entries, &library->capacity,
+                                       library->count + 1, sizeof *library->entries, "materials");
+    char *copy = copy_text(mtl, name);
+    if (memory->status != BURNISH_STATUS_OK) {
+        burnish_release(memory->context, copy);
+        return memory->status;
     }
-    char *copy = malloc(name.size + 1);
-    if (!copy) {
-        return burnish_fail_memory(mtl->error, "material name", name.size + 1);
-    }
-    memcpy(copy, name.bytes, name.size);
-    copy[name.size] = 0;
-    library->entries[library->count++] = (burnish_mtl_entry){copy, burnish_material_default()};
+    library->entries[library->count++] =
+        (burnish_mtl_entry){.name = copy, .material = burnish_material_default()};
     mtl->has_ambient = mtl->has_diffuse = mtl->has_specular = mtl->has_exponent = mtl->matt = 0;
     return BURNISH_STATUS_OK;
 }
@@ -92,22 +95,21 @@ static burnish_status begin(mtl_state *mtl) {
 static burnish_status read_color(mtl_state *mtl, const char *what, float color[3], int *has) {
     burnish_token token;
     int count = 0;
-    while (count < 3 && burnish_text_token(&mtl->text, &token)) {
+    while (count < 3 && burnish_lexer_token(&mtl->lexer, &token)) {
         if (count == 0 && (burnish_token_is(token, "spectral") || burnish_token_is(token, "xyz"))) {
-            burnish_warn_at(mtl->source, here(mtl), "%s %s is not supported and was ignored", what,
-                            burnish_token_quote(token).text);
+            burnish_reader_warn(mtl->reader, mtl->lexer.next,
+                                "%s %s is not supported and was ignored", what,
+                                burnish_token_quote(token).text);
             return BURNISH_STATUS_OK;
         }
-        burnish_number_status number =
-            burnish_parse_float(&mtl->numbers, token.bytes, token.size, &color[count]);
+        burnish_number_status number = burnish_parse_float(token, &color[count]);
         if (number != BURNISH_NUMBER_OK) {
-            return burnish_fail_number(mtl->error, here(mtl), what, token, number);
+            return FAIL(mtl, "%s", burnish_describe_number(what, token, number).text);
         }
         ++count;
     }
     if (count != 1 && count != 3) {
-        return burnish_fail_at(mtl->error, BURNISH_STATUS_FORMAT, here(mtl),
-                               "%s has %d numbers; write %s r g b", what, count, what);
+        return FAIL(mtl, "%s has %d numbers; write %s r g b", what, count, what);
     }
     if (count == 1) {
         color[1] = color[2] = color[0];
@@ -118,15 +120,13 @@ static burnish_status read_color(mtl_state *mtl, const char *what, float color[3
 
 static burnish_status read_number(mtl_state *mtl, const char *what, float *value) {
     burnish_token token;
-    if (!burnish_text_token(&mtl->text, &token)) {
-        return burnish_fail_at(mtl->error, BURNISH_STATUS_FORMAT, here(mtl),
-                               "%s has no number; write %s and its value", what, what);
+    if (!burnish_lexer_token(&mtl->lexer, &token)) {
+        return FAIL(mtl, "%s has no number; write %s and its value", what, what);
     }
-    burnish_number_status number =
-        burnish_parse_float(&mtl->numbers, token.bytes, token.size, value);
+    burnish_number_status number = burnish_parse_float(token, value);
     return number == BURNISH_NUMBER_OK
                ? BURNISH_STATUS_OK
-               : burnish_fail_number(mtl->error, here(mtl), what, token, number);
+               : FAIL(mtl, "%s", burnish_describe_number(what, token, number).text);
 }
 
 static burnish_status read_exponent(mtl_state *mtl) {
@@ -139,8 +139,9 @@ static burnish_status read_exponent(mtl_state *mtl) {
     mtl->has_exponent = 1;
     /* Ns 0 is how exporters say "dull": no cause for a warning. */
     if (mtl->exponent != written && written != 0) {
-        burnish_warn_at(mtl->source, here(mtl), "Ns %g is not in [1, 65536] and was taken as %g",
-                        (double)written, (double)mtl->exponent);
+        burnish_reader_warn(mtl->reader, mtl->lexer.next,
+                            "Ns %g is not in [1, 65536] and was taken as %g", (double)written,
+                            (double)mtl->exponent);
     }
     return BURNISH_STATUS_OK;
 }
@@ -154,6 +155,40 @@ static burnish_status read_illumination(mtl_state *mtl) {
     return status;
 }
 
+/* d (opacity) or Tr (transparency): what is not opaque is drawn as if it were. */
+static void read_opacity(mtl_state *mtl, float opaque) {
+    burnish_token token;
+    float value;
+    if (burnish_lexer_token(&mtl->lexer, &token) &&
+        burnish_parse_float(token, &value) == BURNISH_NUMBER_OK && value != opaque) {
+        mtl->library->entries[mtl->library->count - 1].is_transparent = 1;
+    }
+}
+
+static int is_map(burnish_token keyword) {
+    return (keyword.size > 4 && memcmp(keyword.bytes, "map_", 4) == 0) ||
+           burnish_token_is(keyword, "bump") || burnish_token_is(keyword, "disp") ||
+           burnish_token_is(keyword, "decal") || burnish_token_is(keyword, "refl") ||
+           burnish_token_is(keyword, "norm");
+}
+
+/* A texture: its file stands last, after options. */
+static burnish_status read_map(mtl_state *mtl) {
+    burnish_mtl_entry *entry = &mtl->library->entries[mtl->library->count - 1];
+    burnish_lexer names = mtl->lexer;
+    burnish_token file = burnish_lexer_rest(&mtl->lexer), token;
+    if (file.size > 0 && *file.bytes == '-') {
+        names.end = file.bytes + file.size;
+        while (burnish_lexer_token(&names, &token)) {
+            file = token;
+        }
+    }
+    if (file.size > 0 && !entry->texture) {
+        entry->texture = copy_text(mtl, file);
+    }
+    return mtl->reader->mesh->memory.status;
+}
+
 static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
     static const char *const known[] = {"Ka", "Kd", "Ks", "Ns", "illum"};
     int which = 0;
@@ -165,9 +200,7 @@ static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
         ++which;
     }
     if (which < 5 && mtl->library->count == mtl->first) {
-        return burnish_fail_at(mtl->error, BURNISH_STATUS_FORMAT, here(mtl),
-                               "%s stands before the first newmtl; name a material first",
-                               known[which]);
+        return FAIL(mtl, "%s stands before the first newmtl; name a material first", known[which]);
     }
     switch (which) {
     case 0:
@@ -181,43 +214,39 @@ static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
     case 4:
         return read_illumination(mtl);
     default:
+        break;
+    }
+    if (mtl->library->count == mtl->first) {
         return BURNISH_STATUS_OK;
     }
+    if (burnish_token_is(keyword, "d") || burnish_token_is(keyword, "Tr")) {
+        read_opacity(mtl, *keyword.bytes == 'd' ? 1 : 0);
+    }
+    return is_map(keyword) ? read_map(mtl) : BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_read_mtl_into(const uint8_t *bytes, size_t size, const char *name,
-                                     burnish_mtl *library, burnish_source *source,
-                                     burnish_error *error) {
-    mtl_state mtl = {.name = name,
-                     .library = library,
-                     .first = library->count,
-                     .source = source,
-                     .error = error,
-                     .text = burnish_text_open(bytes, size, 1)};
+burnish_status burnish_read_mtl(burnish_reader *library_file, burnish_mtl *library) {
+    mtl_state mtl = {
+        .reader = library_file,
+        .library = library,
+        .first = library->count,
+        .lexer = burnish_lexer_open(library_file->input->bytes, library_file->input->size, 1)};
     burnish_status status = BURNISH_STATUS_OK;
     do {
         burnish_token keyword;
-        if (burnish_text_token(&mtl.text, &keyword)) {
+        if (burnish_lexer_token(&mtl.lexer, &keyword)) {
             status = read_statement(&mtl, keyword);
         }
-    } while (status == BURNISH_STATUS_OK && burnish_text_next_line(&mtl.text));
+    } while (status == BURNISH_STATUS_OK && burnish_lexer_next_line(&mtl.lexer));
     finish(&mtl);
-    burnish_number_reader_close(&mtl.numbers);
     return status;
 }
 
-burnish_status burnish_read_mtl(const uint8_t *bytes, size_t size, const char *name,
-                                burnish_mtl *library, burnish_error *error) {
-    return burnish_read_mtl_into(bytes, size, name, library, NULL, error);
-}
-
-void burnish_mtl_destroy(burnish_mtl *library) {
-    if (!library) {
-        return;
-    }
+void burnish_mtl_destroy(const burnish_context *context, burnish_mtl *library) {
     for (size_t i = 0; i < library->count; ++i) {
-        free(library->entries[i].name);
+        burnish_release(context, library->entries[i].name);
+        burnish_release(context, library->entries[i].texture);
     }
-    free(library->entries);
+    burnish_release(context, library->entries);
     *library = (burnish_mtl){0};
 }

@@ -1,135 +1,516 @@
-/* OBJ (Wavefront, "Object Files", 1992): v, vn, f, usemtl, mtllib; polygons; indices from either
- * end.
+/* OBJ (Wavefront, "Object Files", 1992): v, vn, vt, f, usemtl, mtllib; polygons; indices from
+ * either end, of values that stand anywhere in the file.
  *
- * vt, o, g, s and unknown keywords are passed over; l and p too, with one warning. Vertex colours
- * follow the coordinates (v x y z r g b). An index refers to what stands before it in the file.
- * Large files are read by threads where they can be (obj_parts.h); all others, and those with
- * something wrong or unusual in them, statement by statement here. */
-#include "mesh/read/append.h"
-#include "mesh/read/obj_line.h"
+ * o, g, s and unknown keywords are passed over; l and p too, with one warning. Vertex colours
+ * follow the coordinates (v x y z r g b). */
+#include "mesh/read/chunks.h"
 #include "mesh/read/obj_materials.h"
-#include "mesh/read/obj_parts.h"
+
+/* What is done in the order of the file. */
+enum { MATERIAL, LIBRARY, ELEMENT, FEW_CORNERS };
+
+/* Numbers of a corner: those of its attributes, by attribute. No corner has a colour of its own, so
+ * that in its column stands which of the others are relative, as bits 1 << attribute. */
+enum { COLUMNS = BURNISH_ATTRIBUTE_COUNT, RELATIVE = BURNISH_COLOR };
 
 typedef struct obj_state {
-    const burnish_reader_input *input;
-    burnish_source *source;
-    burnish_error *error;
-    burnish_obj_line line;
+    burnish_reader *reader;
+    int with_texcoords;
     burnish_obj_materials materials;
+    size_t triangle; /* those before it have their run of one material */
     int warned_elements, warned_corners;
 } obj_state;
 
-static burnish_status append_vertex(obj_state *obj) {
-    float values[BURNISH_OBJ_VERTEX_MOST];
-    int count;
-    burnish_status status = burnish_obj_read_vertex(&obj->line, values, &count);
-    if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_append_position(obj->source, burnish_obj_here(&obj->line), values, obj->error);
-    }
-    if (status != BURNISH_STATUS_OK || count < 6) {
-        return status;
-    }
-    uint8_t rgba[4];
-    burnish_obj_color(values, rgba);
-    return burnish_append_color(obj->source, rgba, obj->error);
+typedef struct obj_parser {
+    burnish_chunk *chunk;
+    burnish_lexer lexer;
+    int with_texcoords;
+} obj_parser;
+
+/* ---- Values ---- */
+
+static void fail_number(obj_parser *obj, const char *what, burnish_token token,
+                        burnish_number_status number) {
+    burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes, "%s",
+                       burnish_describe_number(what, token, number).text);
 }
 
-static burnish_status append_normal(obj_state *obj) {
-    float normal[3];
-    burnish_status status = burnish_obj_read_normal(&obj->line, normal);
-    return status != BURNISH_STATUS_OK
-               ? status
-               : burnish_append_normal(obj->source, burnish_obj_here(&obj->line), normal,
-                                       obj->error);
-}
-
-static burnish_status append_face(obj_state *obj) {
-    burnish_obj_line *line = &obj->line;
-    burnish_source *source = obj->source;
-    const burnish_place place = burnish_obj_here(line);
-    burnish_status status =
-        burnish_obj_read_face(line, source->position_count, source->normal_count);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    if (line->corner_count < 3) {
-        if (!obj->warned_corners++) {
-            burnish_warn_at(source, place, "faces with fewer than 3 corners were ignored");
+/* Up to `most` numbers of the line; returns how many, -1 after an error. */
+static int read_floats(obj_parser *obj, const char *what, float *values, int most) {
+    burnish_token token;
+    burnish_number_status number;
+    int count = 0;
+    while (count < most && burnish_lexer_float(&obj->lexer, &token, &values[count], &number)) {
+        if (number != BURNISH_NUMBER_OK) {
+            fail_number(obj, count < 3 ? what : "colour", token, number);
+            return -1;
         }
-        return BURNISH_STATUS_OK;
+        ++count;
     }
-    status = burnish_obj_begin_run(&obj->materials, source->triangle_count);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_append_polygon(source, obj->input->options, place, line->corners,
-                                        line->has_normals ? line->corner_normals : NULL,
-                                        line->corner_count, obj->error);
-    }
-    return status;
+    return count;
 }
 
-static burnish_status read_statement(obj_state *obj) {
-    switch (burnish_obj_read_keyword(&obj->line)) {
-    case BURNISH_OBJ_VERTEX:
-        return append_vertex(obj);
-    case BURNISH_OBJ_NORMAL:
-        return append_normal(obj);
-    case BURNISH_OBJ_FACE:
-        return append_face(obj);
-    case BURNISH_OBJ_MATERIAL:
-        burnish_obj_use_material(&obj->materials, burnish_text_rest(&obj->line.text));
-        break;
-    case BURNISH_OBJ_LIBRARY:
-        return burnish_obj_read_libraries(&obj->materials, &obj->line.text);
-    case BURNISH_OBJ_ELEMENT:
-        if (!obj->warned_elements++) {
-            burnish_warn_at(obj->source, burnish_obj_here(&obj->line),
-                            "lines and points were ignored");
+static void append_color(obj_parser *obj, const float color[3]) {
+    burnish_chunk *chunk = obj->chunk;
+    const size_t positions = chunk->data.streams[BURNISH_POSITION].count;
+    do { /* those before it are white */
+        uint8_t *rgba = burnish_chunk_append(chunk, BURNISH_COLOR);
+        if (!rgba) {
+            return;
         }
-        break;
-    case BURNISH_OBJ_NOTHING:
-    case BURNISH_OBJ_OTHER:
-        break;
-    }
-    return BURNISH_STATUS_OK;
+        memset(rgba, 0xFF, 4);
+        for (int i = 0; i < 3 && chunk->data.streams[BURNISH_COLOR].count == positions && color;
+             ++i) {
+            float c = color[i];
+            rgba[i] = (uint8_t)(c <= 0 ? 0 : c >= 1 ? 255 : c * 255 + 0.5f);
+        }
+    } while (chunk->data.streams[BURNISH_COLOR].count < positions);
 }
 
-static burnish_status read_statements(obj_state *obj) {
-    burnish_status status;
-    obj->line =
-        (burnish_obj_line){.name = obj->input->name,
-                           .text = burnish_text_open(obj->input->bytes, obj->input->size, 1),
-                           .error = obj->error};
+static void read_vertex(obj_parser *obj) {
+    enum { MOST = 7 }; /* x y z [w], or x y z r g b [a] */
+    float values[MOST];
+    const int count = read_floats(obj, "coordinate", values, MOST);
+    if (count < 0) {
+        return;
+    }
+    if (count < 3 || count == 5) {
+        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, obj->lexer.next,
+                           "vertex has %d number%s; write v x y z or v x y z r g b", count,
+                           count == 1 ? "" : "s");
+        return;
+    }
+    float *position = burnish_chunk_append(obj->chunk, BURNISH_POSITION);
+    if (position) {
+        memcpy(position, values, 3 * sizeof *position);
+        if (count >= 6 || obj->chunk->data.streams[BURNISH_COLOR].count > 0) {
+            append_color(obj, count >= 6 ? values + 3 : NULL);
+        }
+    }
+}
+
+/* Numbers that are not finite become 0: exporters write nan for faces without area, and such a
+ * normal is made again. */
+static void read_normal(obj_parser *obj) {
+    burnish_token token;
+    burnish_number_status number;
+    float *normal = burnish_chunk_append(obj->chunk, BURNISH_NORMAL);
+    for (int i = 0; i < 3 && normal; ++i) {
+        if (!burnish_lexer_float(&obj->lexer, &token, &normal[i], &number)) {
+            burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, obj->lexer.next,
+                               "normal has %d number%s; write vn x y z", i, i == 1 ? "" : "s");
+            return;
+        }
+        if (number == BURNISH_NUMBER_NOT_FINITE || number == BURNISH_NUMBER_RANGE) {
+            normal[i] = 0;
+        } else if (number != BURNISH_NUMBER_OK) {
+            fail_number(obj, "normal", token, number);
+            return;
+        }
+    }
+}
+
+/* vt u [v [w]]; what can't be read is 0, since nothing is lost but the texture's place. */
+static void read_texcoord(obj_parser *obj) {
+    burnish_token token;
+    burnish_number_status number = BURNISH_NUMBER_OK;
+    float *texcoord = burnish_chunk_append(obj->chunk, BURNISH_TEXCOORD);
+    for (int i = 0; i < 2 && texcoord; ++i) {
+        if (!burnish_lexer_float(&obj->lexer, &token, &texcoord[i], &number) ||
+            number != BURNISH_NUMBER_OK) {
+            texcoord[i] = 0;
+        }
+    }
+}
+
+/* ---- Faces ---- */
+
+static void fail_corner(obj_parser *obj, burnish_token corner) {
+    burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, corner.bytes,
+                       "face corner \"%s\" is not an index; write v, v/t, v//n or v/t/n",
+                       burnish_token_quote(corner).text);
+}
+
+/* A texture coordinate that is not there is none: exporters write indices without any vt. */
+static inline void take_texcoord(burnish_chunk *chunk, int64_t written, uint32_t *corner) {
+    const size_t count = chunk->data.streams[BURNISH_TEXCOORD].count;
+    if (written > 0) {
+        corner[BURNISH_TEXCOORD] = written < BURNISH_NONE ? (uint32_t)written - 1 : BURNISH_NONE;
+    } else if (written < 0 && written > -(int64_t)BURNISH_NONE) {
+        corner[BURNISH_TEXCOORD] = (uint32_t)((int64_t)count + written);
+        corner[RELATIVE] |= 1u << BURNISH_TEXCOORD;
+    }
+}
+
+/* Puts an index, counted from 1 or backwards from -1, into the corner's column. Returns 0 for one
+ * that nothing can have, or that is known to be of nothing. */
+static inline int take_index(burnish_chunk *chunk, int64_t written, burnish_attribute attribute,
+                             uint32_t *corner) {
+    if (written > 0) {
+        const size_t index = (size_t)written - 1;
+        corner[attribute] = (uint32_t)index;
+        /* Branches on which of two indices is larger would be unpredictable. */
+        const size_t highest = chunk->highest[attribute];
+        chunk->highest[attribute] = (size_t)written > highest ? (size_t)written : highest;
+        return (uint64_t)written <= chunk->total[attribute];
+    }
+    const size_t count = chunk->data.streams[attribute].count;
+    const uint64_t back = (uint64_t)-written;
+    corner[attribute] = (uint32_t)(count - (size_t)back);
+    corner[RELATIVE] |= 1u << attribute;
+    if (back > count && back - count > chunk->back[attribute]) {
+        chunk->back[attribute] = (size_t)(back - count);
+    }
+    return back > 0 && (!chunk->exact || back <= chunk->before[attribute] + count);
+}
+
+static int fail_index(obj_parser *obj, burnish_token token, const char *what, int64_t written,
+                      burnish_attribute attribute) {
+    const burnish_chunk *chunk = obj->chunk;
+    const size_t total = chunk->total[attribute],
+                 before = chunk->before[attribute] + chunk->data.streams[attribute].count;
+    if (written == 0) {
+        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
+                           "face refers to %s 0; indices start at 1", what);
+    } else if (written > 0) {
+        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
+                           "face refers to %s %s, but the file has %zu; correct the index", what,
+                           burnish_token_quote(token).text, total);
+    } else {
+        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
+                           "face refers to %s %s, but the file has %zu before it; correct the "
+                           "index",
+                           what, burnish_token_quote(token).text, before);
+    }
+    return 0;
+}
+
+/* One index of a corner. */
+static int parse_index(obj_parser *obj, burnish_token corner, burnish_token token, const char *what,
+                       burnish_attribute attribute, uint32_t *numbers) {
+    int64_t written = 0;
+    const burnish_number_status number = burnish_parse_integer(token, &written);
+    if (number == BURNISH_NUMBER_GARBAGE) {
+        fail_corner(obj, corner);
+        return 0;
+    }
+    if (number == BURNISH_NUMBER_RANGE) { /* beyond any count */
+        written = *token.bytes == '-' ? -INT64_MAX : INT64_MAX;
+    }
+    return take_index(obj->chunk, written, attribute, numbers) ||
+           fail_index(obj, token, what, written, attribute);
+}
+
+/* Cuts the part before the next '/' off token. */
+static burnish_token cut_part(burnish_token *token) {
+    size_t size = 0;
+    while (size < token->size && token->bytes[size] != '/') {
+        ++size;
+    }
+    burnish_token part = {token->bytes, size};
+    size_t used = size < token->size ? size + 1 : size;
+    token->bytes += used;
+    token->size -= used;
+    return part;
+}
+
+/* v, v/t, v//n or v/t/n of any form; returns the attributes that it has, 0 after an error. */
+static unsigned parse_corner(obj_parser *obj, burnish_token corner, uint32_t *numbers) {
+    burnish_token left = corner, part = cut_part(&left);
+    unsigned used = 1u << BURNISH_POSITION;
+    if (!parse_index(obj, corner, part, "vertex", BURNISH_POSITION, numbers)) {
+        return 0;
+    }
+    part = cut_part(&left);
+    if (part.size > 0) {
+        int64_t written = 0;
+        if (burnish_parse_integer(part, &written) == BURNISH_NUMBER_GARBAGE) {
+            fail_corner(obj, corner);
+            return 0;
+        }
+        take_texcoord(obj->chunk, written, numbers);
+        used |= (unsigned)obj->with_texcoords << BURNISH_TEXCOORD;
+    }
+    if (left.size > 0) {
+        part = cut_part(&left);
+        if (left.size > 0) {
+            fail_corner(obj, corner);
+            return 0;
+        }
+        if (!parse_index(obj, corner, part, "normal", BURNISH_NORMAL, numbers)) {
+            return 0;
+        }
+        used |= 1u << BURNISH_NORMAL;
+    }
+    return used;
+}
+
+/* Digits, possibly after a '-'; NULL for anything else. */
+static inline const uint8_t *scan_index(const uint8_t *p, int64_t *written) {
+    uint64_t value = 0;
+    const int negative = *p == '-';
+    p += negative;
+    unsigned digits = burnish_scan_digits(&p, &value);
+    if (digits == 0 || digits > 18) {
+        return NULL;
+    }
+    *written = negative ? -(int64_t)value : (int64_t)value;
+    return p;
+}
+
+/* The next corner where it is right and of plain form; returns 0, and moves nothing, for any other.
+ */
+static inline unsigned scan_corner(obj_parser *obj, uint32_t *numbers) {
+    const uint8_t *p = obj->lexer.next;
+    unsigned used = 1u << BURNISH_POSITION;
+    int64_t written;
+    while (p < obj->lexer.end && *p == ' ') {
+        ++p;
+    }
+    if (obj->lexer.end - p <= BURNISH_DECIMAL_ROOM || !(p = scan_index(p, &written)) ||
+        !take_index(obj->chunk, written, BURNISH_POSITION, numbers)) {
+        return 0;
+    }
+    if (*p == '/') {
+        ++p;
+        if (*p != '/') {
+            if (!(p = scan_index(p, &written))) {
+                return 0;
+            }
+            take_texcoord(obj->chunk, written, numbers);
+            used |= (unsigned)obj->with_texcoords << BURNISH_TEXCOORD;
+        }
+        if (*p == '/') {
+            if (!(p = scan_index(p + 1, &written)) ||
+                !take_index(obj->chunk, written, BURNISH_NORMAL, numbers)) {
+                return 0;
+            }
+            used |= 1u << BURNISH_NORMAL;
+        }
+    }
+    if (!burnish_is_blank(*p) && !burnish_is_line_end(*p)) {
+        return 0;
+    }
+    obj->lexer.next = p;
+    return used;
+}
+
+/* Notes which corners of the face's triangles count from the chunk's first value; relative: for
+ * which attributes there are some. */
+static void note_relative(burnish_chunk *chunk, const uint32_t *corners, size_t count,
+                          size_t first_triangle, uint32_t relative) {
+    for (unsigned i = 0; relative >> i; ++i) {
+        burnish_chunk_slots *slots = &chunk->relative[i];
+        const size_t needed = slots->count + 3 * (count - 2);
+        if (!(relative >> i & 1)) {
+            continue;
+        }
+        if (needed > slots->capacity) {
+            slots->items = burnish_reserve(&chunk->data.memory, slots->items, &slots->capacity,
+                                           needed, sizeof *slots->items, "corners");
+            if (chunk->data.memory.status != BURNISH_STATUS_OK) {
+                chunk->status = chunk->data.memory.status;
+                return;
+            }
+        }
+        for (size_t k = 0; k < count - 2; ++k) {
+            const size_t triangle[3] = {0, k + 1, k + 2};
+            for (size_t c = 0; c < 3; ++c) {
+                slots->items[slots->count] = (uint32_t)(3 * (first_triangle + k) + c);
+                slots->count += corners[triangle[c] * COLUMNS + RELATIVE] >> i & 1;
+            }
+        }
+    }
+}
+
+static void read_face(obj_parser *obj, const uint8_t *at) {
+    burnish_chunk *chunk = obj->chunk;
+    const size_t first_triangle = chunk->data.triangle_count;
+    size_t count = 0;
+    uint32_t relative = 0, *corners = chunk->scratch;
+    unsigned used = 0;
+    for (;; ++count) {
+        burnish_token token;
+        if ((count + 1) * COLUMNS > chunk->scratch_capacity &&
+            !(corners = burnish_chunk_scratch(chunk, (count + 1) * COLUMNS))) {
+            return;
+        }
+        uint32_t *numbers = corners + count * COLUMNS;
+        numbers[BURNISH_NORMAL] = numbers[BURNISH_TEXCOORD] = BURNISH_NONE;
+        numbers[RELATIVE] = 0;
+        unsigned found = scan_corner(obj, numbers);
+        if (found == 0) {
+            if (!burnish_lexer_token(&obj->lexer, &token)) {
+                break;
+            }
+            numbers[BURNISH_NORMAL] = numbers[BURNISH_TEXCOORD] = BURNISH_NONE;
+            numbers[RELATIVE] = 0;
+            if ((found = parse_corner(obj, token, numbers)) == 0) {
+                return;
+            }
+        }
+        used |= found;
+        relative |= numbers[RELATIVE];
+    }
+    if (count < 3) {
+        burnish_chunk_note(chunk, FEW_CORNERS, at);
+        return;
+    }
+    if (burnish_chunk_append_face(chunk, at, corners, COLUMNS, count, used) == BURNISH_STATUS_OK &&
+        relative) {
+        note_relative(chunk, corners, count, first_triangle, relative);
+    }
+}
+
+/* ---- Statements ---- */
+
+static void read_statement(obj_parser *obj) {
+    burnish_token keyword;
+    if (!burnish_lexer_token(&obj->lexer, &keyword)) {
+        return;
+    }
+    const uint8_t first = keyword.bytes[0], second = keyword.size > 1 ? keyword.bytes[1] : 0;
+    if (keyword.size == 1) {
+        if (first == 'v') {
+            read_vertex(obj);
+        } else if (first == 'f') {
+            read_face(obj, keyword.bytes);
+        } else if (first == 'l' || first == 'p') {
+            burnish_chunk_note(obj->chunk, ELEMENT, keyword.bytes);
+        }
+    } else if (keyword.size == 2 && first == 'v') {
+        if (second == 'n') {
+            read_normal(obj);
+        } else if (second == 't' && obj->with_texcoords) {
+            read_texcoord(obj);
+        }
+    } else if (burnish_token_is(keyword, "usemtl")) {
+        burnish_chunk_note(obj->chunk, MATERIAL, obj->lexer.next);
+    } else if (burnish_token_is(keyword, "mtllib")) {
+        burnish_chunk_note(obj->chunk, LIBRARY, obj->lexer.next);
+    }
+}
+
+static void parse(const void *state, burnish_chunk *chunk) {
+    obj_parser obj = {
+        chunk, {chunk->first, chunk->text_end, 1}, ((const obj_state *)state)->with_texcoords};
     do {
-        status = read_statement(obj);
-    } while (status == BURNISH_STATUS_OK && burnish_text_next_line(&obj->line.text));
-    burnish_obj_line_close(&obj->line);
+        read_statement(&obj);
+    } while (chunk->status == BURNISH_STATUS_OK && burnish_lexer_next_line(&obj.lexer) &&
+             obj.lexer.next < chunk->end);
+    if (!chunk->bounded) {
+        chunk->end = obj.lexer.next;
+    }
+}
+
+/* The first line from `from` on that no '\' joins to the one before it. */
+static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = from;
+    while ((newline = memchr(newline, '\n', (size_t)(end - newline)))) {
+        const uint8_t *last = newline - (newline[-1] == '\r') - 1;
+        ++newline;
+        if (*last != '\\') {
+            return newline;
+        }
+    }
+    return end;
+}
+
+static burnish_status accept(void *state, const burnish_chunk *chunk) {
+    obj_state *obj = state;
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t i = 0; i < chunk->event_count && status == BURNISH_STATUS_OK; ++i) {
+        const burnish_chunk_event *event = &chunk->events[i];
+        const size_t triangle = chunk->triangles_before + event->triangle;
+        burnish_lexer lexer = {event->at, chunk->text_end, 1};
+        if (event->kind == ELEMENT) {
+            if (!obj->warned_elements++) {
+                burnish_reader_warn(obj->reader, event->at, "lines and points were ignored");
+            }
+            continue;
+        }
+        if (event->kind == FEW_CORNERS) {
+            if (!obj->warned_corners++) {
+                burnish_reader_warn(obj->reader, event->at,
+                                    "faces with fewer than 3 corners were ignored");
+            }
+            continue;
+        }
+        if (triangle > obj->triangle) {
+            status = burnish_obj_begin_run(&obj->materials, obj->triangle);
+            obj->triangle = triangle;
+        }
+        if (status == BURNISH_STATUS_OK && event->kind == LIBRARY) {
+            status = burnish_obj_read_libraries(&obj->materials, &lexer);
+        } else if (status == BURNISH_STATUS_OK) {
+            burnish_obj_use_material(&obj->materials, burnish_lexer_rest(&lexer));
+        }
+    }
     return status;
 }
 
-burnish_status burnish_read_obj(const burnish_reader_input *input, burnish_source *source,
-                                burnish_error *error) {
-    obj_state obj = {.input = input,
-                     .source = source,
-                     .error = error,
-                     .materials = {.input = input, .source = source, .error = error, .changed = 1}};
-    if (input->size == 0) {
-        return burnish_fail_at(error, BURNISH_STATUS_FORMAT, burnish_place_byte(input->name, 0),
-                               "the file is empty; fetch it again");
+static void check_texcoords(void *user_data, size_t first, size_t end) {
+    const burnish_stream *texcoords = user_data;
+    for (size_t i = first; i < end; ++i) {
+        texcoords->corners[i] =
+            texcoords->corners[i] < texcoords->count ? texcoords->corners[i] : BURNISH_NONE;
     }
-    int done;
-    burnish_status status = burnish_obj_read_parts(input, source, &obj.materials, &done);
-    if (status == BURNISH_STATUS_OK && !done) {
-        status = read_statements(&obj);
+}
+
+static burnish_status finish(obj_state *obj) {
+    burnish_mesh_data *mesh = obj->reader->mesh;
+    if (mesh->triangle_count == 0) {
+        return burnish_reader_fail(obj->reader, BURNISH_STATUS_FORMAT, NULL,
+                                   "no faces among %zu vertices; export the mesh with its faces",
+                                   mesh->streams[BURNISH_POSITION].count);
     }
-    if (status == BURNISH_STATUS_OK && source->triangle_count == 0) {
-        status = burnish_fail_at(error, BURNISH_STATUS_FORMAT, burnish_place_file(input->name),
-                                 "no faces among %zu vertices; export the mesh with its faces",
-                                 source->position_count);
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        if (i != BURNISH_COLOR && !mesh->streams[i].corners) { /* no face refers to one */
+            burnish_mesh_data_drop(mesh, (burnish_attribute)i);
+        }
     }
+    burnish_stream *texcoords = &mesh->streams[BURNISH_TEXCOORD];
+    if (texcoords->count == 0) {
+        burnish_mesh_data_drop(mesh, BURNISH_TEXCOORD);
+    }
+    burnish_tasks_ranges(mesh->tasks, texcoords->corners ? 3 * mesh->triangle_count : 0, 1 << 16,
+                         check_texcoords, texcoords);
+    burnish_status status = burnish_cut_polygons(obj->reader);
+    if (status == BURNISH_STATUS_OK && obj->triangle < mesh->triangle_count) {
+        status = burnish_obj_begin_run(&obj->materials, obj->triangle);
+    }
+    return status == BURNISH_STATUS_OK ? burnish_obj_resolve_materials(&obj->materials) : status;
+}
+
+burnish_status burnish_read_obj(burnish_reader *reader) {
+    static const burnish_grammar grammar = {find_start, parse, accept,
+                                            1u << BURNISH_POSITION | 1u << BURNISH_NORMAL |
+                                                1u << BURNISH_TEXCOORD};
+    obj_state obj = {.reader = reader,
+                     .with_texcoords = reader->input->options->keep_texture_coordinates,
+                     .materials = {.reader = reader, .changed = 1}};
+    const uint8_t *at = burnish_lexer_open(reader->input->bytes, reader->input->size, 1).next;
+    burnish_status status = burnish_chunks_read(&grammar, &obj, reader, &at, NULL);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_obj_resolve_materials(&obj.materials);
+        status = finish(&obj);
     }
     burnish_obj_materials_close(&obj.materials);
     return status;
+}
+
+/* The first word of the first line that is no comment is one of the format's. */
+int burnish_recognise_obj(const uint8_t *bytes, size_t size) {
+    static const char *const words[] = {"v", "vn", "vt", "f",      "o",      "g",
+                                        "s", "l",  "p",  "mtllib", "usemtl", "vp"};
+    burnish_lexer lexer = burnish_lexer_open(bytes, size, 1);
+    burnish_token token;
+    if (!burnish_lexer_word(&lexer, &token)) {
+        return 0;
+    }
+    for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
+        if (burnish_token_is(token, words[i])) {
+            return 1;
+        }
+    }
+    return 0;
 }

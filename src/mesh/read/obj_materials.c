@@ -4,6 +4,7 @@
  * two materials with one name the first counts. */
 #include "mesh/read/obj_materials.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,23 +25,25 @@ void burnish_obj_use_material(burnish_obj_materials *materials, burnish_token na
 }
 
 burnish_status burnish_obj_begin_run(burnish_obj_materials *materials, size_t first_triangle) {
+    burnish_memory *memory = &materials->reader->mesh->memory;
     if (!materials->changed) {
         return BURNISH_STATUS_OK;
     }
-    burnish_status status = burnish_legacy_reserve(
-        (void **)&materials->runs, &materials->run_capacity, materials->run_count + 1,
-        sizeof *materials->runs, "material runs", materials->error);
-    if (status == BURNISH_STATUS_OK) {
+    materials->runs =
+        burnish_reserve(memory, materials->runs, &materials->run_capacity, materials->run_count + 1,
+                        sizeof *materials->runs, "material runs");
+    if (memory->status == BURNISH_STATUS_OK) {
         materials->runs[materials->run_count++] =
             (burnish_obj_run){.name = materials->name, .first_triangle = first_triangle};
         materials->changed = 0;
     }
-    return status;
+    return memory->status;
 }
 
 void burnish_obj_materials_close(burnish_obj_materials *materials) {
-    burnish_mtl_destroy(&materials->library);
-    free(materials->runs);
+    const burnish_context *context = materials->reader->mesh->memory.context;
+    burnish_mtl_destroy(context, &materials->library);
+    burnish_release(context, materials->runs);
     *materials = (burnish_obj_materials){0};
 }
 
@@ -60,48 +63,68 @@ static int stays_beside(const char *name) {
     return 1;
 }
 
-/* Takes the next part of a path off it, "." passed over; empty at the end. */
-static burnish_token next_part(burnish_token *path) {
-    burnish_token part;
-    do {
-        part = (burnish_token){path->bytes, 0};
-        while (part.size < path->size && path->bytes[part.size] != '/' &&
-               path->bytes[part.size] != '\\') {
-            ++part.size;
-        }
-        size_t used = part.size + (part.size < path->size);
-        path->bytes += used;
-        path->size -= used;
-    } while (path->size > 0 && (part.size == 0 || burnish_token_is(part, ".")));
-    return part;
+static int is_separator(uint8_t c) {
+    return c == '/' || c == '\\';
 }
 
-/* Names of one file: a library in disguise must not be read, and kept, many times over. */
+/* The next byte of a path, separators and parts "." between its parts passed over; '/' stands for
+ * them. *at moves past it. 0 at the end, before which separators don't count. */
+static uint8_t next_byte(burnish_token path, size_t *at) {
+    size_t i = *at;
+    int separated = i == 0;
+    while (i < path.size &&
+           (is_separator(path.bytes[i]) ||
+            (path.bytes[i] == '.' && (separated || is_separator(path.bytes[i - 1])) &&
+             (i + 1 == path.size || is_separator(path.bytes[i + 1]))))) {
+        separated |= is_separator(path.bytes[i]);
+        ++i;
+    }
+    if (i == path.size) {
+        *at = i;
+        return 0;
+    }
+    if (i > *at && *at > 0) {
+        *at = i;
+        return '/';
+    }
+    *at = i + 1;
+    return path.bytes[i];
+}
+
+/* Names of one file: a library in disguise must not be read, and kept, many times over. Ends at the
+ * first difference. */
 static int same_path(burnish_token a, burnish_token b) {
+    size_t at_a = 0, at_b = 0;
     for (;;) {
-        burnish_token part_a = next_part(&a), part_b = next_part(&b);
-        if (!same_token(part_a, part_b)) {
+        const uint8_t byte_a = next_byte(a, &at_a), byte_b = next_byte(b, &at_b);
+        if (byte_a != byte_b) {
             return 0;
         }
-        if (part_a.size == 0) {
-            return 1;
+        if (at_a >= a.size || at_b >= b.size) {
+            return next_byte(a, &at_a) == next_byte(b, &at_b);
         }
     }
 }
 
+static int is_file_name(burnish_token token) {
+    return token.size < LIBRARY_NAME_SIZE && !memchr(token.bytes, 0, token.size);
+}
+
 /* Returns 1 when the library was asked for before, or when there were too many. */
-static int pass_over_library(burnish_obj_materials *materials, burnish_place place,
-                             burnish_token token) {
+static int pass_over_library(burnish_obj_materials *materials, burnish_token token) {
+    if (!is_file_name(token)) { /* nothing will be read */
+        return 0;
+    }
     for (size_t i = 0; i < materials->library_count; ++i) {
         if (same_path(materials->libraries[i], token)) {
             return 1;
         }
     }
     if (materials->library_count == BURNISH_OBJ_LIBRARIES) {
-        if (!materials->warned_libraries++) {
-            burnish_warn_at(materials->source, place,
-                            "only the first %d material libraries are read; merge them",
-                            BURNISH_OBJ_LIBRARIES);
+        if (!materials->library_limit++) {
+            burnish_reader_warn(materials->reader, token.bytes,
+                                "only the first %d material libraries are read; merge them",
+                                BURNISH_OBJ_LIBRARIES);
         }
         return 1;
     }
@@ -109,12 +132,23 @@ static int pass_over_library(burnish_obj_materials *materials, burnish_place pla
     return 0;
 }
 
+/* Reads what was opened; name is the file's. */
+static burnish_status read_library(burnish_obj_materials *materials, const char *name,
+                                   const uint8_t *bytes, size_t size) {
+    const burnish_reader_input input = {
+        .bytes = bytes, .size = size, .name = name, .options = materials->reader->input->options};
+    burnish_reader reader = {
+        .input = &input, .mesh = materials->reader->mesh, .error = materials->reader->error};
+    return burnish_read_mtl(&reader, &materials->library);
+}
+
 /* Reads one library. *missing becomes 1 when the file is not there; nothing is reported then. */
 static burnish_status open_library(burnish_obj_materials *materials, burnish_token token,
                                    burnish_error *why, int *missing) {
+    const burnish_reader_input *input = materials->reader->input;
     char name[LIBRARY_NAME_SIZE];
     *missing = 1;
-    if (token.size >= sizeof name || memchr(token.bytes, 0, token.size)) {
+    if (!is_file_name(token)) {
         burnish_fail(why, BURNISH_STATUS_READ, "its name is no file name");
         return BURNISH_STATUS_OK;
     }
@@ -126,63 +160,65 @@ static burnish_status open_library(burnish_obj_materials *materials, burnish_tok
         burnish_fail(why, BURNISH_STATUS_READ, "it lies outside the folder of the file");
         return BURNISH_STATUS_OK;
     }
-    if (!materials->input->open_beside) {
+    if (!input->companions.load) {
         burnish_fail(why, BURNISH_STATUS_READ, "the input has no folder");
         return BURNISH_STATUS_OK;
     }
-    uint8_t *bytes = NULL;
+    const burnish_file_loader *companions = &input->companions;
+    const void *bytes = NULL;
     size_t size = 0;
-    burnish_status status = materials->input->open_beside(
-        materials->input->name, name, materials->input->options->max_input_bytes, &bytes, &size,
-        why);
-    if (status == BURNISH_STATUS_MEMORY && materials->error) {
-        *materials->error = *why;
+    burnish_status status = companions->load(companions->user_data, name,
+                                             input->options->max_input_bytes, &bytes, &size, why);
+    if (status == BURNISH_STATUS_MEMORY && materials->reader->error) {
+        *materials->reader->error = *why;
     }
     if (status != BURNISH_STATUS_OK) {
         return status == BURNISH_STATUS_MEMORY ? status : BURNISH_STATUS_OK;
     }
     *missing = 0;
-    status = burnish_read_mtl_into(bytes, size, name, &materials->library, materials->source,
-                                   materials->error);
-    free(bytes);
+    status = read_library(materials, name, bytes, size);
+    if (companions->release) {
+        companions->release(companions->user_data, bytes, size);
+    }
     return status;
 }
 
-static void warn_library(burnish_obj_materials *materials, burnish_place place, burnish_token token,
+static void warn_library(burnish_obj_materials *materials, burnish_token token,
                          const burnish_error *why) {
     materials->library_missing = 1;
-    burnish_warn_at(materials->source, place,
-                    "material library \"%s\" was not read (%s); its materials are burnish's grey",
-                    burnish_token_quote(token).text, why->text);
+    burnish_reader_warn(
+        materials->reader, token.bytes,
+        "material library \"%s\" was not read (%s); its materials are burnish's grey",
+        burnish_token_quote(token).text, why->text);
 }
 
-burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burnish_text *text) {
-    const burnish_place place = burnish_place_line(materials->input->name, text->line);
-    burnish_text names = *text;
-    burnish_token whole = burnish_text_rest(text), token;
+burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burnish_lexer *lexer) {
+    burnish_lexer names = *lexer;
+    burnish_token whole = burnish_lexer_rest(lexer), token;
     burnish_error why = {0};
     int missing = 0;
-    if (whole.size == 0 || pass_over_library(materials, place, whole)) {
+    if (whole.size == 0 || materials->library_limit || pass_over_library(materials, whole)) {
         return BURNISH_STATUS_OK;
     }
     burnish_status status = open_library(materials, whole, &why, &missing);
     if (status != BURNISH_STATUS_OK || !missing) {
         return status;
     }
-    names.wavefront = 0; /* file names may hold '#' */
+    names.obj_rules = 0; /* file names may hold '#' */
     names.end = whole.bytes + whole.size;
-    if (burnish_text_token(&names, &token) && token.size == whole.size) {
-        warn_library(materials, place, whole, &why);
+    if (burnish_lexer_token(&names, &token) && token.size == whole.size) {
+        warn_library(materials, whole, &why);
         return BURNISH_STATUS_OK;
     }
     do {
-        if (!pass_over_library(materials, place, token)) {
+        if (!pass_over_library(materials, token)) {
             status = open_library(materials, token, &why, &missing);
             if (status == BURNISH_STATUS_OK && missing) {
-                warn_library(materials, place, token, &why);
+                warn_library(materials, token, &why);
             }
         }
-    } while (status == BURNISH_STATUS_OK && burnish_text_token(&names, &token));
+    } while (status == BURNISH_STATUS_OK && !materials->library_limit &&
+             burnish_lexer_token(&names, &token));
     return status;
 }
 
@@ -207,22 +243,17 @@ static int compare_entries(const void *a, const void *b) {
     return order != 0 ? order : (x > y) - (x < y);
 }
 
-/* Sorts pointers to `count` elements of `size` bytes; *sorted is released with free(). */
-static burnish_status sort_pointers(void *array, size_t count, size_t size,
-                                    int (*compare)(const void *, const void *), void ***sorted,
-                                    burnish_error *error) {
-    void *memory;
-    burnish_status status =
-        burnish_legacy_allocate(&memory, count, sizeof(void *), "sorting materials", error);
-    *sorted = memory;
-    if (status != BURNISH_STATUS_OK || count == 0) {
-        return status;
+/* Sorts pointers to `count` elements of `size` bytes; NULL for none, and when memory is out. */
+static void **sort_pointers(burnish_memory *memory, void *array, size_t count, size_t size,
+                            int (*compare)(const void *, const void *)) {
+    void **sorted = burnish_allocate(memory, count, sizeof *sorted, "sorting materials");
+    for (size_t i = 0; i < count && sorted; ++i) {
+        sorted[i] = (char *)array + i * size;
     }
-    for (size_t i = 0; i < count; ++i) {
-        (*sorted)[i] = (char *)array + i * size;
+    if (sorted) {
+        qsort(sorted, count, sizeof *sorted, compare);
     }
-    qsort(*sorted, count, sizeof(void *), compare);
-    return BURNISH_STATUS_OK;
+    return sorted;
 }
 
 static int compare_names(const burnish_mtl_entry *entry, burnish_token name) {
@@ -250,36 +281,76 @@ static void match_runs(void **runs, size_t run_count, void **entries, size_t ent
 
 static burnish_status add_material(burnish_obj_materials *materials,
                                    const burnish_material *material, uint32_t *index) {
-    burnish_source *source = materials->source;
-    if (source->material_count == MATERIAL_LIMIT) {
-        return burnish_fail_at(materials->error, BURNISH_STATUS_LIMIT,
-                               burnish_place_file(materials->input->name),
-                               "more than %d materials are in use; merge some", MATERIAL_LIMIT);
+    burnish_mesh_data *mesh = materials->reader->mesh;
+    if (mesh->material_count == MATERIAL_LIMIT) {
+        return burnish_reader_fail(materials->reader, BURNISH_STATUS_LIMIT, NULL,
+                                   "more than %d materials are in use; merge some", MATERIAL_LIMIT);
     }
-    burnish_status status = burnish_legacy_reserve(
-        (void **)&source->materials, &source->material_capacity, source->material_count + 1,
-        sizeof *source->materials, "materials", materials->error);
-    if (status == BURNISH_STATUS_OK) {
-        *index = (uint32_t)source->material_count;
-        source->materials[source->material_count++] = *material;
+    mesh->materials =
+        burnish_reserve(&mesh->memory, mesh->materials, &mesh->material_capacity,
+                        mesh->material_count + 1, sizeof *mesh->materials, "materials");
+    if (mesh->memory.status == BURNISH_STATUS_OK) {
+        *index = (uint32_t)mesh->material_count;
+        mesh->materials[mesh->material_count++] = *material;
     }
-    return status;
+    return mesh->memory.status;
+}
+
+/* One line that says what of the materials in use is not drawn. */
+static void warn_undrawn(burnish_obj_materials *materials) {
+    enum { SHOWN = 3, REMEMBERED = 64 };
+    const char *textures[REMEMBERED];
+    size_t texture_count = 0, transparent = 0;
+    char names[160] = "", line[300];
+    for (size_t i = 0; i < materials->run_count; ++i) {
+        const burnish_obj_run *run = &materials->runs[i];
+        if (run->head != run || !run->entry) {
+            continue;
+        }
+        transparent += (size_t)run->entry->is_transparent;
+        size_t k = 0;
+        while (run->entry->texture && k < texture_count && k < REMEMBERED &&
+               strcmp(textures[k], run->entry->texture) != 0) {
+            ++k;
+        }
+        if (run->entry->texture && k == texture_count && k < REMEMBERED) {
+            textures[texture_count++] = run->entry->texture;
+        }
+    }
+    for (size_t k = 0, used = 0; k < texture_count && k < SHOWN && used < sizeof names; ++k) {
+        const burnish_token name = {(const uint8_t *)textures[k], strlen(textures[k])};
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", k > 0 ? ", " : "",
+                                 burnish_token_quote(name).text);
+    }
+    int used = 0;
+    if (texture_count > 0) {
+        used = snprintf(line, sizeof line, "%zu%s texture%s (%s%s)", texture_count,
+                        texture_count == REMEMBERED ? " or more" : "",
+                        texture_count == 1 ? "" : "s", names, texture_count > SHOWN ? ", ..." : "");
+    }
+    if (transparent > 0) {
+        snprintf(line + used, sizeof line - (size_t)used, "%sthe transparency of %zu material%s",
+                 used > 0 ? " and " : "", transparent, transparent == 1 ? "" : "s");
+    }
+    if (texture_count > 0 || transparent > 0) {
+        burnish_reader_warn(materials->reader, NULL, "%s %s not drawn", line,
+                            texture_count + (transparent > 0) > 1 ? "are" : "is");
+    }
 }
 
 static void warn_material(burnish_obj_materials *materials, burnish_token name) {
-    burnish_place place = burnish_place_file(materials->input->name);
     if (name.size == 0 || materials->library_missing) {
         return;
     }
     if (materials->library_count == 0) {
         materials->library_missing = 1;
-        burnish_warn_at(materials->source, place,
-                        "usemtl without mtllib: its materials are burnish's grey");
+        burnish_reader_warn(materials->reader, NULL,
+                            "usemtl without mtllib: its materials are burnish's grey");
         return;
     }
-    burnish_warn_at(materials->source, place,
-                    "material \"%s\" is in no material library; it is burnish's grey",
-                    burnish_token_quote(name).text);
+    burnish_reader_warn(materials->reader, NULL,
+                        "material \"%s\" is in no material library; it is burnish's grey",
+                        burnish_token_quote(name).text);
 }
 
 /* Numbers the materials in use in the order of the file; those in no library share one grey. */
@@ -308,42 +379,39 @@ static burnish_status number_materials(burnish_obj_materials *materials) {
 }
 
 static burnish_status write_triangle_materials(burnish_obj_materials *materials) {
-    burnish_source *source = materials->source;
-    if (source->material_count < 2) {
+    burnish_mesh_data *mesh = materials->reader->mesh;
+    if (mesh->material_count < 2) {
         return BURNISH_STATUS_OK;
     }
-    burnish_status status = burnish_legacy_reserve(
-        (void **)&source->triangle_materials, &source->triangle_material_capacity,
-        source->triangle_count, sizeof *source->triangle_materials, "triangle materials",
-        materials->error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    for (size_t i = 0; i < materials->run_count; ++i) {
+    mesh->triangle_materials = burnish_reserve_discard(
+        &mesh->memory, mesh->triangle_materials, &mesh->triangle_material_capacity,
+        mesh->triangle_count, sizeof *mesh->triangle_materials, "triangle materials");
+    for (size_t i = 0; i < materials->run_count && mesh->triangle_materials; ++i) {
         size_t end = i + 1 < materials->run_count ? materials->runs[i + 1].first_triangle
-                                                  : source->triangle_count;
+                                                  : mesh->triangle_count;
         for (size_t t = materials->runs[i].first_triangle; t < end; ++t) {
-            source->triangle_materials[t] = (uint16_t)materials->runs[i].material;
+            mesh->triangle_materials[t] = (uint16_t)materials->runs[i].material;
         }
     }
-    return BURNISH_STATUS_OK;
+    return mesh->memory.status;
 }
 
 burnish_status burnish_obj_resolve_materials(burnish_obj_materials *materials) {
-    void **runs = NULL, **entries = NULL;
-    burnish_status status =
-        sort_pointers(materials->runs, materials->run_count, sizeof *materials->runs, compare_runs,
-                      &runs, materials->error);
-    if (status == BURNISH_STATUS_OK) {
-        status = sort_pointers(materials->library.entries, materials->library.count,
-                               sizeof *materials->library.entries, compare_entries, &entries,
-                               materials->error);
-    }
+    burnish_memory *memory = &materials->reader->mesh->memory;
+    void **runs = sort_pointers(memory, materials->runs, materials->run_count,
+                                sizeof *materials->runs, compare_runs);
+    void **entries = sort_pointers(memory, materials->library.entries, materials->library.count,
+                                   sizeof *materials->library.entries, compare_entries);
+    burnish_status status = memory->status;
     if (status == BURNISH_STATUS_OK) {
         match_runs(runs, materials->run_count, entries, materials->library.count);
         status = number_materials(materials);
     }
-    free(entries);
-    free(runs);
-    return status == BURNISH_STATUS_OK ? write_triangle_materials(materials) : status;
+    burnish_release(memory->context, entries);
+    burnish_release(memory->context, runs);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    warn_undrawn(materials);
+    return write_triangle_materials(materials);
 }

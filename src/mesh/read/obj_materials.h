@@ -3,7 +3,6 @@
 #define BURNISH_MESH_READ_OBJ_MATERIALS_H
 
 #include "mesh/read/mtl.h"
-#include "mesh/read/text.h"
 
 enum { BURNISH_OBJ_LIBRARIES = 64 /* that one file may name */ };
 
@@ -16,11 +15,9 @@ typedef struct burnish_obj_run {
     uint32_t material;
 } burnish_obj_run;
 
-/* Start from all zero but for input, source, error, and changed = 1. */
+/* Start from all zero but for reader, and changed = 1. */
 typedef struct burnish_obj_materials {
-    const burnish_reader_input *input;
-    burnish_source *source;
-    burnish_error *error;
+    burnish_reader *reader;
 
     burnish_obj_run *runs;
     size_t run_count, run_capacity;
@@ -31,7 +28,7 @@ typedef struct burnish_obj_materials {
     burnish_token libraries[BURNISH_OBJ_LIBRARIES]; /* names already asked for */
     size_t library_count;
     int library_missing; /* said so already: no word about the materials in it */
-    int warned_libraries;
+    int library_limit;   /* said so already: no further one is read */
 } burnish_obj_materials;
 
 void burnish_obj_materials_close(burnish_obj_materials *materials);
@@ -42,11 +39,11 @@ void burnish_obj_use_material(burnish_obj_materials *materials, burnish_token na
 /* A triangle follows: begins a run where the material has changed. Errors: MEMORY. */
 burnish_status burnish_obj_begin_run(burnish_obj_materials *materials, size_t first_triangle);
 
-/* mtllib FILE, where FILE may hold blanks, or mtllib FILE FILE ...; text: behind the keyword.
+/* mtllib FILE, where FILE may hold blanks, or mtllib FILE FILE ...; lexer: after the keyword.
  * Errors: those of a library's text, MEMORY. */
-burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burnish_text *text);
+burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burnish_lexer *lexer);
 
-/* At the end: the source's materials and those of its triangles. Errors: LIMIT, MEMORY. */
+/* At the end: the mesh's materials and those of its triangles. Errors: LIMIT, MEMORY. */
 burnish_status burnish_obj_resolve_materials(burnish_obj_materials *materials);
 
 #endif

@@ -3,7 +3,6 @@
 #define BURNISH_MESH_READ_PLY_H
 
 #include "mesh/read/reader.h"
-#include "mesh/read/text.h"
 
 typedef enum burnish_ply_encoding {
     BURNISH_PLY_ASCII,
@@ -41,6 +40,8 @@ typedef enum burnish_ply_role {
     BURNISH_PLY_GREEN,
     BURNISH_PLY_BLUE,
     BURNISH_PLY_ALPHA,
+    BURNISH_PLY_S,
+    BURNISH_PLY_T,
     BURNISH_PLY_ROLE_COUNT,
     BURNISH_PLY_CORNERS, /* vertex_indices of a face or of triangle strips */
     BURNISH_PLY_OTHER    /* passed over */
@@ -64,7 +65,7 @@ typedef struct burnish_ply_element {
     burnish_ply_kind kind;
     uint64_t count;
     size_t first_property, property_count; /* in the header's list */
-    size_t line;                           /* of the element, for messages */
+    const uint8_t *at;                     /* its line in the header, for messages */
 } burnish_ply_element;
 
 typedef struct burnish_ply_header {
@@ -73,14 +74,13 @@ typedef struct burnish_ply_header {
     size_t element_count, element_capacity;
     burnish_ply_property *properties;
     size_t property_count, property_capacity;
-    size_t body_offset; /* first byte behind the line end of end_header */
-    size_t body_line;
+    const uint8_t *body;   /* first byte after the line end of end_header */
+    burnish_token texture; /* of "comment TextureFile NAME"; empty: none */
 } burnish_ply_header;
 
 /* Reads the header; one vertex element with x, y and z is there, and every face element has
- * corners. The caller destroys the header, also on error. Errors: FORMAT, LIMIT, MEMORY. */
-burnish_status burnish_ply_read_header(const burnish_reader_input *input,
-                                       burnish_ply_header *header, burnish_error *error);
-void burnish_ply_destroy_header(burnish_ply_header *header);
+ * corners. The caller destroys the header, also on error. Errors: FORMAT, MEMORY. */
+burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_header *header);
+void burnish_ply_destroy_header(const burnish_context *context, burnish_ply_header *header);
 
 #endif

@@ -4,16 +4,15 @@
 #include "mesh/read/ply.h"
 
 typedef struct header_state {
-    const burnish_reader_input *input;
+    burnish_reader *reader;
     burnish_ply_header *header;
-    burnish_error *error;
-    burnish_text text;
+    burnish_lexer lexer;
     int has_format;
 } header_state;
 
-static burnish_place here(const header_state *ply) {
-    return burnish_place_line(ply->input->name, ply->text.line);
-}
+/* A malformed line. */
+#define FAIL(ply, ...)                                                                             \
+    burnish_reader_fail((ply)->reader, BURNISH_STATUS_FORMAT, (ply)->lexer.next, __VA_ARGS__)
 
 static burnish_ply_type type_of(burnish_token token) {
     static const struct {
@@ -52,7 +51,13 @@ static burnish_ply_role vertex_role(burnish_token name) {
                  {"diffuse_red", BURNISH_PLY_RED},
                  {"diffuse_green", BURNISH_PLY_GREEN},
                  {"diffuse_blue", BURNISH_PLY_BLUE},
-                 {"diffuse_alpha", BURNISH_PLY_ALPHA}};
+                 {"diffuse_alpha", BURNISH_PLY_ALPHA},
+                 {"s", BURNISH_PLY_S},
+                 {"t", BURNISH_PLY_T},
+                 {"u", BURNISH_PLY_S},
+                 {"v", BURNISH_PLY_T},
+                 {"texture_u", BURNISH_PLY_S},
+                 {"texture_v", BURNISH_PLY_T}};
     for (size_t i = 0; i < sizeof roles / sizeof *roles; ++i) {
         if (burnish_token_is(name, roles[i].name)) {
             return roles[i].role;
@@ -74,12 +79,11 @@ static burnish_ply_role role_of(burnish_ply_kind kind, int is_list, burnish_toke
 
 static burnish_status read_format(header_state *ply) {
     burnish_token encoding = {0}, version = {0};
-    int words = burnish_text_token(&ply->text, &encoding);
-    words += burnish_text_token(&ply->text, &version);
+    int words = burnish_lexer_token(&ply->lexer, &encoding);
+    words += burnish_lexer_token(&ply->lexer, &version);
     if (words < 2 || !burnish_token_is(version, "1.0")) {
-        return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                               "format version is \"%s\"; only 1.0 exists",
-                               burnish_token_quote(version).text);
+        return FAIL(ply, "format version is \"%s\"; only 1.0 exists",
+                    burnish_token_quote(version).text);
     }
     if (burnish_token_is(encoding, "ascii")) {
         ply->header->encoding = BURNISH_PLY_ASCII;
@@ -88,10 +92,10 @@ static burnish_status read_format(header_state *ply) {
     } else if (burnish_token_is(encoding, "binary_big_endian")) {
         ply->header->encoding = BURNISH_PLY_BIG_ENDIAN;
     } else {
-        return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                               "format \"%s\" is unknown; use ascii, binary_little_endian or "
-                               "binary_big_endian",
-                               burnish_token_quote(encoding).text);
+        return FAIL(ply,
+                    "format \"%s\" is unknown; use ascii, binary_little_endian or "
+                    "binary_big_endian",
+                    burnish_token_quote(encoding).text);
     }
     ply->has_format = 1;
     return BURNISH_STATUS_OK;
@@ -99,23 +103,21 @@ static burnish_status read_format(header_state *ply) {
 
 static burnish_status read_element(header_state *ply) {
     burnish_ply_header *header = ply->header;
-    burnish_ply_element element = {.first_property = header->property_count,
-                                   .line = ply->text.line};
+    burnish_ply_element element = {.first_property = header->property_count, .at = ply->lexer.next};
     burnish_token token = {0};
     int64_t count = -1;
     burnish_number_status number = BURNISH_NUMBER_GARBAGE;
-    if (burnish_text_token(&ply->text, &element.name) && burnish_text_token(&ply->text, &token)) {
-        number = burnish_parse_integer(token.bytes, token.size, &count);
+    if (burnish_lexer_token(&ply->lexer, &element.name) &&
+        burnish_lexer_token(&ply->lexer, &token)) {
+        number = burnish_parse_integer(token, &count);
     }
     if (number == BURNISH_NUMBER_RANGE) {
-        return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                               "element count %s is more than any file holds; correct it",
-                               burnish_token_quote(token).text);
+        return FAIL(ply, "element count %s is more than any file holds; correct it",
+                    burnish_token_quote(token).text);
     }
     if (number != BURNISH_NUMBER_OK || count < 0) {
-        return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                               "element count is \"%s\"; write element NAME COUNT",
-                               burnish_token_quote(token).text);
+        return FAIL(ply, "element count is \"%s\"; write element NAME COUNT",
+                    burnish_token_quote(token).text);
     }
     element.count = (uint64_t)count;
     if (burnish_token_is(element.name, "vertex")) {
@@ -125,20 +127,20 @@ static burnish_status read_element(header_state *ply) {
     } else if (burnish_token_is(element.name, "tristrips")) {
         element.kind = BURNISH_PLY_ELEMENT_STRIPS;
     }
-    burnish_status status = burnish_legacy_reserve(
-        (void **)&header->elements, &header->element_capacity, header->element_count + 1,
-        sizeof *header->elements, "elements", ply->error);
-    if (status == BURNISH_STATUS_OK) {
+    burnish_memory *memory = &ply->reader->mesh->memory;
+    header->elements = burnish_reserve(memory, header->elements, &header->element_capacity,
+                                       header->element_count + 1, sizeof element, "elements");
+    if (memory->status == BURNISH_STATUS_OK) {
         header->elements[header->element_count++] = element;
     }
-    return status;
+    return memory->status;
 }
 
 static burnish_status fail_property(header_state *ply, burnish_token type) {
-    return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                           "property type \"%s\" is unknown; use char, uchar, short, ushort, int, "
-                           "uint, float or double",
-                           burnish_token_quote(type).text);
+    return FAIL(ply,
+                "property type \"%s\" is unknown; use char, uchar, short, ushort, int, "
+                "uint, float or double",
+                burnish_token_quote(type).text);
 }
 
 /* property TYPE NAME, or property list COUNT_TYPE TYPE NAME. */
@@ -147,47 +149,44 @@ static burnish_status read_property(header_state *ply) {
     burnish_ply_property property = {BURNISH_PLY_NONE, BURNISH_PLY_NONE, BURNISH_PLY_OTHER};
     burnish_token type = {0}, name = {0};
     if (header->element_count == 0) {
-        return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                               "property before the first element; declare its element first");
+        return FAIL(ply, "property before the first element; declare its element first");
     }
     burnish_ply_element *element = &header->elements[header->element_count - 1];
-    burnish_text_token(&ply->text, &type);
+    burnish_lexer_token(&ply->lexer, &type);
     int is_list = burnish_token_is(type, "list");
     if (is_list) {
         burnish_token count_type = {0};
-        burnish_text_token(&ply->text, &count_type);
+        burnish_lexer_token(&ply->lexer, &count_type);
         property.count_type = type_of(count_type);
         if (property.count_type == BURNISH_PLY_NONE || property.count_type >= BURNISH_PLY_FLOAT32) {
-            return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                                   "list count type \"%s\" is no integer type; use uchar or int",
-                                   burnish_token_quote(count_type).text);
+            return FAIL(ply, "list count type \"%s\" is no integer type; use uchar or int",
+                        burnish_token_quote(count_type).text);
         }
         type = (burnish_token){0};
-        burnish_text_token(&ply->text, &type);
+        burnish_lexer_token(&ply->lexer, &type);
     }
     property.type = type_of(type);
     if (property.type == BURNISH_PLY_NONE) {
         return fail_property(ply, type);
     }
-    if (!burnish_text_token(&ply->text, &name)) {
-        return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                               "property has no name; write property TYPE NAME");
+    if (!burnish_lexer_token(&ply->lexer, &name)) {
+        return FAIL(ply, "property has no name; write property TYPE NAME");
     }
     property.role = role_of(element->kind, is_list, name);
-    burnish_status status = burnish_legacy_reserve(
-        (void **)&header->properties, &header->property_capacity, header->property_count + 1,
-        sizeof *header->properties, "properties", ply->error);
-    if (status == BURNISH_STATUS_OK) {
+    burnish_memory *memory = &ply->reader->mesh->memory;
+    header->properties = burnish_reserve(memory, header->properties, &header->property_capacity,
+                                         header->property_count + 1, sizeof property, "properties");
+    if (memory->status == BURNISH_STATUS_OK) {
         header->properties[header->property_count++] = property;
         ++element->property_count;
     }
-    return status;
+    return memory->status;
 }
 
-/* Behind end_header stands one line end, of the kind that ends the first line: after "\r" alone the
+/* After end_header stands one line end, of the kind that ends the first line: after "\r" alone the
  * next byte, even a "\n", is the body's. Returns 0 when there is none. */
 static int find_body(header_state *ply) {
-    const uint8_t *p = ply->text.next, *end = ply->text.end, *first = ply->input->bytes;
+    const uint8_t *p = ply->lexer.next, *end = ply->lexer.end, *first = ply->reader->input->bytes;
     while (p < end && *p != '\n' && *p != '\r') {
         ++p;
     }
@@ -198,17 +197,21 @@ static int find_body(header_state *ply) {
         ++first;
     }
     int pairs = *first == '\r' && first[1] == '\n'; /* more header follows it */
-    size_t size = pairs && *p == '\r' && end - p > 1 && p[1] == '\n' ? 2 : 1;
-    ply->header->body_offset = (size_t)(p - ply->input->bytes) + size;
-    ply->header->body_line = ply->text.line + 1;
+    ply->header->body = p + (pairs && *p == '\r' && end - p > 1 && p[1] == '\n' ? 2 : 1);
     return 1;
 }
 
 /* Returns 1 in *done after end_header. */
 static burnish_status read_line(header_state *ply, int *done) {
     burnish_token keyword;
-    if (!burnish_text_token(&ply->text, &keyword) || burnish_token_is(keyword, "comment") ||
-        burnish_token_is(keyword, "obj_info")) {
+    if (!burnish_lexer_token(&ply->lexer, &keyword) || burnish_token_is(keyword, "obj_info")) {
+        return BURNISH_STATUS_OK;
+    }
+    if (burnish_token_is(keyword, "comment")) {
+        if (burnish_lexer_token(&ply->lexer, &keyword) &&
+            burnish_token_is(keyword, "TextureFile")) {
+            ply->header->texture = burnish_lexer_rest(&ply->lexer);
+        }
         return BURNISH_STATUS_OK;
     }
     if (burnish_token_is(keyword, "format")) {
@@ -224,10 +227,10 @@ static burnish_status read_line(header_state *ply, int *done) {
         *done = find_body(ply);
         return BURNISH_STATUS_OK;
     }
-    return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                           "\"%s\" stands in the header where element, property or end_header "
-                           "should; repair the header",
-                           burnish_token_quote(keyword).text);
+    return FAIL(ply,
+                "expected \"element\", \"property\" or \"end_header\", found \"%s\"; "
+                "repair the header",
+                burnish_token_quote(keyword).text);
 }
 
 /* Which roles an element's properties fill, one bit each. */
@@ -245,50 +248,45 @@ static burnish_status check_elements(header_state *ply) {
     int vertex_elements = 0;
     for (size_t i = 0; i < header->element_count; ++i) {
         const burnish_ply_element *element = &header->elements[i];
-        burnish_place place = burnish_place_line(ply->input->name, element->line);
         unsigned roles = roles_of(header, element);
         if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && ++vertex_elements > 1) {
-            return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, place,
-                                   "a second vertex element; merge the two");
+            return burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, element->at,
+                                       "a second vertex element; merge the two");
         }
         if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && (roles & xyz) != xyz) {
-            return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, place,
-                                   "element vertex has no scalar properties x, y and z; add them");
+            return burnish_reader_fail(
+                ply->reader, BURNISH_STATUS_FORMAT, element->at,
+                "element vertex has no scalar properties x, y and z; add them");
         }
         if ((element->kind == BURNISH_PLY_ELEMENT_FACE ||
              element->kind == BURNISH_PLY_ELEMENT_STRIPS) &&
             element->count > 0 && !(roles & 1u << BURNISH_PLY_CORNERS)) {
-            return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, place,
-                                   "element %s has no list property vertex_indices; add it",
-                                   burnish_token_quote(element->name).text);
+            return burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, element->at,
+                                       "element %s has no list property vertex_indices; add it",
+                                       burnish_token_quote(element->name).text);
         }
     }
     if (vertex_elements == 0) {
-        return burnish_fail_at(ply->error, BURNISH_STATUS_FORMAT, here(ply),
-                               "the header declares no element vertex; export the mesh again");
+        return FAIL(ply, "the header declares no element vertex; export the mesh again");
     }
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_ply_read_header(const burnish_reader_input *input,
-                                       burnish_ply_header *header, burnish_error *error) {
-    header_state ply = {.input = input,
-                        .header = header,
-                        .error = error,
-                        .text = {input->bytes, input->bytes + input->size, 1, 0}};
-    burnish_token magic;
+burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_header *header) {
+    const burnish_reader_input *input = reader->input;
+    header_state ply = {
+        .reader = reader, .header = header, .lexer = {input->bytes, input->bytes + input->size, 0}};
+    burnish_token magic = {0};
     int done = 0;
     *header = (burnish_ply_header){0};
-    if (!burnish_text_token(&ply.text, &magic) || !burnish_token_is(magic, "ply")) {
-        return burnish_fail_at(error, BURNISH_STATUS_FORMAT, burnish_place_line(input->name, 1),
-                               "a PLY file starts with the line \"ply\", this one does not; check "
-                               "the format");
+    if (!burnish_lexer_token(&ply.lexer, &magic) || !burnish_token_is(magic, "ply")) {
+        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes,
+                                   "expected the line \"ply\", found \"%s\"; check the format",
+                                   burnish_token_quote(magic).text);
     }
     while (!done) {
-        if (!burnish_text_next_line(&ply.text)) {
-            return burnish_fail_at(error, BURNISH_STATUS_FORMAT, here(&ply),
-                                   "the file ends within the header; it is truncated, fetch it "
-                                   "again");
+        if (!burnish_lexer_next_line(&ply.lexer)) {
+            return FAIL(&ply, "the file ends within the header; the file is truncated");
         }
         burnish_status status = read_line(&ply, &done);
         if (status != BURNISH_STATUS_OK) {
@@ -296,15 +294,14 @@ burnish_status burnish_ply_read_header(const burnish_reader_input *input,
         }
     }
     if (!ply.has_format) {
-        return burnish_fail_at(error, BURNISH_STATUS_FORMAT, here(&ply),
-                               "the header has no format line; add \"format ascii 1.0\" or what "
-                               "the file is");
+        return FAIL(&ply, "the header has no format line; add \"format ascii 1.0\" or what the "
+                          "file is");
     }
     return check_elements(&ply);
 }
 
-void burnish_ply_destroy_header(burnish_ply_header *header) {
-    free(header->properties);
-    free(header->elements);
+void burnish_ply_destroy_header(const burnish_context *context, burnish_ply_header *header) {
+    burnish_release(context, header->properties);
+    burnish_release(context, header->elements);
     *header = (burnish_ply_header){0};
 }

@@ -156,14 +156,15 @@ static int make_ring(ring *r, size_t count) {
     return convex;
 }
 
-void burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t count,
-                         uint16_t *triangles) {
+int burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t count,
+                        uint16_t *triangles) {
     ring r;
     if (count > 3 && project(positions, corners, count, r.points) && !make_ring(&r, count)) {
         clip_ears(&r, triangles);
-        return;
+        return 1;
     }
     for (size_t i = 0; i + 2 < count; ++i) {
         write_triangle(triangles + 3 * i, 0, i + 1, i + 2);
     }
+    return 0;
 }

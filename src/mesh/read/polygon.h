@@ -19,8 +19,9 @@
  * positions: 3 floats a position, finite
  * corners:   count indices into positions
  * count:     [3, BURNISH_POLYGON_CORNERS]
- * triangles: room for 3 * (count - 2) */
-void burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t count,
-                         uint16_t *triangles);
+ * triangles: room for 3 * (count - 2)
+ * Returns 0 where the triangles are a fan around corner 0. */
+int burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t count,
+                        uint16_t *triangles);
 
 #endif

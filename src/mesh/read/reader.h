@@ -1,46 +1,76 @@
-/* The readers: bytes in, burnish_source out. None opens files, but for the material library of an
- * OBJ, which comes through a callback. */
+/* What readers share: their input, their row in the table of formats, and their messages. */
 #ifndef BURNISH_MESH_READ_READER_H
 #define BURNISH_MESH_READ_READER_H
 
-#include "mesh/read/source.h"
+#include "core/error.h"
+#include "mesh/mesh_data.h"
+#include "mesh/read/lexer.h"
 
 typedef struct burnish_reader_input {
-    const uint8_t *bytes; /* size bytes; nothing is assumed to follow them */
+    const uint8_t *bytes; /* size > 0 bytes; nothing is assumed to follow them */
     size_t size;
-    const char *name; /* for messages: "FILE:LINE: ..." or "FILE: byte N: ..." */
+    const char *name; /* for messages */
     const burnish_load_options *options;
-    /* Loads a file that lies beside the input; NULL when there is none. *bytes is released with
-     * free(). */
-    burnish_status (*open_beside)(const char *input_name, const char *file, uint64_t max_bytes,
-                                  uint8_t **bytes, size_t *size, burnish_error *error);
+    burnish_file_loader companions; /* load NULL: there are none */
 } burnish_reader_input;
 
-burnish_status burnish_read_obj(const burnish_reader_input *input, burnish_source *source,
-                                burnish_error *error);
-burnish_status burnish_read_ply(const burnish_reader_input *input, burnish_source *source,
-                                burnish_error *error);
-burnish_status burnish_read_stl(const burnish_reader_input *input, burnish_source *source,
-                                burnish_error *error);
+/* A face of 4 corners or more: a fan until all positions are there, then cut by them. */
+typedef struct burnish_polygon {
+    uint32_t first_triangle, corner_count;
+} burnish_polygon;
 
-/* Materials of an MTL file, with names for usemtl to find. */
-typedef struct burnish_mtl_entry {
-    char *name;
-    burnish_material material;
-} burnish_mtl_entry;
-typedef struct burnish_mtl {
-    burnish_mtl_entry *entries;
-    size_t count, capacity;
-} burnish_mtl;
-burnish_status burnish_read_mtl(const uint8_t *bytes, size_t size, const char *name,
-                                burnish_mtl *library, burnish_error *error);
-void burnish_mtl_destroy(burnish_mtl *library);
+/* One reading of one input. */
+typedef struct burnish_reader {
+    const burnish_reader_input *input;
+    burnish_mesh_data *mesh; /* what is filled; its memory and tasks are the reader's */
+    burnish_error *error;
+    int is_binary;          /* messages tell bytes, not lines */
+    const uint8_t *counted; /* lines are counted up to here: NULL before the first */
+    size_t line;
+    burnish_polygon *polygons;
+    size_t polygon_count, polygon_capacity;
+} burnish_reader;
+
+/* burnish_fail() and burnish_mesh_data_warn() with a location in front: "NAME:LINE: ..." of the
+ * byte at, or "NAME: byte N: ..." in a binary file; "NAME: ..." for at NULL. */
+__attribute__((format(printf, 4, 5))) burnish_status burnish_reader_fail(burnish_reader *reader,
+                                                                         burnish_status status,
+                                                                         const uint8_t *at,
+                                                                         const char *format, ...);
+__attribute__((format(printf, 3, 4))) void
+burnish_reader_warn(burnish_reader *reader, const uint8_t *at, const char *format, ...);
+
+/* What to say of a number that can't be taken, and of `what` ("coordinate", "Kd" ...) it is. */
+typedef struct burnish_number_text {
+    char text[160];
+} burnish_number_text;
+burnish_number_text burnish_describe_number(const char *what, burnish_token token,
+                                            burnish_number_status status);
+
+/* LIMIT: more triangles than the options allow. */
+burnish_status burnish_fail_triangles(burnish_reader *reader, const uint8_t *at);
+
+/* ---- Formats ---- */
+
+/* Reads an input of a format, or of the one that its bytes and name tell where that is AUTO:
+ * *format says which it was. Errors: FORMAT, LIMIT, MEMORY, CANCELLED. */
+burnish_status burnish_read(burnish_reader *reader, burnish_format *format);
+
+/* The format that bytes and name tell of; AUTO when neither does. */
+burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name);
+
+/* 2: the bytes are sure, whatever the name says; 1: where the name says nothing; 0: not this one.
+ */
+int burnish_recognise_obj(const uint8_t *bytes, size_t size);
+int burnish_recognise_ply(const uint8_t *bytes, size_t size);
+int burnish_recognise_stl(const uint8_t *bytes, size_t size);
+
+burnish_status burnish_read_obj(burnish_reader *reader);
+burnish_status burnish_read_ply(burnish_reader *reader);
+burnish_status burnish_read_stl(burnish_reader *reader);
 
 /* name without the colon: "teapot", "sphere", "torus", "knot". */
 burnish_status burnish_make_builtin(const char *name, const burnish_load_options *options,
                                     burnish_mesh_data *data, burnish_error *error);
-
-/* The format that bytes and name tell of; AUTO when neither does. */
-burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name);
 
 #endif

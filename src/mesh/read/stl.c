@@ -3,10 +3,9 @@
  * One in seven binary files on sharing sites starts with "solid", so the size decides first. Facet
  * normals and attribute bytes are passed over: normals are redundant and often wrong. */
 #include <stdatomic.h>
-#include <string.h>
+#include <stdio.h>
 
-#include "mesh/read/append.h"
-#include "mesh/read/stl_text.h"
+#include "mesh/read/chunks.h"
 
 enum { HEADER_SIZE = 84, FACET_SIZE = 50, NORMAL_SIZE = 12, LOOKED_AT = 512 };
 
@@ -14,170 +13,299 @@ static uint32_t read_u32(const uint8_t *p) {
     return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
 }
 
-/* ---- binary ---- */
+/* ---- Binary ---- */
 
-static burnish_status check_binary_size(const burnish_reader_input *input, uint32_t count,
-                                        burnish_source *source, burnish_error *error) {
-    size_t room = (input->size - HEADER_SIZE) / FACET_SIZE;
-    if (count > room) {
-        return burnish_fail_at(error, BURNISH_STATUS_FORMAT, burnish_place_byte(input->name, 80),
-                               "%u triangles are announced, but the file ends after %zu; it is "
-                               "truncated or not STL, fetch it again",
-                               (unsigned)count, room);
-    }
-    size_t used = HEADER_SIZE + (size_t)count * FACET_SIZE;
-    if (used < input->size) {
-        burnish_warn_at(source, burnish_place_byte(input->name, used),
-                        "%zu bytes behind the last triangle were ignored", input->size - used);
-    }
-    return BURNISH_STATUS_OK;
-}
-
-static burnish_status read_facet(const burnish_reader_input *input, size_t offset,
-                                 burnish_source *source, burnish_error *error) {
-    uint32_t corners[3];
-    for (size_t i = 0; i < 3; ++i) {
-        float position[3];
-        for (size_t k = 0; k < 3; ++k) {
-            size_t at = offset + NORMAL_SIZE + 12 * i + 4 * k;
-            uint32_t bits = read_u32(input->bytes + at);
-            if ((bits & 0x7F800000u) == 0x7F800000u) {
-                return burnish_fail_at(error, BURNISH_STATUS_FORMAT,
-                                       burnish_place_byte(input->name, at),
-                                       "coordinate is not finite; repair the mesh");
-            }
-            memcpy(&position[k], &bits, sizeof bits);
-        }
-        corners[i] = (uint32_t)source->position_count;
-        burnish_status status = burnish_append_position(
-            source, burnish_place_byte(input->name, offset), position, error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-    }
-    return burnish_append_polygon(source, input->options, burnish_place_byte(input->name, offset),
-                                  corners, NULL, 3, error);
-}
-
-/* ---- binary by ranges ---- */
-
-enum { SHARE = 1 << 14 /* facets that a thread takes at once */ };
+enum { GRAIN = 1 << 14 /* facets that a thread takes at once */ };
 
 typedef struct facet_context {
     const uint8_t *bytes; /* the first facet */
     float *positions;
-    uint32_t *corners;
-    atomic_int bad; /* 1: a coordinate is not finite */
+    atomic_size_t bad; /* the first facet with a coordinate that is not finite */
 } facet_context;
 
-static void convert_facets(void *of, size_t first, size_t end) {
-    facet_context *context = of;
-    uint32_t bad = 0;
-    for (size_t i = first; i < end; ++i) {
-        const uint8_t *from = context->bytes + i * FACET_SIZE + NORMAL_SIZE;
-        float *to = context->positions + 9 * i;
-        uint32_t bits[9];
-        for (size_t k = 0; k < 9; ++k) {
-            bits[k] = read_u32(from + 4 * k);
-            bad |= (bits[k] & 0x7F800000u) == 0x7F800000u;
-        }
-        memcpy(to, bits, sizeof bits);
-        for (size_t k = 0; k < 3; ++k) {
-            context->corners[3 * i + k] = (uint32_t)(3 * i + k);
-        }
-    }
-    if (bad) {
-        atomic_store(&context->bad, 1);
+static int is_finite(uint32_t bits) {
+    return (bits & 0x7F800000u) != 0x7F800000u;
+}
+
+static void lower_to(atomic_size_t *least, size_t value) {
+    size_t seen = atomic_load(least);
+    while (value < seen && !atomic_compare_exchange_weak(least, &seen, value)) {
     }
 }
 
-/* All facets at once, for whose triangles there is room; *done: whether that was possible. What is
- * wrong otherwise, reading facet by facet will tell. */
-static burnish_status read_facets(const burnish_reader_input *input, size_t count,
-                                  burnish_source *source, int *done, burnish_error *error) {
-    *done = 0;
-    if (source->position_count > 0 || source->triangle_count > 0 ||
-        count > BURNISH_POSITION_LIMIT / 3) {
-        return BURNISH_STATUS_OK;
+static void convert_facets(void *user_data, size_t first, size_t end) {
+    facet_context *context = user_data;
+    size_t bad = SIZE_MAX;
+    for (size_t i = end; i-- > first;) {
+        const uint8_t *from = context->bytes + i * FACET_SIZE + NORMAL_SIZE;
+        uint32_t bits[9], finite = 1;
+        for (size_t k = 0; k < 9; ++k) {
+            bits[k] = read_u32(from + 4 * k);
+            finite &= (uint32_t)is_finite(bits[k]);
+        }
+        memcpy(context->positions + 9 * i, bits, sizeof bits);
+        bad = finite ? bad : i;
     }
-    burnish_status status =
-        burnish_legacy_reserve_discard((void **)&source->positions, &source->position_capacity,
-                                       3 * count, 3 * sizeof(float), "positions", error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    lower_to(&context->bad, bad);
+}
+
+static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *facet) {
+    const uint8_t *at = facet + NORMAL_SIZE;
+    while (is_finite(read_u32(at))) {
+        at += 4;
     }
-    facet_context context = {.bytes = input->bytes + HEADER_SIZE,
-                             .positions = source->positions,
-                             .corners = source->corner_positions};
-    burnish_tasks_ranges(source->pool, count, SHARE, convert_facets, &context);
-    if (!atomic_load(&context.bad)) {
-        source->position_count = 3 * count;
-        source->triangle_count = count;
-        *done = 1;
+    return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, at,
+                               "coordinate is not finite; repair the mesh");
+}
+
+static burnish_status check_count(burnish_reader *reader, size_t count) {
+    const burnish_reader_input *input = reader->input;
+    const size_t room = (input->size - HEADER_SIZE) / FACET_SIZE;
+    if (count > room) {
+        return burnish_reader_fail(
+            reader, BURNISH_STATUS_FORMAT, input->bytes + 80,
+            "%zu triangles are announced, but the file ends after %zu; it is truncated or not STL",
+            count, room);
+    }
+    if (count > input->options->max_triangles) {
+        return burnish_fail_triangles(reader, input->bytes + 80);
+    }
+    const size_t used = HEADER_SIZE + count * FACET_SIZE;
+    if (used < input->size) {
+        burnish_reader_warn(reader, input->bytes + used,
+                            "%zu bytes after the last triangle were ignored", input->size - used);
     }
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status read_binary(const burnish_reader_input *input, burnish_source *source,
-                                  burnish_error *error) {
-    uint32_t count = read_u32(input->bytes + 80);
-    burnish_place place = burnish_place_byte(input->name, 80);
-    int done = 0;
-    burnish_status status = check_binary_size(input, count, source, error);
+static burnish_status read_binary(burnish_reader *reader) {
+    burnish_mesh_data *mesh = reader->mesh;
+    const size_t count = read_u32(reader->input->bytes + 80);
+    reader->is_binary = 1;
+    burnish_status status = check_count(reader, count);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_reserve_triangles(source, input->options, place, count, error);
+        status = burnish_mesh_data_reserve(mesh, BURNISH_POSITION, 3 * count);
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = read_facets(input, count, source, &done, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
-    for (size_t i = 0; i < count && !done && status == BURNISH_STATUS_OK; ++i) {
-        status = read_facet(input, HEADER_SIZE + i * FACET_SIZE, source, error);
+    facet_context context = {.bytes = reader->input->bytes + HEADER_SIZE,
+                             .positions = burnish_positions(mesh)};
+    atomic_init(&context.bad, SIZE_MAX);
+    burnish_tasks_ranges(mesh->tasks, count, GRAIN, convert_facets, &context);
+    const size_t bad = atomic_load(&context.bad);
+    if (bad < count) {
+        return fail_coordinate(reader, context.bytes + bad * FACET_SIZE);
     }
-    return status;
+    mesh->streams[BURNISH_POSITION].count = 3 * count;
+    mesh->triangle_count = count;
+    return burnish_tasks_check(mesh->tasks, reader->error);
 }
 
-/* ---- which ---- */
+/* ---- ASCII ---- */
 
-/* Text starts with "solid", and shows no control characters; a binary file has zeros in the upper
- * bytes of its count at the latest. */
-static int is_text(const burnish_reader_input *input) {
-    burnish_text text = burnish_text_open(input->bytes, input->size, 0);
+typedef struct stl_parser {
+    burnish_chunk *chunk;
+    burnish_lexer lexer;
+} stl_parser;
+
+/* The file ends where something should follow. Returns 0. */
+static int fail_end(stl_parser *stl, const char *expected) {
+    burnish_chunk_fail(stl->chunk, BURNISH_STATUS_FORMAT, stl->lexer.next,
+                       "expected \"%s\", found the end of the file; the file is truncated",
+                       expected);
+    return 0;
+}
+
+static int fail_expected(stl_parser *stl, const char *expected, burnish_token word) {
+    burnish_chunk_fail(stl->chunk, BURNISH_STATUS_FORMAT, word.bytes,
+                       "expected %s, found \"%s\"; repair the file", expected,
+                       burnish_token_quote(word).text);
+    return 0;
+}
+
+/* Reads one keyword, in any case. */
+static int expect(stl_parser *stl, const char *expected) {
     burnish_token word;
-    if (!burnish_text_word(&text, &word) || !burnish_token_is_caseless(word, "solid")) {
-        return 0;
+    if (!burnish_lexer_word(&stl->lexer, &word)) {
+        return fail_end(stl, expected);
     }
-    for (size_t i = 0; i < input->size && i < LOOKED_AT; ++i) {
-        uint8_t c = input->bytes[i];
-        if ((c < 32 && !(c >= '\t' && c <= '\r')) || c == 127) {
-            return 0;
+    if (!burnish_token_is_caseless(word, expected)) {
+        char quoted[16];
+        snprintf(quoted, sizeof quoted, "\"%s\"", expected);
+        return fail_expected(stl, quoted, word);
+    }
+    return 1;
+}
+
+static int fail_number(stl_parser *stl, const char *what, burnish_token word,
+                       burnish_number_status number) {
+    burnish_chunk_fail(stl->chunk, BURNISH_STATUS_FORMAT, word.bytes, "%s",
+                       burnish_describe_number(what, word, number).text);
+    return 0;
+}
+
+/* The three numbers of a normal: passed over, whatever they are, as long as they are numbers. */
+static int skip_normal(stl_parser *stl) {
+    for (int i = 0; i < 3; ++i) {
+        burnish_token word;
+        double value;
+        burnish_number_status number;
+        if (!burnish_lexer_word_double(&stl->lexer, &word, &value, &number)) {
+            return fail_end(stl, "normal x y z");
+        }
+        if (number == BURNISH_NUMBER_GARBAGE) {
+            return fail_number(stl, "normal", word, number);
         }
     }
     return 1;
 }
 
-burnish_status burnish_read_stl(const burnish_reader_input *input, burnish_source *source,
-                                burnish_error *error) {
+static int read_vertex(stl_parser *stl, float position[3]) {
+    if (!expect(stl, "vertex")) {
+        return 0;
+    }
+    for (int i = 0; i < 3; ++i) {
+        burnish_token word;
+        double value = 0;
+        burnish_number_status number;
+        if (!burnish_lexer_word_double(&stl->lexer, &word, &value, &number)) {
+            return fail_end(stl, "vertex x y z");
+        }
+        if (number == BURNISH_NUMBER_OK && !burnish_double_to_float(value, &position[i])) {
+            number = BURNISH_NUMBER_RANGE;
+        }
+        if (number != BURNISH_NUMBER_OK) {
+            return fail_number(stl, "coordinate", word, number);
+        }
+    }
+    return 1;
+}
+
+/* What follows "facet". */
+static void read_facet(stl_parser *stl, burnish_token facet) {
+    burnish_chunk *chunk = stl->chunk;
+    float positions[9];
+    int good =
+        expect(stl, "normal") && skip_normal(stl) && expect(stl, "outer") && expect(stl, "loop");
+    for (int i = 0; i < 3 && good; ++i) {
+        good = read_vertex(stl, positions + 3 * i);
+    }
+    if (!good || !expect(stl, "endloop") || !expect(stl, "endfacet")) {
+        return;
+    }
+    if (chunk->exact && chunk->triangles_before + chunk->data.triangle_count >=
+                            chunk->exact->input->options->max_triangles) {
+        chunk->status = burnish_fail_triangles(chunk->exact, facet.bytes);
+        return;
+    }
+    for (int i = 0; i < 3; ++i) {
+        float *to = burnish_chunk_append(chunk, BURNISH_POSITION);
+        if (!to) {
+            return;
+        }
+        memcpy(to, positions + 3 * i, 3 * sizeof *to);
+    }
+    ++chunk->data.triangle_count;
+}
+
+/* A chunk but the first begins at a "facet", so within a solid, and ends before one. */
+static void parse(const void *state, burnish_chunk *chunk) {
+    stl_parser stl = {chunk, {chunk->first, chunk->text_end, 0}};
+    int in_solid = chunk->first != state;
+    while (chunk->status == BURNISH_STATUS_OK) {
+        burnish_token word;
+        const uint8_t *before = stl.lexer.next;
+        if (!burnish_lexer_word(&stl.lexer, &word)) {
+            if (in_solid) {
+                fail_end(&stl, "endsolid");
+            }
+            chunk->end = chunk->text_end;
+            return;
+        }
+        if (in_solid && burnish_token_is_caseless(word, "facet")) {
+            if (word.bytes >= chunk->end) {
+                chunk->end = chunk->bounded ? chunk->end : before;
+                return;
+            }
+            read_facet(&stl, word);
+        } else if (burnish_token_is_caseless(word, in_solid ? "endsolid" : "solid")) {
+            burnish_lexer_rest(&stl.lexer); /* a name, which may be anything */
+            in_solid = !in_solid;
+        } else {
+            fail_expected(&stl, in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"", word);
+        }
+    }
+    chunk->end = chunk->bounded || chunk->end > stl.lexer.next ? chunk->end : stl.lexer.next;
+}
+
+/* The first line after `from` whose first word is "facet". */
+static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = from;
+    while ((newline = memchr(newline, '\n', (size_t)(end - newline)))) {
+        burnish_lexer line = {++newline, end, 0};
+        burnish_token word;
+        if (burnish_lexer_token(&line, &word) && burnish_token_is_caseless(word, "facet")) {
+            return newline;
+        }
+    }
+    return end;
+}
+
+static burnish_status read_text(burnish_reader *reader) {
+    static const burnish_grammar grammar = {find_start, parse, NULL, 1u << BURNISH_POSITION};
+    const uint8_t *first = burnish_lexer_open(reader->input->bytes, reader->input->size, 0).next;
+    const uint8_t *at = first;
+    /* The state is where the first chunk begins; parse() only compares it. */
+    return burnish_chunks_read(&grammar, (void *)(uintptr_t)first, reader, &at, NULL);
+}
+
+/* ---- Which ---- */
+
+static int is_exact_binary(const uint8_t *bytes, size_t size) {
+    return size >= HEADER_SIZE && (size - HEADER_SIZE) % FACET_SIZE == 0 &&
+           (size - HEADER_SIZE) / FACET_SIZE == read_u32(bytes + 80);
+}
+
+static int starts_as_text(const uint8_t *bytes, size_t size) {
+    burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
+    burnish_token word;
+    return burnish_lexer_word(&lexer, &word) && burnish_token_is_caseless(word, "solid");
+}
+
+/* Text shows no control characters; a binary file has zeros in the upper bytes of its count at the
+ * latest. */
+static int is_text(const uint8_t *bytes, size_t size) {
+    for (size_t i = 0; i < size && i < LOOKED_AT; ++i) {
+        uint8_t c = bytes[i];
+        if ((c < 32 && !(c >= '\t' && c <= '\r')) || c == 127) {
+            return 0;
+        }
+    }
+    return starts_as_text(bytes, size);
+}
+
+int burnish_recognise_stl(const uint8_t *bytes, size_t size) {
+    return is_exact_binary(bytes, size) || starts_as_text(bytes, size);
+}
+
+burnish_status burnish_read_stl(burnish_reader *reader) {
+    const burnish_reader_input *input = reader->input;
     burnish_status status;
-    if (input->size == 0) {
-        return burnish_fail_at(error, BURNISH_STATUS_FORMAT, burnish_place_byte(input->name, 0),
-                               "the file is empty; fetch it again");
-    }
-    int exact = input->size >= HEADER_SIZE && (input->size - HEADER_SIZE) % FACET_SIZE == 0 &&
-                (input->size - HEADER_SIZE) / FACET_SIZE == read_u32(input->bytes + 80);
-    if (!exact && is_text(input)) {
-        status = burnish_read_stl_text(input, source, error);
+    if (!is_exact_binary(input->bytes, input->size) && is_text(input->bytes, input->size)) {
+        status = read_text(reader);
     } else if (input->size < HEADER_SIZE) {
-        return burnish_fail_at(error, BURNISH_STATUS_FORMAT,
-                               burnish_place_byte(input->name, input->size),
-                               "the file ends within the %d bytes of a binary STL header and is "
-                               "no ASCII STL; fetch it again",
-                               HEADER_SIZE);
+        reader->is_binary = 1;
+        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes + input->size,
+                                   "the file ends within the %d bytes of a binary STL header and "
+                                   "is no ASCII STL; the file is truncated or not STL",
+                                   HEADER_SIZE);
     } else {
-        status = read_binary(input, source, error);
+        status = read_binary(reader);
     }
-    if (status == BURNISH_STATUS_OK && source->triangle_count == 0) {
-        return burnish_fail_at(error, BURNISH_STATUS_FORMAT, burnish_place_file(input->name),
-                               "no triangles; export the mesh again");
+    if (status == BURNISH_STATUS_OK && reader->mesh->triangle_count == 0) {
+        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                   "no triangles; export the mesh again");
     }
-    return status;
+    return status == BURNISH_STATUS_OK ? burnish_number_soup(reader) : status;
 }

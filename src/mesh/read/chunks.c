@@ -1,0 +1,581 @@
+/* Text in chunks: cut, parse side by side, accept in the order of the file, append side by side. */
+#include "mesh/read/chunks.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "mesh/read/polygon.h"
+
+enum { CHUNKS_PER_THREAD = 4 /* of a wave: threads that wait for the slowest wait little */ };
+
+/* A chunk that refers to values that may follow it in the file. */
+typedef struct forward_chunk {
+    const uint8_t *first, *end;
+    size_t before[BURNISH_ATTRIBUTE_COUNT], highest[BURNISH_ATTRIBUTE_COUNT];
+} forward_chunk;
+
+typedef struct chunk_driver {
+    const burnish_grammar *grammar;
+    void *state;
+    burnish_reader *reader;
+    burnish_chunk *chunks; /* of one wave; their arrays are used again by the next */
+    size_t most;           /* of them */
+    int alone;             /* 1: statements cross the starts that were found, so one at a time */
+    const uint8_t *next, *text_end;
+    size_t rows_left, rows_done, bytes_done, wave_rows;
+    forward_chunk *forward;
+    size_t forward_count, forward_capacity;
+} chunk_driver;
+
+/* ---- Parsing ---- */
+
+burnish_status burnish_chunk_fail(burnish_chunk *chunk, burnish_status status, const uint8_t *at,
+                                  const char *format, ...) {
+    chunk->status = status;
+    if (chunk->exact) {
+        char message[300];
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(message, sizeof message, format, arguments);
+        va_end(arguments);
+        burnish_reader_fail(chunk->exact, status, at, "%s", message);
+    }
+    return status;
+}
+
+/* After an allocation for the chunk. */
+static int has_memory(burnish_chunk *chunk) {
+    if (chunk->data.memory.status != BURNISH_STATUS_OK) {
+        chunk->status = chunk->data.memory.status;
+    }
+    return chunk->status == BURNISH_STATUS_OK;
+}
+
+int burnish_chunk_grow(burnish_chunk *chunk, burnish_attribute attribute) {
+    burnish_stream *stream = &chunk->data.streams[attribute];
+    stream->items =
+        burnish_reserve(&chunk->data.memory, stream->items, &stream->capacity, stream->count + 1,
+                        burnish_attribute_size(attribute), "values of a chunk");
+    return has_memory(chunk);
+}
+
+uint32_t *burnish_chunk_scratch(burnish_chunk *chunk, size_t count) {
+    if (count > chunk->scratch_capacity) {
+        chunk->scratch =
+            burnish_reserve(&chunk->data.memory, chunk->scratch, &chunk->scratch_capacity, count,
+                            sizeof *chunk->scratch, "corners");
+    }
+    return has_memory(chunk) ? chunk->scratch : NULL;
+}
+
+void burnish_chunk_note(burnish_chunk *chunk, int kind, const uint8_t *at) {
+    chunk->events = burnish_reserve(&chunk->data.memory, chunk->events, &chunk->event_capacity,
+                                    chunk->event_count + 1, sizeof *chunk->events, "statements");
+    if (has_memory(chunk)) {
+        chunk->events[chunk->event_count++] =
+            (burnish_chunk_event){at, kind, chunk->data.triangle_count};
+    }
+}
+
+/* Room for `more` triangles; what has had no corners of the attribute gets none. */
+static int reserve_corners(burnish_chunk *chunk, burnish_attribute attribute, size_t more) {
+    burnish_stream *stream = &chunk->data.streams[attribute];
+    const size_t count = chunk->data.triangle_count;
+    const unsigned bit = 1u << attribute;
+    if (count + more > stream->corner_capacity) {
+        stream->corners =
+            burnish_reserve(&chunk->data.memory, stream->corners, &stream->corner_capacity,
+                            count + more, 3 * sizeof *stream->corners, "triangles of a chunk");
+        if (!has_memory(chunk)) {
+            return 0;
+        }
+    }
+    if (!(chunk->used & bit)) {
+        memset(stream->corners, 0xFF, 3 * count * sizeof *stream->corners);
+        chunk->used |= bit;
+    }
+    return 1;
+}
+
+static int note_polygon(burnish_chunk *chunk, size_t count) {
+    chunk->polygons =
+        burnish_reserve(&chunk->data.memory, chunk->polygons, &chunk->polygon_capacity,
+                        chunk->polygon_count + 1, sizeof *chunk->polygons, "polygons");
+    if (!has_memory(chunk)) {
+        return 0;
+    }
+    chunk->polygons[chunk->polygon_count++] =
+        (burnish_polygon){(uint32_t)chunk->data.triangle_count, (uint32_t)count};
+    return 1;
+}
+
+burnish_status burnish_chunk_append_face(burnish_chunk *chunk, const uint8_t *at,
+                                         const uint32_t *corners, size_t stride, size_t count,
+                                         unsigned used) {
+    const size_t first = chunk->data.triangle_count, more = count - 2;
+    const size_t limit =
+        chunk->exact ? chunk->exact->input->options->max_triangles : BURNISH_TRIANGLES_MAX;
+    if (chunk->triangles_before + first + more > limit) {
+        chunk->status = BURNISH_STATUS_LIMIT;
+        return chunk->exact ? burnish_fail_triangles(chunk->exact, at) : BURNISH_STATUS_LIMIT;
+    }
+    for (unsigned i = 0, all = chunk->used | used; all >> i; ++i) {
+        if (!(all >> i & 1)) {
+            continue;
+        }
+        if (!reserve_corners(chunk, (burnish_attribute)i, more)) {
+            return chunk->status;
+        }
+        uint32_t *to = chunk->data.streams[i].corners + 3 * first;
+        if (!(used >> i & 1)) {
+            memset(to, 0xFF, 3 * more * sizeof *to);
+            continue;
+        }
+        for (size_t k = 0; k < more; ++k, to += 3) {
+            to[0] = corners[i];
+            to[1] = corners[(k + 1) * stride + i];
+            to[2] = corners[(k + 2) * stride + i];
+        }
+    }
+    if (count > 3 && count <= BURNISH_POLYGON_CORNERS && !note_polygon(chunk, count)) {
+        return chunk->status;
+    }
+    chunk->data.triangle_count += more;
+    return BURNISH_STATUS_OK;
+}
+
+/* As if nothing had been read; arrays are kept. */
+static void reset(burnish_chunk *chunk) {
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        chunk->data.streams[i].count = 0;
+        chunk->relative[i].count = 0;
+        chunk->highest[i] = chunk->back[i] = chunk->before[i] = 0;
+        chunk->total[i] = SIZE_MAX;
+    }
+    chunk->data.triangle_count = chunk->polygon_count = chunk->event_count = 0;
+    chunk->triangles_before = chunk->rows_before = chunk->rows = 0;
+    chunk->used = 0;
+    chunk->status = chunk->data.memory.status = BURNISH_STATUS_OK;
+    chunk->exact = NULL;
+}
+
+static void parse_task(void *user_data, size_t index, int thread) {
+    chunk_driver *driver = user_data;
+    (void)thread;
+    driver->grammar->parse(driver->state, &driver->chunks[index]);
+}
+
+/* ---- Cutting ---- */
+
+/* How many bytes may be read ahead: where rows are counted, no more than they are likely to fill,
+ * since what follows them is something else. */
+static size_t read_ahead(const chunk_driver *driver) {
+    if (driver->alone || driver->most == 1) {
+        return 0;
+    }
+    if (driver->rows_left == SIZE_MAX) {
+        return SIZE_MAX;
+    }
+    const double row =
+        driver->rows_done ? (double)driver->bytes_done / (double)driver->rows_done : 0;
+    const double bytes = row * (double)driver->rows_left;
+    return bytes < 1e15 ? (size_t)bytes : SIZE_MAX;
+}
+
+/* The chunks of the next wave. */
+static size_t cut_wave(chunk_driver *driver) {
+    const uint8_t *first = driver->next, *end = driver->text_end;
+    const size_t ahead = read_ahead(driver);
+    const int bounded = driver->grammar->find_start && ahead > BURNISH_CHUNK_SIZE;
+    const size_t most = bounded ? driver->most : 1;
+    size_t count = 0;
+    while (count < most && first < end && (size_t)(first - driver->next) <= ahead) {
+        burnish_chunk *chunk = &driver->chunks[count++];
+        reset(chunk);
+        chunk->first = first;
+        chunk->text_end = end;
+        chunk->bounded = bounded;
+        chunk->rows_left = driver->rows_left;
+        chunk->end = end - first <= BURNISH_CHUNK_SIZE ? end
+                     : bounded ? driver->grammar->find_start(first + BURNISH_CHUNK_SIZE - 1, end)
+                               : first + BURNISH_CHUNK_SIZE;
+        first = chunk->cut = chunk->end;
+    }
+    return count;
+}
+
+/* ---- Accepting ---- */
+
+/* all: the streams of the whole file, or NULL when not all of it was read. */
+static burnish_status parse_exactly(chunk_driver *driver, burnish_chunk *chunk,
+                                    const forward_chunk *known, const burnish_stream *all) {
+    reset(chunk);
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT && all; ++i) {
+        chunk->total[i] = all[i].count;
+    }
+    memcpy(chunk->before, known->before, sizeof chunk->before);
+    chunk->first = known->first;
+    chunk->end = known->end;
+    chunk->triangles_before = all ? 0 : driver->reader->mesh->triangle_count;
+    chunk->rows_before = driver->rows_done;
+    chunk->rows_left = driver->rows_left;
+    chunk->bounded = 0;
+    chunk->exact = driver->reader;
+    chunk->data.memory.error = driver->reader->error;
+    driver->grammar->parse(driver->state, chunk);
+    chunk->data.memory.error = &chunk->error;
+    return chunk->status;
+}
+
+/* Whether what was read stands where it may. */
+static int is_in_order(const chunk_driver *driver, const burnish_chunk *chunk,
+                       const forward_chunk *known) {
+    int good = chunk->status == BURNISH_STATUS_OK && chunk->rows <= driver->rows_left &&
+               chunk->data.triangle_count + driver->reader->mesh->triangle_count <=
+                   driver->reader->input->options->max_triangles;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        good &= chunk->back[i] <= known->before[i];
+    }
+    return good;
+}
+
+/* Remembers a chunk that refers to what has not been read. */
+static burnish_status note_forward(chunk_driver *driver, const burnish_chunk *chunk,
+                                   const forward_chunk *known) {
+    int forward = 0;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        forward |= chunk->highest[i] > known->before[i] + chunk->data.streams[i].count;
+    }
+    if (forward) {
+        burnish_memory *memory = &driver->reader->mesh->memory;
+        driver->forward =
+            burnish_reserve(memory, driver->forward, &driver->forward_capacity,
+                            driver->forward_count + 1, sizeof *driver->forward, "statements");
+        if (memory->status != BURNISH_STATUS_OK) {
+            return memory->status;
+        }
+        driver->forward[driver->forward_count] = *known;
+        memcpy(driver->forward[driver->forward_count++].highest, chunk->highest,
+               sizeof chunk->highest);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* Takes over what was read, but for copying it; *more becomes 0 where the wave ends with it. */
+static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *more) {
+    burnish_mesh_data *mesh = driver->reader->mesh;
+    forward_chunk known = {.first = chunk->first, .end = chunk->cut};
+    burnish_status status = BURNISH_STATUS_OK;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        known.before[i] = mesh->streams[i].count;
+    }
+    if (!is_in_order(driver, chunk, &known)) {
+        status = parse_exactly(driver, chunk, &known, NULL);
+        driver->alone = 1; /* no error, so a statement that crosses the end */
+        *more = 0;
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = note_forward(driver, chunk, &known);
+    }
+    memcpy(chunk->before, known.before, sizeof chunk->before);
+    chunk->triangles_before = mesh->triangle_count;
+    chunk->rows_before = driver->rows_done;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT && status == BURNISH_STATUS_OK; ++i) {
+        if (chunk->data.streams[i].count > BURNISH_VALUE_LIMIT - known.before[i]) {
+            status =
+                burnish_reader_fail(driver->reader, BURNISH_STATUS_LIMIT, chunk->first,
+                                    "more than %zu values; split the mesh", BURNISH_VALUE_LIMIT);
+        }
+    }
+    if (status == BURNISH_STATUS_OK && driver->grammar->accept) {
+        status = driver->grammar->accept(driver->state, chunk);
+    }
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        mesh->streams[i].count += chunk->data.streams[i].count;
+    }
+    mesh->triangle_count += chunk->data.triangle_count;
+    driver->rows_done += chunk->rows;
+    driver->rows_left -= driver->rows_left == SIZE_MAX ? 0 : chunk->rows;
+    driver->bytes_done += (size_t)(chunk->end - chunk->first);
+    driver->next = driver->rows_left > 0 ? chunk->end : chunk->rows_end;
+    *more &= driver->rows_left > 0;
+    return status;
+}
+
+/* ---- Appending ---- */
+
+/* What a value is that the file does not give: white, or nothing. */
+static void fill_values(burnish_stream *stream, burnish_attribute attribute, size_t first,
+                        size_t count) {
+    const size_t size = burnish_attribute_size(attribute);
+    memset((char *)stream->items + size * first, attribute == BURNISH_COLOR ? 0xFF : 0,
+           size * count);
+}
+
+/* Room for `needed` of what there was `before` the wave of and, where more is taken, for as much as
+ * there will be if the file goes on like this: then arrays hardly ever move. `left`: waves. */
+static size_t expect(size_t needed, size_t capacity, size_t before, double left) {
+    const double more = (double)(needed - before) * left;
+    return needed <= capacity ? needed : needed + (size_t)(more < 1e12 ? more : 0);
+}
+
+/* Room in the mesh for what a wave of chunks holds. */
+static burnish_status reserve_wave(chunk_driver *driver, size_t count,
+                                   const size_t before[BURNISH_ATTRIBUTE_COUNT],
+                                   size_t triangles_before) {
+    burnish_mesh_data *mesh = driver->reader->mesh;
+    const double bytes = (double)(driver->next - driver->chunks[0].first);
+    double left = (double)(driver->text_end - driver->next) / (bytes > 0 ? bytes : 1);
+    if (driver->wave_rows > 0 && (double)driver->rows_left < left * (double)driver->wave_rows) {
+        left = (double)driver->rows_left / (double)driver->wave_rows;
+    }
+    unsigned used = 0;
+    size_t polygons = driver->reader->polygon_count;
+    for (size_t i = 0; i < count; ++i) {
+        used |= driver->chunks[i].used;
+        polygons += driver->chunks[i].polygon_count;
+    }
+    const size_t positions = mesh->streams[BURNISH_POSITION].count;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        burnish_stream *stream = &mesh->streams[i];
+        const int per_position = stream->count > 0 && !(driver->grammar->indexed >> i & 1);
+        const int new_corners = (used >> i & 1) && !stream->corners;
+        if (per_position && stream->count < positions) {
+            stream->count = positions;
+        }
+        stream->items = burnish_reserve(&mesh->memory, stream->items, &stream->capacity,
+                                        expect(stream->count, stream->capacity, before[i], left),
+                                        burnish_attribute_size((burnish_attribute)i), "values");
+        if (stream->corners || new_corners) {
+            stream->corners = burnish_reserve(
+                &mesh->memory, stream->corners, &stream->corner_capacity,
+                expect(mesh->triangle_count, stream->corner_capacity, triangles_before, left),
+                3 * sizeof *stream->corners, "triangles");
+        }
+        if (mesh->memory.status != BURNISH_STATUS_OK) {
+            return mesh->memory.status;
+        }
+        if (per_position && before[i] < before[BURNISH_POSITION]) {
+            fill_values(stream, (burnish_attribute)i, before[i],
+                        before[BURNISH_POSITION] - before[i]);
+        }
+        if (new_corners) {
+            memset(stream->corners, 0xFF, 3 * triangles_before * sizeof *stream->corners);
+        }
+    }
+    driver->reader->polygons =
+        burnish_reserve(&mesh->memory, driver->reader->polygons, &driver->reader->polygon_capacity,
+                        polygons, sizeof *driver->reader->polygons, "polygons");
+    return mesh->memory.status;
+}
+
+static void append_corners(burnish_stream *to, const burnish_chunk *chunk, int attribute) {
+    const burnish_stream *from = &chunk->data.streams[attribute];
+    const burnish_chunk_slots *relative = &chunk->relative[attribute];
+    uint32_t *corners = to->corners + 3 * chunk->triangles_before;
+    const size_t size = 3 * chunk->data.triangle_count * sizeof *corners;
+    if (!(chunk->used >> attribute & 1)) {
+        memset(corners, 0xFF, size);
+        return;
+    }
+    memcpy(corners, from->corners, size);
+    for (size_t i = 0; i < relative->count; ++i) {
+        corners[relative->items[i]] += (uint32_t)chunk->before[attribute];
+    }
+}
+
+static void append_task(void *user_data, size_t index, int thread) {
+    const chunk_driver *driver = user_data;
+    const burnish_chunk *chunk = &driver->chunks[index];
+    const burnish_mesh_data *mesh = driver->reader->mesh;
+    (void)thread;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        burnish_stream to = mesh->streams[i];
+        const burnish_stream *from = &chunk->data.streams[i];
+        const int indexed = (int)(driver->grammar->indexed >> i & 1);
+        const size_t size = burnish_attribute_size((burnish_attribute)i);
+        const size_t before = chunk->before[indexed ? i : BURNISH_POSITION];
+        if (from->count > 0) {
+            memcpy((char *)to.items + size * before, from->items, size * from->count);
+        } else if (!indexed && to.count > 0) {
+            fill_values(&to, (burnish_attribute)i, before,
+                        chunk->data.streams[BURNISH_POSITION].count);
+        }
+        if (to.corners) {
+            append_corners(&to, chunk, i);
+        }
+    }
+}
+
+static void append_polygons(burnish_reader *reader, const burnish_chunk *chunk) {
+    for (size_t i = 0; i < chunk->polygon_count; ++i) {
+        reader->polygons[reader->polygon_count] = chunk->polygons[i];
+        reader->polygons[reader->polygon_count++].first_triangle +=
+            (uint32_t)chunk->triangles_before;
+    }
+}
+
+/* ---- The loop ---- */
+
+static burnish_status read_wave(chunk_driver *driver) {
+    burnish_mesh_data *mesh = driver->reader->mesh;
+    size_t before[BURNISH_ATTRIBUTE_COUNT], triangles_before = mesh->triangle_count, used = 0;
+    burnish_status status = BURNISH_STATUS_OK;
+    const size_t count = cut_wave(driver);
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        before[i] = mesh->streams[i].count;
+    }
+    burnish_tasks_run(mesh->tasks, count, 1, 0, parse_task, driver);
+    driver->wave_rows = driver->rows_done;
+    for (int more = 1; used < count && more && status == BURNISH_STATUS_OK; ++used) {
+        status = accept(driver, &driver->chunks[used], &more);
+    }
+    driver->wave_rows = driver->rows_done - driver->wave_rows;
+    if (status == BURNISH_STATUS_OK) {
+        status = reserve_wave(driver, used, before, triangles_before);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    burnish_tasks_run(mesh->tasks, used, 1, 0, append_task, driver);
+    for (size_t i = 0; i < used; ++i) {
+        append_polygons(driver->reader, &driver->chunks[i]);
+    }
+    burnish_tasks_progress(mesh->tasks, BURNISH_STAGE_READ,
+                           (double)(driver->next - driver->reader->input->bytes) /
+                               (double)driver->reader->input->size);
+    return burnish_tasks_check(mesh->tasks, driver->reader->error);
+}
+
+/* At the end of the file: the first chunk that refers to what is not in it. */
+static burnish_status check_forward(chunk_driver *driver) {
+    const burnish_mesh_data *mesh = driver->reader->mesh;
+    for (size_t k = 0; k < driver->forward_count; ++k) {
+        const forward_chunk *forward = &driver->forward[k];
+        for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+            if (forward->highest[i] > mesh->streams[i].count) {
+                burnish_status status =
+                    parse_exactly(driver, &driver->chunks[0], forward, mesh->streams);
+                return status != BURNISH_STATUS_OK
+                           ? status
+                           : burnish_reader_fail(driver->reader, BURNISH_STATUS_FORMAT,
+                                                 forward->first,
+                                                 "an index is out of range; correct it");
+            }
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static void close_driver(chunk_driver *driver) {
+    const burnish_context *context = driver->reader->mesh->memory.context;
+    for (size_t i = 0; i < driver->most; ++i) {
+        burnish_chunk *chunk = &driver->chunks[i];
+        burnish_mesh_data_destroy(&chunk->data);
+        for (int k = 0; k < BURNISH_ATTRIBUTE_COUNT; ++k) {
+            burnish_release(context, chunk->relative[k].items);
+        }
+        burnish_release(context, chunk->polygons);
+        burnish_release(context, chunk->events);
+        burnish_release(context, chunk->scratch);
+    }
+    burnish_release(context, driver->chunks);
+    burnish_release(context, driver->forward);
+}
+
+burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
+                                   burnish_reader *reader, const uint8_t **at, size_t *rows) {
+    burnish_mesh_data *mesh = reader->mesh;
+    chunk_driver driver = {.grammar = grammar,
+                           .state = state,
+                           .reader = reader,
+                           .next = *at,
+                           .text_end = reader->input->bytes + reader->input->size,
+                           .rows_left = rows ? *rows : SIZE_MAX};
+    const size_t chunks = (size_t)(driver.text_end - *at) / BURNISH_CHUNK_SIZE + 1;
+    const size_t threads = (size_t)burnish_tasks_threads(mesh->tasks);
+    const size_t most = threads > 1 ? CHUNKS_PER_THREAD * threads : 1;
+    driver.most = most < chunks ? most : chunks;
+    driver.chunks =
+        burnish_allocate_zeroed(&mesh->memory, driver.most, sizeof *driver.chunks, "chunks");
+    if (!driver.chunks) {
+        return mesh->memory.status;
+    }
+    for (size_t i = 0; i < driver.most; ++i) {
+        burnish_chunk *chunk = &driver.chunks[i];
+        chunk->data = burnish_mesh_data_begin(mesh->memory.context, NULL, &chunk->error);
+    }
+    burnish_status status = BURNISH_STATUS_OK;
+    while (status == BURNISH_STATUS_OK && driver.next < driver.text_end && driver.rows_left > 0) {
+        status = read_wave(&driver);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_forward(&driver);
+    }
+    *at = driver.next;
+    if (rows) {
+        *rows = driver.rows_left;
+    }
+    close_driver(&driver);
+    return status;
+}
+
+/* ---- Polygons ---- */
+
+/* Cuts one face; its fan tells its corners. */
+static void cut_polygon(const burnish_mesh_data *mesh, burnish_polygon polygon) {
+    enum { MOST = BURNISH_POLYGON_CORNERS };
+    uint16_t cut[3 * (MOST - 2)];
+    uint32_t corners[MOST];
+    const size_t count = polygon.corner_count, first = 3 * (size_t)polygon.first_triangle;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        uint32_t *to = mesh->streams[i].corners;
+        if (!to) {
+            continue;
+        }
+        to += first;
+        corners[0] = to[0];
+        corners[1] = to[1];
+        for (size_t k = 2; k < count; ++k) {
+            corners[k] = to[3 * (k - 2) + 2];
+        }
+        if (i == BURNISH_POSITION &&
+            !burnish_polygon_cut(burnish_positions(mesh), corners, count, cut)) {
+            return;
+        }
+        for (size_t k = 0; k < 3 * (count - 2); ++k) {
+            to[k] = corners[cut[k]];
+        }
+    }
+}
+
+static void cut_range(void *user_data, size_t first, size_t end) {
+    const burnish_reader *reader = user_data;
+    for (size_t i = first; i < end; ++i) {
+        cut_polygon(reader->mesh, reader->polygons[i]);
+    }
+}
+
+burnish_status burnish_cut_polygons(burnish_reader *reader) {
+    burnish_tasks_ranges(reader->mesh->tasks, reader->polygon_count, 1 << 12, cut_range, reader);
+    return burnish_tasks_check(reader->mesh->tasks, reader->error);
+}
+
+static void number_range(void *user_data, size_t first, size_t end) {
+    uint32_t *corners = user_data;
+    for (size_t i = first; i < end; ++i) {
+        corners[i] = (uint32_t)i;
+    }
+}
+
+burnish_status burnish_number_soup(burnish_reader *reader) {
+    burnish_mesh_data *mesh = reader->mesh;
+    burnish_status status =
+        burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, mesh->triangle_count);
+    if (status == BURNISH_STATUS_OK) {
+        burnish_tasks_ranges(mesh->tasks, 3 * mesh->triangle_count, 1 << 16, number_range,
+                             mesh->streams[BURNISH_POSITION].corners);
+    }
+    return status;
+}

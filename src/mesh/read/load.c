@@ -1,0 +1,263 @@
+/* From a path, standard input or memory to a mesh: gets the bytes, has them read, builds. */
+#include <errno.h>
+#include <string.h>
+
+#include "core/clock.h"
+#include "core/environment.h"
+#include "core/platform.h"
+#include "mesh/mesh.h"
+#include "mesh/read/reader.h"
+
+enum { FIRST_READ = 1 << 16, LARGEST_READ = 1 << 30 };
+
+/* A file's bytes, and who gives them. */
+typedef struct opened_file {
+    const char *name; /* for messages */
+    uint64_t max_bytes;
+    burnish_memory memory; /* takes errors too */
+    uint8_t *bytes;
+    size_t size;
+} opened_file;
+
+static burnish_status fail_errno(opened_file *file, const char *what, int code) {
+    return burnish_fail(file->memory.error, BURNISH_STATUS_READ, "%s: %s: %s",
+                        burnish_show_name(file->name).text, what, burnish_errno_reason(code).text);
+}
+
+static burnish_status fail_size(burnish_error *error, const char *name, uint64_t max_bytes) {
+    return burnish_fail(error, BURNISH_STATUS_LIMIT,
+                        "%s: larger than the limit of %llu bytes; raise the limit or simplify the "
+                        "mesh",
+                        burnish_show_name(name).text, (unsigned long long)max_bytes);
+}
+
+/* Reads up to size bytes after those that are there; fewer at the end of the file. Returns errno,
+ * 0 for success. */
+static int read_fully(int descriptor, opened_file *file, size_t size) {
+    while (size > 0) {
+        ssize_t count =
+            read(descriptor, file->bytes + file->size, size < LARGEST_READ ? size : LARGEST_READ);
+        if (count == 0) {
+            return 0;
+        }
+        if (count < 0 && errno != EINTR) {
+            return errno;
+        }
+        file->size += count > 0 ? (size_t)count : 0;
+        size -= count > 0 ? (size_t)count : 0;
+    }
+    return 0;
+}
+
+/* A regular file of known size, as far as it goes. */
+static burnish_status read_sized(int descriptor, opened_file *file, size_t size) {
+    file->bytes = burnish_allocate(&file->memory, size, 1, file->name);
+    if (!file->bytes) {
+        return file->memory.status;
+    }
+    const int code = read_fully(descriptor, file, size);
+    return code != 0 ? fail_errno(file, "can't be read", code) : BURNISH_STATUS_OK;
+}
+
+/* A pipe, a device, or a file that does not tell its size: one byte more than the limit is read, to
+ * know whether there is more. */
+static burnish_status read_stream(int descriptor, opened_file *file) {
+    const size_t most = file->max_bytes < SIZE_MAX ? (size_t)file->max_bytes + 1 : SIZE_MAX;
+    size_t capacity = 0, wanted;
+    do {
+        wanted = file->size > FIRST_READ ? file->size : FIRST_READ;
+        wanted = wanted < most - file->size ? wanted : most - file->size;
+        file->bytes = burnish_reserve(&file->memory, file->bytes, &capacity, file->size + wanted, 1,
+                                      file->name);
+        if (file->memory.status != BURNISH_STATUS_OK) {
+            return file->memory.status;
+        }
+        const size_t before = file->size;
+        const int code = read_fully(descriptor, file, wanted);
+        if (code != 0) {
+            return fail_errno(file, "can't be read", code);
+        }
+        if (file->size > file->max_bytes) {
+            return fail_size(file->memory.error, file->name, file->max_bytes);
+        }
+        wanted -= file->size - before;
+    } while (wanted == 0);
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status read_descriptor(int descriptor, opened_file *file, int only_regular) {
+    struct stat info;
+    if (fstat(descriptor, &info) != 0) {
+        return fail_errno(file, "can't be read", errno);
+    }
+    if (S_ISDIR(info.st_mode)) {
+        return fail_errno(file, "can't be read", EISDIR);
+    }
+    if (only_regular && !S_ISREG(info.st_mode)) {
+        return burnish_fail(file->memory.error, BURNISH_STATUS_READ, "%s: is no regular file",
+                            burnish_show_name(file->name).text);
+    }
+    if (!S_ISREG(info.st_mode) || info.st_size <= 0) {
+        return read_stream(descriptor, file);
+    }
+    const uint64_t size = (uint64_t)info.st_size;
+    if (size > file->max_bytes) {
+        return fail_size(file->memory.error, file->name, file->max_bytes);
+    }
+    if (size > SIZE_MAX) { /* on 32 bits */
+        return burnish_fail_memory(file->memory.error, file->name, SIZE_MAX);
+    }
+    return read_sized(descriptor, file, (size_t)size);
+}
+
+static burnish_status read_path(const char *path, opened_file *file, int only_regular) {
+    /* A pipe given as the input is waited for; one posing as a material library is not. */
+    const int flags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_BINARY | (only_regular ? O_NONBLOCK : 0);
+    int descriptor;
+    do {
+        descriptor = open(path, flags);
+    } while (descriptor < 0 && errno == EINTR);
+    if (descriptor < 0) {
+        return fail_errno(file, "can't be opened", errno);
+    }
+    burnish_status status = read_descriptor(descriptor, file, only_regular);
+    close(descriptor);
+    return status;
+}
+
+/* ---- Files beside the input ---- */
+
+typedef struct folder {
+    const char *input; /* the path of a file in it */
+    const burnish_context *context;
+} folder;
+
+static burnish_status load_beside(void *user_data, const char *name, uint64_t max_bytes,
+                                  const void **bytes, size_t *size, burnish_error *error) {
+    const folder *beside = user_data;
+    const char *slash = strrchr(beside->input, '/');
+    const size_t length = slash ? (size_t)(slash - beside->input) + 1 : 0, rest = strlen(name) + 1;
+    opened_file file = {
+        .name = name, .max_bytes = max_bytes, .memory = burnish_memory_of(beside->context, error)};
+    char *path = burnish_allocate(&file.memory, length + rest, 1, "path");
+    if (!path) {
+        return file.memory.status;
+    }
+    memcpy(path, beside->input, length);
+    memcpy(path + length, name, rest);
+    burnish_status status = read_path(path, &file, 1);
+    burnish_release(beside->context, path);
+    if (status != BURNISH_STATUS_OK) {
+        burnish_release(beside->context, file.bytes);
+        return status;
+    }
+    *bytes = file.bytes;
+    *size = file.size;
+    return status;
+}
+
+static void release_beside(void *user_data, const void *bytes, size_t size) {
+    const folder *beside = user_data;
+    (void)size;
+    burnish_release(beside->context, (void *)(uintptr_t)bytes);
+}
+
+/* ---- Loading ---- */
+
+/* Reads and builds; releases *owned, the bytes of a file, as soon as it has been read. start: when
+ * it was opened. */
+static burnish_status load(const burnish_reader_input *input, uint8_t *owned, double start,
+                           burnish_mesh **mesh, burnish_error *error) {
+    const burnish_context *context = input->options->context;
+    burnish_tasks tasks;
+    burnish_tasks_begin(&tasks, context, input->options->threads);
+    burnish_mesh_data data = burnish_mesh_data_begin(context, &tasks, error);
+    burnish_reader reader = {.input = input, .mesh = &data, .error = error};
+    burnish_format format = input->options->format;
+    burnish_status status = burnish_read(&reader, &format);
+    burnish_release(context, owned);
+    if (status == BURNISH_STATUS_OK) {
+        data.start = start;
+        status = burnish_mesh_build(&data, input->name, input->options, format, mesh);
+    }
+    burnish_mesh_data_destroy(&data);
+    return status;
+}
+
+static burnish_status load_builtin(const char *name, const burnish_load_options *options,
+                                   burnish_mesh **mesh, burnish_error *error) {
+    burnish_tasks tasks;
+    burnish_tasks_begin(&tasks, options->context, options->threads);
+    burnish_mesh_data data = burnish_mesh_data_begin(options->context, &tasks, error);
+    burnish_status status = burnish_make_builtin(name + 1, options, &data, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_mesh_build(&data, name, options, BURNISH_FORMAT_BUILTIN, mesh);
+    }
+    burnish_mesh_data_destroy(&data);
+    return status;
+}
+
+static burnish_status load_file(const char *path, const burnish_load_options *options,
+                                burnish_mesh **mesh, burnish_error *error) {
+    const int from_input = strcmp(path, "-") == 0;
+    const double start = burnish_seconds_now();
+    folder beside = {path, options->context};
+    opened_file file = {.name = from_input ? "standard input" : path,
+                        .max_bytes = options->max_input_bytes,
+                        .memory = burnish_memory_of(options->context, error)};
+    burnish_status status =
+        from_input ? read_descriptor(STDIN_FILENO, &file, 0) : read_path(path, &file, 0);
+    if (status != BURNISH_STATUS_OK) {
+        burnish_release(options->context, file.bytes);
+        return status;
+    }
+    burnish_reader_input input = {.bytes = file.bytes,
+                                  .size = file.size,
+                                  .name = file.name,
+                                  .options = options,
+                                  .companions = options->companions};
+    if (!input.companions.load && !from_input) {
+        input.companions = (burnish_file_loader){load_beside, release_beside, &beside};
+    }
+    return load(&input, file.bytes, start, mesh, error);
+}
+
+burnish_status burnish_mesh_load(const char *path, const burnish_load_options *options,
+                                 burnish_mesh **mesh, burnish_error *error) {
+    burnish_status status = burnish_check_load(options, mesh, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (!path) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "path: NULL; pass one");
+    }
+    const burnish_environment before = burnish_environment_enter();
+    status = *path == ':' ? load_builtin(path, options, mesh, error)
+                          : load_file(path, options, mesh, error);
+    burnish_environment_leave(before);
+    return status;
+}
+
+burnish_status burnish_mesh_load_memory(const void *bytes, size_t size, const char *name,
+                                        const burnish_load_options *options, burnish_mesh **mesh,
+                                        burnish_error *error) {
+    burnish_status status = burnish_check_load(options, mesh, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    const burnish_reader_input input = {.bytes = bytes,
+                                        .size = size,
+                                        .name = name ? name : "memory",
+                                        .options = options,
+                                        .companions = options->companions};
+    if (!bytes && size > 0) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "bytes: NULL; pass some");
+    }
+    if (size > options->max_input_bytes) {
+        return fail_size(error, input.name, options->max_input_bytes);
+    }
+    const burnish_environment before = burnish_environment_enter();
+    status = load(&input, NULL, burnish_seconds_now(), mesh, error);
+    burnish_environment_leave(before);
+    return status;
+}

@@ -1,0 +1,773 @@
+/* PLY (G. Turk, "The PLY Polygon File Format", 1994): the body, element by element.
+ *
+ * Rows are read one after the other, in chunks, by one decoder that is compiled for each of the
+ * three encodings. Binary rows that all have one size need no decoding to be found: those of
+ * vertices are converted column by column, those of triangles at once, by all threads. */
+#include "mesh/read/ply.h"
+
+#include <stdatomic.h>
+
+#include "mesh/read/chunks.h"
+
+enum { FEW_CORNERS }; /* the event of a chunk */
+
+typedef struct ply_state {
+    burnish_reader *reader;
+    burnish_ply_header header;
+    const burnish_ply_element *element; /* being read */
+    size_t first_row;                   /* rows of it that were read by other means */
+    size_t vertex_count;
+    burnish_ply_type types[BURNISH_PLY_ROLE_COUNT]; /* of a vertex; NONE: not there */
+    int warned_corners;
+} ply_state;
+
+static int has_roles(const ply_state *ply, int first, int last) {
+    for (int role = first; role <= last; ++role) {
+        if (ply->types[role] == BURNISH_PLY_NONE) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* ---- Values ---- */
+
+static inline uint64_t load_bits(const uint8_t *p, size_t size, int big_endian) {
+    uint64_t bits = 0;
+    for (size_t i = 0; i < size; ++i) {
+        bits = bits << 8 | p[big_endian ? i : size - 1 - i];
+    }
+    return bits;
+}
+
+static inline uint32_t load32(const uint8_t *from, int big_endian) {
+    uint32_t bits;
+    memcpy(&bits, from, sizeof bits);
+    return big_endian == (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) ? bits : __builtin_bswap32(bits);
+}
+
+static inline double load_value(const uint8_t *p, burnish_ply_type type, int big_endian) {
+    const uint64_t bits = load_bits(p, burnish_ply_type_size(type), big_endian);
+    const uint32_t low = (uint32_t)bits;
+    float single;
+    double wide;
+    switch (type) {
+    case BURNISH_PLY_INT8:
+        return (double)low - (low & 0x80u ? 256.0 : 0.0);
+    case BURNISH_PLY_INT16:
+        return (double)low - (low & 0x8000u ? 65536.0 : 0.0);
+    case BURNISH_PLY_INT32:
+        return (double)low - (low & 0x80000000u ? 4294967296.0 : 0.0);
+    case BURNISH_PLY_FLOAT32:
+        memcpy(&single, &low, sizeof single);
+        return (double)single;
+    case BURNISH_PLY_FLOAT64:
+        memcpy(&wide, &bits, sizeof wide);
+        return wide;
+    default:
+        return (double)low;
+    }
+}
+
+/* floats count from 0 to 1, 16 bits to 65535, anything else to 255 */
+static uint8_t to_color(double value, burnish_ply_type type) {
+    if (type == BURNISH_PLY_FLOAT32 || type == BURNISH_PLY_FLOAT64) {
+        value *= 255;
+    } else if (type == BURNISH_PLY_UINT16) {
+        value /= 257;
+    }
+    return (uint8_t)(value > 0 ? (value < 255 ? value + 0.5 : 255) : 0);
+}
+
+/* ---- Rows of any kind ---- */
+
+typedef struct ply_parser {
+    const ply_state *ply;
+    burnish_chunk *chunk;
+    burnish_lexer lexer;
+    const uint8_t *value_at; /* of a binary value, for messages */
+} ply_parser;
+
+/* Where a message points to: a binary value's first byte, the end of a word. */
+#define HERE(p) ((p)->ply->header.encoding == BURNISH_PLY_ASCII ? (p)->lexer.next : (p)->value_at)
+
+#define FAIL(p, ...) burnish_chunk_fail((p)->chunk, BURNISH_STATUS_FORMAT, HERE(p), __VA_ARGS__)
+
+static inline size_t bytes_left(const ply_parser *p) {
+    return (size_t)(p->lexer.end - p->lexer.next);
+}
+
+/* How many values of a type may still follow: in ASCII each takes a character and a blank. */
+static uint64_t values_left(const ply_parser *p, burnish_ply_type type) {
+    const uint64_t left = bytes_left(p);
+    return p->ply->header.encoding == BURNISH_PLY_ASCII ? left / 2 + left % 2
+                                                        : left / burnish_ply_type_size(type);
+}
+
+/* The row at hand, counted from 1. */
+static unsigned long long row_number(const ply_parser *p) {
+    return p->ply->first_row + p->chunk->rows_before + p->chunk->rows + 1;
+}
+
+static int fail_truncated(ply_parser *p) {
+    FAIL(p, "the file ends in element %s, row %llu of %llu; the file is truncated",
+         burnish_token_quote(p->ply->element->name).text, row_number(p),
+         (unsigned long long)p->ply->element->count);
+    return 0;
+}
+
+/* An ASCII value. What is not finite is NaN: whether that matters is the property's to say. */
+static int read_word(ply_parser *p, double *value) {
+    burnish_token word;
+    burnish_number_status number;
+    if (!burnish_lexer_word_double(&p->lexer, &word, value, &number)) {
+        return fail_truncated(p);
+    }
+    if (number == BURNISH_NUMBER_NOT_FINITE || number == BURNISH_NUMBER_RANGE) {
+        *value = __builtin_nan("");
+    } else if (number != BURNISH_NUMBER_OK) {
+        FAIL(p, "%s", burnish_describe_number("value", word, number).text);
+        return 0;
+    }
+    return 1;
+}
+
+static inline int read_value(ply_parser *p, burnish_ply_encoding encoding, burnish_ply_type type,
+                             double *value) {
+    if (encoding == BURNISH_PLY_ASCII) {
+        return read_word(p, value);
+    }
+    const size_t size = burnish_ply_type_size(type);
+    p->value_at = p->lexer.next;
+    if (bytes_left(p) < size) {
+        return fail_truncated(p);
+    }
+    *value = load_value(p->lexer.next, type, encoding == BURNISH_PLY_BIG_ENDIAN);
+    p->lexer.next += size;
+    return 1;
+}
+
+/* The same for what should be a count or an index. */
+static inline int read_count(ply_parser *p, burnish_ply_encoding encoding, burnish_ply_type type,
+                             double *value) {
+    uint64_t count;
+    if (encoding != BURNISH_PLY_ASCII || !burnish_lexer_count(&p->lexer, &count)) {
+        return read_value(p, encoding, type, value);
+    }
+    *value = (double)count;
+    return 1;
+}
+
+static int skip_values(ply_parser *p, burnish_ply_type type, uint64_t count) {
+    p->value_at = p->lexer.next;
+    if (count > values_left(p, type)) {
+        return fail_truncated(p);
+    }
+    if (p->ply->header.encoding != BURNISH_PLY_ASCII) {
+        p->lexer.next += count * burnish_ply_type_size(type);
+        return 1;
+    }
+    for (; count > 0; --count) {
+        burnish_token word;
+        if (!burnish_lexer_word(&p->lexer, &word)) {
+            return fail_truncated(p);
+        }
+    }
+    return 1;
+}
+
+static inline int read_length(ply_parser *p, burnish_ply_encoding encoding,
+                              const burnish_ply_property *property, uint64_t *count) {
+    double value;
+    if (!read_count(p, encoding, property->count_type, &value)) {
+        return 0;
+    }
+    *count = value >= 0 && value <= UINT32_MAX ? (uint64_t)value : UINT64_MAX;
+    if ((double)*count != value) {
+        FAIL(p, "element %s, row %llu: list length %g is no count; repair the file",
+             burnish_token_quote(p->ply->element->name).text, row_number(p), value);
+        return 0;
+    }
+    if (*count > values_left(p, property->type)) {
+        FAIL(p,
+             "element %s, row %llu: a list of %llu values does not fit the rest of the file; the "
+             "file is truncated or damaged",
+             burnish_token_quote(p->ply->element->name).text, row_number(p),
+             (unsigned long long)*count);
+        return 0;
+    }
+    return 1;
+}
+
+/* Into the chunk's scratch array; a strip may hold -1, which starts a new one. */
+static inline int read_corners(ply_parser *p, burnish_ply_encoding encoding,
+                               const burnish_ply_property *property, size_t count) {
+    const double vertex_count = (double)p->ply->vertex_count;
+    uint32_t *corners = burnish_chunk_scratch(p->chunk, count);
+    for (size_t i = 0; i < count; ++i) {
+        double value;
+        if (!corners || !read_count(p, encoding, property->type, &value)) {
+            return 0;
+        }
+        const int inside = value >= 0 && value < vertex_count;
+        const uint32_t index = inside ? (uint32_t)value : BURNISH_NONE;
+        const int restart = value == -1 && p->ply->element->kind == BURNISH_PLY_ELEMENT_STRIPS;
+        if (!restart && (!inside || (double)index != value)) {
+            FAIL(p,
+                 "element %s, row %llu: vertex index %.10g is out of range; there are %zu "
+                 "vertices, counted from 0",
+                 burnish_token_quote(p->ply->element->name).text, row_number(p), value,
+                 p->ply->vertex_count);
+            return 0;
+        }
+        corners[i] = index;
+    }
+    return corners || count == 0;
+}
+
+/* Appends a vertex; values by role. */
+static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_COUNT]) {
+    burnish_chunk *chunk = p->chunk;
+    const ply_state *ply = p->ply;
+    float *to = burnish_chunk_append(chunk, BURNISH_POSITION);
+    for (int i = 0; i < 3 && to; ++i) {
+        burnish_double_to_float(values[BURNISH_PLY_X + i], &to[i]);
+    }
+    if (has_roles(ply, BURNISH_PLY_NX, BURNISH_PLY_NZ)) {
+        to = burnish_chunk_append(chunk, BURNISH_NORMAL);
+        for (int i = 0; i < 3 && to; ++i) { /* build makes a normal that is 0 */
+            to[i] = 0;
+            burnish_double_to_float(values[BURNISH_PLY_NX + i], &to[i]);
+        }
+    }
+    if (has_roles(ply, BURNISH_PLY_S, BURNISH_PLY_T)) {
+        to = burnish_chunk_append(chunk, BURNISH_TEXCOORD);
+        for (int i = 0; i < 2 && to; ++i) {
+            to[i] = 0;
+            burnish_double_to_float(values[BURNISH_PLY_S + i], &to[i]);
+        }
+    }
+    if (has_roles(ply, BURNISH_PLY_RED, BURNISH_PLY_BLUE)) {
+        uint8_t *rgba = burnish_chunk_append(chunk, BURNISH_COLOR);
+        for (int i = 0; i < 4 && rgba; ++i) {
+            const burnish_ply_type type = ply->types[BURNISH_PLY_RED + i];
+            rgba[i] = type == BURNISH_PLY_NONE ? 255 : to_color(values[BURNISH_PLY_RED + i], type);
+        }
+    }
+}
+
+/* Triangles between three corners in a row, every second one the other way round; those that only
+ * turn the strip (two corners the same) are left out. */
+static void append_strips(ply_parser *p, const uint8_t *at, const uint32_t *corners, size_t count) {
+    size_t start = 0;
+    for (size_t i = 0; i < count && p->chunk->status == BURNISH_STATUS_OK; ++i) {
+        if (corners[i] == BURNISH_NONE) {
+            start = i + 1;
+            continue;
+        }
+        if (i < start + 2) {
+            continue;
+        }
+        const size_t odd = (i - start) & 1;
+        const uint32_t triangle[3] = {corners[i - 2 + odd], corners[i - 1 - odd], corners[i]};
+        if (triangle[0] != triangle[1] && triangle[1] != triangle[2] &&
+            triangle[2] != triangle[0]) {
+            burnish_chunk_append_face(p->chunk, at, triangle, 1, 3, 1u << BURNISH_POSITION);
+        }
+    }
+}
+
+static void append_corners(ply_parser *p, const uint8_t *at, size_t count) {
+    const uint32_t *corners = p->chunk->scratch;
+    if (p->ply->element->kind == BURNISH_PLY_ELEMENT_STRIPS) {
+        append_strips(p, at, corners, count);
+    } else if (count < 3) {
+        burnish_chunk_note(p->chunk, FEW_CORNERS, at);
+    } else {
+        burnish_chunk_append_face(p->chunk, at, corners, 1, count, 1u << BURNISH_POSITION);
+    }
+}
+
+/* One row, whatever its element; returns 0 after an error. */
+static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
+    const burnish_ply_element *element = p->ply->element;
+    const burnish_ply_property *property = p->ply->header.properties + element->first_property;
+    const burnish_ply_property *end = property + element->property_count;
+    double values[BURNISH_PLY_ROLE_COUNT];
+    size_t corner_count = 0;
+    for (; property < end; ++property) {
+        uint64_t count = 1;
+        if (property->role < BURNISH_PLY_ROLE_COUNT) {
+            float unused;
+            if (!read_value(p, encoding, property->type, &values[property->role])) {
+                return 0;
+            }
+            if (property->role <= BURNISH_PLY_Z &&
+                !burnish_double_to_float(values[property->role], &unused)) {
+                FAIL(p,
+                     "vertex %llu: coordinate %c is not finite or beyond 3.4e38; repair the mesh",
+                     row_number(p) - 1, 'x' + (int)property->role);
+                return 0;
+            }
+            continue;
+        }
+        if (property->count_type != BURNISH_PLY_NONE &&
+            !read_length(p, encoding, property, &count)) {
+            return 0;
+        }
+        if (property->role == BURNISH_PLY_CORNERS) {
+            corner_count = (size_t)count;
+            if (!read_corners(p, encoding, property, corner_count)) {
+                return 0;
+            }
+        } else if (!skip_values(p, property->type, count)) {
+            return 0;
+        }
+    }
+    if (element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
+        append_vertex(p, values);
+    } else if (element->kind != BURNISH_PLY_ELEMENT_OTHER) {
+        append_corners(p, HERE(p), corner_count);
+    }
+    return p->chunk->status == BURNISH_STATUS_OK;
+}
+
+/* Rows that begin before the chunk's end. In ASCII one that reaches beyond a start that was found
+ * shows that rows are no lines there. */
+static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
+    burnish_chunk *chunk = p->chunk;
+    while (chunk->rows < chunk->rows_left) {
+        if (encoding == BURNISH_PLY_ASCII) {
+            burnish_lexer_skip_blank_lines(&p->lexer);
+        }
+        if (p->lexer.next >= chunk->end || !read_row(p, encoding)) {
+            break;
+        }
+        if (chunk->bounded && p->lexer.next > chunk->end) {
+            chunk->status = BURNISH_STATUS_FORMAT;
+            return;
+        }
+        ++chunk->rows;
+        chunk->rows_end = p->lexer.next;
+    }
+    if (!chunk->bounded) {
+        chunk->end = p->lexer.next;
+    }
+}
+
+static void parse(const void *state, burnish_chunk *chunk) {
+    const ply_state *ply = state;
+    ply_parser p = {ply, chunk, {chunk->first, chunk->text_end, 0}, chunk->first};
+    switch (ply->header.encoding) {
+    case BURNISH_PLY_ASCII:
+        parse_rows(&p, BURNISH_PLY_ASCII);
+        break;
+    case BURNISH_PLY_LITTLE_ENDIAN:
+        parse_rows(&p, BURNISH_PLY_LITTLE_ENDIAN);
+        break;
+    case BURNISH_PLY_BIG_ENDIAN:
+        parse_rows(&p, BURNISH_PLY_BIG_ENDIAN);
+        break;
+    }
+}
+
+static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = memchr(from, '\n', (size_t)(end - from));
+    return newline ? newline + 1 : end;
+}
+
+static burnish_status accept(void *state, const burnish_chunk *chunk) {
+    ply_state *ply = state;
+    if (chunk->event_count > 0 && !ply->warned_corners++) {
+        burnish_reader_warn(ply->reader, chunk->events[0].at,
+                            "faces with fewer than 3 corners were ignored");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* Rows of the element at hand from *at on, which moves past them. */
+static burnish_status read_rows(ply_state *ply, const uint8_t **at, size_t rows) {
+    static const burnish_grammar text = {find_line, parse, accept, 1u << BURNISH_POSITION};
+    static const burnish_grammar binary = {NULL, parse, accept, 1u << BURNISH_POSITION};
+    const int is_text = ply->header.encoding == BURNISH_PLY_ASCII;
+    size_t missing = rows;
+    burnish_status status =
+        burnish_chunks_read(is_text ? &text : &binary, ply, ply->reader, at, &missing);
+    if (status == BURNISH_STATUS_OK && missing > 0) {
+        status = burnish_reader_fail(
+            ply->reader, BURNISH_STATUS_FORMAT, *at,
+            "the file ends in element %s, row %llu of %llu; the file is truncated",
+            burnish_token_quote(ply->element->name).text,
+            (unsigned long long)(ply->element->count - missing + 1),
+            (unsigned long long)ply->element->count);
+    }
+    return status;
+}
+
+/* ---- Binary rows of one size ---- */
+
+enum { GRAIN = 1 << 13 /* rows that a thread takes at once */ };
+
+/* Where a value stands in a row. */
+typedef struct column {
+    size_t offset;
+    burnish_ply_type type; /* NONE: absent */
+} column;
+
+typedef struct row_context {
+    const uint8_t *bytes; /* the first row */
+    size_t row_size;
+    int big_endian;
+    column columns[BURNISH_PLY_ROLE_COUNT];
+    column length, corners; /* of the one list, which has 3 items */
+    size_t first_triangle, vertex_count;
+    const burnish_mesh_data *mesh;
+    atomic_size_t odd; /* the first row that is not as expected */
+} row_context;
+
+static void lower_to(atomic_size_t *least, size_t value) {
+    size_t seen = atomic_load(least);
+    while (value < seen && !atomic_compare_exchange_weak(least, &seen, value)) {
+    }
+}
+
+/* Floats of one column; returns the first row whose value is not finite, `end` for none. What is
+ * not finite becomes 0. */
+static size_t convert_floats(const row_context *rows, column from, size_t first, size_t end,
+                             float *to, size_t stride) {
+    const uint8_t *bytes = rows->bytes + first * rows->row_size + from.offset;
+    size_t odd = end;
+    for (size_t row = first; row < end; ++row, bytes += rows->row_size, to += stride) {
+        int finite;
+        if (from.type == BURNISH_PLY_FLOAT32) {
+            uint32_t bits = load32(bytes, rows->big_endian);
+            finite = (bits & 0x7F800000u) != 0x7F800000u;
+            bits = finite ? bits : 0;
+            memcpy(to, &bits, sizeof bits);
+        } else {
+            *to = 0;
+            finite = burnish_double_to_float(load_value(bytes, from.type, rows->big_endian), to);
+        }
+        odd = !finite && row < odd ? row : odd;
+    }
+    return odd;
+}
+
+static void convert_colors(const row_context *rows, size_t first, size_t end, uint8_t *rgba) {
+    for (int i = 0; i < 4; ++i) {
+        const column from = rows->columns[BURNISH_PLY_RED + i];
+        const uint8_t *bytes = rows->bytes + first * rows->row_size + from.offset;
+        for (size_t k = 0; k < end - first; ++k, bytes += rows->row_size) {
+            rgba[4 * k + (size_t)i] =
+                from.type == BURNISH_PLY_NONE ? 255
+                : from.type == BURNISH_PLY_UINT8
+                    ? *bytes
+                    : to_color(load_value(bytes, from.type, rows->big_endian), from.type);
+        }
+    }
+}
+
+/* Rows [first, end) of vertices, some at a time, so that they stay in the first-level cache. */
+static void convert_vertices(void *user_data, size_t first, size_t end) {
+    enum { ROWS = 512 };
+    row_context *rows = user_data;
+    const burnish_mesh_data *mesh = rows->mesh;
+    for (; first < end; first += ROWS) {
+        const size_t last = end - first < ROWS ? end : first + ROWS;
+        for (size_t i = 0; i < 3; ++i) {
+            const size_t odd = convert_floats(rows, rows->columns[BURNISH_PLY_X + i], first, last,
+                                              burnish_positions(mesh) + 3 * first + i, 3);
+            if (odd < last) {
+                lower_to(&rows->odd, odd);
+            }
+            if (mesh->streams[BURNISH_NORMAL].count > 0) {
+                convert_floats(rows, rows->columns[BURNISH_PLY_NX + i], first, last,
+                               burnish_normals(mesh) + 3 * first + i, 3);
+            }
+            if (mesh->streams[BURNISH_TEXCOORD].count > 0 && i < 2) {
+                convert_floats(rows, rows->columns[BURNISH_PLY_S + i], first, last,
+                               (float *)mesh->streams[BURNISH_TEXCOORD].items + 2 * first + i, 2);
+            }
+        }
+        if (mesh->streams[BURNISH_COLOR].count > 0) {
+            convert_colors(rows, first, last, burnish_colors(mesh) + 4 * first);
+        }
+    }
+}
+
+/* All values of the vertices, whose rows are all there. What is odd is left for read_rows(). */
+static burnish_status read_vertices(ply_state *ply, row_context *rows, const uint8_t **at) {
+    static const int last_roles[BURNISH_ATTRIBUTE_COUNT] = {BURNISH_PLY_Z, BURNISH_PLY_NZ,
+                                                            BURNISH_PLY_BLUE, BURNISH_PLY_T};
+    static const int first_roles[BURNISH_ATTRIBUTE_COUNT] = {BURNISH_PLY_X, BURNISH_PLY_NX,
+                                                             BURNISH_PLY_RED, BURNISH_PLY_S};
+    burnish_mesh_data *mesh = ply->reader->mesh;
+    const size_t count = (size_t)ply->element->count;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        if (has_roles(ply, first_roles[i], last_roles[i])) {
+            if (burnish_mesh_data_reserve(mesh, (burnish_attribute)i, count) != BURNISH_STATUS_OK) {
+                return mesh->memory.status;
+            }
+            mesh->streams[i].count = count;
+        }
+    }
+    burnish_tasks_ranges(mesh->tasks, count, GRAIN, convert_vertices, rows);
+    const size_t odd = atomic_load(&rows->odd);
+    if (odd < count) { /* which has something to say */
+        *at += odd * rows->row_size;
+        ply->first_row = odd;
+        return read_rows(ply, at, count - odd);
+    }
+    *at += count * rows->row_size;
+    return burnish_tasks_check(mesh->tasks, ply->reader->error);
+}
+
+/* A value that is not negative; UINT32_MAX for one that is. */
+static uint32_t load_count(const uint8_t *from, burnish_ply_type type, int big_endian) {
+    const double value = load_value(from, type, big_endian);
+    return value >= 0 ? (uint32_t)value : UINT32_MAX;
+}
+
+/* Triangles whose rows are as most files have them, a byte and three words in the order of this
+ * machine; negative corners are too large as they are. Returns the first odd row. */
+static size_t convert_common(const row_context *rows, size_t first, size_t end, uint32_t *to) {
+    const size_t row_size = rows->row_size;
+    const uint32_t vertex_count = (uint32_t)rows->vertex_count;
+    const uint8_t *bytes = rows->bytes + first * row_size;
+    size_t row = first;
+    for (; row < end; ++row, bytes += row_size, to += 3) {
+        memcpy(to, bytes + rows->corners.offset, 3 * sizeof *to);
+        if ((bytes[rows->length.offset] != 3) | (to[0] >= vertex_count) | (to[1] >= vertex_count) |
+            (to[2] >= vertex_count)) {
+            break;
+        }
+    }
+    return row;
+}
+
+static size_t convert_any(const row_context *rows, size_t first, size_t end, uint32_t *to) {
+    const size_t size = burnish_ply_type_size(rows->corners.type);
+    size_t row = first;
+    for (; row < end; ++row, to += 3) {
+        const uint8_t *bytes = rows->bytes + row * rows->row_size;
+        int good =
+            load_count(bytes + rows->length.offset, rows->length.type, rows->big_endian) == 3;
+        for (size_t i = 0; i < 3; ++i) {
+            to[i] = load_count(bytes + rows->corners.offset + size * i, rows->corners.type,
+                               rows->big_endian);
+            good &= to[i] < rows->vertex_count;
+        }
+        if (!good) {
+            break;
+        }
+    }
+    return row;
+}
+
+static void convert_triangles(void *user_data, size_t first, size_t end) {
+    row_context *rows = user_data;
+    uint32_t *to =
+        rows->mesh->streams[BURNISH_POSITION].corners + 3 * (rows->first_triangle + first);
+    const int is_little = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
+    const int is_common =
+        rows->length.type == BURNISH_PLY_UINT8 && rows->big_endian != is_little &&
+        (rows->corners.type == BURNISH_PLY_INT32 || rows->corners.type == BURNISH_PLY_UINT32) &&
+        rows->vertex_count <= INT32_MAX;
+    if (first > atomic_load_explicit(&rows->odd, memory_order_relaxed)) {
+        return;
+    }
+    const size_t odd =
+        is_common ? convert_common(rows, first, end, to) : convert_any(rows, first, end, to);
+    if (odd < end) {
+        lower_to(&rows->odd, odd);
+    }
+}
+
+/* The triangles that the element begins with; read_rows() goes on from the first row that is
+ * something else, where there is one. */
+static burnish_status read_triangles(ply_state *ply, row_context *rows, const uint8_t **at) {
+    burnish_mesh_data *mesh = ply->reader->mesh;
+    burnish_stream *positions = &mesh->streams[BURNISH_POSITION];
+    const size_t limit = ply->reader->input->options->max_triangles;
+    const size_t left = (size_t)(ply->reader->input->bytes + ply->reader->input->size - *at);
+    size_t count = (size_t)ply->element->count;
+    count = count < left / rows->row_size ? count : left / rows->row_size;
+    count = count < limit - mesh->triangle_count ? count : limit - mesh->triangle_count;
+    if (count > 0 &&
+        load_count(*at + rows->length.offset, rows->length.type, rows->big_endian) == 3) {
+        positions->corners = burnish_reserve(
+            &mesh->memory, positions->corners, &positions->corner_capacity,
+            mesh->triangle_count + count, 3 * sizeof *positions->corners, "triangles");
+        if (mesh->memory.status != BURNISH_STATUS_OK) {
+            return mesh->memory.status;
+        }
+        atomic_store(&rows->odd, count);
+        rows->first_triangle = mesh->triangle_count;
+        burnish_tasks_ranges(mesh->tasks, count, GRAIN, convert_triangles, rows);
+        ply->first_row = atomic_load(&rows->odd);
+        mesh->triangle_count += ply->first_row;
+        *at += ply->first_row * rows->row_size;
+    }
+    burnish_status status = burnish_tasks_check(mesh->tasks, ply->reader->error);
+    return status == BURNISH_STATUS_OK && ply->first_row < ply->element->count
+               ? read_rows(ply, at, (size_t)ply->element->count - ply->first_row)
+               : status;
+}
+
+/* ---- Elements ---- */
+
+/* What a row consists of: its least size, where its columns stand if all lists have 3 items, and
+ * how many lists there are. */
+static size_t describe_rows(const ply_state *ply, row_context *rows, size_t *least) {
+    const burnish_ply_element *element = ply->element;
+    const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
+    size_t lists = 0;
+    *least = 0;
+    for (size_t i = 0; i < element->property_count; ++i) {
+        const burnish_ply_property *property = &ply->header.properties[element->first_property + i];
+        const size_t size = burnish_ply_type_size(property->type);
+        const int is_list = property->count_type != BURNISH_PLY_NONE;
+        const size_t length = burnish_ply_type_size(property->count_type);
+        *least += is_ascii ? 1 : is_list ? length : size;
+        if (is_list) {
+            rows->length = (column){rows->row_size, property->count_type};
+            rows->corners = (column){rows->row_size + length, property->type};
+            ++lists;
+        } else if (property->role < BURNISH_PLY_ROLE_COUNT) {
+            rows->columns[property->role] = (column){rows->row_size, property->type};
+        }
+        rows->row_size += is_list ? length + 3 * size : size;
+    }
+    return lists;
+}
+
+/* Holds the announced count against the bytes left. */
+static burnish_status check_count(const ply_state *ply, size_t left, size_t least) {
+    burnish_reader *reader = ply->reader;
+    const burnish_ply_element *element = ply->element;
+    const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII, was_binary = reader->is_binary;
+    const uint64_t room = least == 0 ? UINT64_MAX
+                          : is_ascii ? (left / 2 + left % 2) / least
+                                     : left / least;
+    burnish_status status = BURNISH_STATUS_OK;
+    reader->is_binary = 0;
+    if (element->count > room) {
+        status = burnish_reader_fail(
+            reader, BURNISH_STATUS_FORMAT, element->at,
+            "element %s announces %llu rows, but the rest of the file has room for %llu at most; "
+            "the file is truncated or damaged",
+            burnish_token_quote(element->name).text, (unsigned long long)element->count,
+            (unsigned long long)room);
+    } else if (element->kind == BURNISH_PLY_ELEMENT_VERTEX &&
+               element->count > BURNISH_VALUE_LIMIT) {
+        status = burnish_reader_fail(reader, BURNISH_STATUS_LIMIT, element->at,
+                                     "%llu vertices are more than %zu; split or simplify the mesh",
+                                     (unsigned long long)element->count, BURNISH_VALUE_LIMIT);
+    }
+    reader->is_binary = was_binary;
+    return status;
+}
+
+/* Reads or skips one element from *at on. */
+static burnish_status read_element(ply_state *ply, const uint8_t **at) {
+    const burnish_ply_element *element = ply->element;
+    const size_t left = (size_t)(ply->reader->input->bytes + ply->reader->input->size - *at);
+    const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
+    row_context rows = {.bytes = *at,
+                        .big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN,
+                        .vertex_count = ply->vertex_count,
+                        .mesh = ply->reader->mesh};
+    size_t least;
+    const size_t lists = describe_rows(ply, &rows, &least);
+    burnish_status status = check_count(ply, left, least);
+    if (status != BURNISH_STATUS_OK || least == 0 || element->count == 0) {
+        return status;
+    }
+    atomic_init(&rows.odd, SIZE_MAX);
+    ply->first_row = 0;
+    if (element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
+        for (int i = 0; i < BURNISH_PLY_ROLE_COUNT; ++i) {
+            ply->types[i] = rows.columns[i].type;
+        }
+        if (!ply->reader->input->options->keep_texture_coordinates) {
+            ply->types[BURNISH_PLY_S] = BURNISH_PLY_NONE;
+        }
+    }
+    if (!is_ascii && lists == 0 && element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
+        return read_vertices(ply, &rows, at);
+    }
+    if (!is_ascii && lists == 0) { /* no face has none */
+        *at += element->count * rows.row_size;
+        return BURNISH_STATUS_OK;
+    }
+    if (!is_ascii && lists == 1 && element->kind == BURNISH_PLY_ELEMENT_FACE &&
+        rows.length.type < BURNISH_PLY_FLOAT32 && rows.corners.type < BURNISH_PLY_FLOAT32) {
+        return read_triangles(ply, &rows, at);
+    }
+    return read_rows(ply, at, (size_t)element->count);
+}
+
+static burnish_status read_body(ply_state *ply) {
+    const uint8_t *at = ply->header.body;
+    burnish_status status = BURNISH_STATUS_OK;
+    int has_faces = 0;
+    for (size_t i = 0; i < ply->header.element_count; ++i) {
+        const burnish_ply_element *element = &ply->header.elements[i];
+        if (element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
+            ply->vertex_count = (size_t)element->count;
+        }
+    }
+    ply->reader->is_binary = ply->header.encoding != BURNISH_PLY_ASCII;
+    for (size_t i = 0; i < ply->header.element_count && status == BURNISH_STATUS_OK; ++i) {
+        ply->element = &ply->header.elements[i];
+        has_faces |= ply->element->count > 0 && ply->element->kind > BURNISH_PLY_ELEMENT_VERTEX;
+        status = read_element(ply, &at);
+    }
+    if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0) {
+        status =
+            burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, NULL,
+                                has_faces ? "no face has 3 different corners; export the mesh again"
+                                          : "a point cloud: no faces; make a surface of it first, "
+                                            "for example with MeshLab");
+    }
+    return status;
+}
+
+/* Says what of the file is not drawn. */
+static void warn_undrawn(const ply_state *ply) {
+    const burnish_mesh_data *mesh = ply->reader->mesh;
+    const uint8_t *rgba = burnish_colors(mesh);
+    int transparent = 0;
+    if (rgba && ply->types[BURNISH_PLY_ALPHA] != BURNISH_PLY_NONE) {
+        for (size_t i = 0; i < mesh->streams[BURNISH_COLOR].count && !transparent; ++i) {
+            transparent = rgba[4 * i + 3] < 255;
+        }
+    }
+    if (ply->header.texture.size > 0) {
+        burnish_reader_warn(ply->reader, NULL, "1 texture (%s)%s not drawn",
+                            burnish_token_quote(ply->header.texture).text,
+                            transparent ? " and transparency (alpha) are" : " is");
+    } else if (transparent) {
+        burnish_reader_warn(ply->reader, NULL, "transparency (alpha) is not drawn");
+    }
+}
+
+burnish_status burnish_read_ply(burnish_reader *reader) {
+    ply_state ply = {.reader = reader};
+    burnish_status status = burnish_ply_read_header(reader, &ply.header);
+    if (status == BURNISH_STATUS_OK) {
+        status = read_body(&ply);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        warn_undrawn(&ply);
+        status = burnish_cut_polygons(reader);
+    }
+    burnish_ply_destroy_header(reader->mesh->memory.context, &ply.header);
+    return status;
+}
+
+/* Sure by its first line. */
+int burnish_recognise_ply(const uint8_t *bytes, size_t size) {
+    return size >= 4 && memcmp(bytes, "ply", 3) == 0 && (bytes[3] == '\n' || bytes[3] == '\r') ? 2
+                                                                                               : 0;
+}
