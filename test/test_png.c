@@ -141,7 +141,8 @@ static void test_chunks(void) {
     CHECK_STATUS(encode(&image, 0, &bytes, &size, NULL), BURNISH_STATUS_OK);
     CHECK(memcmp(bytes, start, 29) == 0, "IHDR");
     CHECK(memcmp(bytes + 33, start + 33, sizeof start - 33) == 0, "sRGB");
-    CHECK(memcmp(bytes + sizeof start + 4, "IDAT", 4) == 0, "IDAT");
+    CHECK(memcmp(bytes + sizeof start, "\0\0\0\x10tEXtSoftware\0burnish", 24) == 0, "tEXt");
+    CHECK(memcmp(bytes + sizeof start + 12 + 16 + 4, "IDAT", 4) == 0, "IDAT");
     CHECK(memcmp(bytes + size - sizeof end, end, sizeof end) == 0, "IEND");
     burnish_release(NULL, bytes);
     burnish_image_destroy(&image);

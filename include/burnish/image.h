@@ -71,7 +71,7 @@ typedef struct burnish_png_options {
 } burnish_png_options;
 BURNISH_API burnish_png_options burnish_png_options_default(void);
 
-/* Encodes as PNG: 8-bit RGB or RGBA, sRGB chunk.
+/* Encodes as PNG: 8-bit RGB or RGBA, chunks sRGB and tEXt (Software: burnish).
  *   pixels   what to encode; only read
  *   options  NULL for the defaults
  *   bytes    receives the file's bytes, NULL on error; give them to burnish_release() with the

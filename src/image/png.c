@@ -10,12 +10,17 @@
 #include "image/deflate.h"
 #include "image/pixels.h"
 
+/* What the file says of its maker: keyword, zero, text. */
+#define SOFTWARE "Software\0burnish"
+
 enum {
     SIGNATURE_SIZE = 8,
     CHUNK_FRAME = 12, /* length, type, CRC */
     IHDR_SIZE = 13,
     SRGB_SIZE = 1,
-    HEAD_SIZE = SIGNATURE_SIZE + CHUNK_FRAME + IHDR_SIZE + CHUNK_FRAME + SRGB_SIZE,
+    TEXT_SIZE = sizeof SOFTWARE - 1,
+    HEAD_SIZE = SIGNATURE_SIZE + CHUNK_FRAME + IHDR_SIZE + CHUNK_FRAME + SRGB_SIZE + CHUNK_FRAME +
+                TEXT_SIZE,
     FILTER_UP = 2,
     ZLIB_HEAD_SIZE = 2,
     ADLER_SIZE = 4,
@@ -64,7 +69,9 @@ static uint8_t *put_header(uint8_t *to, const burnish_pixels *image) {
     *header = 0;                                                    /* not interlaced */
     to = put_chunk_frame(to, "IHDR", IHDR_SIZE);
     to[8] = 0; /* rendering intent: perceptual */
-    return put_chunk_frame(to, "sRGB", SRGB_SIZE);
+    to = put_chunk_frame(to, "sRGB", SRGB_SIZE);
+    memcpy(to + 8, SOFTWARE, TEXT_SIZE);
+    return put_chunk_frame(to, "tEXt", TEXT_SIZE);
 }
 
 /* The difference of two rows in memory, or of one to zero, in PNG's order of channels. */

@@ -110,12 +110,14 @@ mkdir model
 cd model || exit 1
 triangle >part.stl
 printf 'texture' >part.png
-expect 2 'burnish: part.png: exists; replace it with --overwrite, or name the picture with --output=FILE' render part.stl
+expect 2 'burnish: part.png: exists and is no picture by burnish; replace it with --overwrite, or name the picture with --output=FILE' render part.stl
 check "the texture is as it was" [ "$(cat part.png)" = texture ]
 expect 0 '' render part.stl --size=16 -o part.png
 check "-o replaces" is_png part.png 16 16
 expect 0 '' render part.stl --size=17 --overwrite
 check "--overwrite replaces" is_png part.png 17 17
+expect 0 '' render part.stl --size=18
+check "its own picture is replaced without asking" is_png part.png 18 18
 cd ..
 {
     "$burnish" render :sphere --size=500 -o - 2>"$err"

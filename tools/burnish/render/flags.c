@@ -44,15 +44,17 @@ static const cli_flag flags[] = {
          "Writes the picture to _FILE_, or to standard output for *-*. The file appears whole or "
          "not at all: it is written beside its final name and renamed. Without this flag the name "
          "is that of _INPUT_ with *.png* in the current folder (*teapot.png* for *:teapot*), "
-         "and standard output when _INPUT_ is *-*; a file that has this name already is not "
-         "replaced unless *--overwrite* is given. A file that _FILE_ names is replaced. A "
+         "and standard output when _INPUT_ is *-*; a file that has this name already is "
+         "replaced only if burnish wrote it, or *--overwrite* is given. A file that _FILE_ names "
+         "is replaced. A "
          "terminal is refused as output, and so is a name that ends like another format.",
      .handler = cli_flag_text,
      .takes_file = 1,
      TARGET(output)},
     {.name = "overwrite",
-     .help = "replace a file that has INPUT's name with .png",
-     .manual = "Replaces a file that has the name made from _INPUT_'s.",
+     .help = "replace a file that has INPUT's name with .png, whoever wrote it",
+     .manual = "Replaces a file that has the name made from _INPUT_'s, whoever wrote it. Without "
+               "this flag only pictures by burnish are replaced.",
      .handler = cli_flag_switch,
      TARGET(overwrite)},
     {.name = "resolution",

@@ -52,6 +52,24 @@ static burnish_status check_ending(const char *path, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
+/* 1 for a PNG that says in its first chunks that burnish wrote it. */
+static int is_own_picture(const char *path) {
+    static const char mark[] = "tEXtSoftware\0burnish";
+    char head[128];
+    struct stat status;
+    FILE *file = stat(path, &status) == 0 && S_ISREG(status.st_mode) ? fopen(path, "rb") : NULL;
+    if (!file) {
+        return 0;
+    }
+    const size_t size = fread(head, 1, sizeof head, file);
+    int found = 0;
+    fclose(file);
+    for (size_t i = 0; i + sizeof mark - 1 <= size && !found; ++i) {
+        found = memcmp(head + i, mark, sizeof mark - 1) == 0;
+    }
+    return found && memcmp(head, "\x89PNG", 4) == 0;
+}
+
 static burnish_status check_output(const render_settings *settings, burnish_error *error) {
     if (is_standard(settings->output)) {
         if (settings->json) {
@@ -72,10 +90,10 @@ static burnish_status check_output(const render_settings *settings, burnish_erro
     }
     /* What happens to have the picture's name may be a texture of the mesh. */
     if (settings->output == settings->default_output && !settings->overwrite &&
-        cli_name_exists(settings->output)) {
+        cli_name_exists(settings->output) && !is_own_picture(settings->output)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "%.200s: exists; replace it with --overwrite, or name the picture with "
-                        "--output=FILE",
+                        "%.200s: exists and is no picture by burnish; replace it with --overwrite, "
+                        "or name the picture with --output=FILE",
                         settings->output);
     }
     return check_ending(settings->output, error);
