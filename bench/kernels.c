@@ -207,7 +207,7 @@ static void add_lobes(tier_run *run) {
     add(run, "schlick", "schlick, true division", run_lobe, n, BURNISH_BENCH_SCHLICK, NULL);
     add(run, "schlick_robust", "schlick of the library", run_library_lobe, n, 0, NULL);
     add(run, "squarings", "c^32 by five squarings", run_lobe, n, BURNISH_BENCH_SQUARINGS, NULL);
-    add(run, "squarings_plain", "the same, subnormals and all", run_lobe, n,
+    add(run, "squarings_plain", "the same with subnormals", run_lobe, n,
         BURNISH_BENCH_SQUARINGS_PLAIN, NULL);
     add(run, "table", "table of 1,024, gather", run_lobe, n, BURNISH_BENCH_TABLE, NULL);
     add(run, "vector_pow", "tuned vector pow, 1.2e-4", run_lobe, n, BURNISH_BENCH_VECTOR_POW, NULL);

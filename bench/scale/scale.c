@@ -2,7 +2,7 @@
  * docs/performance.md. Usage: bench_scale BURNISH FOLDER [MOST_TRIANGLES]
  *
  * The mesh is a wavy torus, written to FOLDER as an indexed binary PLY without normals and removed
- * afterwards: 19 bytes a triangle. */
+ * afterwards: 19 bytes per triangle. */
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
@@ -19,7 +19,8 @@
 
 enum { ROUNDS = 5, ROW_SIZE = 13, PATH_SIZE = 4096, LINE_SIZE = 512 };
 
-/* One process, as its --timing and the kernel tell it. Times in ms, `processor` of all threads. */
+/* One process, as its --timing and the kernel report it. Times in ms, `processor` of all threads.
+ */
 typedef struct run {
     double start, read, build, transform, draw, encode, write, total, processor;
     double peak_bytes;
@@ -164,7 +165,7 @@ static int compare_totals(const void *a, const void *b) {
     return (first > second) - (first < second);
 }
 
-/* The run with the median of the total. */
+/* The run with the median total. */
 static run median(bench *b, const char *resolution, int rounds) {
     run runs[ROUNDS];
     for (int i = 0; i < rounds; ++i) {
@@ -180,16 +181,16 @@ static void print_row(const char *name, double work, const run *r) {
            1e6 * r->processor / work, r->peak_bytes / 1e6, r->peak_bytes / work);
 }
 
-static void print_head(const char *work, const char *of) {
+static void print_head(const char *work, const char *per) {
     printf("| %s | read | build | draw | encode, write | total | processor | ns %s | peak MB | "
            "bytes %s |\n| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
-           work, of, of);
+           work, per, per);
 }
 
 static void bench_triangles(bench *b, uint64_t most) {
-    printf("### Triangles\n\nA wavy torus without normals as binary PLY, 1920x1080, one sample a "
-           "pixel.\n\n");
-    print_head("triangles", "a triangle");
+    printf("### Triangles\n\nA wavy torus without normals as binary PLY, 1920x1080, one sample "
+           "per pixel.\n\n");
+    print_head("triangles", "per triangle");
     for (uint64_t wanted = 10000; wanted <= most; wanted *= 10) {
         char name[32];
         uint64_t triangles = write_mesh(b->mesh, wanted);
@@ -203,7 +204,7 @@ static void bench_triangles(bench *b, uint64_t most) {
 
 static void bench_pixels(bench *b) {
     printf("\n### Pixels\n\nThe torus of about 100,000 triangles.\n\n");
-    print_head("pixels", "a pixel");
+    print_head("pixels", "per pixel");
     write_mesh(b->mesh, 100000);
     for (int size = 256; size <= 16384; size *= 2) {
         char resolution[64], name[64];
@@ -226,15 +227,15 @@ int main(int count, char **arguments) {
     snprintf(b.mesh, sizeof b.mesh, "%s/scale.ply", arguments[2]);
     snprintf(b.picture, sizeof b.picture, "%s/scale.png", arguments[2]);
     printf("Whole processes with all %ld processors, ms; the median of %d, from 10,000,000 "
-           "triangles or 8192 x 8192\npixels on one run. Processor: the time of all threads "
-           "together, which the two columns beside it divide.\n\n",
+           "triangles or 8192 x 8192\npixels one run. Processor: the time of all threads "
+           "together; the column after it divides it by the work.\n\n",
            sysconf(_SC_NPROCESSORS_ONLN), ROUNDS);
     bench_triangles(&b, count > 3 ? strtoull(arguments[3], NULL, 10) : 100000000);
     bench_pixels(&b);
     unlink(b.picture);
     if (b.disturbed > 0) {
-        printf("\nOther programs used the machine in %d of %d runs: the processor's time counts, "
-               "the others are longer than\nthey need be.\n",
+        printf("\nOther programs used the machine in %d of %d runs: only the column processor is "
+               "reliable.\n",
                b.disturbed, b.runs);
     }
     return EXIT_SUCCESS;
