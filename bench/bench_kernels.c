@@ -1,4 +1,4 @@
-/* bench_kernels: the kernels against what else there is, on this machine. */
+/* bench_kernels: the kernels against their alternatives, on this machine. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,7 +51,7 @@ static const cli_command command = {
     .operand = "",
     .summary = "time the kernels against pow, Schlick, tables and copies",
     .manual =
-        "Times the m = 2 lobe of the kernels and what it is compared with, taking turns in one "
+        "Times the m = 2 lobe of the kernels and its alternatives, taking turns in one "
         "run: a copy, m = 4, Schlick with a true division, squarings, a table, a tuned vector "
         "pow, SLEEF's and libmvec's powf (opened when they are installed) and libm's; over 2,048 "
         "floats in the first cache, from memory, and inside the whole lighting equation. Numbers "
@@ -63,7 +63,7 @@ static const cli_command command = {
         "copy's. *SECTION.X_ns* is the time of one element in nanoseconds. The object *scalar* has "
         "*scalar.latency.X_over* and *scalar.throughput.X_over* of code that takes one value at a "
         "time. What could not be measured is null, and *missing* says why. *machine*, *compiler*, "
-        "*rounds* and *array_bytes* (of each array in memory) name the circumstances.",
+        "*rounds* and *array_bytes* (of each array in memory) describe the run.",
     .operands_max = 0,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
@@ -71,7 +71,7 @@ static const cli_command command = {
     .work = bench_work,
 };
 
-/* The row that others are compared with has no ratio, nor has the bare loop. */
+/* The reference row has no ratio, nor has the bare loop. */
 static int has_ratio(const burnish_bench_table *table, int i) {
     const burnish_bench_row *row = &table->rows[i];
     int is_first = i == 0 || strcmp(table->rows[i - 1].section, row->section) != 0;
@@ -102,7 +102,7 @@ static void print_table(const burnish_bench_table *table) {
             printf("    %-48s %8s %8s\n", row->label, "-", "-");
             continue;
         }
-        /* a copy's ratio is the other way round */
+        /* a copy's ratio is inverted */
         double over = row->is_copy ? 1 / row->ratio : row->ratio;
         printf("    %-48s %8.4f %8.2f", row->label, row->nanoseconds, over);
         printf(has_cycles && row->cycles == row->cycles ? " %8.2f\n" : "\n", row->cycles);
@@ -133,7 +133,7 @@ static void print_text(const burnish_bench_report *report) {
     printf("%s; caches %zu KiB, %zu KiB, %zu KiB; %s\n", machine->processor,
            machine->cache_bytes[0] / 1024, machine->cache_bytes[1] / 1024,
            machine->cache_bytes[2] / 1024, machine->compiler);
-    printf("Medians of %d rounds in which all take turns; arrays in memory %zu MiB each; no thread "
+    printf("Medians of %d rounds, taking turns; arrays in memory %zu MiB each; no thread "
            "is pinned.\n",
            report->rounds, report->array_bytes >> 20);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
@@ -147,7 +147,7 @@ static void print_text(const burnish_bench_report *report) {
     print_missing(report);
 }
 
-/* Times and ratios: five digits are more than any of them is worth. */
+/* Times and ratios: five digits are more than their accuracy. */
 static cJSON *number(double value) {
     char text[32];
     snprintf(text, sizeof text, "%.5g", value);

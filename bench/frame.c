@@ -1,5 +1,5 @@
-/* Frame times: median, minimum and maximum over several frames, one row a scene, lobe and thread
- * count. Usage: frame INPUT [INPUT ...]       1920x1080, one sample a pixel, the default view and
+/* Frame times: median, minimum and maximum over several frames, one row per mesh, lobe and thread
+ * count. Usage: frame INPUT [INPUT ...]       1920x1080, one sample per pixel, the default view and
  * rig. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,8 +56,8 @@ static int bench_lobe(const burnish_mesh *scene, const char *name, const char *l
 int main(int count, char **inputs) {
     static const char *const LOBES[] = {"taylor:2", "energy:2", "schlick", "power"};
     burnish_load_options load = burnish_load_options_default();
-    printf("%-28s %9s %8s  %-10s %7s %8s %8s %8s\n", "1920x1080, ms a frame", "triangles", "pixels",
-           "lobe", "threads", "median", "minimum", "maximum");
+    printf("%-28s %9s %8s  %-10s %7s %8s %8s %8s\n", "1920x1080, ms per frame", "triangles",
+           "pixels", "lobe", "threads", "median", "minimum", "maximum");
     for (int i = 1; i < count; ++i) {
         burnish_mesh *scene;
         burnish_error error;

@@ -14,7 +14,7 @@
 
 enum { JOBS_MAX = 16 };
 
-/* What a job needs, whichever kind it is. */
+/* The context of a job of any kind. */
 typedef struct context {
     burnish_bench_input *input;
     const burnish_kernels *batch;
@@ -25,8 +25,8 @@ typedef struct context {
     int which;     /* burnish_bench_lobe or burnish_bench_root */
 } context;
 
-/* A section while it is put together: jobs that take turns, and the rows they will fill. The first
- * job is the one that the others are compared with. */
+/* A section under construction: jobs that take turns, and the rows that they fill. The first job is
+ * the reference. */
 typedef struct section {
     const char *name;
     burnish_bench_table *table;
@@ -55,7 +55,7 @@ const burnish_bench_tier *burnish_bench_tier_for(burnish_isa isa) {
     }
 #if defined(__SSE2__)
     if (isa == BURNISH_ISA_AVX2 && !__builtin_cpu_supports("fma")) {
-        return NULL; /* the contenders fuse, the library does not */
+        return NULL; /* the contenders use fused multiply-adds, the library does not */
     }
 #endif
     return TIERS[isa];
@@ -118,7 +118,7 @@ static void run_library_shade(const void *given) {
     }
 }
 
-/* Cosines above 2^-126 are as good as squared lengths. */
+/* Cosines above 2^-126 serve as squared lengths. */
 static void run_root(const void *given) {
     const context *at = given;
     at->tier->root[at->which](BURNISH_BENCH_POINTS, at->input->cosines, at->input->values);
@@ -177,7 +177,7 @@ static void section_run(section *given, int rounds, double seconds) {
     }
 }
 
-/* What the sections of a tier have in common. */
+/* Shared by the sections of an instruction set. */
 typedef struct tier_run {
     section section;
     context context;
@@ -290,7 +290,7 @@ static void measure_tier(tier_run *run, int rounds, int quick) {
     section_run(&run->section, quick ? 3 : 13, 0);
 }
 
-/* The time of the bare loop comes off the latencies; a throughput hides it. */
+/* Subtracts the time of the bare loop from the latencies; throughputs hide it. */
 static void finish_scalar(burnish_bench_table *table, int first, int is_chain, double hertz) {
     burnish_bench_row *rows = table->rows + first;
     const int count = table->count - first;
@@ -324,7 +324,7 @@ static void measure_scalar(section *made, burnish_bench_input *input, int rounds
     }
 }
 
-/* 512 MiB an array, but no more than a quarter of what is free; a quick run takes 128 MiB. */
+/* 512 MiB per array, at most a quarter of free memory; a quick run takes 128 MiB. */
 static size_t find_array_bytes(const burnish_bench_machine *machine, int quick) {
     size_t bytes = (size_t)(quick ? 128 : 512) << 20;
     while (machine->free_bytes > 0 && bytes > machine->free_bytes / 4) {
@@ -363,7 +363,7 @@ burnish_status burnish_bench_run(const burnish_bench_settings *settings,
     return BURNISH_STATUS_OK;
 }
 
-/* Largest errors of what stands in values. */
+/* Largest errors of the values. */
 static void find_errors(const burnish_bench_input *input, int is_root, burnish_bench_row *row) {
     row->nanoseconds = row->ratio = 0;
     for (int i = 0; i < BURNISH_BENCH_POINTS; ++i) {

@@ -1,8 +1,8 @@
-/* The library's kernels timed against what else there is, side by side in one run.
+/* The library's kernels timed against their alternatives in one run.
  *
- * Contenders take turns: a round runs each for about a millisecond, and what is reported is the
- * median over rounds of a contender's time divided by the lobe's in the same round, which other
- * work on the machine disturbs least. No thread is pinned to a core. */
+ * Contenders take turns: a round runs each for about a millisecond. The result is the median over
+ * rounds of a contender's time divided by the lobe's in the same round, which other work on the
+ * machine disturbs least. No thread is pinned to a core. */
 #ifndef BURNISH_BENCH_KERNELS_H
 #define BURNISH_BENCH_KERNELS_H
 
@@ -12,7 +12,7 @@
 #include "burnish/kernels.h"
 
 enum {
-    BURNISH_BENCH_POINTS = 2048, /* in a block: cosines and values stay in the first cache */
+    BURNISH_BENCH_POINTS = 2048, /* per block: cosines and values stay in the first cache */
     BURNISH_BENCH_EXPONENT = 32,
     BURNISH_BENCH_ROWS_MAX = 48
 };
@@ -26,11 +26,11 @@ typedef struct burnish_bench_settings {
 typedef struct burnish_bench_row {
     const char *section; /* "lobe.l1" */
     const char *name;    /* "schlick" */
-    const char *label;   /* for people */
-    int is_copy;         /* 1: ratio is the lobe's time over this one's, the key over_NAME */
-    double nanoseconds;  /* an element; NaN where missing */
-    double cycles;       /* of the time-stamp counter; NaN where that is not asked or known */
-    double ratio;        /* this one's time over the lobe's, or see is_copy; NaN where missing */
+    const char *label;   /* for display */
+    int is_copy;         /* 1: ratio is the lobe's time over this row's; its key is over_NAME */
+    double nanoseconds;  /* per element; NaN where missing */
+    double cycles;       /* of the time-stamp counter; NaN where not measured */
+    double ratio;        /* this row's time over the lobe's, but see is_copy; NaN where missing */
     const char *missing; /* why there is no number; NULL where there is one */
 } burnish_bench_row;
 
@@ -43,21 +43,21 @@ typedef struct burnish_bench_machine {
     char processor[96];
     char compiler[96];
     size_t cache_bytes[3]; /* data caches of level 1 to 3, 0 where unknown */
-    size_t free_bytes;     /* memory that can be had, 0 where unknown */
+    size_t free_bytes;     /* available memory, 0 where unknown */
 } burnish_bench_machine;
 
 typedef struct burnish_bench_report {
     burnish_bench_machine machine;
     int rounds;
-    size_t array_bytes; /* of each array in memory; 0: there was no room for them */
+    size_t array_bytes; /* of each array in memory; 0: not enough memory */
     double tsc_hertz;   /* time-stamp counter; 0 where there is none */
     int has_tier[BURNISH_ISA_COUNT];
     burnish_bench_table tiers[BURNISH_ISA_COUNT];
-    burnish_bench_table scalar; /* code that takes one value at a time, no tier */
+    burnish_bench_table scalar; /* scalar code, one value at a time */
 } burnish_bench_report;
 
-/* Measures. Takes some seconds a tier, and the memory of two arrays.
- * Errors: MEMORY, with a line. */
+/* Measures. Takes some seconds per instruction set and the memory of two arrays.
+ * Errors: MEMORY. */
 burnish_status burnish_bench_run(const burnish_bench_settings *settings,
                                  burnish_bench_report *report, burnish_error *error);
 

@@ -12,10 +12,10 @@ typedef struct burnish_bench_job {
     const void *context;
     double items;
     size_t repetitions;                           /* found by calibration */
-    double nanoseconds[BURNISH_BENCH_ROUNDS_MAX]; /* an element, a round each */
+    double nanoseconds[BURNISH_BENCH_ROUNDS_MAX]; /* per element, one for each round */
 } burnish_bench_job;
 
-/* Seconds from an arbitrary moment on. */
+/* Seconds since an arbitrary moment. */
 double burnish_bench_now(void);
 
 /* Finds repetitions that take about `seconds` each, then lets the jobs take turns. */

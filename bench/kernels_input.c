@@ -1,4 +1,4 @@
-/* What the contenders work on: cosines, a sphere, two large arrays. */
+/* Input of the contenders: cosines, a sphere, two large arrays. */
 #include "bench/kernels_input.h"
 
 #include <math.h>
@@ -37,8 +37,8 @@ static void fill_cosines(burnish_bench_input *input) {
     }
 }
 
-/* The unit sphere's points toward +z, in scan order; those of the last block that is not full are
- * left out. */
+/* The unit sphere's points toward +z, in scan order, without those of a last partial block.
+ */
 static burnish_status make_sphere(burnish_bench_input *input, burnish_error *error) {
     const size_t most = (size_t)SPHERE_PIXELS * SPHERE_PIXELS;
     float *xyz = malloc(3 * most * sizeof *xyz);

@@ -1,4 +1,4 @@
-/* What the contenders work on. */
+/* Input of the contenders. */
 #ifndef BURNISH_BENCH_KERNELS_INPUT_H
 #define BURNISH_BENCH_KERNELS_INPUT_H
 
@@ -21,7 +21,7 @@ enum { BURNISH_BENCH_DIRECTIONAL, BURNISH_BENCH_POINT, BURNISH_BENCH_SCENES };
 
 typedef struct burnish_bench_input {
     float cosines[BURNISH_BENCH_POINTS]; /* uniform in [0, 1] */
-    float bright[BURNISH_BENCH_POINTS];  /* uniform where the lobe shines: no branch is missed */
+    float bright[BURNISH_BENCH_POINTS];  /* uniform inside the lobe: no mispredicted branch */
     float values[BURNISH_BENCH_POINTS];
     float table[BURNISH_BENCH_TABLE_SIZE + 1];
     uint8_t rgba[4 * BURNISH_BENCH_POINTS];
@@ -29,14 +29,14 @@ typedef struct burnish_bench_input {
     size_t blocks;               /* of BURNISH_BENCH_POINTS points of a sphere */
     float *normals, *positions;  /* x, y and z one after the other */
     size_t array_bytes;          /* of each of the two in memory */
-    float *source, *destination; /* NULL: no room */
+    float *source, *destination; /* NULL: not enough memory */
 } burnish_bench_input;
 
 /* Everything but the functions of other libraries; release with burnish_bench_input_destroy. */
 burnish_status burnish_bench_input_create(burnish_bench_input **input, burnish_error *error);
 
-/* The two arrays in memory, written once so that their pages are there; none when there is no
- * room. */
+/* The two arrays in memory, written once so that their pages exist; none where memory is
+ * short. */
 void burnish_bench_input_map(burnish_bench_input *input, size_t bytes);
 
 void burnish_bench_input_destroy(burnish_bench_input *input);

@@ -1,4 +1,4 @@
-/* Other libraries' vector powf, found when the program runs: none is needed to build or to run. */
+/* Other libraries' vector powf, loaded at run time: none is needed to build or to run. */
 #ifndef BURNISH_BENCH_KERNELS_LIBRARIES_H
 #define BURNISH_BENCH_KERNELS_LIBRARIES_H
 

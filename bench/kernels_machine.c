@@ -1,4 +1,4 @@
-/* What the benchmark runs on, from /proc, /sys and the compiler. */
+/* The machine, from /proc, /sys and the compiler. */
 #include "bench/kernels_machine.h"
 
 #include <stdio.h>

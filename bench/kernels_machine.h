@@ -1,4 +1,4 @@
-/* What the benchmark runs on. */
+/* The machine that the benchmark runs on. */
 #ifndef BURNISH_BENCH_KERNELS_MACHINE_H
 #define BURNISH_BENCH_KERNELS_MACHINE_H
 

@@ -7,8 +7,8 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* `next`, but not before `value` is there: two bit operations with a zero that the compiler does
- * not know. */
+/* `next`, made to depend on `value`: two bit operations with a zero that the compiler does not
+ * know. */
 INLINE float after(float value, float next, float zero) {
 #if defined(__SSE2__)
     __asm__("andps %1, %0" : "+x"(value) : "x"(zero));
@@ -24,8 +24,8 @@ INLINE float after(float value, float next, float zero) {
     return next;
 }
 
-/* max(0, x) without the branch that compilers like to make of it, which a lobe that is dark for
- * most cosines would be measured by. */
+/* max(0, x) without the branch that compilers make of it: a lobe that is 0 for most cosines would
+ * be timed by its prediction. */
 INLINE float positive(float x) {
 #if defined(__SSE2__)
     __asm__("maxss %1, %0" : "+x"(x) : "x"(0.0f));
@@ -35,7 +35,7 @@ INLINE float positive(float x) {
 #endif
 }
 
-/* The paper's form: max(0, c zeta + (1 - zeta))^2, two constants a material. */
+/* The paper's form: max(0, c zeta + (1 - zeta))^2, two constants per material. */
 INLINE float folded(const burnish_bench_scalar_lobe *lobe, float c) {
     float u = c * lobe->family.zeta + lobe->offset;
     u = positive(u);
@@ -103,7 +103,7 @@ LOOPS(library)
 
 const burnish_bench_scalar burnish_bench_scalars[] = {
     {"lobe", "max(0, c zeta + (1 - zeta))^2", folded_through, folded_chain},
-    {"loop", "the loop alone (taken off the latencies)", nothing_through, nothing_chain},
+    {"loop", "the loop alone (subtracted from the latencies)", nothing_through, nothing_chain},
     {"schlick", "c / (n - n c + c), as published", schlick_unfolded_through,
      schlick_unfolded_chain},
     {"schlick_folded", "c / (n - (n - 1) c)", schlick_folded_through, schlick_folded_chain},

@@ -1,4 +1,4 @@
-/* Lobes one value at a time: how long one takes, and how many fit into a second. */
+/* Lobes one value at a time: latency and throughput. */
 #ifndef BURNISH_BENCH_KERNELS_SCALAR_H
 #define BURNISH_BENCH_KERNELS_SCALAR_H
 
@@ -13,7 +13,7 @@ typedef struct burnish_bench_scalar_lobe {
 } burnish_bench_scalar_lobe;
 
 /* A lobe in two loops: `through` has independent values, out[i] = lobe(in[i]); in `chain` each
- * cosine waits for the value before it. Returns the last value. */
+ * cosine depends on the value before it. Returns the last value. */
 typedef float burnish_bench_scalar_function(const burnish_bench_scalar_lobe *lobe, size_t count,
                                             const float *in, float *out);
 

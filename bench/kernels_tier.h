@@ -1,5 +1,5 @@
-/* The contenders of one instruction set: what the library's kernels are timed against. They are
- * compiled for each tier like the kernels themselves, but may use what those may not: fused
+/* The contenders of one instruction set: the alternatives of the library's kernels. They are
+ * compiled per instruction set like the kernels, but may use what those may not: fused
  * multiply-adds, gathers, other libraries. */
 #ifndef BURNISH_BENCH_KERNELS_TIER_H
 #define BURNISH_BENCH_KERNELS_TIER_H
@@ -36,10 +36,10 @@ typedef enum burnish_bench_root {
     BURNISH_BENCH_ROOT_COUNT
 } burnish_bench_root;
 
-/* A powf over this tier's vectors; its real type takes and gives vectors. */
+/* A powf over this instruction set's vectors; its real type takes and returns vectors. */
 typedef void burnish_bench_library(void);
 
-/* What a contender reads. The shader comes first: a lobe inside the lighting kernel finds the rest
+/* The data of a contender. The shader comes first: a lobe inside the lighting kernel finds the rest
  * through it. */
 typedef struct burnish_bench_shader {
     burnish_kernels_shader shader;
@@ -71,7 +71,7 @@ typedef struct burnish_bench_tier {
     burnish_bench_root_function *root[BURNISH_BENCH_ROOT_COUNT];
 } burnish_bench_tier;
 
-/* The tables; those of other processors are not in the build. */
+/* The tables; those of other architectures are not built. */
 extern const burnish_bench_tier burnish_bench_tier_scalar;
 #if defined(__SSE2__)
 extern const burnish_bench_tier burnish_bench_tier_sse2;

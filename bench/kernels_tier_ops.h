@@ -1,9 +1,9 @@
-/* What the contenders use beyond src/simd/vector.h, for each instruction set:
+/* Operations of the contenders beyond src/simd/vector.h, per instruction set:
  *
- *   bench_fma       a b + c, fused where the tier has that
+ *   bench_fma       a b + c, fused where the instruction set has that
  *   bench_sqrt      IEEE square root
  *   bench_round     floats to the nearest integers
- *   bench_gather    table[index] a lane
+ *   bench_gather    table[index] per lane
  *   bench_mantissa  the bits of x's significand in [1, 2) */
 #ifndef BURNISH_BENCH_KERNELS_TIER_OPS_H
 #define BURNISH_BENCH_KERNELS_TIER_OPS_H

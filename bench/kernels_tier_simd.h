@@ -7,7 +7,7 @@
 #include "bench/kernels_tier_ops.h"
 #include "shading/lobe_simd.h"
 
-/* log2 of m in [1, 2) less RAMP (m - 1), degree 6 by Remez exchange, 1.85e-6 absolute; times n. */
+/* log2 of m in [1, 2) minus RAMP (m - 1), degree 6 by Remez exchange, 1.85e-6 absolute; times n. */
 BURNISH_INLINE vf bench_log2(vf m, vf n, float ramp) {
     vf p = vf_mul(n, vf_set(-0.0256910885f));
     p = bench_fma(p, m, vf_mul(n, vf_set(0.2751487678f)));
@@ -24,7 +24,7 @@ BURNISH_INLINE vf bench_pow(vf c, vf n) {
     c = vf_max(c, vf_set(0.0f));
     vf m = _mm512_getmant_ps(c, _MM_MANT_NORM_1_2, _MM_MANT_SIGN_zero);
     vf y = bench_fma(n, _mm512_getexp_ps(c), bench_log2(m, n, 0.0f));
-    y = vf_max(y, vf_set(-125.0f)); /* subnormal results would take 20 times as long */
+    y = vf_max(y, vf_set(-125.0f)); /* subnormal results would be 20 times as slow */
     vf r = _mm512_reduce_ps(y, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC); /* y - floor(y) */
     vf p = vf_set(0.0780245227f);
     p = bench_fma(p, r, vf_set(0.2260671554f));
@@ -70,7 +70,7 @@ BURNISH_INLINE vf bench_lobe(int kind, const burnish_lobe_constants *constants, 
     switch (kind) {
     case BURNISH_BENCH_SCHLICK:
         return vf_div(c, bench_fma(vf_set(1.0f - constants->exponent), c, n));
-    case BURNISH_BENCH_SQUARINGS: /* below that cosine are subnormal powers: 20 times as long */
+    case BURNISH_BENCH_SQUARINGS: /* below that cosine powers are subnormal: 20 times as slow */
         c = vf_max(cosine, vf_set(0x1.2p-4f));
         /* fall through */
     case BURNISH_BENCH_SQUARINGS_PLAIN:
@@ -92,7 +92,7 @@ BURNISH_INLINE vf bench_lobe(int kind, const burnish_lobe_constants *constants, 
     }
 }
 
-/* The lighting kernel of the library, the lobe exchanged for a contender. */
+/* The library's lighting kernel with a contender as its lobe. */
 #define lobe_of_cosine bench_lobe
 #include "shading/shade_simd.h"
 #undef lobe_of_cosine

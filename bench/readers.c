@@ -1,5 +1,5 @@
-/* Readers: megabytes a second from memory to triangles, a row a format and number of threads.
- * Building, which follows, is not counted. Usage: readers [GRID]     a torus of 2 GRID^2 triangles
+/* Readers: megabytes per second from memory to triangles, per format and number of threads. Without
+ * building the mesh. Usage: readers [GRID]     a torus of 2 GRID^2 triangles
  */
 #include <math.h>
 #include <stdarg.h>
@@ -18,7 +18,7 @@ typedef struct bytes {
 
 typedef struct mesh {
     size_t grid;
-    double *positions, *normals; /* 3 a vertex, grid * grid of them */
+    double *positions, *normals; /* 3 per vertex, grid * grid vertices */
 } mesh;
 
 static void *take(void *pointer) {
@@ -206,7 +206,7 @@ static void bench(const char *name, bytes input) {
 int main(int count, char **arguments) {
     const long grid = count > 1 ? strtol(arguments[1], NULL, 10) : 400;
     if (grid < 3 || grid > 20000) {
-        fputs("readers: GRID is a number from 3 to 20000\n", stderr);
+        fputs("readers: GRID must be a number from 3 to 20000\n", stderr);
         return EXIT_FAILURE;
     }
     mesh torus = make_torus((size_t)grid);

@@ -1,4 +1,4 @@
-# Cycles by a model, from a program's listing and a trace of the instructions that it ran.
+# Cycles by a model, from a program's listing and a trace of its executed instructions.
 # Usage: awk -v model=m0|rv32 -f cycles.awk LISTING TRACE, with LISTING from objdump -d and TRACE from
 # qemu -singlestep -d exec,nochain. Prints "mark CYCLE" for every call of target_mark, and at the end
 # "end CYCLE".
@@ -60,7 +60,7 @@ FNR == NR && /^ *[0-9a-f]+:\t/ {
 }
 FNR == NR { next }
 
-# An instruction's cost is known when the next one is: then a branch was taken or not.
+# An instruction's cost depends on the next one: whether a branch was taken.
 /^Trace/ {
     split($0, field, "/")
     at = plain(field[2])

@@ -1,9 +1,9 @@
 /* Times lobes and whole pixels on a target: each variant over two sets of cosines or normals,
- * between marks that the simulator's cycle counter sees. Prints the sums of the integer variants,
- * which must be the host's.
+ * between marks for the simulator's cycle counter. Prints the sums of the integer variants,
+ * which must equal the host's.
  *
- * A variant's cycles are those of its loop less those of the loop `empty`, which only adds the
- * cosines, by the number of cosines. Set-up (the lobe's slope, the tables) is not timed. */
+ * A variant's cycles are those of its loop minus those of the loop `empty`, which only adds the
+ * cosines, per cosine. Set-up (the lobe's slope, the tables) is not timed. */
 #include "burnish/shade_q15.h"
 
 #include "target.h"
@@ -14,13 +14,14 @@
 
 enum { COSINES = 64, EXPONENT = 32 };
 
-/* What a loop runs over. Read through a pointer, so that no variant knows its exponent ahead. */
+/* The input of a loop. Read through a pointer, so that no variant knows its exponent at compile
+ * time. */
 typedef struct input {
     uint16_t cosines[COSINES];
     uint16_t exponent;
     burnish_lobe_q15 taylor, energy, aligned, order4, order8, order16;
     uint16_t table[257];         /* cos^n at 256ths, UQ0.16 */
-    int16_t normals[COSINES][3]; /* Q15, 2 % too short, as interpolation leaves them */
+    int16_t normals[COSINES][3]; /* Q15, 2 % too short, as after interpolation */
     int32_t lengths[COSINES][3]; /* the same of any length */
     burnish_q15_shader shader;
     burnish_q15_light light;
@@ -28,7 +29,7 @@ typedef struct input {
 
 /* ---- The rivals ----------------------------------------------------------------------------- */
 
-/* c / (c + n (1 - c)) by one division of 32 bits. */
+/* c / (c + n (1 - c)) by one 32-bit division. */
 static inline uint16_t schlick16(uint16_t exponent, uint16_t cosine) {
     const uint32_t below = cosine + burnish_q15_multiply(exponent, burnish_q15_lambda(cosine));
     return cosine >= BURNISH_Q15_ONE ? (uint16_t)0xFFFFu
@@ -92,8 +93,8 @@ static inline uint16_t float_power(float exponent, uint16_t cosine) {
 
 /* ---- A pixel -------------------------------------------------------------------------------- */
 
-/* One light on an interpolated normal, to RGB565, with a lobe of choice. The branches are those of
- * burnish_q15_shade, the tables' and Schlick's included. */
+/* One light on an interpolated normal, to RGB565, with any lobe. The branches are those of
+ * burnish_q15_shade, for the tables and Schlick too. */
 #define PIXEL(in, at, lobe)                                                                        \
     int16_t normal[3];                                                                             \
     uint16_t color[3], n_dot_l, weight, c;                                                         \
@@ -117,7 +118,7 @@ static inline uint16_t float_power(float exponent, uint16_t cosine) {
 
 /* ---- The loops ------------------------------------------------------------------------------ */
 
-/* A lobe with its boundary, its shift and order known when compiling: slope and reach. */
+/* A lobe with a stored boundary; shift and order are known at compile time. */
 static inline uint16_t stored(uint16_t slope, uint16_t reach, uint8_t shift, uint16_t cosine) {
     const burnish_lobe_q15 lobe = {slope, reach, shift, 1};
     return burnish_lobe_q15_fast(&lobe, cosine);
@@ -224,7 +225,7 @@ static void put_number(uint16_t number) {
 
 typedef uint16_t loop(const input *in);
 
-/* Runs a loop over both sets and prints what came out. */
+/* Runs a loop over both sets and prints its sums. */
 static void run(const char *name, loop *time, const input sets[2], uint8_t is_exact) {
     uint8_t set;
     put_text(name);
@@ -256,7 +257,7 @@ static void fill_table(uint16_t table[257]) {
     }
 }
 
-/* Normals about the half vector: all within the lobe, or all over the lit side. */
+/* Normals around the half vector: all within the lobe, or over the whole lit side. */
 static void fill_normals(input *in, uint16_t reach) {
     static const burnish_q15_material surface = {
         {0x1000, 0x1000, 0x1000}, {0x5000, 0x4000, 0x3000}, {0x4000, 0x4000, 0x4000}};
@@ -282,7 +283,7 @@ static void fill_normals(input *in, uint16_t reach) {
     }
 }
 
-/* Cosines spread evenly over [1 - reach, 1), in an order that a branch can't guess. */
+/* Cosines spread evenly over [1 - reach, 1), in an unpredictable order. */
 static void fill(input *in, uint16_t reach) {
     uint8_t i;
     for (i = 0; i < COSINES; ++i) {
@@ -304,7 +305,7 @@ static void fill(input *in, uint16_t reach) {
 
 int main(void) {
     static input sets[2];
-    fill(&sets[0], 0x8000u / 16 - 8); /* inside every lobe: zeta is 16 at most */
+    fill(&sets[0], 0x8000u / 16 - 8); /* inside every lobe: zeta is at most 16 */
     fill(&sets[1], 0x8000u);
 #define RUN_EXACT(name, type, expression) run(#name, time_##name, sets, 1);
 #define RUN_FLOAT(name, type, expression) run(#name, time_##name, sets, 0);

@@ -1,5 +1,5 @@
-/* Constants that stay in program memory: on AVR they need an attribute and an instruction of their
- * own, elsewhere they are ordinary. */
+/* Constants in program memory: AVR needs an attribute and a special load instruction for them,
+ * elsewhere they are ordinary. */
 #ifndef BURNISH_FIRMWARE_FLASH_H
 #define BURNISH_FIRMWARE_FLASH_H
 

@@ -1,12 +1,12 @@
-/* A turning knot in integers: rotate, rasterise, interpolate normals, shade. No floating point, no
- * division but one a triangle, no memory but the framebuffer, a byte of depth a pixel and two rings
- * of points. The same C runs on every target and on the host, and gives the same pixels. */
+/* A rotating knot in integers: rotate, rasterise, interpolate normals, shade. No floating point,
+ * one division per triangle, no memory but the framebuffer, a byte of depth per pixel and two rings
+ * of points. The same C runs on every target and on the host and gives the same pixels. */
 #include "picture.h"
 
 #include "burnish/shade_q15.h"
 #include "object.h"
 
-/* A point on its way to the screen. */
+/* A point in screen space. */
 typedef struct point {
     int16_t x, y;      /* 1/16 pixel */
     int16_t z;         /* larger is nearer: 0 .. 255 in 1/64 */
@@ -19,7 +19,7 @@ typedef struct triangle {
     int32_t inverse;
 } triangle;
 
-/* What one frame is drawn with. */
+/* The state of one frame. */
 typedef struct stage {
     picture *to;
     burnish_q15_shader shader;
@@ -27,14 +27,14 @@ typedef struct stage {
     int16_t turn[3][3]; /* Q15 */
 } stage;
 
-enum { ROUND = 256, QUARTER = ROUND / 4 }; /* angle units in a turn */
+enum { ROUND = 256, QUARTER = ROUND / 4 }; /* angle units per turn */
 
 /* sin of a quarter turn in 16 steps, Q15. */
 static const int16_t sines[17] FLASH = {0,     3212,  6393,  9512,  12539, 15446,
                                         18204, 20787, 23170, 25329, 27245, 28898,
                                         30273, 31356, 32137, 32609, 32767};
 
-/* sin of an angle in 1/256 turn, straight between 64 values a turn: within .0013. */
+/* sin of an angle in 1/256 turn, linear between 64 values per turn: within .0013. */
 static int16_t sine(uint8_t angle) {
     const uint8_t half = angle & 127u;
     const uint8_t folded = (uint8_t)(half > QUARTER ? 2 * QUARTER - half : half);
@@ -53,7 +53,7 @@ static int16_t multiply_q15(int16_t a, int16_t b) {
     return (int16_t)(((int32_t)a * b) >> 15);
 }
 
-/* Turns by the frame's angle about the object's axis, then leans it towards the viewer. */
+/* Rotates by the frame's angle about the object's axis, then tilts it towards the viewer. */
 static void set_turn(int16_t turn[3][3], uint8_t frame) {
     const uint8_t angle = (uint8_t)(frame * (ROUND / 8) + 14), lean = 28;
     const int16_t c = cosine(angle), s = sine(angle), cl = cosine(lean), sl = sine(lean);
@@ -68,7 +68,7 @@ static void set_turn(int16_t turn[3][3], uint8_t frame) {
     turn[2][2] = cl;
 }
 
-/* A row of the turn times a vector of bytes, of which 127 is 1: Q15, 127/128 as long. */
+/* A row of the rotation times a vector of bytes, 127 being 1: Q15, scaled by 127/128. */
 static int16_t turned(const int16_t row[3], const int8_t v[3]) {
     const int32_t sum = burnish_q15_multiply_signed(row[0], v[0]) +
                         burnish_q15_multiply_signed(row[1], v[1]) +
@@ -76,7 +76,7 @@ static int16_t turned(const int16_t row[3], const int8_t v[3]) {
     return (int16_t)(sum >> 7);
 }
 
-/* One ring of the object, turned and placed on the screen. */
+/* One ring of the object, rotated and projected. */
 static void turn_ring(const stage *on, uint8_t ring, point points[OBJECT_SEGMENTS]) {
     uint8_t segment, k;
     for (segment = 0; segment < OBJECT_SEGMENTS; ++segment) {
@@ -85,7 +85,7 @@ static void turn_ring(const stage *on, uint8_t ring, point points[OBJECT_SEGMENT
         for (k = 0; k < 6; ++k) {
             stored[k] = FLASH_INT8(&object_points[ring][segment][k]);
         }
-        /* 127 reaches 31 pixels from the middle */
+        /* 127 is 31 pixels from the centre */
         p->x = (int16_t)(PICTURE_SIZE * 8 + (turned(on->turn[0], stored) >> 6));
         p->y = (int16_t)(PICTURE_SIZE * 8 - (turned(on->turn[1], stored) >> 6));
         p->z = (int16_t)(8192 + (turned(on->turn[2], stored) >> 2));
@@ -95,12 +95,12 @@ static void turn_ring(const stage *on, uint8_t ring, point points[OBJECT_SEGMENT
     }
 }
 
-/* first + second weight of two differences, all within 16 bits: neighbouring points are near.
+/* first plus two weighted differences; all fit 16 bits, since neighbouring points are close.
  *   b, c  weights of the second and third corner, Q15 */
 static int16_t between(int16_t first, int16_t second, int16_t third, int16_t b, int16_t c) {
     const int32_t sum = burnish_q15_multiply_signed((int16_t)(second - first), b) +
                         burnish_q15_multiply_signed((int16_t)(third - first), c);
-    return (int16_t)(first + (int16_t)((sum * 2) >> 16)); /* a whole word is the cheapest shift */
+    return (int16_t)(first + (int16_t)((sum * 2) >> 16)); /* a shift by a word is the cheapest */
 }
 
 /* Shades one pixel. */
@@ -117,13 +117,13 @@ static uint16_t shade_pixel(const stage *on, const triangle *t, int16_t b, int16
     return burnish_q15_rgb565(color);
 }
 
-/* An edge function as a weight in Q15, a little below 1 at most. */
+/* An edge function as a weight in Q15, always below 1. */
 static int16_t weight(int32_t edge, int32_t inverse) {
     const uint16_t w = (uint16_t)(((uint32_t)edge * (uint32_t)inverse * 2u) >> 16);
     return (int16_t)(w > 0x7FFF ? 0x7FFF : w);
 }
 
-/* Twice the signed area of a triangle, positive when it is seen from outside. 1/256 pixel squared
+/* Twice the signed area of a triangle, positive when it is front-facing. 1/256 pixel squared
  */
 static int32_t area(const point *a, const point *b, const point *c) {
     return (int32_t)(b->y - a->y) * (c->x - a->x) - (int32_t)(b->x - a->x) * (c->y - a->y);
@@ -157,7 +157,7 @@ static void fill_row(const stage *on, const triangle *t, uint16_t pixel, uint8_t
     }
 }
 
-/* Draws a triangle where its pixels' middles are inside or on its edge. */
+/* Draws the pixels whose centres are inside a triangle or on its edge. */
 static void fill(const stage *on, const point *p, const point *q, const point *r) {
     const int32_t whole = area(p, q, r);
     int16_t left, right, top, bottom;
@@ -238,7 +238,8 @@ void picture_write(const picture *from, void (*put)(uint8_t byte)) {
     for (i = 0; header[i]; ++i) {
         put((uint8_t)header[i]);
     }
-    for (i = 0; i < PICTURE_SIZE * PICTURE_SIZE; ++i) { /* 5 and 6 bits to 8 by repeating the top */
+    for (i = 0; i < PICTURE_SIZE * PICTURE_SIZE;
+         ++i) { /* 5 and 6 bits to 8 by repeating the top ones */
         const uint16_t pixel = from->pixels[i];
         const uint8_t red = (uint8_t)(pixel >> 11), green = (uint8_t)((pixel >> 5) & 63u),
                       blue = (uint8_t)(pixel & 31u);

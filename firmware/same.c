@@ -1,11 +1,11 @@
-/* Every input of the steps that processors compute in ways of their own, as sums that must be the
- * host's: AVR has products in assembly, and every compiler its own idea of 16 bits. */
+/* Sums over the inputs of the steps that differ between processors, which must equal the host's:
+ * AVR has products in assembly, and int is 16 bits there. */
 #include "burnish/shade_q15.h"
 #include "target.h"
 
 static uint32_t sum;
 
-/* Takes a result into the sum, so that order counts. */
+/* Adds a result to the sum so that order matters. */
 static void take(uint32_t result) {
     sum = (sum << 5 | sum >> 27) ^ result;
 }
@@ -32,7 +32,7 @@ static void take_steps(void) {
     put_sum('s');
 }
 
-/* Products of numbers all over 16 bits, edges first. */
+/* Products of 16-bit numbers, extremes first. */
 static void take_products(void) {
     uint16_t i, a = 1, b = 1;
     for (i = 0; i < 40000u; ++i) {
@@ -45,7 +45,7 @@ static void take_products(void) {
     put_sum('p');
 }
 
-/* All cosines of lobes that have code of their own. */
+/* All cosines, for lobes with specialised code. */
 static void take_lobes(void) {
     static const uint8_t exponents[] = {0, 1, 2, 100, 255};
     uint8_t i;

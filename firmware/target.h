@@ -1,4 +1,4 @@
-/* What a target gives the programs: a byte out, an end, and marks for the cycle counters. */
+/* What a target provides: byte output, an end, and marks for the cycle counters. */
 #ifndef BURNISH_FIRMWARE_TARGET_H
 #define BURNISH_FIRMWARE_TARGET_H
 
@@ -7,10 +7,10 @@
 /* Sends a byte over the serial line. */
 void target_put(uint8_t byte);
 
-/* A moment that the cycle counter of the simulator sees. */
+/* Marks a moment for the simulator's cycle counter. */
 void target_mark(void);
 
-/* Ends the run: what the simulator waits for. */
+/* Ends the run; the simulator waits for it. */
 void target_end(void);
 
 #endif

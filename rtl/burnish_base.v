@@ -1,13 +1,13 @@
-// burnish_base: the lobe's base of slopes that are a shift away from n.
+// burnish_base: the lobe's base for slopes that are n, 3n or 7n, shifted.
 //
 //     t = max(0, 1 - zeta (1 - c)),  2 zeta = FACTOR n / 2^SHIFT
 //
 // in the form of lobe_q15.h: a = (FACTOR n u) >> SHIFT, t = a > 0xFFFF ? 0 : 0xFFFF - a. The units
-// burnish_taylor, burnish_shift7 and burnish_shift3 are this module and a burnish_power.
+// burnish_taylor, burnish_shift7 and burnish_shift3 are this module followed by a burnish_power.
 //
 // Latency    rows: 1 + burnish_product + (FACTOR 1: 1, else burnish_fold)
 //            DSP: 3
-// Throughput one a clock
+// Throughput one per clock
 // Parameters FACTOR   1; 2^SHIFT - 1 for SHIFT 2 or 3
 //            SHIFT    0 .. 3
 //            LAMBDA   0: angle is the cosine, UQ1.15, above 0x8000 counts as 1
@@ -79,7 +79,7 @@ module burnish_base #(
             reg [9:0] slope_kept;
             reg [U_WIDTH-1:0] u_kept;
             if (LAMBDA == 0) begin : cosine
-                // A cosine from 1 up takes n to 0, which is the register's reset.
+                // A cosine of 1 or more sets n to 0 by the register's reset.
                 always @(posedge clk)
                     if (enable) begin
                         slope_kept <= angle[15] ? 10'd0 : exponent;

@@ -2,14 +2,14 @@
 //
 //     out = in + color S(N.H) for red, green and blue where lit, else in; limited to 0xFFFF
 //
-// S is shift7, fast. color is the light's colour times ks. Chain one channel a light, or feed a channel
+// S is shift7, fast. color is the light's colour times ks. Chain one channel per light, or feed a channel
 // its own result for the next light. The bits of burnish_q15_dot, _cosine, burnish_shift7_q15 and
 // _accumulate of include/burnish/lobe_q15.h and shade_q15.h.
 //
 // Latency    5 (burnish_dot) + burnish_shift7 + 3
-// Throughput one pixel a clock
+// Throughput one pixel per clock
 // Parameters ROWS, SEGMENT, DSP  as burnish_shift7
-//            USER_WIDTH  bits that travel along
+//            USER_WIDTH  width of user_in and user_out
 // Ports      normal, half  {z, y, x}, Q15, unit vectors
 //            exponent      n, 1 .. 1023
 //            lit           1 where N.L > 0

@@ -1,8 +1,8 @@
 // burnish_delay: a word, DEPTH clocks later.
 //
-// Latency DEPTH, one word a clock. DEPTH 0 is a wire.
+// Latency DEPTH, one word per clock. DEPTH 0 is a wire.
 // Parameters  WIDTH bits of the word; DEPTH 0 or more clocks
-// Ports       enable  the line moves where it is 1
+// Ports       enable  1: the line advances
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors

@@ -3,10 +3,10 @@
 //     sum = x x' + y y' + z z' (Q30, modulo 2^32),
 //     cosine = sum <= 0 ? 0 : sum >= 0x3FFFC000 ? 0x8000 : (sum + 0x4000) >> 15
 //
-// The bits of burnish_q15_cosine(burnish_q15_dot(a, b)) of include/burnish/shade_q15.h.
+// Bit for bit burnish_q15_cosine(burnish_q15_dot(a, b)) of include/burnish/shade_q15.h.
 //
 // Latency    5
-// Throughput one a clock
+// Throughput one per clock
 // Ports      a, b   {z, y, x}, Q15 each;  cosine UQ1.15, registered
 //
 // SPDX-License-Identifier: MIT

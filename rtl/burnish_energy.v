@@ -1,12 +1,12 @@
-// burnish_energy: the lobe that reflects as much light as the power, zeta = (n + 1) / (order + 1).
+// burnish_energy: the lobe with the power's energy, zeta = (n + 1) / (order + 1).
 //
 //     S = max(0, 1 - (n + 1) / (order + 1) (1 - c))^order,  order = 2^SQUARINGS
 //
-// The bits of burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h with
+// Bit for bit burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h with
 // BURNISH_Q15_ENERGY. Where n rarely changes, burnish_zeta with a stored slope is smaller.
 //
 // Latency    4 + burnish_zeta
-// Throughput one lobe a clock; n may change at every clock
+// Throughput one lobe per clock; n may change at every clock
 // Parameters, ports  as burnish_taylor
 //
 // SPDX-License-Identifier: MIT

@@ -1,12 +1,12 @@
-// burnish_energy_slope: the slope of the lobe that reflects as much light as the power.
+// burnish_energy_slope: the slope of the lobe with the power's energy.
 //
 //     2 zeta = 2 (n + 1) / (order + 1) = slope / 2^shift, 16 significant bits, rounded, halves up
 //
-// The bits of burnish_q15_energy_slope of include/burnish/lobe_q15.h. The division is by a constant: a
+// Bit for bit burnish_q15_energy_slope of include/burnish/lobe_q15.h. The division is by a constant: a
 // product with its reciprocal, exact over n = 1 .. 1023 and every order.
 //
 // Latency    4
-// Throughput one a clock
+// Throughput one per clock
 // Parameters SQUARINGS  log2 of the order, 1 .. 4
 // Ports      exponent   n, 1 .. 1023;  slope, shift registered
 //
@@ -22,11 +22,11 @@ module burnish_energy_slope #(
     output reg [3:0] shift
 );
     localparam [19:0] WHOLE = (1 << SQUARINGS) + 1;
-    localparam [20:0] LEAST = 20'h8000 * WHOLE;  // what is scaled to at least this, but for shift 15
+    localparam [20:0] LEAST = 20'h8000 * WHOLE;  // scaled is at least this, except at shift 15
     localparam PLACES = 18 + SQUARINGS + 4;
     localparam [22:0] RECIPROCAL = ((1 << PLACES) + WHOLE - 1) / WHOLE;
 
-    // 2 (n + 1) to its leading one at a fixed place, then one place more where that is below LEAST.
+    // Shift 2 (n + 1) until its leading one is at a fixed bit, then once more where the result is below LEAST.
     // SQUARINGS + 15 is the highest bit of LEAST.
     integer k;
     reg [10:0] next;

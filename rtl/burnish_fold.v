@@ -1,15 +1,15 @@
-// burnish_fold: all but a 2^SHIFT-th of a product, as the lobe's base.
+// burnish_fold: a product times 1 - 2^-SHIFT, as the lobe's base.
 //
 //     a = floor((2^SHIFT - 1) product / 2^(SHIFT + FRACTION)),  t = over or a > 0xFFFF ? 0 : 0xFFFF - a
 //
 // With product = n u and SHIFT 3 this is the slope 7n/16 by one subtraction: 7n = 8n - n.
 //
-// Latency    1; with SEGMENT 1 more for each segment: ceil((WIDTH + SHIFT) / SEGMENT) + 1
-// Throughput one a clock
+// Latency    1; with SEGMENT one more per segment: ceil((WIDTH + SHIFT) / SEGMENT) + 1
+// Throughput one per clock
 // Parameters WIDTH     bits of the product, 17 + FRACTION
 //            SHIFT     2 or 3
 //            FRACTION  bits of the product below 2^-16
-//            SEGMENT   0, or columns between two registers of the carry
+//            SEGMENT   0, or columns between two carry registers
 // Ports      over  1: the product does not fit its bits
 //            t     UQ0.16, registered; 0 stands for the lobe's zero
 //
@@ -73,7 +73,7 @@ module burnish_fold #(
         end
     endgenerate
 
-    // The zero is the register's reset: no cell of logic.
+    // The zero is the register's reset, which needs no logic cell.
     wire zero = over_kept | rest[COLUMNS-1];
     always @(posedge clk)
         if (enable) t <= zero ? 16'd0 : ~rest[SHIFT+FRACTION+15:SHIFT+FRACTION];

@@ -1,5 +1,5 @@
-// burnish_latency.vh: the latency of every module as constant functions, so that what travels along can
-// be delayed alike. Included inside modules.
+// burnish_latency.vh: the latency of every module as constant functions, so that
+// user data can be delayed alike. Included inside modules.
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors

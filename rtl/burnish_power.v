@@ -1,11 +1,11 @@
-// burnish_power: the base to the order by squarings.
+// burnish_power: the base to the power of the order, by squarings.
 //
 //     ROUND 0 (fast): x = t, then SQUARINGS times x = (x x) >> 16
 //     ROUND 1 (near): x = (t t + t + 0x8000) >> 16, then x = (x x + 0x8000) >> 16
 //     RESULT 8:       the last squaring from y = x >> 7 as (y (y + 1) + 511) >> 10
 //
 // Latency    SQUARINGS times burnish_square; RESULT 8: one more
-// Throughput one a clock
+// Throughput one per clock
 // Parameters SQUARINGS log2 of the order, 1 .. 4;  RESULT 16 or 8 bits;  ROUND 0, or 1 (RESULT 16 only)
 //            ROWS, SEGMENT, DSP  see burnish_square
 // Ports      t  UQ0.16, registered;  value  UQ0.16 or UQ0.8, registered

@@ -2,18 +2,18 @@
 //
 //     product = (slope u) mod 2^KEEP,  over = slope u >= 2^KEEP
 //
-// A row a bit of the slope, from the lowest: prior + (u << i) where the bit is 1, else prior. Choosing
-// behind the sum instead of masking u before it lets an adder's cell do both. Columns from KEEP up are
-// never summed: that they would hold something is known from the bits of u that stand there, or a carry.
+// One row per bit of the slope, lowest first: prior + (u << i) where the bit is 1, else prior. Selecting
+// after the sum, instead of masking u before it, lets one adder cell do both. Columns from KEEP up are
+// never summed: over follows from the bits of u in those columns, or a carry.
 //
 // Latency    (SLOPE_WIDTH - 1) / ROWS + SEGMENTS, SEGMENTS = ceil(KEEP / SEGMENT) or 1
-// Throughput one product a clock
+// Throughput one product per clock
 // Parameters SLOPE_WIDTH, U_WIDTH  bits of the factors
 //            KEEP     bits of the product, at least U_WIDTH
-//            ROWS     rows between two registers: 1 is fast, 2 saves flip-flops
-//            SEGMENT  0, or columns between two registers of a carry: the row's upper part is computed a
-//                     clock later than its lower part, so no carry runs further than this
-// Ports      slope, u read at the same clock; product, over registered
+//            ROWS     adder rows between two registers: 1 gives the highest clock, 2 saves flip-flops
+//            SEGMENT  0, or columns between two carry registers: a row's upper part is computed one
+//                     clock after its lower part, so no carry chain is longer than this
+// Ports      slope, u read in the same clock; product, over registered
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
@@ -35,7 +35,7 @@ module burnish_product #(
     localparam SEGMENTS = (KEEP + SPAN - 1) / SPAN;
     localparam CLOCKS = (SLOPE_WIDTH - 1) / ROWS + SEGMENTS;  // of the last row's last segment
 
-    // The factors at every clock; what no row reads is removed by synthesis.
+    // The factors of every clock; synthesis removes what no row reads.
     genvar t, r, s;
     generate
         for (t = 0; t < CLOCKS; t = t + 1) begin : at
@@ -68,7 +68,7 @@ module burnish_product #(
                 localparam FROM = r > LOW ? r : LOW;  // the lowest column that changes
                 localparam REGISTERED = (r + 1) % ROWS == 0 || r == SLOPE_WIDTH - 1;
                 wire bit_now = at[NOW].slope_now[r];
-                // u at this row's columns, and whether it reaches beyond the last.
+                // u in this row's columns, and whether it exceeds the last.
                 wire [KEEP+SLOPE_WIDTH+U_WIDTH-1:0] placed =
                     {{KEEP + SLOPE_WIDTH{1'b0}}, at[NOW].u_now} << r;
                 wire [WIDTH-1:0] prior, after;
@@ -106,7 +106,7 @@ module burnish_product #(
                             assign after[FROM-LOW-1:0] = prior[FROM-LOW-1:0];
                         end
                     end
-                    // Grows by one bit of u a row.
+                    // Grows by one bit of u per row.
                     if (r > KEEP - U_WIDTH) begin : reaches
                         assign beyond = row[r-1].beyond_kept | at[NOW].u_now[KEEP-r];
                     end else begin : no_reach

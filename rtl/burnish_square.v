@@ -2,14 +2,14 @@
 //
 //     square = t^2 + offset
 //
-// A row a bit of t, from the lowest: t_i ? prior + 4^i (4 (t >> (i+1)) + 1) : prior. Each product of two
+// One row per bit of t, lowest first: t_i ? prior + 4^i (4 (t >> (i+1)) + 1) : prior. Each product of two
 // different bits appears once, at twice its weight, which halves a multiplier.
 //
 // Latency    (WIDTH - 1) / ROWS + SEGMENTS, SEGMENTS = ceil(2 WIDTH / SEGMENT) or 1; with DSP 1
-// Throughput one square a clock
+// Throughput one square per clock
 // Parameters WIDTH    bits of t
-//            ROWS     rows between two registers
-//            SEGMENT  0, or columns between two registers of a carry; see burnish_product
+//            ROWS     adder rows between two registers
+//            SEGMENT  0, or columns between two carry registers; see burnish_product
 //            DSP      1: a plain `*` and one register, for chips with multipliers
 // Ports      offset   WIDTH + 1 bits, at most 2^(WIDTH + 1) - 2; for rounding; 0 costs nothing
 //            square   registered; bits that are not read cost little
@@ -67,7 +67,7 @@ module burnish_square #(
             for (i = 0; i < WIDTH; i = i + 1) begin : row
                 localparam NOW = i / ROWS + s;
                 localparam REGISTERED = (i + 1) % ROWS == 0 || i == WIDTH - 1;
-                // The row's columns: from 2i to where t's top bit and a carry end.
+                // The row's columns: from 2i to the one after t's top bit, for the carry.
                 localparam FIRST = 2 * i;
                 localparam LAST = WIDTH + 1 + i > COLUMNS - 1 ? COLUMNS - 1 : WIDTH + 1 + i;
                 localparam FROM = FIRST > LOW ? FIRST : LOW;
@@ -93,7 +93,7 @@ module burnish_square #(
                     wire [PART-1:0] b = placed[TO:FROM];
                     wire [PART:0] total;
                     if (FIRST >= LOW) begin : fresh
-                        // The lowest column's 1 goes in as the carry.
+                        // The lowest column's 1 is the carry in.
                         if (PART > 1) begin : wide
                             wire ignored;
                             assign {total, ignored} =

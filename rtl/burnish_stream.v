@@ -1,16 +1,16 @@
 // burnish_stream: a lobe between two streams by the AXI4-Stream convention.
 //
-//     m_value = lobe(s_exponent, s_angle), in order, none lost, none doubled
+//     m_value = lobe(s_exponent, s_angle), in order, none lost, none repeated
 //
-// A word passes where valid and ready are both 1. s_ready comes from a register, so no path leads from
-// m_ready to s_ready: a word that arrives while the output stalls waits in a second register.
+// A word passes when valid and ready are both 1. s_ready comes from a register, so there is no combinational path
+// from m_ready to s_ready: a word that arrives while the output stalls waits in a second register.
 //
 // Latency    the unit's + 1
-// Throughput one word a clock; stalls cost nothing else
+// Throughput one word per clock; stalls cost nothing else
 // Parameters UNIT       0: taylor, 1: shift7, 2: shift3, 3: energy
 //            SQUARINGS  for taylor and energy;  RESULT .. DSP  as burnish_taylor
-//            USER_WIDTH bits that travel along: TLAST, TUSER, TID ...
-// Ports      reset      1: what is inside is dropped; at least one clock after power-up
+//            USER_WIDTH width of the user data: TLAST, TUSER, TID ...
+// Ports      reset      1: drops all words inside; at least one clock after power-up
 //            s_*, m_*   the two streams; {s_exponent, s_angle} and m_value are their TDATA
 //
 // SPDX-License-Identifier: MIT
@@ -48,10 +48,10 @@ module burnish_stream #(
             : UNIT == 2 ? latency_base(3, 2, LAMBDA, ROWS, SEGMENT, DSP)
             : 4 + latency_zeta(LAMBDA, ROWS, SEGMENT, DSP));
 
-    // The unit moves unless a result stands at its end and is not taken.
+    // The unit advances unless a result waits at its end.
     wire enable = !m_valid || m_ready;
 
-    // The word that goes in next: from the waiting register first.
+    // The next word in: from the waiting register first.
     reg waiting;
     reg [WORD-1:0] waiting_word;
     reg entering;
@@ -64,7 +64,7 @@ module burnish_stream #(
             waiting <= 1'b0;
             entering <= 1'b0;
         end else if (enable) begin
-            // A waiting word implies s_ready = 0: nothing arrives beside it.
+            // A waiting word implies s_ready = 0: no other arrives.
             entering <= waiting || taken;
             entering_word <= waiting ? waiting_word : arriving;
             waiting <= 1'b0;
@@ -77,7 +77,7 @@ module burnish_stream #(
             s_ready <= !(waiting || taken);
         end
 
-    // Valid bits, which alone need the reset.
+    // Valid bits: only these need the reset.
     reg [DEPTH-1:0] valid;
     always @(posedge clk)
         if (reset) valid <= {DEPTH{1'b0}};

@@ -1,24 +1,24 @@
-// burnish_taylor: the lobe with the peak's curvature, zeta = n / order.
+// burnish_taylor: the lobe with the power's curvature at the peak, zeta = n / order.
 //
 //     S = max(0, 1 - (n / order) (1 - c))^order,  order = 2^SQUARINGS
 //
-// The bits of burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h.
+// Bit for bit burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h.
 //
-// Latency    at order 2 and 16 bits 28, with ROWS 2 15, with DSP 4; every other in burnish_latency.vh
-// Throughput one lobe a clock
+// Latency    at order 2 and 16 bits 28, with ROWS 2 15, with DSP 4; others in burnish_latency.vh
+// Throughput one lobe per clock
 // Parameters SQUARINGS  log2 of the order: 1 .. 4
 //            RESULT     16 or 8 bits
-//            ROUND      0: fast; 1: near, half the error for an adder's cells (RESULT 16)
+//            ROUND      0: fast; 1: near, half the error for one more adder (RESULT 16)
 //            LAMBDA     0: angle is the cosine; 1: 1 - cosine
-//            ROWS       rows of an adder between two registers
-//            SEGMENT    0, or the longest carry
+//            ROWS       adder rows between two registers
+//            SEGMENT    0, or the longest carry chain in columns
 //            DSP        1: multipliers of the chip
-//            USER_WIDTH bits that travel along
-// Ports      enable     the unit moves where it is 1
+//            USER_WIDTH width of user_in and user_out
+// Ports      enable     1: the pipeline advances
 //            exponent   n, 1 .. 1023
 //            angle      cosine UQ1.15, above 0x8000 counts as 1; or 1 - cosine UQ0.24
 //            value      UQ0.16 or UQ0.8
-//            user_in, user_out   a valid bit, a tag, a pixel's address: same latency
+//            user_in, user_out   a valid bit, a tag, a pixel's address; delayed by the latency
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors

@@ -2,11 +2,11 @@
 //
 //     S = max(0, 1 - zeta (1 - c))^order,  2 zeta = slope / 2^shift,  order = 2^SQUARINGS
 //
-// The bits of burnish_q15_fast_of (ROUND 1: _near_of; RESULT 8: _fast8_of) of include/burnish/lobe_q15.h,
+// Bit for bit burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h,
 // which also makes slope and shift from a fit or a zeta.
 //
 // Latency    5 + burnish_product of 16 bits (DSP: 1) + burnish_power
-// Throughput one lobe a clock; slope and shift may change at every clock
+// Throughput one lobe per clock; slope and shift may change at every clock
 // Parameters as burnish_taylor
 // Ports      slope  16 bits;  shift  0 .. 15;  the others as burnish_taylor
 //
@@ -59,7 +59,7 @@ module burnish_zeta #(
         end
     endgenerate
 
-    // a = w >> shift, two bits of the shift a clock; then the zero.
+    // a = w >> shift, two bits of the shift per clock; then the test for zero.
     wire [3:0] shift_now;
     burnish_delay #(.WIDTH(4), .DEPTH(1 + MULTIPLY)) shift_line (
         .clk(clk), .enable(enable), .in(shift), .out(shift_now));

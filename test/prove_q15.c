@@ -1,8 +1,8 @@
 /* Every proof of q15_proof.h over every exponent, n = 1 .. 1023, every cosine and every lambda up
- * to past the cutoff: two minutes, so `make prove-q15` and not ctest runs it. Usage: prove_q15
+ * to past the cutoff: takes two minutes, so `make prove-q15` runs it, not ctest. Usage: prove_q15
  * [--markdown|--inputs|--tables]
  *   --markdown  the table of errors of docs/firmware.md
- *   --inputs    the table of what input formats cost
+ *   --inputs    the table of the errors of input formats
  *   --tables    the table of lobes and tables of cos^n, all against cos^n */
 #include <math.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 #include "core/tasks.h"
 #include "q15_proof.h"
 
-/* Adds what another thread found. */
+/* Merges another thread's results. */
 static void merge(q15_result *to, const q15_result *from) {
     for (int form = 0; form < Q15_FORMS; ++form) {
         to->error[form] = to->error[form] > from->error[form] ? to->error[form] : from->error[form];
@@ -90,8 +90,8 @@ static int16_t to_q15(double x) {
     return (int16_t)lrint(fmin(32767, fmax(-32767, x * 32768)));
 }
 
-/* What the input's format costs, apart from the lobe's own rounding: the largest error in steps of
- * an 8-bit result, over random pairs of unit vectors inside the lobe. */
+/* The error due to the input's format, without the lobe's own rounding: the largest error in steps
+ * of an 8-bit result, over random pairs of unit vectors inside the lobe. */
 static void print_inputs(void) {
     printf(
         "| exponent | exact cosine rounded to UQ1.15 | N.H of vectors in Q15 | chord of vectors in "
@@ -133,7 +133,7 @@ static double nearest(double cosine, int n) {
     return pow((fmin(255, floor(cosine * 256)) + .5) / 256, n);
 }
 
-/* cos^n from 257 entries, straight between them. */
+/* cos^n from 257 entries, interpolated linearly. */
 static double between(double cosine, int n) {
     const double step = fmin(255, floor(cosine * 256)), part = cosine * 256 - step;
     return pow(step / 256, n) * (1 - part) + pow((step + 1) / 256, n) * part;

@@ -10,7 +10,7 @@
 
 #include "burnish/lobe.h"
 
-/* What the swept float is. */
+/* The meaning of the swept float. */
 typedef enum {
     SWEEP_FAMILY,           /* cosine of the family; also through at_lambda */
     SWEEP_SCHLICK,          /* cosine */
@@ -23,10 +23,10 @@ typedef enum {
     SWEEP_CREATE            /* exponent handed to burnish_lobe_create */
 } sweep_kind;
 
-/* In the place of a fit that sweeps know. */
+/* Instead of a fit. */
 #define NO_FIT BURNISH_FIT_MINIMAX
 
-/* One sweep. fit and order where the lobe has them; exponent where it is not what is swept. */
+/* One sweep. fit and order where the lobe has them; exponent where it is not swept. */
 typedef struct {
     const char *name;
     sweep_kind kind;
@@ -86,7 +86,7 @@ static inline const sweep_bound *sweep_find_bound(sweep_kind kind, int order) {
     return NULL;
 }
 
-/* What a sweep found. */
+/* The result of a sweep. */
 typedef struct {
     uint64_t values;       /* evaluated */
     uint64_t outside;      /* not finite, or not in [0, 1], or not 0 for NaN */

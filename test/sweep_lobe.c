@@ -1,4 +1,4 @@
-/* Every sweep of sweep.h over all 2^32 floats; minutes, so `make sweep` and not ctest runs it.
+/* Every sweep of sweep.h over all 2^32 floats; takes minutes, so `make sweep` runs it, not ctest.
  * Usage: sweep_lobe [STRIDE]. */
 #include <stdlib.h>
 
@@ -37,7 +37,7 @@ int main(int argc, char **argv) {
     uint64_t stride = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
     int bad = 0;
     if (stride == 0) {
-        fprintf(stderr, "sweep_lobe: the stride must be a whole number above 0\n");
+        fprintf(stderr, "sweep_lobe: the stride must be an integer above 0\n");
         return EXIT_FAILURE;
     }
     burnish_tasks tasks, *pool = &tasks;

@@ -57,7 +57,7 @@ static void check_words(void) {
     CHECK_TEXT(name, "unknown");
 }
 
-/* A parameter's words give the same number back, for all that the words can say. */
+/* A parameter's words parse to the same number, within the digits of words. */
 static void check_parameters(void) {
     uint64_t state = test_seed(12);
     char name[BURNISH_LOBE_NAME_SIZE];
@@ -80,7 +80,7 @@ static void check_parameters(void) {
             return;
         }
     }
-    /* more digits than words have: cut, and still a level */
+    /* more digits than words have: truncated, still a valid level */
     burnish_lobe_spec read, near = {.fit = BURNISH_FIT_LEVEL, .order = 2, .parameter = 1 - 0x1p-53};
     burnish_lobe_spec_name(&near, name, sizeof name);
     CHECK_TEXT(name, "level0.99999999999999:2");
@@ -99,7 +99,7 @@ static long double difference(long double zeta, long double scale, int order, lo
     return scale * (u > 0 ? powl(u, order) : 0) - (lambda < 1 ? expl(n * log1pl(-lambda)) : 0);
 }
 
-/* The largest and the least difference but for the peak: a walk along sqrt(lambda), then a golden
+/* The largest and the least difference, without the peak: a walk along sqrt(lambda), then a golden
  * section around each extreme. */
 static void extremes(long double zeta, long double scale, int order, long double n,
                      long double range[2]) {
@@ -209,7 +209,7 @@ static void check_searched_fits(void) {
            worst[0], worst[1], worst[2], peak);
 }
 
-/* The power is a lobe itself where exponent and order agree. */
+/* The power is a member of the family where exponent and order agree. */
 static void check_exact_fits(void) {
     for (int order = 2; order <= 32; order *= 2) {
         for (int fit = BURNISH_FIT_MINIMAX; fit <= BURNISH_FIT_AFFINE; ++fit) {

@@ -27,7 +27,7 @@ static void direction(uint64_t *state, double length, double exact[3], int16_t r
     }
 }
 
-/* How far a unit vector is off: its length, and its worst component, in units of 2^-15. */
+/* Errors of a unit vector: its length and its worst component, in units of 2^-15. */
 static void measure(const double v[3], const int16_t unit[3], double *length, double *component) {
     const double size = length_of(v);
     const double got[3] = {unit[0], unit[1], unit[2]};
@@ -181,7 +181,7 @@ static void test_colors(void) {
           "products");
 }
 
-/* The same equation in double, of the light and shader as they are. */
+/* The same equation in double, from the prepared light and shader. */
 static double shade_real(const burnish_q15_shader *shader, const burnish_q15_light *lights,
                          int count, const int16_t n[3], int channel) {
     double sum = shader->ambient[channel] / 32768.0;
@@ -206,7 +206,7 @@ static double shade_real(const burnish_q15_shader *shader, const burnish_q15_lig
 }
 
 /* Random lamps, surfaces and normals: codes within their own rounding and what 16-bit sums and a
- * cosine of 15 bits cost. The edge of the lit side is left out: there a lobe begins at once. */
+ * cosine of 15 bits cost. The edge of the lit side is left out: there the lobe is discontinuous. */
 static void test_equation(void) {
     uint64_t state = test_seed(4);
     static const uint16_t exponents[] = {4, 16, 32, 64, 100, 128, 400, 1023};

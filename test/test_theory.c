@@ -10,7 +10,7 @@ static const double exponents[] = {1,  1.5, 2,  2.999, 3,   4,    5,    8,    10
                                    18, 32,  50, 99.5,  100, 1000, 1024, 4096, 65535, 65536};
 enum { EXPONENT_COUNT = sizeof exponents / sizeof exponents[0] };
 
-/* The closed formulas of model.md, section 2, as they stand there. */
+/* The closed formulas of the fits, written independently. */
 enum { FORMULAS = BURNISH_FIT_PROJECTED + 1 };
 static long double zeta_by_the_book(burnish_lobe_fit fit, int order, long double n,
                                     long double level) {
@@ -85,7 +85,7 @@ static void check_formulas(void) {
     }
 }
 
-/* The header's lobes and the theory's are the same, whatever the float exponent. */
+/* The header's lobes and the theory's are the same for every float exponent. */
 static void check_same_as_header(void) {
     static const burnish_lobe_fit fits[] = {BURNISH_FIT_TAYLOR, BURNISH_FIT_ENERGY,
                                             BURNISH_FIT_SHIFT7, BURNISH_FIT_SHIFT3};
@@ -111,7 +111,7 @@ static double zeta_of(burnish_lobe_fit fit, int order, double n, double level) {
 }
 
 /* Integral over the hemisphere of value(c), times c when weighted, by Gauss-Legendre panels that
- * end at the lobe's cutoff; the substitution c = 1 - t crowds the points where the lobe is. */
+ * end at the lobe's cutoff; the substitution c = 1 - t concentrates the points in the lobe. */
 static double integrate(double (*value)(double, const double *), const double *parameters,
                         double cutoff, int weighted) {
     static const double node[4] = {0.1834346424956498, 0.525532409916329, 0.7966664774136267,
@@ -170,7 +170,7 @@ static void check_level(void) {
             }
             double zeta = zeta_of(BURNISH_FIT_LEVEL, order, n, level);
             double c = pow(level, 1 / n);
-            double lambda_error = n * order * DBL_EPSILON; /* of 1 - c, seen through the lobe */
+            double lambda_error = n * order * DBL_EPSILON; /* of 1 - c, amplified by the lobe */
             CHECK(fabs(burnish_theory_power(c, n) - level) < 1e-15 + 2 * lambda_error, "n=%g", n);
             CHECK(fabs(burnish_theory_family(zeta, order, c) - level) < 1e-14 + 2 * lambda_error,
                   "level%g:%d n=%g", level, order, n);
@@ -178,7 +178,7 @@ static void check_level(void) {
     }
 }
 
-/* What the fits tend to, and how they lie to each other. */
+/* The limits of the fits, and their order. */
 static void check_limits(void) {
     for (int order = 2; order <= 32; order *= 2) {
         double m = order;
@@ -186,7 +186,7 @@ static void check_limits(void) {
         CHECK1(zeta_of(BURNISH_FIT_ENERGY, order, m, 0.5) == 1);
         CHECK1(zeta_of(BURNISH_FIT_TAYLOR, order, m, 0.5) == 1);
         CHECK1(zeta_of(BURNISH_FIT_LEVEL, order, m, 0.5) == 1);
-        /* narrow lobes do not see the cosine's weight, and Q near 1 is the peak itself */
+        /* for narrow lobes the cosine's weight is 1, and Q near 1 is the peak itself */
         double energy = zeta_of(BURNISH_FIT_ENERGY, order, 65536, 0.5);
         double projected = zeta_of(BURNISH_FIT_PROJECTED, order, 65536, 0.5);
         CHECK(fabs(projected / energy - 1) < 1e-4, "%d: %.17g, %.17g", order, projected, energy);
@@ -271,7 +271,7 @@ static void check_values(void) {
         CHECK(fabs(burnish_theory_schlick(c, n) - book) < 1e-14, "schlick at %g", c);
         book = c * c / (n / 2 + (1 - n / 2) * c * c);
         CHECK(fabs(burnish_theory_gx(c, n) - book) < 1e-14, "gx at %g", c);
-        /* model.md: taylor <= power <= schlick for n >= 2 */
+        /* taylor <= power <= schlick for n >= 2 */
         double power = burnish_theory_power(c, n);
         CHECK(burnish_theory_family(n / 2, 2, c) <= power + 1e-15, "taylor at %g", c);
         CHECK(power <= burnish_theory_schlick(c, n) + 1e-15, "power at %g", c);

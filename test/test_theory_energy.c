@@ -103,7 +103,7 @@ static void check_integrals(const burnish_theory_model *model, const char *name)
     CHECK1(burnish_theory_normal_factor(model) == burnish_theory_phong_factor(model));
 }
 
-/* The formulas of model.md as they stand there. */
+/* The closed formulas, written independently. */
 static void check_formulas(void) {
     for (int i = 0; i < EXPONENT_COUNT; ++i) {
         for (int order = 2; order <= 32; order *= 2) {
@@ -153,14 +153,14 @@ static double chi_square(const burnish_theory_model *model, burnish_theory_measu
     return sum;
 }
 
-/* Forgets that the integral raises the exponent by one. */
+/* Wrong: ignores that the integral raises the exponent by one. */
 static double wrong_sampler(const burnish_theory_model *model, burnish_theory_measure measure,
                             double xi) {
     (void)measure;
     return 1 - (1 - pow(xi, 1.0 / model->lobe.order)) / model->zeta;
 }
 
-/* Right over solid angle, used for the cosine-weighted measure. */
+/* Wrong: correct over solid angle, used for the cosine-weighted measure. */
 static double unweighted_sampler(const burnish_theory_model *model, burnish_theory_measure measure,
                                  double xi) {
     (void)measure;
@@ -202,7 +202,7 @@ static double pdf_value(double c, void *context) {
     return 2 * PI * burnish_theory_pdf(f->model, (burnish_theory_measure)f->weight, c);
 }
 
-/* Densities integrate to 1; directions are unit vectors with even azimuths. */
+/* Densities integrate to 1; directions are unit vectors with uniform azimuths. */
 static void check_densities(void) {
     gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(2000);
     static const char *const words[] = {"energy:2", "power", "schlick", "gaussian", "affine:4"};
@@ -231,7 +231,7 @@ static void check_densities(void) {
     gsl_integration_workspace_free(workspace);
 }
 
-/* What a white furnace of brightness 1 gives back along the normal: 1, by Monte Carlo, for Phong
+/* The reflection of a white furnace of brightness 1 along the normal: 1, by Monte Carlo, for Phong
  * (lobe around the normal) and Blinn (light mirrored at the sampled half vector). */
 static void furnace(const burnish_theory_model *model, double phong, double blinn, double mean[2],
                     double deviation[2]) {

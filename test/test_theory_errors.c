@@ -49,7 +49,7 @@ static void check_published_minimax(void) {
     }
 }
 
-/* model.md, section 2: what the maximum errors tend to. */
+/* The limits of the maximum errors. */
 static void check_limits(void) {
     static const double table[][6] = {{2, .1619, .0916, .1114, .0700, .7118},
                                       {4, .0738, .0509, .0508, .0332, .8454},
@@ -71,7 +71,7 @@ static void check_limits(void) {
     }
 }
 
-/* prior-art figures for the lobes to compare with: error at 5, 18, 64, 256. */
+/* Published errors of the lobes to compare with, at n = 5, 18, 64, 256. */
 static void check_comparison_lobes(void) {
     static const struct {
         const char *words;
@@ -93,7 +93,7 @@ static void check_comparison_lobes(void) {
     }
 }
 
-/* Neighbours of every fit that claims to be the best are worse. */
+/* Slopes beside those of the optimal fits are worse. */
 static void check_optima(void) {
     static const double n[] = {3, 10, 100, 4096};
     for (int i = 0; i < 12; ++i) {
@@ -117,7 +117,7 @@ static void check_optima(void) {
     CHECK1(error_of("nv2x", 100) < 0.025 && error_of("kuijk-blake", 18) < 0.014);
 }
 
-/* The certified maxima against 20,000 places, places against the values there. */
+/* The certified maxima against 20,000 angles, and their angles against the values there. */
 static void check_maxima(void) {
     enum { PLACES = 20000 };
     static const double ns[] = {1, 2.5, 18, 300, 65536};
@@ -150,7 +150,7 @@ static void check_maxima(void) {
             CHECK(d.absolute == fmax(d.above, d.below) && d.end == end, "%s n=%g", word, n);
             double there = burnish_theory_value_at_angle(&model, d.absolute_angle) -
                            pow(cos(d.absolute_angle), n);
-            CHECK(fabs(fabs(there) - d.absolute) < noise || model.lobe.entries, "%s n=%g: place %g",
+            CHECK(fabs(fabs(there) - d.absolute) < noise || model.lobe.entries, "%s n=%g: angle %g",
                   word, n, d.absolute_angle);
             CHECK(d.integral <= 2 * 3.1416 * d.absolute * (1 - cos(end)) * 1.0001 + 1e-14 &&
                       d.rms <= d.absolute + 1e-14,
@@ -204,7 +204,7 @@ static double claimed(const burnish_theory_claim *claim, const char *label) {
     return NAN; /* fails every comparison */
 }
 
-/* model.md, section 5. */
+/* Independently computed values of the claims. */
 static const struct {
     const char *id, *label;
     double value, tolerance;

@@ -1,5 +1,5 @@
 /* burnish/theory.h: models, their words and values against vectors in quad precision, derivatives
- * against finite differences, monotony and order by sweeps, widths. */
+ * against finite differences, monotonicity and order by sweeps, widths. */
 #include <float.h>
 #include <math.h>
 
@@ -10,7 +10,7 @@ static const double PI = 3.14159265358979323846;
 static const double exponents[] = {1, 1.5, 2, 3, 10, 64, 99.5, 1000, 65536};
 enum { EXPONENT_COUNT = sizeof exponents / sizeof exponents[0] };
 
-/* Calls check(model) for every word and exponent that go together; returns how many did. */
+/* Calls check(model) for every valid pair of word and exponent; returns their number. */
 static void for_each_model(void (*check)(const burnish_theory_model *, const char *)) {
     int count = 0;
     for (size_t w = 0; burnish_lobe_spec_example(w); ++w) {
@@ -115,7 +115,7 @@ static void check_derivatives(const burnish_theory_model *model, const char *nam
     }
 }
 
-/* m = 2 in the form of model.md, and the piecewise constant slope of a table. */
+/* m = 2 in closed form, and the piecewise constant slope of a table. */
 static void check_slopes(void) {
     burnish_theory_model model;
     double d[3], x = 0.2;
@@ -148,7 +148,7 @@ static void check_monotone(const burnish_theory_model *model, const char *name) 
 }
 
 /* taylor <= power <= schlick, on every interval: an upper bound of one against a lower bound of the
- * other, which the ends give since all fall; intervals are split until they say yes. */
+ * other, which the ends give since all fall; intervals are split until the order is proven. */
 static int ordered(const burnish_theory_model *low, const burnish_theory_model *high, double a,
                    double b, int depth) {
     if (burnish_theory_value_at_lambda(low, a) <= burnish_theory_value_at_lambda(high, b) + 2e-6) {

@@ -1,5 +1,5 @@
-/* burnish as a contestant: one call of burnish_renderer_draw a frame, which keeps its memory from
- * frame to frame, into the same image, encoded in sRGB. Its lobes are those of the public
+/* burnish as a contestant: one call of burnish_renderer_draw per frame, which keeps its memory
+ * between frames, into the same image, encoded in sRGB. Its lobes are those of the public
  * interface, and libm's powf. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ typedef struct contestant {
     burnish_render_options options;
     const burnish_kernels *best;
     burnish_isa_ops libm;
-    int libm_works; /* the renderer shades by the table that it is given */
+    int libm_works; /* the renderer uses the kernel table passed to it */
 } contestant;
 
 /* Whether the renderer calls the kernels of libm_lobe.h: with black ones the picture is black. */
@@ -114,7 +114,7 @@ static void close_renderer(void *state) {
     free(r);
 }
 
-/* The mesh with no vertex shared, each triangle in the colour of its number + 1. */
+/* The mesh without shared vertices, each triangle in the colour of its number + 1. */
 static burnish_status numbered_scene(const burnish_mesh_view *mesh, burnish_mesh **scene,
                                      burnish_error *error) {
     size_t corners = 3 * mesh->triangle_count;

@@ -7,8 +7,8 @@
 /* Pixels that neither picture covers are not counted. */
 typedef struct burnish_peers_comparison {
     size_t same;           /* pixels where both show the same triangle */
-    size_t histogram[256]; /* bytes of those by their difference */
-    size_t other_triangle; /* both show a triangle, not the same: an edge lies between */
+    size_t histogram[256]; /* their bytes by difference */
+    size_t other_triangle; /* both show a triangle, but not the same: at an edge */
     size_t other_histogram[256];
     size_t coverage; /* one shows a triangle, the other none */
     int largest;     /* difference where the triangle is the same */

@@ -1,4 +1,4 @@
-/* Embree as a contestant: a ray a pixel in packets of 16, the normal interpolated, shaded by
+/* Embree as a contestant: one ray per pixel in packets of 16, the normal interpolated, shaded by
  * burnish's kernels into RGBA8. The hierarchy is built once and not timed. */
 #include <embree3/rtcore.h>
 #include <math.h>
@@ -24,11 +24,11 @@ typedef struct tracer {
     const burnish_kernels *kernels;
     uint8_t *rgba;
     uint32_t *numbers; /* NULL while frames are timed */
-    uint8_t *encoded;  /* NULL while frames are timed; 3 a pixel */
+    uint8_t *encoded;  /* NULL while frames are timed; 3 per pixel */
     burnish_tasks tasks;
 } tracer;
 
-/* Points of a tile that rays hit. */
+/* The hit points of a tile. */
 typedef struct tile_points {
     float normal[3][TILE_PIXELS];
     uint32_t pixel[TILE_PIXELS];

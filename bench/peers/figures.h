@@ -1,4 +1,4 @@
-/* Measured values by name, and what is made of them. */
+/* Measured values by name, and their statistics. */
 #ifndef BURNISH_BENCH_PEERS_FIGURES_H
 #define BURNISH_BENCH_PEERS_FIGURES_H
 
@@ -7,7 +7,7 @@
 enum {
     BURNISH_PEERS_NAME = 64,
     BURNISH_PEERS_FIGURES = 128, /* names */
-    BURNISH_PEERS_VALUES = 512   /* a name */
+    BURNISH_PEERS_VALUES = 512   /* per name */
 };
 
 typedef struct burnish_peers_figure {
@@ -24,7 +24,7 @@ typedef struct burnish_peers_figures {
 /* Adds a value to the figure of that name; values beyond the capacity are dropped. */
 void burnish_peers_add(burnish_peers_figures *figures, const char *name, double value);
 
-/* The share'th quantile, [0, 1], of the figure; NaN when there is none of that name. */
+/* The share'th quantile, [0, 1], of the figure; NaN without values of that name. */
 double burnish_peers_quantile(const burnish_peers_figures *figures, const char *name, double share);
 
 double burnish_peers_median(const burnish_peers_figures *figures, const char *name);

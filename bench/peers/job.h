@@ -1,4 +1,4 @@
-/* The picture that every contestant draws: mesh, camera, light and material, one for all. */
+/* The picture that every contestant draws: mesh, camera, light and material, the same for all. */
 #ifndef BURNISH_BENCH_PEERS_JOB_H
 #define BURNISH_BENCH_PEERS_JOB_H
 
@@ -9,7 +9,7 @@ enum { BURNISH_PEERS_WIDTH = 1920, BURNISH_PEERS_HEIGHT = 1080 };
 /* Marks a pixel without a triangle in the pictures of triangle numbers. */
 #define BURNISH_PEERS_NOTHING UINT32_MAX
 
-/* One white directional light, a distant viewer, Blinn's cosine, black background, one sample a
+/* One white directional light, a distant viewer, Blinn's cosine, black background, one sample per
  * pixel; colour = ambient + diffuse max(0, N.L) + specular lobe(N.H) where N.L > 0, in linear
  * light, and back faces lit from their own side. */
 typedef struct burnish_peers_job {

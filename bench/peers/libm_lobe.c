@@ -1,4 +1,4 @@
-/* Blocks of points in L1: cosines by a loop that the compiler turns into vectors, powf a point, and
+/* Blocks of points in L1: cosines by a loop that the compiler vectorises, one powf per point,
  * sums by another such loop. Only the lobe differs from the kernel that it replaces. */
 #include "libm_lobe.h"
 

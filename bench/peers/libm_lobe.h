@@ -5,10 +5,10 @@
 #include "simd/isa_ops.h"
 
 /* Copies batch and replaces its power kernels, for directional lights and a distant viewer, by
- * loops over arrays around one powf a lit point. */
+ * loops over arrays around one powf per lit point. */
 burnish_isa_ops burnish_peers_libm_batch(const burnish_kernels *batch);
 
-/* The same with kernels that shade everything black: shows whether a renderer calls them. */
+/* The same with kernels that shade everything black: tells whether a renderer calls them. */
 burnish_isa_ops burnish_peers_dark_batch(const burnish_kernels *batch);
 
 #endif

@@ -1,5 +1,6 @@
 /* Mesa's software rasteriser as a contestant: GLES 3.2 without a window. Buffers and programs are
- * made once; a frame is glClear, one draw call and glFinish; nothing is read back in its time.
+ * made once; a frame is glClear, one draw call and glFinish; the picture is not read back while
+ * timed.
  *
  * Threads come from the environment, which the runner sets: LP_NUM_THREADS=0 rasterises in the
  * calling thread, 2 in two threads beside it. */
@@ -24,7 +25,7 @@ static const char vertex_text[] = "#version 320 es\n"
                                   "    gl_Position = to_clip * vec4(position, 1.0);\n"
                                   "}\n";
 
-/* Between the two parts stands `float lobe(float c)`. */
+/* `float lobe(float c)` comes between the two parts. */
 static const char fragment_head[] = "#version 320 es\n"
                                     "precision highp float;\n"
                                     "precision highp int;\n"
@@ -57,8 +58,8 @@ static const char fragment_number[] = "#version 320 es\n"
 
 enum { LINEAR8, SRGB8, FLOAT32, NUMBER, TARGETS };
 
-/* The plain names are OpenGL at its fastest for this picture: linear bytes, faces seen from their
- * back left out. */
+/* The plain names are OpenGL at its fastest for this picture: linear bytes, back faces
+ * culled. */
 static const struct variant {
     const char *name, *lobe;
     int target;
@@ -300,7 +301,7 @@ static void draw(const gl_renderer *gl, GLuint program, int target, int cull, in
     glFinish();
 }
 
-/* Finds the order that is faster to draw, by turns. */
+/* Finds the faster order by drawing both in turns. */
 static void find_fastest(gl_renderer *gl) {
     enum { TURNS = 5 };
     double shortest[ORDERS] = {INFINITY, INFINITY};
@@ -358,7 +359,7 @@ static int frame(void *state, const char *name, double *milliseconds) {
     return glGetError() == GL_NO_ERROR;
 }
 
-/* Where the first row from the top lies in what OpenGL reads back. */
+/* The offset of the top row in what OpenGL reads back. */
 static size_t flipped(size_t pixel) {
     size_t x = pixel % BURNISH_PEERS_WIDTH, y = pixel / BURNISH_PEERS_WIDTH;
     return (BURNISH_PEERS_HEIGHT - 1 - y) * BURNISH_PEERS_WIDTH + x;

@@ -1,5 +1,5 @@
-/* Writes a mesh as binary PLY with normals, so that every program reads the same input and none has
- * to make normals. Usage: bench_peers_ply INPUT LEVELS OUTPUT */
+/* Writes a mesh as binary PLY with normals, so that every program reads the same input and none
+ * generates normals. Usage: bench_peers_ply INPUT LEVELS OUTPUT */
 #include <stdio.h>
 #include <stdlib.h>
 

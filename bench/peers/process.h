@@ -13,7 +13,7 @@ typedef struct burnish_peers_process {
 } burnish_peers_process;
 
 /* Starts a program with pipes to it. cores: 1 binds it to one core, any other number does not.
- * environment: "NAME=VALUE" added for it, or NULL. Returns 0 when there is no such program. */
+ * environment: "NAME=VALUE" added for it, or NULL. Returns 0 if there is no such program. */
 int burnish_peers_start(burnish_peers_process *process, const char *const arguments[], int cores,
                         const char *environment);
 

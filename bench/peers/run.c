@@ -3,9 +3,9 @@
  * Usage: bench_peers FOLDER BURNISH INPUT SCRATCH JSON [ROUNDS]
  *   FOLDER has the contestants, BURNISH is the program, INPUT the mesh.
  *
- * Contestants of one scene and thread count run at the same time, but only one of them draws; each
- * round asks each for a few frames in turn, so that a busy moment of the machine hits all alike. A
- * round waits for a quiet moment first; those that found none are counted. */
+ * Contestants of one scene and thread count run at the same time, but only one of them draws at a
+ * time: each round asks each for a few frames in turn, so that a busy moment affects all alike. A
+ * round waits for a quiet moment first; rounds without one are counted. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <signal.h>
@@ -27,7 +27,7 @@ typedef struct contestant {
     const char *packages;
 } contestant;
 
-/* The first of each is what ratios are made of; family is energy:2, the program's own default. */
+/* The first of each is the reference of the ratios; family is energy:2, the default. */
 static const contestant contestants[CONTESTANTS] = {
     {"burnish", {"family", "family-two-sided", "power", "schlick", "libm"}, ""},
     {"llvmpipe",
@@ -123,7 +123,7 @@ static void time_rounds(runner *r, const char *prefix, const int running[CONTEST
         for (int i = 0; i < CONTESTANTS; ++i) {
             for (int v = 0; running[i] && v < VARIANTS && contestants[i].variants[v]; ++v) {
                 time_variant(r, prefix, i, contestants[i].variants[v], &processes[i]);
-                usleep(10000); /* threads that wait spinning fall asleep */
+                usleep(10000); /* lets spinning threads fall asleep */
             }
         }
     }
@@ -187,14 +187,14 @@ static const struct picture_size {
 
 enum { SIZES = sizeof sizes / sizeof *sizes };
 
-/* Like for like: one sample a pixel, for f3d does not smooth edges. counts: 0 for the first run,
+/* One sample per pixel, since f3d does not smooth edges. counts: 0 for the first run,
  * which fills the caches of files and shaders. */
 static void time_process(runner *r, const char *scene, int size, int cores, int is_f3d,
                          const char *display, int counts) {
     char input[PATH], output[PATH], resolution[64], name[2][BURNISH_PEERS_NAME];
     const char *who = is_f3d ? "f3d" : "burnish";
     double milliseconds, kibibytes;
-    usleep(100000); /* the X server is still busy with what f3d left behind */
+    usleep(100000); /* the X server is still busy cleaning up after f3d */
     snprintf(input, sizeof input, "%s/%s.ply", r->scratch, scene);
     snprintf(output, sizeof output, "%s/%s-%s-%s.png", r->scratch, scene, sizes[size].name, who);
     snprintf(resolution, sizeof resolution, "--resolution=%s", sizes[size].resolution);
@@ -455,7 +455,7 @@ int main(int count, char **arguments) {
     r->rounds = count > 6 ? atoi(arguments[6]) : 11;
     r->patience = PATIENCE;
     r->cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
-    signal(SIGPIPE, SIG_IGN); /* a contestant that ended is an error of its own */
+    signal(SIGPIPE, SIG_IGN); /* a contestant that ended is reported as an error */
     setvbuf(stdout, NULL, _IOLBF, 0);
     run(r);
     int done = write_json(r);

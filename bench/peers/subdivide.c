@@ -1,4 +1,4 @@
-/* Subdivision at the edges' middles, each edge found again by a hash table. */
+/* Subdivision at the edges' middles, each edge found by a hash table. */
 #include "subdivide.h"
 
 #include <math.h>
@@ -7,12 +7,12 @@
 #include <string.h>
 
 typedef struct soup {
-    float *positions, *normals; /* 3 a vertex */
+    float *positions, *normals; /* 3 per vertex */
     uint32_t *indices;
     size_t vertices, triangles;
 } soup;
 
-/* Open addressing; key 0 is free, for no edge has two ends at vertex 0. */
+/* Open addressing; key 0 is empty, since no edge has both ends at vertex 0. */
 typedef struct edge_table {
     uint64_t *keys;
     uint32_t *middles;
@@ -77,7 +77,7 @@ static void split(soup *out, edge_table *table, const uint32_t v[3]) {
     out->triangles += 4;
 }
 
-/* Replaces the mesh by the finer one; returns 0 for want of memory. */
+/* Replaces the mesh by the finer one; returns 0 if memory is short. */
 static int subdivide_once(soup *mesh) {
     soup out;
     edge_table table = {NULL, NULL, 1};

@@ -6,9 +6,9 @@
 
 /* Subdivides `levels` times: 4^levels times the triangles, the surface unchanged, normals
  * interpolated. An edge that two triangles share gets one middle vertex.
- *   scene   left as it is; not NULL
+ *   mesh    unchanged; not NULL
  *   levels  [0, 4]
- *   finer   the new scene, the caller's; NULL on error
+ *   finer   the new mesh, owned by the caller; NULL on error
  * Errors: those of burnish_mesh_create, MEMORY. */
 burnish_status burnish_peers_subdivide(const burnish_mesh *scene, int levels, burnish_mesh **finer,
                                        burnish_error *error);

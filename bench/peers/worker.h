@@ -1,10 +1,10 @@
-/* What the contestants share: each is a program that draws frames when it is asked to.
+/* Shared by the contestants: each is a program that draws frames on request.
  *
  * Started as PROGRAM INPUT LEVELS THREADS it loads the job and answers each line of standard input
  * by one line of standard output:
- *   (start)               ready TEXT      the text says what was found, for the report
+ *   (start)               ready TEXT      the text describes the contestant, for the report
  *   frame VARIANT COUNT   ok MS ...       COUNT frames after one that is not timed
- *   picture VARIANT FILE  ok              8-bit sRGB, 3 bytes a pixel, rows from the top
+ *   picture VARIANT FILE  ok              8-bit sRGB, 3 bytes per pixel, rows from the top
  *   triangles FILE        ok              the triangle each pixel shows, 32 bits
  * or "error TEXT". It ends at the end of its input.
  */

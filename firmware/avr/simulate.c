@@ -1,5 +1,5 @@
-/* Runs an AVR program in simavr: what it sends goes to standard output. Where the program writes to
- * GPIOR0, a line "mark CYCLE" goes to standard error: exact cycles.
+/* Runs an AVR program in simavr: its serial output goes to standard output. When the program writes
+ * GPIOR0, a line "mark CYCLE" with the exact cycle goes to standard error.
  * Usage: simulate PROGRAM.elf */
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,7 +41,7 @@ int main(int argc, char **argv) {
     }
     avr_global_logger_set(quiet);
     if (elf_read_firmware(argv[1], &program) != 0) {
-        fprintf(stderr, "simulate: %s: can't be read as an AVR program\n", argv[1]);
+        fprintf(stderr, "simulate: %s: not an AVR program in ELF format\n", argv[1]);
         return 1;
     }
     program.frequency = 16000000;

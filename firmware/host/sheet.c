@@ -42,7 +42,7 @@ int main(int argc, char **argv) {
     }
     for (int frame = 0; frame < PICTURE_FRAMES; ++frame) {
         if (!take(&sheet, frame)) {
-            fprintf(stderr, "sheet: frame %d is not a picture of 64 by 64 pixels\n", frame);
+            fprintf(stderr, "sheet: frame %d: expected a PPM of 64 x 64 pixels\n", frame);
             return 1;
         }
     }

@@ -1,5 +1,4 @@
-/* The target that is this machine: every other target's output is compared with it, byte by byte.
- */
+/* The host as a target: every other target's output must equal its output. */
 #include "target.h"
 
 #include <stdio.h>

@@ -44,6 +44,6 @@ void start(void) {
     target_end();
 }
 
-/* Stack and reset; nothing else is ever raised. */
+/* Stack and reset; no other exception occurs. */
 __attribute__((section(".vectors"), used)) static const void *const vectors[16] = {
     stack_top, (const void *)start};

@@ -5,9 +5,9 @@
  *
  *     S(c) = u^m,   u = min(1, max(0, 1 - zeta (1 - c))),   m = 2, 4, 8, 16 or 32,
  *
- * where c is the cosine of the lobe angle (R.V for Phong, N.H for Blinn), m, the order, costs
- * log2(m) squarings and is the quality dial, and zeta follows from the exponent n by a fit, the
- * shape dial. The lobe is 1 at c = 1 and exactly 0 from the cutoff cosine 1 - 1/zeta downward.
+ * where c is the cosine of the lobe angle (R.V for Phong, N.H for Blinn). The order m costs log2(m)
+ * squarings and sets the quality; zeta follows from the exponent n by a fit, which sets the shape.
+ * The lobe is 1 at c = 1 and exactly 0 from the cutoff cosine 1 - 1/zeta downward.
  *
  * How to use it.
  *   1. Copy this file; it includes nothing. Compile with -ffp-contract=off where bits matter.
@@ -24,7 +24,7 @@
  * affine) are in burnish/shading.h, the reference lobes that need libm in burnish/theory.h.
  *
  * What it promises.
- * - Every evaluation returns a finite value in [0, 1] for every float given: NaN gives 0,
+ * - Every evaluation returns a finite value in [0, 1] for every float: NaN gives 0,
  *   infinities and denormals are fine. (Not under -ffast-math, which forbids NaN and infinity.)
  * - Results are defined operation by operation in IEEE single precision, in the order written; the
  *   set-up of a lobe uses double. With -ffp-contract=off the bits are the same everywhere.
@@ -32,9 +32,9 @@
  *
  * Accuracy at every float cosine in [-1, 1], against the formula in exact arithmetic with the
  * lobe's own zeta or exponent. absolute: largest error in units of 2^-24. relative: largest error
- * in units in the last place of the exact value, where that is at least 2^-10. Bounds, and after
- * them the largest errors found in 240 million random cases per line; the tests hold the bounds
- * (test/sweep.h) and fail above them.
+ * in units in the last place of the exact value, where that is at least 2^-10. Bounds, and in
+ * parentheses the largest errors found in 240 million random cases per line; the tests hold the
+ * bounds (test/sweep.h) and fail above them.
  *
  *     lobe     order  exponents    absolute      relative
  *     family       2  [1, 65536]   2.25  (1.98)  70   (64.2)
@@ -46,14 +46,14 @@
  *     gx              [1, 65536]   2     (1.74)  5.5  (4.32)
  *
  * Rounding a fit's zeta to float moves the lobe by at most another half unit of 2^-24, since
- * m zeta lambda u^(m-1) never exceeds 1/2. test_lobe prints and asserts what that comes to for
- * every fit and order over 4,000 reference values.
+ * m zeta lambda u^(m-1) never exceeds 1/2. test_lobe prints and asserts the resulting errors
+ * of every fit and order over 4,000 reference values.
  *
  * Sources. Phong, Illumination for Computer Generated Pictures, CACM 1975; Blinn, Models of Light
  * Reflection, SIGGRAPH 1977. The form of the lobe is not new: Lyon, Phong Shading Reformulated for
  * Hardware Renderer Simplification, Apple TR 43, 1993 (general m, chord form, zeta = n/m); Beaudoin
  * and Guardado, A Non-Integer Power Function on the Pixel Shader, 2002 (fitted constants); Doom 3
- * shipped its member zeta = 4, m = 2, Unreal's mobile shader zeta = 6.645, m = 2. Schlick, A Fast
+ * shipped zeta = 4, m = 2, Unreal's mobile shader zeta = 6.645, m = 2. Schlick, A Fast
  * Alternative to Phong's Specular Model, Graphics Gems IV, 1994.
  *
  * SPDX-License-Identifier: MIT
@@ -71,7 +71,7 @@ extern "C" {
 #define BURNISH_LOBE_EXPONENT_MAX 65536.0f
 #define BURNISH_LOBE_ZETA_MAX 65536.0f
 
-/* Why a lobe could not be made: X(name, text). OK is 0. */
+/* Why a lobe was not made: X(name, text). OK is 0. */
 #define BURNISH_LOBE_STATUS_LIST(X)                                                                \
     X(OK, "success")                                                                               \
     X(ERROR_EXPONENT, "the exponent must be a number from 1 to 65536")                             \
@@ -89,7 +89,7 @@ typedef enum burnish_lobe_status {
         BURNISH_LOBE_STATUS_COUNT
 } burnish_lobe_status;
 
-/* What a status means, in one line; "unknown status" for a value outside the list. */
+/* The meaning of a status, in one line; "unknown status" for a value outside the list. */
 static inline const char *burnish_lobe_status_text(burnish_lobe_status status) {
     switch (status) {
 #define BURNISH_LOBE_STATUS_CASE(name, text)                                                       \
@@ -132,8 +132,8 @@ static inline int burnish_lobe_order_is_valid(int order) {
 }
 
 /* Whether lobes of an order and exponent exist, whatever the fit. Order 2 does for every exponent,
- * a higher one from exponent = order on: below that zeta would sink under 1 and the lobe would
- * still shine at c = 0.
+ * a higher one from exponent = order on: below that zeta would be less than 1 and the lobe
+ * above 0 at c = 0.
  * Returns OK, ERROR_ORDER, ERROR_EXPONENT or ERROR_ORDER_FOR_EXPONENT. */
 static inline burnish_lobe_status burnish_lobe_check(int order, double exponent) {
     if (!burnish_lobe_order_is_valid(order)) {
@@ -146,11 +146,11 @@ static inline burnish_lobe_status burnish_lobe_check(int order, double exponent)
     return order > 2 && exponent < order ? BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT : BURNISH_LOBE_OK;
 }
 
-/* The highest order, at most the given one, that the exponent allows: where to fall back after
+/* The highest order, at most the given one, that the exponent allows: the fallback after
  * ERROR_ORDER_FOR_EXPONENT.
- *   order     the wanted order: 2, 4, 8, 16 or 32
+ *   order     the requested order: 2, 4, 8, 16 or 32
  *   exponent  [1, 65536]
- * Returns an order, or 0 when an argument is out of range. */
+ * Returns an order, or 0 if an argument is out of range. */
 static inline int burnish_lobe_highest_order(int order, float exponent) {
     burnish_lobe_status status = burnish_lobe_check(order, (double)exponent);
     while (status == BURNISH_LOBE_ERROR_ORDER_FOR_EXPONENT) {
@@ -224,8 +224,8 @@ static inline float burnish_lobe_saturate(float x) {
     return x < 1.0f ? x : 1.0f;
 }
 
-/* The lobe at lambda = 1 - cosine: (1 - zeta lambda)^order by squarings. The form to prefer for
- * large exponents, where a cosine near 1 has too few bits left to tell how near.
+/* The lobe at lambda = 1 - cosine: (1 - zeta lambda)^order by squarings. Prefer this form for
+ * large exponents: a float cosine near 1 has too few bits for 1 - cosine.
  *   lambda  any float; [-infinity, 0] gives 1, NaN gives 0
  * Returns a value in [0, 1]; 0 for the dark lobe. */
 static inline float burnish_lobe_at_lambda(burnish_lobe lobe, float lambda) {
@@ -256,9 +256,9 @@ static inline float burnish_lobe_chord(const float a[3], const float b[3]) {
     return 0.5f * ((x * x + y * y) + z * z);
 }
 
-/* The cosine from which downward the lobe is 0: 1 - 1/zeta, rounded to float, so at this very
- * cosine the lobe may still be a rounding error above 0.
- * Returns a value below -1 where the lobe reaches 0 nowhere (zeta < 1/2); 1 for the dark lobe. */
+/* The cosine from which downward the lobe is 0: 1 - 1/zeta, rounded to float, so at this cosine
+ * itself the lobe may be a rounding error above 0.
+ * Returns a value below -1 where the lobe never reaches 0 (zeta < 1/2); 1 for the dark lobe. */
 static inline float burnish_lobe_cutoff_cosine(burnish_lobe lobe) {
     return lobe.order >= 2 ? 1.0f - 1.0f / lobe.zeta : 1.0f;
 }
@@ -296,10 +296,10 @@ static inline float burnish_gx_at_cosine(float cosine, float exponent) {
     return burnish_lobe_saturate(squared / (squared + (0.5f * n) * ((1.0f - c) * (1.0f + c))));
 }
 
-/* Lyon's stand-in for 1/sqrt(s) near s = 1: 1 + e/2 + 3 e^2/8 with e = 1 - s, the first three terms
- * of the series. Relative error below .0004 for s in [.9, 1.1], .05 in [.5, 1.5].
- *   s  the squared length of a vector that is nearly a unit vector
- * Returns 5/6 or more. Source: Lyon 1993. */
+/* Lyon's approximation of 1/sqrt(s) near s = 1: 1 + e/2 + 3 e^2/8 with e = 1 - s, the first three
+ * terms of the series. Relative error below .0004 for s in [.9, 1.1], .05 in [.5, 1.5]. s  the
+ * squared length of a vector that is nearly a unit vector Returns 5/6 or more. Source: Lyon 1993.
+ */
 static inline float burnish_lyon_normalize_factor(float s) {
     const float e = 1.0f - s;
     return 1.0f + e * (0.5f + 0.375f * e);
@@ -319,7 +319,7 @@ static inline float burnish_lyon_at_chord(const float a[3], const float b[3], fl
     return burnish_lobe_at_lambda(lobe, burnish_lobe_chord(a, b));
 }
 
-/* Lyon's lobe from vectors that are only nearly of unit length, as interpolation leaves them: both
+/* Lyon's lobe from vectors of nearly unit length, such as interpolated ones: both
  * are scaled by burnish_lyon_normalize_factor, then burnish_lyon_at_chord. No root, no division.
  *   n, h             three components each, squared lengths near 1
  *   exponent, order  as for burnish_lyon_at_chord

@@ -6,26 +6,26 @@
  *     S(c) = t^m,   t = max(0, 1 - zeta (1 - c)),   m = 2, 4, 8 or 16,
  *
  * from a cosine c in 16 bits (or 1 - c in 24) with two multiplications of 16 bits by 16, a shift
- * and a complement; each further order is one more multiplication. No table, no 64 bits, and no
- * division but one or two when a lobe is made.
+ * and a complement; each further order is one more multiplication. No table, no 64-bit
+ * arithmetic; one or two divisions when a lobe is made.
  *
  * How to use it.
  *   1. Copy this file; it includes <stdint.h> and nothing else.
  *   2. One lobe, nothing to set up:
  *          specular = burnish_taylor_q15(n, cosine);
- *   3. Any lobe, made once a material; a status other than BURNISH_Q15_OK leaves a dark lobe:
+ *   3. Any lobe, made once per material; a status other than BURNISH_Q15_OK leaves a dark lobe:
  *          burnish_lobe_q15 lobe;
  *          status = burnish_lobe_q15_create(&lobe, BURNISH_Q15_ENERGY, 2, 32);
  *          specular = burnish_lobe_q15_fast(&lobe, cosine);
  *
  * Formats.
- *     cosine   UQ1.15  0x8000 is 1; what is larger counts as 1. A negative cosine is 0.
+ *     cosine   UQ1.15  0x8000 is 1; larger values count as 1. A negative cosine is 0.
  *     lambda   UQ0.24  1 - cosine, for narrow lobes; at most 0xFFFFFF
  *     result   UQ0.16  v stands for v / 65536; 1 is limited to 0xFFFF
  *     result8  UQ0.8   v stands for v / 256; 1 is limited to 0xFF
  *     slope    2 zeta = slope / 2^shift
  *
- * What is computed, in whole numbers, >> being the floor of a division by a power of two:
+ * What is computed, in integers; >> is the floor of a division by a power of two:
  *
  *     u = 0x8000 - min(cosine, 0x8000)                                   UQ1.15, exact
  *     w = slope u                     of a cosine,                       below 2^31
@@ -37,17 +37,16 @@
  *     near    x = (t t + t + 0x8000) >> 16, then x = (x x + 0x8000) >> 16
  *     fast8   fast up to order m/2 (order 2: t itself), then of its top 9 bits y = x >> 7:
  *             (y (y + 1) + 511) >> 10
- *     exact   T = 1 - zeta (1 - c) in UQ0.32, without an error for a cosine, and for a lambda where
- *             shift <= 7, else rounded up; x = floor(T T / 2^32) for each squaring; at last rounded
- *             to 16 bits, halves up
- *     exact8  the same, rounded to 8 bits
+ *     exact   T = 1 - zeta (1 - c) in UQ0.32, exact for a cosine, and for a lambda where shift <=
+ * 7, else rounded up; x = floor(T T / 2^32) for each squaring; finally rounded to 16 bits, halves
+ * up exact8  the same, rounded to 8 bits
  *
- * Slopes. taylor n / 2^(log2 m - 1), shift7 7n / 2^3, shift3 3n / 2^2 are exact. energy and a zeta
- * of your own are rounded to 16 significant bits.
+ * Slopes. taylor n / 2^(log2 m - 1), shift7 7n / 2^3, shift3 3n / 2^2 are exact. energy and your
+ * own zeta are rounded to 16 significant bits.
  *
  * What it promises. Every result is defined bit by bit for every input; a result never decreases as
  * the cosine grows. Errors against the exact real lobe in units of the result's last place, over
- * all cosines, all lambdas and n = 1 .. 1023, the limit of 1 being no error (`make prove-q15`
+ * all cosines, all lambdas and n = 1 .. 1023, saturation at 1 not counted (`make prove-q15`
  * proves them; docs/firmware.md has more digits):
  *
  *                        fast            near              exact        fast8         exact8
@@ -55,9 +54,10 @@
  *     exact slopes       3  7  15 29    1.5 3.4 6.9  13.3  .5003        1       1.04  .50001
  *     energy             3  7  15 29    1.6 3.5 6.9  13.3  .86          1       1.04  .502
  *
- * What it does not do. It does not shade: see shade_q15.h. It does not know cos^n: how far the
- * family is from that, see docs/theory.md. The rounding of a cosine to 15 bits costs a narrow lobe
- * n/256 steps of an 8-bit result: from n = 128 on prefer the functions that take lambda.
+ * What it does not do. It does not shade: see shade_q15.h. It does not compute cos^n: for the
+ * distance of the family from it see docs/theory.md. The rounding of a cosine to 15 bits costs a
+ * narrow lobe n/256 steps of an 8-bit result: from n = 128 on prefer the functions that take
+ * lambda.
  *
  * Sources. See lobe.h; the shift by 7/16 and the boundary memory are those of the paper that
  * burnish implements (docs/theory.md).
@@ -100,8 +100,7 @@ typedef enum burnish_q15_fit {
 } burnish_q15_fit;
 
 /* One lobe, ready to be evaluated; make it with burnish_lobe_q15_create or a sibling. reach is the
- * boundary memory's word: beyond it nothing is computed. All zero is the dark lobe, whose endless
- * squarings leave nothing. */
+ * boundary memory's word: beyond it nothing is computed. All zero is the dark lobe, which is 0. */
 typedef struct burnish_lobe_q15 {
     uint16_t slope;    /* 2 zeta 2^shift */
     uint16_t reach;    /* UQ1.15: the largest 1 - cosine at which the lobe is above 0 */
@@ -111,7 +110,7 @@ typedef struct burnish_lobe_q15 {
 
 /* ---- Steps -------------------------------------------------------------------------------------
  *
- * What the functions below are made of; the hardware in rtl/ has a module for each. */
+ * The steps of the functions below; the hardware in rtl/ has a module for each. */
 
 /* 1 - cosine in UQ1.15.  cosine  any; above 0x8000 counts as 1 */
 static inline uint16_t burnish_q15_lambda(uint16_t cosine) {
@@ -127,7 +126,7 @@ static inline uint16_t burnish_q15_lambda(uint16_t cosine) {
 }
 
 /* AVR with a multiplier: products in assembly, which make a lobe 1.4 to 7 times as fast as the C
- * below. The firmware's tests compare both; define BURNISH_Q15_PLAIN_C to do without. */
+ * below. The firmware's tests compare both; define BURNISH_Q15_PLAIN_C to use the C. */
 #if defined(__AVR_HAVE_MUL__) && defined(__GNUC__) && !defined(BURNISH_Q15_PLAIN_C)
 #define BURNISH_Q15_AVR 1
 #endif
@@ -217,7 +216,7 @@ static inline uint16_t burnish_q15_square_rounded(uint16_t x) {
     return (uint16_t)((burnish_q15_multiply(x, x) + 0x8000u) >> 16);
 }
 
-/* (x + 1/2)^2 of x in UQ0.16, rounded: x stands for the middle of what was cut to it. */
+/* (x + 1/2)^2 of x in UQ0.16, rounded: x stands for the middle of the interval truncated to it. */
 static inline uint16_t burnish_q15_square_middle(uint16_t x) {
     return (uint16_t)((burnish_q15_multiply(x, x) + x + 0x8000u) >> 16);
 }
@@ -267,8 +266,8 @@ static inline uint8_t burnish_q15_round8(uint32_t x) {
     return x >= 0xFF800000ul ? (uint8_t)0xFFu : (uint8_t)((x + 0x800000ul) >> 24);
 }
 
-/* The lobe from a, zeta (1 - c) in 2^-16 and below 1, with no more than 16 bits kept: a floor of
- * floors, at most 2m - 1 steps below the lobe.
+/* The lobe from a, zeta (1 - c) in 2^-16 and below 1, truncated to 16 bits at every step: at
+ * most 2m - 1 steps below the lobe.
  *   a          0 .. 0xFFFF
  *   squarings  1 .. 4; 0, the dark lobe's, gives 0 */
 static inline uint16_t burnish_q15_fast_at(uint_fast16_t a, uint8_t squarings) {
@@ -297,8 +296,8 @@ static inline uint8_t burnish_q15_fast8_at(uint_fast16_t a, uint8_t squarings) {
     return burnish_q15_square8(x);
 }
 
-/* zeta lambda below 1 as a fraction in UQ0.32: exact where shift <= 7, else its floor. What passes
- * 1 is lost: ask w first.  lambda  UQ0.24 */
+/* zeta lambda below 1 as a fraction in UQ0.32: exact where shift <= 7, else its floor. Modulo 1:
+ * test w first.  lambda  UQ0.24 */
 static inline uint32_t burnish_q15_fraction(uint16_t slope, uint8_t shift, uint32_t lambda) {
     const uint32_t high = burnish_q15_multiply(slope, (uint16_t)(lambda >> 16));
     const uint32_t low = burnish_q15_multiply(slope, (uint16_t)lambda);
@@ -325,10 +324,10 @@ static inline uint32_t burnish_q15_wide_of(uint32_t fraction, uint8_t squarings)
  *   cosine    UQ1.15
  * Returns UQ0.16, at most 0xFFFE. */
 
-/* Form fast, order 2, of any slope. Above 1 the difference wraps, w passes 2^31 and the one test
- * that finds the cutoff finds it too. */
+/* Form fast, order 2, of any slope. For a cosine above 1 the difference wraps, w exceeds 2^31, and
+ * the test for the cutoff finds that too. */
 static inline uint16_t burnish_slope_q15(uint16_t slope, uint8_t shift, uint16_t cosine) {
-#ifdef __AVR__ /* 16 bits are cheaper there, and don't tell */
+#ifdef __AVR__ /* 16 bits are cheaper there, but do not show the wrap */
     const uint32_t a = burnish_q15_product(slope, burnish_q15_lambda(cosine)) >> shift;
     return a > 0xFFFFu ? (uint16_t)0 : burnish_q15_square((uint16_t)~a);
 #else
@@ -390,7 +389,7 @@ static inline void burnish_lobe_q15_darken(burnish_lobe_q15 *lobe) {
     lobe->squarings = 0;
 }
 
-/* log2 of an order: 1 .. 4; 0 for what is no order. */
+/* log2 of an order: 1 .. 4; 0 for any other number. */
 static inline uint8_t burnish_q15_squarings(uint16_t order) {
     switch (order) {
     case 2:
@@ -415,10 +414,10 @@ static inline uint16_t burnish_q15_reach(uint16_t slope, uint8_t shift) {
 
 /* Takes a word of the boundary memory, as `burnish lobe boundary --format-word=UQ0.15` writes it:
  * cosines up to the word give 0. With --bits=0 of the same lobe no result changes; with a
- * threshold, highlights dimmer than that are cut, and less is computed. A word below the lobe's own
- * cutoff changes nothing.
+ * threshold, values below it become 0 and less is computed. A word below the lobe's own cutoff
+ * changes nothing.
  *   lobe  not NULL
- *   word  UQ0.15; 0 stands for no boundary */
+ *   word  UQ0.15; 0 means no boundary */
 static inline void burnish_lobe_q15_set_boundary(burnish_lobe_q15 *lobe, uint16_t word) {
     const uint16_t reach =
         word < BURNISH_Q15_ONE ? (uint16_t)(BURNISH_Q15_ONE - 1u - word) : (uint16_t)0;
@@ -427,10 +426,11 @@ static inline void burnish_lobe_q15_set_boundary(burnish_lobe_q15 *lobe, uint16_
     }
 }
 
-/* Makes the lobe of a slope as it is, 2 zeta = slope / 2^shift, for slopes that were computed
- * ahead. One division, for the boundary. lobe   becomes the lobe, on error the dark one; not NULL
+/* Makes the lobe of a slope, 2 zeta = slope / 2^shift, for precomputed slopes. One division, for
+ * the boundary.
+ *   lobe   becomes the lobe, on error the dark one; not NULL
  *   slope  1 .. 65535
- *   shift  0 .. 15; 8 means a slope in UQ8.8, which costs an 8-bit processor no shift at all
+ *   shift  0 .. 15; 8 means a slope in UQ8.8, which an 8-bit processor need not shift
  *   order  2, 4, 8 or 16
  * Errors: ERROR_ORDER; ERROR_ZETA for a slope of 0 or a shift above 15. */
 static inline burnish_q15_status burnish_lobe_q15_from_slope(burnish_lobe_q15 *lobe, uint16_t slope,
@@ -530,8 +530,8 @@ static inline burnish_q15_status burnish_lobe_q15_create(burnish_lobe_q15 *lobe,
     return burnish_lobe_q15_from_slope(lobe, slope, shift, order);
 }
 
-/* Rewrites a lobe's slope in UQ8.8, rounded, so that the shift is a whole byte: what an 8-bit
- * processor wants. zeta moves by at most 2^-10.
+/* Rewrites a lobe's slope in UQ8.8, rounded, so that the shift is a whole byte, which is fast on
+ * 8-bit processors. zeta changes by at most 2^-10.
  *   lobe  not NULL, zeta below 127.99; its boundary becomes its own cutoff again
  * Errors: ERROR_ZETA for a larger zeta or one that rounds to 0; the lobe is then unchanged. */
 static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) {
@@ -556,7 +556,7 @@ static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) 
  *   cosine  UQ1.15; where 1 - cosine is beyond lobe->reach the result is 0 at once
  * Forms and errors: see the top of this file. */
 
-/* Whether there is anything to compute. 1 - cosine wraps above 1 and is then beyond every reach.
+/* Whether the lobe is above 0. For a cosine above 1, 1 - cosine wraps and is beyond every reach.
  *   lambda  receives 1 - cosine in UQ1.15 */
 static inline uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint16_t cosine,
                                               uint_fast16_t *lambda) {
@@ -621,10 +621,10 @@ static inline uint8_t burnish_lobe_q15_exact8(const burnish_lobe_q15 *lobe, uint
 
 /* ---- Lobes at lambda = 1 - cosine --------------------------------------------------------------
  *
- * For exponents whose highlight is a few steps of a 15-bit cosine wide. The boundary is found from
- * the product; reach is not asked.
+ * For exponents whose highlight is only a few steps of a 15-bit cosine wide. The boundary follows
+ * from the product; reach is not used.
  *   lobe    not NULL
- *   lambda  1 - cosine in UQ0.24; above 0xFFFFFF counts as that */
+ *   lambda  1 - cosine in UQ0.24; larger values count as 0xFFFFFF */
 
 /* lambda limited to 24 bits. */
 static inline uint32_t burnish_q15_limit_lambda(uint32_t lambda) {

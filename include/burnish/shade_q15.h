@@ -25,13 +25,12 @@
  *     color    UQ1.15: 0x8000 is full intensity, up to 0xFFFF (almost 2) while lights are summed
  *     cosine, lambda, lobes: as in lobe_q15.h
  *
- * What it does not do. No gamma: codes are linear in intensity, as small displays are mostly
- * driven. Light and viewer are far away; for near ones set the light's direction and half anew per
- * pixel.
+ * What it does not do. No gamma: codes are linear in intensity, as most small displays expect.
+ * Light and viewer are distant; for near ones set the light's direction and half vector per pixel.
  *
  * What it promises. Results are defined bit by bit. >> of a negative number is the floor of a
  * division by a power of two, and a conversion to int32_t keeps the low 32 bits, as every compiler
- * for these processors has it. Error bounds: at each function; test_shade_q15 proves them.
+ * for these processors does. Error bounds: at each function; test_shade_q15 proves them.
  *
  * Sources. Phong, CACM 1975; Blinn, SIGGRAPH 1977; Lyon, Apple TR 43, 1993 (three terms of 1/sqrt,
  * chord form).
@@ -79,8 +78,8 @@ static inline int32_t burnish_q15_multiply_signed(int16_t a, int16_t b) {
 #endif
 }
 
-/* The dot product of two Q15 vectors in Q30, modulo 2^32: right while it is below 2 in magnitude,
- * which vectors up to 1.4 long can't pass. */
+/* The dot product of two Q15 vectors in Q30, modulo 2^32: correct while it is below 2 in magnitude,
+ * which holds for vectors of length up to 1.4. */
 static inline int32_t burnish_q15_dot(const int16_t a[3], const int16_t b[3]) {
     return (int32_t)((uint32_t)burnish_q15_multiply_signed(a[0], b[0]) +
                      (uint32_t)burnish_q15_multiply_signed(a[1], b[1]) +
@@ -105,10 +104,10 @@ static inline uint16_t burnish_q15_cosine(int32_t dot) {
                               : burnish_q15_shift15((uint32_t)dot + 0x4000u);
 }
 
-/* 1 - a.b of two unit vectors as |a - b|^2 / 2: the form for narrow lobes, since it does not feel
- * the rounding of the vectors' lengths as a dot product does.
- * Returns UQ0.24, at most 0xFFFFFF; the squares are cut to 2^-28, their sum to 2^-24, rounded.
- * Source: Lyon 1993. */
+/* 1 - a.b of two unit vectors as |a - b|^2 / 2: the form for narrow lobes, since unlike a dot
+ * product it hardly depends on the rounding of the vectors' lengths.
+ * Returns UQ0.24, at most 0xFFFFFF; the squares are truncated to 2^-28, their sum is rounded to
+ * 2^-24. Source: Lyon 1993. */
 static inline uint32_t burnish_q15_chord(const int16_t a[3], const int16_t b[3]) {
     uint32_t sum = 16;
     uint8_t i;
@@ -138,7 +137,7 @@ static inline uint16_t burnish_q15_reflect_cosine(uint16_t n_dot_l, uint16_t n_d
 
 /* A nearly unit vector to unit length by v (1 + e/2 + 3 e^2/8), e = 1 - v.v: three terms of the
  * series of 1/sqrt, no root, no division, one step. For normals interpolated between vertices.
- *   v     Q15, |v|^2 in [1/2, 3/2]; farther off the length comes out wrong, within the bits
+ *   v     Q15, |v|^2 in [1/2, 3/2]; outside, the length is wrong but does not overflow
  *   unit  receives Q15; may be v
  * Length of the result: 1 within 2 units of 2^-15 for |v| in [.98, 1.02], 12 for [.95, 1.05] and 95
  * for [.9, 1.1]; components err by no more.
@@ -291,15 +290,15 @@ static inline void burnish_q15_rgb888(const uint16_t color[3], uint8_t rgb[3]) {
 
 /* ---- Lighting ------------------------------------------------------------------------------- */
 
-/* What a surface gives back of each channel, UQ1.15. */
+/* What a surface reflects per channel, UQ1.15. */
 typedef struct burnish_q15_material {
     uint16_t ambient[3], diffuse[3], specular[3];
 } burnish_q15_material;
 
-/* A far light seen by a far viewer, together with the surface it falls on. */
+/* A distant light for a distant viewer, combined with the surface that it lights. */
 typedef struct burnish_q15_light {
     int16_t direction[3]; /* Q15, unit: to the light */
-    int16_t half[3];      /* Q15, unit: half way to the viewer */
+    int16_t half[3];      /* Q15, unit: halfway to the viewer */
     uint16_t diffuse[3];  /* UQ1.15: the light's colour times the surface's */
     uint16_t specular[3];
 } burnish_q15_light;
@@ -308,7 +307,7 @@ typedef struct burnish_q15_light {
  * vector to 15 bits costs their dot product n/74 steps of an 8-bit result, the chord .05. */
 #define BURNISH_Q15_NARROW 32
 
-/* What all lights share. */
+/* Common to all lights. */
 typedef struct burnish_q15_shader {
     burnish_lobe_q15 lobe;
     uint16_t ambient[3]; /* UQ1.15: the ambient light's colour times the surface's */
@@ -320,7 +319,7 @@ typedef struct burnish_q15_shader {
  *   to_light   Q15, any length but 0
  *   to_viewer  Q15, unit
  *   color      UQ1.15
- *   material   what it falls on
+ *   material   the surface that it lights
  * Returns 1, or 0 when to_light is the zero vector; the light is then black. */
 static inline uint8_t burnish_q15_light_create(burnish_q15_light *light, const int16_t to_light[3],
                                                const int16_t to_viewer[3], const uint16_t color[3],
@@ -334,11 +333,11 @@ static inline uint8_t burnish_q15_light_create(burnish_q15_light *light, const i
     }
     made = burnish_q15_normalize(wide, light->direction);
     (void)burnish_q15_half(light->direction, to_viewer, light->half);
-    return made; /* with direction 0, N.L is 0 and nothing is lit */
+    return made; /* direction 0 makes N.L 0, so nothing is lit */
 }
 
 /* Makes a shader.
- *   shader                shader and its lobe; not NULL; dark in the highlight on error
+ *   shader                becomes the shader; on error its lobe is dark; not NULL
  *   fit, order, exponent  as for burnish_lobe_q15_create
  *   ambient_light         UQ1.15
  * Errors: those of burnish_lobe_q15_create. */

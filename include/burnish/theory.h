@@ -1,4 +1,4 @@
-/* burnish/theory.h: what is true of a lobe, in double precision: values, derivatives, widths,
+/* burnish/theory.h: properties of a lobe, in double precision: values, derivatives, widths,
  * energy, sampling, errors against cos^n, cost, and the claims of the paper with their verdicts.
  *
  * How to use it.
@@ -11,10 +11,10 @@
  * Notation: n exponent, m order, c cosine of the lobe angle, lambda = 1 - c, zeta slope of the
  * lobe's base, "the power" is c^n. Angles are radians in [0, pi].
  *
- * What it promises. A model that a function here made successfully may be handed to every other
- * one. No function allocates, prints or keeps state; all may be called from any thread. Results do
- * not depend on the locale. Slopes (burnish_lobe_solve) have the same bits on every machine; the
- * rest uses the C library and may differ in the last digits.
+ * What it promises. Every function takes any model that a function here made successfully. No
+ * function allocates, prints or keeps state; all may be called from any thread. Results do not
+ * depend on the locale. Slopes (burnish_lobe_solve) have the same bits on every machine; the rest
+ * uses the C library and may differ in the last digits.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -33,7 +33,7 @@
 extern "C" {
 #endif
 
-/* Values of the lobes in double precision, to measure float ones against. All take any double for c
+/* Values of the lobes in double precision, references for the float ones. All take any double for c
  * (<= 0 gives 0 except for the family and the Gaussian, > 1 counts as 1, NaN gives 0), return a
  * value in [0, 1], and give 0 for a NaN parameter. Absolute error below 1e-14, relative error below
  * 1e-12 where the value is at least 1e-6. The power and the Gaussian use the C library. */
@@ -55,11 +55,11 @@ BURNISH_API double burnish_theory_gx(double cosine, double exponent);
 
 /* ---- Models ----
  *
- * One lobe at one exponent, with everything needed to evaluate it. */
+ * One lobe at one exponent, with all that its evaluation needs. */
 
 /* Made by burnish_theory_model_create; read it freely, change nothing. */
 typedef struct burnish_theory_model {
-    burnish_lobe_spec lobe; /* which; every kind but WHOLE_POWER */
+    burnish_lobe_spec lobe; /* any kind but WHOLE_POWER */
     double exponent;        /* n of the power that it stands for: [1, 65536] */
     double zeta;            /* FAMILY, LYON: the slope; NV2X: 1 / (1 + k0); otherwise 0 */
     double scale;           /* value at the peak: 1, in (0, 1) with fit AFFINE */
@@ -68,9 +68,9 @@ typedef struct burnish_theory_model {
 
 /* Makes the model of a lobe.
  *   family, lyon   burnish_lobe_solve
- *   nv2x           a Moebius function of the cosine, as NVIDIA's NV1x and NV2x chips had it. Their
- *                  constants are known from reverse engineering only, to two digits; k0, k1, k2
- *                  here are the best that the form can do: value 1 at the peak, least maximum error
+ *   nv2x           a Moebius function of the cosine, as in NVIDIA's NV1x and NV2x chips. Their
+ *                  constants are known only from reverse engineering, to two digits; k0, k1, k2
+ *                  here are the best of that form: value 1 at the peak, least maximum error
  *   kuijk-blake    with the angle x: 1 - x^2/(ab) to a, (x - b)^2 / (b (b - a)) from a to b,
  *                  a = (n + 5.6) / (n (.09 n + 5.2)), b = (n + 65) / (5 n + 31.7); a poor fit from
  *                  n = 128 up. Source: Kuijk and Blake 1989
@@ -102,7 +102,7 @@ BURNISH_API burnish_status burnish_theory_model_parse(const char *text, double e
  * All models are defined for every angle, are 1 (fit affine: scale) at angle 0 and never increase
  * with the angle. Absolute error below 1e-13 for the lambda form. */
 
-/* The lobe at 1 - cosine, the form that keeps its digits for large exponents.
+/* The lobe at 1 - cosine, the form that stays exact for large exponents.
  *   lambda  any number; <= 0 counts as 0, NaN gives 0 */
 BURNISH_API double burnish_theory_value_at_lambda(const burnish_theory_model *model, double lambda);
 
@@ -113,17 +113,17 @@ BURNISH_API double burnish_theory_value(const burnish_theory_model *model, doubl
 BURNISH_API double burnish_theory_value_at_angle(const burnish_theory_model *model, double angle);
 
 /* Value, first and second derivative in the angle, for an angle in [0, pi]. Where the lobe has a
- * corner or a step (its zero, table nodes) those of the side towards the peak. For m = 2:
+ * corner or a step (its zero, table nodes), the values of the side towards the peak. For m = 2:
  * W' = -2 zeta sin(x) u, W'' = 2 zeta^2 sin^2(x) - 2 zeta cos(x) u.
  *   derivatives  receives the three numbers; not NULL */
 BURNISH_API void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
                                             double derivatives[3]);
 
-/* Lyon's stand-in for 1/sqrt(s) near 1: 1 + e/2 + 3 e^2/8, e = 1 - s. Source: Lyon 1993. */
+/* Lyon's approximation of 1/sqrt(s) near 1: 1 + e/2 + 3 e^2/8, e = 1 - s. Source: Lyon 1993. */
 BURNISH_API double burnish_theory_lyon_normalize_factor(double s);
 
 /* Lyon's lobe of two vectors that are nearly of unit length, both scaled by that factor. 0 for an
- * order or exponent that has no lobe. */
+ * order or exponent without a lobe. */
 BURNISH_API double burnish_theory_lyon_vectors(const double a[3], const double b[3],
                                                double exponent, int order);
 
@@ -134,7 +134,7 @@ BURNISH_API double burnish_theory_lyon_vectors(const double a[3], const double b
  * Returns NaN where there is none: the Gaussian, the family with zeta < 1/2. */
 BURNISH_API double burnish_theory_zero_angle(const burnish_theory_model *model);
 
-/* The cosine of that angle, without the detour: 1 - 1/zeta for the family, which is below -1 where
+/* The cosine of that angle, computed directly: 1 - 1/zeta for the family, which is below -1 where
  * there is no zero (zeta < 1/2); NaN for the Gaussian. */
 BURNISH_API double burnish_theory_cutoff_cosine(const burnish_theory_model *model);
 
@@ -156,7 +156,7 @@ BURNISH_API double burnish_theory_angle_at(const burnish_theory_model *model, do
 /* R: the angle at which the power reaches 2^-bits, divided by the angle at which the lobe does.
  * Above 1 the lobe ends sooner.
  *   bits  q > 0, need not be whole
- * NaN where the lobe does not get there. */
+ * NaN where the lobe never falls to that level. */
 BURNISH_API double burnish_theory_width_ratio(const burnish_theory_model *model, double bits);
 
 /* ---- Energy and sampling ----
@@ -179,8 +179,8 @@ BURNISH_API double burnish_theory_integral(const burnish_theory_model *model,
 BURNISH_API double burnish_theory_partial_integral(const burnish_theory_model *model,
                                                    burnish_theory_measure measure, double from);
 
-/* What a lobe is multiplied with so that it reflects all light at most, and exactly all at normal
- * incidence: Phong, where c = R.V: 1 / (cosine-weighted integral). */
+/* The factor with which a lobe never reflects more light than arrives, and exactly as much at
+ * normal incidence: Phong, where c = R.V: 1 / (cosine-weighted integral). */
 BURNISH_API double burnish_theory_phong_factor(const burnish_theory_model *model);
 
 /* The same for Blinn, where c = N.H: 1 / (8 pi integral over h in [sqrt(1/2), 1] of
@@ -190,7 +190,7 @@ BURNISH_API double burnish_theory_blinn_factor(const burnish_theory_model *model
 /* The common approximation to that for the power: (n + 8) / (8 pi). */
 BURNISH_API double burnish_theory_blinn_factor_common(double exponent);
 
-/* What makes the lobe a distribution of normals: 1 / (cosine-weighted integral), so that
+/* The factor that makes the lobe a distribution of normals: 1 / (cosine-weighted integral), so that
  * D(h) (n.h) d omega integrates to 1. Power: (n + 2) / (2 pi). */
 BURNISH_API double burnish_theory_normal_factor(const burnish_theory_model *model);
 
@@ -201,9 +201,9 @@ BURNISH_API double burnish_theory_pdf(const burnish_theory_model *model,
 
 /* The cosine of a direction drawn with that density from a uniform number.
  * Exact closed forms for power, Gaussian over solid angle and the family: over solid angle
- * 1 - (1 - xi^(1/(m+1))) / zeta, cosine-weighted a mixture of two power densities in u (zeta >= 1).
- * The others invert their integral numerically to 1e-12, which is about 100 times slower. Except
- * for that mixture the cosine never decreases with xi.
+ * 1 - (1 - xi^(1/(m+1))) / zeta, cosine-weighted it is a mixture of two power densities in u (zeta
+ * >= 1). The others invert their integral numerically to 1e-12, which is about 100 times slower.
+ * Except for that mixture the cosine never decreases with xi.
  *
  *   xi  [0, 1]; clamped
  * Returns a cosine in [0, 1]. */
@@ -233,7 +233,7 @@ typedef struct burnish_theory_difference {
 
 /* Measures all of that. The maxima are certified. The slopes of a lobe and of the power are equal
  * at two points at most, found by bisection (family, schlick, gaussian, gx, nv2x; within each cell
- * of a table one point in closed form). For kuijk-blake, both curves falling with the angle,
+ * of a table one point in closed form). For kuijk-blake both curves fall with the angle, so
  * lobe(a) - power(b) bounds the error on [a, b], and intervals are split until no bound exceeds the
  * maximum found by more than 1e-9.
  *   end     (0, pi/2]: burnish_theory_inflection_angle, burnish_theory_angle_at of the power, or
@@ -257,7 +257,7 @@ BURNISH_API double burnish_theory_relative_error(const burnish_theory_model *mod
  * angle (zeta <= 1, n <= m, zeta > n/m). */
 BURNISH_API double burnish_theory_extreme_angle(const burnish_theory_model *model);
 
-/* The same angle by a search that knows nothing of the formula: the maximum of lobe / power.
+/* The same angle by a search that does not use the formula: the maximum of lobe / power.
  * NaN where burnish_theory_extreme_angle is. */
 BURNISH_API double burnish_theory_extreme_angle_searched(const burnish_theory_model *model);
 
@@ -274,7 +274,7 @@ BURNISH_API double burnish_theory_alpha_from_exponent(double exponent);
 BURNISH_API double burnish_theory_exponent_from_roughness(double roughness);
 BURNISH_API double burnish_theory_roughness_from_exponent(double exponent);
 
-/* The Phong exponent whose highlight is about as wide as Blinn's: n / 4; and back. */
+/* The Phong exponent whose highlight is about as wide as Blinn's: n / 4; and the inverse. */
 BURNISH_API double burnish_theory_phong_from_blinn(double exponent);
 BURNISH_API double burnish_theory_blinn_from_phong(double exponent);
 
@@ -284,7 +284,7 @@ BURNISH_API double burnish_theory_blinn_from_phong(double exponent);
  * Source: Toksvig 2005. */
 BURNISH_API double burnish_theory_toksvig_exponent(double exponent, double length);
 
-/* The mean of unit normals, as a normal map's texels are averaged.
+/* The mean of unit normals, as in filtering a normal map.
  *   normals  count times three components; not NULL unless count is 0
  *   mean     receives the mean, not normalised; not NULL
  * Returns the mean's length, for burnish_theory_toksvig_exponent; 0 for count 0. */
@@ -293,8 +293,8 @@ BURNISH_API double burnish_theory_mean_normal(const double (*normals)[3], size_t
 
 /* ---- Cost and choice ---- */
 
-/* Operations of one evaluation from a cosine (kuijk-blake: the angle, by one arc cosine), constants
- * of the material prepared. The family: u = max(0, A c + B), then log2(m) squarings. */
+/* Operations of one evaluation from a cosine (kuijk-blake: the angle, by one arc cosine), with
+ * constants computed per material. The family: u = max(0, A c + B), then log2(m) squarings. */
 typedef struct burnish_theory_cost {
     int multiplications;
     int additions;   /* subtractions too */
@@ -307,14 +307,14 @@ typedef struct burnish_theory_cost {
 
 BURNISH_API burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model);
 
-/* Which is cheaper: < 0 for a, > 0 for b, 0 for the same. First the transcendentals count, then the
+/* Which is cheaper: < 0 for a, > 0 for b, 0 for equal. Compares the transcendentals, then the
  * divisions, then the lookups, then multiplications, additions and comparisons together. */
 BURNISH_API int burnish_theory_cost_order(const burnish_theory_cost *a,
                                           const burnish_theory_cost *b);
 
 /* The cheapest lobe whose largest absolute error against the power, c in [0, 1], is at most
  * epsilon; of equally cheap ones the one with the least error. The power itself is a candidate, so
- * there always is one; lobes that pictures can't draw (burnish_lobe_spec_check) are not.
+ * one always exists; lobes that cannot be drawn (burnish_lobe_spec_check) are not.
  *   exponent  n: [1, 65536]
  *   epsilon   (0, 1)
  *   affine    1: lobes whose peak is not 1 (fit affine) are candidates too
@@ -330,20 +330,20 @@ BURNISH_API burnish_status burnish_theory_choose(double exponent, double epsilon
 
 /* ---- The memory of boundary cosines ----
  *
- * Per exponent one stored cosine from which downward nothing need be computed. */
+ * One stored cosine per exponent; at and below it the lobe need not be computed. */
 
 /* The cosine at which the lobe has fallen to 2^-bits; bits 0: to zero, the cutoff cosine.
  *   bits  q: [0, 1024]
  * Clamped to [0, 1]: 0 where the lobe is brighter than that at every c > 0. NaN for other bits. */
 BURNISH_API double burnish_theory_boundary_cosine(const burnish_theory_model *model, double bits);
 
-/* 1 minus that, with all its digits for narrow lobes. */
+/* 1 minus that cosine, exact for narrow lobes. */
 BURNISH_API double burnish_theory_boundary_lambda(const burnish_theory_model *model, double bits);
 
 typedef enum burnish_theory_rounding {
     BURNISH_THEORY_NEAREST, /* halves go up */
-    BURNISH_THEORY_DOWN,    /* keeps all that is visible when cosines are stored */
-    BURNISH_THEORY_UP       /* the same when 1 - cosine is stored */
+    BURNISH_THEORY_DOWN,    /* for cosines: cuts nothing visible */
+    BURNISH_THEORY_UP       /* the same for 1 - cosine */
 } burnish_theory_rounding;
 
 /* A fixed-point format. The word is [sign] integer_bits fraction_bits, 32 bits at most. */
@@ -374,7 +374,7 @@ BURNISH_API int64_t burnish_theory_format_encode(const burnish_theory_format *fo
 /* The number that a word stands for. */
 BURNISH_API double burnish_theory_format_decode(const burnish_theory_format *format, int64_t word);
 
-/* What a memory holds. */
+/* The contents of a memory. */
 typedef struct burnish_theory_memory {
     burnish_lobe_spec lobe; /* the exponent comes from the list */
     double bits;            /* q: [1, 1024], or 0 for the cutoff */
@@ -395,13 +395,13 @@ BURNISH_API burnish_status burnish_theory_memory_fill(const burnish_theory_memor
 
 /* ---- The paper's claims ----
  *
- * Every number is computed when asked for, every verdict follows from the numbers. */
+ * Every number is computed on request; every verdict follows from the numbers. */
 
 typedef enum burnish_theory_verdict {
     BURNISH_THEORY_HOLDS,
-    BURNISH_THEORY_HOLDS_TO_DIGITS, /* missed by less than one unit of the last digit given */
+    BURNISH_THEORY_HOLDS_TO_DIGITS, /* missed by less than one unit of the last digit stated */
     BURNISH_THEORY_DOES_NOT_HOLD,
-    BURNISH_THEORY_BENCHMARK, /* a timing: measured on each machine, not here */
+    BURNISH_THEORY_BENCHMARK, /* a timing; run the benchmark */
     BURNISH_THEORY_VERDICT_COUNT
 } burnish_theory_verdict;
 
@@ -420,15 +420,15 @@ enum { BURNISH_THEORY_CLAIM_VALUES = 12 };
 
 typedef struct burnish_theory_claim {
     const char *id;       /* one word for tables and options */
-    const char *claim;    /* what the paper says, in our words */
-    const char *quantity; /* what the values are, with unit */
-    const char *note;     /* why, for a verdict that needs a word; otherwise "" */
+    const char *claim;    /* the paper's statement, in our words */
+    const char *quantity; /* what the values measure, with unit */
+    const char *note;     /* why, for a verdict that needs an explanation; otherwise "" */
     const char *command;  /* a command line that shows it */
     int count;            /* number of values: [0, BURNISH_THEORY_CLAIM_VALUES] */
     struct {
         char label[32]; /* "n=100", "W_0.5 n=21" */
         double value;
-        int judged; /* 0: shown beside the others, not part of the claim */
+        int judged; /* 0: for information, not part of the claim */
     } values[BURNISH_THEORY_CLAIM_VALUES];
     burnish_theory_relation relation;
     double bound; /* what the values are judged against */
@@ -441,7 +441,7 @@ BURNISH_API size_t burnish_theory_claim_count(void);
 
 /* Computes one claim; under a second each.
  *   index  [0, burnish_theory_claim_count())
- *   claim  receives it; its strings live for ever; not NULL
+ *   claim  receives it; its strings are static; not NULL
  * Errors: ARGUMENT for an index out of range. */
 BURNISH_API burnish_status burnish_theory_claim_compute(size_t index, burnish_theory_claim *claim);
 

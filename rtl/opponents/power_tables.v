@@ -1,12 +1,12 @@
-// power_tables: c^n itself to 8 bits by tables of logarithm and exponential, both interpolated.
+// power_tables: c^n to 8 bits from interpolated tables of logarithm and exponential.
 //
 //     c = 2^-k (1 + f):  l = k - log2(1 + f) in UQ4.20,  x = n l in UQ14.16,
 //     value = floor((2^16 2^-frac(x) / 2^int(x) + 2^7) / 2^8), at most 255
 //
-// Tables of 256 words of 32 bits each: log2 (16 bits and its next difference), exp2 (the same).
+// Tables of 256 words of 32 bits each: log2 and exp2, 16 bits and the difference to the next entry each.
 //
 // Latency    10
-// Throughput one lobe a clock
+// Throughput one lobe per clock
 // Memory     2 times 256 words of 32 bits;  three multipliers
 // Ports      as burnish_taylor
 //
@@ -32,7 +32,7 @@ module power_tables #(
         $readmemh(EXP, exp_table);
     end
 
-    // 1: the leading one. c = 1 and 0 are told apart at the end.
+    // 1: the leading one. c = 1 and 0 are handled at the end.
     reg [15:0] c;
     reg [3:0] top;
     integer i;

@@ -2,11 +2,11 @@
 //
 //     value = min(floor(2^RESULT c / (n - n c + c)), 2^RESULT - 1), exact
 //
-// n (1 - c) + c by burnish_product, then a restoring row a bit of the result. A row is no wider than the
-// remainder can be: 17 + row bits until the denominator's 26 are reached.
+// n (1 - c) + c by burnish_product, then one restoring row per bit of the result. A row is as wide as its
+// remainder: 17 + row bits until the denominator's 26 are reached.
 //
 // Latency    2 + RESULT + the product: 1 with DSP, else 9 / ROWS + 1
-// Throughput one lobe a clock
+// Throughput one lobe per clock
 // Parameters RESULT 16 or 8 bits;  ROWS, DSP  of the product
 // Ports      as burnish_taylor
 //

@@ -1,10 +1,10 @@
-// schlick_rom: Schlick's lobe to 8 bits by a memory of reciprocals.
+// schlick_rom: Schlick's lobe to 8 bits from a memory of reciprocals.
 //
 //     D = n (1 - c) + c = 2^e (1 + f),  r = ROM[256 f] = floor(2^25 / (512 + 2 floor(256 f) + 1)),
 //     value = min(floor((c r + 2^(e+7)) / 2^(e+8)), 255),  e counted in D's bits
 //
 // Latency    9
-// Throughput one lobe a clock
+// Throughput one lobe per clock
 // Memory     256 words of 16 bits;  two multipliers
 // Ports      as burnish_taylor
 //
@@ -43,7 +43,7 @@ module schlick_rom (
     end
     wire [4:0] up = 5'd25 - top;
     wire [25:0] fine = coarse << fine_by;
-    // c r < 2^32: to bits 0 .. 8 in two steps of shifting, a half still below.
+    // c r < 2^32: shifted to bits 0 .. 8 in two steps, with one more bit for the rounding.
     wire [16:0] final_shift = shifted >> last_by;
     always @(posedge clk)
         if (enable) begin

@@ -1,11 +1,11 @@
-/* picture.cpp: a teapot whose highlights come out of the simulated channel.
+/* picture.cpp: a teapot with highlights from the simulated channel.
  *
  * Usage: picture WIDTH HEIGHT [FILE.png]
  *
- * Normals a pixel by orthographic projection of burnish's own teapot; ambient and diffuse light by
+ * Normals per pixel from an orthographic projection of burnish's teapot; ambient and diffuse light by
  * shade_q15.h; the highlights of two lights by burnish_channel, the second light on the first one's
  * sums. Every sum is compared with the C core bit for bit, the finished picture with the same
- * equation in float by lobe.h. Ends with 1 on a difference, or below 45 dB.
+ * equation in float by lobe.h. Exits with 1 on a difference, or below 45 dB.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -27,7 +27,7 @@ namespace {
 const unsigned exponent = 60;
 
 struct pixel {
-    float normal[3]; /* unit, to the viewer's side; all 0: background */
+    float normal[3]; /* unit, facing the viewer; all 0: background */
     float depth;
 };
 
@@ -46,7 +46,7 @@ void normalize(float v[3]) {
     }
 }
 
-/* The camera's turn: about the up axis (y of the picture), then down. */
+/* The camera's rotation: about the up axis (y of the picture), then down. */
 void turn(const float in[3], float out[3]) {
     const float a = -.45f, e = .42f;
     const float x = std::cos(a) * in[0] + std::sin(a) * in[2];
@@ -283,7 +283,7 @@ int main(int argc, char **argv) {
             const uint8_t code = burnish_q15_code((uint16_t)(points[k].sums >> (16 * c)), 255);
             const double rest = code - in_float(pixels[places[k]], c);
             squares += rest * rest;
-            /* Codes are linear; the file wants sRGB. */
+            /* Codes are linear; the file is sRGB. */
             const double linear = code / 255.0;
             image.pixels[places[k] * 3 + c] = (uint8_t)std::lround(
                 255 *

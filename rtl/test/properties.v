@@ -1,10 +1,10 @@
-// properties: what holds for every input, as one bit each that must stay 0. For the SAT solver the units'
+// properties: each property is one bit that must be 0 for every input. For the SAT solver the units'
 // registers become wires (see prove): without feedback a pipeline is a function of its inputs.
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 
-// From the cosine 1 up a lobe is 0xFFFE; where zeta (1 - c) passes 1 it is 0.
+// For a cosine of 1 and above a lobe is 0xFFFE; where zeta (1 - c) reaches 1 it is 0.
 module property_taylor (
     input wire clk,
     input wire [9:0] exponent,
@@ -17,7 +17,7 @@ module property_taylor (
         .clk(clk), .enable(1'b1), .exponent(exponent), .angle(angle), .user_in(1'b0),
         .value(value), .user_out(user));
     wire one = angle >= 16'h8000;
-    // zeta (1 - c) >= 1 for every exponent from 2 where c = 0, and for 1023 where 1 - c >= 65.
+    // zeta (1 - c) >= 1 for every exponent from 2 on where c = 0, and for 1023 where 1 - c >= 65.
     wire far = (angle == 16'h0000 && exponent >= 10'd2) ||
         (exponent == 10'd1023 && angle <= 16'h8000 - 16'd65) ||
         (exponent[9] && angle <= 16'h8000 - 16'd128) || (exponent[9:4] != 0 && angle <= 16'h7000);

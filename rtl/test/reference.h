@@ -1,5 +1,5 @@
-/* reference.h: what a unit of rtl/ must answer: the C core's bits, or for opponents the same
- * integers as a formula.
+/* reference.h: the result that a unit of rtl/ must give: the C core's bits, or for opponents the same
+ * integers from a formula.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -36,8 +36,8 @@ struct vector {
     uint8_t shift;
 };
 
-/* The slope of a unit's fit. An exponent below the order makes no lobe in C; the hardware computes
- * it all the same, with the slope that the fit's formula gives. */
+/* The slope of a unit's fit. An exponent below the order has no lobe in C; the hardware computes
+ * one with the slope of the fit's formula. */
 static inline void slope_of(const unit &u, const vector &v, uint16_t *slope, uint8_t *shift) {
     switch (u.which) {
     case FIT_TAYLOR:

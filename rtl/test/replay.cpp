@@ -1,11 +1,11 @@
-/* replay.cpp: streams inputs through all units at once and compares every answer with the C core.
+/* replay.cpp: streams inputs through all units at once and compares every result with the C core.
  *
  * Usage: replay STRIDE [FIRST]          every STRIDE-th of the 2^26 pairs of cosine and exponent
  *        replay --errors                name, largest error in steps, bits, latency of every unit
- *        replay --vectors FOLDER COUNT  writes random vectors and answers for the Verilog bench
+ *        replay --vectors FOLDER COUNT  writes random vectors and results for the Verilog bench
  *
- * Beside the pairs every vector carries a lambda and, for units with a slope port, the energy slope
- * of the exponent: in seven of eight vectors a lambda within twice the lobe's reach, else any of 24
+ * Every vector also carries a lambda and, for units with a slope port, the energy slope
+ * of the exponent: seven of eight lambdas are within twice the lobe's reach, the others any of 24
  * bits.
  *
  * SPDX-License-Identifier: MIT
@@ -42,7 +42,7 @@ vector vector_at(uint32_t index) {
     if (v.exponent == 0) {
         v.exponent = (uint16_t)(1 + next_random() % 1023);
     }
-    /* Cosines above 1 are all the same lobe: half of them are brought near it instead. */
+    /* All cosines above 1 give the same result: half of them are moved near 1. */
     const uint32_t reach = 0x4000000u / v.exponent;
     v.lambda = next_random();
     v.lambda = (index & 7u) == 0 ? v.lambda >> 8 : v.lambda % (reach + 2u);
@@ -87,7 +87,7 @@ template <std::size_t N> uint16_t word_of(const VlWide<N> &wide, unsigned i) {
     return (uint16_t)(wide[i / 2] >> (i % 2 * 16));
 }
 
-/* The latency of each unit, from one bit that travels along. */
+/* The latency of each unit, measured by one user bit. */
 bool measure_latencies(Vreplay *top) {
     const vector dark = {0, 1, 0, 0, 0};
     unsigned found = 0;
@@ -162,7 +162,7 @@ double real_lobe(const unit &u, const vector &v, double lambda) {
 }
 
 /* The largest error over every cosine (or 2^15 lambdas over twice the lobe's reach) and exponents
- * from the order up: all below 32, every 48th, all from 1000; beside the measured latency. */
+ * from the order up: all below 32, every 48th, all from 1000; and the measured latency. */
 void print_errors() {
     for (unsigned k = 0; k < UNITS; ++k) {
         const unit &u = units[k];

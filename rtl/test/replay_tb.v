@@ -1,5 +1,5 @@
-// replay_tb: the replay bench for event-driven simulators: reads vectors and answers of the C core from
-// files that `replay --vectors` wrote. Says "replay_tb: passed" or names the first difference.
+// replay_tb: the replay bench for event-driven simulators: reads vectors and the C core's results from
+// the files of `replay --vectors`. Prints "replay_tb: passed" or the first difference.
 // Plusargs: none; COUNT by a define. Files input.mem, expected.mem, latency.mem of the current folder.
 //
 // SPDX-License-Identifier: MIT

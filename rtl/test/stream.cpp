@@ -1,8 +1,8 @@
 /* stream.cpp: the streaming wrapper under random stalls on both sides.
  *
- * Every word carries its number as user data: words must come out in order, none lost, none twice,
- * with the C core's value; what is offered must not change until it is taken; ready must not follow
- * from m_ready within a clock. Ends with 1 and a line on the first fault.
+ * Every word carries its number as user data: words must come out in order, none lost, none repeated,
+ * with the C core's value; an offered word must not change until it is taken; s_ready must not depend
+ * on m_ready within a clock. Exits with 1 and a line on the first fault.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -40,7 +40,7 @@ int fault(const char *what, uint32_t number) {
     return 1;
 }
 
-/* One run. push, pop: out of 16, how often a side is willing. */
+/* One run. push, pop: of 16 clocks, how many each side is ready. */
 int run(uint32_t count, uint32_t push, uint32_t pop) {
     Vburnish_stream top;
     uint32_t sent = 0, received = 0, quiet = 0;
@@ -85,7 +85,7 @@ int run(uint32_t count, uint32_t push, uint32_t pop) {
         if (top.m_valid && top.m_ready) {
             const word r = word_of(received);
             if (top.m_user != received) {
-                return fault("out of order, lost or doubled", received);
+                return fault("out of order, lost or repeated", received);
             }
             if (top.m_value != burnish_shift7_q15(r.exponent, r.cosine)) {
                 return fault("not the value of the C core", received);
@@ -93,7 +93,7 @@ int run(uint32_t count, uint32_t push, uint32_t pop) {
             ++received;
             quiet = 0;
         } else if (++quiet > 4000) {
-            return fault("nothing comes out", received);
+            return fault("no word comes out", received);
         }
         if (offered && top.s_ready) {
             ++sent;
@@ -108,7 +108,7 @@ int run(uint32_t count, uint32_t push, uint32_t pop) {
         top.s_valid = 0;
         top.eval();
         if (top.m_valid) {
-            return fault("a word more than went in", received);
+            return fault("more words came out than went in", received);
         }
         top.clk = 1;
         top.eval();
@@ -126,6 +126,6 @@ int main(int argc, char **argv) {
             return 1;
         }
     }
-    printf("stream: 7 rates of stalls, %u words each: in order, none lost, none doubled\n", count);
+    printf("stream: 7 rates of stalls, %u words each: in order, none lost, none repeated\n", count);
     return 0;
 }

@@ -66,7 +66,7 @@ int64_t burnish_theory_format_encode(const burnish_theory_format *format,
     if (isnan(x)) {
         return 0;
     }
-    /* by the fraction, since scaled + 1/2 may round up by itself */
+    /* from the fraction, since scaled + 1/2 may round up itself */
     whole += rounding == BURNISH_THEORY_UP        ? (scaled > whole ? 1 : 0)
              : rounding == BURNISH_THEORY_NEAREST ? (scaled - whole >= 0.5 ? 1 : 0)
                                                   : 0;
@@ -78,7 +78,7 @@ double burnish_theory_format_decode(const burnish_theory_format *format, int64_t
     return ldexp((double)word, -format->fraction_bits);
 }
 
-/* The lobe for one exponent, of a lower order where that must be. */
+/* The lobe for one exponent, of a lower order where the exponent requires it. */
 static burnish_lobe_status model_for(const burnish_lobe_spec *lobe, double exponent,
                                      burnish_theory_model *model) {
     burnish_lobe_spec lower = *lobe;

@@ -1,4 +1,4 @@
-/* What lobes cost, and the cheapest one that is good enough. */
+/* The cost of lobes, and the cheapest one within an error. */
 #include <math.h>
 
 #include "core/error.h"
@@ -36,7 +36,7 @@ burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model)
         cost.multiplications = cost.comparisons = cost.additions = 2;
         cost.transcendentals = 1;
         break;
-    case BURNISH_LOBE_TABLE: /* place, rounding; linear: fraction, difference, sum */
+    case BURNISH_LOBE_TABLE: /* index, rounding; linear: fraction, difference, sum */
         cost.multiplications = model->lobe.linear ? 2 : 1;
         cost.additions = model->lobe.linear ? 3 : 1;
         cost.lookups = model->lobe.linear ? 2 : 1;
@@ -62,7 +62,7 @@ int burnish_theory_cost_order(const burnish_theory_cost *a, const burnish_theory
                             b->multiplications + b->additions + b->comparisons);
 }
 
-/* What can be drawn beside the family; the power is where the choice starts. */
+/* Lobes outside the family that can be drawn; the power is the initial choice. */
 static const burnish_lobe_kind OTHERS[] = {BURNISH_LOBE_SCHLICK, BURNISH_LOBE_GAUSSIAN,
                                            BURNISH_LOBE_GX};
 
@@ -77,7 +77,7 @@ static void try_model(choice *best, const burnish_theory_model *model) {
     burnish_theory_cost cost = burnish_theory_model_cost(model);
     int order = burnish_theory_cost_order(&cost, &best->cost);
     if (order > 0) {
-        return; /* dearer: its error does not matter */
+        return; /* more expensive: its error does not matter */
     }
     double maximum = burnish_theory_maximum_error(model, 0.5 * BURNISH_PI);
     if (maximum <= best->epsilon && (order < 0 || maximum < best->maximum)) {
@@ -102,7 +102,7 @@ burnish_status burnish_theory_choose(double exponent, double epsilon, int affine
                             burnish_lobe_status_text(status));
     }
     best.cost = burnish_theory_model_cost(&best.model);
-    for (int i = 0; i < 10; ++i) { /* lower orders first, so that dearer ones stop early */
+    for (int i = 0; i < 10; ++i) { /* lower orders first, so that more expensive ones stop early */
         burnish_theory_model candidate;
         burnish_lobe_fit fit = i % 2 ? BURNISH_FIT_AFFINE : BURNISH_FIT_MINIMAX;
         if ((i % 2 == 0 || affine) &&

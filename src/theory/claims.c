@@ -1,4 +1,4 @@
-/* The paper's claims: every number computed here and now, every verdict from the numbers. */
+/* The paper's claims: every number is computed, every verdict follows from the numbers. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -40,7 +40,7 @@ __attribute__((format(printf, 4, 5))) static void add(burnish_theory_claim *clai
     claim->values[claim->count++].judged = judged;
 }
 
-/* The lobes of the paper. Their exponents are constants below, so making them can't fail. */
+/* The lobes of the paper. Their exponents are constants below, so creation cannot fail. */
 static burnish_theory_model make(burnish_lobe_fit fit, double n) {
     burnish_theory_model model;
     (void)burnish_theory_model_create(
@@ -232,7 +232,7 @@ static void half_radius_larger(burnish_theory_claim *claim) {
     }
 }
 
-/* ---- Operations, counted while they are carried out in integers ---- */
+/* ---- Operations, counted while computing in integers ---- */
 
 enum { FRACTION = 20 }; /* cosines as multiples of 2^-20 */
 
@@ -266,7 +266,7 @@ static int64_t subtract(counter *count, int64_t a, int64_t b) {
     return a - b;
 }
 
-/* zeta in integers, then (1 + zeta (c - 1))^2; the cutoff is the boundary memory's business. */
+/* zeta in integers, then (1 + zeta (c - 1))^2; the cutoff is left to the boundary memory. */
 static double integer_lobe(counter *count, int half, int64_t n, int64_t cosine) {
     int64_t zeta = half ? shift_right(count, subtract(count, shift_left(count, n, 3), n), 4)
                         : shift_right(count, n, 1);
@@ -332,7 +332,7 @@ static const entry ENTRIES[] = {
     {"w1-absolute", "W1 differs from the power by at most 0.1", "largest absolute error", "",
      SHOW("w1-absolute"), BURNISH_THEORY_AT_MOST, 0.1, 0.1, energy_absolute},
     {"w1-extreme", "W1's relative error is extreme at arctan(sqrt(2n + 1)/n)",
-     "tangent of the place found by search, by the formula's", "", SHOW("w1-extreme"),
+     "tangent of the angle found by search, over the formula's", "", SHOW("w1-extreme"),
      BURNISH_THEORY_ABOUT, 1, 1e-5, energy_extreme},
     {"w05-large", "down to level .45, W_0.5 is off by at most .015 for n > 20",
      "largest absolute error", "down to the inflection it is about that, probably what was meant",
@@ -346,19 +346,18 @@ static const entry ENTRIES[] = {
     {"schlick-ratio", "that is four times the error of W_0.5", "ratio of the two errors", "",
      SHOW("schlick-ratio"), BURNISH_THEORY_ABOUT, 4, 1, schlick_ratio},
     {"w05-extreme", "W_0.5's relative error is extreme at arctan(2 sqrt(7n - 15)/(7n - 16))",
-     "tangent of the place found by search, by the formula's", "", SHOW("w05-extreme"),
+     "tangent of the angle found by search, over the formula's", "", SHOW("w05-extreme"),
      BURNISH_THEORY_ABOUT, 1, 1e-5, half_extreme},
     {"w05-radius", "W_0.5 meets zero with the curvature radius 4/(7n - 8)",
      "radius times (7n - 8)/4", "", SHOW("w05-radius"), BURNISH_THEORY_ABOUT, 1, 0, half_radius},
     {"w05-radius-larger", "that radius is larger than W's", "ratio of the radii", "",
      SHOW("w05-radius-larger"), BURNISH_THEORY_AT_LEAST, 1, 0, half_radius_larger},
     {"speed-w", "W is 2.3 times as fast as Schlick's lobe (Pentium M)", "",
-     "a timing of another "
-     "age: measure on your machine",
-     "make bench", BURNISH_THEORY_NONE, 2.3, 0.1, NULL},
+     "measured on a Pentium M: run the benchmark on your machine", "make bench",
+     BURNISH_THEORY_NONE, 2.3, 0.1, NULL},
     {"speed-w05", "W_0.5 is 1.69 times as fast as Schlick's lobe (Pentium M)", "",
-     "a timing of another age: measure on your machine", "make bench", BURNISH_THEORY_NONE, 1.69,
-     0.01, NULL},
+     "measured on a Pentium M: run the benchmark on your machine", "make bench",
+     BURNISH_THEORY_NONE, 1.69, 0.01, NULL},
     {"operations-w", "W takes 2 multiplications, a shift, an increment and a decrement",
      "counted while computing W in integers", "the cutoff is looked up in the boundary memory",
      SHOW("operations-w"), BURNISH_THEORY_AT_MOST, 0, 0, operations_w},
@@ -374,7 +373,7 @@ size_t burnish_theory_claim_count(void) {
     return ENTRY_COUNT;
 }
 
-/* By how much the value misses the bound. */
+/* How far the value is beyond the bound. */
 static double excess(const burnish_theory_claim *claim, double value) {
     switch (claim->relation) {
     case BURNISH_THEORY_AT_MOST:
@@ -393,7 +392,7 @@ static burnish_theory_verdict judge(const burnish_theory_claim *claim) {
     double worst = 0, rounding = 1e-12 * (1 + fabs(claim->bound));
     for (int i = 0; i < claim->count; ++i) {
         double miss = claim->values[i].judged ? excess(claim, claim->values[i].value) : 0;
-        worst = miss <= worst ? worst : miss; /* so that NaN is kept: it never holds */
+        worst = miss <= worst ? worst : miss; /* keeps NaN, which never holds */
     }
     if (claim->relation == BURNISH_THEORY_NONE) {
         return BURNISH_THEORY_BENCHMARK;

@@ -1,4 +1,4 @@
-/* Errors against the power: certified maxima with their places, integrals. */
+/* Errors against the power: certified maxima with their angles, integrals. */
 #include <math.h>
 
 #include "theory/internal.h"
@@ -23,7 +23,7 @@ static double relative_of(double lobe, double power) {
     return power > 0 ? lobe / power - 1 : lobe > 0 ? HUGE_VAL : -1;
 }
 
-/* Takes one place into account: lambda with the values of both curves. */
+/* Updates the maxima at one lambda, from the values of both curves. */
 static void consider(burnish_theory_difference *result, double lambda, double lobe, double power) {
     consider_absolute(result, lambda, lobe - power);
     consider_relative(result, lambda, relative_of(lobe, power));
@@ -35,7 +35,7 @@ static void consider_lambda(burnish_theory_difference *result, const burnish_the
              burnish_theory_power_at_lambda(lambda, model->exponent));
 }
 
-/* ---- Lobes whose slope meets the power's at two places at most ---- */
+/* ---- Lobes whose slope meets the power's at no more than two points ---- */
 
 static burnish_theory_shape smooth_shape(const burnish_theory_model *model) {
     double n = model->exponent;
@@ -68,7 +68,7 @@ static int ratio_stationary(const burnish_theory_model *model, double lambda[2])
         return 1;
     }
     if (model->lobe.kind != BURNISH_LOBE_NV2X) {
-        return 0; /* Schlick over power only grows with the angle */
+        return 0; /* Schlick / power only grows with the angle */
     }
     /* n (1 - a x)(1 + b x) = (a + b)(1 - x) */
     double b = -model->k[1] * a, quadratic = n * a * b, linear = n * (b - a) + a + b;
@@ -156,7 +156,7 @@ static curve_point point_at(const bound_search *search, double s) {
     return point;
 }
 
-/* Both curves fall, so their values at the two ends bound the error in between. */
+/* Both curves fall, so their values at the ends bound the error in between. */
 static void split(const bound_search *search, curve_point a, curve_point b, int depth) {
     double bound, known;
     if (search->relative) {
@@ -182,7 +182,8 @@ static void scan_bounded(burnish_theory_difference *result, const burnish_theory
     for (int relative = 0; relative < 2; ++relative) {
         bound_search search = {model, result, relative};
         curve_point before = point_at(&search, 0);
-        for (int i = 1; i <= SEEDS; ++i) { /* a good maximum first, so that little is split */
+        for (int i = 1; i <= SEEDS;
+             ++i) { /* a good maximum first, so that few intervals are split */
             (void)point_at(&search, sqrt(end) * i / SEEDS);
         }
         for (int i = 1; i <= SEEDS; ++i) {
@@ -195,7 +196,7 @@ static void scan_bounded(burnish_theory_difference *result, const burnish_theory
 
 /* ---- All of them ---- */
 
-/* What lobe / power - 1 tends to at c = 0, where both are 0. */
+/* The limit of lobe / power - 1 at c = 0, where both are 0. */
 static double equator_limit(const burnish_theory_model *model) {
     double n = model->exponent;
     switch (model->lobe.kind) {
@@ -245,7 +246,7 @@ static void scan(burnish_theory_difference *result, const burnish_theory_model *
     consider_relative(result, 1, equator_limit(model));
 }
 
-/* The range in lambda; pi/2 is 1 exactly. NaN for what is no range. */
+/* The range in lambda; pi/2 is 1 exactly. NaN for an invalid range. */
 static double range_end(double end) {
     double lambda = burnish_theory_lambda_of_angle(end);
     if (!(end > 0 && end <= 0.5 * BURNISH_PI + 1e-12)) {

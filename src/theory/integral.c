@@ -1,4 +1,4 @@
-/* Energy: integrals over the hemisphere, what normalises a lobe, densities. */
+/* Energy: integrals over the hemisphere, normalisation, densities. */
 #include <math.h>
 
 #include "theory/internal.h"
@@ -60,7 +60,7 @@ static double lobe_integrand(double s, const void *context) {
            2 * s;
 }
 
-/* From lambda = 0 on, where that has a closed form; NaN where it has none. */
+/* From lambda = 0 on, in closed form; NaN where there is none. */
 static double closed_integral(const burnish_theory_model *model, int weighted, double end) {
     switch (model->lobe.kind) {
     case BURNISH_LOBE_FAMILY:

@@ -1,4 +1,4 @@
-/* What the files of src/theory share. */
+/* Shared by the files of src/theory. */
 #ifndef BURNISH_THEORY_INTERNAL_H
 #define BURNISH_THEORY_INTERNAL_H
 
@@ -17,7 +17,7 @@ double burnish_theory_angle_of_lambda(double lambda);
 /* Entry i of a table, i = 0 at c = 0. */
 double burnish_theory_table_entry(const burnish_theory_model *model, long i);
 
-/* The smallest lambda in [0, 2] at which the lobe is at most level; NaN where it stays above. */
+/* The smallest lambda in [0, 2] at which the lobe is at most level; NaN where it never is. */
 double burnish_theory_lambda_at(const burnish_theory_model *model, double level);
 
 /* An integrand over s = sqrt(lambda), which spreads the peak of a narrow lobe. */
@@ -37,10 +37,10 @@ double burnish_theory_integral_between(const burnish_theory_model *model,
 /* How a smooth lobe and the power meet: with v = lambda (GX: 1 - c^2) the logarithm of the ratio of
  * their slopes is
  *     g(v) = log_slope + e log(1 + s v) - k v - log(p + 1) - p log(1 - v),
- * whose derivative has one zero at most, so that lobe - power has at most two stationary points. */
+ * whose derivative has at most one zero, so that lobe - power has at most two stationary points. */
 typedef struct burnish_theory_shape {
     double log_slope, e, s, k, p;
-    double end; /* the v at which the lobe ends: its zero, 1 at most */
+    double end; /* the v at which the lobe ends: its zero, at most 1 */
 } burnish_theory_shape;
 
 /* Fills the stationary points v of lobe - power in (0, end); returns their number. */

@@ -1,4 +1,4 @@
-/* Making models: which lobe, for which exponent. */
+/* Models: a lobe at an exponent. */
 #include <math.h>
 
 #include "core/error.h"

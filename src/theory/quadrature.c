@@ -30,7 +30,7 @@ static double panel(burnish_theory_integrand f, const void *context, double low,
         gauss += i & 1 ? GAUSS[i / 2] * (left + right) : 0;
     }
     /* Where the two rules agree to d, the longer one is far better than d. Below NOISE of the
-     * integrand's size they can't agree, for rounding errors alone. */
+     * integrand's size rounding errors keep them apart. */
     double d = half * fabs(kronrod - gauss);
     if (!(d > tolerance && d > NOISE * half * size) || depth == MAX_DEPTH) {
         return half * kronrod;
@@ -39,7 +39,7 @@ static double panel(burnish_theory_integrand f, const void *context, double low,
            panel(f, context, centre, high, tolerance, depth + 1);
 }
 
-/* The next place above s where a table has a node or a step. */
+/* The next s where a table has a node or a step. */
 static double next_node(const burnish_theory_model *model, double s) {
     double last = model->lobe.entries - 1, offset = model->lobe.linear ? 0 : 0.5;
     double position = (1 - s * s) * last - offset;
@@ -47,7 +47,7 @@ static double next_node(const burnish_theory_model *model, double s) {
     return node + offset >= 0 ? sqrt((last - node - offset) / last) : HUGE_VAL;
 }
 
-/* The next place above s at which a panel ends: the lobe's own corners, and steps that double from
+/* The next s at which a panel ends: the lobe's own corners, and steps that double from
  * the width 1/sqrt(n) of the peak. */
 static double next_break(const burnish_theory_model *model, double s) {
     double next = 1 / sqrt(model->exponent), beyond = s * (1 + 1e-12);

@@ -16,8 +16,8 @@ static double family_solid(double m, double zeta, double xi) {
     return (1 - pow(low + (1 - low) * xi, 1 / (m + 1))) / zeta;
 }
 
-/* lambda of u^m c = u^m (1 - 1/zeta) + u^(m+1) / zeta, zeta >= 1: xi picks one of the two power
- * densities and, stretched, a place in it. */
+/* lambda of u^m c = u^m (1 - 1/zeta) + u^(m+1) / zeta, zeta >= 1: xi selects one of the two power
+ * densities and, rescaled, a point in it. */
 static double family_weighted(double m, double zeta, double xi) {
     double first = (1 - 1 / zeta) / (m + 1), second = 1 / (zeta * (m + 2));
     double share = first / (first + second), u;
@@ -29,7 +29,7 @@ static double family_weighted(double m, double zeta, double xi) {
     return (1 - u) / zeta;
 }
 
-/* Inverts the integral by halving in s = sqrt(lambda), adding up only the parts passed. */
+/* Inverts the integral by halving in s = sqrt(lambda), summing only the parts passed. */
 static double inverted(const burnish_theory_model *model, burnish_theory_measure measure,
                        double xi) {
     double left = (1 - xi) * burnish_theory_integral_between(model, measure, 0, 1);

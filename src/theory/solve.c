@@ -48,7 +48,7 @@ int burnish_theory_stationary(const burnish_theory_shape *shape, double end, dou
     double limit = shape->end < end ? shape->end : end;
     double e = shape->e, s = shape->s, p = shape->p, turn = limit;
     int count = 0;
-    limit *= 1 - 1e-15; /* both slopes may vanish at the very end */
+    limit *= 1 - 1e-15; /* both slopes may vanish at the end itself */
     /* g' = e s / (1 + s v) - k + p / (1 - v); either e or k is 0 */
     double candidate = shape->k > 0 ? 1 - p / shape->k : (e * s + p) / (s * (e - p));
     if (candidate > 0 && candidate < limit) {
@@ -90,7 +90,7 @@ static double balance_moebius(double a, double n, double *error) {
     return high;
 }
 
-/* What the power still is at the zero depends on a alone and grows with it. */
+/* The power's value at the zero depends only on a and grows with it. */
 void burnish_theory_solve_moebius(double exponent, double *a, double *b) {
     double low = 1, high = exponent, error;
     for (int i = 0; i < HALVINGS && high - low > 1e-15 * high; ++i) {

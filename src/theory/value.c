@@ -1,4 +1,4 @@
-/* Values and derivatives of every lobe, by lambda = 1 - c so that narrow lobes keep their digits.
+/* Values and derivatives of every lobe, by lambda = 1 - c so that narrow lobes stay exact.
  */
 #include <math.h>
 
@@ -101,13 +101,13 @@ double burnish_theory_value_at_angle(const burnish_theory_model *model, double a
     return burnish_theory_value_at_lambda(model, burnish_theory_lambda_of_angle(angle));
 }
 
-/* First and second derivative in lambda of the lobes that are formulas in the cosine. */
+/* First and second derivative in lambda of the lobes with a formula in the cosine. */
 static void lambda_slopes(const burnish_theory_model *model, double lambda, double slope[2]) {
     double n = model->exponent, c = 1 - lambda, m = model->lobe.order, a = model->zeta;
     double u = 1 - a * lambda;
     slope[0] = slope[1] = 0;
     if (model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON) {
-        if (u >= -1e-14) { /* the zero itself belongs to the peak's side, rounding included */
+        if (u >= -1e-14) { /* the zero itself belongs to the peak's side; 1e-14 for rounding */
             u = u > 0 ? u : 0;
             slope[0] = -model->scale * m * a * pow(u, m - 1);
             slope[1] = model->scale * m * (m - 1) * a * a * pow(u, m - 2);

@@ -1,4 +1,4 @@
-/* How wide a lobe is: zeros, levels, curvature, boundary cosines. */
+/* Widths: zeros, levels, curvature, boundary cosines. */
 #include <math.h>
 
 #include "theory/internal.h"
@@ -29,7 +29,7 @@ double burnish_theory_cutoff_cosine(const burnish_theory_model *model) {
     return 1 - zero_lambda(model);
 }
 
-/* The last entry that is at most level: the power's inverse, then put right by one if needed. */
+/* The last entry that is at most level: the power's inverse, corrected by one if needed. */
 static double table_lambda_at(const burnish_theory_model *model, double level) {
     double last = model->lobe.entries - 1;
     long i = (long)(pow(level, 1 / model->exponent) * last);
@@ -103,7 +103,7 @@ double burnish_theory_zero_angle(const burnish_theory_model *model) {
 }
 
 /* Slope and second derivative in the angle at the zero, both in closed form: a computed zero lies
- * a rounding error to one side of the corner. */
+ * to one side of the corner by a rounding error. */
 static void slopes_at_zero(const burnish_theory_model *model, double slope[2]) {
     double n = model->exponent, a = model->zeta;
     slope[0] = slope[1] = 0;
@@ -154,7 +154,7 @@ double burnish_theory_boundary_lambda(const burnish_theory_model *model, double 
         return NAN;
     }
     double lambda = burnish_theory_lambda_at(model, bits > 0 ? exp2(-bits) : 0);
-    return lambda < 1 ? lambda : 1; /* NaN, never that dark, too */
+    return lambda < 1 ? lambda : 1; /* false for NaN too: the lobe stays above the level */
 }
 
 double burnish_theory_boundary_cosine(const burnish_theory_model *model, double bits) {
