@@ -115,6 +115,8 @@ static void check_cancel(void) {
     burnish_tasks_begin(&tasks, context, 1);
     burnish_tasks_run(&tasks, MOST, 1, 0, count_index, &ran);
     CHECK(atomic_load(&ran) == 11, "%d pieces ran until cancelled", atomic_load(&ran));
+    burnish_tasks_run(&tasks, MOST, 1, 0, count_index, &ran);
+    CHECK(atomic_load(&ran) == 11, "nothing builds on what is incomplete");
     CHECK(burnish_tasks_check(&tasks, &error) == BURNISH_STATUS_CANCELLED, "cancelled");
     burnish_context_destroy(context);
 }
