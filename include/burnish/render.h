@@ -96,9 +96,10 @@ typedef struct burnish_render_report {
 /* Draws the mesh into a new image (RGB, or RGBA when transparent). report may be NULL.
  * Memory besides the image: 36 bytes per vertex (20 for its position on the screen, 16 for its
  * normal), 16 more where the mesh has colours; 13 bytes per triangle and 1 where drawn ones are
- * counted; tile lists of 8 bytes an entry, which stands for up to 16 neighbouring triangles, about
- * 128 MiB of them at most unless a single row of tiles needs more; and for each thread 0.2 MB, with
- * several samples 0.2 MB more and 0.7 MB per sample, of which only what is needed is touched.
+ * counted; 0.3 kB per material and 76 bytes more per light; tile lists of 8 bytes per entry, which
+ * stands for up to 16 neighbouring triangles, about 128 MiB of them at most unless a single row of
+ * tiles needs more; and for each thread 0.2 MB, with several samples 0.2 MB more and 0.7 MB per
+ * sample, of which only what is needed is touched.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (also a mesh so small, below about 1e-33 across, or so
  * much enlarged that single precision can't hold it); the image is then empty. */
 BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,
