@@ -1,11 +1,11 @@
-/* Transform and set-up of one vertex and one triangle, kept plain: what the tiers of src/raster do
+/* Transform of one vertex, and cull and bound of one triangle, kept plain: what src/raster does
  * by vectors must come out as it comes out here, bit for bit. Included by tests. */
 #ifndef BURNISH_TEST_REFERENCE_GEOMETRY_H
 #define BURNISH_TEST_REFERENCE_GEOMETRY_H
 
 #include <string.h>
 
-#include "raster/raster.h"
+#include "raster/fragments.h"
 
 /* A vertex on the screen, one at a time. */
 static burnish_screen_vertex reference_vertex(const burnish_raster_view *view,
@@ -50,9 +50,15 @@ static int reference_range(int a, int b, int c, int samples, int size, int *firs
     return *first <= *last;
 }
 
+/* As burnish_triangle_batch has it. */
+typedef struct reference_bounds {
+    float nearest;
+    uint32_t first, last;
+} reference_bounds;
+
 /* An unclipped triangle; returns 0 when it can't be seen. */
-static int reference_set_up(const burnish_raster_view *view, const burnish_screen_vertex v[3],
-                            burnish_triangle_bounds *made, int *back) {
+static int reference_cull(const burnish_raster_view *view, const burnish_screen_vertex v[3],
+                          reference_bounds *made, int *back) {
     const int64_t area = (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
                          (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
     int x0, x1, y0, y1;

@@ -12,30 +12,33 @@
 #include <string.h>
 
 #include "core/memory.h"
-#include "raster/raster.h"
+#include "raster/fragments.h"
 #include "raster/samples.h"
 
-/* All slots, of triangles that may be seen and of others. */
-static inline size_t reference_slot_count(const burnish_geometry *geometry) {
+/* A sample that no triangle covers. */
+#define REFERENCE_NO_TRIANGLE UINT32_MAX
+
+/* Indices of primitives, visible or not, are below it. */
+static inline size_t reference_primitive_count(const burnish_geometry *geometry) {
     return geometry->batch_count * BURNISH_BATCH_SIZE;
 }
 
-/* The side from which the triangle in a slot is seen: 0 front, 1 back, -1 none. */
-static inline int reference_side(const burnish_geometry *geometry, size_t slot) {
-    const burnish_batch_header *header = &geometry->headers[slot / BURNISH_BATCH_SIZE];
-    const unsigned lane = slot % BURNISH_BATCH_SIZE;
+/* The side from which a primitive is seen: 0 front, 1 back, -1 none. */
+static inline int reference_side(const burnish_geometry *geometry, size_t index) {
+    const burnish_batch_header *header = &geometry->headers[index / BURNISH_BATCH_SIZE];
+    const unsigned lane = index % BURNISH_BATCH_SIZE;
     return header->visible[0] >> lane & 1 ? 0 : header->visible[1] >> lane & 1 ? 1 : -1;
 }
 
-static inline burnish_primitive reference_corners(const burnish_geometry *geometry, size_t slot) {
-    return burnish_geometry_primitive(geometry, slot, reference_side(geometry, slot) == 1);
+static inline burnish_primitive reference_corners(const burnish_geometry *geometry, size_t index) {
+    return burnish_geometry_primitive(geometry, index, reference_side(geometry, index) == 1);
 }
 
 /* Visibility of one tile: sample s of the tile's pixel p is entry p * samples + s. */
 typedef struct reference_tile {
     int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
     int samples;
-    uint32_t *triangles; /* slot of the nearest triangle or BURNISH_NO_TRIANGLE */
+    uint32_t *triangles; /* index of the nearest triangle or REFERENCE_NO_TRIANGLE */
     float *depths;
     int next_place; /* where reference_next_fragments goes on: in the order of burnish_pixel_index
                      */
@@ -171,28 +174,28 @@ static burnish_status reference_tile_create(reference_tile *tile, int samples,
     return status;
 }
 
-/* Makes the tile (column, row) current and draws the triangles of some slots; 0 when there are
+/* Makes the tile (column, row) current and draws the triangles of some indices; 0 when there are
  * none.
  */
-static int reference_draw_slots(reference_tile *tile, const burnish_raster_view *view,
-                                const burnish_geometry *geometry, int column, int row,
-                                const uint32_t *slots, size_t slot_count) {
+static int reference_draw_indices(reference_tile *tile, const burnish_raster_view *view,
+                                  const burnish_geometry *geometry, int column, int row,
+                                  const uint32_t *indices, size_t primitive_count) {
     tile->x = column * BURNISH_TILE_SIZE;
     tile->y = row * BURNISH_TILE_SIZE;
     int right = view->width - tile->x, below = view->height - tile->y;
     tile->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
     tile->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
     tile->next_place = 0;
-    if (slot_count == 0) {
+    if (primitive_count == 0) {
         return 0;
     }
     size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)tile->samples;
     for (size_t i = 0; i < count; ++i) {
-        tile->triangles[i] = BURNISH_NO_TRIANGLE;
+        tile->triangles[i] = REFERENCE_NO_TRIANGLE;
         tile->depths[i] = -1e30f;
     }
-    for (size_t i = 0; i < slot_count; ++i) {
-        draw_triangle(tile, geometry, slots[i]);
+    for (size_t i = 0; i < primitive_count; ++i) {
+        draw_triangle(tile, geometry, indices[i]);
     }
     return 1;
 }
@@ -201,7 +204,7 @@ static int reference_draw_slots(reference_tile *tile, const burnish_raster_view 
 static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *view,
                                const burnish_geometry *geometry, const burnish_bins *bins,
                                int column, int row) {
-    uint32_t *slots = malloc((reference_slot_count(geometry) + 1) * sizeof *slots);
+    uint32_t *indices = malloc((reference_primitive_count(geometry) + 1) * sizeof *indices);
     size_t count = 0, more;
     for (int back = 0; back < 2; ++back) {
         burnish_list_reader reader = burnish_list_begin(bins, column, row, back);
@@ -211,13 +214,13 @@ static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *
                 const burnish_bin_entry entry = part[i / BURNISH_BATCH_SIZE];
                 const uint32_t lane = i % BURNISH_BATCH_SIZE;
                 if (entry.mask >> lane & 1) {
-                    slots[count++] = entry.batch * BURNISH_BATCH_SIZE + lane;
+                    indices[count++] = entry.batch * BURNISH_BATCH_SIZE + lane;
                 }
             }
         }
     }
-    const int drawn = reference_draw_slots(tile, view, geometry, column, row, slots, count);
-    free(slots);
+    const int drawn = reference_draw_indices(tile, view, geometry, column, row, indices, count);
+    free(indices);
     return drawn;
 }
 
@@ -258,7 +261,7 @@ static void append_pixel(const reference_tile *tile, const burnish_raster_view *
     const int8_t(*offsets)[2] = burnish_sample_offsets(tile->samples);
     unsigned taken = 0;
     for (int s = 0; s < tile->samples; ++s) {
-        if ((taken >> s & 1) || triangles[s] == BURNISH_NO_TRIANGLE) {
+        if ((taken >> s & 1) || triangles[s] == REFERENCE_NO_TRIANGLE) {
             continue;
         }
         int weight = 0, sum_x = 0, sum_y = 0;

@@ -3,7 +3,8 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "raster/raster.h"
+#include "raster/clip.h"
+#include "raster/fragments.h"
 #include "reference_tile.h"
 #include "simd/isa_ops.h"
 #include "support.h"
@@ -65,17 +66,25 @@ static void make_plane(test_mesh *mesh, int snap, uint64_t state) {
     }
 }
 
+static burnish_status update_geometry(burnish_geometry *geometry, const burnish_isa_ops *ops,
+                                      const burnish_raster_view *view, const test_mesh *mesh,
+                                      burnish_error *error) {
+    const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
+                                         mesh->triangle_count};
+    return burnish_geometry_update(geometry, ops, view, &triangles, NULL, error);
+}
+
 /* How many triangles cover each sample of a one-tile image: drawn one at a time. */
 static void count_coverage(const burnish_raster_view *view, const burnish_geometry *geometry,
                            int *coverage) {
     reference_tile tile;
     uint32_t entry;
     CHECK(reference_tile_create(&tile, view->samples, NULL) == BURNISH_STATUS_OK, "tile");
-    for (entry = 0; entry < reference_slot_count(geometry); ++entry) {
+    for (entry = 0; entry < reference_primitive_count(geometry); ++entry) {
         if (reference_side(geometry, entry) < 0) {
             continue;
         }
-        reference_draw_slots(&tile, view, geometry, 0, 0, &entry, 1);
+        reference_draw_indices(&tile, view, geometry, 0, 0, &entry, 1);
         for (int i = 0; i < BURNISH_TILE_PIXELS * view->samples; ++i) {
             coverage[i] += tile.triangles[i] == entry;
         }
@@ -90,9 +99,8 @@ static void check_each_sample_once(const char *name, const burnish_raster_view *
     burnish_geometry geometry = {0};
     memset(coverage, 0, sizeof coverage);
     burnish_error error;
-    if (!CHECK(burnish_geometry_update(&geometry, burnish_isa_ops_for(BURNISH_ISA_SCALAR), view,
-                                       mesh->positions, mesh->vertex_count, mesh->indices,
-                                       mesh->triangle_count, NULL, &error) == BURNISH_STATUS_OK,
+    if (!CHECK(update_geometry(&geometry, burnish_isa_ops_for(BURNISH_ISA_SCALAR), view, mesh,
+                               &error) == BURNISH_STATUS_OK,
                "%s", error.text)) {
         return;
     }
@@ -190,14 +198,11 @@ static void check_bins(void) {
     const burnish_isa_ops *ops[2] = {
         burnish_isa_ops_for(BURNISH_ISA_SCALAR),
         burnish_isa_ops_for(burnish_isa_best(burnish_isa_available()))};
-    CHECK(burnish_geometry_update(&geometry, ops[0], &view, mesh.positions, mesh.vertex_count,
-                                  mesh.indices, mesh.triangle_count, NULL,
-                                  NULL) == BURNISH_STATUS_OK,
-          "geometry");
+    CHECK(update_geometry(&geometry, ops[0], &view, &mesh, NULL) == BURNISH_STATUS_OK, "geometry");
     uint32_t all[MAX_TRIANGLES];
     size_t i = 0;
     for (int back = 0; back < 2; ++back) { /* fronts first, as the lists have them */
-        for (uint32_t k = 0; k < reference_slot_count(&geometry); ++k) {
+        for (uint32_t k = 0; k < reference_primitive_count(&geometry); ++k) {
             if (reference_side(&geometry, k) == back) {
                 all[i++] = k;
             }
@@ -220,8 +225,8 @@ static void check_bins(void) {
             ++bands;
             for (int row = bins.first_row; row < bins.end_row; ++row) {
                 for (int column = 0; column < bins.columns; ++column, ++tiles) {
-                    reference_draw_slots(&expected, &view, &geometry, column, row, all,
-                                         geometry.triangle_count);
+                    reference_draw_indices(&expected, &view, &geometry, column, row, all,
+                                           geometry.triangle_count);
                     if (!reference_draw_tile(&tile, &view, &geometry, &bins, column, row)) {
                         memset(tile.triangles, 0xff, sizeof(uint32_t) * BURNISH_TILE_PIXELS * 4);
                     }
@@ -266,7 +271,7 @@ static void check_fragments(void) {
     burnish_raster_view view = parallel_view(SIZE, SIZE, 4);
     burnish_geometry geometry = {0};
     const burnish_isa_ops *ops = burnish_isa_ops_for(BURNISH_ISA_SCALAR);
-    burnish_geometry_update(&geometry, ops, &view, mesh.positions, 6, mesh.indices, 2, NULL, NULL);
+    update_geometry(&geometry, ops, &view, &mesh, NULL);
     CHECK(geometry.triangle_count == 2 && geometry.headers[0].visible[0] == 3, "two front faces");
     burnish_bins bins = {0};
     burnish_bins_begin(&bins, NULL);
@@ -301,6 +306,120 @@ static void check_fragments(void) {
     burnish_geometry_destroy(&geometry);
 }
 
+/* A tile of a mesh in parallel view, drawn by the fast renderer; marks its triangles. */
+static void draw_first_tile(burnish_tile *tile, const burnish_raster_view *view,
+                            const test_mesh *mesh, int column, uint8_t *drawn) {
+    static burnish_float4 attributes[2048];
+    const burnish_isa_ops *ops = burnish_isa_ops_for(burnish_isa_best(burnish_isa_available()));
+    burnish_geometry geometry = {0};
+    burnish_bins bins = {0};
+    update_geometry(&geometry, ops, view, mesh, NULL);
+    burnish_bins_begin(&bins, NULL);
+    burnish_bin_tiles(&bins, ops, &geometry, view, NULL, NULL);
+    tile->attributes[0] = attributes;
+    CHECK(burnish_tile_draw(tile, ops, view, &geometry, &bins, column, 0), "a triangle is there");
+    ops->mark_drawn(tile, drawn);
+    burnish_bins_destroy(&bins);
+    burnish_geometry_destroy(&geometry);
+}
+
+/* A triangle that covers one pixel, then its right neighbour: what an earlier frame has left in the
+ * tile must not hide it. */
+static void check_marks(void) {
+    static test_mesh mesh;
+    const burnish_tile_options options = {.samples = 1, .planes = 3, .keep_ids = 1};
+    burnish_tile tile;
+    burnish_tile_create(&tile, &options, NULL, NULL);
+    for (int x = 0; x < 8; ++x) {
+        const float left = (float)(x - SIZE / 2);
+        const float top = SIZE / 2;
+        const float p[9] = {left, top + 0.2f, 0, left, top - 1, 0, left + 1.2f, top - 1, 0};
+        uint8_t drawn[1] = {0};
+        memcpy(mesh.positions, p, sizeof p);
+        mesh.vertex_count = 3;
+        mesh.triangle_count = 0;
+        add_triangle(&mesh, 0, 1, 2);
+        burnish_raster_view view = parallel_view(SIZE, SIZE, 1);
+        draw_first_tile(&tile, &view, &mesh, 0, drawn);
+        CHECK(tile.buffer.depths[burnish_pixel_index(x, 0)] > 0, "pixel %d shows it", x);
+        CHECK(drawn[0] == 1, "the triangle that pixel %d shows is counted", x);
+    }
+    burnish_tile_destroy(&tile);
+}
+
+/* A wall, and triangles behind it that face away, in a tile that sticks out of the image: HiZ hides
+ * them there too. */
+static void check_hiz_at_the_edge(void) {
+    enum { HIDDEN = 600, WIDTH = SIZE + 4 };
+    static test_mesh mesh;
+    const burnish_tile_options options = {.samples = 4, .planes = 3};
+    const burnish_raster_view view = parallel_view(WIDTH, 20, 4);
+    static uint8_t drawn[HIDDEN + 2];
+    burnish_tile tile;
+    mesh.vertex_count = mesh.triangle_count = 0;
+    for (int i = 0; i < HIDDEN + 2; ++i) {
+        const float size = i < 2 ? 400 : 4, z = i < 2 ? 100 : -100;
+        const float x = i < 2 ? 0 : WIDTH / 2 - 4, y = i < 2 ? 0 : -2;
+        const float corners[4][2] = {
+            {x - size, y - size}, {x + size, y - size}, {x + size, y + size}, {x - size, y + size}};
+        for (int k = 0; k < 3; ++k) {
+            const float *at = corners[i % 2 ? (k + 2) % 4 : k];
+            float *p = mesh.positions + 3 * (mesh.vertex_count + (size_t)k);
+            p[0] = at[0];
+            p[1] = at[1];
+            p[2] = z;
+        }
+        const size_t a = mesh.vertex_count, back = i >= 2;
+        add_triangle(&mesh, a, a + 1 + back, a + 2 - back);
+        mesh.vertex_count += 3;
+    }
+    burnish_tile_create(&tile, &options, NULL, NULL);
+    draw_first_tile(&tile, &view, &mesh, 1, drawn);
+    CHECK(tile.primitives.count < 64, "%zu primitives were set up", tile.primitives.count);
+    burnish_tile_destroy(&tile);
+}
+
+/* Polygons that no triangle should become but for rounding: corners in turn before and behind the
+ * near plane, so that each edge is cut. What is behind the array's end stays. */
+static void check_clip_bound(void) {
+    burnish_clip_corner corners[2 * BURNISH_CLIP_MAX];
+    memset(corners, 0xa5, sizeof corners);
+    for (int i = 0; i < BURNISH_CLIP_MAX; ++i) {
+        corners[i] = (burnish_clip_corner){.position = {0, 0, i % 2 ? 2.0f : 0.5f, 1.0f}};
+    }
+    const int count = burnish_clip_polygon(corners, BURNISH_CLIP_MAX);
+    int damaged = 0;
+    for (size_t i = sizeof corners / 2; i < sizeof corners; ++i) {
+        damaged += ((const uint8_t *)corners)[i] != 0xa5;
+    }
+    CHECK(count <= BURNISH_CLIP_MAX, "%d corners", count);
+    CHECK(damaged == 0, "%d bytes written behind the corners", damaged);
+}
+
+/* The largest image and many threads: the lists of all slices stay within their bound. */
+static void check_list_memory(void) {
+    enum { BATCHES = 4096, THREADS = 64 };
+    static burnish_triangle_batch batches[BATCHES];
+    static burnish_batch_header headers[BATCHES]; /* no triangle is visible */
+    const burnish_geometry geometry = {
+        .batches = batches, .headers = headers, .batch_count = BATCHES, .mesh_batches = BATCHES};
+    const burnish_raster_view view = parallel_view(16384, 16384, 1);
+    burnish_tasks tasks;
+    burnish_tasks_begin(&tasks, NULL, THREADS);
+    burnish_bins bins = {0};
+    size_t lists = 0;
+    burnish_bins_begin(&bins, NULL);
+    CHECK(burnish_bin_tiles(&bins, burnish_isa_ops_for(BURNISH_ISA_SCALAR), &geometry, &view,
+                            &tasks, NULL) == BURNISH_STATUS_OK,
+          "bins");
+    for (size_t i = 0; i < bins.slice_count; ++i) {
+        lists += bins.slices[i].list_capacity;
+    }
+    CHECK(bins.slice_count > 1, "several slices: %zu", bins.slice_count);
+    CHECK(lists <= BURNISH_LISTS_MAX, "%zu lists of %zu slices", lists, bins.slice_count);
+    burnish_bins_destroy(&bins);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(check_rounding());
@@ -308,5 +427,9 @@ int main(int count, char **arguments) {
     RUN(check_box_from_inside());
     RUN(check_bins());
     RUN(check_fragments());
+    RUN(check_marks());
+    RUN(check_hiz_at_the_edge());
+    RUN(check_clip_bound());
+    RUN(check_list_memory());
     return test_end("raster");
 }

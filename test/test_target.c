@@ -6,7 +6,7 @@
 #include "burnish/render.h"
 #include "core/srgb.h"
 #include "mesh_arrays.h"
-#include "raster/raster.h"
+#include "raster/fragments.h"
 #include "raster/samples.h"
 #include "support.h"
 

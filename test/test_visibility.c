@@ -1,9 +1,9 @@
-/* The fast renderer against the reference: thousands of random scenes, every ops and number of
+/* The fast renderer against the reference: thousands of random scenes, every instruction set and number of
  * samples; the same id of every sample, the same visible points, the same colours, bit for bit.
  */
 #include <stdint.h>
 
-#include "raster/tile.h"
+#include "raster/fragments.h"
 #include "reference_geometry.h"
 #include "reference_tile.h"
 #include "render/fragments.h"
@@ -108,12 +108,32 @@ static burnish_isa pick_isa(uint64_t *state) {
     return isas[i];
 }
 
-/* Vertices and set-up triangles against the plain ones; pieces of clipped triangles come out of
- * their pictures. */
+/* The batches' triangle `index` against the plain one: 1 where they differ. */
+static int differs(const burnish_raster_view *view, const burnish_geometry *geometry, size_t index,
+                   const uint32_t *indices, size_t *visible) {
+    const burnish_triangle_batch *batch = &geometry->batches[index / BURNISH_BATCH_SIZE];
+    const size_t lane = index % BURNISH_BATCH_SIZE;
+    burnish_screen_vertex v[3];
+    reference_bounds made;
+    int side = -1;
+    for (size_t k = 0; k < 3; ++k) {
+        v[k] = geometry->vertices.items[indices[k]];
+    }
+    if ((v[0].outcode | v[1].outcode | v[2].outcode) & BURNISH_OUT_CLIP ||
+        !reference_cull(view, v, &made, &side)) {
+        return reference_side(geometry, index) != -1;
+    }
+    *visible += 1;
+    return side != reference_side(geometry, index) || made.nearest != batch->nearest[lane] ||
+           made.first != batch->first[lane] || made.last != batch->last[lane];
+}
+
+/* Vertices and bounds against the plain ones, those that clipping made included; what clipping
+ * makes comes out of the pictures. */
 static void check_geometry(const random_scene *scene, const burnish_raster_view *view,
                            const burnish_geometry *geometry, int number) {
     int wrong = 0;
-    size_t seen = 0;
+    size_t visible = 0;
     for (size_t i = 0; i < scene->vertex_count; ++i) {
         float inverse_w;
         burnish_screen_vertex v = reference_vertex(view, scene->positions + 3 * i, &inverse_w);
@@ -122,25 +142,13 @@ static void check_geometry(const random_scene *scene, const burnish_raster_view 
     }
     CHECK(wrong == 0, "scene %d: %d vertices differ", number, wrong);
     for (size_t i = 0; i < scene->triangle_count; ++i) {
-        const burnish_triangle_batch *block = &geometry->batches[i / BURNISH_BATCH_SIZE];
-        const size_t lane = i % BURNISH_BATCH_SIZE;
-        burnish_screen_vertex v[3];
-        burnish_triangle_bounds made = {0, 0, 0};
-        int side = -1;
-        for (size_t k = 0; k < 3; ++k) {
-            v[k] = geometry->vertices.items[scene->indices[3 * i + k]];
-        }
-        if (((v[0].outcode | v[1].outcode | v[2].outcode) & BURNISH_OUT_CLIP) == 0 &&
-            reference_set_up(view, v, &made, &side)) {
-            wrong += made.nearest != block->nearest[lane] || made.first != block->first[lane] ||
-                     made.last != block->last[lane];
-            ++seen;
-        } else {
-            side = -1;
-        }
-        wrong += side != reference_side(geometry, i);
+        wrong += differs(view, geometry, i, scene->indices + 3 * i, &visible);
     }
-    wrong += seen + geometry->piece_count != geometry->triangle_count;
+    for (size_t i = 0; i < geometry->clipped_count; ++i) {
+        wrong += differs(view, geometry, geometry->mesh_batches * BURNISH_BATCH_SIZE + i,
+                         geometry->clipped_indices + 3 * i, &visible);
+    }
+    wrong += visible != geometry->triangle_count;
     CHECK(wrong == 0, "scene %d: %d triangles differ", number, wrong);
 }
 
@@ -153,13 +161,15 @@ static int same_corners(const burnish_primitive *a, const burnish_primitive *b) 
 static int same_owner(const burnish_tile *fast, const burnish_geometry *geometry, int place, int s,
                       uint32_t triangle) {
     const int samples = fast->options.samples, at = burnish_sample_index(samples, place, s);
-    const int is_none = fast->depths[at] == -1e30f;
-    if (triangle == BURNISH_NO_TRIANGLE || is_none) {
-        return triangle == BURNISH_NO_TRIANGLE && is_none && (samples == 1 || fast->ids[at] == -1);
+    const int is_none = fast->buffer.depths[at] == -1e30f;
+    if (triangle == REFERENCE_NO_TRIANGLE || is_none) {
+        return triangle == REFERENCE_NO_TRIANGLE && is_none &&
+               (samples == 1 || fast->buffer.ids[at] == -1);
     }
     const burnish_primitive corners = reference_corners(geometry, triangle);
-    return samples == 1 ? (uint32_t)fast->ids[at] == corners.id_and_facing
-                        : same_corners(&fast->primitives.primitives[fast->ids[at]], &corners);
+    return samples == 1
+               ? (uint32_t)fast->buffer.ids[at] == corners.id_and_facing
+               : same_corners(&fast->primitives.primitives[fast->buffer.ids[at]], &corners);
 }
 
 /* Samples of the tile whose ids or depths differ. */
@@ -173,7 +183,7 @@ static int compare_owners(const reference_tile *tile, const burnish_tile *fast,
                 const int entry = pixel * tile->samples + s;
                 wrong += !same_owner(fast, geometry, place, s, tile->triangles[entry]);
                 wrong += tile->depths[entry] !=
-                         fast->depths[burnish_sample_index(tile->samples, place, s)];
+                         fast->buffer.depths[burnish_sample_index(tile->samples, place, s)];
             }
         }
     }
@@ -217,8 +227,8 @@ static int same_whole(const burnish_tile *fast, const burnish_row_light *row,
     if (row->pixels.simple[i] < 0) {
         return 0;
     }
-    const float got[4] = {fast->center_depths[expected->place], row->rgb[0][i], row->rgb[1][i],
-                          row->rgb[2][i]};
+    const float got[4] = {fast->buffer.center_depths[expected->place], row->rgb[0][i],
+                          row->rgb[1][i], row->rgb[2][i]};
     const float want[4] = {expected->depth, expected->color[0], expected->color[1],
                            expected->color[2]};
     return memcmp(got, want, sizeof got) == 0 &&
@@ -261,7 +271,8 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
     }
     static point got[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
     int got_count = 0;
-    while (burnish_tile_next_fragments(fast, view, &fragments)) {
+    int next_block = 0;
+    while (ops->next_fragments(fast, view, &next_block, &fragments)) {
         shade_fragments(surface, &fragments, &scratch, rgb);
         for (int i = 0; i < fragments.count; ++i) {
             got[got_count] = take_point(&fragments, (const float *const *)rgb, i);
@@ -342,8 +353,9 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
     reference_tile tile;
     burnish_tile fast;
     const burnish_isa_ops *ops = burnish_isa_ops_for(pick_isa(state));
-    burnish_geometry_update(&geometry, ops, &view, scene->positions, scene->vertex_count,
-                            scene->indices, scene->triangle_count, NULL, NULL);
+    const burnish_triangles triangles = {scene->positions, scene->vertex_count, scene->indices,
+                                         scene->triangle_count};
+    burnish_geometry_update(&geometry, ops, &view, &triangles, NULL, NULL);
     check_geometry(scene, &view, &geometry, number);
     make_shading(&shading, scene, &view, &geometry, state);
     reference_tile_create(&tile, samples, NULL);
@@ -351,7 +363,7 @@ static void check_scene(const random_scene *scene, int number, uint64_t *state, 
                                           .planes = burnish_surface_planes(&shading.surface),
                                           .keep_ids = 1,
                                           .needs_position = 1};
-    burnish_tile_create(&fast, &options, NULL);
+    burnish_tile_create(&fast, &options, NULL, NULL);
     fast.attributes[0] = shading.attributes.normals;
     fast.attributes[1] = shading.attributes.colors;
     if (samples > 1 && test_random32(state) % 4 == 0) { /* forget triangles often */
@@ -409,15 +421,15 @@ static void check_forgetting(void) {
     burnish_tile fast;
     const burnish_isa_ops *ops = burnish_isa_ops_for(BURNISH_ISA_SCALAR);
     const burnish_tile_options options = {.samples = SAMPLES, .planes = 3};
-    burnish_geometry_update(&geometry, ops, &view, positions, 3 * (size_t)LAYERS, indices, LAYERS,
-                            NULL, NULL);
+    const burnish_triangles triangles = {positions, 3 * (size_t)LAYERS, indices, LAYERS};
+    burnish_geometry_update(&geometry, ops, &view, &triangles, NULL, NULL);
     const burnish_mesh_view mesh = {.normals = normals, .indices = indices};
     burnish_memory memory = burnish_memory_of(NULL, NULL);
     burnish_attributes_update(&attributes, &geometry, &mesh, 0, NULL, &memory);
     burnish_bins_begin(&bins, NULL);
     burnish_bin_tiles(&bins, ops, &geometry, &view, NULL, NULL);
     reference_tile_create(&tile, SAMPLES, NULL);
-    burnish_tile_create(&fast, &options, NULL);
+    burnish_tile_create(&fast, &options, NULL, NULL);
     fast.attributes[0] = attributes.normals;
     reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
     burnish_tile_draw(&fast, ops, &view, &geometry, &bins, 0, 0);

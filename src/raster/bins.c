@@ -1,8 +1,9 @@
 /* Triangle lists per tile, made for as many tile rows at a time as fit a fixed memory budget. */
+#include "raster/bins.h"
+
 #include <string.h>
 
 #include "core/memory.h"
-#include "raster/raster.h"
 #include "simd/isa_ops.h"
 
 /* A band of several tile rows takes at most about 128 MiB: BURNISH_LISTS_MAX lists of 8 bytes
@@ -171,46 +172,6 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_isa_ops *ops,
         status = fill_band(bins, ops, geometry, SIZE_MAX, tasks, &fits, error);
     }
     return status;
-}
-
-burnish_list_reader burnish_list_begin(const burnish_bins *bins, int column, int row, int back) {
-    const size_t tile = (size_t)(row - bins->first_row) * (size_t)bins->columns + (size_t)column;
-    burnish_list_reader reader = {bins, 2 * tile + (size_t)back, 0, 0};
-    reader.chunk = bins->slices[0].lists[reader.list].first;
-    return reader;
-}
-
-size_t burnish_list_read(burnish_list_reader *reader, burnish_bin_entry *entries, size_t capacity) {
-    size_t count = 0;
-    while (reader->slice < reader->bins->slice_count) {
-        const burnish_bin_slice *slice = &reader->bins->slices[reader->slice];
-        if (!reader->chunk) {
-            if (++reader->slice < reader->bins->slice_count) {
-                reader->chunk = slice[1].lists[reader->list].first;
-            }
-            continue;
-        }
-        const size_t first = (size_t)reader->chunk * BURNISH_CHUNK_ENTRIES;
-        const size_t next = slice->lists[reader->list].next;
-        const int is_last = next > first && next - first <= BURNISH_CHUNK_ENTRIES;
-        const size_t size = is_last ? next - first : BURNISH_CHUNK_ENTRIES;
-        if (count + size > capacity) {
-            break;
-        }
-        memcpy(entries + count, slice->entries + first, size * sizeof *entries);
-        count += size;
-        reader->chunk = is_last ? 0 : slice->next_chunks[reader->chunk];
-    }
-    return count;
-}
-
-int burnish_list_is_empty(burnish_list_reader reader) {
-    for (size_t i = 0; i < reader.bins->slice_count; ++i) {
-        if (reader.bins->slices[i].lists[reader.list].first) {
-            return 0;
-        }
-    }
-    return 1;
 }
 
 void burnish_bins_destroy(burnish_bins *bins) {

@@ -2,8 +2,8 @@
 #ifndef BURNISH_RASTER_BINS_SIMD_H
 #define BURNISH_RASTER_BINS_SIMD_H
 
+#include "raster/bins.h"
 #include "raster/geometry_simd.h"
-#include "raster/raster.h"
 
 enum { ALL_OF_BATCH = (1 << BURNISH_BATCH_SIZE) - 1 };
 

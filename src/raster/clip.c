@@ -1,7 +1,10 @@
-/* Homogeneous clipping of one triangle (Sutherland and Hodgman 1974). */
+/* Clipping by one plane after another (Sutherland and Hodgman 1974). */
+#include "raster/clip.h"
+
+#include <assert.h>
 #include <string.h>
 
-#include "raster/raster.h"
+#include "core/arithmetic.h"
 
 enum { PLANE_COUNT = 5 };
 
@@ -36,6 +39,15 @@ static burnish_clip_corner cut(const burnish_clip_corner *inner, float inner_dis
     return point;
 }
 
+/* Cut points are rounded, so that a polygon need not stay exactly convex: the bound holds all the
+ * same. */
+static int append(burnish_clip_corner *out, int count, burnish_clip_corner corner) {
+    if (count < BURNISH_CLIP_MAX) {
+        out[count++] = corner;
+    }
+    return count;
+}
+
 static int clip_plane(const burnish_clip_corner *in, int count, int plane,
                       burnish_clip_corner *out) {
     int kept = 0;
@@ -45,20 +57,20 @@ static int clip_plane(const burnish_clip_corner *in, int count, int plane,
         float da = plane_distance(a->position, plane);
         float db = plane_distance(b->position, plane);
         if (da >= 0) {
-            out[kept++] = *a;
+            kept = append(out, kept, *a);
         }
         if (da >= 0 && db < 0) {
-            out[kept++] = cut(a, da, b, db);
+            kept = append(out, kept, cut(a, da, b, db));
         } else if (da < 0 && db >= 0) {
-            out[kept++] = cut(b, db, a, da);
+            kept = append(out, kept, cut(b, db, a, da));
         }
     }
     return kept;
 }
 
-int burnish_clip_triangle(burnish_clip_corner *corners) {
+int burnish_clip_polygon(burnish_clip_corner *corners, int count) {
     burnish_clip_corner other[BURNISH_CLIP_MAX];
-    int count = 3;
+    assert(count >= 3 && count <= BURNISH_CLIP_MAX);
     for (int plane = 0; plane < PLANE_COUNT && count >= 3; ++plane) {
         count = clip_plane(corners, count, plane, other);
         memcpy(corners, other, (size_t)count * sizeof *corners);

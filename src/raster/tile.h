@@ -1,21 +1,70 @@
-/* A tile from its lists of triangles to depth and attributes of every pixel. What comes out is, bit
- * for bit, what test/reference_tile.h computes in the plainest way, for every instruction set.
+/* A tile from its lists of triangles to depth, ids and attributes of every pixel. What comes out
+ * is, bit for bit, what test/reference_tile.h computes in the plainest way, for every instruction
+ * set.
  *
- * A sample belongs to the triangle that is nearest there; of two at the same depth to the one seen
- * from its front, then to the first. A pixel whose samples all are one triangle's is whole: its
- * attributes are interpolated at its centre while the triangle is drawn. The others are shared:
- * all samples of such a pixel that show one triangle become one point
- * (burnish_tile_next_fragments). */
+ * A sample shows the triangle that is nearest there; of two at the same depth the front-facing one,
+ * then the first. Attributes of simple pixels (fragments.h) are interpolated at their centre while
+ * the triangle is drawn.
+ *
+ * A tile has three parts: the buffer (depth, ids, planes per pixel), HiZ (coarse depth, against
+ * which triangles are tested before they are set up) and, with several samples, the primitives that
+ * its samples show. */
 #ifndef BURNISH_RASTER_TILE_H
 #define BURNISH_RASTER_TILE_H
 
-#include "raster/raster.h"
+#include "raster/bins.h"
 #include "raster/samples.h"
 
-/* What the points of shared pixels need of the triangles that own, or may have owned, a sample of
- * the tile: arrays of four words a triangle, stored and loaded by vectors. Coordinates are 1/256
- * pixel from the tile's corner; edge function i at (x, y) is dx[i - 1] y - dy[i - 1] x + constant[i
- * - 1], i = 1, 2. */
+/* Four floats that are added and multiplied together: x, y, z or r, g, b, and a fourth. */
+typedef float burnish_float4 __attribute__((vector_size(16)));
+
+/* Interpolated numbers of a pixel. */
+enum {
+    BURNISH_PLANE_X, /* the first attribute, negated for back-facing triangles */
+    BURNISH_PLANE_Y,
+    BURNISH_PLANE_Z,
+    BURNISH_PLANE_W, /* its fourth number */
+    BURNISH_PLANE_R, /* the second attribute */
+    BURNISH_PLANE_G,
+    BURNISH_PLANE_B,
+    BURNISH_PLANE_COUNT
+};
+
+/* What is requested of a tile. */
+typedef struct burnish_tile_options {
+    int samples;
+    int planes;         /* interpolated: 3, 4 or BURNISH_PLANE_COUNT */
+    int keep_ids;       /* 1: ids are requested, also with one sample */
+    int needs_position; /* 1: fragments get x, y and depth, simple pixels the depth at their centre
+                         */
+} burnish_tile_options;
+
+/* No triangle is that far away, or that near. */
+#define BURNISH_FARTHEST -1e30f
+#define BURNISH_NEAREST 1e30f
+
+/* Numbers per pixel, or per sample, in the order of burnish_pixel_index and
+ * burnish_sample_index. */
+typedef struct burnish_tile_buffer {
+    float *depths;                      /* per sample */
+    float *planes[BURNISH_PLANE_COUNT]; /* of simple pixels at their centre */
+    float *center_depths;               /* of simple pixels; with one sample these are depths */
+    /* per sample; with one, where requested, burnish_primitive.id_and_facing, else an index into
+     * the tile's primitives, -1 for none */
+    int32_t *ids;
+    uint16_t dirty_blocks[BURNISH_TILE_BLOCKS]; /* bit x of y: block (x, y) has been written */
+} burnish_tile_buffer;
+
+/* The least depth of the samples of each HiZ cell, and of each 2 x 2 cells from that one on. */
+typedef struct burnish_hiz {
+    float cells[BURNISH_HIZ_SIZE * BURNISH_HIZ_SIZE];
+    float quads[BURNISH_HIZ_SIZE * BURNISH_HIZ_SIZE];
+} burnish_hiz;
+
+/* What fragments need of the primitives that samples of the tile show, or may have shown: arrays of
+ * four words per primitive, stored and loaded by vectors. Coordinates are 1/256 pixel from the
+ * tile's corner. The edge function of edge i = 1, 2, opposite vertex i, is E(x, y) = dx[i - 1] y -
+ * dy[i - 1] x + constant[i - 1], and E / area the barycentric weight of vertex i. */
 typedef struct burnish_primitive_edges {
     int32_t constant[2], dx[2];
 } burnish_primitive_edges;
@@ -37,121 +86,37 @@ typedef struct burnish_tile_primitives {
     burnish_primitive_depths *depths;
     burnish_primitive *primitives;
     int64_t (*constants)[2]; /* of large ones */
+    int32_t *moved;          /* scratch of eviction: their new indices */
     size_t count, capacity;
 } burnish_tile_primitives;
 
 enum {
-    /* Triangles that a tile remembers before it forgets those that own nothing any more. */
+    /* Primitives per sample that a tile holds before it evicts those that no sample shows: samples
+     * show at most half of them. */
     BURNISH_TILE_PRIMITIVES = 2 * BURNISH_TILE_PIXELS,
-    BURNISH_TILE_PRIMITIVES_EXTRA = 16, /* that a vector may write past the last one */
+    BURNISH_TILE_PRIMITIVES_EXTRA = 16 /* that a vector may write past the last one */
 };
 
-/* Interpolated numbers of a pixel. */
-enum {
-    BURNISH_PLANE_X, /* the first attribute, turned round for triangles seen from their back */
-    BURNISH_PLANE_Y,
-    BURNISH_PLANE_Z,
-    BURNISH_PLANE_W, /* its fourth number */
-    BURNISH_PLANE_R, /* the second attribute */
-    BURNISH_PLANE_G,
-    BURNISH_PLANE_B,
-    BURNISH_PLANE_COUNT
-};
-
-/* What is wanted of a tile. */
-typedef struct burnish_tile_options {
-    int samples;
-    int planes;         /* interpolated: 3, 4 or BURNISH_PLANE_COUNT */
-    int keep_ids;       /* 1: ids are wanted, also with one sample */
-    int needs_position; /* 1: points get places: x, y and depth */
-} burnish_tile_options;
-
-/* Some samples of a pixel. */
-typedef struct burnish_sample_mean {
-    int16_t x, y; /* mean of their offsets, 1/256 pixel */
-    int32_t count;
-} burnish_sample_mean;
-
-/* A tile while it is drawn. Pixels lie as burnish_pixel_index says; of the samples of a block of
- * pixels, sample s comes s blocks after sample 0 (burnish_sample_index). */
 typedef struct burnish_tile {
     int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
     burnish_tile_options options;
-    const burnish_float4 *attributes[2]; /* one item a screen vertex each; the second or NULL */
-    float *depths;                       /* a sample each */
-    float *planes[BURNISH_PLANE_COUNT];  /* of whole pixels at their centre */
-    float *center_depths;                /* of whole pixels; with one sample these are depths */
-    /* with one sample, where wanted, burnish_primitive.id_and_facing; else a sample each an index
-     * into triangles, -1 for none */
-    int32_t *ids;
-    uint16_t dirty_blocks[BURNISH_TILE_BLOCKS]; /* bit x of y: block (x, y) shows a triangle */
-    burnish_tile_primitives primitives;         /* with more than one sample */
-    int32_t *places; /* one a triangle: scratch while triangles are forgotten */
-    /* least depth of each coarse block, and of it, the next one, and the two below */
-    float coarse[2][BURNISH_HIZ_SIZE][BURNISH_HIZ_SIZE];
-    int next_block;             /* where burnish_tile_next_fragments goes on */
-    const burnish_isa_ops *ops; /* that drew the tile */
-    /* by the bits of up to eight samples: how many, and their offsets' mean in 1/256 pixel */
-    burnish_sample_mean means[256];
+    const burnish_context *context;
+    const burnish_float4 *attributes[2]; /* one item per screen vertex each; the second or NULL */
+    burnish_tile_buffer buffer;
+    burnish_hiz hiz;
+    burnish_tile_primitives primitives; /* with several samples */
+    burnish_sample_mean means[256];     /* by the bits of up to eight samples */
 } burnish_tile;
-
-/* No triangle is that far away. */
-#define BURNISH_FARTHEST -1e30f
-
-/* The samples of a block's complex pixels, grouped by triangle. */
-typedef struct burnish_complex_pixels {
-    int count;
-    uint8_t pixel[BURNISH_FRAGMENT_BATCH];
-    uint16_t samples[BURNISH_FRAGMENT_BATCH]; /* bits of those that show the triangle */
-    int32_t id[BURNISH_FRAGMENT_BATCH];
-} burnish_complex_pixels;
-
-/* Fragments before their weights are computed. */
-typedef struct burnish_sample_points {
-    int count;
-    int32_t id[BURNISH_FRAGMENT_BATCH];
-    /* 1/256 pixel from the tile's corner */
-    int32_t x[BURNISH_FRAGMENT_BATCH], y[BURNISH_FRAGMENT_BATCH];
-} burnish_sample_points;
-
-/* Where sample s of the pixel at `place` lies in depths and ids. */
-static inline int burnish_sample_index(int samples, int place, int s) {
-    return (place & ~(BURNISH_BLOCK_PIXELS - 1)) * samples + s * BURNISH_BLOCK_PIXELS +
-           (place & (BURNISH_BLOCK_PIXELS - 1));
-}
 
 /* Attributes are the caller's to set. Errors: MEMORY; destroy it all the same. */
 burnish_status burnish_tile_create(burnish_tile *tile, const burnish_tile_options *options,
-                                   burnish_error *error);
+                                   const burnish_context *context, burnish_error *error);
 void burnish_tile_destroy(burnish_tile *tile);
 
 /* Makes the tile (column, row) current and draws its triangles. Returns 0 when no triangle's bounds
- * touch it. */
+ * touch it: then nothing but its rectangle is set. */
 int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
                       const burnish_raster_view *view, const burnish_geometry *geometry,
                       const burnish_bins *bins, int column, int row);
-
-/* The next block of the visible points of shared pixels: all samples of a pixel that show the same
- * triangle are one point, at the mean of the samples, which lies inside the triangle. Returns 0
- * when there is none left; with one sample a pixel there are none. */
-int burnish_tile_next_fragments(burnish_tile *tile, const burnish_raster_view *view,
-                                burnish_fragments *fragments);
-
-/* Which pixels of a strip, four rows of a tile, show what. */
-typedef struct burnish_block_row {
-    /* >= 0 where the pixel is whole, -1 elsewhere; with more than one sample the index of its
-     * triangle */
-    int32_t simple[BURNISH_BLOCK_ROW_PIXELS];
-    /* bit i of x: a sample of pixel i of block x shows a triangle */
-    uint16_t covered[BURNISH_TILE_BLOCKS];
-} burnish_block_row;
-
-/* burnish_primitive.id_and_facing of a whole pixel's triangle; needs ids. */
-static inline uint32_t burnish_tile_id_and_facing(const burnish_tile *tile, int strip, int pixel,
-                                                  int32_t whole) {
-    return tile->options.samples == 1
-               ? (uint32_t)tile->ids[strip * BURNISH_BLOCK_ROW_PIXELS + pixel]
-               : tile->primitives.primitives[whole].id_and_facing;
-}
 
 #endif

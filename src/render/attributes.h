@@ -7,7 +7,7 @@
 
 #include "burnish/mesh.h"
 #include "core/memory.h"
-#include "raster/raster.h"
+#include "raster/fragments.h"
 
 /* One item a screen vertex, those that clipping made included. Owned; all zero before the first
  * frame, a later frame uses the arrays again. */

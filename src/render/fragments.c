@@ -56,13 +56,13 @@ static burnish_fragment_batch run_batch(const burnish_surface *surface, const bu
                    .y = (float)(surface->view->height - 2 * y - 1) * 0.5f,
                    .x_offset = PIXEL_X + run.first,
                    .y_offset = PIXEL_Y + run.first,
-                   .depth = tile->center_depths + start}};
+                   .depth = tile->buffer.center_depths + start}};
     for (int k = 0; k < 3; ++k) {
-        batch.normal[k] = tile->planes[BURNISH_PLANE_X + k] + start;
-        batch.color[k] = has_colors ? tile->planes[BURNISH_PLANE_R + k] + start : NULL;
+        batch.normal[k] = tile->buffer.planes[BURNISH_PLANE_X + k] + start;
+        batch.color[k] = has_colors ? tile->buffer.planes[BURNISH_PLANE_R + k] + start : NULL;
     }
     if (burnish_shading_divides(surface->shading, has_colors)) {
-        batch.inverse_w = tile->planes[BURNISH_PLANE_W] + start;
+        batch.inverse_w = tile->buffer.planes[BURNISH_PLANE_W] + start;
     }
     return batch;
 }
@@ -81,7 +81,7 @@ static void shade_run(const burnish_surface *surface, const burnish_tile *tile, 
 
 void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
                              burnish_fragment_scratch *scratch, burnish_row_light *row) {
-    const unsigned dirty = tile->dirty_blocks[number];
+    const unsigned dirty = tile->buffer.dirty_blocks[number];
     for (int block = 0, end; block < BURNISH_TILE_BLOCKS; block = end + 1) {
         for (end = block; end < BURNISH_TILE_BLOCKS && dirty >> end & 1; ++end) {
         }

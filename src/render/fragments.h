@@ -3,7 +3,7 @@
 #ifndef BURNISH_RENDER_FRAGMENTS_H
 #define BURNISH_RENDER_FRAGMENTS_H
 
-#include "raster/tile.h"
+#include "raster/fragments.h"
 #include "render/attributes.h"
 #include "shading/shade.h"
 

@@ -33,7 +33,8 @@ static void shade_complex_pixels(const burnish_frame *frame, burnish_tile_worker
     float *const light[3] = {worker->light[0], worker->light[1], worker->light[2]};
     const float *const shaded[3] = {light[0], light[1], light[2]};
     memset(&worker->sums, 0, sizeof worker->sums);
-    while (burnish_tile_next_fragments(&worker->tile, frame->surface.view, fragments)) {
+    int next_block = 0;
+    while (frame->ops->next_fragments(&worker->tile, frame->surface.view, &next_block, fragments)) {
         const burnish_fragment_batch batch =
             burnish_gather_fragments(&frame->surface, fragments, &worker->scratch);
         if (frame->output.target.pixels.pixels) {
@@ -112,7 +113,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
         shade_complex_pixels(frame, worker);
     }
     for (int number = 0; number * BURNISH_BLOCK_SIZE < tile->height; ++number) {
-        if (is_covered && tile->dirty_blocks[number]) {
+        if (is_covered && tile->buffer.dirty_blocks[number]) {
             draw_block_row(frame, worker, number);
         } else if (frame->output.target.pixels.pixels) {
             burnish_store_background(&frame->output, tile, number * BURNISH_BLOCK_SIZE,
@@ -222,7 +223,7 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
     burnish_status status = BURNISH_STATUS_OK;
     tiles->worker_count = count;
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        status = burnish_tile_create(&tiles->workers[i].tile, options, error);
+        status = burnish_tile_create(&tiles->workers[i].tile, options, context, error);
     }
     if (status != BURNISH_STATUS_OK) {
         destroy_workers(tiles, context); /* no later frame takes a half-made one for its own */

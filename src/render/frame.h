@@ -3,7 +3,7 @@
 #define BURNISH_RENDER_FRAME_H
 
 #include "burnish/render.h"
-#include "raster/tile.h"
+#include "raster/fragments.h"
 #include "render/fragments.h"
 #include "render/planes.h"
 #include "render/store.h"

@@ -113,9 +113,9 @@ void burnish_planes_store_row(const burnish_plane_writer *writer, const burnish_
                               const burnish_block_row *pixels) {
     const burnish_target *target = &writer->output->target;
     const int base = number * BURNISH_BLOCK_ROW_PIXELS;
-    const float *const normal[3] = {tile->planes[BURNISH_PLANE_X] + base,
-                                    tile->planes[BURNISH_PLANE_Y] + base,
-                                    tile->planes[BURNISH_PLANE_Z] + base};
+    const float *const normal[3] = {tile->buffer.planes[BURNISH_PLANE_X] + base,
+                                    tile->buffer.planes[BURNISH_PLANE_Y] + base,
+                                    tile->buffer.planes[BURNISH_PLANE_Z] + base};
     float normals[3][BURNISH_SHADE_BATCH];
     unit_normals(writer, normal, BURNISH_BLOCK_ROW_PIXELS, normals);
     for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
@@ -128,7 +128,7 @@ void burnish_planes_store_row(const burnish_plane_writer *writer, const burnish_
             const uint32_t source =
                 target->triangles ? burnish_tile_id_and_facing(tile, number, i, simple) : 0;
             const plane_pixel pixel =
-                pixel_of(writer, tile->center_depths[base + i], source, normals, i);
+                pixel_of(writer, tile->buffer.center_depths[base + i], source, normals, i);
             store_pixel(target, tile->x + x, tile->y + y, &pixel);
         }
         const int covered = simple >= 0                    ? writer->output->samples

@@ -95,9 +95,11 @@ static burnish_status fold_materials(drawing *d) {
 static burnish_status transform(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
-    burnish_status status = burnish_geometry_update(
-        &renderer->geometry, d->shading.ops, &d->view.raster, mesh->positions, mesh->vertex_count,
-        mesh->indices, mesh->triangle_count, &renderer->tasks, d->memory.error);
+    const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
+                                         mesh->triangle_count};
+    burnish_status status =
+        burnish_geometry_update(&renderer->geometry, d->shading.ops, &d->view.raster, &triangles,
+                                &renderer->tasks, d->memory.error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_attributes_update(&renderer->attributes, &renderer->geometry, mesh,
                                            d->options->ignore_colors, &renderer->tasks, &d->memory);

@@ -117,7 +117,7 @@ void burnish_store_block_row(const burnish_output *output, const burnish_tile *t
         return;
     }
     if (output->samples == 1) {
-        encode_blocks(output, tile->dirty_blocks[number], row, codes);
+        encode_blocks(output, tile->buffer.dirty_blocks[number], row, codes);
     } else {
         encode_row(output, sums, number, row, codes);
     }

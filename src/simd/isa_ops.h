@@ -14,7 +14,6 @@
 #include "shading/shader.h"
 
 struct burnish_batch_header;
-struct burnish_bin_entry;
 struct burnish_bin_slice;
 struct burnish_bins;
 struct burnish_block_row;
@@ -22,8 +21,6 @@ struct burnish_fragments;
 struct burnish_geometry;
 struct burnish_raster_view;
 struct burnish_rays;
-struct burnish_complex_pixels;
-struct burnish_sample_points;
 struct burnish_screen_points;
 struct burnish_screen_vertices;
 struct burnish_srgb_encoder;
@@ -50,14 +47,13 @@ typedef struct burnish_isa_ops {
                                const struct burnish_raster_view *view, const float *positions,
                                size_t first, size_t end);
 
-    /* Culls the mesh's triangles [first, first + count), count <= BURNISH_BATCH_SIZE, and finds
-     * depth and bounds of those that may be seen; returns how many. Where bit i of *others is set,
-     * triangle first + i must be clipped or is too large for 32-bit edge functions, and is up to
-     * the caller. */
+    /* Culls `count` <= BURNISH_BATCH_SIZE triangles, 3 indices each, and finds depth and bounds of
+     * those that may be seen; returns how many. Bit i of *clipped is set where triangle i must be
+     * clipped first. */
     int (*cull_and_bound)(const struct burnish_screen_vertices *vertices,
                           const struct burnish_raster_view *view, const uint32_t *indices,
-                          size_t first, size_t count, struct burnish_triangle_batch *batch,
-                          struct burnish_batch_header *header, unsigned *others);
+                          size_t count, struct burnish_triangle_batch *batch,
+                          struct burnish_batch_header *header, unsigned *clipped);
 
     /* Appends the triangles of the batches [first, end) to a slice's tile lists. Returns where it
      * stopped: end, or the batch for which the slice has too few chunks. To be called again from
@@ -67,32 +63,19 @@ typedef struct burnish_isa_ops {
 
     /* ---- raster: a tile ---- */
 
-    /* Draws primitives into a tile in their order; all are front- or all back-facing. */
-    void (*draw_primitives)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
-                            const uint32_t *indices, size_t count, unsigned back);
-
-    /* Builds HiZ from the tile's depths. */
-    void (*hiz_build)(struct burnish_tile *tile);
-
-    /* Removes the triangles that HiZ hides wherever they touch the tile; returns how many entries
-     * are left. */
-    size_t (*hiz_cull)(const struct burnish_tile *tile, const struct burnish_geometry *geometry,
-                       struct burnish_bin_entry *entries, size_t count);
+    /* Draws the lists of the tile (column, row) into it. */
+    void (*draw_tile)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
+                      const struct burnish_bins *bins, int column, int row);
 
     /* Finds which pixels of a block row are covered, and which of them are simple. */
     void (*classify_block_row)(const struct burnish_tile *tile, int row,
                                struct burnish_block_row *pixels);
 
-    /* Groups the samples of a block's complex pixels by triangle, pixel after pixel. */
-    void (*group_samples)(const struct burnish_tile *tile, int block,
-                          struct burnish_complex_pixels *pixels);
-
-    /* Computes the barycentric weights (and, if requested, screen positions) of fragments. May
-     * write up to LANES - 1 items past the last one. */
-    void (*compute_fragments)(const struct burnish_tile *tile,
-                              const struct burnish_raster_view *view,
-                              const struct burnish_sample_points *points,
-                              struct burnish_fragments *fragments);
+    /* The next fragments of the tile's complex pixels, from block *next_block on, which becomes
+     * where to go on: 0 at first. Returns 0 when there are none left; with one sample per pixel
+     * there are none. May write up to LANES - 1 items past the last one. */
+    int (*next_fragments)(const struct burnish_tile *tile, const struct burnish_raster_view *view,
+                          int *next_block, struct burnish_fragments *fragments);
 
     /* Sets drawn[t] to 1 for each of the mesh's triangles t that a sample shows; needs ids. Several
      * threads may do so at the same time. */

@@ -1,6 +1,7 @@
 /* The table of one instruction set, OPS: everything that is compiled for it. The file that includes
  * this defines a BURNISH_VECTOR_... */
 #include "raster/bins_simd.h"
+#include "raster/fragments_simd.h"
 #include "raster/geometry_simd.h"
 #include "raster/tile_simd.h"
 #include "render/encode_simd.h"
@@ -68,12 +69,9 @@ static const burnish_isa_ops OPS = {
     OP(transform_vertices),
     OP(cull_and_bound),
     OP(bin_batches),
-    OP(draw_primitives),
-    OP(hiz_build),
-    OP(hiz_cull),
+    OP(draw_tile),
     OP(classify_block_row),
-    OP(group_samples),
-    OP(compute_fragments),
+    OP(next_fragments),
     OP(mark_drawn),
     .lobe = {[BURNISH_LOBE_BODY_NONE] = LOBE_ROW(none),
              [BURNISH_LOBE_BODY_SQUARE] = LOBE_ROW(square),

@@ -1,0 +1,133 @@
+/* A frame's vertices on the screen, and its triangles in batches: transformed, culled, bounded,
+ * clipped.
+ *
+ * Data flow:
+ *   positions -> burnish_geometry_update -> screen vertices; batches of visible triangles
+ *             -> burnish_bin_tiles (bins.h) -> triangle lists per tile, a band of tile rows at a
+ * time
+ *             -> burnish_tile_draw (tile.h) -> depth, ids and attributes of a tile's pixels
+ *             -> burnish_tile_next_fragments (fragments.h) -> fragments of complex pixels */
+#ifndef BURNISH_RASTER_GEOMETRY_H
+#define BURNISH_RASTER_GEOMETRY_H
+
+#include <stddef.h>
+
+#include "core/error.h"
+#include "core/tasks.h"
+#include "raster/view.h"
+
+/* Where a vertex fell: 16 bytes, loaded as one vector. */
+typedef struct burnish_screen_vertex {
+    int32_t x, y;     /* 1/256 pixel */
+    float depth;      /* z / w, nearer is larger */
+    uint32_t outcode; /* which planes it lies beyond: BURNISH_OUT_... */
+} burnish_screen_vertex;
+
+enum {
+    BURNISH_OUT_LEFT = 1,
+    BURNISH_OUT_RIGHT = 2,
+    BURNISH_OUT_BOTTOM = 4,
+    BURNISH_OUT_TOP = 8,
+    BURNISH_OUT_NEAR = 16,
+    BURNISH_OUT_GUARD = 32,
+    /* a triangle is rejected when all its vertices share one of these, clipped when one has one of
+       those */
+    BURNISH_OUT_REJECT = 31,
+    BURNISH_OUT_CLIP = BURNISH_OUT_NEAR | BURNISH_OUT_GUARD
+};
+
+/* One item per vertex of the mesh, then those that clipping made. */
+typedef struct burnish_screen_vertices {
+    burnish_screen_vertex *items;
+    float *inverse_w;  /* 1 / w; 0 for a vertex of the mesh that only clipped triangles use */
+    size_t mesh_count; /* vertices of the mesh */
+    size_t count;      /* with the clipped ones */
+    size_t item_capacity, inverse_capacity;
+} burnish_screen_vertices;
+
+/* A vertex that clipping made: its weights in the mesh's triangle. */
+typedef struct burnish_clip_vertex {
+    uint32_t triangle;
+    float weights[3];
+} burnish_clip_vertex;
+
+/* A triangle to be drawn, its area on the screen positive. */
+typedef struct burnish_primitive {
+    uint32_t vertices[3];   /* into burnish_screen_vertices */
+    uint32_t id_and_facing; /* the mesh's triangle * 2, + 1 when it is back-facing */
+} burnish_primitive;
+
+enum {
+    BURNISH_TASK_GRAIN = 4096, /* triangles or vertices of the mesh that one task handles */
+    BURNISH_BATCH_SIZE = 16    /* triangles that are culled, and binned, at once */
+};
+
+/* Longest edge, in 1/256 pixel along an axis, whose edge functions fit 32 bits all over a tile that
+ * the triangle touches: 2 * 24576 * (24576 + 64 * 256) < 2^31. */
+enum { BURNISH_SMALL_EDGE = 96 * BURNISH_SUBPIXELS };
+
+/* Neighbouring triangles, an item each; items of triangles that are not visible hold anything. */
+typedef struct burnish_triangle_batch {
+    float nearest[BURNISH_BATCH_SIZE]; /* depth of the nearest vertex */
+    /* the HiZ cells that the bounds touch, from first to last: packed x and y */
+    uint32_t first[BURNISH_BATCH_SIZE], last[BURNISH_BATCH_SIZE];
+} burnish_triangle_batch;
+
+typedef struct burnish_batch_header {
+    uint16_t visible[2]; /* bit i: triangle i may be seen and is front-facing, back-facing */
+    uint32_t tile;       /* that holds all of them, packed x and y; or BURNISH_NO_TILE */
+} burnish_batch_header;
+#define BURNISH_NO_TILE UINT32_MAX
+
+/* The mesh that is drawn. */
+typedef struct burnish_triangles {
+    const float *positions; /* 3 per vertex */
+    size_t vertex_count;
+    const uint32_t *indices; /* 3 per triangle */
+    size_t triangle_count;
+} burnish_triangles;
+
+/* A frame's geometry; every array but the mesh's indices is owned. All zero before the first frame;
+ * later frames use the arrays again. A primitive's index is its triangle's in the mesh; those that
+ * clipping made come after the mesh's last batch and are otherwise no different. */
+typedef struct burnish_geometry {
+    const burnish_context *context;
+    burnish_screen_vertices vertices;
+    burnish_clip_vertex *clip_vertices; /* vertices.count - vertices.mesh_count of them */
+    const uint32_t *indices;            /* the mesh's */
+    uint32_t *clipped_indices;          /* 3 per clipped triangle, into vertices */
+    uint32_t *clipped_ids;              /* the mesh's triangle of each */
+    burnish_triangle_batch *batches;    /* the mesh's, then the clipped ones */
+    burnish_batch_header *headers;      /* one per batch */
+    size_t mesh_batches, clipped_count;
+    size_t batch_count;                  /* with the clipped ones */
+    size_t triangle_count;               /* visible ones */
+    struct burnish_geometry_part *parts; /* what each task found */
+    size_t batch_capacity, header_capacity, clip_capacity, index_capacity, id_capacity;
+    size_t part_capacity;
+} burnish_geometry;
+
+/* The primitive of an index. A front face's winding turns round on the screen, where y points
+ * down. */
+static inline burnish_primitive burnish_geometry_primitive(const burnish_geometry *geometry,
+                                                           size_t index, unsigned back) {
+    const size_t mesh_end = geometry->mesh_batches * BURNISH_BATCH_SIZE;
+    const uint32_t *v = geometry->indices + 3 * index;
+    uint32_t id = (uint32_t)index;
+    if (index >= mesh_end) {
+        v = geometry->clipped_indices + 3 * (index - mesh_end);
+        id = geometry->clipped_ids[index - mesh_end];
+    }
+    return (burnish_primitive){{v[0], v[2 - back], v[1 + back]}, id * 2 + back};
+}
+
+/* Transforms, culls, clips. triangles->indices must outlive the geometry's use; the context is the
+ * tasks'. The result does not depend on threads or the instruction set.
+ * Errors: MEMORY, LIMIT; destroy it all the same. */
+burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_isa_ops *ops,
+                                       const burnish_raster_view *view,
+                                       const burnish_triangles *triangles, burnish_tasks *tasks,
+                                       burnish_error *error);
+void burnish_geometry_destroy(burnish_geometry *geometry);
+
+#endif
