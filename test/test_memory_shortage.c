@@ -98,11 +98,78 @@ static void test_single_call(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* ---- An allocator of the caller's ---- */
+
+typedef struct counted_memory {
+    atomic_long left, live; /* until one fails (negative: none), and not given back */
+} counted_memory;
+
+static void *take(void *user_data, size_t size, size_t alignment) {
+    counted_memory *memory = user_data;
+    if (atomic_load(&memory->left) >= 0 && atomic_fetch_sub(&memory->left, 1) == 0) {
+        return NULL;
+    }
+    atomic_fetch_add(&memory->live, 1);
+    return __real_aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+}
+
+static void give_back(void *user_data, void *memory) {
+    counted_memory *counted = user_data;
+    atomic_fetch_sub(&counted->live, 1);
+    __real_free(memory);
+}
+
+/* All that a renderer takes comes from its context, and goes back there. */
+static void test_context(int samples, int threads) {
+    burnish_mesh *mesh = make_box();
+    burnish_render_options options = box_options(samples, threads);
+    burnish_context_options context_options = burnish_context_options_default();
+    burnish_context *context;
+    counted_memory memory = {-1, 0};
+    burnish_target target = burnish_target_default();
+    static uint8_t pixels[150][200 * 4];
+    static float depth[150][200];
+    burnish_status status = BURNISH_STATUS_MEMORY;
+    int failed = 0;
+    context_options.allocator = (burnish_allocator){take, give_back, &memory};
+    CHECK1(burnish_context_create(&context_options, &context, NULL) == BURNISH_STATUS_OK);
+    target.pixels = (burnish_pixels){options.width, options.height, BURNISH_PIXELS_BGRA8,
+                                     sizeof pixels[0], pixels[0]};
+    target.depth = depth[0];
+    target.depth_stride = sizeof depth[0];
+    for (long k = 0; status == BURNISH_STATUS_MEMORY; ++k) {
+        const long before = atomic_load(&live), own_before = atomic_load(&memory.live);
+        burnish_renderer *renderer;
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        atomic_store(&memory.left, k);
+        status = burnish_renderer_create(context, &renderer, &error);
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error);
+        }
+        CHECK(error.status == status && (status == BURNISH_STATUS_OK) == (memory.left >= 0),
+              "allocation %ld: status %d, \"%s\"", k, (int)status, error.text);
+        CHECK(atomic_load(&live) == before, "allocation %ld: %ld pieces that malloc gave", k,
+              atomic_load(&live) - before);
+        burnish_renderer_destroy(renderer);
+        CHECK(atomic_load(&memory.live) == own_before, "allocation %ld: %ld pieces are lost", k,
+              atomic_load(&memory.live) - own_before);
+        atomic_store(&memory.left, -1);
+        failed += status == BURNISH_STATUS_MEMORY;
+    }
+    CHECK(status == BURNISH_STATUS_OK && failed >= 20, "%d allocations, then status %d", failed,
+          (int)status);
+    burnish_context_destroy(context);
+    CHECK1(atomic_load(&memory.live) == 0);
+    burnish_mesh_destroy(mesh);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_renderer(1, 1));
     RUN(test_renderer(4, 1));
     RUN(test_renderer(8, 3));
     RUN(test_single_call());
+    RUN(test_context(1, 1));
+    RUN(test_context(4, 3));
     return test_end("memory_shortage");
 }
