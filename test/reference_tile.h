@@ -162,12 +162,10 @@ static burnish_status reference_tile_create(reference_tile *tile, int samples,
     memset(tile, 0, sizeof *tile);
     tile->samples = samples;
     size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)samples;
-    burnish_status status = burnish_legacy_allocate((void **)&tile->triangles, count,
-                                                    sizeof *tile->triangles, "a tile", error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_legacy_allocate((void **)&tile->depths, count, sizeof *tile->depths,
-                                         "a tile", error);
-    }
+    burnish_memory memory = burnish_memory_of(NULL, error);
+    tile->triangles = burnish_allocate(&memory, count, sizeof *tile->triangles, "a tile");
+    tile->depths = burnish_allocate(&memory, count, sizeof *tile->depths, "a tile");
+    const burnish_status status = memory.status;
     if (status != BURNISH_STATUS_OK) {
         reference_tile_destroy(tile);
     }
