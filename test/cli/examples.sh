@@ -27,3 +27,9 @@ $compiler -std=c99 -O2 -Wall -Wextra -Werror -I"$source/include/burnish" "$sourc
 sum=$("$scratch/shade_integers" | cksum)
 echo "examples: integers $sum"
 [ "$sum" = "775226584 27661" ]
+
+# Meshes from the program's own arrays and from memory.
+$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" "$source/docs/examples/own_mesh.c" "$archive" -lm -pthread -o "$scratch/own_mesh"
+"$scratch/own_mesh" | tee "$scratch/own_mesh.txt"
+[ "$(cat "$scratch/own_mesh.txt")" = "square: 4 vertices, 2 triangles
+red.obj: diffuse 1, 0 warnings" ]

@@ -1,0 +1,210 @@
+/* Loading from memory through options and context: the files that an input names come from the
+ * caller, memory runs short, the call is cancelled, and the caller's floating-point environment
+ * changes nothing. */
+#include "burnish/mesh.h"
+#include "counting_context.h"
+
+static const char OBJ[] = "mtllib paint.mtl\nmtllib none.mtl\n"
+                          "v 0.1 0.2 0.3\nv 1.7 0 1e-40\nv 0 1.3 0.7\nv 1 1 0.33333333333\n"
+                          "vt 0.1 0.2\nvt 0.9 0.1\nvt 0.3 0.7\nvt 1 1\nusemtl red\n"
+                          "f 1/1 2/2 3/3\nf 2/4 4/4 3/3\nf 1 1 2\n";
+static const char MTL[] = "newmtl red\nKd 1 0.25 0.1\nNs 30.3\n";
+static const char PLY[] = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                          "property float y\nproperty float z\nproperty uchar red\n"
+                          "property uchar green\nproperty uchar blue\nelement face 1\n"
+                          "property list uchar int vertex_indices\nend_header\n"
+                          "0.1 0 0 1 2 3\n1.1 0.3 0 4 5 6\n1 1 0.7 7 8 9\n0 1 1e-41 9 9 9\n"
+                          "4 0 1 2 3\n";
+static const char STL[] =
+    "solid\nfacet normal 0 0 0\nouter loop\nvertex 0.1 0 0.3\nvertex 1 0.7 0\n"
+    "vertex 0 0.123456789 1\nendloop\nendfacet\nendsolid\n";
+
+static const struct {
+    const char *name, *text; /* text NULL: built in */
+    size_t size;
+} inputs[] = {{"a.obj", OBJ, sizeof OBJ - 1},
+              {"a.ply", PLY, sizeof PLY - 1},
+              {"a.stl", STL, sizeof STL - 1},
+              {":torus", NULL, 0}};
+enum { INPUTS = sizeof inputs / sizeof *inputs };
+
+/* ---- Files that the input names ---- */
+
+typedef struct library {
+    int loads, releases, refusals;
+} library;
+
+static burnish_status load_library(void *user_data, const char *name, uint64_t max_bytes,
+                                   const void **bytes, size_t *size, burnish_error *error) {
+    library *l = user_data;
+    if (strcmp(name, "paint.mtl") != 0) {
+        ++l->refusals;
+        error->status = BURNISH_STATUS_READ;
+        snprintf(error->text, sizeof error->text, "%s: not in the box", name);
+        return BURNISH_STATUS_READ;
+    }
+    CHECK1(max_bytes >= sizeof MTL);
+    ++l->loads;
+    *bytes = MTL;
+    *size = sizeof MTL - 1;
+    return BURNISH_STATUS_OK;
+}
+
+static void release_library(void *user_data, const void *bytes, size_t size) {
+    CHECK1(bytes == MTL && size == sizeof MTL - 1);
+    ++((library *)user_data)->releases;
+}
+
+static burnish_status load(int input, const burnish_load_options *options, burnish_mesh **mesh,
+                           burnish_error *error) {
+    return inputs[input].text ? burnish_mesh_load_memory(inputs[input].text, inputs[input].size,
+                                                         inputs[input].name, options, mesh, error)
+                              : burnish_mesh_load(inputs[input].name, options, mesh, error);
+}
+
+static burnish_load_options options_of(library *box, const burnish_context *context) {
+    burnish_load_options options = burnish_load_options_default();
+    *box = (library){0};
+    options.tessellation = 4;
+    options.keep_texture_coordinates = 1;
+    options.context = context;
+    options.companions = (burnish_file_loader){load_library, release_library, box};
+    return options;
+}
+
+static void test_companions(void) {
+    library box;
+    const burnish_load_options options = options_of(&box, NULL);
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {0};
+    if (CHECK(load(0, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text)) {
+        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+        CHECK1(burnish_mesh_material(mesh, 0)->diffuse[0] == 1);
+        CHECK1(burnish_mesh_material(mesh, 0)->exponent == 30.3f);
+        CHECK1(view->triangle_count == 2 && view->texture_coordinates);
+        int named = 0;
+        for (size_t i = 0; i < burnish_mesh_warning_count(mesh); ++i) {
+            named += strstr(burnish_mesh_warning(mesh, i), "none.mtl") != NULL;
+        }
+        CHECK(named == 1, "%d warnings name none.mtl", named);
+    }
+    CHECK(box.loads == 1 && box.releases == 1 && box.refusals == 1, "%d %d %d", box.loads,
+          box.releases, box.refusals);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Contexts ---- */
+
+static void test_memory(int input) {
+    counts c;
+    library box;
+    burnish_context *context = make_context(&c);
+    const burnish_load_options options = options_of(&box, context);
+    const long before = atomic_load(&c.live);
+    burnish_status status = BURNISH_STATUS_MEMORY;
+    int has_failed = 1;
+    long k = 0;
+    for (; has_failed && k < 300; ++k) {
+        burnish_mesh *mesh = NULL;
+        burnish_error error = {0};
+        atomic_store(&c.left, k);
+        status = load(input, &options, &mesh, &error);
+        has_failed = atomic_load(&c.left) < 0;
+        CHECK(status == BURNISH_STATUS_OK /* a chunk of text is tried again */
+                  ? mesh != NULL
+                  : status == BURNISH_STATUS_MEMORY && error.status == status && !mesh &&
+                        strncmp(error.text, "out of memory", 13) == 0,
+              "%s, allocation %ld: status %d, \"%s\"", inputs[input].name, k, (int)status,
+              error.text);
+        burnish_mesh_destroy(mesh);
+        CHECK(atomic_load(&c.live) == before && box.loads == box.releases,
+              "%s, allocation %ld: blocks are lost", inputs[input].name, k);
+    }
+    CHECK(!has_failed && k > 10, "%s: %ld allocations", inputs[input].name, k);
+    burnish_context_destroy(context);
+}
+
+static void test_cancelling(int input) {
+    counts c;
+    library box;
+    burnish_context *context = make_context(&c);
+    const burnish_load_options options = options_of(&box, context);
+    const long before = atomic_load(&c.live);
+    burnish_status status = BURNISH_STATUS_CANCELLED;
+    long k = 0;
+    for (; status == BURNISH_STATUS_CANCELLED && k < 1000; ++k) {
+        burnish_mesh *mesh = NULL;
+        burnish_error error = {0};
+        c.questions = k;
+        c.stage = BURNISH_STAGE_READ;
+        c.fraction = 0;
+        status = load(input, &options, &mesh, &error);
+        CHECK(status == BURNISH_STATUS_OK
+                  ? mesh != NULL && c.stage == BURNISH_STAGE_BUILD && c.fraction == 1
+                  : status == BURNISH_STATUS_CANCELLED && error.status == status && !mesh,
+              "%s, question %ld: status %d, \"%s\"", inputs[input].name, k, (int)status,
+              error.text);
+        burnish_mesh_destroy(mesh);
+        CHECK(atomic_load(&c.live) == before, "%s, question %ld: blocks are lost",
+              inputs[input].name, k);
+    }
+    CHECK(status == BURNISH_STATUS_OK && k > 5, "%s: %ld questions", inputs[input].name, k);
+    CHECK1(!c.wrong_order);
+    burnish_context_destroy(context);
+}
+
+static void test_log(void) {
+    counts c;
+    library box;
+    burnish_context *context = make_context(&c);
+    const burnish_load_options options = options_of(&box, context);
+    burnish_mesh *mesh = NULL;
+    CHECK1(load(0, &options, &mesh, NULL) == BURNISH_STATUS_OK);
+    const size_t count = burnish_mesh_warning_count(mesh);
+    CHECK(count == 2 && c.lines == 2, "%zu warnings, %d lines", count, c.lines);
+    CHECK_TEXT(c.last_line, burnish_mesh_warning(mesh, count - 1));
+    burnish_mesh_destroy(mesh);
+    burnish_context_destroy(context);
+}
+
+/* ---- The floating-point environment ---- */
+
+static void test_environment(int input) {
+    library box;
+    const burnish_load_options options = options_of(&box, NULL);
+    burnish_mesh *first = NULL;
+    for (int mode = 0; mode < 8; ++mode) {
+        burnish_mesh *mesh = NULL;
+        set_mode(mode);
+        const unsigned before = control_bits();
+        const burnish_status status = load(input, &options, &mesh, NULL);
+        const unsigned after = control_bits();
+        set_mode(0);
+        CHECK(status == BURNISH_STATUS_OK && before == after, "%s, mode %d", inputs[input].name,
+              mode);
+        first = first ? first : mesh;
+        const burnish_mesh_view *a = burnish_mesh_get_view(first), *b = burnish_mesh_get_view(mesh);
+        CHECK(a && b && a->vertex_count == b->vertex_count &&
+                  memcmp(a->positions, b->positions, 12 * a->vertex_count) == 0 &&
+                  memcmp(a->normals, b->normals, 12 * a->vertex_count) == 0 &&
+                  memcmp(burnish_mesh_material(first, 0), burnish_mesh_material(mesh, 0),
+                         sizeof(burnish_material)) == 0,
+              "%s, mode %d: another mesh", inputs[input].name, mode);
+        if (mesh != first) {
+            burnish_mesh_destroy(mesh);
+        }
+    }
+    burnish_mesh_destroy(first);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_companions());
+    RUN(test_log());
+    for (int i = 0; i < INPUTS; ++i) {
+        RUN(test_memory(i));
+        RUN(test_cancelling(i));
+        RUN(test_environment(i));
+    }
+    return test_end("load");
+}
