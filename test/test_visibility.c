@@ -1,5 +1,6 @@
-/* The fast renderer against the reference: thousands of random scenes, every instruction set and number of
- * samples; the same id of every sample, the same visible points, the same colours, bit for bit.
+/* The fast renderer against the reference: thousands of random scenes, every instruction set and
+ * number of samples; the same id of every sample, the same visible points, the same colours, bit
+ * for bit.
  */
 #include <stdint.h>
 

@@ -140,24 +140,3 @@ void *burnish_reserve_discard(burnish_memory *memory, void *items, size_t *capac
     *capacity = items ? count : 0;
     return items;
 }
-
-burnish_status burnish_legacy_allocate(void **pointer, size_t count, size_t size, const char *what,
-                                       burnish_error *error) {
-    burnish_memory memory = burnish_memory_of(NULL, error);
-    *pointer = burnish_allocate(&memory, count, size, what);
-    return memory.status;
-}
-
-burnish_status burnish_legacy_reserve(void **pointer, size_t *capacity, size_t needed, size_t size,
-                                      const char *what, burnish_error *error) {
-    burnish_memory memory = burnish_memory_of(NULL, error);
-    *pointer = burnish_reserve(&memory, *pointer, capacity, needed, size, what);
-    return memory.status;
-}
-
-burnish_status burnish_legacy_reserve_discard(void **pointer, size_t *capacity, size_t count,
-                                              size_t size, const char *what, burnish_error *error) {
-    burnish_memory memory = burnish_memory_of(NULL, error);
-    *pointer = burnish_reserve_discard(&memory, *pointer, capacity, count, size, what);
-    return memory.status;
-}

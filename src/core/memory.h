@@ -64,12 +64,4 @@ void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, siz
 void *burnish_reserve_discard(burnish_memory *memory, void *items, size_t *capacity, size_t count,
                               size_t size, const char *what);
 
-/* The forms that know no context; free() releases what they return. To be replaced. */
-burnish_status burnish_legacy_allocate(void **pointer, size_t count, size_t size, const char *what,
-                                       burnish_error *error);
-burnish_status burnish_legacy_reserve(void **pointer, size_t *capacity, size_t needed, size_t size,
-                                      const char *what, burnish_error *error);
-burnish_status burnish_legacy_reserve_discard(void **pointer, size_t *capacity, size_t count,
-                                              size_t size, const char *what, burnish_error *error);
-
 #endif

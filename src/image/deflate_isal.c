@@ -13,7 +13,7 @@ enum {
 
 struct burnish_deflate {
     struct isal_zstream stream;
-    uint8_t search[SEARCH_SIZE];
+    _Alignas(BURNISH_ALIGNMENT) uint8_t search[SEARCH_SIZE];
 };
 
 burnish_deflate *burnish_deflate_create(burnish_memory *memory) {
