@@ -425,7 +425,7 @@ typedef struct burnish_theory_claim {
     const char *note;     /* why, for a verdict that needs an explanation; otherwise "" */
     const char *command;  /* a command line that shows it */
     int count;            /* number of values: [0, BURNISH_THEORY_CLAIM_VALUES] */
-    struct {
+    struct burnish_theory_claim_value {
         char label[32]; /* "n=100", "W_0.5 n=21" */
         double value;
         int judged; /* 0: for information, not part of the claim */
