@@ -1,6 +1,6 @@
 /* burnish/render.h: draw a mesh into an image, or into the caller's memory.
  *
- * The Phong illumination equation, per pixel, in linear light (model.md's notation):
+ * The Phong illumination equation, per pixel, in linear light:
  *   I = Ia ka + sum over lights Il (kd max(0, N.L) + ks S(c)),  S = 0 where N.L <= 0,
  * with c = N.H (Blinn) or R.V (Phong) and S any lobe that burnish knows.
  *
