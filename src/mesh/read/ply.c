@@ -3,11 +3,8 @@
  * Rows are read one after the other, in chunks, by one decoder that is compiled for each of the
  * three encodings. Binary rows that all have one size need no decoding to be found: those of
  * vertices are converted column by column, those of triangles at once, by all threads. */
-#include "mesh/read/ply.h"
-
-#include <stdatomic.h>
-
 #include "mesh/read/chunks.h"
+#include "mesh/read/ply_binary.h"
 
 enum { FEW_CORNERS }; /* the event of a chunk */
 
@@ -28,55 +25,6 @@ static int has_roles(const ply_state *ply, int first, int last) {
         }
     }
     return 1;
-}
-
-/* ---- Values ---- */
-
-static inline uint64_t load_bits(const uint8_t *p, size_t size, int big_endian) {
-    uint64_t bits = 0;
-    for (size_t i = 0; i < size; ++i) {
-        bits = bits << 8 | p[big_endian ? i : size - 1 - i];
-    }
-    return bits;
-}
-
-static inline uint32_t load32(const uint8_t *from, int big_endian) {
-    uint32_t bits;
-    memcpy(&bits, from, sizeof bits);
-    return big_endian == (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) ? bits : __builtin_bswap32(bits);
-}
-
-static inline double load_value(const uint8_t *p, burnish_ply_type type, int big_endian) {
-    const uint64_t bits = load_bits(p, burnish_ply_type_size(type), big_endian);
-    const uint32_t low = (uint32_t)bits;
-    float single;
-    double wide;
-    switch (type) {
-    case BURNISH_PLY_INT8:
-        return (double)low - (low & 0x80u ? 256.0 : 0.0);
-    case BURNISH_PLY_INT16:
-        return (double)low - (low & 0x8000u ? 65536.0 : 0.0);
-    case BURNISH_PLY_INT32:
-        return (double)low - (low & 0x80000000u ? 4294967296.0 : 0.0);
-    case BURNISH_PLY_FLOAT32:
-        memcpy(&single, &low, sizeof single);
-        return (double)single;
-    case BURNISH_PLY_FLOAT64:
-        memcpy(&wide, &bits, sizeof wide);
-        return wide;
-    default:
-        return (double)low;
-    }
-}
-
-/* floats count from 0 to 1, 16 bits to 65535, anything else to 255 */
-static uint8_t to_color(double value, burnish_ply_type type) {
-    if (type == BURNISH_PLY_FLOAT32 || type == BURNISH_PLY_FLOAT64) {
-        value *= 255;
-    } else if (type == BURNISH_PLY_UINT16) {
-        value /= 257;
-    }
-    return (uint8_t)(value > 0 ? (value < 255 ? value + 0.5 : 255) : 0);
 }
 
 /* ---- Rows of any kind ---- */
@@ -142,7 +90,7 @@ static inline int read_value(ply_parser *p, burnish_ply_encoding encoding, burni
     if (bytes_left(p) < size) {
         return fail_truncated(p);
     }
-    *value = load_value(p->lexer.next, type, encoding == BURNISH_PLY_BIG_ENDIAN);
+    *value = burnish_ply_load(p->lexer.next, type, encoding == BURNISH_PLY_BIG_ENDIAN);
     p->lexer.next += size;
     return 1;
 }
@@ -251,7 +199,9 @@ static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_CO
         uint8_t *rgba = burnish_chunk_append(chunk, BURNISH_COLOR);
         for (int i = 0; i < 4 && rgba; ++i) {
             const burnish_ply_type type = ply->types[BURNISH_PLY_RED + i];
-            rgba[i] = type == BURNISH_PLY_NONE ? 255 : to_color(values[BURNISH_PLY_RED + i], type);
+            rgba[i] = type == BURNISH_PLY_NONE
+                          ? 255
+                          : burnish_ply_to_color(values[BURNISH_PLY_RED + i], type);
         }
     }
 }
@@ -408,95 +358,8 @@ static burnish_status read_rows(ply_state *ply, const uint8_t **at, size_t rows)
 
 enum { GRAIN = 1 << 13 /* rows that a thread takes at once */ };
 
-/* Where a value stands in a row. */
-typedef struct column {
-    size_t offset;
-    burnish_ply_type type; /* NONE: absent */
-} column;
-
-typedef struct row_context {
-    const uint8_t *bytes; /* the first row */
-    size_t row_size;
-    int big_endian;
-    column columns[BURNISH_PLY_ROLE_COUNT];
-    column length, corners; /* of the one list, which has 3 items */
-    size_t first_triangle, vertex_count;
-    const burnish_mesh_data *mesh;
-    atomic_size_t odd; /* the first row that is not as expected */
-} row_context;
-
-static void lower_to(atomic_size_t *least, size_t value) {
-    size_t seen = atomic_load(least);
-    while (value < seen && !atomic_compare_exchange_weak(least, &seen, value)) {
-    }
-}
-
-/* Floats of one column; returns the first row whose value is not finite, `end` for none. What is
- * not finite becomes 0. */
-static size_t convert_floats(const row_context *rows, column from, size_t first, size_t end,
-                             float *to, size_t stride) {
-    const uint8_t *bytes = rows->bytes + first * rows->row_size + from.offset;
-    size_t odd = end;
-    for (size_t row = first; row < end; ++row, bytes += rows->row_size, to += stride) {
-        int finite;
-        if (from.type == BURNISH_PLY_FLOAT32) {
-            uint32_t bits = load32(bytes, rows->big_endian);
-            finite = (bits & 0x7F800000u) != 0x7F800000u;
-            bits = finite ? bits : 0;
-            memcpy(to, &bits, sizeof bits);
-        } else {
-            *to = 0;
-            finite = burnish_double_to_float(load_value(bytes, from.type, rows->big_endian), to);
-        }
-        odd = !finite && row < odd ? row : odd;
-    }
-    return odd;
-}
-
-static void convert_colors(const row_context *rows, size_t first, size_t end, uint8_t *rgba) {
-    for (int i = 0; i < 4; ++i) {
-        const column from = rows->columns[BURNISH_PLY_RED + i];
-        const uint8_t *bytes = rows->bytes + first * rows->row_size + from.offset;
-        for (size_t k = 0; k < end - first; ++k, bytes += rows->row_size) {
-            rgba[4 * k + (size_t)i] =
-                from.type == BURNISH_PLY_NONE ? 255
-                : from.type == BURNISH_PLY_UINT8
-                    ? *bytes
-                    : to_color(load_value(bytes, from.type, rows->big_endian), from.type);
-        }
-    }
-}
-
-/* Rows [first, end) of vertices, some at a time, so that they stay in the first-level cache. */
-static void convert_vertices(void *user_data, size_t first, size_t end) {
-    enum { ROWS = 512 };
-    row_context *rows = user_data;
-    const burnish_mesh_data *mesh = rows->mesh;
-    for (; first < end; first += ROWS) {
-        const size_t last = end - first < ROWS ? end : first + ROWS;
-        for (size_t i = 0; i < 3; ++i) {
-            const size_t odd = convert_floats(rows, rows->columns[BURNISH_PLY_X + i], first, last,
-                                              burnish_positions(mesh) + 3 * first + i, 3);
-            if (odd < last) {
-                lower_to(&rows->odd, odd);
-            }
-            if (mesh->streams[BURNISH_NORMAL].count > 0) {
-                convert_floats(rows, rows->columns[BURNISH_PLY_NX + i], first, last,
-                               burnish_normals(mesh) + 3 * first + i, 3);
-            }
-            if (mesh->streams[BURNISH_TEXCOORD].count > 0 && i < 2) {
-                convert_floats(rows, rows->columns[BURNISH_PLY_S + i], first, last,
-                               (float *)mesh->streams[BURNISH_TEXCOORD].items + 2 * first + i, 2);
-            }
-        }
-        if (mesh->streams[BURNISH_COLOR].count > 0) {
-            convert_colors(rows, first, last, burnish_colors(mesh) + 4 * first);
-        }
-    }
-}
-
 /* All values of the vertices, whose rows are all there. What is odd is left for read_rows(). */
-static burnish_status read_vertices(ply_state *ply, row_context *rows, const uint8_t **at) {
+static burnish_status read_vertices(ply_state *ply, burnish_ply_rows *rows, const uint8_t **at) {
     static const int last_roles[BURNISH_ATTRIBUTE_COUNT] = {BURNISH_PLY_Z, BURNISH_PLY_NZ,
                                                             BURNISH_PLY_BLUE, BURNISH_PLY_T};
     static const int first_roles[BURNISH_ATTRIBUTE_COUNT] = {BURNISH_PLY_X, BURNISH_PLY_NX,
@@ -511,7 +374,7 @@ static burnish_status read_vertices(ply_state *ply, row_context *rows, const uin
             mesh->streams[i].count = count;
         }
     }
-    burnish_tasks_ranges(mesh->tasks, count, GRAIN, convert_vertices, rows);
+    burnish_tasks_ranges(mesh->tasks, count, GRAIN, burnish_ply_convert_vertices, rows);
     const size_t odd = atomic_load(&rows->odd);
     if (odd < count) { /* which has something to say */
         *at += odd * rows->row_size;
@@ -522,70 +385,9 @@ static burnish_status read_vertices(ply_state *ply, row_context *rows, const uin
     return burnish_tasks_check(mesh->tasks, ply->reader->error);
 }
 
-/* A value that is not negative; UINT32_MAX for one that is. */
-static uint32_t load_count(const uint8_t *from, burnish_ply_type type, int big_endian) {
-    const double value = load_value(from, type, big_endian);
-    return value >= 0 ? (uint32_t)value : UINT32_MAX;
-}
-
-/* Triangles whose rows are as most files have them, a byte and three words in the order of this
- * machine; negative corners are too large as they are. Returns the first odd row. */
-static size_t convert_common(const row_context *rows, size_t first, size_t end, uint32_t *to) {
-    const size_t row_size = rows->row_size;
-    const uint32_t vertex_count = (uint32_t)rows->vertex_count;
-    const uint8_t *bytes = rows->bytes + first * row_size;
-    size_t row = first;
-    for (; row < end; ++row, bytes += row_size, to += 3) {
-        memcpy(to, bytes + rows->corners.offset, 3 * sizeof *to);
-        if ((bytes[rows->length.offset] != 3) | (to[0] >= vertex_count) | (to[1] >= vertex_count) |
-            (to[2] >= vertex_count)) {
-            break;
-        }
-    }
-    return row;
-}
-
-static size_t convert_any(const row_context *rows, size_t first, size_t end, uint32_t *to) {
-    const size_t size = burnish_ply_type_size(rows->corners.type);
-    size_t row = first;
-    for (; row < end; ++row, to += 3) {
-        const uint8_t *bytes = rows->bytes + row * rows->row_size;
-        int good =
-            load_count(bytes + rows->length.offset, rows->length.type, rows->big_endian) == 3;
-        for (size_t i = 0; i < 3; ++i) {
-            to[i] = load_count(bytes + rows->corners.offset + size * i, rows->corners.type,
-                               rows->big_endian);
-            good &= to[i] < rows->vertex_count;
-        }
-        if (!good) {
-            break;
-        }
-    }
-    return row;
-}
-
-static void convert_triangles(void *user_data, size_t first, size_t end) {
-    row_context *rows = user_data;
-    uint32_t *to =
-        rows->mesh->streams[BURNISH_POSITION].corners + 3 * (rows->first_triangle + first);
-    const int is_little = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
-    const int is_common =
-        rows->length.type == BURNISH_PLY_UINT8 && rows->big_endian != is_little &&
-        (rows->corners.type == BURNISH_PLY_INT32 || rows->corners.type == BURNISH_PLY_UINT32) &&
-        rows->vertex_count <= INT32_MAX;
-    if (first > atomic_load_explicit(&rows->odd, memory_order_relaxed)) {
-        return;
-    }
-    const size_t odd =
-        is_common ? convert_common(rows, first, end, to) : convert_any(rows, first, end, to);
-    if (odd < end) {
-        lower_to(&rows->odd, odd);
-    }
-}
-
 /* The triangles that the element begins with; read_rows() goes on from the first row that is
  * something else, where there is one. */
-static burnish_status read_triangles(ply_state *ply, row_context *rows, const uint8_t **at) {
+static burnish_status read_triangles(ply_state *ply, burnish_ply_rows *rows, const uint8_t **at) {
     burnish_mesh_data *mesh = ply->reader->mesh;
     burnish_stream *positions = &mesh->streams[BURNISH_POSITION];
     const size_t limit = ply->reader->input->options->max_triangles;
@@ -593,8 +395,8 @@ static burnish_status read_triangles(ply_state *ply, row_context *rows, const ui
     size_t count = (size_t)ply->element->count;
     count = count < left / rows->row_size ? count : left / rows->row_size;
     count = count < limit - mesh->triangle_count ? count : limit - mesh->triangle_count;
-    if (count > 0 &&
-        load_count(*at + rows->length.offset, rows->length.type, rows->big_endian) == 3) {
+    if (count > 0 && burnish_ply_load_count(*at + rows->length.offset, rows->length.type,
+                                            rows->big_endian) == 3) {
         positions->corners = burnish_reserve(
             &mesh->memory, positions->corners, &positions->corner_capacity,
             mesh->triangle_count + count, 3 * sizeof *positions->corners, "triangles");
@@ -603,7 +405,7 @@ static burnish_status read_triangles(ply_state *ply, row_context *rows, const ui
         }
         atomic_store(&rows->odd, count);
         rows->first_triangle = mesh->triangle_count;
-        burnish_tasks_ranges(mesh->tasks, count, GRAIN, convert_triangles, rows);
+        burnish_tasks_ranges(mesh->tasks, count, GRAIN, burnish_ply_convert_triangles, rows);
         ply->first_row = atomic_load(&rows->odd);
         mesh->triangle_count += ply->first_row;
         *at += ply->first_row * rows->row_size;
@@ -618,7 +420,7 @@ static burnish_status read_triangles(ply_state *ply, row_context *rows, const ui
 
 /* What a row consists of: its least size, where its columns stand if all lists have 3 items, and
  * how many lists there are. */
-static size_t describe_rows(const ply_state *ply, row_context *rows, size_t *least) {
+static size_t describe_rows(const ply_state *ply, burnish_ply_rows *rows, size_t *least) {
     const burnish_ply_element *element = ply->element;
     const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
     size_t lists = 0;
@@ -630,11 +432,11 @@ static size_t describe_rows(const ply_state *ply, row_context *rows, size_t *lea
         const size_t length = burnish_ply_type_size(property->count_type);
         *least += is_ascii ? 1 : is_list ? length : size;
         if (is_list) {
-            rows->length = (column){rows->row_size, property->count_type};
-            rows->corners = (column){rows->row_size + length, property->type};
+            rows->length = (burnish_ply_column){rows->row_size, property->count_type};
+            rows->corners = (burnish_ply_column){rows->row_size + length, property->type};
             ++lists;
         } else if (property->role < BURNISH_PLY_ROLE_COUNT) {
-            rows->columns[property->role] = (column){rows->row_size, property->type};
+            rows->columns[property->role] = (burnish_ply_column){rows->row_size, property->type};
         }
         rows->row_size += is_list ? length + 3 * size : size;
     }
@@ -673,10 +475,10 @@ static burnish_status read_element(ply_state *ply, const uint8_t **at) {
     const burnish_ply_element *element = ply->element;
     const size_t left = (size_t)(ply->reader->input->bytes + ply->reader->input->size - *at);
     const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
-    row_context rows = {.bytes = *at,
-                        .big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN,
-                        .vertex_count = ply->vertex_count,
-                        .mesh = ply->reader->mesh};
+    burnish_ply_rows rows = {.bytes = *at,
+                             .big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN,
+                             .vertex_count = ply->vertex_count,
+                             .mesh = ply->reader->mesh};
     size_t least;
     const size_t lists = describe_rows(ply, &rows, &least);
     burnish_status status = check_count(ply, left, least);
