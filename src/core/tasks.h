@@ -42,6 +42,14 @@ typedef void burnish_range_task(void *context, size_t first, size_t end);
 void burnish_tasks_ranges(burnish_tasks *tasks, size_t count, size_t size, burnish_range_task *task,
                           void *context);
 
+/* Lowers *least to value where that is smaller: the first of what threads find, whoever finds it.
+ */
+static inline void burnish_lower_to(atomic_size_t *least, size_t value) {
+    size_t seen = atomic_load(least);
+    while (value < seen && !atomic_compare_exchange_weak(least, &seen, value)) {
+    }
+}
+
 /* Whether the context wants the call to end; asks it. Everybody who ran tasks looks afterwards. */
 int burnish_tasks_cancelled(burnish_tasks *tasks);
 

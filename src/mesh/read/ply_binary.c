@@ -7,12 +7,6 @@ static inline uint32_t load32(const uint8_t *from, int big_endian) {
     return big_endian == (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) ? bits : __builtin_bswap32(bits);
 }
 
-static void lower_to(atomic_size_t *least, size_t value) {
-    size_t seen = atomic_load(least);
-    while (value < seen && !atomic_compare_exchange_weak(least, &seen, value)) {
-    }
-}
-
 /* Floats of one column; returns the first row whose value is not finite, `end` for none. What is
  * not finite becomes 0. */
 static size_t convert_floats(const burnish_ply_rows *rows, burnish_ply_column from, size_t first,
@@ -62,7 +56,7 @@ void burnish_ply_convert_vertices(void *user_data, size_t first, size_t end) {
             const size_t odd = convert_floats(rows, rows->columns[BURNISH_PLY_X + i], first, last,
                                               burnish_positions(mesh) + 3 * first + i, 3);
             if (odd < last) {
-                lower_to(&rows->odd, odd);
+                burnish_lower_to(&rows->odd, odd);
             }
             if (mesh->streams[BURNISH_NORMAL].count > 0) {
                 convert_floats(rows, rows->columns[BURNISH_PLY_NX + i], first, last,
@@ -130,6 +124,6 @@ void burnish_ply_convert_triangles(void *user_data, size_t first, size_t end) {
     const size_t odd =
         is_common ? convert_common(rows, first, end, to) : convert_any(rows, first, end, to);
     if (odd < end) {
-        lower_to(&rows->odd, odd);
+        burnish_lower_to(&rows->odd, odd);
     }
 }

@@ -27,12 +27,6 @@ static int is_finite(uint32_t bits) {
     return (bits & 0x7F800000u) != 0x7F800000u;
 }
 
-static void lower_to(atomic_size_t *least, size_t value) {
-    size_t seen = atomic_load(least);
-    while (value < seen && !atomic_compare_exchange_weak(least, &seen, value)) {
-    }
-}
-
 static void convert_facets(void *user_data, size_t first, size_t end) {
     facet_context *context = user_data;
     size_t bad = SIZE_MAX;
@@ -46,7 +40,7 @@ static void convert_facets(void *user_data, size_t first, size_t end) {
         memcpy(context->positions + 9 * i, bits, sizeof bits);
         bad = finite ? bad : i;
     }
-    lower_to(&context->bad, bad);
+    burnish_lower_to(&context->bad, bad);
 }
 
 static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *facet) {

@@ -34,7 +34,6 @@ static burnish_status derive_output(render_settings *settings, burnish_error *er
     return BURNISH_STATUS_OK;
 }
 
-/* 1 when both paths lead to the same file. */
 /* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
 static burnish_status check_ending(const char *path, burnish_error *error) {
     static const char *const others[] = {"jpg",  "jpeg", "webp", "svg", "gif", "tif",
