@@ -3,7 +3,7 @@
 #ifndef BURNISH_TEST_READER_INPUT_H
 #define BURNISH_TEST_READER_INPUT_H
 
-#include "mesh/read/mtl.h"
+#include "mesh/read/obj_materials.h"
 #include "mesh/read/reader.h"
 #include "support.h"
 

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "burnish/render.h"
-#include "mesh/build/normals.h"
+#include "mesh/build/builder.h"
 #include "reader_input.h"
 
 /* The address sanitizer's shadow memory leaves RLIMIT_AS no meaning. */
@@ -35,7 +35,7 @@ static burnish_status open_nothing(void *user_data, const char *file, uint64_t m
     return burnish_fail(error, BURNISH_STATUS_READ, "%s: not here", file);
 }
 
-/* Any outcome is right but a silent one: a mesh that keeps what mesh_data.h promises, or one line.
+/* Any outcome is right but a silent one: a mesh that keeps what mesh.h promises, or one line.
  */
 static int is_sound(burnish_status status, const burnish_mesh_data *s, const burnish_error *e) {
     if (status != BURNISH_STATUS_OK) {

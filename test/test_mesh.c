@@ -3,8 +3,7 @@
 
 #include "burnish/mesh.h"
 #include "core/processors.h"
-#include "mesh/build/normals.h"
-#include "mesh/build/weld.h"
+#include "mesh/build/builder.h"
 #include "mesh_arrays.h"
 #include "support.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/srgb.h"
 #include "decimal_comma.h"
-#include "mesh/read/polygon.h"
+#include "mesh/read/chunks.h"
 #include "reader_input.h"
 
 /* ---- numbers ---- */

@@ -1,16 +1,17 @@
 /* The built-in objects: y up, round the origin (the teapot stands on y = 0), watertight. */
-#include "mesh/builtin.h"
-
 #include <string.h>
 
+#include "core/vector.h"
 #include "mesh/mesh.h"
-#include "mesh/read/reader.h"
+#include "mesh/teapot_data.h"
 
 #define PI 3.14159265358979323846
 
-burnish_status burnish_surface_reserve(burnish_mesh_data *data, const char *name,
-                                       size_t vertex_count, size_t triangle_count,
-                                       const burnish_load_options *options, burnish_error *error) {
+/* Makes room in an empty data for a surface whose vertices carry a normal each. Errors: LIMIT (more
+ * triangles than options->max_triangles), MEMORY. */
+static burnish_status reserve_surface(burnish_mesh_data *data, const char *name,
+                                      size_t vertex_count, size_t triangle_count,
+                                      const burnish_load_options *options, burnish_error *error) {
     burnish_status status = burnish_check_triangle_count(options, name, triangle_count, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -20,7 +21,8 @@ burnish_status burnish_surface_reserve(burnish_mesh_data *data, const char *name
     return burnish_mesh_data_reserve_corners(data, BURNISH_POSITION, triangle_count);
 }
 
-void burnish_surface_vertex(burnish_mesh_data *data, burnish_vec3 position, burnish_vec3 normal) {
+/* Appends a vertex within the room reserved. */
+static void add_vertex(burnish_mesh_data *data, burnish_vec3 position, burnish_vec3 normal) {
     float *p = burnish_positions(data) + 3 * data->streams[BURNISH_POSITION].count++;
     float *n = burnish_normals(data) + 3 * data->streams[BURNISH_NORMAL].count++;
     p[0] = (float)position.x;
@@ -32,7 +34,8 @@ void burnish_surface_vertex(burnish_mesh_data *data, burnish_vec3 position, burn
     n[2] = (float)normal.z;
 }
 
-void burnish_surface_triangle(burnish_mesh_data *data, uint32_t a, uint32_t b, uint32_t c) {
+/* Appends a triangle, counter-clockwise seen from outside, within the room reserved. */
+static void add_triangle(burnish_mesh_data *data, uint32_t a, uint32_t b, uint32_t c) {
     uint32_t corners[3] = {a, b, c};
     memcpy(data->streams[BURNISH_POSITION].corners + 3 * data->triangle_count, corners,
            sizeof corners);
@@ -52,8 +55,8 @@ static void close_grid(burnish_mesh_data *data, uint32_t ni, uint32_t nj) {
             uint32_t next_i = (i + 1) % ni, next_j = (j + 1) % nj;
             uint32_t a = i * nj + j, b = next_i * nj + j, c = next_i * nj + next_j,
                      d = i * nj + next_j;
-            burnish_surface_triangle(data, a, b, c);
-            burnish_surface_triangle(data, a, c, d);
+            add_triangle(data, a, b, c);
+            add_triangle(data, a, c, d);
         }
     }
 }
@@ -83,7 +86,7 @@ static void make_sphere_face(burnish_mesh_data *data, int axis, int sign, int n)
             lattice[(axis + 1) % 3] = sign * i;
             lattice[(axis + 2) % 3] = j;
             burnish_vec3 unit = sphere_point(lattice, n);
-            burnish_surface_vertex(data, unit, unit);
+            add_vertex(data, unit, unit);
         }
     }
     for (int j = -n; j < n; ++j) {
@@ -91,11 +94,11 @@ static void make_sphere_face(burnish_mesh_data *data, int axis, int sign, int n)
             uint32_t a = base + (uint32_t)(j + n) * side + (uint32_t)(i + n);
             uint32_t b = a + 1, c = a + side + 1, d = c - 1;
             if ((i < 0) == (j < 0)) { /* diagonals run toward the middle: mirror symmetric */
-                burnish_surface_triangle(data, a, b, c);
-                burnish_surface_triangle(data, a, c, d);
+                add_triangle(data, a, b, c);
+                add_triangle(data, a, c, d);
             } else {
-                burnish_surface_triangle(data, a, b, d);
-                burnish_surface_triangle(data, b, c, d);
+                add_triangle(data, a, b, d);
+                add_triangle(data, b, c, d);
             }
         }
     }
@@ -106,8 +109,8 @@ static void make_sphere_face(burnish_mesh_data *data, int axis, int sign, int n)
 static burnish_status make_sphere(const burnish_load_options *options, burnish_mesh_data *data,
                                   burnish_error *error) {
     size_t side = 2 * (size_t)options->tessellation + 1;
-    burnish_status status = burnish_surface_reserve(data, ":sphere", 6 * side * side,
-                                                    12 * (side - 1) * (side - 1), options, error);
+    burnish_status status = reserve_surface(data, ":sphere", 6 * side * side,
+                                            12 * (side - 1) * (side - 1), options, error);
     for (int face = 0; status == BURNISH_STATUS_OK && face < 6; ++face) {
         make_sphere_face(data, face % 3, face < 3 ? 1 : -1, options->tessellation);
     }
@@ -119,8 +122,8 @@ static burnish_status make_torus(const burnish_load_options *options, burnish_me
                                  burnish_error *error) {
     const double major = 1, minor = 0.4;
     uint32_t ni = 8 * (uint32_t)options->tessellation, nj = 4 * (uint32_t)options->tessellation;
-    burnish_status status = burnish_surface_reserve(data, ":torus", (size_t)ni * nj,
-                                                    2 * (size_t)ni * nj, options, error);
+    burnish_status status =
+        reserve_surface(data, ":torus", (size_t)ni * nj, 2 * (size_t)ni * nj, options, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -133,8 +136,7 @@ static burnish_status make_torus(const burnish_load_options *options, burnish_me
             /* From +z toward +x, that is counter-clockwise seen from above, and up from outside. */
             burnish_vec3 normal = {cosine_j * sine_i, sine_j, cosine_j * cosine_i};
             burnish_vec3 center = {major * sine_i, 0, major * cosine_i};
-            burnish_surface_vertex(
-                data, burnish_vec3_add(center, burnish_vec3_scale(normal, minor)), normal);
+            add_vertex(data, burnish_vec3_add(center, burnish_vec3_scale(normal, minor)), normal);
         }
     }
     close_grid(data, ni, nj);
@@ -150,8 +152,8 @@ static burnish_status make_knot(const burnish_load_options *options, burnish_mes
                                 burnish_error *error) {
     const double radius = 0.6;
     uint32_t ni = 16 * (uint32_t)options->tessellation, nj = 4 * (uint32_t)options->tessellation;
-    burnish_status status = burnish_surface_reserve(data, ":knot", (size_t)ni * nj,
-                                                    2 * (size_t)ni * nj, options, error);
+    burnish_status status =
+        reserve_surface(data, ":knot", (size_t)ni * nj, 2 * (size_t)ni * nj, options, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -170,20 +172,112 @@ static burnish_status make_knot(const burnish_load_options *options, burnish_mes
             turn(j, nj, &sine, &cosine);
             burnish_vec3 spoke = burnish_vec3_add(burnish_vec3_scale(normal, cosine),
                                                   burnish_vec3_scale(binormal, sine));
-            burnish_surface_vertex(
-                data, burnish_vec3_add(center, burnish_vec3_scale(spoke, radius)), spoke);
+            add_vertex(data, burnish_vec3_add(center, burnish_vec3_scale(spoke, radius)), spoke);
         }
     }
     close_grid(data, ni, nj);
     return BURNISH_STATUS_OK;
 }
 
+/* ---- Newell's teapot: 32 bicubic Bezier patches, evaluated in double in a fixed order ---- */
+
+/* Cubic Bernstein polynomials at i / n, and their derivatives. The numerators are exact integers,
+ * so that the values at i and at n - i mirror each other bit for bit. */
+typedef struct bernstein {
+    double value[4], slope[4];
+} bernstein;
+
+static bernstein bernstein_at(int i, int n) {
+    double t = i, s = n - i, cube = (double)n * n * n, square = (double)n * n;
+    return (bernstein){
+        {s * s * s / cube, 3 * t * s * s / cube, 3 * t * t * s / cube, t * t * t / cube},
+        {-3 * s * s / square, 3 * s * (s - 2 * t) / square, 3 * t * (2 * s - t) / square,
+         3 * t * t / square},
+    };
+}
+
+/* The sum of four weighted points, in an order that is the same read backwards: patches that share
+ * a border curve get the same positions, whichever way each runs along it. */
+static burnish_vec3 combine(const burnish_vec3 p[4], const double weight[4]) {
+    burnish_vec3 outer =
+        burnish_vec3_add(burnish_vec3_scale(p[0], weight[0]), burnish_vec3_scale(p[3], weight[3]));
+    burnish_vec3 inner =
+        burnish_vec3_add(burnish_vec3_scale(p[1], weight[1]), burnish_vec3_scale(p[2], weight[2]));
+    return burnish_vec3_add(outer, inner);
+}
+
+/* Data set to world: y up instead of z, a turn about x. */
+static burnish_vec3 turn_up(burnish_vec3 p) {
+    return (burnish_vec3){p.x, p.z, -p.y};
+}
+
+/* pole: v = 0 of a patch whose first row is one point (the lid's top, the bottom's middle). There
+ * du vanishes; near it du grows as v times its own v derivative, which has the limit's direction.
+ */
+static void evaluate(burnish_mesh_data *data, burnish_vec3 points[4][4], const bernstein *u,
+                     const bernstein *v, int pole) {
+    burnish_vec3 row[4], row_slope[4];
+    for (int i = 0; i < 4; ++i) {
+        row[i] = combine(points[i], u->value);
+        row_slope[i] = combine(points[i], u->slope);
+    }
+    burnish_vec3 along_v = combine(row, v->slope);
+    burnish_vec3 along_u = combine(row_slope, pole ? v->slope : v->value);
+    burnish_vec3 normal = burnish_vec3_cross(along_u, along_v);
+    add_vertex(data, turn_up(combine(row, v->value)), turn_up(normal));
+}
+
+static int first_row_is_point(const uint16_t patch[16]) {
+    return patch[0] == patch[1] && patch[0] == patch[2] && patch[0] == patch[3];
+}
+
+static void add_patch(burnish_mesh_data *data, const uint16_t patch[16], int n) {
+    burnish_vec3 points[4][4];
+    uint32_t base = (uint32_t)data->streams[BURNISH_POSITION].count, stride = (uint32_t)n + 1;
+    int point = first_row_is_point(patch);
+    for (int i = 0; i < 16; ++i) {
+        points[i / 4][i % 4] = burnish_vec3_load(teapot_points[patch[i]]);
+    }
+    for (int j = 0; j <= n; ++j) {
+        bernstein v = bernstein_at(j, n);
+        for (int i = 0; i <= n; ++i) {
+            bernstein u = bernstein_at(i, n);
+            evaluate(data, points, &u, &v, point && j == 0);
+        }
+    }
+    for (uint32_t j = 0; j < (uint32_t)n; ++j) {
+        for (uint32_t i = 0; i < (uint32_t)n; ++i) {
+            uint32_t a = base + j * stride + i, b = a + 1, c = a + stride, d = c + 1;
+            if (j > 0 || !point) {
+                add_triangle(data, a, b, d);
+            }
+            add_triangle(data, a, d, c);
+        }
+    }
+}
+
+static burnish_status make_teapot(const burnish_load_options *options, burnish_mesh_data *data,
+                                  burnish_error *error) {
+    size_t n = (size_t)options->tessellation, triangles = 0;
+    for (int i = 0; i < TEAPOT_PATCHES; ++i) {
+        triangles += 2 * n * n - (first_row_is_point(teapot_patches[i]) ? n : 0);
+    }
+    burnish_status status = reserve_surface(data, ":teapot", TEAPOT_PATCHES * (n + 1) * (n + 1),
+                                            triangles, options, error);
+    for (int i = 0; status == BURNISH_STATUS_OK && i < TEAPOT_PATCHES; ++i) {
+        add_patch(data, teapot_patches[i], options->tessellation);
+    }
+    return status;
+}
+
+/* ---- By name ---- */
+
 burnish_status burnish_make_builtin(const char *name, const burnish_load_options *options,
                                     burnish_mesh_data *data, burnish_error *error) {
     static const struct {
         const char *name;
         burnish_status (*make)(const burnish_load_options *, burnish_mesh_data *, burnish_error *);
-    } objects[] = {{"teapot", burnish_make_teapot},
+    } objects[] = {{"teapot", make_teapot},
                    {"sphere", make_sphere},
                    {"torus", make_torus},
                    {"knot", make_knot}};

@@ -1,7 +1,11 @@
-/* What callers see of a mesh: options, access, materials. */
+/* Meshes and mesh data: options, release, warnings, materials. */
 #include "mesh/mesh.h"
 
-#include "core/tasks.h"
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/context.h"
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */
 static const burnish_material default_material = {
@@ -10,6 +14,80 @@ static const burnish_material default_material = {
     .specular = {0.5f, 0.5f, 0.5f},
     .exponent = 64,
 };
+
+/* ---- mesh data ---- */
+
+enum { WARNING_LIMIT = 16, WARNING_SIZE = 480 };
+
+void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute) {
+    burnish_stream *stream = &mesh->streams[attribute];
+    burnish_release(mesh->memory.context, stream->items);
+    burnish_release(mesh->memory.context, stream->corners);
+    *stream = (burnish_stream){0};
+}
+
+void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
+    const burnish_context *context = mesh->memory.context;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        burnish_mesh_data_drop(mesh, (burnish_attribute)i);
+    }
+    for (size_t i = 0; i < mesh->warning_count; ++i) {
+        burnish_release(context, mesh->warnings[i]);
+    }
+    burnish_release(context, mesh->warnings);
+    burnish_release(context, mesh->materials);
+    burnish_release(context, mesh->triangle_materials);
+    *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start};
+}
+
+static const char *const item_names[BURNISH_ATTRIBUTE_COUNT] = {"positions", "normals", "colours",
+                                                                "texture coordinates"};
+static const char *const corner_names[BURNISH_ATTRIBUTE_COUNT] = {
+    "triangles", "normal indices", "colour indices", "texture coordinate indices"};
+
+burnish_status burnish_mesh_data_reserve(burnish_mesh_data *mesh, burnish_attribute attribute,
+                                         size_t count) {
+    burnish_stream *stream = &mesh->streams[attribute];
+    stream->items =
+        burnish_reserve_discard(&mesh->memory, stream->items, &stream->capacity, count,
+                                burnish_attribute_size(attribute), item_names[attribute]);
+    return mesh->memory.status;
+}
+
+burnish_status burnish_mesh_data_reserve_corners(burnish_mesh_data *mesh,
+                                                 burnish_attribute attribute, size_t triangles) {
+    burnish_stream *stream = &mesh->streams[attribute];
+    stream->corners =
+        burnish_reserve_discard(&mesh->memory, stream->corners, &stream->corner_capacity, triangles,
+                                3 * sizeof *stream->corners, corner_names[attribute]);
+    return mesh->memory.status;
+}
+
+void burnish_mesh_data_warn(burnish_mesh_data *mesh, const char *format, ...) {
+    char line[WARNING_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    for (char *c = line; *c; ++c) {
+        if ((unsigned char)*c < 32 || *c == 127) {
+            *c = '?';
+        }
+    }
+    burnish_log(mesh->memory.context, line);
+    if (mesh->warning_count >= WARNING_LIMIT) {
+        return;
+    }
+    mesh->warnings = burnish_reserve(&mesh->memory, mesh->warnings, &mesh->warning_capacity,
+                                     mesh->warning_count + 1, sizeof *mesh->warnings, "warnings");
+    char *copy = burnish_allocate(&mesh->memory, strlen(line) + 1, 1, "warnings");
+    if (mesh->memory.status == BURNISH_STATUS_OK) {
+        strcpy(copy, line);
+        mesh->warnings[mesh->warning_count++] = copy;
+    } else {
+        burnish_release(mesh->memory.context, copy);
+    }
+}
 
 /* ---- options ---- */
 

@@ -1,15 +1,119 @@
-/* The mesh as the library holds it, and the checks that every way into it shares. */
+/* Meshes inside the library: what a reader hands over, what build makes of it, and the checks that
+ * every way to a mesh shares.
+ *
+ * Data flow: bytes -> reader -> burnish_mesh_data -> build -> burnish_mesh. */
 #ifndef BURNISH_MESH_MESH_H
 #define BURNISH_MESH_MESH_H
 
-#include "core/error.h"
-#include "mesh/mesh_data.h"
+#include <stddef.h>
+#include <stdint.h>
 
-/* What the ..._default() functions leave in `cookie`: the struct's name and version. One that was
- * not started from them is refused instead of being read as garbage. */
-#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6432u /* "lod2" */
-#define BURNISH_DESCRIPTION_COOKIE 0x6d736831u  /* "msh1" */
-#define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
+#include "burnish/mesh.h"
+#include "core/clock.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/tasks.h"
+
+/* ---- Mesh data: triangles as the file states them, before welding and normals ---- */
+
+/* A corner without a value of its own. */
+#define BURNISH_NONE UINT32_MAX
+
+/* Corner indices stop below BURNISH_NONE. */
+#define BURNISH_VALUE_LIMIT ((size_t)UINT32_MAX - 1)
+
+/* What a vertex has. */
+typedef enum burnish_attribute {
+    BURNISH_POSITION, /* 3 floats, finite */
+    BURNISH_NORMAL,   /* 3 floats of any length, possibly 0 or not finite */
+    BURNISH_COLOR,    /* 4 bytes: sRGB and alpha */
+    BURNISH_TEXCOORD, /* 2 floats */
+    BURNISH_ATTRIBUTE_COUNT
+} burnish_attribute;
+
+/* Bytes of one item. */
+static inline size_t burnish_attribute_size(burnish_attribute attribute) {
+    static const uint8_t sizes[BURNISH_ATTRIBUTE_COUNT] = {12, 12, 4, 8};
+    return sizes[attribute];
+}
+
+/* The values of one attribute, and which of them each corner has. */
+typedef struct burnish_stream {
+    void *items; /* `count` of them; 0: the file has none */
+    size_t count, capacity;
+    uint32_t *corners; /* 3 per triangle, BURNISH_NONE: no value; NULL: as positions are numbered */
+    size_t corner_capacity; /* triangles */
+} burnish_stream;
+
+/* Start from burnish_mesh_data_begin(). Readers guarantee: finite positions, corners of positions,
+ * indices in range (as many items as positions where corners is NULL), counts below 2^32 - 1.
+ * Triangles without area or with repeated indices may be there: build drops them. */
+typedef struct burnish_mesh_data {
+    burnish_stream streams[BURNISH_ATTRIBUTE_COUNT];
+    size_t triangle_count;
+
+    uint16_t *triangle_materials; /* 1 per triangle, in range; NULL: all have material 0 */
+    size_t triangle_material_capacity;
+
+    burnish_material *materials; /* empty: build adds burnish_material_default() */
+    size_t material_count, material_capacity;
+
+    char **warnings;
+    size_t warning_count, warning_capacity;
+
+    burnish_memory memory; /* where all arrays come from, and whom errors are told */
+    burnish_tasks *tasks;  /* of the load call, not owned; NULL: the caller alone */
+    double start;          /* when reading began, burnish_seconds_now() */
+} burnish_mesh_data;
+
+static inline burnish_mesh_data burnish_mesh_data_begin(const burnish_context *context,
+                                                        burnish_tasks *tasks,
+                                                        burnish_error *error) {
+    return (burnish_mesh_data){.memory = burnish_memory_of(context, error),
+                               .tasks = tasks,
+                               .start = burnish_seconds_now()};
+}
+
+void burnish_mesh_data_destroy(burnish_mesh_data *mesh);
+
+/* Releases the values and corners of one attribute. */
+void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute);
+
+/* Appends a line and tells the context's log; of more than 16 lines the further ones are dropped.
+ */
+__attribute__((format(printf, 2, 3))) void burnish_mesh_data_warn(burnish_mesh_data *mesh,
+                                                                  const char *format, ...);
+
+/* Room for `count` items of an attribute, or for the corners of `triangles` triangles; what was
+ * there is dropped. Returns the status of mesh->memory. */
+burnish_status burnish_mesh_data_reserve(burnish_mesh_data *mesh, burnish_attribute attribute,
+                                         size_t count);
+burnish_status burnish_mesh_data_reserve_corners(burnish_mesh_data *mesh,
+                                                 burnish_attribute attribute, size_t triangles);
+
+/* Typed views; NULL where there are none. */
+static inline float *burnish_positions(const burnish_mesh_data *mesh) {
+    return mesh->streams[BURNISH_POSITION].items;
+}
+static inline float *burnish_normals(const burnish_mesh_data *mesh) {
+    return mesh->streams[BURNISH_NORMAL].items;
+}
+static inline uint8_t *burnish_colors(const burnish_mesh_data *mesh) {
+    return mesh->streams[BURNISH_COLOR].items;
+}
+
+/* The corners of an attribute, as the stream has them or as positions are numbered. */
+static inline const uint32_t *burnish_stream_corners(const burnish_mesh_data *mesh,
+                                                     burnish_attribute attribute) {
+    const uint32_t *own = mesh->streams[attribute].corners;
+    return own ? own : mesh->streams[BURNISH_POSITION].corners;
+}
+
+/* name without the colon: "teapot", "sphere", "torus", "knot". */
+burnish_status burnish_make_builtin(const char *name, const burnish_load_options *options,
+                                    burnish_mesh_data *data, burnish_error *error);
+
+/* ---- The mesh ---- */
 
 struct burnish_mesh {
     burnish_mesh_view view; /* its pointers are the arrays below */
@@ -26,6 +130,24 @@ struct burnish_mesh {
     char **warnings;
     size_t warning_count;
 };
+
+/* Welds positions, turns and orders triangles, drops those without area, generates normals. Takes
+ * arrays out of the data; the caller still destroys it. *mesh is NULL on error.
+ *   name     of the input, for messages, which go to the data's memory.error
+ *   options  checked
+ *   format   tells the up axis and the crease angle
+ * Errors: FORMAT, MEMORY, CANCELLED. */
+burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
+                                  const burnish_load_options *options, burnish_format format,
+                                  burnish_mesh **mesh);
+
+/* ---- Checks ---- */
+
+/* What the ..._default() functions leave in `cookie`: the struct's name and version. One that was
+ * not started from them is refused instead of being read as garbage. */
+#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6432u /* "lod2" */
+#define BURNISH_DESCRIPTION_COOKIE 0x6d736831u  /* "msh1" */
+#define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
 
 /* What every public function that loads looks at first: the place for the mesh, which becomes NULL,
  * and the options.

@@ -3,29 +3,6 @@
 #include "core/clock.h"
 #include "mesh/build/builder.h"
 
-burnish_status burnish_build_allocate(burnish_builder *b) {
-    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        if (i < BURNISH_EXTRA_ATTRIBUTES || b->data->streams[i].count > 0) {
-            b->mesh->attributes[i] =
-                burnish_allocate(b->memory, b->vertex_count,
-                                 burnish_attribute_size((burnish_attribute)i), "vertices");
-        }
-    }
-    return b->memory->status;
-}
-
-/* Vertices and indices of the triangles that are kept. */
-static burnish_status build_vertices(burnish_builder *b) {
-    int done = 0;
-    b->mesh->indices =
-        burnish_allocate(b->memory, b->triangle_count, 3 * sizeof *b->mesh->indices, "triangles");
-    if (b->memory->status != BURNISH_STATUS_OK) {
-        return b->memory->status;
-    }
-    burnish_status status = burnish_build_index_file_normals(b, &done);
-    return status != BURNISH_STATUS_OK || done ? status : burnish_build_vertices(b);
-}
-
 /* Moves the materials to the mesh, and their numbers where there is more than one. */
 static burnish_status take_materials(burnish_builder *b) {
     burnish_mesh_data *data = b->data;
@@ -91,7 +68,7 @@ static burnish_status build(burnish_builder *b) {
         double done;
     } steps[] = {{burnish_build_triangles, 0.4},
                  {burnish_build_order, 0.6},
-                 {build_vertices, 0.95},
+                 {burnish_build_vertices, 0.95},
                  {take_materials, 1}};
     burnish_tasks *tasks = b->data->tasks;
     burnish_status status = b->memory->status;

@@ -8,9 +8,10 @@
 #include "mesh/mesh.h"
 
 enum {
-    BURNISH_BUILD_GRAIN = 8192,                   /* triangles, positions or vertices that are
-                                                     worth a thread */
-    BURNISH_EXTRA_ATTRIBUTES = BURNISH_NORMAL + 1 /* the first one that is only passed on */
+    BURNISH_BUILD_GRAIN = 8192,                    /* triangles, positions or vertices that are
+                                                      worth a thread */
+    BURNISH_EXTRA_ATTRIBUTES = BURNISH_NORMAL + 1, /* the first one that is only passed on */
+    BURNISH_TRIPLE = 3 * sizeof(uint32_t)          /* bytes of a triangle's corners */
 };
 
 /* An attribute besides position and normal: only passed on. */
@@ -57,24 +58,109 @@ static inline const float *burnish_file_normal(const burnish_mesh_data *data, si
  * file's normals unit vectors. Errors: FORMAT (nothing is left), MEMORY, CANCELLED. */
 burnish_status burnish_build_triangles(burnish_builder *b);
 
-/* Orders the triangles in space. Errors: MEMORY, CANCELLED. */
-burnish_status burnish_build_order(burnish_builder *b);
-
 /* Releases what is kept per corner but for `extras`, whose corners are needed until they are
  * written: most of the memory. */
 void burnish_build_release_corners(burnish_builder *b, int extras);
 
-/* ---- index_file_normals.c, vertices.c ---- */
+/* ---- order.c ---- */
 
-/* Makes the vertices and the mesh's indices where every corner has a normal of the file's and
- * nothing else; finds what burnish_build_vertices would find. *done becomes 0 where it can't be
- * used. Errors: MEMORY, CANCELLED. */
-burnish_status burnish_build_index_file_normals(burnish_builder *b, int *done);
+/* Orders the triangles in space, so that neighbours there are neighbours in memory; the order
+ * depends on positions and corners only. Errors: MEMORY, CANCELLED. */
+burnish_status burnish_build_order(burnish_builder *b);
 
-/* The same for any mesh: generates normals where the file has none. */
+/* ---- vertices.c ---- */
+
+/* The mesh's vertices and indices: generates normals where the file has none. Errors: MEMORY,
+ * CANCELLED. */
 burnish_status burnish_build_vertices(burnish_builder *b);
 
-/* The mesh's arrays of vertex_count vertices. Errors: MEMORY. */
-burnish_status burnish_build_allocate(burnish_builder *b);
+/* ---- weld.c: finding equal vertices, in time that no input can make quadratic ---- */
+
+/* Numbers bitwise equal positions alike, in the order of their first appearance.
+ *
+ * O(n) for meshes as they are, O(n log n) for any input whatsoever; the result depends on the
+ * positions only.
+ *
+ * positions: 3 words per position (the bits of floats); -0.0 must have been made 0.0 before
+ * count:     [0, 2^32 - 2]
+ * tasks:     threads to share the work
+ * remap:     count numbers, written
+ * unique:    how many different positions there are, written
+ * Errors: MEMORY, LIMIT, CANCELLED. */
+burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *tasks,
+                            burnish_memory *memory, uint32_t *remap, size_t *unique);
+
+/* Words that a vertex of one position can differ in: normal, colour, texture coordinates. */
+enum { BURNISH_WELD_KEY_WORDS = 6 };
+
+/* Something to be sorted by words; the value breaks ties, so that the order is total. */
+typedef struct burnish_weld_record {
+    uint32_t key[BURNISH_WELD_KEY_WORDS];
+    uint32_t value;
+} burnish_weld_record;
+
+/* Sorts in place, O(n log n) in the worst case, O(n) when the records are sorted already. */
+void burnish_weld_sort(burnish_weld_record *records, size_t count);
+
+/* ---- normals.c: the average of the faces around a vertex, weighted by their angles there ---- */
+
+/* The one-rings of some vertices: what is known of the faces at their corners, in arrays of
+ * `capacity`. */
+typedef struct burnish_rings {
+    double crease_cosine;
+    int flat; /* crease angle 0: no edge is smooth */
+    int wide; /* eight faces are compared at once: the processor has AVX2 */
+    size_t capacity;
+    /* arrays of `capacity` and eight more, so that eight can be read from anywhere */
+    double *x, *y, *z;         /* unit normals of the corners' faces */
+    double *lengths, *dots;    /* |a x b| and a . b of the edges at the corner */
+    double *angles;            /* between them */
+    uint32_t *next, *previous; /* the edges' other ends */
+    uint32_t *parents;         /* sets of joined faces of the vertex at hand, and ... */
+    burnish_vec3 *sums;        /* ... their normals */
+    uint64_t *edges;           /* 2 per corner: other end and face */
+} burnish_rings;
+
+/* Scratch for one thread and `capacity` corners at a time.
+ *   crease_angle  degrees, [0, 180]
+ *   wide          1: the processor has AVX2; the results have the same bits
+ * Errors: memory->status; the arrays are then incomplete. */
+void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle, int wide,
+                          burnish_memory *memory);
+
+/* Releases the scratch; rings of zero bytes are allowed. */
+void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context);
+
+/* Measures the faces at corners of any number of vertices.
+ *
+ * positions:        3 per vertex
+ * corner_positions: 3 per triangle, every triangle with area
+ * corners:          count corners (3 * triangle + 0..2), those of a vertex together
+ * count:            at most the rings' capacity */
+void burnish_rings_measure(burnish_rings *rings, const float *positions,
+                           const uint32_t *corner_positions, const uint32_t *corners, size_t count);
+
+/* Unit normals of the corners that meet in one vertex, O(count log count).
+ *
+ * Two faces are joined when they share an edge at this vertex and their normals differ by less than
+ * the crease angle; each set of joined faces has one normal, the sum of its unit face normals times
+ * their angles at the vertex (Thuermer and Wuethrich 1998), which does not depend on how a flat
+ * face is cut into triangles. Where the sum cancels to nothing, each face keeps its own.
+ *
+ * first, count: where the vertex's corners stand among those measured
+ * normals:      3 per corner, in their order, written
+ * Returns 1 when all of them are the same, bit for bit; then only the first one is written. */
+int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, float *normals);
+
+/* The cross product of two edges: twice the area long, along the normal by winding. */
+static inline burnish_vec3 burnish_face_cross(const float *positions, const uint32_t vertices[3]) {
+    burnish_vec3 a = burnish_vec3_loadf(positions + 3 * (size_t)vertices[0]);
+    burnish_vec3 b = burnish_vec3_loadf(positions + 3 * (size_t)vertices[1]);
+    burnish_vec3 c = burnish_vec3_loadf(positions + 3 * (size_t)vertices[2]);
+    return burnish_vec3_cross(burnish_vec3_sub(b, a), burnish_vec3_sub(c, a));
+}
+
+/* Writes v / |v| in float with no negative zeros; 0 when v has no direction or is not finite. */
+void burnish_store_unit(burnish_vec3 v, float unit[3]);
 
 #endif

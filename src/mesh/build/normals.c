@@ -1,13 +1,12 @@
 /* Generated normals: union-find over the corners that meet in a vertex, joined across smooth edges.
  */
-#include "mesh/build/normals.h"
 
 #include <float.h>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
 
-#include "core/memory.h"
+#include "mesh/build/builder.h"
 
 #define DEGREE (3.14159265358979323846 / 180)
 

@@ -1,17 +1,7 @@
-/* The triangles that a mesh keeps: welded, turned to their normals, with area, ordered in space.
- *
- * The triangles of larger meshes are ordered in space, so that sixteen neighbours mostly fall into
- * one tile and share vertices. meshoptimizer's vertex cache order is left out on purpose: it helps
- * hardware that transforms a vertex once per use, burnish transforms each once, and its cost is
- * quadratic in the faces around a vertex (a fan of 80,000 takes 5 s, version 0.18). */
+/* The triangles that a mesh keeps: welded, turned to their normals, with area. */
 #include <stdatomic.h>
 
 #include "mesh/build/builder.h"
-#include "mesh/build/normals.h"
-#include "mesh/build/order.h"
-#include "mesh/build/weld.h"
-
-enum { TRIPLE = 3 * sizeof(uint32_t) };
 
 /* ---- positions ---- */
 
@@ -128,11 +118,11 @@ static void weld_range(void *context, size_t first, size_t end) {
 
 static void move_triangle(burnish_builder *b, size_t from, size_t to) {
     uint16_t *materials = b->data->triangle_materials;
-    memmove(b->corner_positions + 3 * to, b->corner_positions + 3 * from, TRIPLE);
+    memmove(b->corner_positions + 3 * to, b->corner_positions + 3 * from, BURNISH_TRIPLE);
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         uint32_t *corners = b->data->streams[i].corners;
         if (corners) {
-            memmove(corners + 3 * to, corners + 3 * from, TRIPLE);
+            memmove(corners + 3 * to, corners + 3 * from, BURNISH_TRIPLE);
         }
     }
     if (materials) {
@@ -193,7 +183,8 @@ static void release_corners_of(burnish_builder *b, burnish_attribute attribute) 
 burnish_status burnish_build_triangles(burnish_builder *b) {
     const size_t count = b->data->streams[BURNISH_POSITION].count;
     uint32_t *remap = burnish_allocate(b->memory, count, sizeof *remap, "welding");
-    b->corner_positions = burnish_allocate(b->memory, b->data->triangle_count, TRIPLE, "triangles");
+    b->corner_positions =
+        burnish_allocate(b->memory, b->data->triangle_count, BURNISH_TRIPLE, "triangles");
     burnish_status status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
         status = weld_positions(b, remap);
@@ -206,74 +197,6 @@ burnish_status burnish_build_triangles(burnish_builder *b) {
     if (!shares_corners(b->data)) { /* corner_positions tell all that is still needed */
         release_corners_of(b, BURNISH_POSITION);
     }
-    return status;
-}
-
-/* ---- order ---- */
-
-/* Items of one size, one per triangle, on their way to a new order. */
-typedef struct permute_context {
-    const uint32_t *order;
-    const uint8_t *from;
-    uint8_t *to;
-} permute_context;
-
-static void permute_triples(void *context, size_t first, size_t end) {
-    const permute_context *c = context;
-    for (size_t i = first; i < end; ++i) {
-        memcpy(c->to + TRIPLE * i, c->from + TRIPLE * (size_t)c->order[i], TRIPLE);
-    }
-}
-
-static void permute_materials(void *context, size_t first, size_t end) {
-    const permute_context *c = context;
-    enum { SIZE = sizeof(uint16_t) };
-    for (size_t i = first; i < end; ++i) {
-        memcpy(c->to + SIZE * i, c->from + SIZE * (size_t)c->order[i], SIZE);
-    }
-}
-
-/* An array with one item of `size` bytes per triangle in that order; NULL stays. Returns where it
- * is now; on failure as it was. */
-static void *permute(burnish_builder *b, const uint32_t *order, void *array, size_t size,
-                     burnish_range_task *task) {
-    void *made = array ? burnish_allocate(b->memory, b->triangle_count, size, "ordering") : NULL;
-    if (!made) {
-        return array;
-    }
-    permute_context context = {order, array, made};
-    burnish_tasks_ranges(b->data->tasks, b->triangle_count, BURNISH_BUILD_GRAIN, task, &context);
-    burnish_release(b->memory->context, array);
-    return made;
-}
-
-burnish_status burnish_build_order(burnish_builder *b) {
-    burnish_mesh_data *data = b->data;
-    const size_t count = b->triangle_count;
-    if (count < BURNISH_ORDER_MIN) {
-        return BURNISH_STATUS_OK;
-    }
-    uint32_t *order = burnish_allocate(b->memory, count, sizeof *order, "ordering");
-    burnish_status status = b->memory->status;
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_order_triangles(burnish_positions(data), b->position_count,
-                                         b->corner_positions, count, data->tasks, b->memory, order);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        b->corner_positions = permute(b, order, b->corner_positions, TRIPLE, permute_triples);
-        for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-            burnish_stream *stream = &data->streams[i];
-            stream->corners = permute(b, order, stream->corners, TRIPLE, permute_triples);
-            stream->corner_capacity = stream->corners ? count : 0;
-        }
-        data->triangle_materials =
-            permute(b, order, data->triangle_materials, sizeof(uint16_t), permute_materials);
-        data->triangle_material_capacity = data->triangle_materials ? count : 0;
-        status = b->memory->status == BURNISH_STATUS_OK
-                     ? burnish_tasks_check(data->tasks, b->memory->error)
-                     : b->memory->status;
-    }
-    burnish_release(b->memory->context, order);
     return status;
 }
 

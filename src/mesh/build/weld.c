@@ -6,11 +6,7 @@
  * version 0.18), and it ends the process when memory runs out. Here the hash only makes the usual
  * case fast: a bucket in which looking up takes too many steps is sorted instead, so that the worst
  * case is O(n log n), and every failed allocation is reported. */
-#include "mesh/build/weld.h"
-
-#include <string.h>
-
-#include "core/memory.h"
+#include "mesh/build/builder.h"
 
 enum {
     BUCKET_TARGET = 2048, /* positions per bucket: its table stays in the first-level cache */
@@ -84,7 +80,10 @@ static size_t slice_end(const welder *w, int slice) {
     return slice + 1 == w->threads ? w->count : slice_start(w, slice + 1);
 }
 
-static void count_slice(welder *w, int slice) {
+static void count_slice(void *context, size_t task, int thread) {
+    const welder *w = context;
+    const int slice = (int)task;
+    (void)thread;
     size_t *counts = w->starts + ((size_t)slice << w->bucket_bits);
     memset(counts, 0, sizeof *counts << w->bucket_bits);
     for (size_t i = slice_start(w, slice); i < slice_end(w, slice); ++i) {
@@ -94,7 +93,10 @@ static void count_slice(welder *w, int slice) {
     }
 }
 
-static void scatter_slice(welder *w, int slice) {
+static void scatter_slice(void *context, size_t task, int thread) {
+    const welder *w = context;
+    const int slice = (int)task;
+    (void)thread;
     size_t *next = w->starts + ((size_t)slice << w->bucket_bits);
     for (size_t i = slice_start(w, slice); i < slice_end(w, slice); ++i) {
         item moved = {.index = (uint32_t)i};
@@ -175,16 +177,6 @@ static void sort_bucket(const welder *w, const item *items, size_t count, burnis
     burnish_release(memory->context, records);
 }
 
-static void count_task(void *context, size_t slice, int thread) {
-    (void)thread;
-    count_slice(context, (int)slice);
-}
-
-static void scatter_task(void *context, size_t slice, int thread) {
-    (void)thread;
-    scatter_slice(context, (int)slice);
-}
-
 static void bucket_task(void *context, size_t bucket, int thread) {
     welder *w = context;
     const size_t start = bucket > 0 ? bucket_end(w, bucket - 1) : 0;
@@ -209,7 +201,7 @@ static void allocate_tables(welder *w, size_t largest, burnish_memory *memory) {
 /* Fills remap with first ones. Nothing is read that a cancelled task may have left out. */
 static burnish_status find_equal(welder *w, burnish_memory *memory) {
     const size_t slices = (size_t)w->threads;
-    burnish_tasks_run(w->tasks, slices, 1, w->threads, count_task, w);
+    burnish_tasks_run(w->tasks, slices, 1, w->threads, count_slice, w);
     burnish_status status = burnish_tasks_check(w->tasks, memory->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -218,7 +210,7 @@ static burnish_status find_equal(welder *w, burnish_memory *memory) {
     if (memory->status != BURNISH_STATUS_OK) {
         return memory->status;
     }
-    burnish_tasks_run(w->tasks, slices, 1, w->threads, scatter_task, w);
+    burnish_tasks_run(w->tasks, slices, 1, w->threads, scatter_slice, w);
     status = burnish_tasks_check(w->tasks, memory->error);
     if (status != BURNISH_STATUS_OK) {
         return status;

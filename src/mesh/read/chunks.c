@@ -5,8 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "mesh/read/polygon.h"
-
 enum { CHUNKS_PER_THREAD = 4 /* of a wave: threads that wait for the slowest wait little */ };
 
 /* A chunk that refers to values that may follow it in the file. */
@@ -518,64 +516,5 @@ burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
         *rows = driver.rows_left;
     }
     close_driver(&driver);
-    return status;
-}
-
-/* ---- Polygons ---- */
-
-/* Cuts one face; its fan tells its corners. */
-static void cut_polygon(const burnish_mesh_data *mesh, burnish_polygon polygon) {
-    enum { MOST = BURNISH_POLYGON_CORNERS };
-    uint16_t cut[3 * (MOST - 2)];
-    uint32_t corners[MOST];
-    const size_t count = polygon.corner_count, first = 3 * (size_t)polygon.first_triangle;
-    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        uint32_t *to = mesh->streams[i].corners;
-        if (!to) {
-            continue;
-        }
-        to += first;
-        corners[0] = to[0];
-        corners[1] = to[1];
-        for (size_t k = 2; k < count; ++k) {
-            corners[k] = to[3 * (k - 2) + 2];
-        }
-        if (i == BURNISH_POSITION &&
-            !burnish_polygon_cut(burnish_positions(mesh), corners, count, cut)) {
-            return;
-        }
-        for (size_t k = 0; k < 3 * (count - 2); ++k) {
-            to[k] = corners[cut[k]];
-        }
-    }
-}
-
-static void cut_range(void *user_data, size_t first, size_t end) {
-    const burnish_reader *reader = user_data;
-    for (size_t i = first; i < end; ++i) {
-        cut_polygon(reader->mesh, reader->polygons[i]);
-    }
-}
-
-burnish_status burnish_cut_polygons(burnish_reader *reader) {
-    burnish_tasks_ranges(reader->mesh->tasks, reader->polygon_count, 1 << 12, cut_range, reader);
-    return burnish_tasks_check(reader->mesh->tasks, reader->error);
-}
-
-static void number_range(void *user_data, size_t first, size_t end) {
-    uint32_t *corners = user_data;
-    for (size_t i = first; i < end; ++i) {
-        corners[i] = (uint32_t)i;
-    }
-}
-
-burnish_status burnish_number_soup(burnish_reader *reader) {
-    burnish_mesh_data *mesh = reader->mesh;
-    burnish_status status =
-        burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, mesh->triangle_count);
-    if (status == BURNISH_STATUS_OK) {
-        burnish_tasks_ranges(mesh->tasks, 3 * mesh->triangle_count, 1 << 16, number_range,
-                             mesh->streams[BURNISH_POSITION].corners);
-    }
     return status;
 }

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/srgb.h"
-#include "mesh/read/mtl.h"
+#include "mesh/read/obj_materials.h"
 
 /* The statements seen for the material at hand; finish() makes it of them. */
 typedef struct mtl_state {

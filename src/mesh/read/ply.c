@@ -3,8 +3,8 @@
  * Rows are read one after the other, in chunks, by one decoder that is compiled for each of the
  * three encodings. Binary rows that all have one size need no decoding to be found: those of
  * vertices are converted column by column, those of triangles at once, by all threads. */
+#include "mesh/read/ply.h"
 #include "mesh/read/chunks.h"
-#include "mesh/read/ply_binary.h"
 
 enum { FEW_CORNERS }; /* the event of a chunk */
 

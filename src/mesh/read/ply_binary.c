@@ -1,5 +1,5 @@
 /* PLY: rows of one size, vertices column by column, triangles at once. */
-#include "mesh/read/ply_binary.h"
+#include "mesh/read/ply.h"
 
 static inline uint32_t load32(const uint8_t *from, int big_endian) {
     uint32_t bits;

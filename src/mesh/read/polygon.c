@@ -1,7 +1,7 @@
 /* Polygons to triangles by ear clipping (G. H. Meisters, "Polygons have ears", 1975): a simple
  * polygon always has a convex corner whose neighbours see each other. Clipping one changes only its
  * neighbours (J. O'Rourke, "Computational Geometry in C", 1.5), hence O(n^2) in all. */
-#include "mesh/read/polygon.h"
+#include "mesh/read/chunks.h"
 
 enum { CORNERS = BURNISH_POLYGON_CORNERS };
 
@@ -167,4 +167,45 @@ int burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t 
         write_triangle(triangles + 3 * i, 0, i + 1, i + 2);
     }
     return 0;
+}
+
+/* ---- Of a mesh ---- */
+
+/* Cuts one face; its fan tells its corners. */
+static void cut_polygon(const burnish_mesh_data *mesh, burnish_polygon polygon) {
+    enum { MOST = BURNISH_POLYGON_CORNERS };
+    uint16_t cut[3 * (MOST - 2)];
+    uint32_t corners[MOST];
+    const size_t count = polygon.corner_count, first = 3 * (size_t)polygon.first_triangle;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        uint32_t *to = mesh->streams[i].corners;
+        if (!to) {
+            continue;
+        }
+        to += first;
+        corners[0] = to[0];
+        corners[1] = to[1];
+        for (size_t k = 2; k < count; ++k) {
+            corners[k] = to[3 * (k - 2) + 2];
+        }
+        if (i == BURNISH_POSITION &&
+            !burnish_polygon_cut(burnish_positions(mesh), corners, count, cut)) {
+            return;
+        }
+        for (size_t k = 0; k < 3 * (count - 2); ++k) {
+            to[k] = corners[cut[k]];
+        }
+    }
+}
+
+static void cut_range(void *user_data, size_t first, size_t end) {
+    const burnish_reader *reader = user_data;
+    for (size_t i = first; i < end; ++i) {
+        cut_polygon(reader->mesh, reader->polygons[i]);
+    }
+}
+
+burnish_status burnish_cut_polygons(burnish_reader *reader) {
+    burnish_tasks_ranges(reader->mesh->tasks, reader->polygon_count, 1 << 12, cut_range, reader);
+    return burnish_tasks_check(reader->mesh->tasks, reader->error);
 }

@@ -2,8 +2,7 @@
 #ifndef BURNISH_MESH_READ_READER_H
 #define BURNISH_MESH_READ_READER_H
 
-#include "core/error.h"
-#include "mesh/mesh_data.h"
+#include "mesh/mesh.h"
 #include "mesh/read/lexer.h"
 
 typedef struct burnish_reader_input {
@@ -68,9 +67,5 @@ int burnish_recognise_stl(const uint8_t *bytes, size_t size);
 burnish_status burnish_read_obj(burnish_reader *reader);
 burnish_status burnish_read_ply(burnish_reader *reader);
 burnish_status burnish_read_stl(burnish_reader *reader);
-
-/* name without the colon: "teapot", "sphere", "torus", "knot". */
-burnish_status burnish_make_builtin(const char *name, const burnish_load_options *options,
-                                    burnish_mesh_data *data, burnish_error *error);
 
 #endif

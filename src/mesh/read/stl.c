@@ -254,7 +254,26 @@ static burnish_status read_text(burnish_reader *reader) {
     return burnish_chunks_read(&grammar, (void *)(uintptr_t)first, reader, &at, NULL);
 }
 
-/* ---- Which ---- */
+/* ---- Both ---- */
+
+static void number_range(void *user_data, size_t first, size_t end) {
+    uint32_t *corners = user_data;
+    for (size_t i = first; i < end; ++i) {
+        corners[i] = (uint32_t)i;
+    }
+}
+
+/* No facet shares a corner: corner i has position i. */
+static burnish_status number_corners(burnish_reader *reader) {
+    burnish_mesh_data *mesh = reader->mesh;
+    burnish_status status =
+        burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, mesh->triangle_count);
+    if (status == BURNISH_STATUS_OK) {
+        burnish_tasks_ranges(mesh->tasks, 3 * mesh->triangle_count, 1 << 16, number_range,
+                             mesh->streams[BURNISH_POSITION].corners);
+    }
+    return status;
+}
 
 static int is_exact_binary(const uint8_t *bytes, size_t size) {
     return size >= HEADER_SIZE && (size - HEADER_SIZE) % FACET_SIZE == 0 &&
@@ -301,5 +320,5 @@ burnish_status burnish_read_stl(burnish_reader *reader) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
                                    "no triangles; export the mesh again");
     }
-    return status == BURNISH_STATUS_OK ? burnish_number_soup(reader) : status;
+    return status == BURNISH_STATUS_OK ? number_corners(reader) : status;
 }
