@@ -338,6 +338,41 @@ static void test_given_normals(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* A flat cone: as many normals of the file meet in its tip as it has sides. */
+static void test_many_normals(void) {
+    enum { MOST = 40 };
+    for (uint32_t sides = 3; sides <= MOST; ++sides) {
+        float positions[9 * MOST], normals[9 * MOST];
+        uint32_t indices[3 * MOST];
+        for (uint32_t i = 0; i < sides; ++i) {
+            const double step = 6.283185307179586 / sides, middle = (i + 0.5) * step;
+            for (uint32_t k = 0; k < 3; ++k) {
+                const double angle = k == 1 ? i * step : (i + 1) % sides * step;
+                float *p = positions + 9 * i + 3 * k, *n = normals + 9 * i + 3 * k;
+                p[0] = 10 + (k == 0 ? 0 : (float)cos(angle));
+                p[1] = 10 + (k == 0 ? 0 : (float)sin(angle));
+                p[2] = k == 0 ? 11 : 10;
+                n[0] = (float)cos(middle);
+                n[1] = (float)sin(middle);
+                n[2] = 1;
+                indices[3 * i + k] = 3 * i + k;
+            }
+        }
+        burnish_mesh *mesh = NULL;
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        CHECK(create(positions, normals, NULL, 3 * sides, indices, sides, 40, &mesh, &error) ==
+                  BURNISH_STATUS_OK,
+              "%s", error.text);
+        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+        CHECK(view->vertex_count == 3 * sides, "%u sides: %zu vertices", sides, view->vertex_count);
+        CHECK(near(view->bounds_min, 9.5, 9.5, 10, 0.501) && view->bounds_max[2] == 11,
+              "%u sides: bounds from %g, %g, %g to z = %g", sides, (double)view->bounds_min[0],
+              (double)view->bounds_min[1], (double)view->bounds_min[2],
+              (double)view->bounds_max[2]);
+        burnish_mesh_destroy(mesh);
+    }
+}
+
 static void test_colors(void) {
     /* Two triangles that meet in two positions, given twice: once in the same colour. */
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
@@ -723,6 +758,7 @@ int main(int count, char **arguments) {
     RUN(test_zero_area());
     RUN(test_extreme_sizes());
     RUN(test_given_normals());
+    RUN(test_many_normals());
     RUN(test_colors());
     RUN(test_material_numbers());
     RUN(test_set_material());

@@ -112,7 +112,7 @@ static void write_indexed(void *context, size_t first, size_t end) {
     }
 }
 
-/* *done becomes 0 where a position has many normals. */
+/* *done becomes 0, and nothing is made, where a position has many normals. */
 static burnish_status index_file_normals(burnish_builder *b, int *done) {
     indexer x = {.b = b, .normals = burnish_normals(b->data)};
     x.heads = burnish_allocate(b->memory, b->position_count, sizeof *x.heads, "vertices");
@@ -120,9 +120,11 @@ static burnish_status index_file_normals(burnish_builder *b, int *done) {
                                  sizeof *x.vertices, "vertices");
     *done = b->memory->status == BURNISH_STATUS_OK && index_corners(&x);
     burnish_release(b->memory->context, x.heads);
-    b->vertex_count = x.count;
-    if (*done && allocate_vertices(b) == BURNISH_STATUS_OK) {
-        burnish_tasks_ranges(b->data->tasks, x.count, BURNISH_BUILD_GRAIN, write_indexed, &x);
+    if (*done) {
+        b->vertex_count = x.count;
+        if (allocate_vertices(b) == BURNISH_STATUS_OK) {
+            burnish_tasks_ranges(b->data->tasks, x.count, BURNISH_BUILD_GRAIN, write_indexed, &x);
+        }
     }
     burnish_release(b->memory->context, x.vertices);
     return b->memory->status;
