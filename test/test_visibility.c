@@ -7,8 +7,7 @@
 #include "raster/fragments.h"
 #include "reference_geometry.h"
 #include "reference_tile.h"
-#include "render/fragments.h"
-#include "shading/shader_table.h"
+#include "render/surface.h"
 #include "support.h"
 
 enum { MOST_VERTICES = 1200, MOST_TRIANGLES = 400, SCENES = 2000 };
@@ -237,12 +236,6 @@ static int same_whole(const burnish_tile *fast, const burnish_row_light *row,
                                       row->pixels.simple[i]) == expected->corners.id_and_facing;
 }
 
-static void shade_fragments(const burnish_surface *surface, const burnish_fragments *fragments,
-                            burnish_fragment_scratch *scratch, float *const rgb[3]) {
-    const burnish_fragment_batch batch = burnish_gather_fragments(surface, fragments, scratch);
-    burnish_shade(surface->shading, &batch, &scratch->shade, rgb);
-}
-
 /* All points of a tile by both paths; *points counts them. */
 static int compare_points(reference_tile *tile, burnish_tile *fast, const burnish_isa_ops *ops,
                           const burnish_raster_view *view, const burnish_geometry *geometry,
@@ -255,7 +248,7 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
     float *const rgb[3] = {colors[0], colors[1], colors[2]};
     int count = 0, wrong = 0, at = 0, known = -1;
     while (reference_next_fragments(tile, view, geometry, &fragments)) {
-        shade_fragments(surface, &fragments, &scratch, rgb);
+        burnish_shade_fragments(surface, &fragments, &scratch, rgb);
         for (int i = 0; i < fragments.count; ++i) {
             expected[count++] = take_point(&fragments, (const float *const *)rgb, i);
         }
@@ -274,7 +267,7 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
     int got_count = 0;
     int next_block = 0;
     while (ops->next_fragments(fast, view, &next_block, &fragments)) {
-        shade_fragments(surface, &fragments, &scratch, rgb);
+        burnish_shade_fragments(surface, &fragments, &scratch, rgb);
         for (int i = 0; i < fragments.count; ++i) {
             got[got_count] = take_point(&fragments, (const float *const *)rgb, i);
             got[got_count].number = got_count;
@@ -299,7 +292,8 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
 /* What a scene is shaded with; kept, as a renderer keeps it. */
 typedef struct scene_shading {
     burnish_attributes attributes;
-    burnish_shader_table shaders;
+    burnish_kernels_shader shaders[3];
+    burnish_light_constants lights[3];
     burnish_shading shading;
     burnish_surface surface;
 } scene_shading;
@@ -308,23 +302,20 @@ static void make_shading(scene_shading *made, const random_scene *scene,
                          const burnish_raster_view *view, const burnish_geometry *geometry,
                          uint64_t *state) {
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
-    burnish_shade_material materials[3];
     burnish_memory memory = burnish_memory_of(NULL, NULL);
     lighting.local_viewer = (int)(test_random32(state) & 1);
     lighting.viewer[2] = lighting.local_viewer ? 0 : 1;
     lighting.lobe.kind = test_random32(state) % 4 == 0 ? BURNISH_LOBE_LYON : BURNISH_LOBE_FAMILY;
-    memset(materials, 0, sizeof materials);
     for (int i = 0; i < 3; ++i) {
-        materials[i].lobe = lighting.lobe;
-        materials[i].material.exponent = 32;
-        materials[i].material.diffuse[i] = 0.75f;
-        materials[i].material.specular[2 - i] = 0.5f;
+        burnish_material material = {.exponent = 32};
+        material.diffuse[i] = 0.75f;
+        material.specular[2 - i] = 0.5f;
+        CHECK1(burnish_shader_fold(&lighting, &material, &lighting.lobe, &made->lights[i],
+                                   &made->shaders[i], NULL) == BURNISH_STATUS_OK);
     }
-    CHECK1(burnish_shader_table_update(&made->shaders, &lighting, materials, 3, &memory) ==
-           BURNISH_STATUS_OK);
     made->shading =
         (burnish_shading){.ops = burnish_kernels_best(),
-                          .shaders = made->shaders.shaders,
+                          .shaders = made->shaders,
                           .rays = {.ray = {0, 0, -1},
                                    .ray_x = {0.01f, 0, 0},
                                    .ray_y = {0, 0.01f, 0},

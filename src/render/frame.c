@@ -13,7 +13,6 @@ struct burnish_tile_worker {
     float light[3][BURNISH_SHADE_BATCH]; /* of fragments */
     burnish_row_light row;
     burnish_tile_sums sums;
-    uint8_t weights[BURNISH_TILE_PIXELS]; /* for planes */
     size_t covered_pixels;
     int bounds[4];
 };
@@ -32,19 +31,15 @@ static void shade_complex_pixels(const burnish_frame *frame, burnish_tile_worker
     burnish_fragments *fragments = &worker->fragments;
     float *const light[3] = {worker->light[0], worker->light[1], worker->light[2]};
     const float *const shaded[3] = {light[0], light[1], light[2]};
-    memset(&worker->sums, 0, sizeof worker->sums);
+    float *const *wanted = frame->output.target.pixels.pixels ? light : NULL;
     int next_block = 0;
+    memset(worker->sums.light, 0, sizeof worker->sums.light);
+    memset(worker->sums.covered, 0, sizeof worker->sums.covered);
     while (frame->ops->next_fragments(&worker->tile, frame->surface.view, &next_block, fragments)) {
         const burnish_fragment_batch batch =
-            burnish_gather_fragments(&frame->surface, fragments, &worker->scratch);
-        if (frame->output.target.pixels.pixels) {
-            burnish_shade(frame->surface.shading, &batch, &worker->scratch.shade, light);
-        }
-        burnish_sums_add(&worker->sums, fragments, shaded, frame->output.limit);
-        if (frame->has_planes) {
-            burnish_planes_add_fragments(&frame->planes, &worker->tile, fragments, &batch,
-                                         worker->weights);
-        }
+            burnish_shade_fragments(&frame->surface, fragments, &worker->scratch, wanted);
+        burnish_output_add_fragments(&frame->output, &worker->tile, fragments, &batch, shaded,
+                                     &worker->sums);
     }
 }
 
@@ -89,14 +84,8 @@ static void draw_block_row(const burnish_frame *frame, burnish_tile_worker *work
     frame->ops->classify_block_row(tile, number, &row->pixels);
     if (frame->output.target.pixels.pixels) {
         burnish_shade_block_row(&frame->surface, tile, number, &worker->scratch, row);
-        if (frame->output.samples > 1) {
-            burnish_resolve_block_row(&frame->output, &worker->sums, number, row);
-        }
-        burnish_store_block_row(&frame->output, tile, &worker->sums, number, row);
     }
-    if (frame->has_planes) {
-        burnish_planes_store_row(&frame->planes, tile, &worker->sums, number, &row->pixels);
-    }
+    burnish_output_store_row(&frame->output, tile, &worker->sums, number, row);
     if (frame->counts_pixels) {
         count_block_row(worker, number);
     }
@@ -106,8 +95,8 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
                       burnish_tile_worker *worker, int column, int row) {
     const burnish_tile *tile = &worker->tile;
     const int is_covered = rasterize(frame, bins, worker, column, row);
-    if (frame->has_planes) {
-        burnish_planes_clear(&frame->planes, tile, worker->weights);
+    if (frame->output.has_planes) {
+        burnish_output_clear_planes(&frame->output, tile, &worker->sums);
     }
     if (is_covered && frame->output.samples > 1) {
         shade_complex_pixels(frame, worker);
@@ -115,9 +104,8 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     for (int number = 0; number * BURNISH_BLOCK_SIZE < tile->height; ++number) {
         if (is_covered && tile->buffer.dirty_blocks[number]) {
             draw_block_row(frame, worker, number);
-        } else if (frame->output.target.pixels.pixels) {
-            burnish_store_background(&frame->output, tile, number * BURNISH_BLOCK_SIZE,
-                                     (number + 1) * BURNISH_BLOCK_SIZE);
+        } else {
+            burnish_output_store_background(&frame->output, tile, number);
         }
     }
     if (is_covered && frame->drawn) {

@@ -1,4 +1,5 @@
-/* burnish_render and burnish_renderer: lead the data through raster, shading and the target. */
+/* The public functions of burnish/render.h: options and their checks, and a renderer, which leads a
+ * frame's data through raster, shading and the target. */
 #include <string.h>
 
 #include "core/clock.h"
@@ -6,16 +7,140 @@
 #include "core/memory.h"
 #include "core/tasks.h"
 #include "render/frame.h"
-#include "render/materials.h"
-#include "render/options.h"
-#include "render/view.h"
+
+/* Marks options that burnish_render_options_default() made. */
+#define RENDER_COOKIE 0x62726e64u
+
+/* ---- Options ---- */
+
+/* A key light from the upper left, a cooler and weaker fill from the right, a rim light from
+ * behind: the photographer's three points. Directions in camera space. */
+static const burnish_light DEFAULT_RIG[] = {
+    {BURNISH_LIGHT_DIRECTIONAL, 1, {-0.55, 0.75, 0.85}, {1.22f, 1.19f, 1.13f}},
+    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.90, 0.15, 0.55}, {0.24f, 0.28f, 0.34f}},
+    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.35, 0.60, -0.80}, {0.68f, 0.68f, 0.72f}},
+};
+
+burnish_render_options burnish_render_options_default(void) {
+    burnish_render_options options;
+    memset(&options, 0, sizeof options);
+    options.cookie = RENDER_COOKIE;
+    options.width = 1024;
+    options.height = 768;
+    options.samples = 4;
+    options.camera.view_up[1] = 1;
+    options.camera.view_angle = 30;
+    options.lobe.fit = BURNISH_FIT_ENERGY;
+    options.lobe.order = 2;
+    options.local_viewer = 1;
+    for (int i = 0; i < 3; ++i) {
+        options.ambient_light[i] = 0.08f;
+        options.background[i] = 255;
+    }
+    memcpy(options.lights, DEFAULT_RIG, sizeof DEFAULT_RIG);
+    options.light_count = sizeof DEFAULT_RIG / sizeof DEFAULT_RIG[0];
+    return options;
+}
+
+static int finite(const double *values, int count) {
+    for (int i = 0; i < count; ++i) {
+        if (!(values[i] - values[i] == 0)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int is_light_color(const float color[3]) {
+    for (int i = 0; i < 3; ++i) {
+        if (!(color[i] >= 0 && color[i] <= 1e6f)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static burnish_status check_camera(const burnish_camera *camera, burnish_error *error) {
+    if (!finite(camera->position, 3) || !finite(camera->focal_point, 3) ||
+        !finite(camera->view_up, 3)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: position, focal point and view up must be finite numbers");
+    }
+    if (!(camera->orthographic_height >= 0 && camera->orthographic_height <= 1e300)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: orthographic height must be a finite number >= 0");
+    }
+    if (camera->orthographic_height == 0 && !(camera->view_angle >= BURNISH_VIEW_ANGLE_MIN &&
+                                              camera->view_angle <= BURNISH_VIEW_ANGLE_MAX)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: view angle %g is not in [0.001, 179] degrees",
+                            camera->view_angle);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_lights(const burnish_render_options *options, burnish_error *error) {
+    if (options->light_count < 0 || options->light_count > BURNISH_LIGHT_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lights: %d is not in [0, %d]",
+                            options->light_count, BURNISH_LIGHT_MAX);
+    }
+    for (int i = 0; i < options->light_count; ++i) {
+        const burnish_light *light = &options->lights[i];
+        const double *v = light->vector;
+        int directionless =
+            light->kind == BURNISH_LIGHT_DIRECTIONAL && v[0] == 0 && v[1] == 0 && v[2] == 0;
+        if ((unsigned)light->kind > BURNISH_LIGHT_POINT || !finite(v, 3) || directionless ||
+            !is_light_color(light->color)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "light %d: needs a finite vector (not 0 for a directional light) "
+                                "and a colour in [0, 1e6]",
+                                i + 1);
+        }
+    }
+    if ((unsigned)options->specular_model > BURNISH_SPECULAR_PHONG) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "specular model %d does not exist",
+                            (int)options->specular_model);
+    }
+    if (!is_light_color(options->ambient_light)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "ambient light: not in [0, 1e6]");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_options(const burnish_render_options *options, burnish_error *error) {
+    if (!options || options->cookie != RENDER_COOKIE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: start from burnish_render_options_default()");
+    }
+    if (options->width < 1 || options->width > BURNISH_IMAGE_MAX_SIZE || options->height < 1 ||
+        options->height > BURNISH_IMAGE_MAX_SIZE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "resolution %dx%d: each side must be in [1, %d]", options->width,
+                            options->height, BURNISH_IMAGE_MAX_SIZE);
+    }
+    if (options->samples != 1 && options->samples != 4 && options->samples != 8 &&
+        options->samples != BURNISH_MAX_SAMPLES) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "samples: %d is not 1, 4, 8 or 16",
+                            options->samples);
+    }
+    if (options->threads < 0 || options->threads > BURNISH_THREADS_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "threads: %d is not in [0, %d]",
+                            options->threads, BURNISH_THREADS_MAX);
+    }
+    burnish_status status = burnish_lobe_spec_check(&options->lobe, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_camera(&options->camera, error);
+    }
+    return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
+}
+
+/* ---- Renderers ---- */
 
 /* What is kept from frame to frame. */
 struct burnish_renderer {
     const burnish_context *context;
     burnish_tasks tasks;
-    burnish_materials materials;
-    burnish_shader_table shaders;
+    burnish_shaders shaders;
     burnish_geometry geometry;
     burnish_attributes attributes;
     burnish_tiles tiles;
@@ -46,8 +171,8 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_tiles_destroy(&renderer->tiles, context);
         burnish_attributes_destroy(&renderer->attributes, context);
         burnish_geometry_destroy(&renderer->geometry);
-        burnish_shader_table_destroy(&renderer->shaders, context);
-        burnish_release(context, renderer->materials.items);
+        burnish_release(context, renderer->shaders.items);
+        burnish_release(context, renderer->shaders.lights);
         burnish_release(context, renderer->background.bytes);
         burnish_release(context, renderer->drawn);
         burnish_release(context, renderer);
@@ -66,30 +191,7 @@ typedef struct drawing {
     burnish_render_report report;
     burnish_memory memory;
     burnish_view view;
-    burnish_shading shading;
 } drawing;
-
-/* Materials folded with the lights. */
-static burnish_status fold_materials(drawing *d) {
-    burnish_renderer *renderer = d->renderer;
-    const burnish_kernels_lighting *lighting = &d->view.lighting;
-    burnish_status status = burnish_materials_update(&renderer->materials, d->mesh, d->options,
-                                                     &d->report.lobe_fallbacks, &d->memory);
-    if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_shader_table_update(&renderer->shaders, lighting, renderer->materials.items,
-                                        burnish_mesh_material_count(d->mesh), &d->memory);
-    }
-    d->shading.rays = d->view.rays;
-    d->shading.shaders = renderer->shaders.shaders;
-    d->shading.needs_position = lighting->local_viewer;
-    for (int i = 0; i < lighting->light_count; ++i) {
-        d->shading.needs_position |= lighting->lights[i].kind == BURNISH_LIGHT_POINT;
-    }
-    d->shading.is_lyon = d->options->lobe.kind == BURNISH_LOBE_LYON &&
-                         d->options->specular_model == BURNISH_SPECULAR_BLINN;
-    return status;
-}
 
 /* Vertices to the screen, triangles to batches. */
 static burnish_status transform(drawing *d) {
@@ -98,8 +200,8 @@ static burnish_status transform(drawing *d) {
     const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
                                          mesh->triangle_count};
     burnish_status status =
-        burnish_geometry_update(&renderer->geometry, d->shading.ops, &d->view.raster, &triangles,
-                                &renderer->tasks, d->memory.error);
+        burnish_geometry_update(&renderer->geometry, d->view.shading.ops, &d->view.raster,
+                                &triangles, &renderer->tasks, d->memory.error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_attributes_update(&renderer->attributes, &renderer->geometry, mesh,
                                            d->options->ignore_colors, &renderer->tasks, &d->memory);
@@ -135,17 +237,16 @@ static void count_drawn(drawing *d) {
 /* Tiles to pixels. */
 static burnish_status draw_tiles(drawing *d) {
     burnish_renderer *renderer = d->renderer;
-    burnish_frame frame = {.ops = d->shading.ops,
+    const burnish_isa_ops *ops = d->view.shading.ops;
+    burnish_frame frame = {.ops = ops,
                            .geometry = &renderer->geometry,
-                           .surface = {&d->view.raster, &d->shading, &renderer->attributes,
+                           .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
                                        burnish_mesh_get_view(d->mesh)->triangle_materials},
-                           .output = {.ops = d->shading.ops, .encoder = &renderer->encoder},
-                           .has_planes = burnish_target_has_planes(d->target),
+                           .output = {.ops = ops, .encoder = &renderer->encoder, .view = &d->view},
                            .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
                            .drawn = clear_drawn(d),
                            .tasks = &renderer->tasks,
                            .context = renderer->context};
-    frame.planes = (burnish_plane_writer){&frame.output, &frame.surface, d->view.distance};
     burnish_status status = burnish_output_begin(&frame.output, d->target, d->options,
                                                  &renderer->background, &d->memory);
     if (status == BURNISH_STATUS_OK) {
@@ -170,15 +271,13 @@ static burnish_status draw(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const double start = burnish_seconds_now();
     burnish_tasks_begin(&renderer->tasks, renderer->context, d->options->threads);
-    d->shading.ops = choose_kernels(renderer, d->options);
+    d->view.shading.ops = choose_kernels(renderer, d->options);
     d->report.threads = burnish_tasks_threads(&renderer->tasks);
-    d->report.isa = burnish_kernels_isa(d->shading.ops);
+    d->report.isa = d->view.shading.ops->isa;
     d->report.triangles = burnish_mesh_get_view(d->mesh)->triangle_count;
     burnish_status status =
-        burnish_view_create(burnish_mesh_get_view(d->mesh), d->options, &d->view, d->memory.error);
-    if (status == BURNISH_STATUS_OK) {
-        status = fold_materials(d);
-    }
+        burnish_view_create(d->mesh, d->options, &renderer->shaders, &d->view, &d->memory);
+    d->report.lobe_fallbacks = d->view.lobe_fallbacks;
     if (status == BURNISH_STATUS_OK) {
         status = transform(d);
         d->report.seconds_transform = burnish_seconds_now() - start;
@@ -199,7 +298,7 @@ static burnish_status check_call(const burnish_renderer *renderer, const burnish
                             "draw: the %s is NULL; create one first",
                             !renderer ? "renderer" : "mesh");
     }
-    burnish_status status = burnish_render_options_check(options, error);
+    burnish_status status = check_options(options, error);
     if (status == BURNISH_STATUS_OK && options->context && options->context != renderer->context) {
         status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                               "options: the renderer was made with another context; leave it NULL");
@@ -274,7 +373,7 @@ burnish_status burnish_render(const burnish_mesh *mesh, const burnish_render_opt
     if (image) {
         memset(image, 0, sizeof *image);
     }
-    burnish_status status = burnish_render_options_check(options, error);
+    burnish_status status = check_options(options, error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_create(options->context, &renderer, error);
     }

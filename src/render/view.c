@@ -1,10 +1,11 @@
-/* The camera as matrices. All in double precision, rounded to float once at the end. */
-#include "render/view.h"
+/* Camera, lights and materials in the raster's space: all in double precision, rounded to float
+ * once at the end. */
 
 #include <string.h>
 
 #include "core/error.h"
 #include "core/vector.h"
+#include "render/frame.h"
 
 /* Distance of the near plane in units of the scene's size; a power of two, so that 1/w comes back
  * from the depth exactly. */
@@ -80,7 +81,7 @@ static void store_row(const camera_frame *frame, burnish_vec3 axis, double facto
 static void make_perspective(const camera_frame *frame, double view_angle, int height,
                              burnish_view *view) {
     burnish_raster_view *raster = &view->raster;
-    burnish_rays *rays = &view->rays;
+    burnish_rays *rays = &view->shading.rays;
     double sine, cosine;
     burnish_sincos(view_angle * (3.14159265358979323846 / 360), &sine, &cosine);
     double pixels = height * 0.5 * cosine / sine; /* a unit at distance 1 */
@@ -102,7 +103,7 @@ static void make_perspective(const camera_frame *frame, double view_angle, int h
 static void make_orthographic(const camera_frame *frame, double view_height, int height,
                               burnish_view *view) {
     burnish_raster_view *raster = &view->raster;
-    burnish_rays *rays = &view->rays;
+    burnish_rays *rays = &view->shading.rays;
     double pixels = height / (view_height * frame->scale);
     double range = burnish_vec3_length(frame->eye) + 2;
     store_row(frame, frame->right, pixels, 0, raster->rows[0]);
@@ -192,12 +193,12 @@ static burnish_light make_light(const camera_frame *frame, const burnish_mesh_vi
     return made;
 }
 
+/* Lights from the eye, and viewer; no material. */
 static void make_lighting(const camera_frame *frame, const burnish_mesh_view *mesh,
                           const burnish_render_options *options,
                           burnish_kernels_lighting *lighting) {
     const burnish_camera *camera = &options->camera;
     *lighting = burnish_kernels_lighting_default();
-    lighting->lobe = options->lobe;
     lighting->specular_model = options->specular_model;
     memcpy(lighting->ambient_light, options->ambient_light, sizeof lighting->ambient_light);
     lighting->local_viewer = options->local_viewer && !(camera->orthographic_height > 0);
@@ -211,29 +212,159 @@ static void make_lighting(const camera_frame *frame, const burnish_mesh_view *me
     }
 }
 
-burnish_status burnish_view_create(const burnish_mesh_view *mesh,
-                                   const burnish_render_options *options, burnish_view *view,
-                                   burnish_error *error) {
-    camera_frame frame;
-    const burnish_camera *camera = &options->camera;
-    burnish_raster_view *raster = &view->raster;
-    burnish_status status = make_frame(mesh, camera, &frame, error);
+/* ---- Materials ---- */
+
+/* A lobe of the family for an exponent, solved, its value at the peak in *scale: the order asked
+ * for or the highest below it that the exponent allows, and when none suits the fit, energy at
+ * order 2, which exists for every exponent. */
+static burnish_lobe_spec solved_lobe(const burnish_lobe_spec *lobe, double exponent, double *scale,
+                                     size_t *fallbacks) {
+    burnish_lobe_spec solved = *lobe;
+    solved.fit = BURNISH_FIT_GIVEN;
+    for (burnish_lobe_spec lower = *lobe; lower.order >= 2; lower.order /= 2) {
+        if (burnish_lobe_solve(&lower, exponent, &solved.parameter, scale) == BURNISH_LOBE_OK) {
+            *fallbacks += lower.order != lobe->order;
+            solved.order = lower.order;
+            return solved;
+        }
+    }
+    *fallbacks += 1;
+    solved.fit = BURNISH_FIT_ENERGY;
+    solved.order = 2;
+    *scale = 1;
+    return solved;
+}
+
+/* A lobe as it is drawn for an exponent: what the specular colour is multiplied by, and whether its
+ * order is lower than the one asked for. */
+typedef struct drawn_lobe {
+    float exponent; /* 0: none yet */
+    burnish_lobe_spec lobe;
+    float scale;
+    size_t fallbacks;
+} drawn_lobe;
+
+static drawn_lobe lobe_for(const burnish_lobe_spec *lobe, float exponent) {
+    drawn_lobe drawn = {exponent, *lobe, 1.0f, 0};
+    double scale = 1;
+    if (lobe->kind == BURNISH_LOBE_LYON) {
+        drawn.lobe.order = burnish_lobe_highest_order(lobe->order, exponent);
+        drawn.fallbacks = drawn.lobe.order != lobe->order;
+    } else if (lobe->kind == BURNISH_LOBE_FAMILY) {
+        drawn.lobe = solved_lobe(lobe, (double)exponent, &scale, &drawn.fallbacks);
+    }
+    drawn.scale = (float)scale;
+    return drawn;
+}
+
+/* Lobes that were solved in this frame, by exponent: a search takes up to 100 microseconds, and
+ * materials mostly share a few exponents. */
+enum { KNOWN_LOBES = 64 };
+
+static const drawn_lobe *known_lobe(drawn_lobe known[KNOWN_LOBES], const burnish_lobe_spec *lobe,
+                                    float exponent) {
+    uint32_t bits;
+    memcpy(&bits, &exponent, sizeof bits);
+    drawn_lobe *entry = &known[(bits * 0x9e3779b1u) >> 26];
+    if (entry->exponent != exponent) {
+        *entry = lobe_for(lobe, exponent);
+    }
+    return entry;
+}
+
+/* Vertex colours take the place of burnish's grey, and multiply a colour that the file gave. */
+static burnish_material drawn_material(const burnish_material *material, int has_colors,
+                                       float specular_scale) {
+    burnish_material drawn = *material;
+    for (int k = 0; k < 3; ++k) {
+        if (has_colors && !material->has_diffuse) {
+            drawn.diffuse[k] = drawn.ambient[k] = 1.0f;
+        }
+        drawn.specular[k] *= specular_scale;
+    }
+    return drawn;
+}
+
+/* Folds each material with the lights. */
+static burnish_status fold_materials(const burnish_mesh *mesh,
+                                     const burnish_render_options *options,
+                                     const burnish_kernels_lighting *lighting,
+                                     burnish_shaders *shaders, burnish_view *view,
+                                     burnish_memory *memory) {
+    const size_t count = burnish_mesh_material_count(mesh);
+    const size_t lights = (size_t)lighting->light_count;
+    const int has_colors = burnish_mesh_get_view(mesh)->colors && !options->ignore_colors;
+    drawn_lobe known[KNOWN_LOBES] = {{0}};
+    burnish_status status = burnish_lighting_check(lighting, memory->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    shaders->items = burnish_reserve_discard(memory, shaders->items, &shaders->item_capacity, count,
+                                             sizeof *shaders->items, "shaders");
+    shaders->lights = burnish_reserve_discard(memory, shaders->lights, &shaders->light_capacity,
+                                              count * lights, sizeof *shaders->lights, "lights");
+    status = memory->status;
+    for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        const burnish_material *material = burnish_mesh_material(mesh, i);
+        const drawn_lobe *lobe = known_lobe(known, &options->lobe, material->exponent);
+        const burnish_material drawn = drawn_material(material, has_colors, lobe->scale);
+        view->lobe_fallbacks += lobe->fallbacks;
+        status = burnish_shader_fold(lighting, &drawn, &lobe->lobe,
+                                     lights ? shaders->lights + i * lights : NULL,
+                                     &shaders->items[i], memory->error);
+    }
+    return status;
+}
+
+/* ---- All ---- */
+
+static void make_shading(const burnish_kernels_lighting *lighting,
+                         const burnish_render_options *options, const burnish_shaders *shaders,
+                         burnish_shading *shading) {
+    shading->shaders = shaders->items;
+    shading->needs_position = lighting->local_viewer;
+    for (int i = 0; i < lighting->light_count; ++i) {
+        shading->needs_position |= lighting->lights[i].kind == BURNISH_LIGHT_POINT;
+    }
+    shading->is_lyon = options->lobe.kind == BURNISH_LOBE_LYON &&
+                       options->specular_model == BURNISH_SPECULAR_BLINN;
+}
+
+static burnish_status make_raster(const burnish_mesh_view *mesh,
+                                  const burnish_render_options *options, const camera_frame *frame,
+                                  burnish_view *view, burnish_error *error) {
+    const burnish_camera *camera = &options->camera;
+    burnish_raster_view *raster = &view->raster;
     raster->width = options->width;
     raster->height = options->height;
     raster->samples = options->samples;
     raster->cull_back_faces = options->cull_back_faces;
     store(bounds_center(mesh), raster->origin);
     if (camera->orthographic_height > 0) {
-        make_orthographic(&frame, camera->orthographic_height, options->height, view);
+        make_orthographic(frame, camera->orthographic_height, options->height, view);
     } else {
-        make_perspective(&frame, camera->view_angle, options->height, view);
+        make_perspective(frame, camera->view_angle, options->height, view);
     }
-    status = check_rows(&frame, raster, error);
+    return check_rows(frame, raster, error);
+}
+
+burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
+                                   burnish_shaders *shaders, burnish_view *view,
+                                   burnish_memory *memory) {
+    const burnish_mesh_view *shape = burnish_mesh_get_view(mesh);
+    burnish_kernels_lighting lighting;
+    camera_frame frame;
+    view->lobe_fallbacks = 0;
+    burnish_status status = make_frame(shape, &options->camera, &frame, memory->error);
     if (status == BURNISH_STATUS_OK) {
-        make_lighting(&frame, mesh, options, &view->lighting);
+        status = make_raster(shape, options, &frame, view, memory->error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        make_lighting(&frame, shape, options, &lighting);
+        status = fold_materials(mesh, options, &lighting, shaders, view, memory);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        make_shading(&lighting, options, shaders, &view->shading);
     }
     return status;
 }

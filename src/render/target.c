@@ -1,0 +1,465 @@
+/* What a finished tile becomes in the caller's target: samples to pixels in linear light, pixels to
+ * bytes, and planes. */
+#include <string.h>
+
+#include "render/frame.h"
+
+/* Marks targets that burnish_target_default() made. */
+#define TARGET_COOKIE 0x74677431u /* "tgt1" */
+
+burnish_target burnish_target_default(void) {
+    return (burnish_target){.cookie = TARGET_COOKIE};
+}
+
+static size_t pixel_size_of(burnish_pixel_format format) {
+    static const size_t sizes[BURNISH_PIXELS_COUNT] = {[BURNISH_PIXELS_RGB8] = 3,
+                                                       [BURNISH_PIXELS_RGBA8] = 4,
+                                                       [BURNISH_PIXELS_BGRA8] = 4,
+                                                       [BURNISH_PIXELS_RGBA_FLOAT] = 16};
+    return sizes[format];
+}
+
+/* ---- Checks ---- */
+
+/* Whether rows of `width` items of `size` bytes, made of words, fit a plane's stride. */
+static burnish_status check_plane(const void *plane, size_t stride, size_t row, size_t word,
+                                  const char *name, burnish_error *error) {
+    if (plane && (stride < row || stride % word != 0)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: %s has a stride of %zu bytes; expected at least %zu, a "
+                            "multiple of %zu",
+                            name, stride, row, word);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_pixels(const burnish_pixels *pixels,
+                                   const burnish_render_options *options, burnish_error *error) {
+    if (!pixels->pixels) {
+        return BURNISH_STATUS_OK;
+    }
+    if ((unsigned)pixels->format >= BURNISH_PIXELS_COUNT) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: %d is no pixel format; expected RGB8, RGBA8, BGRA8 or "
+                            "RGBA_FLOAT",
+                            (int)pixels->format);
+    }
+    if (pixels->width != options->width || pixels->height != options->height) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: %d x %d pixels, but the options ask for %d x %d",
+                            pixels->width, pixels->height, options->width, options->height);
+    }
+    if (options->transparent && pixels->format == BURNISH_PIXELS_RGB8) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: RGB8 has no alpha; use RGBA8 or BGRA8 for a transparent "
+                            "background");
+    }
+    return check_plane(pixels->pixels, pixels->stride,
+                       (size_t)pixels->width * pixel_size_of(pixels->format), 1, "pixels", error);
+}
+
+burnish_status burnish_target_check(const burnish_target *target,
+                                    const burnish_render_options *options, burnish_error *error) {
+    if (!target || target->cookie != TARGET_COOKIE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: start from burnish_target_default()");
+    }
+    const size_t width = (size_t)options->width;
+    burnish_status status = check_pixels(&target->pixels, options, error);
+    const struct {
+        const void *plane;
+        size_t stride, size, word;
+        const char *name;
+    } planes[] = {{target->depth, target->depth_stride, 4, 4, "depth"},
+                  {target->triangles, target->triangle_stride, 4, 4, "triangles"},
+                  {target->normals, target->normal_stride, 12, 4, "normals"},
+                  {target->coverage, target->coverage_stride, 1, 1, "coverage"}};
+    for (size_t i = 0; i < sizeof planes / sizeof *planes && status == BURNISH_STATUS_OK; ++i) {
+        status = check_plane(planes[i].plane, planes[i].stride, width * planes[i].size,
+                             planes[i].word, planes[i].name, error);
+    }
+    return status;
+}
+
+/* ---- Resolve ---- */
+
+static void add_light(burnish_tile_sums *sums, const burnish_fragments *fragments,
+                      const float *const rgb[3], float limit) {
+    for (int i = 0; i < fragments->count; ++i) {
+        const int pixel = fragments->pixels[i];
+        const float weight = (float)fragments->weight[i];
+        for (int k = 0; k < 3; ++k) {
+            const float value = rgb[k][i];
+            sums->light[k][pixel] += weight * (value < limit ? value : limit);
+        }
+        sums->covered[pixel] = (uint8_t)(sums->covered[pixel] + fragments->weight[i]);
+    }
+}
+
+/* a where simple >= 0, b elsewhere; without a branch, which would be unpredictable. */
+static inline float pick(int32_t simple, float a, float b) {
+    uint32_t none = (uint32_t)(simple >> 31), a_bits, b_bits;
+    memcpy(&a_bits, &a, sizeof a_bits);
+    memcpy(&b_bits, &b, sizeof b_bits);
+    a_bits = (a_bits & ~none) | (b_bits & none);
+    memcpy(&a, &a_bits, sizeof a);
+    return a;
+}
+
+/* With several samples, the light of a row in place: simple pixels as they are, of the others' sums
+ * the mean. The background's code comes back from its linear value where nothing covers a pixel. */
+static void resolve_row(const burnish_output *output, const burnish_tile_sums *sums, int number,
+                        burnish_row_light *row) {
+    const int base = number * BURNISH_BLOCK_ROW_PIXELS, samples = output->samples;
+    const int transparent = output->transparent;
+    const uint8_t *covered = sums->covered + base;
+    const float all = 1.0f / (float)samples; /* a power of two */
+    const float limit = output->limit;
+    for (int k = 0; k < 3; ++k) {
+        const float background = output->background_light[k];
+        const float *sum = sums->light[k] + base;
+        float *light = row->rgb[k];
+        for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+            const float missing = (float)(samples - covered[i]);
+            float mixed = (sum[i] + missing * background) * all;
+            if (transparent) {
+                mixed = covered[i] ? sum[i] * (1.0f / (float)covered[i]) : 0.0f;
+            }
+            const float value = light[i] < limit ? light[i] : limit;
+            light[i] = pick(row->pixels.simple[i], value, mixed);
+        }
+    }
+}
+
+/* ---- Formats ---- */
+
+/* `width` pixels, four neighbours in each group of 16 codes, as bytes in the target's order. */
+static void store_codes(const burnish_output *output, const uint32_t *codes, int width,
+                        uint8_t *out) {
+    const int is_blue_first = output->target.pixels.format == BURNISH_PIXELS_BGRA8;
+    const int red = is_blue_first ? 16 : 0, blue = is_blue_first ? 0 : 16;
+    for (int x = 0; x < width; ++x) {
+        const uint32_t code = codes[x / 4 * BURNISH_BLOCK_PIXELS + x % 4];
+        out[4 * x] = (uint8_t)(code >> red);
+        out[4 * x + 1] = (uint8_t)(code >> 8);
+        out[4 * x + 2] = (uint8_t)(code >> blue);
+        out[4 * x + 3] = (uint8_t)(code >> 24);
+    }
+}
+
+static void pack_codes(const burnish_output *output, const uint32_t *codes, int width,
+                       uint8_t *out) {
+    uint8_t bytes[3 * BURNISH_TILE_SIZE + 4];
+    output->ops->pack_groups(BURNISH_TILE_SIZE / BURNISH_BLOCK_SIZE, codes, BURNISH_BLOCK_PIXELS,
+                             bytes);
+    if (width == BURNISH_TILE_SIZE) {
+        memcpy(out, bytes, 3 * BURNISH_TILE_SIZE);
+    } else {
+        memcpy(out, bytes, 3 * (size_t)width);
+    }
+}
+
+static uint8_t *row_at(const burnish_output *output, const burnish_tile *tile, int y) {
+    return output->target.pixels.pixels + (size_t)(tile->y + y) * output->target.pixels.stride +
+           (size_t)tile->x * output->pixel_size;
+}
+
+/* ---- sRGB codes ---- */
+
+/* With one sample a pixel: dirty blocks are encoded, the others are background. */
+static void encode_blocks(const burnish_output *output, unsigned dirty,
+                          const burnish_row_light *row, uint32_t *codes) {
+    for (int block = 0; block < BURNISH_TILE_BLOCKS; ++block) {
+        const int first = block * BURNISH_BLOCK_PIXELS;
+        if (dirty >> block & 1) {
+            const float *const rgb[3] = {row->rgb[0] + first, row->rgb[1] + first,
+                                         row->rgb[2] + first};
+            output->ops->encode_pixels(output->encoder, BURNISH_BLOCK_PIXELS, rgb,
+                                       row->pixels.simple + first, output->alpha,
+                                       output->background_code, codes + first);
+        } else {
+            for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+                codes[first + i] = output->background_code;
+            }
+        }
+    }
+}
+
+/* Samples of a pixel that show something. */
+static int covered_samples(const burnish_output *output, const uint8_t *covered,
+                           const burnish_row_light *row, int i) {
+    return row->pixels.simple[i] >= 0 ? output->samples : covered[i];
+}
+
+static void encode_row(const burnish_output *output, const burnish_tile_sums *sums, int number,
+                       const burnish_row_light *row, uint32_t *codes) {
+    const float *const rgb[3] = {row->rgb[0], row->rgb[1], row->rgb[2]};
+    const uint8_t *covered = sums->covered + number * BURNISH_BLOCK_ROW_PIXELS;
+    const int samples = output->samples;
+    output->ops->encode_pixels(output->encoder, BURNISH_BLOCK_ROW_PIXELS, rgb, NULL, 0, 0, codes);
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && output->alpha; ++i) {
+        const int count = covered_samples(output, covered, row, i);
+        codes[i] |= output->transparent ? (uint32_t)((255 * count + samples / 2) / samples) << 24
+                                        : output->alpha;
+    }
+}
+
+/* ---- Linear light ---- */
+
+/* `width` pixels of row y of the blocks, as floats. */
+static void store_light(const burnish_output *output, const uint8_t *covered,
+                        const burnish_row_light *row, int y, int width, uint8_t *out) {
+    for (int x = 0; x < width; ++x, out += sizeof output->background_light) {
+        const int i = x / 4 * BURNISH_BLOCK_PIXELS + y * BURNISH_BLOCK_SIZE + x % 4;
+        float pixel[4] = {row->rgb[0][i], row->rgb[1][i], row->rgb[2][i], 1.0f};
+        if (output->samples == 1 && row->pixels.simple[i] < 0) {
+            memcpy(pixel, output->background_light, sizeof pixel);
+        } else if (output->samples > 1 && output->transparent) {
+            pixel[3] = (float)covered_samples(output, covered, row, i) / (float)output->samples;
+        }
+        memcpy(out, pixel, sizeof pixel);
+    }
+}
+
+/* ---- Planes ---- */
+
+static int has_planes(const burnish_target *target) {
+    return target->depth || target->triangles || target->normals || target->coverage;
+}
+
+/* Where pixel (x, y) of the image lies in a plane, NULL where the plane is not wanted. */
+static void *plane_at(void *plane, size_t stride, int x, int y, size_t size) {
+    return plane ? (char *)plane + (size_t)y * stride + (size_t)x * size : NULL;
+}
+
+/* What a pixel of each plane holds. */
+typedef struct plane_pixel {
+    float distance;
+    uint32_t triangle;
+    float normal[3];
+} plane_pixel;
+
+/* All planes but coverage. */
+static void store_pixel(const burnish_target *target, int x, int y, const plane_pixel *pixel) {
+    float *depth = plane_at(target->depth, target->depth_stride, x, y, sizeof *depth);
+    uint32_t *triangle =
+        plane_at(target->triangles, target->triangle_stride, x, y, sizeof *triangle);
+    float *normal = plane_at(target->normals, target->normal_stride, x, y, sizeof pixel->normal);
+    if (depth) {
+        *depth = pixel->distance;
+    }
+    if (triangle) {
+        *triangle = pixel->triangle;
+    }
+    if (normal) {
+        memcpy(normal, pixel->normal, sizeof pixel->normal);
+    }
+}
+
+static float distance_of(const burnish_view *view, float depth) {
+    const burnish_rays *rays = &view->shading.rays;
+    const float q = depth * rays->q_per_depth + rays->q_constant;
+    return (view->distance.constant + (1.0f - depth) * view->distance.slope) / q;
+}
+
+void burnish_output_clear_planes(const burnish_output *output, const burnish_tile *tile,
+                                 burnish_tile_sums *sums) {
+    const burnish_target *target = &output->target;
+    const plane_pixel nothing = {__builtin_inff(), BURNISH_TRIANGLE_NONE, {0, 0, 0}};
+    for (int y = tile->y; y < tile->y + tile->height; ++y) {
+        for (int x = tile->x; x < tile->x + tile->width; ++x) {
+            store_pixel(target, x, y, &nothing);
+        }
+        if (target->coverage) {
+            memset(plane_at(target->coverage, target->coverage_stride, tile->x, y, 1), 0,
+                   (size_t)tile->width);
+        }
+    }
+    memset(sums->weights, 0, sizeof sums->weights);
+}
+
+/* Unit normals of a batch. */
+static void unit_normals(const burnish_output *output, const float *const normal[3], int count,
+                         float (*out)[BURNISH_SHADE_BATCH]) {
+    float *const to[3] = {out[0], out[1], out[2]};
+    if (output->target.normals) {
+        output->ops->normalize_array((size_t)count, normal, to);
+    }
+}
+
+static plane_pixel pixel_of(const burnish_output *output, float depth, uint32_t source,
+                            float (*normals)[BURNISH_SHADE_BATCH], int i) {
+    const burnish_target *target = &output->target;
+    plane_pixel pixel = {0, source >> 1, {0, 0, 0}};
+    if (target->depth) {
+        pixel.distance = distance_of(output->view, depth);
+    }
+    for (int k = 0; k < 3 && target->normals; ++k) {
+        pixel.normal[k] = normals[k][i];
+    }
+    return pixel;
+}
+
+static void store_fragments(const burnish_output *output, const burnish_tile *tile,
+                            const burnish_fragments *fragments, const burnish_fragment_batch *batch,
+                            uint8_t *weights) {
+    float normals[3][BURNISH_SHADE_BATCH];
+    unit_normals(output, batch->normal, batch->count, normals);
+    for (int i = 0; i < batch->count; ++i) {
+        const int at = fragments->pixels[i];
+        const int x = burnish_pixel_x(at), y = burnish_pixel_y(at);
+        if (fragments->weight[i] <= weights[at] || x >= tile->width || y >= tile->height) {
+            continue;
+        }
+        const float depth = output->target.depth ? fragments->depth[i] : 0;
+        const plane_pixel pixel =
+            pixel_of(output, depth, fragments->primitives[i].id_and_facing, normals, i);
+        weights[at] = fragments->weight[i];
+        store_pixel(&output->target, tile->x + x, tile->y + y, &pixel);
+    }
+}
+
+static void store_coverage(const burnish_output *output, int x, int y, int covered) {
+    const burnish_target *target = &output->target;
+    uint8_t *coverage = plane_at(target->coverage, target->coverage_stride, x, y, 1);
+    const int samples = output->samples;
+    if (coverage) {
+        *coverage = (uint8_t)((255 * covered + samples / 2) / samples);
+    }
+}
+
+/* What the simple pixels of a row show, and the coverage of all. */
+static void store_planes(const burnish_output *output, const burnish_tile *tile,
+                         const burnish_tile_sums *sums, int number,
+                         const burnish_block_row *pixels) {
+    const burnish_target *target = &output->target;
+    const int base = number * BURNISH_BLOCK_ROW_PIXELS;
+    const float *const normal[3] = {tile->buffer.planes[BURNISH_PLANE_X] + base,
+                                    tile->buffer.planes[BURNISH_PLANE_Y] + base,
+                                    tile->buffer.planes[BURNISH_PLANE_Z] + base};
+    float normals[3][BURNISH_SHADE_BATCH];
+    unit_normals(output, normal, BURNISH_BLOCK_ROW_PIXELS, normals);
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const int x = burnish_pixel_x(base + i), y = burnish_pixel_y(base + i);
+        if (x >= tile->width || y >= tile->height) {
+            continue;
+        }
+        const int simple = pixels->simple[i];
+        if (simple >= 0) {
+            const uint32_t source =
+                target->triangles ? burnish_tile_id_and_facing(tile, number, i, simple) : 0;
+            const plane_pixel pixel =
+                pixel_of(output, tile->buffer.center_depths[base + i], source, normals, i);
+            store_pixel(target, tile->x + x, tile->y + y, &pixel);
+        }
+        const int covered = simple >= 0            ? output->samples
+                            : output->samples == 1 ? 0
+                                                   : sums->covered[base + i];
+        store_coverage(output, tile->x + x, tile->y + y, covered);
+    }
+}
+
+/* ---- Tiles ---- */
+
+void burnish_output_add_fragments(const burnish_output *output, const burnish_tile *tile,
+                                  const burnish_fragments *fragments,
+                                  const burnish_fragment_batch *batch, const float *const rgb[3],
+                                  burnish_tile_sums *sums) {
+    add_light(sums, fragments, rgb, output->limit);
+    if (output->has_planes) {
+        store_fragments(output, tile, fragments, batch, sums->weights);
+    }
+}
+
+static void store_pixels(const burnish_output *output, const burnish_tile *tile,
+                         const burnish_tile_sums *sums, int number, const burnish_row_light *row) {
+    const int top = number * BURNISH_BLOCK_SIZE, rest = tile->height - top;
+    const int rows = rest < BURNISH_BLOCK_SIZE ? rest : BURNISH_BLOCK_SIZE;
+    const burnish_pixel_format format = output->target.pixels.format;
+    uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
+    if (format == BURNISH_PIXELS_RGBA_FLOAT) {
+        for (int y = 0; y < rows; ++y) {
+            store_light(output, sums->covered + number * BURNISH_BLOCK_ROW_PIXELS, row, y,
+                        tile->width, row_at(output, tile, top + y));
+        }
+        return;
+    }
+    if (output->samples == 1) {
+        encode_blocks(output, tile->buffer.dirty_blocks[number], row, codes);
+    } else {
+        encode_row(output, sums, number, row, codes);
+    }
+    for (int y = 0; y < rows; ++y) {
+        (format == BURNISH_PIXELS_RGB8 ? pack_codes : store_codes)(
+            output, codes + y * BURNISH_BLOCK_SIZE, tile->width, row_at(output, tile, top + y));
+    }
+}
+
+void burnish_output_store_row(const burnish_output *output, const burnish_tile *tile,
+                              const burnish_tile_sums *sums, int number, burnish_row_light *row) {
+    if (output->target.pixels.pixels) {
+        if (output->samples > 1) {
+            resolve_row(output, sums, number, row);
+        }
+        store_pixels(output, tile, sums, number, row);
+    }
+    if (output->has_planes) {
+        store_planes(output, tile, sums, number, &row->pixels);
+    }
+}
+
+void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
+                                     int number) {
+    const int first = number * BURNISH_BLOCK_SIZE, end = first + BURNISH_BLOCK_SIZE;
+    for (int y = first; output->target.pixels.pixels && y < end && y < tile->height; ++y) {
+        memcpy(row_at(output, tile, y), output->background,
+               (size_t)tile->width * output->pixel_size);
+    }
+}
+
+/* ---- A frame ---- */
+
+/* One pixel of background in the target's format. */
+static void background_pixel(const burnish_output *output, uint8_t pixel[16]) {
+    if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
+        memcpy(pixel, output->background_light, sizeof output->background_light);
+    } else {
+        store_codes(output, &output->background_code, 1, pixel);
+    }
+}
+
+burnish_status burnish_output_begin(burnish_output *output, const burnish_target *target,
+                                    const burnish_render_options *options, burnish_output_row *row,
+                                    burnish_memory *memory) {
+    const uint8_t *code = options->background;
+    const size_t width = (size_t)options->width;
+    uint8_t pixel[16];
+    output->target = *target;
+    output->has_planes = has_planes(target);
+    output->samples = options->samples;
+    output->transparent = options->transparent;
+    output->limit = target->pixels.format == BURNISH_PIXELS_RGBA_FLOAT ? __builtin_inff() : 1.0f;
+    output->alpha = target->pixels.format == BURNISH_PIXELS_RGB8 ? 0 : 0xff000000u;
+    output->background_code = 0;
+    memset(output->background_light, 0, sizeof output->background_light);
+    if (!options->transparent) {
+        output->background_code =
+            (uint32_t)code[0] | (uint32_t)code[1] << 8 | (uint32_t)code[2] << 16 | output->alpha;
+        for (int k = 0; k < 3; ++k) {
+            output->background_light[k] = burnish_srgb_to_linear[code[k]];
+        }
+        output->background_light[3] = 1.0f;
+    }
+    output->pixel_size = pixel_size_of(target->pixels.format);
+    row->bytes = burnish_reserve_discard(memory, row->bytes, &row->capacity,
+                                         width * output->pixel_size, 1, "a row of background");
+    if (!row->bytes) {
+        return memory->status;
+    }
+    background_pixel(output, pixel);
+    for (size_t i = 0; i < width; ++i) {
+        memcpy(row->bytes + i * output->pixel_size, pixel, output->pixel_size);
+    }
+    output->background = row->bytes;
+    return BURNISH_STATUS_OK;
+}
