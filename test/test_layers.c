@@ -24,7 +24,7 @@ static const struct layer {
     {"src/image", "core burnish/core.h burnish/image.h"},
     {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/mesh.h "
                    "burnish/render.h"},
-    {"tools/burnish/cli", "lobe render burnish"},
+    {"tools/burnish/cli", "burnish"},
     {"tools/burnish/lobe", "cli plot burnish"},
     {"tools/burnish/plot", "cli lobe burnish"},
     {"tools/burnish/render", "cli lobe burnish"},

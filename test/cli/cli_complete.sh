@@ -36,6 +36,9 @@ if command -v bash >/dev/null; then
     offers "1 4 8 16" burnish render x --samples ""
     offers "1 16" burnish render x --samples = 1
     offers "matte satin plastic polished metal" burnish render x --material =
+    offers "camera" burnish render --help = cam
+    offers "--help" burnish render --hel
+    offers "" burnish lobe table --help = x
     offers "part.stl" burnish render part
     offers "part.stl" burnish render x -o part
     offers "--exponents=" burnish lobe table --exp
@@ -43,11 +46,13 @@ if command -v bash >/dev/null; then
 fi
 if command -v zsh >/dev/null; then
     check "zsh: $(zsh -n burnish.zsh 2>&1)" zsh -n burnish.zsh
+    check "zsh: no topics" grep -q -- "--help=-.*picture camera light report all" burnish.zsh
 fi
 if command -v fish >/dev/null; then
     check "fish: $(fish --no-execute burnish.fish 2>&1)" fish --no-execute burnish.fish
     check "fish offers no render" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish ren\"' 2>&1 | grep -q render"
     check "fish offers no --camera-position" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish render x --camera-pos\"' 2>&1 | grep -q camera-position"
+    check "fish offers no --help=camera" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish render x --help=cam\"' 2>&1 | grep -q camera"
 fi
 # Every flag of the help screen is in each.
 "$burnish" render --help=all | grep -o -- '--[a-z-]*[= ]' | tr -d '= ' | sort -u | while read -r flag; do

@@ -27,6 +27,7 @@ for part in $lobe; do
 done
 run --help
 cp "$out" main.txt
+check "exit codes are not in order" sh -c "grep -o '^  [0-9] ' main.txt | sort -nc"
 for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'help \[COMMAND\]'; do
     check "burnish --help lacks '$code_text'" grep -q -- "  $code_text" main.txt
 done
@@ -47,6 +48,7 @@ check "fewer than 40 flags of render" [ "$(wc -l <all.txt)" -ge 40 ]
 for word in 'an input is malformed' 'an output' 'the picture is blank (--fail-on-blank)'; do
     check "burnish render --help lacks the exit code of '$word'" sh -c "tr '\n' ' ' <render.txt | grep -qF '$word'"
 done
+check "lobe table --help=all differs" sh -c "'$burnish' lobe table --help=all | grep -q -- --metrics"
 check "burnish help render differs from render --help" sh -c "'$burnish' help render | cmp - render.txt"
 check "flags before --help count" sh -c "'$burnish' render --samples=4 --help | cmp - render.txt"
 
@@ -82,11 +84,8 @@ json_keys >keys.txt
 run render :sphere --size=16 --views=front,top --json -o p.png
 json_keys >>keys.txt
 sort -u keys.txt >written.txt
-sed -n '/^.SH "JSON OUTPUT"/,/^.SH "EXIT/p' page.txt >section.txt
-{
-    sed -n 's/^\.B //p' section.txt | tr ', ' '\n\n'
-    grep -o 'fB[a-z_]*fR' section.txt | sed 's/^fB//; s/fR$//' # inside a key's text
-} | grep . | sort -u >told.txt
+awk '/^.SH/ { on = /JSON OUTPUT/ } on' page.txt >section.txt
+grep -o 'fB[a-z_, ]*fR' section.txt | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort -u >told.txt
 check "JSON keys and the manual differ: $(diff written.txt told.txt | grep '^[<>]' | tr '\n' ' ')" cmp written.txt told.txt
 check "fewer than 40 JSON keys" [ "$(wc -l <written.txt)" -ge 40 ]
 rm -f p.png

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/help.h"
+#include "cli/run.h"
 #include "cli/values.h"
 
 /* What a visit of every command that does work takes; path is "render" or "lobe table". */
@@ -28,6 +28,14 @@ static void print_names(const cli_command *const *commands) {
 static void print_words(const cli_word *words, const char *separator) {
     for (const cli_word *word = words; word->name; ++word) {
         printf("%s%s", word == words ? "" : separator, word->name);
+    }
+}
+
+/* "picture camera all"; nothing for a command without topics. */
+static void print_topics(const cli_command *command) {
+    const char *topic;
+    for (size_t i = 0; (topic = cli_topic_at(command, i)) != NULL; ++i) {
+        printf("%s%s", i > 0 ? " " : "", topic);
     }
 }
 
@@ -60,6 +68,11 @@ static void print_bash_command(const cli_command *command) {
             printf("        -%c) files=1 ;;\n", flag->letter);
         }
     }
+    if (cli_topic_at(command, 0)) {
+        printf("        --help) [[ $joined ]] && words='");
+        print_topics(command);
+        printf("' ;;\n");
+    }
     printf("        esac ;;\n");
 }
 
@@ -67,13 +80,13 @@ static void print_bash(void) {
     printf("# bash completion of burnish; made by burnish help --completion=bash\n"
            "_burnish() {\n"
            "    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
-           "    local command=${COMP_WORDS[1]} flags='' words='' files=''\n"
+           "    local command=${COMP_WORDS[1]} flags='' words='' files='' joined=''\n"
            "    COMPREPLY=()\n"
            "    # bash takes = for a word of its own\n"
            "    if [[ $current == = ]]; then\n"
-           "        current=''\n"
+           "        current='' joined=1\n"
            "    elif [[ $previous == = ]]; then\n"
-           "        previous=${COMP_WORDS[COMP_CWORD-2]}\n"
+           "        previous=${COMP_WORDS[COMP_CWORD-2]} joined=1\n"
            "    fi\n"
            "    if ((COMP_CWORD == 1)); then\n        COMPREPLY=($(compgen -W '");
     print_names(cli_commands);
@@ -126,7 +139,14 @@ static void print_zsh_command(const cli_command *command) {
         }
         printf("' \\\n");
     }
-    printf("            '--help[this screen]' '*:file:_files' ;;\n");
+    if (cli_topic_at(command, 0)) {
+        printf("            '--help=-[this screen, or a topic]::topic:(");
+        print_topics(command);
+        printf(")'");
+    } else {
+        printf("            '--help[this screen]'");
+    }
+    printf(" '*:file:_files' ;;\n");
 }
 
 static void print_zsh(void) {
@@ -188,7 +208,13 @@ static void print_fish_command(const cli_command *command) {
         printf("'\n");
     }
     print_fish_condition(command);
-    printf(" -l help -s h -d 'this screen'\n");
+    printf(" -l help -s h -d 'this screen'");
+    if (cli_topic_at(command, 0)) {
+        printf(" -f -a '");
+        print_topics(command);
+        printf("'");
+    }
+    printf("\n");
 }
 
 static void print_fish(void) {

@@ -1,10 +1,9 @@
 /* The help screens: a row per flag, in groups; where there are many flags, by topics. */
-#include "cli/help.h"
-
 #include <stdio.h>
 #include <string.h>
 
 #include "cli/output.h"
+#include "cli/run.h"
 #include "cli/values.h"
 
 enum { ROW_MAX = 240, NAME_WIDTH = 16 };
@@ -112,8 +111,10 @@ void cli_print_parts(const cli_command *const *parts) {
     }
 }
 
-static const char *topic_at(const void *list, size_t index) {
-    const cli_command *command = list;
+const char *cli_topic_at(const cli_command *command, size_t index) {
+    if (!has_topics(command)) {
+        return NULL;
+    }
     for (size_t i = 0; i < command->flag_count; ++i) {
         if (command->flags[i].topic && index-- == 0) {
             return command->flags[i].topic;
@@ -126,7 +127,7 @@ static const char *topic_at(const void *list, size_t index) {
 static void topic_list(const cli_command *command, const char *before, char row[ROW_MAX]) {
     const char *topic;
     size_t used = 0;
-    for (size_t i = 0; (topic = topic_at(command, i)) != NULL && used < ROW_MAX; ++i) {
+    for (size_t i = 0; (topic = cli_topic_at(command, i)) != NULL && used < ROW_MAX; ++i) {
         used += (size_t)snprintf(row + used, ROW_MAX - used, "%s%s%s", i > 0 ? ", " : "", before,
                                  topic);
     }
@@ -134,30 +135,46 @@ static void topic_list(const cli_command *command, const char *before, char row[
 
 static burnish_status check_topic(const cli_command *command, const char *topic,
                                   burnish_error *error) {
-    char list[ROW_MAX];
-    const char *known;
-    for (size_t i = 0; (known = topic_at(command, i)) != NULL; ++i) {
-        if (strcmp(known, topic) == 0) {
-            return BURNISH_STATUS_OK;
-        }
+    char list[ROW_MAX] = "all";
+    const char *known = "all";
+    for (size_t i = 0; known && strcmp(known, topic) != 0; ++i) {
+        known = cli_topic_at(command, i);
+    }
+    if (known) {
+        return BURNISH_STATUS_OK;
     }
     topic_list(command, "", list);
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--help: \"%.60s\" is not one of %s", topic,
                     list);
 }
 
-static void print_exit_codes(void) {
-    static const char codes[] =
-#define CODE(code, text) #code " " text ", "
-#define STATUS_CODE(name, code, text) CODE(code, text)
-        BURNISH_STATUS_LIST(STATUS_CODE) CLI_EXIT_LIST(CODE)
+const char *cli_exit_text(int code) {
+    switch (code) {
+#define CODE(number, text)                                                                         \
+    case number:                                                                                   \
+        return text;
+#define STATUS_CODE(name, number, text) CODE(number, text)
+        BURNISH_STATUS_LIST(STATUS_CODE)
+        CLI_EXIT_LIST(CODE)
 #undef STATUS_CODE
 #undef CODE
-        ;
-    char text[sizeof codes + 16];
-    snprintf(text, sizeof text, "Exit codes: %.*s", (int)sizeof codes - 3, codes);
+    default:
+        return NULL;
+    }
+}
+
+static void print_exit_codes(void) {
+    char line[480] = "Exit codes:";
+    size_t used = strlen(line);
+    for (int code = 0; code < CLI_EXIT_END; ++code) {
+        const char *text = cli_exit_text(code);
+        if (text && used < sizeof line) {
+            used += (size_t)snprintf(line + used, sizeof line - used, "%s %d %s",
+                                     code > 0 ? "," : "", code, text);
+        }
+    }
     printf("\n");
-    cli_print_wrapped(stdout, text, 0, CLI_TEXT_WIDTH);
+    cli_print_wrapped(stdout, line, 0, CLI_TEXT_WIDTH);
 }
 
 static void print_head(const cli_command *command) {
@@ -165,10 +182,9 @@ static void print_head(const cli_command *command) {
            *command->operand ? " " : "", command->summary);
     if (command->parts) {
         cli_print_parts(command->parts);
-    }
-    if (command->operand_help) {
-        printf("%s  %s%s%s\n", command->parts ? "\n" : "",
-               *command->operand ? command->operand : "", *command->operand ? "  " : "",
+        printf("\n%s\n", command->operand_help);
+    } else if (command->operand_help) {
+        printf("  %s%s%s\n", command->operand, *command->operand ? "  " : "",
                command->operand_help);
     }
 }

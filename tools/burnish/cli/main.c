@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/help.h"
 #include "cli/run.h"
 #include "cli/values.h"
 
@@ -75,12 +74,11 @@ static void print_first_screen(void) {
            "the version");
     cli_print_examples(cli_examples);
     printf("\nExit codes\n");
-#define PRINT_CODE(code, text) printf("  %d  %s\n", code, text);
-#define PRINT_STATUS(name, code, text) PRINT_CODE(code, text)
-    BURNISH_STATUS_LIST(PRINT_STATUS)
-    CLI_EXIT_LIST(PRINT_CODE)
-#undef PRINT_STATUS
-#undef PRINT_CODE
+    for (int code = 0; code < CLI_EXIT_END; ++code) {
+        if (cli_exit_text(code)) {
+            printf("  %d  %s\n", code, cli_exit_text(code));
+        }
+    }
     printf(
         "\nburnish COMMAND --help lists the flags; burnish help --man | man -l - explains them.\n");
 }

@@ -4,13 +4,11 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/help.h"
+#include "cli/run.h"
 #include "cli/values.h"
-#include "lobe/metrics.h"
-#include "render/settings.h"
 
 /* When the words below were last changed; part of the page's header. */
-#define PAGE_DATE "2026-11-21"
+#define PAGE_DATE "2026-11-22"
 
 /* Where *bold* and _italics_ begin and end: a mark opens after and closes before what is no letter
  * or digit, so that one inside a word, as in burnish_boundary, stands for itself. */
@@ -151,126 +149,35 @@ static void print_colors(void) {
     printf(".\n");
 }
 
-static void print_materials(void) {
-    printf(".SH MATERIALS\n");
-    print_text(
-        "The names of *--material* and what they set. *--specular* and *--exponent* change the "
-        "strength and the exponent further.");
-    for (size_t i = 0; render_preset_words[i].name; ++i) {
-        const render_preset *preset = &render_presets[i];
-        char text[200], tag[40];
-        snprintf(tag, sizeof tag, "*%s*", preset->name);
-        snprintf(text, sizeof text, "%s (ks %g, n %g%s).", preset->what, (double)preset->specular,
-                 (double)preset->exponent, preset->tint > 0 ? ", in the surface's colour" : "");
-        print_tagged(tag, text);
+/* The sections that commands bring along. */
+static void print_sections(const cli_command *command) {
+    for (const cli_section *s = command->sections; s && s->heading; ++s) {
+        printf(".SH \"%s\"\n", s->heading);
+        print_text(s->text);
+        for (const cli_term *term = s->terms; term && term->tag; ++term) {
+            print_tagged(term->tag, term->text);
+        }
+        if (s->each_term) {
+            s->each_term(print_tagged);
+        }
+        if (s->closing) {
+            printf(".PP\n");
+            print_text(s->closing);
+        }
     }
-}
-
-static void print_lobes(void) {
-    printf(".SH LOBES\n");
-    print_text("The family max(0, 1 + zeta (c - 1))^m needs no pow and no division: c is the "
-               "cosine, m the "
-               "order, and the fit chooses zeta from the exponent n. _FIT_:_ORDER_ names a member, "
-               "_ORDER_ being 2, 4, 8, 16 or 32, and 2 when left out. Where an exponent is too low "
-               "for the "
-               "order, a lower order is drawn, with a warning.");
-    print_tagged("*energy*",
-                 "zeta = (n + 1) / (m + 1): the same integral over solid angle as the power.");
-    print_tagged("*taylor*", "zeta = n / m: the same value and slope at the centre.");
-    print_tagged("*level*_Q_",
-                 "meets the power where it is _Q_, between 0 and 1, as in *level0.5:2*.");
-    print_tagged("*projected*", "the same cosine-weighted integral as the power.");
-    print_tagged("*minimax*", "the least maximum error against the power.");
-    print_tagged("*leastsquares*", "the least integral of the squared error over the cosine.");
-    print_tagged("*affine*", "like minimax with a peak a little below 1: an error lower by a "
-                             "sixth for the same cost.");
-    print_tagged("*zeta*_Z_", "that slope for every exponent, as in *zeta6.645:2*.");
-    print_tagged("*shift7*, *shift3*", "zeta = 7n/16 and 3n/8, order 2, for integer hardware.");
-    print_tagged(
-        "*power*, *schlick*, *gaussian*, *gx*, *lyon*:_ORDER_",
-        "for comparison: c^n, c / (n - n c + c), exp(-(n + 0.775) (1 - c)), "
-        "c^2 / (n/2 + (1 - n/2) c^2), and the taylor fit taken from the chord of vectors that "
-        "are nearly of unit length.");
-}
-
-static void print_metrics(void) {
-    const lobe_metric *metric;
-    printf(".SH METRICS\n");
-    print_text("The columns of *burnish lobe table*. The groups *shape*, *widths*, *energies*, "
-               "*errors* and *cost* are runs of them, *all* is everything. _BITS_ (8 when left "
-               "out), _DEG_ (10) and _LENGTH_ (0.9) follow a colon, as in *angle:4*.");
-    for (size_t i = 0; (metric = lobe_metric_at(i)) != NULL; ++i) {
-        char tag[64];
-        snprintf(tag, sizeof tag, "*%s*%s", metric->name,
-                 metric->takes == 'q'   ? "[:_BITS_]"
-                 : metric->takes == 'a' ? "[:_DEG_]"
-                 : metric->takes == 'l' ? "[:_LENGTH_]"
-                                        : "");
-        print_tagged(tag, metric->what);
-    }
-}
-
-static void print_lights(void) {
-    printf(".SH LIGHTS\n");
-    print_text(
-        "_SPEC_ is _KIND_:_X_,_Y_,_Z_[:_INTENSITY_[:_COLOR_]] with an intensity from 0 to 1000, 1 "
-        "when left out, and a colour, white when left out. Lights have no falloff and cast no "
-        "shadows.");
-    print_tagged("*directional*",
-                 "from the direction _X_,_Y_,_Z_ as the camera sees it: x to the right, y "
-                 "up, z toward the viewer.");
-    print_tagged("*point*",
-                 "at that position as the camera sees it; the unit is the distance from the camera "
-                 "to the focal point.");
-    print_tagged("*world-directional*, *world-point*", "the same in the scene's coordinates.");
-    print_tagged("*none*", "takes away the default rig and every light given before.");
-    printf(".PP\n");
-    print_text("For example *--light=directional:-1,1,2:0.8:#fff2e0*.");
-}
-
-static void print_json(void) {
-    printf(".SH \"JSON OUTPUT\"\n");
-    print_text("One object. Numbers read back as exactly the values that were used. It is printed "
-               "before the picture replaces an older one, so that a report that can't be printed "
-               "leaves the older picture.");
-    static const char *const keys[][2] = {
-        {"burnish", "the version"},
-        {"input, format, output", "*output* is null when nothing is written"},
-        {"width, height", "of the picture, in pixels"},
-        {"triangles, vertices, materials, exponents", "of the mesh after loading"},
-        {"bounding_box", "*min* and *max* of the object in the units of the input"},
-        {"up, view", "the up axis; the standard view where one was asked for"},
-        {"triangles_drawn", "triangles that own at least one sample"},
-        {"covered_pixels, pixel_bounds",
-         "pixels that show the object; x0, y0, x1, y1, ends excluded"},
-        {"camera", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* (0: "
-                   "perspective)"},
-        {"lobe, equation, viewer, lights, samples, threads, isa", "as used"},
-        {"seconds", "*start* (processor time before loading), *load* (of which *read* and "
-                    "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
-        {"hash, hash_algorithm",
-         "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
-        {"blank", "true when the picture, or a cell, shows nothing"},
-        {"warnings", "lines, also with *--quiet*"},
-        {"cells", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and "
-                  "what depends on view or lobe"},
-    };
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; ++i) {
-        printf(".TP\n.B %s\n", keys[i][0]);
-        print_text(keys[i][1]);
+    for (size_t i = 0; command->parts && command->parts[i]; ++i) {
+        print_sections(command->parts[i]);
     }
 }
 
 static void print_exit_status(void) {
     printf(".SH \"EXIT STATUS\"\n");
-#define PRINT_CODE(code, text)                                                                     \
-    printf(".TP\n.B %d\n", code);                                                                  \
-    print_text(text);
-#define PRINT_STATUS(name, code, text) PRINT_CODE(code, text)
-    BURNISH_STATUS_LIST(PRINT_STATUS)
-    CLI_EXIT_LIST(PRINT_CODE)
-#undef PRINT_STATUS
-#undef PRINT_CODE
+    for (int code = 0; code < CLI_EXIT_END; ++code) {
+        if (cli_exit_text(code)) {
+            printf(".TP\n.B %d\n", code);
+            print_text(cli_exit_text(code));
+        }
+    }
     printf(".PP\n");
     print_text(
         "Every failure is one line on standard error, \"burnish: ...\", that says which file or "
@@ -334,11 +241,9 @@ void cli_print_man(void) {
         print_command(cli_commands[i]);
     }
     print_colors();
-    print_materials();
-    print_lobes();
-    print_metrics();
-    print_lights();
-    print_json();
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        print_sections(cli_commands[i]);
+    }
     print_exit_status();
     print_environment();
     print_examples();

@@ -1,7 +1,7 @@
 /* Memory for a process that lives for milliseconds: where the first touch of a page costs more than
  * what is written there, freed memory is used again instead of given back, and large pages are
  * asked for (bench/NOTES.md has the figures). A wish to the C library; nothing depends on it. */
-#include "cli/memory.h"
+#include "cli/run.h"
 
 #include <stdint.h>
 #include <stdlib.h>

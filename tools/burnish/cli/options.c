@@ -93,6 +93,18 @@ const char *cli_nearest(const char *typed, cli_name_at *name_at, const void *lis
     return nearest;
 }
 
+burnish_status cli_fail_unknown(burnish_error *error, const char *where, const char *kind,
+                                const char *typed, cli_name_at *name_at, const void *list,
+                                const char *lister) {
+    const char *nearest = cli_nearest(typed, name_at, list);
+    if (nearest) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "%s: \"%.60s\": unknown %s; did you mean %s?", where, typed, kind, nearest);
+    }
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s: \"%.60s\": unknown %s; \"%s\" lists them",
+                    where, typed, kind, lister);
+}
+
 static const cli_flag *find_flag(const cli_command *command, const char *name, size_t length) {
     for (size_t i = 0; i < command->flag_count; ++i) {
         const char *known = command->flags[i].name;

@@ -52,6 +52,21 @@ typedef struct cli_example {
     const char *command, *what;
 } cli_example;
 
+/* What a section of the man page explains: a word and what it means, marked as above. */
+typedef struct cli_term {
+    const char *tag, *text;
+} cli_term;
+
+typedef void cli_take_term(const char *tag, const char *text);
+
+/* A section of the man page that a command brings along. */
+typedef struct cli_section {
+    const char *heading, *text;
+    const cli_term *terms;                   /* the last has a NULL tag; NULL: none */
+    void (*each_term)(cli_take_term *print); /* gives terms that are made from a table; or NULL */
+    const char *closing;                     /* NULL: none */
+} cli_section;
+
 /* One call of a command: what parsing leaves besides the settings. */
 typedef struct cli_call {
     const char *operands[2];
@@ -78,6 +93,7 @@ struct cli_command {
     const cli_flag *flags;
     size_t flag_count;
     const cli_example *examples;     /* the last has a NULL command; may be NULL */
+    const cli_section *sections;     /* the last has a NULL heading; may be NULL */
     const cli_command *const *parts; /* its subcommands, NULL ends them; or NULL */
     size_t settings_size;            /* bytes, zero before the defaults of the flags */
     cli_work *work;
@@ -114,5 +130,13 @@ typedef const char *cli_name_at(const void *list, size_t index);
 /* The name nearest to what was typed, NULL where none is near: few edits, the same letters in
  * another order, or a name that has it inside. */
 const char *cli_nearest(const char *typed, cli_name_at *name_at, const void *list);
+
+/* ARGUMENT with one line: of the place where it was typed, the unknown name, and the nearest one
+ * or, where none is near, the command that lists them.
+ *   where  "lobe plot", "--metrics"
+ *   kind   "figure" */
+burnish_status cli_fail_unknown(burnish_error *error, const char *where, const char *kind,
+                                const char *typed, cli_name_at *name_at, const void *list,
+                                const char *lister);
 
 #endif

@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/help.h"
-
 #ifdef _WIN32
 void cli_handle_signals(void) {}
 #else

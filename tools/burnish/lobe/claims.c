@@ -59,17 +59,6 @@ static const char *id_at(const void *list, size_t index) {
     return burnish_theory_claim_compute(index, &claim) == BURNISH_STATUS_OK ? claim.id : NULL;
 }
 
-static burnish_status fail_id(const char *id, burnish_error *error) {
-    const char *nearest = cli_nearest(id, id_at, NULL);
-    if (nearest) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "lobe claims: \"%.60s\": unknown claim; did you mean %s?", id, nearest);
-    }
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "lobe claims: \"%.60s\": unknown claim; \"burnish lobe claims\" lists them",
-                    id);
-}
-
 /* Computes all claims, or the one of that id. */
 static burnish_status compute(const char *id, claim_list *list, burnish_error *error) {
     size_t count = burnish_theory_claim_count();
@@ -81,7 +70,9 @@ static burnish_status compute(const char *id, claim_list *list, burnish_error *e
         (void)burnish_theory_claim_compute(i, &list->items[list->count]); /* i is in range */
         list->count += !id || strcmp(list->items[list->count].id, id) == 0;
     }
-    return list->count > 0 ? BURNISH_STATUS_OK : fail_id(id, error);
+    return list->count > 0 ? BURNISH_STATUS_OK
+                           : cli_fail_unknown(error, "lobe claims", "claim", id, id_at, NULL,
+                                              "burnish lobe claims");
 }
 
 /* ---- Text ---- */

@@ -18,6 +18,34 @@ static const cli_example examples[] = {
     {NULL, NULL},
 };
 
+static const cli_term lobe_terms[] = {
+    {"*energy*", "zeta = (n + 1) / (m + 1): the same integral over solid angle as the power."},
+    {"*taylor*", "zeta = n / m: the same value and slope at the centre."},
+    {"*level*_Q_", "meets the power where it is _Q_, between 0 and 1, as in *level0.5:2*."},
+    {"*projected*", "the same cosine-weighted integral as the power."},
+    {"*minimax*", "the least maximum error against the power."},
+    {"*leastsquares*", "the least integral of the squared error over the cosine."},
+    {"*affine*", "like minimax with a peak a little below 1: an error lower by a sixth for the "
+                 "same cost."},
+    {"*zeta*_Z_", "that slope for every exponent, as in *zeta6.645:2*."},
+    {"*shift7*, *shift3*", "zeta = 7n/16 and 3n/8, order 2, for integer hardware."},
+    {"*power*, *schlick*, *gaussian*, *gx*, *lyon*:_ORDER_",
+     "for comparison: c^n, c / (n - n c + c), exp(-(n + 0.775) (1 - c)), "
+     "c^2 / (n/2 + (1 - n/2) c^2), and the taylor fit taken from the chord of vectors that "
+     "are nearly of unit length."},
+    {NULL, NULL},
+};
+
+static const cli_section sections[] = {
+    {.heading = "LOBES",
+     .text = "The family max(0, 1 + zeta (c - 1))^m needs no pow and no division: c is the "
+             "cosine, m the order, and the fit chooses zeta from the exponent n. _FIT_:_ORDER_ "
+             "names a member, _ORDER_ being 2, 4, 8, 16 or 32, and 2 when left out. Where an "
+             "exponent is too low for the order, a lower order is drawn, with a warning.",
+     .terms = lobe_terms},
+    {.heading = NULL},
+};
+
 const cli_command lobe_command = {
     .name = "lobe",
     .operand = "COMMAND",
@@ -30,6 +58,7 @@ const cli_command lobe_command = {
               "power with the same exponent. "
               "Angles are degrees.",
     .examples = examples,
+    .sections = sections,
     .parts = parts,
 };
 

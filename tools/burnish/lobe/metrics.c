@@ -266,8 +266,17 @@ static const struct {
     {"cost", "multiplications", NULL},
 };
 
-const lobe_metric *lobe_metric_at(size_t index) {
-    return index < METRIC_COUNT ? &metrics[index] : NULL;
+void lobe_each_metric(cli_take_term *take) {
+    for (size_t i = 0; i < METRIC_COUNT; ++i) {
+        const char takes = metrics[i].takes;
+        char tag[64];
+        snprintf(tag, sizeof tag, "*%s*%s", metrics[i].name,
+                 takes == 'q'   ? "[:_BITS_]"
+                 : takes == 'a' ? "[:_DEG_]"
+                 : takes == 'l' ? "[:_LENGTH_]"
+                                : "");
+        take(tag, metrics[i].what);
+    }
 }
 
 /* Where the name ends and the argument begins. */
@@ -315,19 +324,6 @@ static const char *metric_name_at(const void *list, size_t index) {
     return index < METRIC_COUNT ? metrics[index].name : NULL;
 }
 
-static burnish_status fail_metric(const char *flag, const char *item, size_t length,
-                                  burnish_error *error) {
-    char name[CLI_NAME_MAX + 1];
-    snprintf(name, sizeof name, "%.*s", length < CLI_NAME_MAX ? (int)length : CLI_NAME_MAX, item);
-    const char *nearest = cli_nearest(name, metric_name_at, NULL);
-    if (nearest) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%s\": unknown metric; did you mean %s?", flag, name, nearest);
-    }
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--%s: \"%s\": unknown metric; \"burnish help --man\" lists them", flag, name);
-}
-
 static burnish_status add_item(const char *flag, const char *item, size_t length,
                                lobe_metric_list *list, burnish_error *error) {
     size_t name = name_length(item, length);
@@ -356,7 +352,11 @@ static burnish_status add_item(const char *flag, const char *item, size_t length
         }
         return add(flag, list, metric, argument, error);
     }
-    return fail_metric(flag, item, name, error);
+    char where[CLI_NAME_MAX + 1], typed[CLI_NAME_MAX + 1];
+    snprintf(where, sizeof where, "--%s", flag);
+    snprintf(typed, sizeof typed, "%.*s", name < CLI_NAME_MAX ? (int)name : CLI_NAME_MAX, item);
+    return cli_fail_unknown(error, where, "metric", typed, metric_name_at, NULL,
+                            "burnish help --man");
 }
 
 burnish_status lobe_read_metrics(const char *flag, const char *text, lobe_metric_list *list,

@@ -35,8 +35,8 @@ typedef struct lobe_metric_list {
     size_t count;
 } lobe_metric_list;
 
-/* All metrics; NULL past the end. */
-const lobe_metric *lobe_metric_at(size_t index);
+/* All metrics for the man page. */
+void lobe_each_metric(cli_take_term *take);
 
 /* Names, NAME:ARGUMENT and groups (widths, energy, errors, cost, shape, all) between commas. */
 burnish_status lobe_read_metrics(const char *flag, const char *text, lobe_metric_list *list,

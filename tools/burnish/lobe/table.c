@@ -65,6 +65,15 @@ static const cli_example examples[] = {
     {NULL, NULL},
 };
 
+static const cli_section sections[] = {
+    {.heading = "METRICS",
+     .text = "The columns of *burnish lobe table*. The groups *shape*, *widths*, *energies*, "
+             "*errors* and *cost* are runs of them, *all* is everything. _BITS_ (8 when left "
+             "out), _DEG_ (10) and _LENGTH_ (0.9) follow a colon, as in *angle:4*.",
+     .each_term = lobe_each_metric},
+    {.heading = NULL},
+};
+
 const cli_command lobe_table_command = {
     .name = "lobe table",
     .operand = "",
@@ -75,6 +84,7 @@ const cli_command lobe_table_command = {
     .flags = table_flags,
     .flag_count = sizeof table_flags / sizeof *table_flags,
     .examples = examples,
+    .sections = sections,
     .settings_size = sizeof(table_settings),
     .work = work,
 };

@@ -354,12 +354,8 @@ static const plot_figure *find_figure(const char *name, burnish_error *error) {
             return figure;
         }
     }
-    const char *nearest = cli_nearest(name, figure_name_at, NULL);
-    cli_fail(error, BURNISH_STATUS_ARGUMENT,
-             nearest
-                 ? "lobe plot: \"%.60s\": unknown figure; did you mean %s?"
-                 : "lobe plot: \"%.60s\": unknown figure; \"burnish lobe plot --help\" lists them",
-             name, nearest);
+    cli_fail_unknown(error, "lobe plot", "figure", name, figure_name_at, NULL,
+                     "burnish lobe plot --help");
     return NULL;
 }
 

@@ -1,4 +1,6 @@
 /* The flags of `burnish render`: the one description that parser, help and man page share. */
+#include <stdio.h>
+
 #include "cli/commands.h"
 #include "render/settings.h"
 
@@ -458,6 +460,73 @@ static const cli_example examples[] = {
     {NULL, NULL},
 };
 
+/* ---- The man page's sections ---- */
+
+static void each_material(cli_take_term *take) {
+    for (size_t i = 0; render_preset_words[i].name; ++i) {
+        const render_preset *preset = &render_presets[i];
+        char tag[40], text[200];
+        snprintf(tag, sizeof tag, "*%s*", preset->name);
+        snprintf(text, sizeof text, "%s (ks %g, n %g%s).", preset->what, (double)preset->specular,
+                 (double)preset->exponent, preset->tint > 0 ? ", in the surface's colour" : "");
+        take(tag, text);
+    }
+}
+
+static const cli_term light_terms[] = {
+    {"*directional*", "from the direction _X_,_Y_,_Z_ as the camera sees it: x to the right, y "
+                      "up, z toward the viewer."},
+    {"*point*", "at that position as the camera sees it; the unit is the distance from the "
+                "camera to the focal point."},
+    {"*world-directional*, *world-point*", "the same in the scene's coordinates."},
+    {"*none*", "takes away the default rig and every light given before."},
+    {NULL, NULL},
+};
+
+static const cli_term json_terms[] = {
+    {"*burnish*", "the version"},
+    {"*input, format, output*", "*output* is null when nothing is written"},
+    {"*width, height*", "of the picture, in pixels"},
+    {"*triangles, vertices, materials, exponents*", "of the mesh after loading"},
+    {"*bounding_box*", "*min* and *max* of the object in the units of the input"},
+    {"*up, view*", "the up axis; the standard view where one was asked for"},
+    {"*triangles_drawn*", "triangles that own at least one sample"},
+    {"*covered_pixels, pixel_bounds*",
+     "pixels that show the object; x0, y0, x1, y1, ends excluded"},
+    {"*camera*", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* "
+                 "(0: perspective)"},
+    {"*lobe, equation, viewer, lights, samples, threads, isa*", "as used"},
+    {"*seconds*", "*start* (processor time before loading), *load* (of which *read* and "
+                  "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
+    {"*hash, hash_algorithm*",
+     "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
+    {"*blank*", "true when the picture, or a cell, shows nothing"},
+    {"*warnings*", "lines, also with *--quiet*"},
+    {"*cells*", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and "
+                "what depends on view or lobe"},
+    {NULL, NULL},
+};
+
+static const cli_section sections[] = {
+    {.heading = "MATERIALS",
+     .text =
+         "The names of *--material* and what they set. *--specular* and *--exponent* change the "
+         "strength and the exponent further.",
+     .each_term = each_material},
+    {.heading = "LIGHTS",
+     .text = "_SPEC_ is _KIND_:_X_,_Y_,_Z_[:_INTENSITY_[:_COLOR_]] with an intensity from 0 to "
+             "1000, 1 when left out, and a colour, white when left out. Lights have no falloff and "
+             "cast no shadows.",
+     .terms = light_terms,
+     .closing = "For example *--light=directional:-1,1,2:0.8:#fff2e0*."},
+    {.heading = "JSON OUTPUT",
+     .text = "One object. Numbers read back as exactly the values that were used. It is printed "
+             "before the picture replaces an older one, so that a report that can't be printed "
+             "leaves the older picture.",
+     .terms = json_terms},
+    {.heading = NULL},
+};
+
 const cli_command render_command = {
     .name = "render",
     .operand = "INPUT",
@@ -476,6 +545,7 @@ const cli_command render_command = {
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
     .examples = examples,
+    .sections = sections,
     .settings_size = sizeof(render_settings),
     .work = render_work,
 };

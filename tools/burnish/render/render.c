@@ -7,7 +7,7 @@
 
 #include "burnish/core.h"
 #include "burnish/render.h"
-#include "cli/memory.h"
+#include "cli/run.h"
 #include "render/camera.h"
 #include "render/report.h"
 #include "render/settings.h"
