@@ -102,7 +102,7 @@ static inline void put_stl(byte_list *list, const char *header, uint32_t count) 
         for (int k = 0; k < 12; ++k) {
             put_float(list, values[k], 0);
         }
-        put_bits(list, 0xBEEF, 2, 0);
+        put_bits(list, 0x3EEF, 2, 0); /* no colour: bit 15 is not set */
     }
 }
 

@@ -583,6 +583,21 @@ static void test_undrawn(void) {
                    "mesh.ply: 1 texture (moon.png) and transparency (alpha) are not drawn");
     }
     burnish_mesh_data_destroy(&s);
+    for (int faces = 0; faces < 2; ++faces) { /* of an element without rows nothing is lost */
+        char text[400];
+        snprintf(text, sizeof text,
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nelement tristrips 1\nproperty list uchar int vertex_indices\n"
+                 "element face %d\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+                 "property uchar green\nproperty uchar blue\nend_header\n"
+                 "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n%s",
+                 faces, faces ? "3 0 1 2 9 8 7\n" : "");
+        CHECK(read_text(BURNISH_FORMAT_PLY, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        if (CHECK(s.warning_count == (size_t)faces, "%zu", s.warning_count) && faces) {
+            CHECK_TEXT(s.warnings[0], "mesh.ply: colours of faces are not drawn");
+        }
+        burnish_mesh_data_destroy(&s);
+    }
 }
 
 /* ---- STL ---- */
@@ -627,6 +642,41 @@ static void test_binary_stl(void) {
             }
             burnish_mesh_data_destroy(&s);
         }
+    }
+}
+
+/* Colours that are not drawn are one line: those of facets (VisCAM, SolidView) and, by the header,
+ * those of the object and of facets (Magics). */
+static void test_stl_colors(void) {
+    static const struct {
+        const char *header;
+        size_t count, colored; /* facets, and the one that has a colour */
+        const char *warning;   /* NULL: none */
+    } cases[] = {{"", 3, 3, NULL},
+                 {"", 3, 0, "mesh.stl: colours of facets are not drawn"},
+                 {"", 3, 2, "mesh.stl: colours of facets are not drawn"},
+                 {"made by hand COLOR=\x10\x20\x30\xFF", 3, 3,
+                  "mesh.stl: the colours that its header announces are not drawn"},
+                 {"COLOR=\x10\x20\x30\xFF,MATERIAL=", 3, 1,
+                  "mesh.stl: the colours that its header announces are not drawn"}};
+    burnish_load_options options = burnish_load_options_default();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        byte_list list = {.size = 0};
+        burnish_mesh_data s;
+        burnish_error e;
+        put_stl(&list, cases[i].header, (uint32_t)cases[i].count);
+        if (cases[i].colored < cases[i].count) {
+            list.bytes[84 + 50 * cases[i].colored + 49] |= 0x80;
+        }
+        CHECK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e) ==
+                  BURNISH_STATUS_OK,
+              "%s", e.text);
+        if (CHECK(s.warning_count == (cases[i].warning != NULL), "case %zu: %zu", i,
+                  s.warning_count) &&
+            cases[i].warning) {
+            CHECK_TEXT(s.warnings[0], cases[i].warning);
+        }
+        burnish_mesh_data_destroy(&s);
     }
 }
 
@@ -919,6 +969,7 @@ int main(int count, char **arguments) {
     RUN(test_undrawn());
     RUN(test_stl());
     RUN(test_binary_stl());
+    RUN(test_stl_colors());
     RUN(test_ply());
     RUN(test_ply_variants());
     RUN(test_ply_plain());

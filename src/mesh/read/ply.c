@@ -552,6 +552,9 @@ static void warn_undrawn(const ply_state *ply) {
     } else if (transparent) {
         burnish_reader_warn(ply->reader, NULL, "transparency (alpha) is not drawn");
     }
+    if (ply->header.has_face_colors) {
+        burnish_reader_warn(ply->reader, NULL, "colours of faces are not drawn");
+    }
 }
 
 burnish_status burnish_read_ply(burnish_reader *reader) {

@@ -79,6 +79,7 @@ typedef struct burnish_ply_header {
     size_t property_count, property_capacity;
     const uint8_t *body;   /* first byte after the line end of end_header */
     burnish_token texture; /* of "comment TextureFile NAME"; empty: none */
+    int has_face_colors;
 } burnish_ply_header;
 
 /* ---- ply_header.c ---- */

@@ -173,6 +173,10 @@ static burnish_status read_property(header_state *ply) {
         return FAIL(ply, "property has no name; write property TYPE NAME");
     }
     property.role = role_of(element->kind, is_list, name);
+    if (element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0 && !is_list) {
+        const burnish_ply_role role = vertex_role(name);
+        header->has_face_colors |= role >= BURNISH_PLY_RED && role <= BURNISH_PLY_BLUE;
+    }
     burnish_memory *memory = &ply->reader->mesh->memory;
     header->properties = burnish_reserve(memory, header->properties, &header->property_capacity,
                                          header->property_count + 1, sizeof property, "properties");

@@ -1,13 +1,22 @@
 /* STL, ASCII and binary (3D Systems, "StereoLithography Interface Specification", 1989).
  *
  * One in seven binary files on sharing sites starts with "solid", so the size decides first. Facet
- * normals and attribute bytes are passed over: normals are redundant and often wrong. */
+ * normals are passed over: they are redundant and often wrong. So are colours, with a warning:
+ * those of facets in the attribute bytes, valid where bit 15 is set (VisCAM, SolidView), and those
+ * that "COLOR=" in the header announces (Magics). */
 #include <stdatomic.h>
 #include <stdio.h>
 
 #include "mesh/read/chunks.h"
 
-enum { HEADER_SIZE = 84, FACET_SIZE = 50, NORMAL_SIZE = 12, LOOKED_AT = 512 };
+enum {
+    TITLE_SIZE = 80,
+    HEADER_SIZE = 84, /* the title and the count of facets */
+    FACET_SIZE = 50,
+    NORMAL_SIZE = 12,
+    ATTRIBUTES_END = 49, /* the upper one of a facet's two attribute bytes */
+    LOOKED_AT = 512
+};
 
 static uint32_t read_u32(const uint8_t *p) {
     return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
@@ -20,7 +29,8 @@ enum { GRAIN = 1 << 14 /* facets that a thread takes at once */ };
 typedef struct facet_context {
     const uint8_t *bytes; /* the first facet */
     float *positions;
-    atomic_size_t bad; /* the first facet with a coordinate that is not finite */
+    atomic_size_t bad;      /* the first facet with a coordinate that is not finite */
+    atomic_uint attributes; /* the upper attribute bytes of all facets, joined by or */
 } facet_context;
 
 static int is_finite(uint32_t bits) {
@@ -30,6 +40,7 @@ static int is_finite(uint32_t bits) {
 static void convert_facets(void *user_data, size_t first, size_t end) {
     facet_context *context = user_data;
     size_t bad = SIZE_MAX;
+    unsigned attributes = 0;
     for (size_t i = end; i-- > first;) {
         const uint8_t *from = context->bytes + i * FACET_SIZE + NORMAL_SIZE;
         uint32_t bits[9], finite = 1;
@@ -39,8 +50,10 @@ static void convert_facets(void *user_data, size_t first, size_t end) {
         }
         memcpy(context->positions + 9 * i, bits, sizeof bits);
         bad = finite ? bad : i;
+        attributes |= context->bytes[i * FACET_SIZE + ATTRIBUTES_END];
     }
     burnish_lower_to(&context->bad, bad);
+    atomic_fetch_or(&context->attributes, attributes);
 }
 
 static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *facet) {
@@ -57,12 +70,12 @@ static burnish_status check_count(burnish_reader *reader, size_t count) {
     const size_t room = (input->size - HEADER_SIZE) / FACET_SIZE;
     if (count > room) {
         return burnish_reader_fail(
-            reader, BURNISH_STATUS_FORMAT, input->bytes + 80,
+            reader, BURNISH_STATUS_FORMAT, input->bytes + TITLE_SIZE,
             "%zu triangles are announced, but the file ends after %zu; it is truncated or not STL",
             count, room);
     }
     if (count > input->options->max_triangles) {
-        return burnish_fail_triangles(reader, input->bytes + 80);
+        return burnish_fail_triangles(reader, input->bytes + TITLE_SIZE);
     }
     const size_t used = HEADER_SIZE + count * FACET_SIZE;
     if (used < input->size) {
@@ -72,9 +85,26 @@ static burnish_status check_count(burnish_reader *reader, size_t count) {
     return BURNISH_STATUS_OK;
 }
 
+/* Says that colours, where there are any, are not drawn. attributes: of all facets. */
+static void warn_colors(burnish_reader *reader, unsigned attributes) {
+    static const char announcement[] = "COLOR=";
+    const size_t length = sizeof announcement - 1;
+    for (const uint8_t *at = reader->input->bytes, *end = at + TITLE_SIZE - length; at <= end;
+         ++at) {
+        if (memcmp(at, announcement, length) == 0) {
+            burnish_reader_warn(reader, NULL,
+                                "the colours that its header announces are not drawn");
+            return;
+        }
+    }
+    if (attributes & 0x80) {
+        burnish_reader_warn(reader, NULL, "colours of facets are not drawn");
+    }
+}
+
 static burnish_status read_binary(burnish_reader *reader) {
     burnish_mesh_data *mesh = reader->mesh;
-    const size_t count = read_u32(reader->input->bytes + 80);
+    const size_t count = read_u32(reader->input->bytes + TITLE_SIZE);
     reader->is_binary = 1;
     burnish_status status = check_count(reader, count);
     if (status == BURNISH_STATUS_OK) {
@@ -93,6 +123,7 @@ static burnish_status read_binary(burnish_reader *reader) {
     }
     mesh->streams[BURNISH_POSITION].count = 3 * count;
     mesh->triangle_count = count;
+    warn_colors(reader, atomic_load(&context.attributes));
     return burnish_tasks_check(mesh->tasks, reader->error);
 }
 
@@ -277,7 +308,7 @@ static burnish_status number_corners(burnish_reader *reader) {
 
 static int is_exact_binary(const uint8_t *bytes, size_t size) {
     return size >= HEADER_SIZE && (size - HEADER_SIZE) % FACET_SIZE == 0 &&
-           (size - HEADER_SIZE) / FACET_SIZE == read_u32(bytes + 80);
+           (size - HEADER_SIZE) / FACET_SIZE == read_u32(bytes + TITLE_SIZE);
 }
 
 static int starts_as_text(const uint8_t *bytes, size_t size) {
