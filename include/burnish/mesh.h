@@ -38,15 +38,22 @@ extern "C" {
 
 /* ---- Formats ---- */
 
-/* Where meshes come from. */
+/* The formats of files, X(name, word, endings, crease angle, x, y, z of the up axis): the one list
+ * of them; burnish_format_info says what the columns are. */
+#define BURNISH_FORMAT_LIST(X)                                                                     \
+    X(OBJ, obj, ".obj", 60, 0, 1, 0)                                                               \
+    X(PLY, ply, ".ply", 60, 0, 1, 0)                                                               \
+    X(STL, stl, ".stl", 40, 0, 0, 1)
+
+/* Where meshes come from; the formats of files come last. */
 typedef enum burnish_format {
     BURNISH_FORMAT_AUTO,    /* in load options: told by the name's ending and the first bytes */
     BURNISH_FORMAT_BUILTIN, /* a built-in object */
     BURNISH_FORMAT_ARRAYS,  /* the caller's arrays */
-    BURNISH_FORMAT_OBJ,     /* files from here on */
-    BURNISH_FORMAT_PLY,
-    BURNISH_FORMAT_STL,
-    BURNISH_FORMAT_COUNT
+#define BURNISH_FORMAT_ENUM(name, word, endings, crease, x, y, z) BURNISH_FORMAT_##name,
+    BURNISH_FORMAT_LIST(BURNISH_FORMAT_ENUM)
+#undef BURNISH_FORMAT_ENUM
+        BURNISH_FORMAT_COUNT
 } burnish_format;
 
 /* What is known of a format. */

@@ -101,6 +101,9 @@ burnish_load_options burnish_load_options_default(void) {
 }
 
 static burnish_status check_options(const burnish_load_options *options, burnish_error *error) {
+#define NAME(name, ...) ", BURNISH_FORMAT_" #name
+    static const char names[] = "BURNISH_FORMAT_AUTO" BURNISH_FORMAT_LIST(NAME);
+#undef NAME
     const burnish_format_info *format = burnish_format_get_info(options->format);
     if (options->cookie != BURNISH_LOAD_OPTIONS_COOKIE) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -108,9 +111,8 @@ static burnish_status check_options(const burnish_load_options *options, burnish
     }
     if (!format || (!format->is_file && options->format != BURNISH_FORMAT_AUTO)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: format %d is no format of files; use BURNISH_FORMAT_AUTO or "
-                            "one of BURNISH_FORMAT_OBJ, BURNISH_FORMAT_PLY, BURNISH_FORMAT_STL",
-                            (int)options->format);
+                            "options: format %d is no format of files; use one of %s",
+                            (int)options->format, names);
     }
     if (options->crease_angle != BURNISH_CREASE_AUTO &&
         !(options->crease_angle >= 0 && options->crease_angle <= 180)) {

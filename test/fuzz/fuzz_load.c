@@ -2,7 +2,7 @@
  * public API alone. What loads must keep what scene.h promises, and draw; what does not must say so
  * in one line.
  *
- * byte 0:  format, by the letters of FORMATS; FUZZ_FORMAT in the environment comes first
+ * byte 0:  format, by the first letter of its name; FUZZ_FORMAT in the environment comes first
  * byte 1:  options, see load_options() and draw()
  * byte 2:  samples, camera inside the mesh, threads compared; see draw() and compare_threads()
  * the rest: the file. Of an OBJ what stands behind the first NUL is its material library, "101".
@@ -20,8 +20,6 @@
 #include "burnish/render.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-#define FORMATS "a  ops" /* auto, OBJ, PLY, STL at the values of burnish_format */
 
 enum {
     HEAD = 3,
@@ -41,13 +39,22 @@ static void require(int condition, const char *what, const burnish_error *error)
     }
 }
 
+/* AUTO for a letter with which no format of files begins. */
+static burnish_format format_of(char letter) {
+    for (int i = 0; i < burnish_format_count(); ++i) {
+        const burnish_format_info *info = burnish_format_get_info((burnish_format)i);
+        if (info->is_file && *info->name == letter) {
+            return (burnish_format)i;
+        }
+    }
+    return BURNISH_FORMAT_AUTO;
+}
+
 static burnish_load_options load_options(const uint8_t *head) {
     static const double creases[4] = {BURNISH_CREASE_AUTO, 0, 89.5, 180};
     const char *fixed = getenv("FUZZ_FORMAT");
-    const char *place = strchr(FORMATS, fixed && *fixed ? *fixed : head[0] ? head[0] : 'a');
     burnish_load_options options = burnish_load_options_default();
-    options.format =
-        place && *place != ' ' ? (burnish_format)(place - FORMATS) : BURNISH_FORMAT_AUTO;
+    options.format = format_of(fixed && *fixed ? *fixed : (char)head[0]);
     options.crease_angle = creases[head[1] & 3];
     options.max_triangles = head[1] & 4 ? 5 : TRIANGLE_LIMIT;
     options.max_input_bytes = INPUT_LIMIT;

@@ -1,5 +1,5 @@
-/* What readers share: the table of formats, a row of which is all that is known of one but for its
- * reader's file, and messages that say what is wrong and where in the input. */
+/* What readers share: the table of formats, and messages that say what is wrong and where in the
+ * input. */
 #include "mesh/read/reader.h"
 
 #include <stdarg.h>
@@ -9,7 +9,7 @@
 
 typedef struct format_row {
     burnish_format_info info;
-    int (*recognise)(const uint8_t *bytes, size_t size); /* 2: sure; 1: where the name is silent */
+    int (*recognise)(const uint8_t *bytes, size_t size); /* as burnish_recognise_obj */
     burnish_status (*read)(burnish_reader *reader);
 } format_row;
 
@@ -17,15 +17,11 @@ static const format_row formats[BURNISH_FORMAT_COUNT] = {
     [BURNISH_FORMAT_AUTO] = {.info = {"auto", "", 60, {0, 1, 0}, 0}},
     [BURNISH_FORMAT_BUILTIN] = {.info = {"builtin", "", 60, {0, 1, 0}, 0}},
     [BURNISH_FORMAT_ARRAYS] = {.info = {"arrays", "", 60, {0, 1, 0}, 0}},
-    [BURNISH_FORMAT_OBJ] = {{"obj", ".obj", 60, {0, 1, 0}, 1},
-                            burnish_recognise_obj,
-                            burnish_read_obj},
-    [BURNISH_FORMAT_PLY] = {{"ply", ".ply", 60, {0, 1, 0}, 1},
-                            burnish_recognise_ply,
-                            burnish_read_ply},
-    [BURNISH_FORMAT_STL] = {{"stl", ".stl", 40, {0, 0, 1}, 1},
-                            burnish_recognise_stl,
-                            burnish_read_stl},
+#define ROW(name, word, endings, crease, x, y, z)                                                  \
+    [BURNISH_FORMAT_##name] = {                                                                    \
+        {#word, endings, crease, {x, y, z}, 1}, burnish_recognise_##word, burnish_read_##word},
+    BURNISH_FORMAT_LIST(ROW)
+#undef ROW
 };
 
 int burnish_format_count(void) {
@@ -81,18 +77,13 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
     if (formats[*format].read) {
         status = formats[*format].read(reader);
     } else {
-        char names[64] = "";
-        for (int i = 0; i < BURNISH_FORMAT_COUNT; ++i) {
-            const size_t used = strlen(names);
-            if (formats[i].read) {
-                snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? ", " : "",
-                         formats[i].info.name);
-            }
-        }
+#define NAME(name, word, ...) ", " #word
+        static const char names[] = BURNISH_FORMAT_LIST(NAME);
+#undef NAME
         status = burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
                                      "neither its name nor its first bytes tell the format; name "
                                      "it, one of %s",
-                                     names);
+                                     names + 2);
     }
     burnish_release(reader->mesh->memory.context, reader->polygons);
     reader->polygons = NULL;

@@ -58,14 +58,12 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format);
 /* The format that bytes and name tell of; AUTO when neither does. */
 burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name);
 
-/* 2: the bytes are sure, whatever the name says; 1: where the name says nothing; 0: not this one.
- */
-int burnish_recognise_obj(const uint8_t *bytes, size_t size);
-int burnish_recognise_ply(const uint8_t *bytes, size_t size);
-int burnish_recognise_stl(const uint8_t *bytes, size_t size);
-
-burnish_status burnish_read_obj(burnish_reader *reader);
-burnish_status burnish_read_ply(burnish_reader *reader);
-burnish_status burnish_read_stl(burnish_reader *reader);
+/* Of each format: whether bytes are of it (2: surely, whatever the name says; 1: where the name
+ * says nothing; 0: no), and its reader, which fills reader->mesh. Errors: as burnish_read. */
+#define BURNISH_READER_DECLARE(name, word, ...)                                                    \
+    int burnish_recognise_##word(const uint8_t *bytes, size_t size);                               \
+    burnish_status burnish_read_##word(burnish_reader *reader);
+BURNISH_FORMAT_LIST(BURNISH_READER_DECLARE)
+#undef BURNISH_READER_DECLARE
 
 #endif

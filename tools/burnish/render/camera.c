@@ -40,12 +40,22 @@ const char *render_view_name(render_view view) {
     return views[view].name;
 }
 
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* That of --up, or the one nearest to the mesh's own up axis. */
 static const frame *frame_in_use(const burnish_mesh *mesh, const render_settings *settings) {
-    const float *up = burnish_mesh_get_view(mesh)->up_axis;
     if (settings->up != UP_AUTO) {
         return &frames[settings->up];
     }
-    return &frames[up[2] > 0 ? UP_POSITIVE_Z : UP_POSITIVE_Y];
+    const float *axis = burnish_mesh_get_view(mesh)->up_axis;
+    const double up[3] = {axis[0], axis[1], axis[2]};
+    int nearest = UP_POSITIVE_Y;
+    for (int i = UP_POSITIVE_X; i <= UP_NEGATIVE_Z; ++i) {
+        nearest = dot(frames[i].up, up) > dot(frames[nearest].up, up) ? i : nearest;
+    }
+    return &frames[nearest];
 }
 
 const char *render_up_name(const burnish_mesh *scene, const render_settings *settings) {
@@ -63,10 +73,6 @@ static void subtract(const double a[3], const double b[3], double result[3]) {
     for (int k = 0; k < 3; ++k) {
         result[k] = a[k] - b[k];
     }
-}
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* 1 when the sine of the angle between a and b is below 1e-6: no upward direction is left. */

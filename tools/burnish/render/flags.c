@@ -21,11 +21,15 @@ static const cli_word view_words[] = {
 static const cli_word equation_words[] = {
     {"blinn", BURNISH_SPECULAR_BLINN}, {"phong", BURNISH_SPECULAR_PHONG}, {NULL, 0}};
 static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}};
-static const cli_word format_words[] = {{"auto", BURNISH_FORMAT_AUTO},
-                                        {"obj", BURNISH_FORMAT_OBJ},
-                                        {"ply", BURNISH_FORMAT_PLY},
-                                        {"stl", BURNISH_FORMAT_STL},
-                                        {NULL, 0}};
+#define FORMAT_WORD(name, word, ...)                                                               \
+    , {                                                                                            \
+#word, BURNISH_FORMAT_##name                                                               \
+    }
+static const cli_word format_words[] = {
+    {"auto", BURNISH_FORMAT_AUTO} BURNISH_FORMAT_LIST(FORMAT_WORD), {NULL, 0}};
+#define FORMAT_MANUAL(name, word, ...) "*" #word "*, "
+static const char format_manual[] = "Format of _INPUT_: " BURNISH_FORMAT_LIST(
+    FORMAT_MANUAL) "or *auto*, which looks at the name's ending and the first bytes.";
 
 /* Values of coordinates and angles beyond this are mistakes. */
 #define ANGLE_MAX 36000.0
@@ -355,9 +359,7 @@ static const cli_flag flags[] = {
      .value = "NAME",
      .help = "of INPUT",
      .default_text = "auto",
-     .manual =
-         "Format of _INPUT_: *obj*, *ply*, *stl*, or *auto*, which looks at the name's ending "
-         "and the first bytes.",
+     .manual = format_manual,
      .handler = cli_flag_word,
      .words = format_words,
      TARGET(format)},
