@@ -60,7 +60,7 @@ ctest-%:
 	@cmake --build --preset $* -j $(JOBS)
 	@BURNISH_TEST_ONLY='$(only_case)' ctest --preset $* --no-tests=error -j $(JOBS) $(CTEST) $(if $(ONLY),-V -R '^$(only_test)$$')
 
-check: format-check asan tsan fuzz-briefly ## format, tests under sanitizers, a little fuzzing
+check: format-check asan tsan msan fuzz-briefly ## format, tests under sanitizers, a little fuzzing
 
 asan: ## tests with the address and undefined behaviour sanitizers
 	@$(DEPS) build test check
@@ -146,17 +146,17 @@ cross: short-docs ## the golden hashes on musl, aarch64, armhf, i386, riscv64, s
 rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)
 	@$(DEPS) rtl figures
 	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/$(DOCS)/images/rtl-teapot.png ./rtl/test/run build/rtl short errors picture
-	@./scripts/rtl-table build/rtl/table $(DOCS)/hardware.md build/rtl/errors.txt
+	@./scripts/rtl-table build/rtl/table $(DOCS)/hardware.md build/rtl/errors.txt $(if $(SHORT),short)
 	@./scripts/rtl-figure $(DOCS)/images/rtl-area.csv $(DOCS)/images/rtl-area.svg
 
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
 	@$(DEPS) rtl
-	@./rtl/test/run build/rtl-prove $(if $(SHORT),short events proofs,full)
+	@./rtl/test/run build/rtl $(if $(SHORT),short events proofs,full)
 
 bench: short-docs ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
 	@$(DEPS) build demo bench
 	@$(MAKE) --no-print-directory program-all CMAKE_FLAGS=-DBURNISH_BENCH=ON
-	@./bench/run build/release
+	@./bench/run build/release $(if $(SHORT),--quick)
 	@./scripts/performance build/release/kernels.csv >build/release/performance.md
 	@sed -n '/^## Scale/,$$p' docs/performance.md >>build/release/performance.md
 	@mv build/release/performance.md $(DOCS)/performance.md

@@ -363,9 +363,8 @@ burnish_status burnish_bench_run(const burnish_bench_settings *settings,
     return BURNISH_STATUS_OK;
 }
 
-/* Largest errors of the values. */
 static void find_errors(const burnish_bench_input *input, int is_root, burnish_bench_row *row) {
-    row->nanoseconds = row->ratio = 0;
+    row->absolute = row->relative = 0;
     for (int i = 0; i < BURNISH_BENCH_POINTS; ++i) {
         const double c = (double)input->cosines[i];
         if (is_root && c <= 0) {
@@ -373,11 +372,12 @@ static void find_errors(const burnish_bench_input *input, int is_root, burnish_b
         }
         const double exact = is_root ? 1 / sqrt(c) : pow(c, BURNISH_BENCH_EXPONENT);
         const double error = fabs((double)input->values[i] - exact);
-        row->nanoseconds = fmax(row->nanoseconds, error);
-        row->ratio = exact >= 1e-6 ? fmax(row->ratio, error / exact) : row->ratio;
-        if (!(error <= 2)) { /* NaN too */
-            row->nanoseconds = row->ratio = is_root ? row->ratio : NAN;
+        if (!isfinite(error)) {
+            row->absolute = row->relative = NAN;
+            return;
         }
+        row->absolute = fmax(row->absolute, error);
+        row->relative = exact >= 1e-6 ? fmax(row->relative, error / exact) : row->relative;
     }
 }
 

@@ -32,6 +32,8 @@ typedef struct burnish_bench_row {
     double cycles;       /* of the time-stamp counter; NaN where not measured */
     double ratio;        /* this row's time over the lobe's, but see is_copy; NaN where missing */
     const char *missing; /* why there is no number; NULL where there is one */
+    /* By burnish_bench_errors only: the largest errors, NaN where a value is none. */
+    double absolute, relative;
 } burnish_bench_row;
 
 typedef struct burnish_bench_table {
@@ -64,10 +66,10 @@ burnish_status burnish_bench_run(const burnish_bench_settings *settings,
 /* 1 for the tiers that can be measured here. */
 int burnish_bench_has(burnish_isa isa);
 
-/* Largest error of each of a tier's lobes in lobe.l1 against max(0, c)^32 by libm in double, over
- * BURNISH_BENCH_POINTS cosines in [0, 1]: rows' `nanoseconds` is the absolute error and `ratio` the
- * relative one where the power is at least 1e-6. For the tests. The same for the inverse square
- * roots in section "root.l1". */
+/* The errors of one instruction set's contenders over BURNISH_BENCH_POINTS cosines in [0, 1]: of
+ * lobes, section "lobe.l1", against max(0, c)^32 by libm in double; of inverse square roots,
+ * section "root.l1", against 1/sqrt. Relative ones where the exact value is at least 1e-6. For the
+ * tests. Errors: MEMORY. */
 burnish_status burnish_bench_errors(burnish_isa isa, burnish_bench_table *errors,
                                     burnish_error *error);
 

@@ -10,6 +10,7 @@
 #include "burnish/shade_q15.h"
 #include "core/tasks.h"
 #include "q15_proof.h"
+#include "support.h"
 
 /* Merges another thread's results. */
 static void merge(q15_result *to, const q15_result *from) {
@@ -73,12 +74,6 @@ static void print_markdown(const q15_result results[Q15_CASES]) {
     }
 }
 
-/* A number in [-1, 1). */
-static double uniform(uint64_t *state) {
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(int64_t)(*state & ~(uint64_t)2047) / 9223372036854775808.0;
-}
-
 static void unit(double v[3]) {
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     for (int k = 0; k < 3; ++k) {
@@ -97,16 +92,19 @@ static void print_inputs(void) {
         "| exponent | exact cosine rounded to UQ1.15 | N.H of vectors in Q15 | chord of vectors in "
         "Q15 | exact 1 - cosine in UQ0.24 |\n| ---: | ---: | ---: | ---: | ---: |\n");
     for (uint16_t n = 8; n < 1024; n = n < 512 ? (uint16_t)(2 * n) : n == 512 ? 1023 : 1024) {
-        uint64_t state = n;
+        uint64_t state = n; /* the page shows what comes of it */
         double worst[4] = {0};
         burnish_lobe_q15 lobe;
         burnish_lobe_q15_create(&lobe, BURNISH_Q15_TAYLOR, 2, n);
         for (int i = 0; i < 1000000; ++i) {
-            double a[3] = {uniform(&state), uniform(&state), uniform(&state)}, b[3], lambda = 0;
+            double a[3], b[3], lambda = 0;
             int16_t x[3], y[3];
+            for (int k = 0; k < 3; ++k) {
+                a[k] = test_uniform(&state, -1, 1);
+            }
             unit(a);
             for (int k = 0; k < 3; ++k) {
-                b[k] = a[k] + uniform(&state) * sqrt(2.0 / n);
+                b[k] = a[k] + test_uniform(&state, -1, 1) * sqrt(2.0 / n);
             }
             unit(b);
             for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-/* What every test program shares: checks, cases, random numbers, temporary folders.
+/* What every test program shares: checks, cases, random numbers.
  *
  *     int main(int count, char **arguments) {
  *         test_begin(count, arguments, NULL);

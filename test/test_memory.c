@@ -1,12 +1,64 @@
 /* Memory runs short at every allocation of loading, drawing and encoding, one after another: the
- * call says so, or the picture is right; nothing is lost. */
+ * call says so, or the picture is right; nothing is lost, and a renderer goes on afterwards. */
+#include <stdatomic.h>
 #include <unistd.h>
 
 #include "burnish/image.h"
 #include "burnish/mesh.h"
 #include "burnish/render.h"
-#include "short_memory.h"
+#include "counting_context.h"
+#include "mesh_arrays.h"
 #include "support.h"
+
+/* ---- The linker leads the library's calls of malloc and its kin here ---- */
+
+static atomic_long allocations_left = -1; /* before one fails; negative: none fails */
+static atomic_long live;                  /* taken and not given back */
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *old, size_t size);
+void *__real_aligned_alloc(size_t alignment, size_t size);
+char *__real_strdup(const char *text);
+void __real_free(void *memory);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *old, size_t size);
+void *__wrap_aligned_alloc(size_t alignment, size_t size);
+char *__wrap_strdup(const char *text);
+void __wrap_free(void *memory);
+
+static int fails(void) {
+    return atomic_load(&allocations_left) >= 0 && atomic_fetch_sub(&allocations_left, 1) == 0;
+}
+
+static void *count_one(void *memory) {
+    atomic_fetch_add(&live, memory != NULL);
+    return memory;
+}
+
+void *__wrap_malloc(size_t size) {
+    return fails() ? NULL : count_one(__real_malloc(size));
+}
+void *__wrap_calloc(size_t count, size_t size) {
+    return fails() ? NULL : count_one(__real_calloc(count, size));
+}
+void *__wrap_realloc(void *old, size_t size) {
+    void *memory = fails() ? NULL : __real_realloc(old, size);
+    return old ? memory : count_one(memory);
+}
+void *__wrap_aligned_alloc(size_t alignment, size_t size) {
+    return fails() ? NULL : count_one(__real_aligned_alloc(alignment, size));
+}
+char *__wrap_strdup(const char *text) {
+    return fails() ? NULL : count_one(__real_strdup(text));
+}
+void __wrap_free(void *memory) {
+    atomic_fetch_sub(&live, memory != NULL);
+    __real_free(memory);
+}
+
+/* ---- File to PNG ---- */
 
 enum { SIZE = 96, MOST_FAILURES = 4000 };
 
@@ -123,16 +175,145 @@ static void check_formats(int threads) {
     }
 }
 
-int main(int count, char **arguments) {
-    test_begin(count, arguments, NULL);
+static void test_files(void) {
     char folder[] = TEST_BINARY_DIR "/memory-XXXXXX";
     if (!CHECK1(mkdtemp(folder) && chdir(folder) == 0)) {
-        return EXIT_FAILURE;
+        return;
     }
     write_inputs();
-    RUN(check_formats(1));
-    RUN(check_formats(3));
+    check_formats(1);
+    check_formats(3);
     CHECK1(unlink("memory.mtl") == 0 && unlink("memory.obj") == 0 && unlink("memory.ply") == 0 &&
            unlink("memory.stl") == 0 && chdir("..") == 0 && rmdir(folder) == 0);
+}
+
+/* ---- A renderer, used again ---- */
+
+/* Inside a coloured box: every kind of array is needed, those of clipped triangles too. */
+static burnish_mesh *make_box(void) {
+    static const float POSITIONS[24] = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1,
+                                        -1, -1, 1,  1, -1, 1,  -1, 1, 1,  1, 1, 1};
+    static const uint32_t FACES[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                       2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+    uint8_t colors[32];
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error;
+    for (int i = 0; i < 32; ++i) {
+        colors[i] = (uint8_t)(40 + 6 * i);
+    }
+    const burnish_mesh_description arrays = describe_arrays(POSITIONS, NULL, colors, 8, FACES, 12);
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
+}
+
+static burnish_render_options box_options(int samples, int threads) {
+    burnish_render_options options = burnish_render_options_default();
+    options.width = 200;
+    options.height = 150;
+    options.samples = samples;
+    options.threads = threads;
+    options.camera.position[0] = 0.9;
+    options.camera.position[1] = 0.8;
+    options.camera.position[2] = 0.7;
+    options.camera.view_angle = 90;
+    return options;
+}
+
+/* Allocation k of a fresh renderer's first frame fails, then the frame is drawn again. Returns 0
+ * once there is no allocation k. */
+static int fail_one(const burnish_mesh *mesh, const burnish_render_options *options, long k,
+                    uint64_t expected) {
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    burnish_render_report report;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    if (!CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK)) {
+        return 0;
+    }
+    allocations_left = k;
+    burnish_status status = burnish_renderer_draw(renderer, mesh, options, &image, &report, &error);
+    const int has_failed = allocations_left < 0;
+    allocations_left = -1;
+    CHECK(status == (has_failed ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_OK) &&
+              error.status == status && (image.pixels == NULL) == has_failed,
+          "allocation %ld: status %d, \"%s\"", k, (int)status, error.text);
+    status = burnish_renderer_draw(renderer, mesh, options, &image, &report, &error);
+    CHECK(status == BURNISH_STATUS_OK && burnish_image_hash(&image) == expected,
+          "after allocation %ld: status %d or other pixels", k, (int)status);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    return has_failed;
+}
+
+static void test_renderer(int samples, int threads) {
+    burnish_mesh *mesh = make_box();
+    const burnish_render_options options = box_options(samples, threads);
+    burnish_image image;
+    CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
+    const uint64_t expected = burnish_image_hash(&image);
+    burnish_image_destroy(&image);
+    long k = 0;
+    while (fail_one(mesh, &options, k, expected)) {
+        ++k;
+    }
+    CHECK(k >= 20, "only %ld allocations", k);
+    burnish_mesh_destroy(mesh);
+}
+
+/* All that a renderer takes comes from its context, and goes back there; it runs short there too.
+ */
+static void test_context(int samples, int threads) {
+    burnish_mesh *mesh = make_box();
+    burnish_render_options options = box_options(samples, threads);
+    counts own;
+    burnish_context *context = make_context(&own);
+    burnish_target target = burnish_target_default();
+    static uint8_t pixels[150][200 * 4];
+    static float depth[150][200];
+    burnish_status status = BURNISH_STATUS_MEMORY;
+    int failed = 0;
+    target.pixels = (burnish_pixels){options.width, options.height, BURNISH_PIXELS_BGRA8,
+                                     sizeof pixels[0], pixels[0]};
+    target.depth = depth[0];
+    target.depth_stride = sizeof depth[0];
+    for (long k = 0; status == BURNISH_STATUS_MEMORY; ++k) {
+        const long others = atomic_load(&live) - atomic_load(&own.live);
+        const long before = atomic_load(&own.live);
+        burnish_renderer *renderer;
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        atomic_store(&own.left, k);
+        status = burnish_renderer_create(context, &renderer, &error);
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error);
+        }
+        CHECK(error.status == status &&
+                  (status == BURNISH_STATUS_OK) == (atomic_load(&own.left) >= 0),
+              "allocation %ld: status %d, \"%s\"", k, (int)status, error.text);
+        CHECK(atomic_load(&live) - atomic_load(&own.live) == others,
+              "allocation %ld: %ld blocks are not the context's", k,
+              atomic_load(&live) - atomic_load(&own.live) - others);
+        burnish_renderer_destroy(renderer);
+        CHECK(atomic_load(&own.live) == before, "allocation %ld: %ld blocks lost", k,
+              atomic_load(&own.live) - before);
+        atomic_store(&own.left, -1);
+        failed += status == BURNISH_STATUS_MEMORY;
+    }
+    CHECK(status == BURNISH_STATUS_OK && failed >= 20, "%d allocations, then status %d", failed,
+          (int)status);
+    burnish_context_destroy(context);
+    CHECK1(atomic_load(&own.live) == 0);
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_files());
+    RUN(test_renderer(1, 1));
+    RUN(test_renderer(4, 1));
+    RUN(test_renderer(8, 3));
+    RUN(test_context(1, 1));
+    RUN(test_context(4, 3));
     return test_end("memory");
 }

@@ -453,7 +453,7 @@ int main(int count, char **arguments) {
     r->scratch = arguments[4];
     r->json = arguments[5];
     r->rounds = count > 6 ? atoi(arguments[6]) : 11;
-    r->patience = PATIENCE;
+    r->patience = r->rounds > 1 ? PATIENCE : 0; /* one round is not for its times */
     r->cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
     signal(SIGPIPE, SIG_IGN); /* a contestant that ended is reported as an error */
     setvbuf(stdout, NULL, _IOLBF, 0);

@@ -127,12 +127,17 @@ static inline vm vi_equal(vi a, vi b) {
 static inline vm vi_greater(vi a, vi b) {
     return _mm256_castsi256_ps(_mm256_cmpgt_epi32(a, b));
 }
+#if defined(BURNISH_MSAN) /* it takes the lanes that blendv leaves out for used ones */
+static inline vf vf_blend(vm mask, vf a, vf b) {
+    return _mm256_or_ps(_mm256_and_ps(mask, a), _mm256_andnot_ps(mask, b));
+}
+#else
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return _mm256_blendv_ps(b, a, mask);
 }
+#endif
 static inline vi vi_blend(vm mask, vi a, vi b) {
-    return _mm256_castps_si256(
-        _mm256_blendv_ps(_mm256_castsi256_ps(b), _mm256_castsi256_ps(a), mask));
+    return _mm256_castps_si256(vf_blend(mask, _mm256_castsi256_ps(a), _mm256_castsi256_ps(b)));
 }
 static inline void vi_store_le_bytes(uint8_t *to, vi x) {
     _mm256_storeu_si256((__m256i *)(void *)to, x);
@@ -141,7 +146,7 @@ static inline unsigned vm_bits(vm mask) {
     return (unsigned)_mm256_movemask_ps(mask);
 }
 static inline void vf_store_where(vm mask, float *to, vf x) {
-    _mm256_storeu_ps(to, _mm256_blendv_ps(_mm256_loadu_ps(to), x, mask));
+    _mm256_storeu_ps(to, vf_blend(mask, x, _mm256_loadu_ps(to)));
 }
 static inline void vi_store_where(vm mask, int32_t *to, vi x) {
     vf_store_where(mask, (float *)(void *)to, _mm256_castsi256_ps(x));

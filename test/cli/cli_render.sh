@@ -182,7 +182,20 @@ same "specular 0 has no lobe" "$(hash :teapot --size=64 --specular=0)" \
 same "a turn of 360 degrees and --size" "$(hash :teapot --resolution=64,64 --camera-direction=0,0,-1)" \
     "$(hash :teapot --size=64 --views=front)"
 same "STL stands on +Z" "$(hash in/part.v2.stl --size=32)" "$(hash in/part.v2.stl --size=32 --up=+Z)"
-same "--input-format" "$(hash in/part.v2.stl --size=32)" "$(hash in/part.v2.stl --size=32 --input-format=stl)"
+# A binary STL whose header begins as a PLY's does: only the flag says what it is.
+{
+    printf 'ply\n'
+    head -c 76 /dev/zero
+    printf '\1\0\0\0'
+    head -c 24 /dev/zero # a normal and the corners 0 0 0, 1 0 0, 0 1 0
+    printf '\0\0\200\77'
+    head -c 12 /dev/zero
+    printf '\0\0\200\77'
+    head -c 6 /dev/zero
+} >in/header.stl
+run render in/header.stl --size=32
+check "what begins as a PLY is read as one: exit code $code" [ "$code" = 4 ]
+same "--input-format" "$(hash in/part.v2.stl --size=32)" "$(hash in/header.stl --size=32 --input-format=stl)"
 
 # Sheets.
 run render :teapot --views=front,right,top,iso --size=40 --json -o sheet.png
