@@ -89,12 +89,83 @@ void burnish_attributes_destroy(burnish_attributes *attributes, const burnish_co
     memset(attributes, 0, sizeof *attributes);
 }
 
+/* Whether attributes are needed themselves, not times 1/w: colours, and normals whose length
+ * matters. */
+static int needs_division(const burnish_surface *surface) {
+    return surface->attributes->has_colors || surface->shading->is_lyon;
+}
+
 int burnish_surface_planes(const burnish_surface *surface) {
     const int has_colors = surface->attributes->has_colors;
     if (has_colors) {
         return BURNISH_PLANE_COUNT;
     }
-    return burnish_shading_divides(surface->shading, 0) ? BURNISH_PLANE_W + 1 : BURNISH_PLANE_Z + 1;
+    return needs_division(surface) ? BURNISH_PLANE_W + 1 : BURNISH_PLANE_Z + 1;
+}
+
+/* ---- Batches: attributes divided by 1/w, positions from depths, then the kernels, a run of one
+ * material after another ---- */
+
+/* attribute / (1/w) in three arrays. */
+static void divide(int count, const float *const attribute[3], const float *inverse_w,
+                   float (*out)[BURNISH_SHADE_BATCH]) {
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < count; ++i) {
+            out[k][i] = attribute[k][i] * (1.0f / inverse_w[i]);
+        }
+    }
+}
+
+/* The fragments [first, end), which have one material. */
+static void shade_material(const burnish_shading *shading, const burnish_kernels_points *points,
+                           const burnish_kernels_shader *shader, int first, int end,
+                           float *const rgb[3]) {
+    burnish_kernels_points run = {.w = points->w + first};
+    float *to[3];
+    for (int k = 0; k < 3; ++k) {
+        run.normal[k] = points->normal[k] + first;
+        run.diffuse[k] = points->diffuse[k] ? points->diffuse[k] + first : NULL;
+        run.position[k] = points->position[k] + first;
+        to[k] = rgb[k] + first;
+    }
+    shading->ops->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
+        shader, &run, (size_t)(end - first), NULL, to);
+}
+
+static int material_end(const burnish_fragment_batch *batch, int first) {
+    const uint16_t *material = batch->material;
+    int end = first + 1;
+    while (end < batch->count && material[end] == material[first]) {
+        ++end;
+    }
+    return end;
+}
+
+/* rgb gets the colours: linear light, >= 0, not clamped above. */
+static void shade_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                        burnish_fragment_scratch *scratch, float *const rgb[3]) {
+    burnish_kernels_points points = {.w = scratch->w};
+    float *const position[3] = {scratch->position[0], scratch->position[1], scratch->position[2]};
+    for (int k = 0; k < 3; ++k) {
+        points.normal[k] = shading->is_lyon ? scratch->divided_normal[k] : batch->normal[k];
+        points.diffuse[k] = batch->color[k] ? scratch->divided_color[k] : NULL;
+        points.position[k] = position[k];
+    }
+    if (shading->is_lyon) {
+        divide(batch->count, batch->normal, batch->inverse_w, scratch->divided_normal);
+    }
+    if (batch->color[0]) {
+        divide(batch->count, batch->color, batch->inverse_w, scratch->divided_color);
+    }
+    if (shading->needs_position) {
+        shading->ops->position_from_depth(&shading->rays, &batch->points, (size_t)batch->count,
+                                          position, scratch->w);
+    }
+    for (int first = 0, end; first < batch->count; first = end) {
+        end = batch->material ? material_end(batch, first) : batch->count;
+        const int material = batch->material ? batch->material[first] : 0;
+        shade_material(shading, &points, &shading->shaders[material], first, end, rgb);
+    }
 }
 
 /* ---- Simple pixels: attributes lie in the tile's planes ---- */
@@ -152,7 +223,7 @@ static burnish_fragment_batch run_batch(const burnish_surface *surface, const bu
         batch.normal[k] = tile->buffer.planes[BURNISH_PLANE_X + k] + start;
         batch.color[k] = has_colors ? tile->buffer.planes[BURNISH_PLANE_R + k] + start : NULL;
     }
-    if (burnish_shading_divides(surface->shading, has_colors)) {
+    if (needs_division(surface)) {
         batch.inverse_w = tile->buffer.planes[BURNISH_PLANE_W] + start;
     }
     return batch;
@@ -167,7 +238,7 @@ static void shade_run(const burnish_surface *surface, const burnish_tile *tile, 
         find_materials(surface, tile, run, &row->pixels, scratch->material);
         batch.material = scratch->material + run.first;
     }
-    burnish_shade(surface->shading, &batch, &scratch->shade, rgb);
+    shade_batch(surface->shading, &batch, scratch, rgb);
 }
 
 void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
@@ -235,7 +306,7 @@ burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
     }
     gather(surface, fragments, scratch);
     if (rgb) {
-        burnish_shade(surface->shading, &batch, &scratch->shade, rgb);
+        shade_batch(surface->shading, &batch, scratch, rgb);
     }
     return batch;
 }

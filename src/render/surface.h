@@ -1,6 +1,9 @@
 /* From attributes of vertices to the light of visible points. There are two ways from a tile to the
  * fragments that are shaded: a row of blocks whose simple pixels lie in the tile's planes already,
- * and fragments of complex pixels, which are gathered. */
+ * and fragments of complex pixels, which are gathered. Both are shaded by the kernels as a batch.
+ *
+ * Everything here happens in the raster's space: model space moved and scaled so that the scene is
+ * about 1 in size; positions count from the eye. */
 #ifndef BURNISH_RENDER_SURFACE_H
 #define BURNISH_RENDER_SURFACE_H
 
@@ -9,7 +12,7 @@
 #include "burnish/mesh.h"
 #include "core/memory.h"
 #include "raster/fragments.h"
-#include "shading/shade.h"
+#include "simd/isa_ops.h"
 
 /* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
  * screen. One item per screen vertex, those that clipping made included. Owned; all zero before the
@@ -29,6 +32,30 @@ burnish_status burnish_attributes_update(burnish_attributes *attributes,
                                          burnish_tasks *tasks, burnish_memory *memory);
 void burnish_attributes_destroy(burnish_attributes *attributes, const burnish_context *context);
 
+/* Fragments that are shaded at once: their arrays stay in L1. */
+enum { BURNISH_SHADE_BATCH = 256 };
+
+/* Fragments to be shaded: arrays of `count` <= BURNISH_SHADE_BATCH, readable up to the next
+ * multiple of 16. This is the one form that is shaded, whether the arrays are rows of a tile or
+ * were gathered. */
+typedef struct burnish_fragment_batch {
+    int count;
+    const float *normal[3];       /* turned toward the viewer's side, times 1/w */
+    const float *color[3];        /* linear vertex colours times 1/w; all NULL: none */
+    const float *inverse_w;       /* 1/w; read with colours and where burnish_shading.is_lyon */
+    burnish_screen_points points; /* read where burnish_shading.needs_position */
+    const uint16_t *material;     /* NULL: all are 0 */
+} burnish_fragment_batch;
+
+/* What a frame is shaded with. */
+typedef struct burnish_shading {
+    const burnish_isa_ops *ops;
+    const burnish_kernels_shader *shaders; /* one per material */
+    burnish_rays rays;                     /* from the eye */
+    int needs_position;                    /* 1: a point light or a local viewer */
+    int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
+} burnish_shading;
+
 /* What visible points are shaded from. */
 typedef struct burnish_surface {
     const burnish_raster_view *view;
@@ -39,10 +66,11 @@ typedef struct burnish_surface {
 
 /* A thread's arrays. All zero before the first use. */
 typedef struct burnish_fragment_scratch {
-    float normal[3][BURNISH_SHADE_BATCH], color[3][BURNISH_SHADE_BATCH],
-        inverse_w[BURNISH_SHADE_BATCH];
+    float normal[3][BURNISH_SHADE_BATCH], color[3][BURNISH_SHADE_BATCH]; /* times 1/w */
+    float inverse_w[BURNISH_SHADE_BATCH];
     uint16_t material[BURNISH_SHADE_BATCH];
-    burnish_shade_scratch shade;
+    float divided_normal[3][BURNISH_SHADE_BATCH], divided_color[3][BURNISH_SHADE_BATCH];
+    float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
 } burnish_fragment_scratch;
 
 /* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are

@@ -7,6 +7,17 @@
 
 #include "shading/lobe_simd.h"
 
+/* Which of the kernels: constants where it is compiled. */
+typedef struct shade_kernel {
+    int body, geometry, output; /* burnish_lobe_body, BURNISH_SHADE_... */
+} shade_kernel;
+
+/* Where colours go, by the kernel's output. */
+typedef struct shade_colors {
+    uint8_t *rgba;
+    float *const *rgb;
+} shade_colors;
+
 /* One vector of points: what the arrays hold, and what all lights need of it. */
 typedef struct shade_vectors {
     vf normal[3], position[3], w;
@@ -49,34 +60,35 @@ BURNISH_INLINE void shade_add_specular(const burnish_light_constants *light, int
 }
 
 /* The family from its base u, where lit and above 0; adds nothing where no lane is. */
-BURNISH_INLINE void shade_add_family(int body, const burnish_kernels_shader *shader,
-                                     const burnish_light_constants *light, int output, vm lit, vf u,
+BURNISH_INLINE void shade_add_family(shade_kernel kernel, const burnish_kernels_shader *shader,
+                                     const burnish_light_constants *light, vm lit, vf u,
                                      shade_sums *sums) {
     vm shines = vm_and(lit, vf_greater(u, vf_set(0.0f)));
     if (vm_any(shines)) {
         u = vf_and_mask(shines, vf_min(u, vf_set(1.0f)));
-        shade_add_specular(light, output, lobe_squares(u, body, shader->lobe.squarings), sums);
+        shade_add_specular(light, kernel.output,
+                           lobe_squares(u, kernel.body, shader->lobe.squarings), sums);
     }
 }
 
 /* A directional light and a distant viewer: one constant half vector. */
-BURNISH_INLINE void shade_distant_light(int body, int output, const burnish_kernels_shader *shader,
+BURNISH_INLINE void shade_distant_light(shade_kernel kernel, const burnish_kernels_shader *shader,
                                         const burnish_light_constants *light,
                                         const shade_vectors *at, shade_sums *sums) {
     const vf zero = vf_set(0.0f), inverse = at->inverse_n;
     vf n_dot_l = vf_max(vf_mul(shade_dot_constant(at->normal, light->vector), inverse), zero);
-    shade_add_diffuse(light, output, n_dot_l, sums);
-    if (body == BURNISH_LOBE_BODY_NONE) {
+    shade_add_diffuse(light, kernel.output, n_dot_l, sums);
+    if (kernel.body == BURNISH_LOBE_BODY_NONE) {
         return;
     }
     vm lit = vf_greater(n_dot_l, zero);
     vf cosine = vf_mul(shade_dot_constant(at->normal, light->half), inverse);
-    if (shade_is_family(body)) {
+    if (shade_is_family(kernel.body)) {
         vf u = vf_add(cosine, vf_set(shader->offset)); /* zeta is in the half vector */
-        shade_add_family(body, shader, light, output, lit, u, sums);
+        shade_add_family(kernel, shader, light, lit, u, sums);
     } else if (vm_any(lit)) {
-        vf lobe = vf_and_mask(lit, lobe_of_cosine(body, &shader->lobe, cosine));
-        shade_add_specular(light, output, lobe, sums);
+        vf lobe = vf_and_mask(lit, lobe_of_cosine(kernel.body, &shader->lobe, cosine));
+        shade_add_specular(light, kernel.output, lobe, sums);
     }
 }
 
@@ -108,7 +120,7 @@ BURNISH_INLINE int shade_is_dark(const burnish_kernels_shader *shader, vm lit, v
     return !vm_any(vm_and(lit, near));
 }
 
-BURNISH_INLINE void shade_general_specular(int body, int output,
+BURNISH_INLINE void shade_general_specular(shade_kernel kernel,
                                            const burnish_kernels_shader *shader,
                                            const burnish_light_constants *light,
                                            const shade_vectors *at, const shade_cosines *cosines,
@@ -122,24 +134,24 @@ BURNISH_INLINE void shade_general_specular(int body, int output,
         /* opposite L and V leave no half vector: any bound that is not 0 will do */
         vf squared = vf_max(vf_add(two, vf_mul(two, cosines->l_dot_v)), vf_set(0x1p-20f));
         vf sum = vf_add(cosines->n_dot_l, at->n_dot_v);
-        if (shade_is_family(body) && shade_is_dark(shader, lit, sum, squared)) {
+        if (shade_is_family(kernel.body) && shade_is_dark(shader, lit, sum, squared)) {
             return;
         }
         cosine = vf_mul(sum, vector_inverse_sqrt(squared));
     }
-    if (shade_is_family(body)) {
+    if (shade_is_family(kernel.body)) {
         vf u = shader->lyon
                    ? shade_lyon(shader, at->squared_n, at->inverse_n, cosine)
                    : vf_add(vf_mul(cosine, vf_set(shader->lobe.zeta)), vf_set(shader->offset));
-        shade_add_family(body, shader, light, output, lit, u, sums);
+        shade_add_family(kernel, shader, light, lit, u, sums);
     } else if (vm_any(lit)) {
-        vf lobe = vf_and_mask(lit, lobe_of_cosine(body, &shader->lobe, cosine));
-        shade_add_specular(light, output, lobe, sums);
+        vf lobe = vf_and_mask(lit, lobe_of_cosine(kernel.body, &shader->lobe, cosine));
+        shade_add_specular(light, kernel.output, lobe, sums);
     }
 }
 
 /* Any light and viewer. */
-BURNISH_INLINE void shade_general_light(int body, int output, const burnish_kernels_shader *shader,
+BURNISH_INLINE void shade_general_light(shade_kernel kernel, const burnish_kernels_shader *shader,
                                         const burnish_light_constants *light,
                                         const shade_vectors *at, shade_sums *sums) {
     vf to_light[3];
@@ -158,9 +170,9 @@ BURNISH_INLINE void shade_general_light(int body, int output, const burnish_kern
         cosines.l_dot_v = vf_mul(cosines.l_dot_v, inverse_l);
     }
     cosines.n_dot_l = vf_mul(shade_dot(at->normal, to_light), inverse);
-    shade_add_diffuse(light, output, vf_max(cosines.n_dot_l, vf_set(0.0f)), sums);
-    if (body != BURNISH_LOBE_BODY_NONE) {
-        shade_general_specular(body, output, shader, light, at, &cosines, sums);
+    shade_add_diffuse(light, kernel.output, vf_max(cosines.n_dot_l, vf_set(0.0f)), sums);
+    if (kernel.body != BURNISH_LOBE_BODY_NONE) {
+        shade_general_specular(kernel, shader, light, at, &cosines, sums);
     }
 }
 
@@ -196,26 +208,25 @@ BURNISH_INLINE void shade_load(int geometry, const burnish_kernels_shader *shade
 }
 
 /* One vector of points: the colours, in [0, 255] for RGBA8, not yet clamped. */
-BURNISH_INLINE void shade_points(int body, int geometry, int output,
-                                 const burnish_kernels_shader *shader,
+BURNISH_INLINE void shade_points(shade_kernel kernel, const burnish_kernels_shader *shader,
                                  const burnish_kernels_points *points, size_t i, vf color[3]) {
     shade_vectors at;
     shade_sums sums;
-    shade_load(geometry, shader, points, i, &at);
+    shade_load(kernel.geometry, shader, points, i, &at);
     for (int k = 0; k < 3; ++k) {
-        sums.diffuse[k] = vf_set(shader->ambient[output][k]);
+        sums.diffuse[k] = vf_set(shader->ambient[kernel.output][k]);
         sums.specular[k] = vf_set(0.0f);
     }
     at.squared_n = shade_dot(at.normal, at.normal);
     at.inverse_n = vector_inverse_sqrt(at.squared_n);
-    if (geometry == BURNISH_SHADE_GENERAL) {
+    if (kernel.geometry == BURNISH_SHADE_GENERAL) {
         shade_view(shader, &at);
     }
     for (int l = 0; l < shader->light_count; ++l) {
-        if (geometry == BURNISH_SHADE_GENERAL) {
-            shade_general_light(body, output, shader, &shader->lights[l], &at, &sums);
+        if (kernel.geometry == BURNISH_SHADE_GENERAL) {
+            shade_general_light(kernel, shader, &shader->lights[l], &at, &sums);
         } else {
-            shade_distant_light(body, output, shader, &shader->lights[l], &at, &sums);
+            shade_distant_light(kernel, shader, &shader->lights[l], &at, &sums);
         }
     }
     for (int k = 0; k < 3; ++k) {
@@ -223,7 +234,7 @@ BURNISH_INLINE void shade_points(int body, int geometry, int output,
             sums.diffuse[k] = vf_mul(sums.diffuse[k], vf_load(points->diffuse[k] + i));
         }
         color[k] = vf_add(sums.diffuse[k], sums.specular[k]);
-        if (output == BURNISH_SHADE_FLOAT) { /* a NaN has other bits on other processors */
+        if (kernel.output == BURNISH_SHADE_FLOAT) { /* a NaN has other bits on other processors */
             color[k] = vf_max(color[k], vf_set(0.0f));
         }
     }
@@ -241,10 +252,9 @@ BURNISH_INLINE vi shade_pack(const vf color[3]) {
 }
 
 /* Fewer points than a vector has. */
-BURNISH_INLINE void shade_rest(int body, int geometry, int output,
-                               const burnish_kernels_shader *shader,
+BURNISH_INLINE void shade_rest(shade_kernel kernel, const burnish_kernels_shader *shader,
                                const burnish_kernels_points *points, size_t first, size_t count,
-                               uint8_t *rgba, float *const rgb[3]) {
+                               shade_colors colors) {
     enum { ARRAYS = 10 };
     float block[ARRAYS][LANES];
     const float *from[ARRAYS];
@@ -263,36 +273,85 @@ BURNISH_INLINE void shade_rest(int body, int geometry, int output,
         }
     }
     vf color[3];
-    shade_points(body, geometry, output, shader, &padded, 0, color);
-    if (output == BURNISH_SHADE_RGBA8) {
+    shade_points(kernel, shader, &padded, 0, color);
+    if (kernel.output == BURNISH_SHADE_RGBA8) {
         vi_store_le_bytes(bytes, shade_pack(color));
-        memcpy(rgba + 4 * first, bytes, 4 * count);
+        memcpy(colors.rgba + 4 * first, bytes, 4 * count);
         return;
     }
     for (int k = 0; k < 3; ++k) {
         vf_store(block[k], color[k]);
-        memcpy(rgb[k] + first, block[k], count * sizeof(float));
+        memcpy(colors.rgb[k] + first, block[k], count * sizeof(float));
     }
 }
 
-BURNISH_INLINE void shade_array(int body, int geometry, int output,
-                                const burnish_kernels_shader *restrict shader,
+BURNISH_INLINE void shade_array(shade_kernel kernel, const burnish_kernels_shader *restrict shader,
                                 const burnish_kernels_points *restrict points, size_t count,
-                                uint8_t *restrict rgba, float *const rgb[3]) {
+                                shade_colors colors) {
     size_t i = 0;
     vf color[3];
     for (; i + LANES <= count; i += LANES) {
-        shade_points(body, geometry, output, shader, points, i, color);
-        if (output == BURNISH_SHADE_RGBA8) {
-            vi_store_le_bytes(rgba + 4 * i, shade_pack(color));
+        shade_points(kernel, shader, points, i, color);
+        if (kernel.output == BURNISH_SHADE_RGBA8) {
+            vi_store_le_bytes(colors.rgba + 4 * i, shade_pack(color));
         } else {
             for (int k = 0; k < 3; ++k) {
-                vf_store(rgb[k] + i, color[k]);
+                vf_store(colors.rgb[k] + i, color[k]);
             }
         }
     }
     if (i < count) {
-        shade_rest(body, geometry, output, shader, points, i, count - i, rgba, rgb);
+        shade_rest(kernel, shader, points, i, count - i, colors);
+    }
+}
+
+/* ---- What comes before ---- */
+
+/* Vectors to unit length. */
+BURNISH_INLINE void normalize_vectors(const float *const in[3], size_t from, float *const out[3],
+                                      size_t to) {
+    vf x = vf_load(in[0] + from), y = vf_load(in[1] + from), z = vf_load(in[2] + from);
+    vf squared = vf_add(vf_add(vf_mul(x, x), vf_mul(y, y)), vf_mul(z, z));
+    vf scale = vector_inverse_sqrt(squared);
+    vf_store(out[0] + to, vf_mul(x, scale));
+    vf_store(out[1] + to, vf_mul(y, scale));
+    vf_store(out[2] + to, vf_mul(z, scale));
+}
+
+BURNISH_INLINE void normalize_array(size_t count, const float *const in[3], float *const out[3]) {
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        normalize_vectors(in, i, out, i);
+    }
+    if (i < count) {
+        float block[3][LANES];
+        float *const blocks[3] = {block[0], block[1], block[2]};
+        const float *const sources[3] = {block[0], block[1], block[2]};
+        memset(block, 0, sizeof block);
+        for (int axis = 0; axis < 3; ++axis) {
+            memcpy(block[axis], in[axis] + i, (count - i) * sizeof(float));
+        }
+        normalize_vectors(sources, 0, blocks, 0);
+        for (int axis = 0; axis < 3; ++axis) {
+            memcpy(out[axis] + i, block[axis], (count - i) * sizeof(float));
+        }
+    }
+}
+
+/* From the screen back to space. */
+BURNISH_INLINE void position_from_depth(const burnish_rays *rays,
+                                        const burnish_screen_points *points, size_t count,
+                                        float *const position[3], float *w) {
+    for (size_t i = 0; i < count; i += LANES) {
+        const vf x = vf_add(vf_set(points->x), vf_load(points->x_offset + i));
+        const vf y = vf_add(vf_set(points->y), vf_load(points->y_offset + i));
+        const vf depth = vf_load(points->depth + i), beyond = vf_sub(vf_set(1.0f), depth);
+        for (int k = 0; k < 3; ++k) {
+            vf sum = vf_add(vf_set(rays->ray[k]), vf_mul(x, vf_set(rays->ray_x[k])));
+            sum = vf_add(sum, vf_mul(y, vf_set(rays->ray_y[k])));
+            vf_store(position[k] + i, vf_add(sum, vf_mul(beyond, vf_set(rays->ray_depth[k]))));
+        }
+        vf_store(w + i, vf_add(vf_mul(depth, vf_set(rays->q_per_depth)), vf_set(rays->q_constant)));
     }
 }
 

@@ -20,8 +20,6 @@ struct burnish_block_row;
 struct burnish_fragments;
 struct burnish_geometry;
 struct burnish_raster_view;
-struct burnish_rays;
-struct burnish_screen_points;
 struct burnish_screen_vertices;
 struct burnish_srgb_encoder;
 struct burnish_tile;
@@ -92,9 +90,8 @@ typedef struct burnish_isa_ops {
 
     /* The positions of count points from the eye, times w, and w. Reads and writes whole vectors:
      * up to the next multiple of 16. */
-    void (*position_from_depth)(const struct burnish_rays *rays,
-                                const struct burnish_screen_points *points, size_t count,
-                                float *const position[3], float *w);
+    void (*position_from_depth)(const burnish_rays *rays, const burnish_screen_points *points,
+                                size_t count, float *const position[3], float *w);
 
     /* ---- render ---- */
 

@@ -6,8 +6,6 @@
 #include "raster/tile_simd.h"
 #include "render/encode_simd.h"
 #include "shading/lobe_simd.h"
-#include "shading/normalize_simd.h"
-#include "shading/position_simd.h"
 #include "shading/shade_simd.h"
 #include "simd/isa_ops.h"
 
@@ -35,7 +33,8 @@ LOBE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
     static void name(const burnish_kernels_shader *restrict shader,                                \
                      const burnish_kernels_points *restrict points, size_t count,                  \
                      uint8_t *restrict rgba, float *const rgb[3]) {                                \
-        shade_array(body, geometry, output, shader, points, count, rgba, rgb);                     \
+        const shade_kernel kernel = {body, geometry, output};                                      \
+        shade_array(kernel, shader, points, count, (shade_colors){rgba, rgb});                     \
     }
 #define SHADE_FUNCTIONS(name, body)                                                                \
     SHADE_FUNCTION(shade_##name##_distant_rgba8, body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_RGBA8) \

@@ -6,7 +6,7 @@ flags="-std=c17 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror -D_G
 sources() {
     echo "-I$1/include -I$1/src -I$1/test $1/test/test_kernels.c"
     echo "$1"/src/simd/*.c
-    for file in shading/kernels shading/lobe_fit shading/lobe_words shading/prepare core/elementary core/error core/memory; do
+    for file in shading/kernels shading/lobe_fit shading/lobe_words shading/shader core/elementary core/error core/memory; do
         echo "$1/src/$file.c"
     done
 }
@@ -14,7 +14,7 @@ sources() {
 # renderer_sources SOURCE_DIR
 renderer_sources() {
     echo "-pthread -I$1/include -I$1/src -I$1/test $1/test/test_visibility.c"
-    echo "$1"/src/simd/*.c "$1"/src/raster/*.c "$1"/src/shading/*.c "$1/src/render/attributes.c" "$1/src/render/fragments.c"
+    echo "$1"/src/simd/*.c "$1"/src/raster/*.c "$1"/src/shading/*.c "$1/src/render/surface.c"
     for file in context elementary error memory processors srgb tasks; do
         echo "$1/src/core/$file.c"
     done
