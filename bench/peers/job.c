@@ -6,7 +6,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "subdivide.h"
+#include "scenes.h"
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -54,31 +54,59 @@ static void make_camera(burnish_peers_job *job) {
     cross(job->forward, camera->view_up, job->right);
     normalize(job->right);
     cross(job->right, job->forward, job->up);
-    job->pixels = BURNISH_PEERS_HEIGHT / 2.0 / tan(camera->view_angle * pi / 360);
+    job->pixels = job->options.height / 2.0 / tan(camera->view_angle * pi / 360);
     find_range(job);
 }
 
-static void make_light(burnish_peers_job *job) {
-    burnish_light *light = &job->options.lights[0];
-    double half[3];
-    memset(light, 0, sizeof *light);
-    light->kind = BURNISH_LIGHT_DIRECTIONAL;
+/* Light i of a scene: the first from the upper left, the others on a spiral around the camera's
+ * axis. Toward it, in camera space. */
+static void light_direction(const burnish_peers_job *job, int i, double toward[3]) {
+    const double turn = 2.4 * i, out = i ? 0.2 + 0.05 * i : 0;
+    const double x = -0.48 * !i + out * cos(turn), y = 0.6 * !i + out * sin(turn);
+    const double z = i ? -0.8 : -0.64;
     for (int k = 0; k < 3; ++k) {
-        light->vector[k] = -0.48 * job->right[k] + 0.6 * job->up[k] - 0.64 * job->forward[k];
-        light->color[k] = 1;
-        half[k] = light->vector[k] - job->forward[k];
+        toward[k] = x * job->right[k] + y * job->up[k] + z * job->forward[k];
+    }
+    normalize(toward);
+}
+
+static void make_lights(burnish_peers_job *job, burnish_scene_lights lights) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(job->scene);
+    double half[3], diagonal = 0;
+    for (int k = 0; k < 3; ++k) {
+        diagonal = hypot(diagonal, (double)mesh->bounds_max[k] - (double)mesh->bounds_min[k]);
+    }
+    for (int i = 0; i < lights.count; ++i) {
+        burnish_light *light = &job->options.lights[i];
+        memset(light, 0, sizeof *light);
+        light->kind = lights.near ? BURNISH_LIGHT_POINT : BURNISH_LIGHT_DIRECTIONAL;
+        light_direction(job, i, light->vector);
+        for (int k = 0; k < 3; ++k) {
+            light->color[k] = 1.0f / (float)lights.count;
+            if (i == 0) {
+                job->light[k] = (float)light->vector[k];
+                half[k] = light->vector[k] - job->forward[k];
+            }
+            if (lights.near) { /* one diagonal from the middle of the object */
+                const double middle =
+                    ((double)mesh->bounds_min[k] + (double)mesh->bounds_max[k]) / 2;
+                light->vector[k] = middle + diagonal * light->vector[k];
+            }
+        }
     }
     normalize(half);
     for (int k = 0; k < 3; ++k) {
-        job->light[k] = (float)light->vector[k];
         job->half[k] = (float)half[k];
         job->viewer[k] = (float)-job->forward[k];
     }
-    job->options.light_count = 1;
+    job->options.light_count = lights.count;
 }
 
-static burnish_status make_material(burnish_peers_job *job, burnish_error *error) {
-    burnish_material material = burnish_material_default();
+/* Ambient, specular and exponent of all materials are the same, the diffuse colour where there is
+ * one only; others keep their own. */
+static burnish_status make_materials(burnish_peers_job *job, burnish_error *error) {
+    const size_t count = burnish_mesh_material_count(job->scene);
+    burnish_status status = BURNISH_STATUS_OK;
     burnish_lobe lobe;
     job->ambient = 0.05f;
     job->diffuse = 0.6f;
@@ -86,48 +114,63 @@ static burnish_status make_material(burnish_peers_job *job, burnish_error *error
     job->exponent = 32;
     burnish_lobe_create(&lobe, BURNISH_FIT_ENERGY, 2, job->exponent);
     job->zeta = (float)lobe.zeta;
-    for (int k = 0; k < 3; ++k) {
-        material.ambient[k] = job->ambient;
-        material.diffuse[k] = job->diffuse;
-        material.specular[k] = job->specular;
-        job->options.ambient_light[k] = 1;
+    for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        burnish_material material = *burnish_mesh_material(job->scene, i);
+        for (int k = 0; k < 3; ++k) {
+            material.ambient[k] = job->ambient;
+            material.diffuse[k] = count == 1 ? job->diffuse : material.diffuse[k];
+            material.specular[k] = job->specular;
+            job->options.ambient_light[k] = 1;
+        }
+        material.exponent = job->exponent;
+        material.has_diffuse = 1;
+        status = burnish_mesh_set_material(job->scene, i, &material, error);
     }
-    material.exponent = job->exponent;
-    return burnish_mesh_set_material(job->scene, 0, &material, error);
-}
-
-static burnish_status load(burnish_peers_job *job, const char *input, int levels,
-                           burnish_error *error) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *coarse;
-    burnish_status status = burnish_mesh_load(input, &options, &coarse, error);
-    if (status != BURNISH_STATUS_OK || levels == 0) {
-        job->scene = coarse;
-        return status;
-    }
-    status = burnish_peers_subdivide(coarse, levels, &job->scene, error);
-    burnish_mesh_destroy(coarse);
     return status;
 }
 
-int burnish_peers_job_open(burnish_peers_job *job, const char *input, int levels, int threads) {
+static burnish_status load_file(const char *path, double aspect, burnish_scene *scene,
+                                burnish_error *error) {
+    burnish_load_options load = burnish_load_options_default();
+    burnish_framing framing = burnish_framing_default();
+    framing.aspect = aspect;
+    *scene = (burnish_scene){.lights = {1, 0}, .cull_back_faces = 1};
+    burnish_status status = burnish_mesh_load(path, &load, &scene->mesh, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_camera_frame(scene->mesh, &framing, &scene->camera, error);
+    }
+    return status;
+}
+
+static int is_scene(const char *name) {
+    for (size_t i = 0; burnish_scene_name(i); ++i) {
+        if (strcmp(burnish_scene_name(i), name) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int burnish_peers_job_open(burnish_peers_job *job, const char *input,
+                           const burnish_peers_view *view) {
     burnish_error error;
-    burnish_framing fit = burnish_framing_default();
+    burnish_scene scene;
+    const double aspect = (double)view->width / view->height;
     memset(job, 0, sizeof *job);
     job->options = burnish_render_options_default();
-    job->options.width = BURNISH_PEERS_WIDTH;
-    job->options.height = BURNISH_PEERS_HEIGHT;
-    job->options.samples = 1;
-    job->options.threads = threads;
+    job->options.width = view->width;
+    job->options.height = view->height;
+    job->options.samples = view->samples;
+    job->options.threads = view->threads;
     job->options.local_viewer = 0;
     memset(job->options.background, 0, sizeof job->options.background);
-    fit.aspect = (double)BURNISH_PEERS_WIDTH / BURNISH_PEERS_HEIGHT;
-    burnish_status status = load(job, input, levels, &error);
+    burnish_status status = is_scene(input) ? burnish_scene_make(input, aspect, &scene, &error)
+                                            : load_file(input, aspect, &scene, &error);
+    job->scene = scene.mesh;
+    job->options.camera = scene.camera;
+    job->options.cull_back_faces = scene.cull_back_faces;
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_camera_frame(job->scene, &fit, &job->options.camera, &error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = make_material(job, &error);
+        status = make_materials(job, &error);
     }
     if (status != BURNISH_STATUS_OK) {
         printf("error %s\n", error.text);
@@ -135,7 +178,7 @@ int burnish_peers_job_open(burnish_peers_job *job, const char *input, int levels
         return 0;
     }
     make_camera(job);
-    make_light(job);
+    make_lights(job, scene.lights);
     return 1;
 }
 

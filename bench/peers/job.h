@@ -6,11 +6,16 @@
 
 enum { BURNISH_PEERS_WIDTH = 1920, BURNISH_PEERS_HEIGHT = 1080 };
 
+/* How a picture is taken. */
+typedef struct burnish_peers_view {
+    int width, height, samples, threads;
+} burnish_peers_view;
+
 /* Marks a pixel without a triangle in the pictures of triangle numbers. */
 #define BURNISH_PEERS_NOTHING UINT32_MAX
 
-/* One white directional light, a distant viewer, Blinn's cosine, black background, one sample per
- * pixel; colour = ambient + diffuse max(0, N.L) + specular lobe(N.H) where N.L > 0, in linear
+/* One white directional light unless the scene has others, a distant viewer, Blinn's cosine, black
+ * background; colour = ambient + diffuse max(0, N.L) + specular lobe(N.H) where N.L > 0, in linear
  * light, and back faces lit from their own side. */
 typedef struct burnish_peers_job {
     burnish_mesh *scene;
@@ -24,8 +29,10 @@ typedef struct burnish_peers_job {
     float light[3], half[3], viewer[3];
 } burnish_peers_job;
 
-/* Loads input and subdivides it `levels` times. Prints one line and returns 0 on error. */
-int burnish_peers_job_open(burnish_peers_job *job, const char *input, int levels, int threads);
+/* input: a scene's name (scenes.h) or else a file, seen with back faces culled. Prints one line and
+ * returns 0 on error. */
+int burnish_peers_job_open(burnish_peers_job *job, const char *input,
+                           const burnish_peers_view *view);
 void burnish_peers_job_close(burnish_peers_job *job);
 
 /* The 8-bit sRGB code of a linear value, by IEC 61966-2-1 in double precision. */

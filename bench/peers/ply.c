@@ -1,5 +1,5 @@
 /* Writes a mesh as binary PLY with normals, so that every program reads the same input and none
- * generates normals. Usage: bench_peers_ply INPUT LEVELS OUTPUT */
+ * generates normals. Usage: bench_peers_ply INPUT OUTPUT */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -25,19 +25,20 @@ static int write_mesh(const burnish_mesh_view *mesh, FILE *file) {
 
 int main(int count, char **arguments) {
     burnish_peers_job job;
-    if (count != 4) {
-        fprintf(stderr, "usage: %s INPUT LEVELS OUTPUT\n", arguments[0]);
+    const burnish_peers_view view = {BURNISH_PEERS_WIDTH, BURNISH_PEERS_HEIGHT, 1, 1};
+    if (count != 3) {
+        fprintf(stderr, "usage: %s INPUT OUTPUT\n", arguments[0]);
         return EXIT_FAILURE;
     }
-    if (!burnish_peers_job_open(&job, arguments[1], atoi(arguments[2]), 1)) {
+    if (!burnish_peers_job_open(&job, arguments[1], &view)) {
         return EXIT_FAILURE;
     }
-    FILE *file = fopen(arguments[3], "wb");
+    FILE *file = fopen(arguments[2], "wb");
     int done = file && write_mesh(burnish_mesh_get_view(job.scene), file);
     done = file && fclose(file) == 0 && done;
     burnish_peers_job_close(&job);
     if (!done) {
-        fprintf(stderr, "bench_peers_ply: %s can't be written\n", arguments[3]);
+        fprintf(stderr, "bench_peers_ply: %s can't be written\n", arguments[2]);
     }
     return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

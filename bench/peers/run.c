@@ -1,7 +1,7 @@
 /* The runner: starts the contestants, times them in turn, compares their pictures, prints a table
  * and writes the ratios as JSON.
- * Usage: bench_peers FOLDER BURNISH INPUT SCRATCH JSON [ROUNDS]
- *   FOLDER has the contestants, BURNISH is the program, INPUT the mesh.
+ * Usage: bench_peers FOLDER BURNISH SCRATCH JSON [ROUNDS]
+ *   FOLDER has the contestants, BURNISH is the program.
  *
  * Contestants of one scene and thread count run at the same time, but only one of them draws at a
  * time: each round asks each for a few frames in turn, so that a busy moment affects all alike. A
@@ -36,15 +36,12 @@ static const contestant contestants[CONTESTANTS] = {
     {"embree", {"family", "power"}, "libembree-dev"},
 };
 
-static const struct scene {
-    const char *name;
-    int levels;
-} scenes[] = {{"bunny", 0}, {"bunny16", 2}};
+static const struct scene { const char *name; } scenes[] = {{"bunny"}, {"bunny16"}};
 
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 typedef struct runner {
-    const char *folder, *burnish, *input, *scratch, *json;
+    const char *folder, *burnish, *scratch, *json;
     int rounds, cores;
     double patience; /* seconds left to wait for quiet moments */
     int all_rounds, busy_rounds;
@@ -65,11 +62,10 @@ static void skip(runner *r, int which, const char *why) {
 /* Starts a contestant; returns 0 and notes why when it can't. */
 static int start(runner *r, int which, const struct scene *scene, int threads,
                  burnish_peers_process *process) {
-    char program[PATH], levels[8], count[8], answer[LINE], why[LINE + 64];
+    char program[PATH], count[8], answer[LINE], why[LINE + 64];
     snprintf(program, sizeof program, "%s/bench_peers_%s", r->folder, contestants[which].name);
-    snprintf(levels, sizeof levels, "%d", scene->levels);
     snprintf(count, sizeof count, "%d", threads);
-    const char *const arguments[] = {program, r->input, levels, count, NULL};
+    const char *const arguments[] = {program, scene->name, count, NULL};
     if (access(program, X_OK) != 0) {
         snprintf(why, sizeof why, "not built: install %s (scripts/install-deps peers)",
                  contestants[which].packages);
@@ -216,12 +212,11 @@ static void time_process(runner *r, const char *scene, int size, int cores, int 
 }
 
 static int write_ply(const runner *r, int scene) {
-    char program[PATH], levels[8], output[PATH];
+    char program[PATH], output[PATH];
     double milliseconds, kibibytes;
     snprintf(program, sizeof program, "%s/bench_peers_ply", r->folder);
-    snprintf(levels, sizeof levels, "%d", scenes[scene].levels);
     snprintf(output, sizeof output, "%s/%s.ply", r->scratch, scenes[scene].name);
-    const char *const arguments[] = {program, r->input, levels, output, NULL};
+    const char *const arguments[] = {program, scenes[scene].name, output, NULL};
     return burnish_peers_run(arguments, 0, NULL, &milliseconds, &kibibytes);
 }
 
@@ -442,17 +437,16 @@ static void run(runner *r) {
 
 int main(int count, char **arguments) {
     runner *r = calloc(1, sizeof *r);
-    if (count < 6 || count > 7 || !r) {
-        fprintf(stderr, "usage: %s FOLDER BURNISH INPUT SCRATCH JSON [ROUNDS]\n", arguments[0]);
+    if (count < 5 || count > 6 || !r) {
+        fprintf(stderr, "usage: %s FOLDER BURNISH SCRATCH JSON [ROUNDS]\n", arguments[0]);
         free(r);
         return EXIT_FAILURE;
     }
     r->folder = arguments[1];
     r->burnish = arguments[2];
-    r->input = arguments[3];
-    r->scratch = arguments[4];
-    r->json = arguments[5];
-    r->rounds = count > 6 ? atoi(arguments[6]) : 11;
+    r->scratch = arguments[3];
+    r->json = arguments[4];
+    r->rounds = count > 5 ? atoi(arguments[5]) : 11;
     r->patience = r->rounds > 1 ? PATIENCE : 0; /* one round is not for its times */
     r->cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
     signal(SIGPIPE, SIG_IGN); /* a contestant that ended is reported as an error */

@@ -74,13 +74,14 @@ int burnish_peers_serve(const burnish_peers_contestant *contestant, int count, c
     burnish_peers_job job;
     void *state;
     char note[BURNISH_PEERS_NOTE] = "", line[1024];
-    if (count != 4) {
-        fprintf(stderr, "usage: %s INPUT LEVELS THREADS\n", arguments[0]);
+    if (count != 3) {
+        fprintf(stderr, "usage: %s INPUT THREADS\n", arguments[0]);
         return EXIT_FAILURE;
     }
     setvbuf(stdout, NULL, _IOLBF, 0);
-    int threads = atoi(arguments[3]);
-    if (!burnish_peers_job_open(&job, arguments[1], atoi(arguments[2]), threads)) {
+    const int threads = atoi(arguments[2]);
+    const burnish_peers_view view = {BURNISH_PEERS_WIDTH, BURNISH_PEERS_HEIGHT, 1, threads};
+    if (!burnish_peers_job_open(&job, arguments[1], &view)) {
         return EXIT_FAILURE;
     }
     if (!contestant->open(&state, &job, threads, note)) {

@@ -1,6 +1,6 @@
 /* Shared by the contestants: each is a program that draws frames on request.
  *
- * Started as PROGRAM INPUT LEVELS THREADS it loads the job and answers each line of standard input
+ * Started as PROGRAM INPUT THREADS it loads the job and answers each line of standard input
  * by one line of standard output:
  *   (start)               ready TEXT      the text describes the contestant, for the report
  *   frame VARIANT COUNT   ok MS ...       COUNT frames after one that is not timed
