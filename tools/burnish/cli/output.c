@@ -106,24 +106,27 @@ static const cli_value *cell_of(const cli_table *table, size_t row, size_t colum
     return &table->cells[row * table->column_count + column];
 }
 
-static void format_cell(const cli_table *table, size_t row, size_t column, char text[CELL_SIZE]) {
+/* The cell as text for reading; a number is written to `number`. */
+static const char *cell_text(const cli_table *table, size_t row, size_t column,
+                             char number[CELL_SIZE]) {
     const cli_value *cell = cell_of(table, row, column);
     if (table->columns[column].is_text) {
-        snprintf(text, CELL_SIZE, "%s", cell->text);
-    } else if (table->columns[column].is_yes_no) {
-        snprintf(text, CELL_SIZE, "%s", cell->number != 0 ? "yes" : "no");
-    } else {
-        format_number(&table->columns[column], cell->number, text);
+        return cell->text;
     }
+    if (table->columns[column].is_yes_no) {
+        return cell->number != 0 ? "yes" : "no";
+    }
+    format_number(&table->columns[column], cell->number, number);
+    return number;
 }
 
 static int column_width(const cli_table *table, size_t column) {
     const cli_column *c = &table->columns[column];
     size_t width = strlen(c->heading) > strlen(c->unit) ? strlen(c->heading) : strlen(c->unit);
     for (size_t row = 0; row < table->row_count; ++row) {
-        char text[CELL_SIZE];
-        format_cell(table, row, column, text);
-        width = strlen(text) > width ? strlen(text) : width;
+        char number[CELL_SIZE];
+        size_t length = strlen(cell_text(table, row, column, number));
+        width = length > width ? length : width;
     }
     return (int)width;
 }
@@ -141,15 +144,15 @@ static int shown(const part *p, size_t column) {
 
 /* Prints a line of the part; get gives the text of a column. Blanks at its end are left out. */
 static void print_line(FILE *stream, const part *p, size_t row,
-                       void (*get)(const cli_table *table, size_t row, size_t column,
-                                   char text[CELL_SIZE])) {
+                       const char *(*get)(const cli_table *table, size_t row, size_t column,
+                                          char number[CELL_SIZE])) {
     int blanks = 0;
     for (size_t i = 0; i < p->table->column_count; ++i) {
-        char text[CELL_SIZE];
+        char number[CELL_SIZE];
         if (!shown(p, i)) {
             continue;
         }
-        get(p->table, row, i, text);
+        const char *text = get(p->table, row, i, number);
         int length = (int)strlen(text), left = p->widths[i] - length;
         int is_text = p->table->columns[i].is_text || p->table->columns[i].is_yes_no;
         blanks += is_text ? 0 : left;
@@ -162,14 +165,16 @@ static void print_line(FILE *stream, const part *p, size_t row,
     fputc('\n', stream);
 }
 
-static void get_heading(const cli_table *table, size_t row, size_t column, char text[CELL_SIZE]) {
-    (void)row;
-    snprintf(text, CELL_SIZE, "%s", table->columns[column].heading);
+static const char *heading_of(const cli_table *table, size_t row, size_t column,
+                              char number[CELL_SIZE]) {
+    (void)row, (void)number;
+    return table->columns[column].heading;
 }
 
-static void get_unit(const cli_table *table, size_t row, size_t column, char text[CELL_SIZE]) {
-    (void)row;
-    snprintf(text, CELL_SIZE, "%s", table->columns[column].unit);
+static const char *unit_of(const cli_table *table, size_t row, size_t column,
+                           char number[CELL_SIZE]) {
+    (void)row, (void)number;
+    return table->columns[column].unit;
 }
 
 static void print_rule(FILE *stream, const part *p) {
@@ -191,16 +196,16 @@ static void print_part(FILE *stream, const part *p) {
     for (size_t i = 0; i < p->table->column_count; ++i) {
         has_units = has_units || (shown(p, i) && p->table->columns[i].unit[0]);
     }
-    print_line(stream, p, 0, get_heading);
+    print_line(stream, p, 0, heading_of);
     if (has_units) {
-        print_line(stream, p, 0, get_unit);
+        print_line(stream, p, 0, unit_of);
     }
     print_rule(stream, p);
     for (size_t row = 0; row < p->table->row_count; ++row) {
         if (row > 0 && p->table->rows_in_group > 0 && row % p->table->rows_in_group == 0) {
             fputc('\n', stream);
         }
-        print_line(stream, p, row, format_cell);
+        print_line(stream, p, row, cell_text);
     }
 }
 
@@ -231,7 +236,7 @@ void cli_table_text(FILE *stream, const cli_table *table) {
     free(widths);
 }
 
-void cli_table_markdown(FILE *stream, const cli_table *table) {
+static void print_markdown(FILE *stream, const cli_table *table) {
     for (size_t i = 0; i < table->column_count; ++i) {
         const cli_column *c = &table->columns[i];
         fprintf(stream, "| %s%s%s ", c->heading, c->unit[0] ? ", " : "", c->unit);
@@ -243,9 +248,8 @@ void cli_table_markdown(FILE *stream, const cli_table *table) {
     fprintf(stream, "|\n");
     for (size_t row = 0; row < table->row_count; ++row) {
         for (size_t i = 0; i < table->column_count; ++i) {
-            char text[CELL_SIZE];
-            format_cell(table, row, i, text);
-            fprintf(stream, "| %s ", text);
+            char number[CELL_SIZE];
+            fprintf(stream, "| %s ", cell_text(table, row, i, number));
         }
         fprintf(stream, "|\n");
     }
@@ -275,7 +279,7 @@ void cli_csv_real(FILE *stream, double value) {
     }
 }
 
-void cli_table_csv(FILE *stream, const cli_table *table) {
+static void print_csv(FILE *stream, const cli_table *table) {
     for (size_t i = 0; i < table->column_count; ++i) {
         fprintf(stream, "%s%s", i > 0 ? "," : "", table->columns[i].key);
     }
@@ -381,7 +385,7 @@ static cJSON *cell_json(const cli_column *column, const cli_value *cell) {
                                : cli_json_real(cell->number);
 }
 
-cJSON *cli_table_json(const cli_table *table, int *failed) {
+static cJSON *rows_json(const cli_table *table, int *failed) {
     cJSON *rows = cJSON_CreateArray();
     for (size_t row = 0; row < table->row_count && !*failed; ++row) {
         cJSON *object = cJSON_CreateObject();
@@ -404,4 +408,46 @@ burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_e
     fprintf(stream, "%s\n", text);
     cJSON_free(text);
     return BURNISH_STATUS_OK;
+}
+
+static burnish_status print_json(FILE *stream, const cli_document *document, const cli_table *table,
+                                 burnish_error *error) {
+    int failed = 0;
+    cJSON *root = cJSON_CreateObject();
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    if (document->add_keys) {
+        document->add_keys(root, document->context, &failed);
+    }
+    if (document->rows_key) {
+        cli_json_add(root, document->rows_key, rows_json(table, &failed), &failed);
+    }
+    return cli_json_print(stream, root, failed, error);
+}
+
+burnish_status cli_document_write(const cli_document *document, const cli_table *table,
+                                  cli_format format, const char *path, burnish_error *error) {
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    switch (format) {
+    case CLI_FORMAT_TEXT:
+        if (document->print_text) {
+            document->print_text(output.stream, table, document->context);
+        } else {
+            cli_table_text(output.stream, table);
+        }
+        break;
+    case CLI_FORMAT_MARKDOWN:
+        print_markdown(output.stream, table);
+        break;
+    case CLI_FORMAT_CSV:
+        print_csv(output.stream, table);
+        break;
+    case CLI_FORMAT_JSON:
+        status = print_json(output.stream, document, table, error);
+        break;
+    }
+    return cli_output_end(&output, path, status, error);
 }

@@ -77,18 +77,9 @@ typedef struct cli_table {
  */
 void cli_table_text(FILE *stream, const cli_table *table);
 
-/* GitHub's Markdown. */
-void cli_table_markdown(FILE *stream, const cli_table *table);
-
-/* One line of keys, then the rows. */
-void cli_table_csv(FILE *stream, const cli_table *table);
-
 /* Fields of a line of CSV: text, quoted where it must be; a number, empty for NaN. */
 void cli_csv_text(FILE *stream, const char *text);
 void cli_csv_real(FILE *stream, double value);
-
-/* The rows as an array of objects; NULL and *failed when out of memory. */
-cJSON *cli_table_json(const cli_table *table, int *failed);
 
 /* Adds an item to an object, or to an array for a NULL key; a NULL item (out of memory) makes
  * *failed 1. */
@@ -109,5 +100,19 @@ cJSON *cli_json_array(size_t size, cJSON *(*make)(const void *values, size_t ind
 
 /* Prints and deletes the object. Errors: MEMORY, also where `failed` is set. */
 burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error);
+
+/* A table and what a command says besides. */
+typedef struct cli_document {
+    const char *rows_key; /* of the rows in JSON, an array of objects; NULL: they are left out */
+    void (*print_text)(FILE *stream, const cli_table *table, const void *context);
+    void (*add_keys)(cJSON *root, const void *context, int *failed); /* JSON before the rows */
+    const void *context; /* of both, which may be NULL */
+} cli_document;
+
+/* Writes it to a file, "-" for standard output: as text what print_text prints, without one the
+ * table; as CSV a line of keys and the rows; as JSON one object that begins with the version; as
+ * Markdown the table in GitHub's form. Errors: MEMORY, WRITE. */
+burnish_status cli_document_write(const cli_document *document, const cli_table *table,
+                                  cli_format format, const char *path, burnish_error *error);
 
 #endif

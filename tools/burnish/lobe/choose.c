@@ -79,6 +79,7 @@ typedef struct candidate {
 enum { CANDIDATES_MAX = 24 };
 
 typedef struct result {
+    const choose_settings *settings;
     candidate best, others[CANDIDATES_MAX];
     size_t count; /* of others */
 } result;
@@ -101,12 +102,13 @@ static int compare_candidates(const void *a, const void *b) {
     return order ? order : (x->maximum > y->maximum) - (x->maximum < y->maximum);
 }
 
-static burnish_status choose(const choose_settings *settings, result *r, burnish_error *error) {
+static burnish_status choose(result *r, burnish_error *error) {
     static const char *const words[] = {"minimax:2",  "minimax:4",   "minimax:8", "minimax:16",
                                         "minimax:32", "schlick",     "gx",        "nv2x",
                                         "gaussian",   "kuijk-blake", "power"};
     static const char *const affine_words[] = {"affine:2", "affine:4", "affine:8", "affine:16",
                                                "affine:32"};
+    const choose_settings *settings = r->settings;
     double n = settings->exponent.value;
     burnish_status status =
         burnish_theory_choose(n, settings->epsilon.value, settings->affine, &r->best.model,
@@ -186,24 +188,6 @@ static void print_code(FILE *stream, const burnish_theory_model *model) {
     }
 }
 
-/* The chosen lobe's row, then the others. */
-static void fill_table(const choose_settings *settings, const result *r, cli_table *table,
-                       cli_value *cells) {
-    for (size_t i = 0; i < table->row_count; ++i) {
-        const candidate *c = i == 0 ? &r->best : &r->others[i - 1];
-        cli_value *row = &cells[i * table->column_count];
-        row[0].text = c->name;
-        row[1].number = c->maximum <= settings->epsilon.value;
-        row[2].number = c->maximum;
-        row[3].number = c->cost.multiplications;
-        row[4].number = c->cost.additions;
-        row[5].number = c->cost.comparisons;
-        row[6].number = c->cost.divisions;
-        row[7].number = c->cost.transcendentals;
-    }
-    table->cells = cells;
-}
-
 enum { COLUMNS = 8 };
 
 static const cli_column columns[COLUMNS] = {
@@ -217,14 +201,27 @@ static const cli_column columns[COLUMNS] = {
     {.key = "functions", .heading = "fn"},
 };
 
-static void print_text(FILE *stream, const choose_settings *settings, const result *r,
-                       const cli_table *table) {
+/* The chosen lobe's row, then the others. */
+static void fill_row(const result *r, size_t i, cli_value row[COLUMNS]) {
+    const candidate *c = i == 0 ? &r->best : &r->others[i - 1];
+    row[0].text = c->name;
+    row[1].number = c->maximum <= r->settings->epsilon.value;
+    row[2].number = c->maximum;
+    row[3].number = c->cost.multiplications;
+    row[4].number = c->cost.additions;
+    row[5].number = c->cost.comparisons;
+    row[6].number = c->cost.divisions;
+    row[7].number = c->cost.transcendentals;
+}
+
+static void print_text(FILE *stream, const cli_table *table, const void *context) {
+    const result *r = context;
     char exponent[CLI_REAL_SIZE], epsilon[CLI_REAL_SIZE], cost[64];
     const burnish_theory_model *model = &r->best.model;
     lobe_cost_text(&r->best.cost, cost, sizeof cost);
     fprintf(stream, "%s is the cheapest lobe within %s of c^%s at every angle.\n\n", r->best.name,
-            cli_shortest(settings->epsilon.value, epsilon),
-            cli_shortest(settings->exponent.value, exponent));
+            cli_shortest(r->settings->epsilon.value, epsilon),
+            cli_shortest(r->settings->exponent.value, exponent));
     fprintf(stream, "  largest error  %.5f\n  cost           %s\n", r->best.maximum, cost);
     if (model->lobe.kind == BURNISH_LOBE_FAMILY) {
         fprintf(stream, "  zeta           %.9g\n", model->zeta);
@@ -239,51 +236,26 @@ static void print_text(FILE *stream, const choose_settings *settings, const resu
     cli_table_text(stream, table);
 }
 
-static burnish_status print_json(FILE *stream, const choose_settings *settings, const result *r,
-                                 const cli_table *table, burnish_error *error) {
-    int failed = 0;
-    cJSON *root = cJSON_CreateObject();
+static void add_keys(cJSON *root, const void *context, int *failed) {
+    const result *r = context;
     const burnish_theory_model *model = &r->best.model;
-    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-    cli_json_add(root, "exponent", cli_json_real(settings->exponent.value), &failed);
-    cli_json_add(root, "epsilon", cli_json_real(settings->epsilon.value), &failed);
-    cli_json_add(root, "lobe", cJSON_CreateString(r->best.name), &failed);
-    cli_json_add(root, "max_error", cli_json_real(r->best.maximum), &failed);
+    cli_json_add(root, "exponent", cli_json_real(r->settings->exponent.value), failed);
+    cli_json_add(root, "epsilon", cli_json_real(r->settings->epsilon.value), failed);
+    cli_json_add(root, "lobe", cJSON_CreateString(r->best.name), failed);
+    cli_json_add(root, "max_error", cli_json_real(r->best.maximum), failed);
     if (model->lobe.kind == BURNISH_LOBE_FAMILY) {
         double a, b;
         constants_of(model, &a, &b);
-        cli_json_add(root, "zeta", cli_json_real(model->zeta), &failed);
-        cli_json_add(root, "peak", cli_json_real(model->scale), &failed);
-        cli_json_add(root, "a", cli_json_real(a), &failed);
-        cli_json_add(root, "b", cli_json_real(b), &failed);
+        cli_json_add(root, "zeta", cli_json_real(model->zeta), failed);
+        cli_json_add(root, "peak", cli_json_real(model->scale), failed);
+        cli_json_add(root, "a", cli_json_real(a), failed);
+        cli_json_add(root, "b", cli_json_real(b), failed);
     }
-    cli_json_add(root, "candidates", cli_table_json(table, &failed), &failed);
-    return cli_json_print(stream, root, failed, error);
-}
-
-static burnish_status print(const choose_settings *settings, const result *r,
-                            burnish_error *error) {
-    cli_value cells[(CANDIDATES_MAX + 1) * COLUMNS];
-    cli_table table = {.columns = columns, .column_count = COLUMNS, .row_count = r->count + 1};
-    cli_output output;
-    burnish_status status = cli_output_begin(&output, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    fill_table(settings, r, &table, cells);
-    if (settings->format == CLI_FORMAT_CSV) {
-        cli_table_csv(output.stream, &table);
-    } else if (settings->format == CLI_FORMAT_JSON) {
-        status = print_json(output.stream, settings, r, &table, error);
-    } else {
-        print_text(output.stream, settings, r, &table);
-    }
-    return cli_output_end(&output, settings->output, status, error);
 }
 
 static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     const choose_settings *settings = target;
-    result r = {0};
+    result r = {.settings = settings};
     (void)call;
     if (!settings->exponent.given || !settings->epsilon.given) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -291,6 +263,17 @@ static burnish_status work(void *target, cli_call *call, burnish_error *error) {
                         "--exponent=100 --epsilon=0.02\"",
                         settings->exponent.given ? "epsilon" : "exponent");
     }
-    burnish_status status = choose(settings, &r, error);
-    return status == BURNISH_STATUS_OK ? print(settings, &r, error) : status;
+    burnish_status status = choose(&r, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    cli_value cells[CANDIDATES_MAX + 1][COLUMNS];
+    for (size_t i = 0; i <= r.count; ++i) {
+        fill_row(&r, i, cells[i]);
+    }
+    const cli_table table = {
+        .columns = columns, .cells = cells[0], .column_count = COLUMNS, .row_count = r.count + 1};
+    const cli_document document = {"candidates", print_text, add_keys, &r};
+    return cli_document_write(&document, &table, (cli_format)settings->format, settings->output,
+                              error);
 }

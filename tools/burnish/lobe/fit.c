@@ -80,6 +80,7 @@ const cli_command lobe_fit_command = {
 
 /* What was found. */
 typedef struct findings {
+    const fit_settings *settings;
     const char *path;
     lobe_samples samples;
     lobe_fitted fitted[LOBE_FITTED_MAX];
@@ -147,7 +148,8 @@ static void fill_row(const findings *found, size_t i, char name[LOBE_NAME],
     row[9].number = cost.divisions + cost.transcendentals;
 }
 
-static void print_sentence(FILE *stream, const fit_settings *settings, const findings *found) {
+static void print_sentence(FILE *stream, const findings *found) {
+    const fit_settings *settings = found->settings;
     const lobe_fitted *f = &found->fitted[0];
     char name[LOBE_NAME];
     fprintf(stream, "%zu samples. Best: %.5g times ", found->samples.count, f->scale);
@@ -188,7 +190,7 @@ static void print_names(FILE *stream, const lobe_fitted *f) {
     fprintf(stream, first ? "  none with an exponent from the order up\n" : "\n");
 }
 
-static cJSON *best_object(const findings *found, int *failed) {
+static void add_best(cJSON *root, const findings *found, int *failed) {
     const lobe_fitted *f = &found->fitted[0];
     int is_family = f->model.lobe.kind == BURNISH_LOBE_FAMILY;
     char name[LOBE_NAME];
@@ -211,103 +213,89 @@ static cJSON *best_object(const findings *found, int *failed) {
     cli_json_add(best, "rms", cli_json_real(f->rms), failed);
     cli_json_add(best, "max", cli_json_real(f->maximum), failed);
     cli_json_add(best, "at_limit", cJSON_CreateBool(f->at_limit), failed);
-    return best;
+    cli_json_add(root, "best", best, failed);
 }
 
-static burnish_status print_lobes(FILE *stream, const fit_settings *settings, const findings *found,
-                                  burnish_error *error) {
-    cli_value cells[LOBE_FITTED_MAX * COLUMNS];
+static void print_lobes(FILE *stream, const cli_table *table, const void *context) {
+    const findings *found = context;
+    print_sentence(stream, found);
+    print_names(stream, &found->fitted[0]);
+    fputc('\n', stream);
+    cli_table_text(stream, table);
+    fprintf(stream, "\nExponents of orders are those of the fit energy.\n");
+}
+
+static void add_lobe_keys(cJSON *root, const void *context, int *failed) {
+    const findings *found = context;
+    cli_json_add(root, "samples", cli_json_count(found->samples.count), failed);
+    add_best(root, found, failed);
+}
+
+static burnish_status write_lobes(const findings *found, burnish_error *error) {
+    cli_value cells[LOBE_FITTED_MAX][COLUMNS];
     char names[LOBE_FITTED_MAX][LOBE_NAME];
-    cli_table table = {
-        .columns = columns, .cells = cells, .column_count = COLUMNS, .row_count = found->count};
     for (size_t i = 0; i < found->count; ++i) {
-        fill_row(found, i, names[i], &cells[i * COLUMNS]);
+        fill_row(found, i, names[i], cells[i]);
     }
-    if (settings->format == CLI_FORMAT_CSV) {
-        cli_table_csv(stream, &table);
-    } else if (settings->format == CLI_FORMAT_JSON) {
-        int failed = 0;
-        cJSON *root = cJSON_CreateObject();
-        cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-        cli_json_add(root, "samples", cJSON_CreateNumber((double)found->samples.count), &failed);
-        cli_json_add(root, "best", best_object(found, &failed), &failed);
-        cli_json_add(root, "lobes", cli_table_json(&table, &failed), &failed);
-        return cli_json_print(stream, root, failed, error);
-    } else {
-        print_sentence(stream, settings, found);
-        print_names(stream, &found->fitted[0]);
-        fputc('\n', stream);
-        cli_table_text(stream, &table);
-        fprintf(stream, "\nExponents of orders are those of the fit energy.\n");
-    }
-    return BURNISH_STATUS_OK;
+    const cli_table table = {
+        .columns = columns, .cells = cells[0], .column_count = COLUMNS, .row_count = found->count};
+    const cli_document document = {"lobes", print_lobes, add_lobe_keys, found};
+    return cli_document_write(&document, &table, (cli_format)found->settings->format,
+                              found->settings->output, error);
 }
 
 /* ---- Residuals ---- */
 
-static burnish_status print_residuals(FILE *stream, const fit_settings *settings,
-                                      const findings *found, burnish_error *error) {
-    static const cli_column tables[][4] = {
-#define COLUMNS_OF(key, heading, unit)                                                             \
-    {                                                                                              \
-        {key, heading, unit, -7, 0, 0}, {"intensity", "intensity", "", -6, 0, 0},                  \
-            {"fitted", "fitted", "", -6, 0, 0}, {                                                  \
-            "residual", "residual", "", -4, 0, 0                                                   \
-        }                                                                                          \
-    }
-        COLUMNS_OF("angle_deg", "angle", "deg"),
-        COLUMNS_OF("angle_rad", "angle", "rad"),
-        COLUMNS_OF("cosine", "cosine", ""),
-#undef COLUMNS_OF
+enum { RESIDUAL_COLUMNS = 4 };
+
+static void print_residuals(FILE *stream, const cli_table *table, const void *context) {
+    print_sentence(stream, context);
+    fputc('\n', stream);
+    cli_table_text(stream, table);
+}
+
+static void add_residual_keys(cJSON *root, const void *context, int *failed) {
+    add_best(root, context, failed);
+}
+
+static burnish_status write_residuals(const findings *found, burnish_error *error) {
+    static const cli_column first[] = {
+        [LOBE_UNIT_DEGREES] = {"angle_deg", "angle", "deg", .decimals = -7},
+        [LOBE_UNIT_RADIANS] = {"angle_rad", "angle", "rad", .decimals = -7},
+        [LOBE_UNIT_COSINE] = {"cosine", "cosine", "", .decimals = -7},
     };
-    burnish_status status = BURNISH_STATUS_OK;
-    cli_table table = {.columns = tables[settings->unit], .column_count = 4};
-    table.row_count = found->samples.count;
-    table.cells = calloc(table.row_count * 4, sizeof *table.cells);
+    const cli_column residual_columns[RESIDUAL_COLUMNS] = {
+        first[found->settings->unit],
+        {.key = "intensity", .heading = "intensity", .decimals = -6},
+        {.key = "fitted", .heading = "fitted", .decimals = -6},
+        {.key = "residual", .heading = "residual", .decimals = -4},
+    };
+    cli_table table = {.columns = residual_columns,
+                       .column_count = RESIDUAL_COLUMNS,
+                       .row_count = found->samples.count};
+    table.cells = calloc(table.row_count * RESIDUAL_COLUMNS, sizeof *table.cells);
     if (!table.cells) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the residuals");
     }
     for (size_t i = 0; i < table.row_count; ++i) {
         const lobe_sample *sample = &found->samples.items[i];
-        double residual = lobe_residual(&found->fitted[0], sample);
-        table.cells[4 * i].number = sample->x;
-        table.cells[4 * i + 1].number = sample->intensity;
-        table.cells[4 * i + 2].number = sample->intensity - residual;
-        table.cells[4 * i + 3].number = residual;
+        const double residual = lobe_residual(&found->fitted[0], sample);
+        cli_value *row = &table.cells[i * RESIDUAL_COLUMNS];
+        row[0].number = sample->x;
+        row[1].number = sample->intensity;
+        row[2].number = sample->intensity - residual;
+        row[3].number = residual;
     }
-    if (settings->format == CLI_FORMAT_CSV) {
-        cli_table_csv(stream, &table);
-    } else if (settings->format == CLI_FORMAT_JSON) {
-        int failed = 0;
-        cJSON *root = cJSON_CreateObject();
-        cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-        cli_json_add(root, "best", best_object(found, &failed), &failed);
-        cli_json_add(root, "residuals", cli_table_json(&table, &failed), &failed);
-        status = cli_json_print(stream, root, failed, error);
-    } else {
-        print_sentence(stream, settings, found);
-        fputc('\n', stream);
-        cli_table_text(stream, &table);
-    }
+    const cli_document document = {"residuals", print_residuals, add_residual_keys, found};
+    burnish_status status = cli_document_write(
+        &document, &table, (cli_format)found->settings->format, found->settings->output, error);
     free(table.cells);
     return status;
 }
 
-static burnish_status print(const fit_settings *settings, const findings *found,
-                            burnish_error *error) {
-    cli_output output;
-    burnish_status status = cli_output_begin(&output, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    status = settings->residuals ? print_residuals(output.stream, settings, found, error)
-                                 : print_lobes(output.stream, settings, found, error);
-    return cli_output_end(&output, settings->output, status, error);
-}
-
 static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     const fit_settings *settings = target;
-    findings found = {0};
+    findings found = {.settings = settings};
     if (call->operand_count == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "lobe fit: no FILE; give CSV with angle and intensity per line, or "
@@ -321,7 +309,7 @@ static burnish_status work(void *target, cli_call *call, burnish_error *error) {
                                   &found.count, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = print(settings, &found, error);
+        status = settings->residuals ? write_residuals(&found, error) : write_lobes(&found, error);
     }
     free(found.samples.items);
     return status;

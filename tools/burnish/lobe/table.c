@@ -193,38 +193,9 @@ static burnish_status make_table(const plan *p, cli_table *table, burnish_error 
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status print_json(FILE *stream, const table_settings *settings,
-                                 const cli_table *table, burnish_error *error) {
-    int failed = 0;
-    cJSON *root = cJSON_CreateObject();
-    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-    cli_json_add(root, "range", cJSON_CreateString(settings->range), &failed);
-    cli_json_add(root, "rows", cli_table_json(table, &failed), &failed);
-    return cli_json_print(stream, root, failed, error);
-}
-
-static burnish_status print_table(const table_settings *settings, const cli_table *table,
-                                  burnish_error *error) {
-    cli_output output;
-    burnish_status status = cli_output_begin(&output, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    switch ((cli_format)settings->format) {
-    case CLI_FORMAT_TEXT:
-        cli_table_text(output.stream, table);
-        break;
-    case CLI_FORMAT_MARKDOWN:
-        cli_table_markdown(output.stream, table);
-        break;
-    case CLI_FORMAT_CSV:
-        cli_table_csv(output.stream, table);
-        break;
-    case CLI_FORMAT_JSON:
-        status = print_json(output.stream, settings, table, error);
-        break;
-    }
-    return cli_output_end(&output, settings->output, status, error);
+static void add_range(cJSON *root, const void *settings, int *failed) {
+    const char *range = ((const table_settings *)settings)->range;
+    cli_json_add(root, "range", cJSON_CreateString(range), failed);
 }
 
 static burnish_status work(void *target, cli_call *call, burnish_error *error) {
@@ -240,7 +211,9 @@ static burnish_status work(void *target, cli_call *call, burnish_error *error) {
         status = make_table(p, &table, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = print_table(settings, &table, error);
+        const cli_document document = {"rows", NULL, add_range, settings};
+        status = cli_document_write(&document, &table, (cli_format)settings->format,
+                                    settings->output, error);
     }
     free((void *)table.columns);
     free(table.cells);
