@@ -106,7 +106,7 @@ expect 2 'burnish: --exponents: the figure core has an axis of exponents; give i
 expect 2 'burnish: --exponents: the figure cost is drawn for one exponent' lobe plot cost --exponents=5,6
 expect 2 'burnish: --bits: "0" is not a number above 0 up to 64' lobe plot ratio --bits=0
 expect 2 'burnish: --lobes: the figure object takes 2 to 6 lobes, the one to compare with first' lobe plot object --lobes=power
-expect 2 'burnish: --size: "9,9" is not a width and a height from 160 to 4096, such as 720,440' lobe plot curves --size=9,9
+expect 2 'burnish: --size: "9,9" is not a width and a height from 160 to 4096, such as 1024,768' lobe plot curves --size=9,9
 expect 2 "burnish: --size: the names in the figure ratio take 400,250 or more" \
     lobe plot ratio --size=200,300
 expect 2 'burnish: --output: the figure curves is written as svg, png, csv or gp' lobe plot curves -o curves.pdf
@@ -172,6 +172,10 @@ if [ "$has_gnuplot" = 1 ]; then
         # shellcheck disable=SC2086
         run lobe plot $arguments -o other.svg
         check "burnish lobe plot $arguments: exit code $code, $(cat "$err")" [ "$code" = 0 ]
+    done
+    run lobe plot core --exponents=3,700 -o other.svg
+    for end in 3 700; do
+        check "an axis of exponents ends without its label $end" grep -q "> *$end</tspan>" other.svg
     done
     run lobe plot curves -o other.png
     check "burnish lobe plot curves -o other.png: $(cat "$err")" \

@@ -26,6 +26,8 @@ cli_handler cli_flag_text;    /* const char *; empty is refused */
 cli_handler cli_flag_integer; /* int in [low, high] */
 cli_handler cli_flag_count;   /* uint64_t in [low, high] */
 cli_handler cli_flag_bytes;   /* uint64_t in [low, high], with K, M or G */
+cli_handler cli_flag_size;    /* int[2] in [low, high]: W,H or WxH */
+cli_handler cli_flag_square;  /* int[2]: both the one number */
 cli_handler cli_flag_real;    /* cli_real in [low, high] */
 cli_handler cli_flag_angle;   /* the same, low and high excluded */
 cli_handler cli_flag_vector;  /* cli_vector */

@@ -7,8 +7,8 @@
 
 static const double DEGREES = 180 / 3.14159265358979323846;
 
-static plot_fill fill_angles, fill_exponents, fill_extreme, fill_widths, fill_cost;
-static plot_metric core_error, extreme_error, energy_ratio, whole_error;
+static plot_metric lobe_value, power_error, core_error, extreme_error, extreme_error_searched,
+    energy_ratio, whole_error;
 
 static const plot_figure figures[] = {
     {.name = "error",
@@ -17,15 +17,17 @@ static const plot_figure figures[] = {
      .exponents = "3,10,30,100,300,1000",
      .lobes = "taylor:2",
      .y_column = "absolute_error",
-     .measures_error = 1,
-     .fill = fill_angles},
+     .measure = power_error,
+     .is_narrow = 1,
+     .has_paper_names = 1},
     {.name = "curves",
      .script = "curves",
      .title = "The power, W and Schlick's function against the angle",
      .exponents = "100",
      .lobes = "power,taylor:2,schlick",
      .y_column = "value",
-     .fill = fill_angles},
+     .measure = lobe_value,
+     .has_paper_names = 1},
     {.name = "core",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "core",
@@ -34,8 +36,7 @@ static const plot_figure figures[] = {
      .lobes = "taylor:2,schlick",
      .y_column = "relative_error_percent",
      .measure = core_error,
-     .has_paper_names = 1,
-     .fill = fill_exponents},
+     .has_paper_names = 1},
     {.name = "ratio",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "ratio",
@@ -45,15 +46,15 @@ static const plot_figure figures[] = {
      .bits = "2,4,8,12",
      .y_column = "ratio",
      .measure = burnish_theory_width_ratio,
-     .has_paper_names = 1,
-     .fill = fill_exponents},
+     .has_paper_names = 1},
     {.name = "w1",
      .script = "curves",
      .title = "W1 and the power against the angle",
      .exponents = "10",
      .lobes = "power,energy:2",
      .y_column = "value",
-     .fill = fill_angles},
+     .measure = lobe_value,
+     .has_paper_names = 1},
     {.name = "w1-extreme",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "w1-extreme",
@@ -62,8 +63,8 @@ static const plot_figure figures[] = {
      .lobes = "energy:2",
      .y_column = "relative_error_percent",
      .measure = extreme_error,
-     .has_paper_names = 1,
-     .fill = fill_extreme},
+     .points = extreme_error_searched,
+     .has_paper_names = 1},
     {.name = "object",
      .axis = PLOT_AXIS_NONE,
      .title = "An object shaded with the power, W1 and Schlick's function, and the differences",
@@ -80,8 +81,7 @@ static const plot_figure figures[] = {
               "minimax:32,nv2x,power,schlick,gx,gaussian,kuijk-blake,table256,table256:linear",
      .width = 960,
      .height = 600,
-     .y_column = "maximum_error",
-     .fill = fill_cost},
+     .y_column = "maximum_error"},
     {.name = "energy",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "energy",
@@ -89,8 +89,7 @@ static const plot_figure figures[] = {
      .exponents = "2,1000",
      .lobes = "schlick,gx,energy:2,minimax:2,shift3,shift7,taylor:2",
      .y_column = "energy_ratio",
-     .measure = energy_ratio,
-     .fill = fill_exponents},
+     .measure = energy_ratio},
     {.name = "orders",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "orders",
@@ -99,8 +98,7 @@ static const plot_figure figures[] = {
      .lobes = "minimax:2,minimax:4,minimax:8,minimax:16,minimax:32",
      .y_column = "maximum_error",
      .measure = whole_error,
-     .is_ordered = 1,
-     .fill = fill_exponents},
+     .is_ordered = 1},
     {.name = "widths",
      .axis = PLOT_AXIS_BITS,
      .script = "widths",
@@ -109,7 +107,7 @@ static const plot_figure figures[] = {
      .lobes = "taylor:2,shift7,energy:2,minimax:2,shift3,minimax:4,minimax:8,gaussian,schlick",
      .bits = "1,16",
      .y_column = "ratio",
-     .fill = fill_widths},
+     .measure = burnish_theory_width_ratio},
 };
 
 const plot_figure *plot_figure_at(size_t index) {
@@ -195,193 +193,15 @@ static plot_dash style_of(size_t i) {
     return styles[i % (sizeof styles / sizeof *styles)];
 }
 
-static double least(const double *list, size_t count) {
-    double result = list[0];
-    for (size_t i = 1; i < count; ++i) {
-        result = list[i] < result ? list[i] : result;
-    }
-    return result;
+/* ---- Measures ---------------------------------------------------------------------------------*/
+
+static double lobe_value(const burnish_theory_model *model, double degrees) {
+    return burnish_theory_value_at_angle(model, degrees / DEGREES);
 }
 
-static double greatest(const double *list, size_t count) {
-    double result = list[0];
-    for (size_t i = 1; i < count; ++i) {
-        result = list[i] > result ? list[i] : result;
-    }
-    return result;
-}
-
-/* Step i of the points of an axis between two values, in equal ratios or differences. */
-static double step_between(double low, double high, int logarithmic, size_t i) {
-    double share = (double)i / (PLOT_POINTS - 1);
-    if (i == 0 || i == PLOT_POINTS - 1) {
-        return i == 0 ? low : high;
-    }
-    return logarithmic ? low * pow(high / low, share) : low + (high - low) * share;
-}
-
-/* ---- Figures over the angle -------------------------------------------------------------------*/
-
-/* A figure for one exponent says which. */
-static void state_exponent(const plot_request *request, plot_chart *chart) {
-    snprintf(chart->condition, sizeof chart->condition, ", {/:Italic n} = %.6g",
-             request->exponents[0]);
-}
-
-/* Angles up to where the power has left the screen and the slowest comparison is in sight. */
-static double angle_range(const plot_request *request) {
-    burnish_theory_model power;
-    burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
-                                least(request->exponents, request->exponent_count));
-    double end = 2.4 * burnish_theory_angle_at(&power, 1.0 / 256) * DEGREES;
-    end = end < 80 ? ceil(end / 5) * 5 : 90;
-    return end;
-}
-
-/* Name, ink and style: several exponents are an ordered set and take the ramp, lobes have hues. */
-static void dress_angle_series(const plot_request *request, size_t l, size_t e,
-                               const burnish_theory_model *model, plot_series *series) {
-    double exponent = request->exponents[e];
-    int several = request->exponent_count > 1, many = request->lobe_count > 1;
-    char text[64];
-    lobe_text(model, text, sizeof text);
-    snprintf(series->name, sizeof series->name, "%s n=%.10g", request->lobes[l], exponent);
-    if (several) {
-        snprintf(series->text, sizeof series->text, "%s%s{/:Italic n} = %.6g", many ? text : "",
-                 many ? ", " : "", exponent);
-    } else {
-        snprintf(series->text, sizeof series->text, "%s", text);
-    }
-    series->ink = several ? ramp_ink(e, request->exponent_count) : lobe_ink(model);
-    series->dash = style_of(several && !many ? e : l);
-}
-
-static void sample_angles(const burnish_theory_model *model, double end, int error_wanted,
-                          plot_series *series) {
-    series->count = PLOT_POINTS;
-    for (size_t i = 0; i < PLOT_POINTS; ++i) {
-        /* Denser near the peak, where narrow lobes end. */
-        double share = (double)i / (PLOT_POINTS - 1);
-        double degrees = end * share * (error_wanted ? share : 1);
-        double value = burnish_theory_value_at_angle(model, degrees / DEGREES);
-        double power = burnish_theory_power(cos(degrees / DEGREES), model->exponent);
-        series->x[i] = degrees;
-        series->y[i] = error_wanted ? fabs(value - power) : value;
-    }
-}
-
-static burnish_status fill_angles(const plot_figure *figure, const plot_request *request,
-                                  plot_chart *chart, burnish_error *error) {
-    double end = angle_range(request);
-    burnish_status status = BURNISH_STATUS_OK;
-    for (size_t l = 0; l < request->lobe_count; ++l) {
-        for (size_t e = 0; e < request->exponent_count; ++e) {
-            burnish_theory_model model;
-            status = make_model(request->lobes[l], request->exponents[e], &model, error);
-            if (status != BURNISH_STATUS_OK && request->lenient) {
-                continue;
-            }
-            plot_series *series = status == BURNISH_STATUS_OK ? add_series(chart, error) : NULL;
-            if (!series) {
-                return error->status;
-            }
-            dress_angle_series(request, l, e, &model, series);
-            sample_angles(&model, end, figure->measures_error, series);
-        }
-    }
-    if (chart->series_count == 0) {
-        return status;
-    }
-    chart->x_column = "angle_deg";
-    chart->x_high = end;
-    if (request->exponent_count == 1) {
-        state_exponent(request, chart);
-    }
-    return BURNISH_STATUS_OK;
-}
-
-/* ---- Figures over the exponent ----------------------------------------------------------------*/
-
-/* The least exponent between the one without (low) and the one with such a lobe (high). */
-static double first_exponent(const burnish_theory_model *pattern, double low, double high,
-                             burnish_theory_model *model) {
-    for (int i = 0; i < 50; ++i) {
-        double middle = 0.5 * (low + high);
-        if (burnish_theory_model_create(model, &pattern->lobe, middle) == BURNISH_LOBE_OK) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    burnish_theory_model_create(model, &pattern->lobe, high);
-    return high;
-}
-
-/* One curve against the exponent; it begins where the lobe begins to exist. */
-static burnish_status fill_curve(const plot_request *request, const char *word, double bits,
-                                 plot_metric *measure, plot_series *series, burnish_error *error) {
-    burnish_theory_model pattern, model;
-    double low = least(request->exponents, request->exponent_count);
-    double high = greatest(request->exponents, request->exponent_count);
-    int before = 0;
-    burnish_status status = make_model(word, high, &pattern, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    for (size_t i = 0; i < PLOT_POINTS; ++i) {
-        double exponent = step_between(low, high, 1, i);
-        int exists =
-            burnish_theory_model_create(&model, &pattern.lobe, exponent) == BURNISH_LOBE_OK;
-        series->x[i] = exponent;
-        series->y[i] = exists ? measure(&model, bits) : NAN;
-        if (i > 0 && exists && !before) {
-            series->x[i - 1] = first_exponent(&pattern, series->x[i - 1], exponent, &model);
-            series->y[i - 1] = measure(&model, bits);
-        }
-        before = exists;
-    }
-    series->count = PLOT_POINTS;
-    return BURNISH_STATUS_OK;
-}
-
-/* A curve per lobe, and per number of bits where there are some. */
-static burnish_status fill_exponents(const plot_figure *figure, const plot_request *request,
-                                     plot_chart *chart, burnish_error *error) {
-    size_t bits_count = request->bits_count > 0 ? request->bits_count : 1;
-    double top = greatest(request->exponents, request->exponent_count);
-    for (size_t l = 0; l < request->lobe_count; ++l) {
-        for (size_t b = 0; b < bits_count; ++b) {
-            double bits = request->bits_count > 0 ? request->bits[b] : 0;
-            burnish_theory_model model;
-            plot_series *series = add_series(chart, error);
-            burnish_status status =
-                series ? make_model(request->lobes[l], top, &model, error) : error->status;
-            if (status == BURNISH_STATUS_OK) {
-                status =
-                    fill_curve(request, request->lobes[l], bits, figure->measure, series, error);
-            }
-            if (status != BURNISH_STATUS_OK) {
-                return status;
-            }
-            char text[64];
-            lobe_text(&model, text, sizeof text);
-            snprintf(series->name, sizeof series->name, "%s", request->lobes[l]);
-            snprintf(series->text, sizeof series->text, "%s",
-                     figure->has_paper_names ? text : series->name);
-            series->ink = figure->is_ordered ? ramp_ink(l, request->lobe_count) : lobe_ink(&model);
-            series->dash = figure->is_ordered ? PLOT_LINE : lobe_style(&model);
-            if (request->bits_count > 0) {
-                snprintf(series->name, sizeof series->name, "%s q=%.10g", request->lobes[l], bits);
-                snprintf(series->text, sizeof series->text, "%s, {/:Italic q} = %.6g", text, bits);
-                series->ink = ramp_ink(b, bits_count);
-                series->dash = style_of(l);
-            }
-        }
-    }
-    chart->x_column = "exponent";
-    chart->x_low = least(request->exponents, request->exponent_count);
-    chart->x_high = top;
-    return BURNISH_STATUS_OK;
+static double power_error(const burnish_theory_model *model, double degrees) {
+    return fabs(lobe_value(model, degrees) -
+                burnish_theory_power(cos(degrees / DEGREES), model->exponent));
 }
 
 static double core_error(const burnish_theory_model *model, double bits) {
@@ -410,21 +230,149 @@ static double extreme_error_searched(const burnish_theory_model *model, double b
     return percent_at(model, burnish_theory_extreme_angle_searched(model));
 }
 
-static burnish_status fill_extreme(const plot_figure *figure, const plot_request *request,
-                                   plot_chart *chart, burnish_error *error) {
-    burnish_status status = fill_exponents(figure, request, chart, error);
-    size_t lines = chart->series_count;
-    for (size_t l = 0; l < lines && status == BURNISH_STATUS_OK; ++l) {
-        plot_series *line = &chart->series[l];
-        plot_series *points = add_series(chart, error);
-        if (!points) {
-            return error->status;
+static burnish_theory_model power_with(double exponent) {
+    burnish_theory_model power;
+    burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER}, exponent);
+    return power;
+}
+
+static double energy_ratio(const burnish_theory_model *model, double bits) {
+    const burnish_theory_model power = power_with(model->exponent);
+    (void)bits;
+    return burnish_theory_integral(model, BURNISH_THEORY_SOLID_ANGLE) /
+           burnish_theory_integral(&power, BURNISH_THEORY_SOLID_ANGLE);
+}
+
+static double whole_error(const burnish_theory_model *model, double bits) {
+    (void)bits;
+    return burnish_theory_maximum_error(model, acos(0));
+}
+
+/* ---- Curves -----------------------------------------------------------------------------------*/
+
+/* What one curve is drawn for besides its lobe: number `index` of a list, or no number. */
+typedef struct curve {
+    const char *lobe;
+    size_t lobe_index, index;
+    const plot_list *list; /* NULL: none */
+    char letter;           /* of the numbers: n or q */
+} curve;
+
+/* Name, ink and dashes. A list of numbers is an ordered set and takes the ramp; lobes have hues. */
+static void dress(const plot_figure *figure, const plot_request *request, const curve *c,
+                  const burnish_theory_model *model, plot_series *series) {
+    const int many = request->lobes.count > 1;
+    const int is_bits = c->list == &request->bits;
+    const int several = c->list && (is_bits || c->list->count > 1);
+    char text[64];
+    lobe_text(model, text, sizeof text);
+    snprintf(series->name, sizeof series->name, "%s", c->lobe);
+    if (c->list) {
+        snprintf(series->name, sizeof series->name, "%s %c=%.10g", c->lobe, c->letter,
+                 c->list->items[c->index]);
+    }
+    snprintf(series->text, sizeof series->text, "%s", figure->has_paper_names ? text : c->lobe);
+    if (several) {
+        snprintf(series->text, sizeof series->text, "%s%s{/:Italic %c} = %.6g",
+                 many || is_bits ? text : "", many || is_bits ? ", " : "", c->letter,
+                 c->list->items[c->index]);
+    }
+    series->ink = several              ? ramp_ink(c->index, c->list->count)
+                  : figure->is_ordered ? ramp_ink(c->lobe_index, request->lobes.count)
+                                       : lobe_ink(model);
+    series->dash = c->list              ? style_of(several && !many ? c->index : c->lobe_index)
+                   : figure->is_ordered ? PLOT_LINE
+                                        : lobe_style(model);
+}
+
+/* The axis's value number i of PLOT_POINTS. */
+static double x_at(const plot_figure *figure, const plot_chart *chart, size_t i) {
+    double share = (double)i / (PLOT_POINTS - 1);
+    if (i == 0 || i == PLOT_POINTS - 1) {
+        return i == 0 ? chart->x_low : chart->x_high;
+    }
+    if (figure->axis == PLOT_AXIS_EXPONENTS) {
+        return chart->x_low * pow(chart->x_high / chart->x_low, share);
+    }
+    return chart->x_low + (chart->x_high - chart->x_low) * share * (figure->is_narrow ? share : 1);
+}
+
+/* The least exponent between the one without (low) and the one with such a lobe (high). */
+static double first_exponent(const burnish_theory_model *pattern, double low, double high,
+                             burnish_theory_model *model) {
+    for (int i = 0; i < 50; ++i) {
+        double middle = 0.5 * (low + high);
+        if (burnish_theory_model_create(model, &pattern->lobe, middle) == BURNISH_LOBE_OK) {
+            high = middle;
+        } else {
+            low = middle;
         }
-        status = fill_curve(request, request->lobes[l], 0, extreme_error_searched, points, error);
+    }
+    burnish_theory_model_create(model, &pattern->lobe, high);
+    return high;
+}
+
+/* Values over the exponent; they begin where the lobe begins to exist. */
+static void sample_exponents(const burnish_theory_model *pattern, plot_metric *measure, double bits,
+                             plot_series *series) {
+    burnish_theory_model model;
+    int before = 0;
+    for (size_t i = 0; i < PLOT_POINTS; ++i) {
+        const double exponent = series->x[i];
+        int exists =
+            burnish_theory_model_create(&model, &pattern->lobe, exponent) == BURNISH_LOBE_OK;
+        series->y[i] = exists ? measure(&model, bits) : NAN;
+        if (i > 0 && exists && !before) {
+            series->x[i - 1] = first_exponent(pattern, series->x[i - 1], exponent, &model);
+            series->y[i - 1] = measure(&model, bits);
+        }
+        before = exists;
+    }
+}
+
+static void sample(const plot_figure *figure, const plot_chart *chart,
+                   const burnish_theory_model *model, plot_metric *measure, double bits,
+                   plot_series *series) {
+    series->count = PLOT_POINTS;
+    for (size_t i = 0; i < PLOT_POINTS; ++i) {
+        series->x[i] = x_at(figure, chart, i);
+    }
+    if (figure->axis == PLOT_AXIS_EXPONENTS) {
+        sample_exponents(model, measure, bits, series);
+        return;
+    }
+    for (size_t i = 0; i < PLOT_POINTS; ++i) {
+        series->y[i] = measure(model, series->x[i]);
+    }
+}
+
+static burnish_status add_curve(const plot_figure *figure, const plot_request *request,
+                                const curve *c, const burnish_theory_model *model,
+                                plot_chart *chart, burnish_error *error) {
+    const double bits = c->list == &request->bits ? c->list->items[c->index] : 0;
+    plot_series *series = add_series(chart, error);
+    if (!series) {
+        return error->status;
+    }
+    dress(figure, request, c, model, series);
+    sample(figure, chart, model, figure->measure, bits, series);
+    return BURNISH_STATUS_OK;
+}
+
+/* For every line points that were found in another way. */
+static burnish_status add_points(const plot_figure *figure, const plot_request *request,
+                                 plot_chart *chart, burnish_error *error) {
+    for (size_t l = 0; l < request->lobes.count; ++l) {
+        plot_series *line = &chart->series[l], *points = add_series(chart, error);
+        burnish_theory_model model;
+        burnish_status status =
+            points ? make_model(request->lobes.items[l], request->exponents.high, &model, error)
+                   : error->status;
         if (status != BURNISH_STATUS_OK) {
-            break;
+            return status;
         }
-        snprintf(points->name, sizeof points->name, "%s searched", request->lobes[l]);
+        sample(figure, chart, &model, figure->points, 0, points);
+        snprintf(points->name, sizeof points->name, "%s searched", request->lobes.items[l]);
         snprintf(points->text, sizeof points->text, "found by search");
         snprintf(line->text + strlen(line->text), sizeof line->text - strlen(line->text),
                  ", by formula");
@@ -436,54 +384,68 @@ static burnish_status fill_extreme(const plot_figure *figure, const plot_request
             points->y[points->count++] = points->y[i];
         }
     }
-    return status;
+    return BURNISH_STATUS_OK;
 }
 
-static double energy_ratio(const burnish_theory_model *model, double bits) {
-    burnish_theory_model power;
-    (void)bits;
-    burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
-                                model->exponent);
-    return burnish_theory_integral(model, BURNISH_THEORY_SOLID_ANGLE) /
-           burnish_theory_integral(&power, BURNISH_THEORY_SOLID_ANGLE);
+/* A figure for one exponent says which. */
+static void state_exponent(const plot_request *request, plot_chart *chart) {
+    snprintf(chart->condition, sizeof chart->condition, ", {/:Italic n} = %.6g",
+             request->exponents.items[0]);
 }
 
-static double whole_error(const burnish_theory_model *model, double bits) {
-    (void)bits;
-    return burnish_theory_maximum_error(model, acos(0));
+/* The axis of x: angles up to where the power has left the screen and the slowest comparison is in
+ * sight; exponents; bits. */
+static void set_axis(const plot_figure *figure, const plot_request *request, plot_chart *chart) {
+    if (figure->axis == PLOT_AXIS_ANGLES) {
+        const burnish_theory_model power = power_with(request->exponents.low);
+        double end = 2.4 * burnish_theory_angle_at(&power, 1.0 / 256) * DEGREES;
+        chart->x_column = "angle_deg";
+        chart->x_high = end < 80 ? ceil(end / 5) * 5 : 90;
+    } else {
+        const int is_bits = figure->axis == PLOT_AXIS_BITS;
+        const plot_list *list = is_bits ? &request->bits : &request->exponents;
+        chart->x_column = is_bits ? "bits" : "exponent";
+        chart->x_low = list->low;
+        chart->x_high = list->high;
+    }
+    if (figure->axis != PLOT_AXIS_EXPONENTS && request->exponents.count == 1) {
+        state_exponent(request, chart);
+    }
 }
 
-/* ---- R over the threshold ---------------------------------------------------------------------*/
-
-static burnish_status fill_widths(const plot_figure *figure, const plot_request *request,
+static burnish_status fill_curves(const plot_figure *figure, const plot_request *request,
                                   plot_chart *chart, burnish_error *error) {
-    (void)figure;
-    double low = least(request->bits, request->bits_count);
-    double high = greatest(request->bits, request->bits_count);
-    for (size_t l = 0; l < request->lobe_count; ++l) {
-        burnish_theory_model model;
-        plot_series *series = add_series(chart, error);
-        burnish_status status =
-            series ? make_model(request->lobes[l], request->exponents[0], &model, error)
-                   : error->status;
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-        snprintf(series->name, sizeof series->name, "%s", request->lobes[l]);
-        snprintf(series->text, sizeof series->text, "%s", request->lobes[l]);
-        series->ink = lobe_ink(&model);
-        series->dash = lobe_style(&model);
-        series->count = PLOT_POINTS;
-        for (size_t i = 0; i < PLOT_POINTS; ++i) {
-            series->x[i] = step_between(low, high, 0, i);
-            series->y[i] = burnish_theory_width_ratio(&model, series->x[i]);
+    const int over_angles = figure->axis == PLOT_AXIS_ANGLES;
+    burnish_status status = BURNISH_STATUS_OK;
+    curve c = {.letter = over_angles ? 'n' : 'q'};
+    if (over_angles) {
+        c.list = &request->exponents;
+    } else if (figure->axis == PLOT_AXIS_EXPONENTS && request->bits.count > 0) {
+        c.list = &request->bits;
+    }
+    set_axis(figure, request, chart);
+    for (c.lobe_index = 0; c.lobe_index < request->lobes.count; ++c.lobe_index) {
+        c.lobe = request->lobes.items[c.lobe_index];
+        for (c.index = 0; c.index < (c.list ? c.list->count : 1); ++c.index) {
+            burnish_theory_model model;
+            status =
+                make_model(c.lobe, over_angles ? c.list->items[c.index] : request->exponents.high,
+                           &model, error);
+            if (status != BURNISH_STATUS_OK && over_angles && request->lenient) {
+                continue;
+            }
+            if (status == BURNISH_STATUS_OK) {
+                status = add_curve(figure, request, &c, &model, chart, error);
+            }
+            if (status != BURNISH_STATUS_OK) {
+                return status;
+            }
         }
     }
-    state_exponent(request, chart);
-    chart->x_column = "bits";
-    chart->x_low = low;
-    chart->x_high = high;
-    return BURNISH_STATUS_OK;
+    if (chart->series_count == 0) {
+        return status;
+    }
+    return figure->points ? add_points(figure, request, chart, error) : BURNISH_STATUS_OK;
 }
 
 /* ---- Error and cost ---------------------------------------------------------------------------*/
@@ -512,19 +474,19 @@ static int compare_costs(const void *a, const void *b) {
     return order ? order : (x->error > y->error) - (x->error < y->error);
 }
 
-static burnish_status measure(const plot_request *request, candidate *candidates,
-                              burnish_error *error) {
-    for (size_t i = 0; i < request->lobe_count; ++i) {
+static burnish_status price(const plot_request *request, candidate *candidates,
+                            burnish_error *error) {
+    for (size_t i = 0; i < request->lobes.count; ++i) {
         candidate *c = &candidates[i];
-        c->word = request->lobes[i];
-        burnish_status status = make_model(c->word, request->exponents[0], &c->model, error);
+        c->word = request->lobes.items[i];
+        burnish_status status = make_model(c->word, request->exponents.items[0], &c->model, error);
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
         c->cost = burnish_theory_model_cost(&c->model);
         c->error = burnish_theory_maximum_error(&c->model, acos(0));
     }
-    qsort(candidates, request->lobe_count, sizeof *candidates, compare_costs);
+    qsort(candidates, request->lobes.count, sizeof *candidates, compare_costs);
     return BURNISH_STATUS_OK;
 }
 
@@ -559,13 +521,12 @@ static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status fill_cost(const plot_figure *figure, const plot_request *request,
-                                plot_chart *chart, burnish_error *error) {
-    (void)figure;
+static burnish_status fill_cost(const plot_request *request, plot_chart *chart,
+                                burnish_error *error) {
     candidate candidates[PLOT_LIST_MAX];
     double row = 0;
     const char *group = NULL;
-    burnish_status status = measure(request, candidates, error);
+    burnish_status status = price(request, candidates, error);
     plot_series *front = status == BURNISH_STATUS_OK ? add_series(chart, error) : NULL;
     if (!front) {
         return status == BURNISH_STATUS_OK ? error->status : status;
@@ -573,7 +534,7 @@ static burnish_status fill_cost(const plot_figure *figure, const plot_request *r
     snprintf(front->name, sizeof front->name, "front");
     front->ink = PLOT_INK_AXIS;
     front->dash = COST_FRONT;
-    for (size_t i = 0; i < request->lobe_count && status == BURNISH_STATUS_OK; ++i) {
+    for (size_t i = 0; i < request->lobes.count && status == BURNISH_STATUS_OK; ++i) {
         const char *next = heading(&candidates[i].cost);
         if (!group || strcmp(group, next) != 0) {
             plot_series *title = add_series(chart, error);
@@ -592,4 +553,10 @@ static burnish_status fill_cost(const plot_figure *figure, const plot_request *r
     chart->x_column = "row";
     state_exponent(request, chart);
     return status;
+}
+
+burnish_status plot_fill(const plot_figure *figure, const plot_request *request, plot_chart *chart,
+                         burnish_error *error) {
+    return figure->measure ? fill_curves(figure, request, chart, error)
+                           : fill_cost(request, chart, error);
 }

@@ -26,7 +26,7 @@ typedef struct gallery {
     size_t count;
 } gallery;
 
-static burnish_status set_material(burnish_mesh *scene, double exponent, burnish_error *error) {
+static burnish_status set_material(burnish_mesh *mesh, double exponent, burnish_error *error) {
     burnish_material material = burnish_material_default();
     static const float color[3] = {0.030F, 0.110F, 0.250F}; /* linear: a dark glaze */
     for (int k = 0; k < 3; ++k) {
@@ -34,20 +34,20 @@ static burnish_status set_material(burnish_mesh *scene, double exponent, burnish
         material.specular[k] = 0.9F;
     }
     material.exponent = (float)exponent;
-    return burnish_mesh_set_material(scene, 0, &material, error);
+    return burnish_mesh_set_material(mesh, 0, &material, error);
 }
 
-static burnish_status load(double exponent, double aspect, burnish_mesh **scene,
+static burnish_status load(double exponent, double aspect, burnish_mesh **mesh,
                            burnish_camera *camera, burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
     burnish_framing fit = burnish_framing_default();
     options.tessellation = 32;
     fit.aspect = aspect;
-    burnish_status status = burnish_mesh_load(object_name, &options, scene, error);
+    burnish_status status = burnish_mesh_load(object_name, &options, mesh, error);
     if (status == BURNISH_STATUS_OK) {
-        status = set_material(*scene, exponent, error);
+        status = set_material(*mesh, exponent, error);
     }
-    return status == BURNISH_STATUS_OK ? burnish_camera_frame(*scene, &fit, camera, error) : status;
+    return status == BURNISH_STATUS_OK ? burnish_camera_frame(*mesh, &fit, camera, error) : status;
 }
 
 /* The colour of a difference: blue below, orange above, both darker the larger it is. */
@@ -171,28 +171,29 @@ static void name_lobe(const char *word, char *name) {
 }
 
 static burnish_status draw_lobes(const plot_request *request, gallery *g, burnish_error *error) {
-    burnish_mesh *scene = NULL;
+    burnish_mesh *mesh = NULL;
     burnish_render_options options = burnish_render_options_default();
-    burnish_status status = load(request->exponents[0], (double)request->width / request->height,
-                                 &scene, &options.camera, error);
+    burnish_status status =
+        load(request->exponents.items[0], (double)request->width / request->height, &mesh,
+             &options.camera, error);
     options.width = request->width;
     options.height = request->height;
     options.samples = 16;
     memset(options.background, 255, sizeof options.background);
-    for (size_t i = 0; i < request->lobe_count && status == BURNISH_STATUS_OK; ++i) {
+    for (size_t i = 0; i < request->lobes.count && status == BURNISH_STATUS_OK; ++i) {
         burnish_error inner;
-        if (burnish_lobe_spec_parse(request->lobes[i], &options.lobe, &inner) !=
+        if (burnish_lobe_spec_parse(request->lobes.items[i], &options.lobe, &inner) !=
             BURNISH_STATUS_OK) {
             status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
             break;
         }
-        name_lobe(request->lobes[i], g->names[i]);
-        status = burnish_render(scene, &options, &g->images[0][i], NULL, error);
+        name_lobe(request->lobes.items[i], g->names[i]);
+        status = burnish_render(mesh, &options, &g->images[0][i], NULL, error);
         if (status == BURNISH_STATUS_OK && i > 0) {
             status = subtract(g, i, error);
         }
     }
-    burnish_mesh_destroy(scene);
+    burnish_mesh_destroy(mesh);
     return status;
 }
 
@@ -222,15 +223,15 @@ static burnish_status write_differences(const plot_request *request, const galle
         text, sizeof text, "lobe,reference,lowest_difference,highest_difference,mean_difference\n");
     for (size_t i = 1; i < g->count; ++i) {
         used += (size_t)snprintf(text + used, sizeof text - used, "%s,%s,%d,%d,%.6g\n",
-                                 request->lobes[i], request->lobes[0], g->low[i], g->high[i],
-                                 g->mean[i]);
+                                 request->lobes.items[i], request->lobes.items[0], g->low[i],
+                                 g->high[i], g->mean[i]);
     }
     return burnish_file_write(path, text, used, error);
 }
 
 burnish_status plot_object(const plot_request *request, int data, const char *path,
                            burnish_error *error) {
-    if (request->lobe_count < 2 || request->lobe_count > LOBES_MAX) {
+    if (request->lobes.count < 2 || request->lobes.count > LOBES_MAX) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--lobes: the figure object takes 2 to %d lobes, the one to compare "
                         "with first",
@@ -240,10 +241,10 @@ burnish_status plot_object(const plot_request *request, int data, const char *pa
     if (!g) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
     }
-    g->count = request->lobe_count;
+    g->count = request->lobes.count;
     burnish_status status = draw_lobes(request, g, error);
     if (status == BURNISH_STATUS_OK) {
-        status = draw_legend(g, request->exponents[0], error);
+        status = draw_legend(g, request->exponents.items[0], error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = data ? write_differences(request, g, path, error) : write_sheet(g, path, error);

@@ -10,8 +10,8 @@
 
 typedef struct plot_settings {
     const char *exponents, *lobes, *bits, *output;
-    double size[2];
-    int has_size, format;
+    int size[2]; /* 0,0: the figure's own */
+    int format;
 } plot_settings;
 
 typedef enum plot_format {
@@ -28,8 +28,17 @@ static const cli_word format_words[] = {{"svg", FORMAT_SVG},
                                         {"gp", FORMAT_SCRIPT},
                                         {NULL, 0}};
 
+enum {
+    WIDTH = 720,
+    HEIGHT = 440,
+    CHART_WIDTH_MIN = 400,
+    CHART_HEIGHT_MIN = 250,
+    SIZE_MIN = 160,
+    SIZE_MAX_PX = 4096,
+    BITS_MAX = 64
+};
+
 static cli_work plot;
-static cli_handler flag_size;
 
 #define TARGET(member) .offset = offsetof(plot_settings, member)
 
@@ -76,10 +85,12 @@ static const cli_flag plot_flags[] = {
     {.name = "size",
      .value = "W,H",
      .help = "in pixels; for object of one picture",
+     .low = SIZE_MIN,
+     .high = SIZE_MAX_PX,
      .default_label = "by figure, most 720,440",
      .manual = "Width and height in pixels, from 160 to 4096; for the figure *object* those of one "
                "picture of the sheet.",
-     .handler = flag_size,
+     .handler = cli_flag_size,
      TARGET(size)},
     {.name = "format",
      .value = "WORD",
@@ -126,107 +137,62 @@ const cli_command lobe_plot_command = {
     .work = plot,
 };
 
-enum {
-    WIDTH = 720,
-    HEIGHT = 440,
-    CHART_WIDTH_MIN = 400,
-    CHART_HEIGHT_MIN = 250,
-    SIZE_MIN = 160,
-    SIZE_MAX_PX = 4096,
-    BITS_MAX = 64
-};
-
-static burnish_status flag_size(const cli_flag *flag, const char *text, void *target,
-                                burnish_error *error) {
-    plot_settings *settings = (plot_settings *)(void *)((char *)target - flag->offset);
-    double *size = settings->size;
-    int valid = cli_read_reals(text, strlen(text), size, 2);
-    for (int i = 0; valid && i < 2; ++i) {
-        valid = size[i] >= SIZE_MIN && size[i] <= SIZE_MAX_PX && size[i] == floor(size[i]);
-    }
-    if (!valid) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--size: \"%.60s\" is not a width and a height from %d to %d, such "
-                        "as 720,440",
-                        text, SIZE_MIN, SIZE_MAX_PX);
-    }
-    settings->has_size = 1;
-    return BURNISH_STATUS_OK;
-}
-
 static burnish_status fail_count(const char *flag, burnish_error *error) {
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d items; leave some out",
                     flag, PLOT_LIST_MAX);
 }
 
-static burnish_status read_exponents(const char *list, plot_request *request,
-                                     burnish_error *error) {
-    lobe_exponents exponents;
-    burnish_status status = lobe_read_exponents("exponents", list, &exponents, error);
-    if (status == BURNISH_STATUS_OK && exponents.count > PLOT_LIST_MAX) {
-        status = fail_count("exponents", error);
+static burnish_status add_number(const char *flag, double value, plot_list *list,
+                                 burnish_error *error) {
+    if (list->count == PLOT_LIST_MAX) {
+        return fail_count(flag, error);
     }
+    list->low = list->count == 0 || value < list->low ? value : list->low;
+    list->high = list->count == 0 || value > list->high ? value : list->high;
+    list->items[list->count++] = value;
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status read_exponents(const char *text, plot_list *list, burnish_error *error) {
+    lobe_exponents exponents;
+    burnish_status status = lobe_read_exponents("exponents", text, &exponents, error);
     for (size_t i = 0; status == BURNISH_STATUS_OK && i < exponents.count; ++i) {
-        request->exponents[request->exponent_count++] = exponents.items[i];
+        status = add_number("exponents", exponents.items[i], list, error);
     }
     free(exponents.items);
     return status;
 }
 
-static burnish_status read_lobes(const char *list, plot_request *request, burnish_error *error) {
-    lobe_names names;
-    burnish_status status = lobe_read_lobes("lobes", list, &names, error);
-    if (status == BURNISH_STATUS_OK && names.count > PLOT_LIST_MAX) {
-        status = fail_count("lobes", error);
-    }
-    for (size_t i = 0; status == BURNISH_STATUS_OK && i < names.count; ++i) {
-        memcpy(request->lobes[request->lobe_count++], names.items[i], LOBE_NAME);
-    }
-    return status;
-}
-
-static burnish_status read_bits(const char *list, plot_request *request, burnish_error *error) {
-    while (list) {
+static burnish_status read_bits(const char *text, plot_list *list, burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    while (text && status == BURNISH_STATUS_OK) {
         const char *item;
         double value = 0;
-        size_t length = cli_next_item(&list, ',', &item);
+        size_t length = cli_next_item(&text, ',', &item);
         if (!cli_read_real(item, length, &value) || !(value > 0 && value <= BITS_MAX)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "--bits: \"%.*s\" is not a number above 0 up to %d",
                             (int)(length < 60 ? length : 60), item, BITS_MAX);
         }
-        if (request->bits_count == PLOT_LIST_MAX) {
-            return fail_count("bits", error);
-        }
-        request->bits[request->bits_count++] = value;
+        status = add_number("bits", value, list, error);
     }
-    return BURNISH_STATUS_OK;
-}
-
-static int all_equal(const double *list, size_t count) {
-    for (size_t i = 1; i < count; ++i) {
-        if (list[i] != list[0]) {
-            return 0;
-        }
-    }
-    return 1;
+    return status;
 }
 
 static burnish_status check_lists(const plot_figure *figure, const plot_request *request,
                                   burnish_error *error) {
     if (figure->axis != PLOT_AXIS_ANGLES && figure->axis != PLOT_AXIS_EXPONENTS &&
-        request->exponent_count > 1) {
+        request->exponents.count > 1) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--exponents: the figure %s is drawn for one exponent", figure->name);
     }
-    if (figure->axis == PLOT_AXIS_EXPONENTS &&
-        all_equal(request->exponents, request->exponent_count)) {
+    if (figure->axis == PLOT_AXIS_EXPONENTS && request->exponents.low == request->exponents.high) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--exponents: the figure %s has an axis of exponents; give its two "
                         "ends, such as 2,1000",
                         figure->name);
     }
-    if (figure->axis == PLOT_AXIS_BITS && all_equal(request->bits, request->bits_count)) {
+    if (figure->axis == PLOT_AXIS_BITS && request->bits.low == request->bits.high) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--bits: the figure %s has an axis of bits; give its two ends, "
                         "such as 1,16",
@@ -237,19 +203,16 @@ static burnish_status check_lists(const plot_figure *figure, const plot_request 
 
 /* A figure's own lobes are for its own exponents; others may be too small for some orders. */
 static void keep_existing_lobes(plot_request *request) {
+    lobe_names *lobes = &request->lobes;
     size_t kept = 0;
-    double greatest = 1;
-    for (size_t i = 0; i < request->exponent_count; ++i) {
-        greatest = fmax(greatest, request->exponents[i]);
-    }
-    for (size_t i = 0; i < request->lobe_count; ++i) {
+    for (size_t i = 0; i < lobes->count; ++i) {
         burnish_theory_model model;
-        if (burnish_theory_model_parse(request->lobes[i], greatest, &model, NULL) ==
+        if (burnish_theory_model_parse(lobes->items[i], request->exponents.high, &model, NULL) ==
             BURNISH_STATUS_OK) {
-            memmove(request->lobes[kept++], request->lobes[i], sizeof request->lobes[i]);
+            memmove(lobes->items[kept++], lobes->items[i], sizeof lobes->items[i]);
         }
     }
-    request->lobe_count = kept;
+    lobes->count = kept;
 }
 
 static burnish_status make_request(const plot_figure *figure, const plot_settings *settings,
@@ -258,26 +221,30 @@ static burnish_status make_request(const plot_figure *figure, const plot_setting
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--bits: the figure %s has no thresholds; leave it out", figure->name);
     }
-    if (settings->has_size && figure->fill &&
+    if (settings->size[0] > 0 && figure->script &&
         (settings->size[0] < CHART_WIDTH_MIN || settings->size[1] < CHART_HEIGHT_MIN)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--size: the names in the figure %s take %d,%d or more", figure->name,
                         CHART_WIDTH_MIN, CHART_HEIGHT_MIN);
     }
     request->lenient = !settings->lobes || !settings->exponents;
-    request->width = settings->has_size ? (int)settings->size[0]
-                     : figure->width    ? figure->width
-                                        : WIDTH;
-    request->height = settings->has_size ? (int)settings->size[1]
-                      : figure->height   ? figure->height
-                                         : HEIGHT;
+    request->width = settings->size[0] > 0 ? settings->size[0]
+                     : figure->width       ? figure->width
+                                           : WIDTH;
+    request->height = settings->size[0] > 0 ? settings->size[1]
+                      : figure->height      ? figure->height
+                                            : HEIGHT;
     burnish_status status = read_exponents(
-        settings->exponents ? settings->exponents : figure->exponents, request, error);
+        settings->exponents ? settings->exponents : figure->exponents, &request->exponents, error);
     if (status == BURNISH_STATUS_OK) {
-        status = read_lobes(settings->lobes ? settings->lobes : figure->lobes, request, error);
+        status = lobe_read_lobes("lobes", settings->lobes ? settings->lobes : figure->lobes,
+                                 &request->lobes, error);
+    }
+    if (status == BURNISH_STATUS_OK && request->lobes.count > PLOT_LIST_MAX) {
+        status = fail_count("lobes", error);
     }
     if (status == BURNISH_STATUS_OK && figure->bits) {
-        status = read_bits(settings->bits ? settings->bits : figure->bits, request, error);
+        status = read_bits(settings->bits ? settings->bits : figure->bits, &request->bits, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_lists(figure, request, error);
@@ -321,7 +288,7 @@ static burnish_status draw_chart(const plot_figure *figure, const plot_request *
     chart->y_column = figure->y_column;
     chart->width = request->width;
     chart->height = request->height;
-    burnish_status status = figure->fill(figure, request, chart, error);
+    burnish_status status = plot_fill(figure, request, chart, error);
     if (status == BURNISH_STATUS_OK) {
         status = chart_text(figure, chart, format, &text, &size, error);
     }
@@ -375,16 +342,16 @@ static plot_format format_of_path(const char *path, plot_format drawing) {
 
 static burnish_status choose_format(const plot_figure *figure, const plot_settings *settings,
                                     plot_format *format, burnish_error *error) {
-    plot_format drawing = figure->fill ? FORMAT_SVG : FORMAT_PNG;
+    plot_format drawing = figure->script ? FORMAT_SVG : FORMAT_PNG;
     const char *flag = settings->format ? "--format" : "--output";
     *format = settings->format   ? (plot_format)settings->format
               : settings->output ? format_of_path(settings->output, drawing)
                                  : drawing;
     int possible = *format == FORMAT_PNG || *format == FORMAT_CSV ||
-                   (figure->fill && (*format == FORMAT_SVG || *format == FORMAT_SCRIPT));
+                   (figure->script && (*format == FORMAT_SVG || *format == FORMAT_SCRIPT));
     if (!possible) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s: the figure %s is written as %s", flag,
-                        figure->name, figure->fill ? "svg, png, csv or gp" : "png or csv");
+                        figure->name, figure->script ? "svg, png, csv or gp" : "png or csv");
     }
     return BURNISH_STATUS_OK;
 }
@@ -411,9 +378,9 @@ static burnish_status plot(void *from, cli_call *call, burnish_error *error) {
         return status;
     }
     snprintf(default_path, sizeof default_path, "%s.%s", figure->name,
-             figure->fill ? "svg" : "png");
+             figure->script ? "svg" : "png");
     int drawing = format == FORMAT_SVG || format == FORMAT_PNG;
     const char *path = settings->output ? settings->output : drawing ? default_path : "-";
-    return figure->fill ? draw_chart(figure, &request, format, path, error)
-                        : plot_object(&request, format == FORMAT_CSV, path, error);
+    return figure->script ? draw_chart(figure, &request, format, path, error)
+                          : plot_object(&request, format == FORMAT_CSV, path, error);
 }

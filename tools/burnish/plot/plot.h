@@ -48,51 +48,52 @@ typedef struct plot_chart {
     size_t series_count;
 } plot_chart;
 
+/* The numbers of --exponents and --bits. */
+typedef struct plot_list {
+    double items[PLOT_LIST_MAX];
+    size_t count;
+    double low, high; /* the least and the greatest */
+} plot_list;
+
 /* What a figure is drawn for. */
 typedef struct plot_request {
-    double exponents[PLOT_LIST_MAX];
-    size_t exponent_count;
-    char lobes[PLOT_LIST_MAX][LOBE_NAME];
-    size_t lobe_count;
-    double bits[PLOT_LIST_MAX];
-    size_t bits_count;
+    plot_list exponents, bits;
+    lobe_names lobes; /* at most PLOT_LIST_MAX */
     int width, height;
     int lenient; /* 1: lobes or exponents are the figure's own, which need not all fit the others */
 } plot_request;
 
-typedef struct plot_figure plot_figure;
+/* What a figure plots for one lobe: over the angle x in degrees, or for 2^-x where it has bits. */
+typedef double plot_metric(const burnish_theory_model *model, double x);
 
-/* What a figure plots for one lobe: the lobe at an exponent, and q where the figure has bits. */
-typedef double plot_metric(const burnish_theory_model *model, double bits);
-
-/* Fills a chart that is zero but for name, title, size and the column of y. */
-typedef burnish_status plot_fill(const plot_figure *figure, const plot_request *request,
-                                 plot_chart *chart, burnish_error *error);
-
-/* What --exponents and --bits are: curves; the ends of the axis; or, for PLOT_AXIS_NONE, one
- * exponent only. */
+/* What the axis is; --exponents and --bits are then curves or the ends of the axis. */
 typedef enum plot_axis {
     PLOT_AXIS_ANGLES,
     PLOT_AXIS_EXPONENTS,
     PLOT_AXIS_BITS, /* and one exponent only */
-    PLOT_AXIS_NONE
+    PLOT_AXIS_NONE  /* the figures cost and object: one exponent only */
 } plot_axis;
 
 /* One figure. Defaults are lists as the flags read them; NULL: the figure has no use for the flag.
  */
-struct plot_figure {
+typedef struct plot_figure {
     const char *name, *title;
     const char *script; /* figures/SCRIPT.gp; NULL: a picture, see plot_object */
     plot_axis axis;
     const char *exponents, *lobes, *bits;
     int width, height; /* px; 0: 720 x 440 */
     const char *y_column;
-    plot_metric *measure; /* over the exponent */
-    int measures_error;   /* over the angle: the error instead of the lobe */
+    plot_metric *measure; /* NULL: see PLOT_AXIS_NONE */
+    plot_metric *points;  /* the same found in another way, drawn as points; or NULL */
+    int is_narrow;        /* 1: over the angle, more points where narrow lobes end */
     int has_paper_names;  /* 1: lobes are called as the paper does */
     int is_ordered;       /* 1: the lobes are an ordered set */
-    plot_fill *fill;      /* NULL: a picture */
-};
+} plot_figure;
+
+/* The curves of a figure, into a chart that is zero but for name, title, size and the column of y.
+ * Errors: ARGUMENT for a lobe that does not exist for an exponent, or too many curves. */
+burnish_status plot_fill(const plot_figure *figure, const plot_request *request, plot_chart *chart,
+                         burnish_error *error);
 
 /* All figures; `index` past the end gives NULL. */
 const plot_figure *plot_figure_at(size_t index);

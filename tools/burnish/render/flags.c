@@ -73,7 +73,7 @@ static const cli_flag flags[] = {
      .high = BURNISH_IMAGE_MAX_SIZE,
      .manual = "Width and height of the picture in pixels, each from 1 to 16384; _W_*x*_H_ is "
                "understood too. On a sheet this is the size of each cell.",
-     .handler = render_flag_resolution,
+     .handler = cli_flag_size,
      TARGET(size)},
     {.name = "size",
      .common = 1,
@@ -82,7 +82,7 @@ static const cli_flag flags[] = {
      .low = 1,
      .high = BURNISH_IMAGE_MAX_SIZE,
      .manual = "The same as *--resolution=*_N_*,*_N_.",
-     .handler = render_flag_size,
+     .handler = cli_flag_square,
      TARGET(size)},
     {.name = "cull-back-faces",
      .aliases = "backface-culling",

@@ -126,8 +126,6 @@ extern const render_preset render_presets[];
 extern const cli_word render_preset_words[];
 
 /* Handlers for the flags that only this command has; target types as in render_settings. */
-cli_handler render_flag_resolution;    /* int[2] */
-cli_handler render_flag_size;          /* int[2] */
 cli_handler render_flag_background;    /* render_background */
 cli_handler render_flag_no_background; /* render_background */
 cli_handler render_flag_views;         /* render_views */

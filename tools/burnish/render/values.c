@@ -17,38 +17,6 @@ const cli_word render_preset_words[] = {
     {"matte", 1}, {"satin", 2}, {"plastic", 3}, {"polished", 4}, {"metal", 5}, {NULL, 0},
 };
 
-burnish_status render_flag_resolution(const cli_flag *flag, const char *text, void *target,
-                                      burnish_error *error) {
-    int *size = target;
-    int values[2];
-    const char *rest = text + strcspn(text, ",x");
-    size_t length = (size_t)(rest - text);
-    char width[16];
-    burnish_error ignored;
-    if (*rest && length < sizeof width) {
-        memcpy(width, text, length);
-        width[length] = 0;
-        if (cli_flag_integer(flag, width, &values[0], &ignored) == BURNISH_STATUS_OK &&
-            cli_flag_integer(flag, rest + 1, &values[1], &ignored) == BURNISH_STATUS_OK) {
-            memcpy(size, values, sizeof values);
-            return BURNISH_STATUS_OK;
-        }
-    }
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--%s: \"%.60s\" is not a width and a height from 1 to %d, such as 1920,1080",
-                    flag->name, text, BURNISH_IMAGE_MAX_SIZE);
-}
-
-burnish_status render_flag_size(const cli_flag *flag, const char *text, void *target,
-                                burnish_error *error) {
-    int *size = target;
-    burnish_status status = cli_flag_integer(flag, text, &size[0], error);
-    if (status == BURNISH_STATUS_OK) {
-        size[1] = size[0];
-    }
-    return status;
-}
-
 burnish_status render_flag_background(const cli_flag *flag, const char *text, void *target,
                                       burnish_error *error) {
     render_background *background = target;

@@ -67,6 +67,20 @@ do for [axis = 1:2] {
                 if (axis == 2 && level == 0 && at > 0.999 * low && at < 1.001 * high) { set ytics add (label at level) }
             }
         }
+        # The ends of an axis of exponents, where no other label is near.
+        if (axis == 1 && names ne "rows") {
+            do for [end = 1:2] {
+                at = end == 1 ? x_low : x_high
+                far = 1
+                do for [power = -6:5] {
+                    do for [digit in (long ? "1" : "1 2 5")] {
+                        label = digit * 10.0**power
+                        if (label > 0.999 * x_low && label < 1.001 * x_high && abs(log10(label / at)) < 0.05 * log10(1.0 * x_high / x_low)) { far = 0 }
+                    }
+                }
+                if (far) { set xtics add (sprintf("%.6g", at) at) }
+            }
+        }
     }
 }
 
@@ -125,7 +139,9 @@ if (names eq "end") {
     }
 }
 
+# On a logarithmic axis a line that begins at 0 comes from below.
+from_below(y) = y_log && y < 0.1 * low ? 0.1 * low : y
 if (!exists("drawing")) {
-    drawing = 'plot for [i = 1:lines] $data index i - 1 using 1:2 with lines linewidth 2 dashtype dash[i] linecolor rgb ink(color[i]) title text[i]'
+    drawing = 'plot for [i = 1:lines] $data index i - 1 using 1:(from_below($2)) with lines linewidth 2 dashtype dash[i] linecolor rgb ink(color[i]) title text[i]'
 }
 eval drawing
