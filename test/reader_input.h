@@ -3,6 +3,7 @@
 #ifndef BURNISH_TEST_READER_INPUT_H
 #define BURNISH_TEST_READER_INPUT_H
 
+#include "core/srgb.h"
 #include "mesh/read/obj_materials.h"
 #include "mesh/read/reader.h"
 #include "support.h"
@@ -60,6 +61,34 @@ static inline burnish_status read_mtl(const char *text, burnish_mtl *library,
     burnish_mesh_data_destroy(&mesh);
     return status;
 }
+
+/* Whether position i is x, y, z, and the corners of triangle i are positions a, b, c. */
+static inline int position_is(const burnish_mesh_data *s, size_t i, float x, float y, float z) {
+    return i < s->streams[BURNISH_POSITION].count && burnish_positions(s)[3 * i] == x &&
+           burnish_positions(s)[3 * i + 1] == y && burnish_positions(s)[3 * i + 2] == z;
+}
+
+static inline int triangle_is(const burnish_mesh_data *s, size_t i, uint32_t a, uint32_t b,
+                              uint32_t c) {
+    return i < s->triangle_count && s->streams[BURNISH_POSITION].corners[3 * i] == a &&
+           s->streams[BURNISH_POSITION].corners[3 * i + 1] == b &&
+           s->streams[BURNISH_POSITION].corners[3 * i + 2] == c;
+}
+
+/* Whether a linear colour is that of sRGB values. */
+static inline int color_is(const float color[3], float r, float g, float b) {
+    return color[0] == burnish_srgb_value_to_linear(r) &&
+           color[1] == burnish_srgb_value_to_linear(g) &&
+           color[2] == burnish_srgb_value_to_linear(b);
+}
+
+/* The signed area of a triangle in x and y. */
+static inline double triangle_area(const float *p, const float *q, const float *r) {
+    return 0.5 * (((double)q[0] - p[0]) * ((double)r[1] - p[1]) -
+                  ((double)q[1] - p[1]) * ((double)r[0] - p[0]));
+}
+
+/* Cuts a simple polygon in the plane: all triangles turn the same way, and areas add up. */
 
 /* Bytes under construction. */
 typedef struct byte_list {
