@@ -27,12 +27,18 @@ burnish_status cli_output_begin(cli_output *output, burnish_error *error) {
                           : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
 }
 
+burnish_status cli_output_close(cli_output *output, burnish_error *error) {
+    return cli_close_memory(output->stream, &output->text, &output->size) == 0
+               ? BURNISH_STATUS_OK
+               : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+}
+
 burnish_status cli_output_end(cli_output *output, const char *path, burnish_status status,
                               burnish_error *error) {
-    const int failed = cli_close_memory(output->stream, &output->text, &output->size);
-    if (status == BURNISH_STATUS_OK && failed) {
-        status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
-    }
+    burnish_error closing;
+    burnish_status closed =
+        cli_output_close(output, status == BURNISH_STATUS_OK ? error : &closing);
+    status = status == BURNISH_STATUS_OK ? closed : status;
     if (status == BURNISH_STATUS_OK) {
         status = burnish_file_write(path, output->text, output->size, error);
     }
@@ -120,6 +126,16 @@ static const char *cell_text(const cli_table *table, size_t row, size_t column,
     return number;
 }
 
+/* What stands in place of a row's number for the two lines above the rows. */
+static const size_t HEADINGS = SIZE_MAX, UNITS = SIZE_MAX - 1;
+
+static const char *line_text(const cli_table *table, size_t line, size_t column,
+                             char number[CELL_SIZE]) {
+    return line == HEADINGS ? table->columns[column].heading
+           : line == UNITS  ? table->columns[column].unit
+                            : cell_text(table, line, column, number);
+}
+
 static int column_width(const cli_table *table, size_t column) {
     const cli_column *c = &table->columns[column];
     size_t width = strlen(c->heading) > strlen(c->unit) ? strlen(c->heading) : strlen(c->unit);
@@ -142,17 +158,15 @@ static int shown(const part *p, size_t column) {
     return column < p->table->repeated || (column >= p->first && column < p->end);
 }
 
-/* Prints a line of the part; get gives the text of a column. Blanks at its end are left out. */
-static void print_line(FILE *stream, const part *p, size_t row,
-                       const char *(*get)(const cli_table *table, size_t row, size_t column,
-                                          char number[CELL_SIZE])) {
+/* Prints a row of the part, or the line of headings or units. Blanks at its end are left out. */
+static void print_line(FILE *stream, const part *p, size_t line) {
     int blanks = 0;
     for (size_t i = 0; i < p->table->column_count; ++i) {
         char number[CELL_SIZE];
         if (!shown(p, i)) {
             continue;
         }
-        const char *text = get(p->table, row, i, number);
+        const char *text = line_text(p->table, line, i, number);
         int length = (int)strlen(text), left = p->widths[i] - length;
         int is_text = p->table->columns[i].is_text || p->table->columns[i].is_yes_no;
         blanks += is_text ? 0 : left;
@@ -163,18 +177,6 @@ static void print_line(FILE *stream, const part *p, size_t row,
         blanks += (is_text ? left : 0) + 2;
     }
     fputc('\n', stream);
-}
-
-static const char *heading_of(const cli_table *table, size_t row, size_t column,
-                              char number[CELL_SIZE]) {
-    (void)row, (void)number;
-    return table->columns[column].heading;
-}
-
-static const char *unit_of(const cli_table *table, size_t row, size_t column,
-                           char number[CELL_SIZE]) {
-    (void)row, (void)number;
-    return table->columns[column].unit;
 }
 
 static void print_rule(FILE *stream, const part *p) {
@@ -196,16 +198,16 @@ static void print_part(FILE *stream, const part *p) {
     for (size_t i = 0; i < p->table->column_count; ++i) {
         has_units = has_units || (shown(p, i) && p->table->columns[i].unit[0]);
     }
-    print_line(stream, p, 0, heading_of);
+    print_line(stream, p, HEADINGS);
     if (has_units) {
-        print_line(stream, p, 0, unit_of);
+        print_line(stream, p, UNITS);
     }
     print_rule(stream, p);
     for (size_t row = 0; row < p->table->row_count; ++row) {
         if (row > 0 && p->table->rows_in_group > 0 && row % p->table->rows_in_group == 0) {
             fputc('\n', stream);
         }
-        print_line(stream, p, row, cell_text);
+        print_line(stream, p, row);
     }
 }
 

@@ -34,6 +34,11 @@ typedef struct cli_output {
 /* Errors: MEMORY. */
 burnish_status cli_output_begin(cli_output *output, burnish_error *error);
 
+/* Ends the text, which is then the caller's to use and to free, also after an error. Errors:
+ * MEMORY.
+ */
+burnish_status cli_output_close(cli_output *output, burnish_error *error);
+
 /* Writes the whole text to a file, "-" for standard output, and releases it. With a status other
  * than OK, that of what was printed, nothing is written and it is returned. Errors: MEMORY, WRITE.
  */

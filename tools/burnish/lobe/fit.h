@@ -1,9 +1,27 @@
-/* The fit of lobes to measured samples, apart from reading and printing. */
+/* The fit of lobes to measured samples, and how those are read. */
 #ifndef TOOL_LOBE_FIT_H
 #define TOOL_LOBE_FIT_H
 
 #include "burnish/theory.h"
-#include "lobe/samples.h"
+
+typedef enum lobe_unit { LOBE_UNIT_DEGREES, LOBE_UNIT_RADIANS, LOBE_UNIT_COSINE } lobe_unit;
+
+typedef struct lobe_sample {
+    double x;         /* as in the file */
+    double lambda;    /* 1 - cosine */
+    double intensity; /* as in the file */
+} lobe_sample;
+
+typedef struct lobe_samples {
+    lobe_sample *items; /* release with free */
+    size_t count, capacity;
+} lobe_samples;
+
+/* Reads angle and intensity from a file, "-" for standard input: two fields a line between commas,
+ * semicolons, tabs or blanks; empty lines, lines that begin with # and one heading are passed over.
+ * Errors: READ, FORMAT, LIMIT, MEMORY; with the line's number. */
+burnish_status lobe_read_samples(const char *path, lobe_unit unit, lobe_samples *samples,
+                                 burnish_error *error);
 
 /* One lobe fitted to all samples: intensity = scale * lobe + offset. */
 typedef struct lobe_fitted {

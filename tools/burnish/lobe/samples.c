@@ -1,15 +1,14 @@
 /* Measured samples of a lobe, read from CSV. */
-#include "lobe/samples.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "lobe/fit.h"
 #include "lobe/lobe.h"
 
-enum { LINE_BYTES = 4096 };
+enum { LINE_BYTES = 4096, SAMPLES_MAX = 1000000, INPUT_BYTES_MAX = 1 << 28 };
 
 typedef struct reader {
     const char *path;
@@ -58,7 +57,7 @@ static line_result next_line(reader *r, char line[LINE_BYTES]) {
     if (c == '\r' && (c = getc(r->file)) != '\n' && c != EOF) {
         ungetc(c, r->file);
     }
-    return r->bytes > CLI_SAMPLES_BYTES_MAX
+    return r->bytes > INPUT_BYTES_MAX
                ? fail_line(r, BURNISH_STATUS_LIMIT,
                            "more than 256 MiB; give fewer samples, or only two columns")
                : LINE_READ;
@@ -146,7 +145,7 @@ static burnish_status store(reader *r, lobe_samples *samples, double x, double i
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (samples->count == LOBE_SAMPLES_MAX) {
+    if (samples->count == SAMPLES_MAX) {
         fail_line(r, BURNISH_STATUS_LIMIT, "more than 1000000 samples; give fewer");
         return r->error->status;
     }

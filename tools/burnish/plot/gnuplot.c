@@ -11,7 +11,6 @@
 #include <sys/wait.h>
 #endif
 
-#include "cli/platform.h"
 #include "plot/plot.h"
 
 /* ---- What gnuplot reads ---- */
@@ -298,20 +297,23 @@ burnish_status plot_dress(const plot_chart *chart, char **svg, size_t *size, bur
         return cli_fail(error, BURNISH_STATUS_WRITE,
                         "gnuplot: wrote no drawing; version 5.4 is known to work");
     }
-    *svg = NULL;
-    FILE *file = cli_open_memory(svg, size);
-    if (file) {
-        /* the spaces beside changes of font, which some readers drop, are kept */
-        fprintf(file, "%.*s<svg xml:space=\"preserve\" ", (int)(body - raw), raw);
-        body += strlen(root);
-        fprintf(file, "%.*s<title>%s</title>\n<style>\n", (int)(title - body), body, chart->title);
-        fprintf(file, "text,tspan{font-family:\"DejaVu Sans\",Verdana,sans-serif}\n"
-                      "@media (prefers-color-scheme:dark){\n");
-        write_dark_rules(rest, file);
-        fprintf(file, "}\n</style>%s", rest + strlen(end));
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
-    const int failed = !file || cli_close_memory(file, svg, size) != 0;
+    FILE *file = output.stream;
+    /* the spaces beside changes of font, which some readers drop, are kept */
+    fprintf(file, "%.*s<svg xml:space=\"preserve\" ", (int)(body - raw), raw);
+    body += strlen(root);
+    fprintf(file, "%.*s<title>%s</title>\n<style>\n", (int)(title - body), body, chart->title);
+    fprintf(file, "text,tspan{font-family:\"DejaVu Sans\",Verdana,sans-serif}\n"
+                  "@media (prefers-color-scheme:dark){\n");
+    write_dark_rules(rest, file);
+    fprintf(file, "}\n</style>%s", rest + strlen(end));
+    status = cli_output_close(&output, error);
     free(raw);
-    return failed ? cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure")
-                  : BURNISH_STATUS_OK;
+    *svg = output.text;
+    *size = output.size;
+    return status;
 }

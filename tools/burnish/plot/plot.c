@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "burnish/core.h"
-#include "cli/platform.h"
 #include "lobe/lobe.h"
 #include "plot/plot.h"
 
@@ -255,24 +254,37 @@ static burnish_status make_request(const plot_figure *figure, const plot_setting
     return status;
 }
 
-/* A chart's text, CSV or script, in memory. */
-static burnish_status chart_text(const plot_figure *figure, const plot_chart *chart,
-                                 plot_format format, char **text, size_t *size,
-                                 burnish_error *error) {
-    FILE *file = cli_open_memory(text, size);
-    if (file) {
-        if (format == FORMAT_CSV) {
-            plot_write_data(chart, file);
-        } else {
-            plot_write_script(chart, figure, format == FORMAT_PNG, file);
-        }
-        if (cli_close_memory(file, text, size) == 0) {
-            return BURNISH_STATUS_OK;
-        }
-        free(*text);
+/* Writes the chart as CSV or script, or runs the script and writes the drawing. */
+static burnish_status write_chart(const plot_chart *chart, const plot_figure *figure,
+                                  plot_format format, const char *path, burnish_error *error) {
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
-    *text = NULL;
-    return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
+    if (format == FORMAT_CSV) {
+        plot_write_data(chart, output.stream);
+    } else {
+        plot_write_script(chart, figure, format == FORMAT_PNG, output.stream);
+    }
+    if (format == FORMAT_CSV || format == FORMAT_SCRIPT) {
+        return cli_output_end(&output, path, status, error);
+    }
+    char *drawing = NULL;
+    size_t size = 0;
+    status = cli_output_close(&output, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = plot_run(output.text, output.size, &drawing, &size, error);
+    }
+    if (status == BURNISH_STATUS_OK && format == FORMAT_SVG) {
+        status = plot_dress(chart, &drawing, &size, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_file_write(path, drawing, size, error);
+    }
+    free(drawing);
+    free(output.text);
+    return status;
 }
 
 static burnish_status draw_chart(const plot_figure *figure, const plot_request *request,
@@ -281,8 +293,6 @@ static burnish_status draw_chart(const plot_figure *figure, const plot_request *
     if (!chart) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the figure");
     }
-    char *text = NULL;
-    size_t size = 0;
     chart->name = figure->name;
     chart->title = figure->title;
     chart->y_column = figure->y_column;
@@ -290,20 +300,8 @@ static burnish_status draw_chart(const plot_figure *figure, const plot_request *
     chart->height = request->height;
     burnish_status status = plot_fill(figure, request, chart, error);
     if (status == BURNISH_STATUS_OK) {
-        status = chart_text(figure, chart, format, &text, &size, error);
+        status = write_chart(chart, figure, format, path, error);
     }
-    if (status == BURNISH_STATUS_OK && (format == FORMAT_SVG || format == FORMAT_PNG)) {
-        char *script = text;
-        status = plot_run(script, size, &text, &size, error);
-        free(script);
-    }
-    if (status == BURNISH_STATUS_OK && format == FORMAT_SVG) {
-        status = plot_dress(chart, &text, &size, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_file_write(path, text, size, error);
-    }
-    free(text);
     free(chart);
     return status;
 }

@@ -58,8 +58,8 @@ static const frame *frame_in_use(const burnish_mesh *mesh, const render_settings
     return &frames[nearest];
 }
 
-const char *render_up_name(const burnish_mesh *scene, const render_settings *settings) {
-    return frame_in_use(scene, settings)->name;
+const char *render_up_name(const burnish_mesh *mesh, const render_settings *settings) {
+    return frame_in_use(mesh, settings)->name;
 }
 
 static void combine(const frame *axes, const double weights[3], double scale, double result[3]) {
@@ -119,24 +119,24 @@ static burnish_framing fit_options(const render_settings *settings) {
 }
 
 /* Frames the object seen along direction with upward up. */
-static burnish_status fit_along(const burnish_mesh *scene, const render_settings *settings,
+static burnish_status fit_along(const burnish_mesh *mesh, const render_settings *settings,
                                 const double direction[3], const double upward[3],
                                 burnish_camera *camera, burnish_error *error) {
     burnish_framing options = fit_options(settings);
     memcpy(options.direction, direction, sizeof options.direction);
     memcpy(options.up, upward, sizeof options.up);
-    return burnish_camera_frame(scene, &options, camera, error);
+    return burnish_camera_frame(mesh, &options, camera, error);
 }
 
-static burnish_status explicit_camera(const burnish_mesh *scene, const render_settings *settings,
+static burnish_status explicit_camera(const burnish_mesh *mesh, const render_settings *settings,
                                       const frame *axes, burnish_camera *camera,
                                       burnish_error *error) {
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     double focal[3], direction[3], upward[3];
     for (int k = 0; k < 3; ++k) {
         focal[k] = settings->focal_point.given
                        ? settings->focal_point.values[k]
-                       : ((double)mesh->bounds_min[k] + mesh->bounds_max[k]) / 2;
+                       : ((double)view->bounds_min[k] + view->bounds_max[k]) / 2;
     }
     subtract(focal, settings->position.values, direction);
     if (dot(direction, direction) == 0) {
@@ -145,7 +145,7 @@ static burnish_status explicit_camera(const burnish_mesh *scene, const render_se
     }
     burnish_status status = choose_upward(axes, settings, direction, upward, error);
     if (status == BURNISH_STATUS_OK && settings->orthographic) {
-        status = fit_along(scene, settings, direction, upward, camera, error);
+        status = fit_along(mesh, settings, direction, upward, camera, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -159,7 +159,7 @@ static burnish_status explicit_camera(const burnish_mesh *scene, const render_se
 
 /* The camera that shows the whole object: standard views, --camera-direction, three-quarter view.
  */
-static burnish_status framed_camera(const burnish_mesh *scene, const render_settings *settings,
+static burnish_status framed_camera(const burnish_mesh *mesh, const render_settings *settings,
                                     render_view view, const frame *axes, burnish_camera *camera,
                                     burnish_error *error) {
     double direction[3], upward[3];
@@ -167,7 +167,7 @@ static burnish_status framed_camera(const burnish_mesh *scene, const render_sett
     if (view != VIEW_FREE) {
         combine(axes, views[view].toward, -1, direction);
         combine(axes, views[view].upward, 1, upward);
-        return fit_along(scene, settings, direction, upward, camera, error);
+        return fit_along(mesh, settings, direction, upward, camera, error);
     }
     burnish_framing options = fit_options(settings);
     memcpy(options.up, axes->up, sizeof options.up);
@@ -179,25 +179,24 @@ static burnish_status framed_camera(const burnish_mesh *scene, const render_sett
             usual_upward(axes, options.direction, options.up);
         }
     }
-    status = burnish_camera_frame(scene, &options, camera, error);
+    status = burnish_camera_frame(mesh, &options, camera, error);
     if (status != BURNISH_STATUS_OK || !settings->view_up.given) {
         return status;
     }
     /* A rolled picture has other extents: frame again along the direction just found. */
     subtract(camera->focal_point, camera->position, direction);
     status = choose_upward(axes, settings, direction, upward, error);
-    return status == BURNISH_STATUS_OK
-               ? fit_along(scene, settings, direction, upward, camera, error)
-               : status;
+    return status == BURNISH_STATUS_OK ? fit_along(mesh, settings, direction, upward, camera, error)
+                                       : status;
 }
 
-burnish_status render_camera(const burnish_mesh *scene, const render_settings *settings,
+burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, burnish_camera *camera, burnish_error *error) {
-    const frame *axes = frame_in_use(scene, settings);
+    const frame *axes = frame_in_use(mesh, settings);
     *camera = (burnish_camera){.view_angle = settings->view_angle.value};
     burnish_status status = settings->position.given
-                                ? explicit_camera(scene, settings, axes, camera, error)
-                                : framed_camera(scene, settings, view, axes, camera, error);
+                                ? explicit_camera(mesh, settings, axes, camera, error)
+                                : framed_camera(mesh, settings, view, axes, camera, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

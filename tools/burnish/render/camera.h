@@ -4,14 +4,14 @@
 
 #include "render/settings.h"
 
-/* The camera of one view of the scene. */
-burnish_status render_camera(const burnish_mesh *scene, const render_settings *settings,
+/* The camera of one view of the mesh. */
+burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, burnish_camera *camera, burnish_error *error);
 
 /* "front", "right" ...; "view" for VIEW_FREE. */
 const char *render_view_name(render_view view);
 
 /* The up axis in use, as --up names it. */
-const char *render_up_name(const burnish_mesh *scene, const render_settings *settings);
+const char *render_up_name(const burnish_mesh *mesh, const render_settings *settings);
 
 #endif

@@ -81,7 +81,7 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
                            "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
                            "with a lower order",
                            input, cell->report.lobe_fallbacks,
-                           burnish_mesh_material_count(result->scene), lobe);
+                           burnish_mesh_material_count(result->mesh), lobe);
     }
     if (cell->report.covered_pixels == 0) {
         ++result->blank_cells;
@@ -112,13 +112,13 @@ static burnish_status draw_cell(render_result *result, burnish_renderer *rendere
     options->lobe = cell->lobe;
     options->counts = result->settings->json ? BURNISH_COUNTS_ALL : BURNISH_COUNTS_PIXELS;
     burnish_status status =
-        render_camera(result->scene, result->settings, cell->view, &options->camera, error);
+        render_camera(result->mesh, result->settings, cell->view, &options->camera, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     cell->camera = options->camera;
     status =
-        burnish_renderer_draw(renderer, result->scene, options, &cell->image, &cell->report, error);
+        burnish_renderer_draw(renderer, result->mesh, options, &cell->image, &cell->report, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -258,19 +258,19 @@ static burnish_status make_picture(render_result *result, burnish_render_options
 
 /* Loads the mesh and prints its warnings. */
 static burnish_status load(render_result *result, burnish_error *error) {
-    burnish_mesh *scene = NULL;
-    burnish_status status = render_load(result->settings, &scene, error);
-    result->scene = scene;
+    burnish_mesh *mesh = NULL;
+    burnish_status status = render_load(result->settings, &mesh, error);
+    result->mesh = mesh;
     result->seconds.load = seconds_now() - result->start;
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    result->seconds.read = burnish_mesh_get_info(scene)->read_seconds;
-    result->seconds.build = burnish_mesh_get_info(scene)->build_seconds;
-    for (size_t i = 0; i < burnish_mesh_warning_count(scene); ++i) {
-        render_result_warn(result, 1, "%s", burnish_mesh_warning(scene, i));
+    result->seconds.read = burnish_mesh_get_info(mesh)->read_seconds;
+    result->seconds.build = burnish_mesh_get_info(mesh)->build_seconds;
+    for (size_t i = 0; i < burnish_mesh_warning_count(mesh); ++i) {
+        render_result_warn(result, 1, "%s", burnish_mesh_warning(mesh, i));
     }
-    return render_adjust_materials(result->settings, scene, error);
+    return render_adjust_materials(result->settings, mesh, error);
 }
 
 static burnish_status render(render_result *result, burnish_render_options *options,
@@ -301,7 +301,7 @@ static void release(render_result *result) {
         free(result->warnings[i]);
     }
     free(result->warnings);
-    burnish_mesh_destroy(result->scene);
+    burnish_mesh_destroy(result->mesh);
 }
 
 burnish_status render_work(void *from, cli_call *call, burnish_error *error) {

@@ -69,14 +69,14 @@ static int compare_floats(const void *a, const void *b) {
 }
 
 /* The different exponents of all materials, ascending. */
-static cJSON *exponents_array(const burnish_mesh *scene) {
-    size_t size = burnish_mesh_material_count(scene), kept = 0;
+static cJSON *exponents_array(const burnish_mesh *mesh) {
+    size_t size = burnish_mesh_material_count(mesh), kept = 0;
     float *values = malloc(size * sizeof *values);
     if (!values) {
         return NULL;
     }
     for (size_t i = 0; i < size; ++i) {
-        values[i] = burnish_mesh_material(scene, i)->exponent;
+        values[i] = burnish_mesh_material(mesh, i)->exponent;
     }
     qsort(values, size, sizeof *values, compare_floats);
     for (size_t i = 0; i < size; ++i) {
@@ -124,10 +124,10 @@ static void add_cells(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "cells", cells, failed);
 }
 
-static void add_scene(cJSON *root, const render_result *result, int *failed) {
+static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     const burnish_format_info *format =
-        burnish_format_get_info(burnish_mesh_get_info(result->scene)->format);
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(result->scene);
+        burnish_format_get_info(burnish_mesh_get_info(result->mesh)->format);
+    const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
     cJSON *box = cJSON_CreateObject();
     cli_json_add(root, "input", cli_json_text(result->settings->input), failed);
     cli_json_add(root, "format", cJSON_CreateString(format->name), failed);
@@ -136,15 +136,15 @@ static void add_scene(cJSON *root, const render_result *result, int *failed) {
                  failed);
     cli_json_add(root, "width", cJSON_CreateNumber(result->picture->width), failed);
     cli_json_add(root, "height", cJSON_CreateNumber(result->picture->height), failed);
-    cli_json_add(root, "triangles", cli_json_count(mesh->triangle_count), failed);
-    cli_json_add(root, "vertices", cli_json_count(mesh->vertex_count), failed);
-    cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(result->scene)),
+    cli_json_add(root, "triangles", cli_json_count(view->triangle_count), failed);
+    cli_json_add(root, "vertices", cli_json_count(view->vertex_count), failed);
+    cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(result->mesh)),
                  failed);
-    cli_json_add(root, "exponents", exponents_array(result->scene), failed);
-    cli_json_add(box, "min", cli_json_array(3, single_at, mesh->bounds_min), failed);
-    cli_json_add(box, "max", cli_json_array(3, single_at, mesh->bounds_max), failed);
+    cli_json_add(root, "exponents", exponents_array(result->mesh), failed);
+    cli_json_add(box, "min", cli_json_array(3, single_at, view->bounds_min), failed);
+    cli_json_add(box, "max", cli_json_array(3, single_at, view->bounds_max), failed);
     cli_json_add(root, "bounding_box", box, failed);
-    cli_json_add(root, "up", cJSON_CreateString(render_up_name(result->scene, result->settings)),
+    cli_json_add(root, "up", cJSON_CreateString(render_up_name(result->mesh, result->settings)),
                  failed);
 }
 
@@ -184,7 +184,7 @@ burnish_status render_print_json(const render_result *result, burnish_error *err
     int failed = 0;
     cJSON *root = cJSON_CreateObject();
     cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-    add_scene(root, result, &failed);
+    add_mesh(root, result, &failed);
     if (result->cell_count > 1) {
         add_cells(root, result, &failed);
     } else {

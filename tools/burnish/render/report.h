@@ -24,7 +24,7 @@ typedef struct render_seconds {
 /* Everything that a run has found out. */
 typedef struct render_result {
     const render_settings *settings;
-    burnish_mesh *scene;
+    burnish_mesh *mesh;
     const burnish_render_options *options;
     render_cell *cells;
     size_t cell_count;

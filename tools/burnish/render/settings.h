@@ -102,11 +102,11 @@ cli_work render_work;
 burnish_status render_finish(render_settings *settings, burnish_error *error);
 
 /* Loads the input as the flags say. */
-burnish_status render_load(const render_settings *settings, burnish_mesh **scene,
+burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
                            burnish_error *error);
 
 /* Changes every material as --color, --material, --specular and --exponent say. */
-burnish_status render_adjust_materials(const render_settings *settings, burnish_mesh *scene,
+burnish_status render_adjust_materials(const render_settings *settings, burnish_mesh *mesh,
                                        burnish_error *error);
 
 /* The library's options but for camera and lobe, which each cell sets. */

@@ -150,7 +150,7 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
     return status == BURNISH_STATUS_OK ? check_output(settings, error) : status;
 }
 
-burnish_status render_load(const render_settings *settings, burnish_mesh **scene,
+burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
                            burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
     options.format = (burnish_format)settings->format;
@@ -161,7 +161,7 @@ burnish_status render_load(const render_settings *settings, burnish_mesh **scene
     options.max_input_bytes = settings->max_input_bytes;
     options.max_triangles = settings->max_triangles;
     options.threads = settings->threads;
-    return burnish_mesh_load(settings->input, &options, scene, error);
+    return burnish_mesh_load(settings->input, &options, mesh, error);
 }
 
 /* One material as --color, --material, --specular and --exponent want it. */
@@ -197,12 +197,12 @@ static burnish_material adjusted_material(const render_settings *settings,
     return material;
 }
 
-burnish_status render_adjust_materials(const render_settings *settings, burnish_mesh *scene,
+burnish_status render_adjust_materials(const render_settings *settings, burnish_mesh *mesh,
                                        burnish_error *error) {
-    size_t count = burnish_mesh_material_count(scene);
+    size_t count = burnish_mesh_material_count(mesh);
     for (size_t i = 0; i < count; ++i) {
-        burnish_material material = adjusted_material(settings, *burnish_mesh_material(scene, i));
-        burnish_status status = burnish_mesh_set_material(scene, i, &material, error);
+        burnish_material material = adjusted_material(settings, *burnish_mesh_material(mesh, i));
+        burnish_status status = burnish_mesh_set_material(mesh, i, &material, error);
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
