@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "burnish/core.h"
 #include "core/elementary.h"
-#include "core/processors.h"
 #include "support.h"
 
 /* The largest error of one function, and where. */
@@ -120,6 +120,7 @@ static void check_atan2(void) {
 /* Arrays of every length up to 9, every bit of them: ordinary points, axes, diagonals, and what any
  * bits make, the infinite and NaN left out. */
 static void check_atan2_array(void) {
+    const int has_avx2 = (int)(burnish_isa_available() >> BURNISH_ISA_AVX2 & 1);
     uint64_t state = test_seed(5);
     int equal = 1;
     for (int round = 0; round < 40000; ++round) {
@@ -145,7 +146,7 @@ static void check_atan2_array(void) {
                 x[i] = special[bits[1] / 8 % 7];
             }
         }
-        for (int wide = 0; wide <= burnish_processor_has_avx2(); ++wide) {
+        for (int wide = 0; wide <= has_avx2; ++wide) {
             burnish_atan2_array(y, x, angles, count, wide);
             for (size_t i = 0; i < count; ++i) {
                 double one = burnish_atan2(y[i], x[i]);

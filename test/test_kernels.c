@@ -1,5 +1,5 @@
-/* The kernels: every tier against the scalar one, bit for bit; lobes against burnish/lobe.h and
- * libm; the lighting against the same equation in double precision; the choice of a tier.
+/* The kernels: every instruction set against scalar, bit for bit; lobes against burnish/lobe.h and
+ * libm; the lighting against the same equation in double precision; the choice of one.
  *
  * Needs nothing but src/kernels and src/base, so that it also runs on other processors. With
  * --bench it then prints the time of every variant; `bench_kernels` compares with others. */
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 #include "burnish/kernels.h"
-#include "simd/isa.h"
+#include "simd/isa_ops.h"
 #include "support.h"
 
 /* What kernels/vector_math.h states. */
@@ -75,7 +75,7 @@ static lobe_case make(burnish_lobe_kind kind, int order, float exponent) {
     return lobe;
 }
 
-/* ---- Tiers ---- */
+/* ---- Instruction sets ---- */
 
 /* One call on a misaligned array between guard bytes; `values` receives what was written. */
 static int run_lobe(const burnish_kernels *batch, const lobe_case *lobe, int lambda,
@@ -97,7 +97,8 @@ static int run_lobe(const burnish_kernels *batch, const lobe_case *lobe, int lam
     return status == BURNISH_STATUS_OK && !damaged;
 }
 
-static void check_lobe_tier(const burnish_kernels *batch, const lobe_case *lobe, uint64_t *state) {
+static void check_lobe_of_isa(const burnish_kernels *batch, const lobe_case *lobe,
+                              uint64_t *state) {
     static float cosines[BLOCK + MOST_LANES], expected[BLOCK], values[BLOCK];
     const char *name = burnish_isa_name(burnish_kernels_isa(batch));
     for (int lambda = 0; lambda < 2; ++lambda) {
@@ -123,13 +124,13 @@ static void check_lobe_tier(const burnish_kernels *batch, const lobe_case *lobe,
     }
 }
 
-static void check_lobe_tiers(const burnish_kernels *batch, uint64_t *state) {
+static void check_lobes_of_isa(const burnish_kernels *batch, uint64_t *state) {
     for (int k = 0; k < KIND_COUNT; ++k) {
         for (int e = 0; e < EXPONENT_COUNT; ++e) {
             int highest = KINDS[k] == BURNISH_LOBE_FAMILY ? 32 : 2;
             for (int order = 2; order <= highest; order *= 2) {
                 lobe_case lobe = make(KINDS[k], order, EXPONENTS[e]);
-                check_lobe_tier(batch, &lobe, state);
+                check_lobe_of_isa(batch, &lobe, state);
             }
         }
     }
@@ -260,7 +261,7 @@ static burnish_kernels_lighting random_lighting(burnish_lobe_kind kind, uint64_t
     return lighting;
 }
 
-static void check_shade_tier(const burnish_kernels *batch, uint64_t *state) {
+static void check_shade_of_isa(const burnish_kernels *batch, uint64_t *state) {
     static point_arrays arrays;
     static uint8_t pixels[2][4 * (BLOCK + 1)];
     static float colors[2][3][BLOCK + 1];
@@ -301,7 +302,7 @@ static void check_shade_tier(const burnish_kernels *batch, uint64_t *state) {
     }
 }
 
-static void check_normalize_tier(const burnish_kernels *batch, uint64_t *state) {
+static void check_normalize_of_isa(const burnish_kernels *batch, uint64_t *state) {
     static float in[3][100], out[2][3][100];
     int different = 0;
     for (size_t count = 0; count < 100; ++count) {
@@ -322,23 +323,23 @@ static void check_normalize_tier(const burnish_kernels *batch, uint64_t *state) 
           burnish_isa_name(burnish_kernels_isa(batch)), different);
 }
 
-static void check_tiers(void) {
+static void check_instruction_sets(void) {
     uint32_t mask = burnish_isa_available();
     uint64_t state = test_seed(0x2545f491);
-    printf("tiers:");
+    printf("instruction sets:");
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
         const burnish_kernels *batch = burnish_kernels_for((burnish_isa)isa);
-        CHECK(!batch == !(mask >> isa & 1), "%s: a table where the tier is",
+        CHECK(!batch == !(mask >> isa & 1), "%s: a table where the instruction set is",
               burnish_isa_name((burnish_isa)isa));
         if (!batch) {
             continue;
         }
         printf(" %s", burnish_isa_name((burnish_isa)isa));
         CHECK((int)burnish_kernels_isa(batch) == isa, "the table of %d", isa);
-        check_lobe_tiers(batch, &state);
+        check_lobes_of_isa(batch, &state);
         check_streaming(batch);
-        check_shade_tier(batch, &state);
-        check_normalize_tier(batch, &state);
+        check_shade_of_isa(batch, &state);
+        check_normalize_of_isa(batch, &state);
     }
     printf("\n");
 }
@@ -685,7 +686,7 @@ static void check_lyon(void) {
     CHECK(worst < 1e-4, "Lyon's lobe is off by %.3g", worst);
 }
 
-/* ---- Arguments and tiers ---- */
+/* ---- Arguments and instruction sets ---- */
 
 static void check_errors(void) {
     burnish_kernels_lighting good = burnish_kernels_lighting_default(), bad;
@@ -793,7 +794,7 @@ int main(int count, char **arguments) {
     RUN(check_equation());
     RUN(check_lyon());
     RUN(check_errors());
-    RUN(check_tiers());
+    RUN(check_instruction_sets());
     RUN(check_processors());
     if (test_option()) {
         print_times();

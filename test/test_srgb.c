@@ -113,7 +113,7 @@ static void test_values_between(void) {
     CHECK(burnish_srgb_value_to_linear((float)INFINITY) == 1, "infinity");
 }
 
-/* Every tier's encoder gives the codes of burnish_linear_to_srgb: a stride over all floats, and
+/* Every encoder gives the codes of burnish_linear_to_srgb: a stride over all floats, and
  * both sides of every decision level. */
 static void test_encoders(void) {
     enum { COUNT = 1024 };

@@ -153,9 +153,8 @@ BURNISH_API int burnish_processor_count(void);
 
 /* ---- Instruction sets ---- */
 
-/* The tiers, X(name, word, lanes), the one list of them: lanes is the number of floats in a vector.
- * A processor's tiers are ordered: a later one is faster. avx512 means F, DQ, BW and VL together.
- */
+/* X(name, word, lanes), the one list of them: lanes is the number of floats in a vector. Those of a
+ * processor are ordered: a later one is faster. avx512 means F, DQ, BW and VL together. */
 #define BURNISH_ISA_LIST(X)                                                                        \
     X(SCALAR, scalar, 1)                                                                           \
     X(SSE2, sse2, 4)                                                                               \
@@ -177,24 +176,24 @@ typedef enum burnish_isa {
 /* "avx2"; "unknown" for a value outside the list. */
 BURNISH_API const char *burnish_isa_name(burnish_isa isa);
 
-/* Floats in a vector of that tier, 0 for a value outside the list. */
+/* Floats in a vector of that instruction set, 0 for a value outside the list. */
 BURNISH_API int burnish_isa_lanes(burnish_isa isa);
 
-/* The tiers that this build has and this processor runs, as a mask of bits 1 << burnish_isa.
- * SCALAR is always there. On x86 a tier counts only where the operating system saves its registers
- * (CPUID together with XCR0). Asks the processor each time, which takes microseconds under a
- * hypervisor: keep the answer. */
+/* The instruction sets that this build has and this processor runs, as a mask of bits
+ * 1 << burnish_isa. SCALAR is always there. On x86 one counts only where the operating system saves
+ * its registers (CPUID together with XCR0). Asks the processor each time, which takes microseconds
+ * under a hypervisor: keep the answer. */
 BURNISH_API uint32_t burnish_isa_available(void);
 
-/* The fastest tier of a mask; SCALAR for an empty one. Depends on nothing else. */
+/* The fastest instruction set of a mask; SCALAR for an empty one. Depends on nothing else. */
 BURNISH_API burnish_isa burnish_isa_best(uint32_t mask);
 
-/* Chooses a tier by name.
- *   name  a tier's word; NULL or "auto": what the environment variable BURNISH_ISA names, and where
+/* Chooses an instruction set by name.
+ *   name  its word; NULL or "auto": what the environment variable BURNISH_ISA names, and where
  *         that is unset, empty or "auto" the best available
- *   isa   receives the tier, SCALAR on error; not NULL
+ *   isa   receives it, SCALAR on error; not NULL
  *   error receives the one line of an error; may be NULL
- * Errors: ARGUMENT for an unknown word, or a tier that this build or processor lacks. */
+ * Errors: ARGUMENT for an unknown word, or one that this build or processor lacks. */
 BURNISH_API burnish_status burnish_isa_choose(const char *name, burnish_isa *isa,
                                               burnish_error *error);
 

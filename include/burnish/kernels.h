@@ -114,7 +114,7 @@ BURNISH_API void burnish_kernels_normalize(const burnish_kernels *kernels, size_
 /* Material, lights and viewer. Start from burnish_kernels_lighting_default(). */
 typedef struct burnish_kernels_lighting {
     uint32_t cookie;           /* set by burnish_kernels_lighting_default() */
-    burnish_material material; /* colours in [0, 1e6]; has_* are not read */
+    burnish_material material; /* colours in [0, 1e6]; has_diffuse is not read */
     burnish_lobe_spec lobe;    /* lyon with Blinn: N has nearly unit length and is scaled by
                                   burnish_lyon_normalize_factor for the lobe instead of exactly */
     burnish_specular_model specular_model;

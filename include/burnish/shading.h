@@ -130,7 +130,6 @@ typedef struct burnish_material {
     float exponent;    /* n of the specular lobe, [1, 65536] */
     int has_diffuse;   /* 1: vertex colours multiply ambient and diffuse; 0: they take their place.
                           kernels.h does not read it */
-    int has_exponent;  /* 1 when the file (or the caller) gave specular and exponent */
 } burnish_material;
 
 /* ---- Lights ---- */

@@ -2,7 +2,6 @@
 #include <pthread.h>
 #include <sched.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #ifdef _WIN32
@@ -107,16 +106,4 @@ int burnish_processor_count(void) {
 #endif
     count = count < 1 ? count_online() : count;
     return quota > 0 && quota < count ? quota : count;
-}
-
-int burnish_processor_has_avx2(void) {
-#if defined(__x86_64__)
-    const char *isa = getenv(BURNISH_ISA_VARIABLE);
-    if (isa && (strcmp(isa, "scalar") == 0 || strcmp(isa, "sse2") == 0)) {
-        return 0;
-    }
-    return __builtin_cpu_supports("avx2") != 0;
-#else
-    return 0;
-#endif
 }

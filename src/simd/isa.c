@@ -1,5 +1,5 @@
 /* Which instruction sets there are, and which to take. */
-#include "simd/isa.h"
+#include "simd/isa_ops.h"
 
 #include <stdlib.h>
 #include <string.h>

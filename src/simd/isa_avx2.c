@@ -1,5 +1,5 @@
 /* The functions for AVX2. */
-#include "simd/isa.h"
+#include "simd/isa_ops.h"
 
 #if defined(__AVX2__)
 #define BURNISH_VECTOR_AVX2

@@ -1,5 +1,5 @@
 /* The functions for AVX-512: F, DQ, BW and VL. */
-#include "simd/isa.h"
+#include "simd/isa_ops.h"
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512BW__) && defined(__AVX512VL__)
 #define BURNISH_VECTOR_AVX512

@@ -1,5 +1,5 @@
 /* The functions for AArch64's Advanced SIMD. */
-#include "simd/isa.h"
+#include "simd/isa_ops.h"
 
 #if defined(__aarch64__)
 #define BURNISH_VECTOR_NEON

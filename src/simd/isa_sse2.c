@@ -1,5 +1,5 @@
 /* The functions for SSE2, which every x86-64 processor has. */
-#include "simd/isa.h"
+#include "simd/isa_ops.h"
 
 #if defined(__SSE2__)
 #define BURNISH_VECTOR_SSE2

@@ -1,5 +1,5 @@
 /* The functions for WebAssembly's SIMD128. */
-#include "simd/isa.h"
+#include "simd/isa_ops.h"
 
 #if defined(__wasm_simd128__)
 #define BURNISH_VECTOR_WASM

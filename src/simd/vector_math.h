@@ -1,5 +1,5 @@
 /* Inverse square root, logarithm and power over vectors, in plain multiplies and adds: the same
- * bits in every tier.
+ * bits on every instruction set.
  *
  * Largest absolute error of c^n and of the Gaussian against the exact ones, n in [1, 65536]: 1e-7
  * (the kernels test measures 8.6e-8 over 2^20 cosines for each of 11 exponents); results below

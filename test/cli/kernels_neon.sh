@@ -12,7 +12,7 @@ mkdir -p "$2"
 # shellcheck disable=SC2046,SC2086
 $compiler $flags -static $(sources "$1") -lm -o "$2/test_kernels_neon"
 qemu-aarch64 "$2/test_kernels_neon" | tee "$2/neon.txt"
-grep -q 'tiers: scalar neon' "$2/neon.txt"
+grep -q 'instruction sets: scalar neon' "$2/neon.txt"
 # shellcheck disable=SC2046,SC2086
 $compiler $flags -static $(renderer_sources "$1") -lm -o "$2/test_visibility_neon"
 qemu-aarch64 "$2/test_visibility_neon" --scenes 100

@@ -19,5 +19,5 @@ const imports = { wasi_snapshot_preview1: wasi.wasiImport };
 wasi.start(await WebAssembly.instantiate(module, imports));
 END
 node --no-warnings "$2/run.mjs" "$2/test_kernels.wasm" | tee "$2/wasm.txt"
-grep -q 'tiers: scalar wasm' "$2/wasm.txt"
+grep -q 'instruction sets: scalar wasm' "$2/wasm.txt"
 grep -q 'kernels: .* 0 failed' "$2/wasm.txt"

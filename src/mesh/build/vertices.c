@@ -2,7 +2,6 @@
  * texture coordinates are equal. Normals that the file lacks are generated. Threads take positions;
  * vertices are then numbered in the order in which the triangles first use them, so that the result
  * does not depend on who made them. */
-#include "core/processors.h"
 #include "mesh/build/builder.h"
 
 enum {
@@ -144,6 +143,7 @@ typedef struct vertex_maker {
     burnish_builder *b;
     burnish_memory memory;
     burnish_error error;
+    int wide; /* as burnish_rings_create has it */
     burnish_rings rings;
     float *normals;               /* 3 per corner of one position */
     burnish_weld_record *records; /* 1 per corner of one position */
@@ -369,19 +369,27 @@ static void destroy_scratch(vertex_maker *maker) {
 
 static void create_scratch(vertex_maker *maker, size_t capacity) {
     const burnish_builder *b = maker->b;
-    burnish_rings_create(&maker->rings, capacity, b->crease_angle, burnish_processor_has_avx2(),
-                         &maker->memory);
+    burnish_rings_create(&maker->rings, capacity, b->crease_angle, maker->wide, &maker->memory);
     maker->normals =
         burnish_allocate(&maker->memory, capacity, 3 * sizeof *maker->normals, "vertices");
     maker->records = burnish_allocate(&maker->memory, capacity, sizeof *maker->records, "vertices");
 }
 
+/* Whether the instruction set that kernels would take has AVX2. */
+static int takes_avx2(void) {
+    burnish_isa isa;
+    const burnish_status status = burnish_isa_choose(NULL, &isa, NULL);
+    return status == BURNISH_STATUS_OK && (isa == BURNISH_ISA_AVX2 || isa == BURNISH_ISA_AVX512);
+}
+
 static vertex_maker *create_makers(burnish_builder *b, int count) {
     const size_t corners = 3 * b->triangle_count;
+    const int wide = takes_avx2();
     vertex_maker *makers =
         burnish_allocate_zeroed(b->memory, (size_t)count, sizeof *makers, "vertices");
     for (int i = 0; i < count && makers; ++i) {
         makers[i].b = b;
+        makers[i].wide = wide;
         makers[i].memory = burnish_memory_of(b->memory->context, &makers[i].error);
         create_scratch(&makers[i], corners < CORNERS_PER_BATCH ? corners : CORNERS_PER_BATCH);
         burnish_memory_join(b->memory, &makers[i].memory);

@@ -54,10 +54,8 @@ static void finish(mtl_state *mtl) {
     if (mtl->has_exponent) {
         material->exponent = mtl->exponent;
     }
-    material->has_exponent = mtl->has_specular && mtl->has_exponent;
     if (mtl->matt) {
         memset(material->specular, 0, sizeof material->specular);
-        material->has_exponent = 1;
     }
 }
 

@@ -183,7 +183,6 @@ static burnish_material adjusted_material(const render_settings *settings,
             material.ambient[k] *= preset->diffuse;
         }
         material.exponent = preset->exponent;
-        material.has_exponent = 1;
     }
     if (settings->specular.given) {
         for (int k = 0; k < 3; ++k) {
@@ -192,7 +191,6 @@ static burnish_material adjusted_material(const render_settings *settings,
     }
     if (settings->exponent.given) {
         material.exponent = (float)settings->exponent.value;
-        material.has_exponent = 1;
     }
     return material;
 }
