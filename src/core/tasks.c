@@ -263,8 +263,17 @@ static void run_range(void *context, size_t index, int thread) {
                  rest < ranges->size ? ranges->count : first + ranges->size);
 }
 
+static void run_ranges(burnish_tasks *tasks, int max_threads, range_context *ranges) {
+    const size_t count = ranges->count / ranges->size + (ranges->count % ranges->size > 0);
+    burnish_tasks_run(tasks, count, 1, max_threads, run_range, ranges);
+}
+
 void burnish_tasks_ranges(burnish_tasks *tasks, size_t count, size_t size, burnish_range_task *task,
                           void *context) {
-    range_context ranges = {task, context, count, size};
-    burnish_tasks_run(tasks, count / size + (count % size > 0), 1, 0, run_range, &ranges);
+    run_ranges(tasks, 0, &(range_context){task, context, count, size});
+}
+
+void burnish_tasks_in_order(burnish_tasks *tasks, size_t count, size_t size,
+                            burnish_range_task *task, void *context) {
+    run_ranges(tasks, 1, &(range_context){task, context, count, size});
 }

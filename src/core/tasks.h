@@ -42,6 +42,11 @@ typedef void burnish_range_task(void *context, size_t first, size_t end);
 void burnish_tasks_ranges(burnish_tasks *tasks, size_t count, size_t size, burnish_range_task *task,
                           void *context);
 
+/* The same by the caller alone, one after the other from the first on: long loops that are serial
+ * ask the context meanwhile. */
+void burnish_tasks_in_order(burnish_tasks *tasks, size_t count, size_t size,
+                            burnish_range_task *task, void *context);
+
 /* Lowers *least to value where that is smaller: the first of what threads find, whoever finds it.
  */
 static inline void burnish_lower_to(atomic_size_t *least, size_t value) {

@@ -8,8 +8,9 @@
 #include "mesh/mesh.h"
 
 enum {
-    BURNISH_BUILD_GRAIN = 8192,                    /* triangles, positions or vertices that are
-                                                      worth a thread */
+    BURNISH_BUILD_GRAIN = 8192,   /* triangles, positions or vertices that are
+                                     worth a thread */
+    BURNISH_BUILD_STEP = 1 << 16, /* items of a serial loop before it asks whether to end */
     BURNISH_EXTRA_ATTRIBUTES = BURNISH_NORMAL + 1, /* the first one that is only passed on */
     BURNISH_TRIPLE = 3 * sizeof(uint32_t)          /* bytes of a triangle's corners */
 };
@@ -89,6 +90,10 @@ burnish_status burnish_build_vertices(burnish_builder *b);
  * Errors: MEMORY, LIMIT, CANCELLED. */
 burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *tasks,
                             burnish_memory *memory, uint32_t *remap, size_t *unique);
+
+/* Of items that each tell the first one equal to it, no later than itself: numbers them in the
+ * order of those first ones, in place. Returns how many there are; when cancelled, too few. */
+size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count);
 
 /* Words that a vertex of one position can differ in: normal, colour, texture coordinates. */
 enum { BURNISH_WELD_KEY_WORDS = 6 };

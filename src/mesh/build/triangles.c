@@ -5,13 +5,19 @@
 
 /* ---- positions ---- */
 
+/* -0 becomes 0, so that equal positions have equal bits. */
+static void drop_zero_signs(void *context, size_t first, size_t end) {
+    float *values = context;
+    for (size_t i = first; i < end; ++i) {
+        values[i] += 0.0f;
+    }
+}
+
 /* remap gives each position of the file its number among the different ones. */
 static burnish_status weld_positions(burnish_builder *b, uint32_t *remap) {
     float *positions = burnish_positions(b->data);
     const size_t count = b->data->streams[BURNISH_POSITION].count;
-    for (size_t i = 0; i < 3 * count; ++i) {
-        positions[i] += 0.0f; /* -0 becomes 0 */
-    }
+    burnish_tasks_ranges(b->data->tasks, 3 * count, BURNISH_BUILD_STEP, drop_zero_signs, positions);
     burnish_status status =
         burnish_weld(positions, count, b->data->tasks, b->memory, remap, &b->position_count);
     size_t next = 0;

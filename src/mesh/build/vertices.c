@@ -45,6 +45,7 @@ typedef struct indexer {
     position_head *heads; /* one per position */
     indexed_vertex *vertices;
     size_t count, capacity;
+    int has_many; /* 1: a position has many normals, or memory is out */
 } indexer;
 
 static int same_normal(const indexer *x, uint32_t a, uint32_t b) {
@@ -79,24 +80,21 @@ static uint32_t find_vertex(indexer *x, uint32_t position, uint32_t normal) {
 }
 
 /* Numbers the vertices in the order in which the triangles first use them, into the mesh's indices.
- * Returns 0 where a position has many. */
-static int index_corners(indexer *x) {
-    const burnish_builder *b = x->b;
-    const uint32_t *normals = burnish_stream_corners(b->data, BURNISH_NORMAL);
-    uint32_t *indices = b->mesh->indices;
-    memset(x->heads, 0xff, b->position_count * sizeof *x->heads);
-    for (size_t i = 0; i < 3 * b->triangle_count; ++i) {
-        const position_head head = x->heads[b->corner_positions[i]];
+ */
+static void index_corners(void *context, size_t first, size_t end) {
+    indexer *x = context;
+    const uint32_t *positions = x->b->corner_positions;
+    const uint32_t *normals = burnish_stream_corners(x->b->data, BURNISH_NORMAL);
+    uint32_t *indices = x->b->mesh->indices;
+    for (size_t i = first; i < end && !x->has_many; ++i) {
+        const position_head head = x->heads[positions[i]];
         uint32_t vertex = head.vertex;
         if (head.normal != normals[i]) {
-            vertex = find_vertex(x, b->corner_positions[i], normals[i]);
-            if (vertex == BURNISH_NONE) {
-                return 0;
-            }
+            vertex = find_vertex(x, positions[i], normals[i]);
+            x->has_many = vertex == BURNISH_NONE;
         }
         indices[i] = vertex;
     }
-    return 1;
 }
 
 static void write_indexed(void *context, size_t first, size_t end) {
@@ -117,16 +115,25 @@ static burnish_status index_file_normals(burnish_builder *b, int *done) {
     x.heads = burnish_allocate(b->memory, b->position_count, sizeof *x.heads, "vertices");
     x.vertices = burnish_reserve(b->memory, NULL, &x.capacity, b->position_count,
                                  sizeof *x.vertices, "vertices");
-    *done = b->memory->status == BURNISH_STATUS_OK && index_corners(&x);
+    if (b->memory->status == BURNISH_STATUS_OK) {
+        memset(x.heads, 0xff, b->position_count * sizeof *x.heads);
+        burnish_tasks_in_order(b->data->tasks, 3 * b->triangle_count, BURNISH_BUILD_STEP,
+                               index_corners, &x);
+    }
     burnish_release(b->memory->context, x.heads);
-    if (*done) {
+    burnish_status status = b->memory->status == BURNISH_STATUS_OK
+                                ? burnish_tasks_check(b->data->tasks, b->memory->error)
+                                : b->memory->status;
+    *done = !x.has_many;
+    if (status == BURNISH_STATUS_OK && *done) {
         b->vertex_count = x.count;
-        if (allocate_vertices(b) == BURNISH_STATUS_OK) {
-            burnish_tasks_ranges(b->data->tasks, x.count, BURNISH_BUILD_GRAIN, write_indexed, &x);
-        }
+        status = allocate_vertices(b);
+    }
+    if (status == BURNISH_STATUS_OK && *done) {
+        burnish_tasks_ranges(b->data->tasks, x.count, BURNISH_BUILD_GRAIN, write_indexed, &x);
     }
     burnish_release(b->memory->context, x.vertices);
-    return b->memory->status;
+    return status;
 }
 
 /* ---- Any mesh ---- */
@@ -151,29 +158,40 @@ typedef struct vertex_maker {
     size_t count, capacity;
 } vertex_maker;
 
-/* Lists the corners of every welded position, in the order of the triangles. */
+static void count_corners(void *context, size_t first, size_t end) {
+    const burnish_builder *b = context;
+    for (size_t i = first; i < end; ++i) {
+        ++b->first_corner[b->corner_positions[i] + (size_t)2];
+    }
+}
+
+static void place_corners(void *context, size_t first, size_t end) {
+    const burnish_builder *b = context;
+    for (size_t i = first; i < end; ++i) {
+        b->corners[b->first_corner[b->corner_positions[i] + (size_t)1]++] = (uint32_t)i;
+    }
+}
+
+/* Lists the corners of every welded position, in the order of the triangles: a counting sort with
+ * the counts two entries on, so that filling leaves the starts behind. */
 static burnish_status list_corners(burnish_builder *b) {
     const size_t corner_count = 3 * b->triangle_count, starts = b->position_count + 2;
+    burnish_tasks *tasks = b->data->tasks;
     b->first_corner =
         burnish_allocate_zeroed(b->memory, starts, sizeof *b->first_corner, "vertices");
     b->corners = burnish_allocate(b->memory, corner_count, sizeof *b->corners, "vertices");
     if (b->memory->status != BURNISH_STATUS_OK) {
         return b->memory->status;
     }
-    /* Counting sort with the counts two entries on, so that filling leaves the starts behind. */
-    for (size_t i = 0; i < corner_count; ++i) {
-        ++b->first_corner[b->corner_positions[i] + (size_t)2];
-    }
+    burnish_tasks_in_order(tasks, corner_count, BURNISH_BUILD_STEP, count_corners, b);
     for (size_t i = 2; i < starts; ++i) {
         if (b->first_corner[i] > b->max_faces) {
             b->max_faces = b->first_corner[i];
         }
         b->first_corner[i] += b->first_corner[i - 1];
     }
-    for (size_t i = 0; i < corner_count; ++i) {
-        b->corners[b->first_corner[b->corner_positions[i] + (size_t)1]++] = (uint32_t)i;
-    }
-    return BURNISH_STATUS_OK;
+    burnish_tasks_in_order(tasks, corner_count, BURNISH_BUILD_STEP, place_corners, b);
+    return burnish_tasks_check(tasks, b->memory->error);
 }
 
 /* ---- one position ---- */
@@ -437,15 +455,6 @@ static burnish_status make_vertices(burnish_builder *b, vertex_maker *makers, in
 
 /* ---- the result ---- */
 
-/* Numbers the vertices in the order in which the triangles first use them. A vertex's first corner
- * comes before its others, so that their numbers are known by then. */
-static void number_vertices(burnish_builder *b) {
-    uint32_t *indices = b->mesh->indices, next = 0;
-    for (size_t i = 0; i < 3 * b->triangle_count; ++i) {
-        indices[i] = indices[i] == i ? next++ : indices[indices[i]];
-    }
-}
-
 static void write_range(void *context, size_t first, size_t end) {
     const vertex_maker *maker = context;
     const burnish_builder *b = maker->b;
@@ -470,12 +479,13 @@ static burnish_status build_any(burnish_builder *b) {
     const size_t worth = b->position_count / POSITIONS_PER_THREAD,
                  all = (size_t)burnish_tasks_threads(b->data->tasks);
     const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
-    if (list_corners(b) != BURNISH_STATUS_OK) {
-        return b->memory->status;
+    burnish_status status = list_corners(b);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     find_extras(b);
     vertex_maker *makers = create_makers(b, count);
-    burnish_status status = b->memory->status;
+    status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
         status = make_vertices(b, makers, count);
     }
@@ -484,7 +494,8 @@ static burnish_status build_any(burnish_builder *b) {
         status = allocate_vertices(b);
     }
     if (status == BURNISH_STATUS_OK) {
-        number_vertices(b);
+        /* In the order in which the triangles first use them. */
+        burnish_number_heads(b->data->tasks, b->mesh->indices, 3 * b->triangle_count);
         for (int i = 0; i < count; ++i) {
             burnish_tasks_ranges(b->data->tasks, makers[i].count, BURNISH_BUILD_GRAIN, write_range,
                                  &makers[i]);

@@ -11,7 +11,8 @@
 enum {
     BUCKET_TARGET = 2048, /* positions per bucket: its table stays in the first-level cache */
     BUCKET_BITS_MAX = 12, /* more streams than that scatter badly */
-    GRAIN = 1 << 15,      /* positions that are worth a thread */
+    GRAIN = 1 << 15,      /* positions that are worth a thread, or a slice */
+    SLICES_MAX = 64,      /* between two of them the call can end */
     BUCKET_MANY = 16,     /* a bucket so many times as large as on average is sorted at once */
     PROBES = 8            /* per position, on average, before a bucket counts as hostile */
 };
@@ -51,10 +52,11 @@ typedef struct welder {
     const float *positions;
     size_t count;
     burnish_tasks *tasks;
-    int threads; /* that take part */
+    int threads;   /* that take part */
+    size_t slices; /* of the positions, each counted and scattered by one thread */
     int bucket_bits;
     item *items;         /* by bucket, in the order of their index */
-    size_t *starts;      /* threads * buckets: where each thread's slice of a bucket starts */
+    size_t *starts;      /* slices * buckets: where each slice's share of a bucket starts */
     uint32_t *remap;     /* of each position: the first one that is equal */
     uint32_t *tables;    /* threads * table_size: numbers of items + 1 in the bucket, 0: free */
     size_t table_size;   /* a power of two, at least twice the largest bucket looked up */
@@ -73,32 +75,27 @@ static size_t bucket_of(const welder *w, uint64_t hash) {
     return (size_t)(hash >> 40) >> (24 - w->bucket_bits);
 }
 
-static size_t slice_start(const welder *w, int slice) {
-    return w->count / (size_t)w->threads * (size_t)slice;
-}
-static size_t slice_end(const welder *w, int slice) {
-    return slice + 1 == w->threads ? w->count : slice_start(w, slice + 1);
+static size_t slice_start(const welder *w, size_t slice) {
+    return slice == w->slices ? w->count : w->count / w->slices * slice;
 }
 
-static void count_slice(void *context, size_t task, int thread) {
+static void count_slice(void *context, size_t slice, int thread) {
     const welder *w = context;
-    const int slice = (int)task;
+    size_t *counts = w->starts + (slice << w->bucket_bits);
     (void)thread;
-    size_t *counts = w->starts + ((size_t)slice << w->bucket_bits);
     memset(counts, 0, sizeof *counts << w->bucket_bits);
-    for (size_t i = slice_start(w, slice); i < slice_end(w, slice); ++i) {
+    for (size_t i = slice_start(w, slice), end = slice_start(w, slice + 1); i < end; ++i) {
         uint32_t key[3];
         memcpy(key, w->positions + 3 * i, sizeof key);
         ++counts[bucket_of(w, hash_position(key))];
     }
 }
 
-static void scatter_slice(void *context, size_t task, int thread) {
+static void scatter_slice(void *context, size_t slice, int thread) {
     const welder *w = context;
-    const int slice = (int)task;
+    size_t *next = w->starts + (slice << w->bucket_bits);
     (void)thread;
-    size_t *next = w->starts + ((size_t)slice << w->bucket_bits);
-    for (size_t i = slice_start(w, slice); i < slice_end(w, slice); ++i) {
+    for (size_t i = slice_start(w, slice), end = slice_start(w, slice + 1); i < end; ++i) {
         item moved = {.index = (uint32_t)i};
         memcpy(moved.key, w->positions + 3 * i, sizeof moved.key);
         w->items[next[bucket_of(w, hash_position(moved.key))]++] = moved;
@@ -111,8 +108,8 @@ static size_t sum_counts(welder *w) {
     size_t sum = 0, largest = 0;
     for (size_t bucket = 0; bucket < (size_t)1 << w->bucket_bits; ++bucket) {
         size_t before = sum;
-        for (int slice = 0; slice < w->threads; ++slice) {
-            size_t *start = &w->starts[((size_t)slice << w->bucket_bits) + bucket];
+        for (size_t slice = 0; slice < w->slices; ++slice) {
+            size_t *start = &w->starts[(slice << w->bucket_bits) + bucket];
             size_t size = *start;
             *start = sum;
             sum += size;
@@ -124,7 +121,7 @@ static size_t sum_counts(welder *w) {
 
 /* Where a bucket ends, once its items have been scattered. */
 static size_t bucket_end(const welder *w, size_t bucket) {
-    return w->starts[((size_t)(w->threads - 1) << w->bucket_bits) + bucket];
+    return w->starts[((w->slices - 1) << w->bucket_bits) + bucket];
 }
 
 static int same_key(const uint32_t a[3], const uint32_t b[3]) {
@@ -200,8 +197,7 @@ static void allocate_tables(welder *w, size_t largest, burnish_memory *memory) {
 
 /* Fills remap with first ones. Nothing is read that a cancelled task may have left out. */
 static burnish_status find_equal(welder *w, burnish_memory *memory) {
-    const size_t slices = (size_t)w->threads;
-    burnish_tasks_run(w->tasks, slices, 1, w->threads, count_slice, w);
+    burnish_tasks_run(w->tasks, w->slices, 1, w->threads, count_slice, w);
     burnish_status status = burnish_tasks_check(w->tasks, memory->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -210,7 +206,7 @@ static burnish_status find_equal(welder *w, burnish_memory *memory) {
     if (memory->status != BURNISH_STATUS_OK) {
         return memory->status;
     }
-    burnish_tasks_run(w->tasks, slices, 1, w->threads, scatter_slice, w);
+    burnish_tasks_run(w->tasks, w->slices, 1, w->threads, scatter_slice, w);
     status = burnish_tasks_check(w->tasks, memory->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -227,11 +223,30 @@ static void allocate_welder(welder *w, burnish_memory *memory) {
     const char *what = "welding";
     const size_t threads = (size_t)w->threads;
     w->items = burnish_allocate(memory, w->count, sizeof *w->items, what);
-    w->starts = burnish_allocate(memory, threads << w->bucket_bits, sizeof *w->starts, what);
+    w->starts = burnish_allocate(memory, w->slices << w->bucket_bits, sizeof *w->starts, what);
     w->memory = burnish_allocate(memory, threads, sizeof *w->memory, what);
     for (int thread = 0; thread < w->threads && w->memory; ++thread) {
         w->memory[thread].memory = burnish_memory_of(memory->context, &w->memory[thread].error);
     }
+}
+
+typedef struct numbering {
+    uint32_t *heads;
+    size_t next;
+} numbering;
+
+static void number_range(void *context, size_t first, size_t end) {
+    numbering *numbers = context;
+    uint32_t *heads = numbers->heads;
+    for (size_t i = first; i < end; ++i) {
+        heads[i] = heads[i] == i ? (uint32_t)numbers->next++ : heads[heads[i]];
+    }
+}
+
+size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count) {
+    numbering numbers = {heads, 0};
+    burnish_tasks_in_order(tasks, count, BURNISH_BUILD_STEP, number_range, &numbers);
+    return numbers.next;
 }
 
 burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *tasks,
@@ -242,7 +257,8 @@ burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks 
         return BURNISH_STATUS_OK;
     }
     const size_t worth = count / GRAIN, all = (size_t)burnish_tasks_threads(tasks);
-    w.threads = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
+    w.slices = worth <= 1 ? 1 : worth < SLICES_MAX ? worth : SLICES_MAX;
+    w.threads = (int)(w.slices < all ? w.slices : all);
     while (w.bucket_bits < BUCKET_BITS_MAX && count >> w.bucket_bits > BUCKET_TARGET) {
         ++w.bucket_bits;
     }
@@ -254,10 +270,8 @@ burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks 
     burnish_release(memory->context, w.memory);
     burnish_release(memory->context, w.tables);
     if (status == BURNISH_STATUS_OK) {
-        /* A position's head comes no later than itself, so its number is known by then. */
-        for (size_t i = 0; i < count; ++i) {
-            remap[i] = remap[i] == i ? (uint32_t)(*unique)++ : remap[remap[i]];
-        }
+        *unique = burnish_number_heads(tasks, remap, count);
+        status = burnish_tasks_check(tasks, memory->error);
     }
     return status;
 }
