@@ -5,254 +5,190 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef lobe_facts facts;
-
-static double degrees(double radians) {
-    return radians / CLI_DEGREE;
-}
-
-static double level_of_bits(const facts *f) {
-    return exp2(-f->argument);
-}
+/* ---- What is more than one call of theory.h ---- */
 
 /* The power with the model's exponent, which is in range. */
-static burnish_theory_model power_of(const facts *f) {
+static burnish_theory_model power_of(const burnish_theory_model *model) {
     burnish_theory_model power;
     (void)burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
-                                      f->model.exponent);
+                                      model->exponent);
     return power;
 }
 
-static double or_nan(double value, int exists) {
-    return exists ? value : NAN;
+static double zeta(const burnish_theory_model *model) {
+    int has_slope =
+        model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON;
+    return has_slope ? model->zeta : NAN;
 }
 
-static double integral_ratio(const facts *f, burnish_theory_measure measure) {
-    burnish_theory_model power = power_of(f);
-    return burnish_theory_integral(&f->model, measure) / burnish_theory_integral(&power, measure);
+static double peak(const burnish_theory_model *model) {
+    return burnish_theory_value_at_lambda(model, 0);
 }
 
-static double derivative(const facts *f, int order) {
+static double value_at(const burnish_theory_model *model, double degrees) {
+    return burnish_theory_value_at_angle(model, degrees * CLI_DEGREE);
+}
+
+static double derivative(const burnish_theory_model *model, double degrees, int order) {
     double derivatives[3];
-    burnish_theory_derivatives(&f->model, f->argument * CLI_DEGREE, derivatives);
+    burnish_theory_derivatives(model, degrees * CLI_DEGREE, derivatives);
     return derivatives[order];
 }
 
-static double m_zeta(const facts *f) {
-    int has_slope =
-        f->model.lobe.kind == BURNISH_LOBE_FAMILY || f->model.lobe.kind == BURNISH_LOBE_LYON;
-    return or_nan(f->model.zeta, has_slope);
+static double slope_at(const burnish_theory_model *model, double degrees) {
+    return derivative(model, degrees, 1);
 }
-static double m_peak(const facts *f) {
-    return burnish_theory_value_at_lambda(&f->model, 0);
+
+static double second_at(const burnish_theory_model *model, double degrees) {
+    return derivative(model, degrees, 2);
 }
-static double m_value(const facts *f) {
-    return burnish_theory_value_at_angle(&f->model, f->argument * CLI_DEGREE);
+
+static double toksvig(const burnish_theory_model *model, double length) {
+    return burnish_theory_toksvig_exponent(model->exponent, length);
 }
-static double m_slope(const facts *f) {
-    return derivative(f, 1);
+
+static double angle_of(const burnish_theory_model *model, double bits) {
+    return burnish_theory_angle_at(model, exp2(-bits));
 }
-static double m_second(const facts *f) {
-    return derivative(f, 2);
+
+static double integral(const burnish_theory_model *model) {
+    return burnish_theory_integral(model, BURNISH_THEORY_SOLID_ANGLE);
 }
-static double m_zero(const facts *f) {
-    return degrees(burnish_theory_zero_angle(&f->model));
+
+static double cosine_integral(const burnish_theory_model *model) {
+    return burnish_theory_integral(model, BURNISH_THEORY_COSINE_WEIGHTED);
 }
-static double m_cutoff(const facts *f) {
-    return burnish_theory_cutoff_cosine(&f->model);
+
+static double energy(const burnish_theory_model *model) {
+    const burnish_theory_model power = power_of(model);
+    return integral(model) / integral(&power);
 }
-static double m_radius(const facts *f) {
-    return burnish_theory_zero_curvature_radius(&f->model);
+
+static double cosine_energy(const burnish_theory_model *model) {
+    const burnish_theory_model power = power_of(model);
+    return cosine_integral(model) / cosine_integral(&power);
 }
-static double m_inflection(const facts *f) {
-    return degrees(burnish_theory_inflection_angle(f->model.exponent));
+
+static double relative_at(const burnish_theory_model *model, double degrees) {
+    return burnish_theory_relative_error(model, degrees * CLI_DEGREE);
 }
-static double m_angle(const facts *f) {
-    return degrees(burnish_theory_angle_at(&f->model, level_of_bits(f)));
+
+static double extreme_relative(const burnish_theory_model *model) {
+    double angle = burnish_theory_extreme_angle(model);
+    return isnan(angle) ? NAN : burnish_theory_relative_error(model, angle);
 }
-static double m_ratio(const facts *f) {
-    return burnish_theory_width_ratio(&f->model, f->argument);
+
+static double memory(const burnish_theory_model *model) {
+    return (double)burnish_theory_model_cost(model).memory;
 }
-static double m_boundary(const facts *f) {
-    return burnish_theory_boundary_cosine(&f->model, f->argument);
-}
-static double m_integral(const facts *f) {
-    return burnish_theory_integral(&f->model, BURNISH_THEORY_SOLID_ANGLE);
-}
-static double m_cosine_integral(const facts *f) {
-    return burnish_theory_integral(&f->model, BURNISH_THEORY_COSINE_WEIGHTED);
-}
-static double m_energy(const facts *f) {
-    return integral_ratio(f, BURNISH_THEORY_SOLID_ANGLE);
-}
-static double m_cosine_energy(const facts *f) {
-    return integral_ratio(f, BURNISH_THEORY_COSINE_WEIGHTED);
-}
-static double m_phong(const facts *f) {
-    return burnish_theory_phong_factor(&f->model);
-}
-static double m_blinn(const facts *f) {
-    return burnish_theory_blinn_factor(&f->model);
-}
-static double m_blinn_common(const facts *f) {
-    return burnish_theory_blinn_factor_common(f->model.exponent);
-}
-static double m_normal(const facts *f) {
-    return burnish_theory_normal_factor(&f->model);
-}
-static double m_error(const facts *f) {
-    return f->difference.absolute;
-}
-static double m_error_angle(const facts *f) {
-    return degrees(f->difference.absolute_angle);
-}
-static double m_above(const facts *f) {
-    return f->difference.above;
-}
-static double m_below(const facts *f) {
-    return f->difference.below;
-}
-static double m_relative(const facts *f) {
-    return 100 * f->difference.relative;
-}
-static double m_relative_angle(const facts *f) {
-    return degrees(f->difference.relative_angle);
-}
-static double m_error_integral(const facts *f) {
-    return f->difference.integral;
-}
-static double m_rms(const facts *f) {
-    return f->difference.rms;
-}
-static double m_extreme(const facts *f) {
-    return degrees(burnish_theory_extreme_angle(&f->model));
-}
-static double m_extreme_searched(const facts *f) {
-    return degrees(burnish_theory_extreme_angle_searched(&f->model));
-}
-static double m_extreme_value(const facts *f) {
-    double angle = burnish_theory_extreme_angle(&f->model);
-    return isnan(angle) ? NAN : 100 * burnish_theory_relative_error(&f->model, angle);
-}
-static double m_relative_at(const facts *f) {
-    return 100 * burnish_theory_relative_error(&f->model, f->argument * CLI_DEGREE);
-}
-static double m_alpha(const facts *f) {
-    return burnish_theory_alpha_from_exponent(f->model.exponent);
-}
-static double m_roughness(const facts *f) {
-    return burnish_theory_roughness_from_exponent(f->model.exponent);
-}
-static double m_phong_exponent(const facts *f) {
-    return burnish_theory_phong_from_blinn(f->model.exponent);
-}
-static double m_blinn_exponent(const facts *f) {
-    return burnish_theory_blinn_from_phong(f->model.exponent);
-}
-static double m_toksvig(const facts *f) {
-    return burnish_theory_toksvig_exponent(f->model.exponent, f->argument);
-}
-static double m_multiplications(const facts *f) {
-    return burnish_theory_model_cost(&f->model).multiplications;
-}
-static double m_additions(const facts *f) {
-    return burnish_theory_model_cost(&f->model).additions;
-}
-static double m_comparisons(const facts *f) {
-    return burnish_theory_model_cost(&f->model).comparisons;
-}
-static double m_divisions(const facts *f) {
-    return burnish_theory_model_cost(&f->model).divisions;
-}
-static double m_functions(const facts *f) {
-    return burnish_theory_model_cost(&f->model).transcendentals;
-}
-static double m_lookups(const facts *f) {
-    return burnish_theory_model_cost(&f->model).lookups;
-}
-static double m_memory(const facts *f) {
-    return (double)burnish_theory_model_cost(&f->model).memory;
-}
+
+/* ---- The metrics ---- */
+
+#define DIFFERENCE(member) .difference_at = offsetof(lobe_facts, difference.member)
+#define COST(member) .count_at = offsetof(lobe_facts, cost.member)
 
 /* A group ends where the next begins; `all` is everything. */
 static const lobe_metric metrics[] = {
-    {"zeta", "zeta", "zeta", "", 4, 0, 0, m_zeta, "slope of the base, of the family and lyon"},
-    {"peak", "peak", "peak", "", 4, 0, 0, m_peak, "value at angle 0"},
-    {"value", "value", "value", "", 5, 0, 'a', m_value, "value at an angle"},
-    {"slope", "slope_per_rad", "slope", "1/rad", 4, 0, 'a', m_slope, "first derivative there"},
-    {"second", "second_per_rad2", "second", "1/rad^2", 3, 0, 'a', m_second,
-     "second derivative there"},
-    {"alpha", "alpha", "alpha", "", 4, 0, 0, m_alpha, "Beckmann or GGX alpha of the exponent"},
-    {"roughness", "roughness", "rough", "", 4, 0, 0, m_roughness, "the root of alpha"},
-    {"phong-exponent", "phong_exponent", "Phong n", "", 2, 0, 0, m_phong_exponent,
-     "exponent for Phong whose highlight is as wide as n for Blinn"},
-    {"blinn-exponent", "blinn_exponent", "Blinn n", "", 1, 0, 0, m_blinn_exponent,
-     "exponent for Blinn whose highlight is as wide as n for Phong"},
-    {"toksvig", "toksvig_exponent", "Toksvig", "", 3, 0, 'l', m_toksvig,
-     "exponent for averaged normals of that mean length"},
+    {"zeta", "zeta", "zeta", "", 4, 0, "slope of the base, of the family and lyon",
+     .of_model = zeta},
+    {"peak", "peak", "peak", "", 4, 0, "value at angle 0", .of_model = peak},
+    {"value", "value", "value", "", 5, 'a', "value at an angle", .at = value_at},
+    {"slope", "slope_per_rad", "slope", "1/rad", 4, 'a', "first derivative there", .at = slope_at},
+    {"second", "second_per_rad2", "second", "1/rad^2", 3, 'a', "second derivative there",
+     .at = second_at},
+    {"alpha", "alpha", "alpha", "", 4, 0, "Beckmann or GGX alpha of the exponent",
+     .of_exponent = burnish_theory_alpha_from_exponent},
+    {"roughness", "roughness", "rough", "", 4, 0, "the root of alpha",
+     .of_exponent = burnish_theory_roughness_from_exponent},
+    {"phong-exponent", "phong_exponent", "Phong n", "", 2, 0,
+     "exponent for Phong whose highlight is as wide as n for Blinn",
+     .of_exponent = burnish_theory_phong_from_blinn},
+    {"blinn-exponent", "blinn_exponent", "Blinn n", "", 1, 0,
+     "exponent for Blinn whose highlight is as wide as n for Phong",
+     .of_exponent = burnish_theory_blinn_from_phong},
+    {"toksvig", "toksvig_exponent", "Toksvig", "", 3, 'l',
+     "exponent for averaged normals of that mean length", .at = toksvig},
 
-    {"zero-angle", "zero_angle_deg", "zero", "deg", 3, 0, 0, m_zero,
-     "angle from which on the lobe is 0"},
-    {"cutoff-cosine", "cutoff_cosine", "cutoff", "cosine", 5, 0, 0, m_cutoff, "its cosine"},
-    {"curvature-radius", "curvature_radius_rad", "radius", "rad", 5, 0, 0, m_radius,
-     "radius of curvature of the curve there"},
-    {"inflection", "inflection_deg", "inflect.", "deg", 3, 0, 0, m_inflection,
-     "where the power has its inflection"},
-    {"angle", "angle_deg", "angle", "deg", 3, 0, 'q', m_angle,
-     "angle at which 2^-_BITS_ is reached"},
-    {"ratio", "ratio", "R", "", 4, 0, 'q', m_ratio,
-     "R, the power's angle at 2^-_BITS_ by the lobe's; above 1 the lobe ends sooner"},
-    {"boundary", "boundary_cosine", "boundary", "cosine", 5, 0, 'q', m_boundary,
-     "cosine at which 2^-_BITS_ is reached"},
+    {"zero-angle", "zero_angle_deg", "zero", "deg", 3, 0, "angle from which on the lobe is 0",
+     .of_model = burnish_theory_zero_angle},
+    {"cutoff-cosine", "cutoff_cosine", "cutoff", "cosine", 5, 0, "its cosine",
+     .of_model = burnish_theory_cutoff_cosine},
+    {"curvature-radius", "curvature_radius_rad", "radius", "rad", 5, 0,
+     "radius of curvature of the curve there", .of_model = burnish_theory_zero_curvature_radius},
+    {"inflection", "inflection_deg", "inflect.", "deg", 3, 0, "where the power has its inflection",
+     .of_exponent = burnish_theory_inflection_angle},
+    {"angle", "angle_deg", "angle", "deg", 3, 'q', "angle at which 2^-_BITS_ is reached",
+     .at = angle_of},
+    {"ratio", "ratio", "R", "", 4, 'q',
+     "R, the power's angle at 2^-_BITS_ by the lobe's; above 1 the lobe ends sooner",
+     .at = burnish_theory_width_ratio},
+    {"boundary", "boundary_cosine", "boundary", "cosine", 5, 'q',
+     "cosine at which 2^-_BITS_ is reached", .at = burnish_theory_boundary_cosine},
 
-    {"integral", "integral_sr", "integral", "sr", -5, 0, 0, m_integral,
-     "integral over solid angle"},
-    {"cosine-integral", "cosine_integral_sr", "cos int.", "sr", -5, 0, 0, m_cosine_integral,
-     "integral over projected solid angle"},
-    {"energy", "energy", "energy", "of power", 4, 0, 0, m_energy, "integral by the power's"},
-    {"cosine-energy", "cosine_energy", "cos en.", "of power", 4, 0, 0, m_cosine_energy,
-     "cosine-weighted integral by the power's"},
-    {"phong-factor", "phong_factor_per_sr", "Phong f.", "1/sr", -5, 0, 0, m_phong,
-     "factor of a reflection lobe by Phong"},
-    {"blinn-factor", "blinn_factor_per_sr", "Blinn f.", "1/sr", -5, 0, 0, m_blinn,
-     "factor of a reflection lobe by Blinn"},
-    {"blinn-factor-common", "blinn_factor_common_per_sr", "(n+8)/8pi", "1/sr", -5, 0, 0,
-     m_blinn_common, "the usual approximation to that for the power"},
-    {"normal-factor", "normal_factor_per_sr", "normal f.", "1/sr", -5, 0, 0, m_normal,
-     "factor of a distribution of normals"},
+    {"integral", "integral_sr", "integral", "sr", -5, 0, "integral over solid angle",
+     .of_model = integral},
+    {"cosine-integral", "cosine_integral_sr", "cos int.", "sr", -5, 0,
+     "integral over projected solid angle", .of_model = cosine_integral},
+    {"energy", "energy", "energy", "of power", 4, 0, "integral by the power's", .of_model = energy},
+    {"cosine-energy", "cosine_energy", "cos en.", "of power", 4, 0,
+     "cosine-weighted integral by the power's", .of_model = cosine_energy},
+    {"phong-factor", "phong_factor_per_sr", "Phong f.", "1/sr", -5, 0,
+     "factor of a reflection lobe by Phong", .of_model = burnish_theory_phong_factor},
+    {"blinn-factor", "blinn_factor_per_sr", "Blinn f.", "1/sr", -5, 0,
+     "factor of a reflection lobe by Blinn", .of_model = burnish_theory_blinn_factor},
+    {"blinn-factor-common", "blinn_factor_common_per_sr", "(n+8)/8pi", "1/sr", -5, 0,
+     "the usual approximation to that for the power",
+     .of_exponent = burnish_theory_blinn_factor_common},
+    {"normal-factor", "normal_factor_per_sr", "normal f.", "1/sr", -5, 0,
+     "factor of a distribution of normals", .of_model = burnish_theory_normal_factor},
 
-    {"max-error", "max_error", "max err", "", 5, 1, 0, m_error, "largest absolute error"},
-    {"max-error-angle", "max_error_angle_deg", "at", "deg", 3, 1, 0, m_error_angle, "where"},
-    {"above", "above", "above", "", 5, 1, 0, m_above, "largest excess over the power"},
-    {"below", "below", "below", "", 5, 1, 0, m_below, "largest shortfall"},
-    {"max-relative", "max_relative_percent", "max rel", "%", 3, 1, 0, m_relative,
-     "largest relative error in per cent"},
-    {"max-relative-angle", "max_relative_angle_deg", "at", "deg", 3, 1, 0, m_relative_angle,
-     "where"},
-    {"error-integral", "error_integral_sr", "int. err", "sr", -4, 1, 0, m_error_integral,
-     "integral of the absolute error over solid angle"},
-    {"rms", "rms", "rms", "", 5, 1, 0, m_rms, "root of the mean squared error over solid angle"},
-    {"relative", "relative_percent", "rel", "%", 3, 0, 'a', m_relative_at,
-     "relative error at an angle in per cent"},
-    {"extreme-angle", "extreme_angle_deg", "extreme", "deg", 4, 0, 0, m_extreme,
-     "where the relative error is extreme, by formula"},
-    {"extreme-searched", "extreme_searched_deg", "searched", "deg", 4, 0, 0, m_extreme_searched,
-     "the same by search"},
-    {"extreme-relative", "extreme_relative_percent", "rel there", "%", 3, 0, 0, m_extreme_value,
-     "relative error there in per cent"},
+    {"max-error", "max_error", "max err", "", 5, 0, "largest absolute error", DIFFERENCE(absolute)},
+    {"max-error-angle", "max_error_angle_deg", "at", "deg", 3, 0, "where",
+     DIFFERENCE(absolute_angle)},
+    {"above", "above", "above", "", 5, 0, "largest excess over the power", DIFFERENCE(above)},
+    {"below", "below", "below", "", 5, 0, "largest shortfall", DIFFERENCE(below)},
+    {"max-relative", "max_relative_percent", "max rel", "%", 3, 0,
+     "largest relative error in per cent", DIFFERENCE(relative)},
+    {"max-relative-angle", "max_relative_angle_deg", "at", "deg", 3, 0, "where",
+     DIFFERENCE(relative_angle)},
+    {"error-integral", "error_integral_sr", "int. err", "sr", -4, 0,
+     "integral of the absolute error over solid angle", DIFFERENCE(integral)},
+    {"rms", "rms", "rms", "", 5, 0, "root of the mean squared error over solid angle",
+     DIFFERENCE(rms)},
+    {"relative", "relative_percent", "rel", "%", 3, 'a', "relative error at an angle in per cent",
+     .at = relative_at},
+    {"extreme-angle", "extreme_angle_deg", "extreme", "deg", 4, 0,
+     "where the relative error is extreme, by formula", .of_model = burnish_theory_extreme_angle},
+    {"extreme-searched", "extreme_searched_deg", "searched", "deg", 4, 0, "the same by search",
+     .of_model = burnish_theory_extreme_angle_searched},
+    {"extreme-relative", "extreme_relative_percent", "rel there", "%", 3, 0,
+     "relative error there in per cent", .of_model = extreme_relative},
 
-    {"multiplications", "multiplications", "mul", "", 0, 0, 0, m_multiplications,
-     "multiplications of one evaluation from a cosine"},
-    {"additions", "additions", "add", "", 0, 0, 0, m_additions, "additions and subtractions"},
-    {"comparisons", "comparisons", "max", "", 0, 0, 0, m_comparisons,
-     "comparisons: max and selections"},
-    {"divisions", "divisions", "div", "", 0, 0, 0, m_divisions, "divisions"},
-    {"functions", "functions", "fn", "", 0, 0, 0, m_functions, "calls of pow, exp or acos"},
-    {"lookups", "lookups", "look", "", 0, 0, 0, m_lookups, "reads of a table"},
-    {"memory", "memory_entries", "memory", "entries", 0, 0, 0, m_memory, "its size"},
+    {"multiplications", "multiplications", "mul", "", 0, 0,
+     "multiplications of one evaluation from a cosine", COST(multiplications)},
+    {"additions", "additions", "add", "", 0, 0, "additions and subtractions", COST(additions)},
+    {"comparisons", "comparisons", "max", "", 0, 0, "comparisons: max and selections",
+     COST(comparisons)},
+    {"divisions", "divisions", "div", "", 0, 0, "divisions", COST(divisions)},
+    {"functions", "functions", "fn", "", 0, 0, "calls of pow, exp or acos", COST(transcendentals)},
+    {"lookups", "lookups", "look", "", 0, 0, "reads of a table", COST(lookups)},
+    {"memory", "memory_entries", "memory", "entries", 0, 0, "its size", .of_model = memory},
 };
 
 enum { METRIC_COUNT = sizeof metrics / sizeof *metrics };
+
+double lobe_metric_value(const lobe_metric_choice *choice, const lobe_facts *facts) {
+    const lobe_metric *m = choice->metric;
+    const char *base = (const char *)facts;
+    double value = m->of_model        ? m->of_model(&facts->model)
+                   : m->of_exponent   ? m->of_exponent(facts->model.exponent)
+                   : m->at            ? m->at(&facts->model, choice->argument)
+                   : m->difference_at ? *(const double *)(const void *)(base + m->difference_at)
+                                      : *(const int *)(const void *)(base + m->count_at);
+    return strcmp(m->unit, "deg") == 0 ? value / CLI_DEGREE
+           : strcmp(m->unit, "%") == 0 ? 100 * value
+                                       : value;
+}
 
 /* A group: the metrics from the named one up to the next group's; NULL: to the end. */
 static const struct {

@@ -4,22 +4,26 @@
 
 #include "lobe/lobe.h"
 
-/* What a metric may be computed from. */
+/* What metrics are computed from. */
 typedef struct lobe_facts {
     burnish_theory_model model;
     burnish_theory_difference difference; /* filled only where a metric needs it */
-    double argument;                      /* of the metric: bits, degrees, length */
+    burnish_theory_cost cost;
 } lobe_facts;
 
 typedef struct lobe_metric {
-    const char *name; /* as --metrics has it */
-    const char *key;  /* of CSV and JSON */
-    const char *heading, *unit;
-    int decimals;         /* as cli_column */
-    int needs_difference; /* 1: burnish_theory_compare */
-    char takes;           /* 0; 'q': name:BITS; 'a': name:DEGREES; 'l': name:LENGTH */
-    double (*compute)(const lobe_facts *facts);
-    const char *what; /* for the man page */
+    const char *name;           /* as --metrics has it */
+    const char *key;            /* of CSV and JSON */
+    const char *heading, *unit; /* "deg" and "%": values are in radians and parts of 1 */
+    int decimals;               /* as cli_column */
+    char takes;                 /* 0; 'q': name:BITS; 'a': name:DEGREES; 'l': name:LENGTH */
+    const char *what;           /* for the man page */
+    /* where its value comes from, one of these */
+    double (*of_model)(const burnish_theory_model *model);
+    double (*of_exponent)(double exponent);
+    double (*at)(const burnish_theory_model *model, double argument);
+    size_t difference_at; /* offset in lobe_facts of a double of `difference` */
+    size_t count_at;      /* offset in lobe_facts of an int of `cost` */
 } lobe_metric;
 
 /* A metric with its argument. */
@@ -41,6 +45,9 @@ void lobe_each_metric(cli_take_term *take);
 /* Names, NAME:ARGUMENT and groups (widths, energy, errors, cost, shape, all) between commas. */
 burnish_status lobe_read_metrics(const char *flag, const char *text, lobe_metric_list *list,
                                  burnish_error *error);
+
+/* In the unit of the metric's column; NaN where there is none. */
+double lobe_metric_value(const lobe_metric_choice *choice, const lobe_facts *facts);
 
 /* The column of a metric. */
 void lobe_metric_column(const lobe_metric_choice *choice, cli_column *column);

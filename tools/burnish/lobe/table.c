@@ -126,7 +126,7 @@ static burnish_status read_plan(const table_settings *settings, plan *p, burnish
         status = lobe_read_exponents("exponents", settings->exponents, &p->exponents, error);
     }
     for (size_t i = 0; i < p->metrics.count; ++i) {
-        p->needs_difference = p->needs_difference || p->metrics.items[i].metric->needs_difference;
+        p->needs_difference = p->needs_difference || p->metrics.items[i].metric->difference_at > 0;
     }
     return status;
 }
@@ -152,11 +152,13 @@ static void fill_row(const plan *p, const char *lobe, double exponent, cli_value
     if (exists && p->needs_difference) {
         burnish_theory_compare(&facts.model, range_end(p, exponent), &facts.difference);
     }
+    if (exists) {
+        facts.cost = burnish_theory_model_cost(&facts.model);
+    }
     row[0].number = exponent;
     row[1].text = lobe;
     for (size_t i = 0; i < p->metrics.count; ++i) {
-        facts.argument = p->metrics.items[i].argument;
-        row[2 + i].number = exists ? p->metrics.items[i].metric->compute(&facts) : NAN;
+        row[2 + i].number = exists ? lobe_metric_value(&p->metrics.items[i], &facts) : NAN;
     }
 }
 
