@@ -15,7 +15,7 @@ typedef struct contestant {
     burnish_render_options options;
     const burnish_kernels *best;
     burnish_isa_ops libm;
-    int libm_works; /* the renderer uses the kernel table passed to it */
+    int libm_works; /* the renderer uses the kernel table passed to it; -1: not known yet */
 } contestant;
 
 /* Whether the renderer calls the kernels of libm_lobe.h: with black ones the picture is black. */
@@ -48,7 +48,7 @@ static int open_renderer(void **state, const burnish_peers_job *job, int threads
     made->options = job->options;
     made->best = burnish_kernels_best();
     made->libm = burnish_peers_libm_batch(made->best);
-    made->libm_works = shades_by_table(job, made->best);
+    made->libm_works = -1;
     snprintf(note, BURNISH_PEERS_NOTE, "burnish, %s kernels, %d thread%s, %zu triangles",
              burnish_isa_name(burnish_kernels_isa(made->best)), threads, threads == 1 ? "" : "s",
              burnish_mesh_get_view(job->scene)->triangle_count);
@@ -64,16 +64,21 @@ static int choose(contestant *r, const char *variant) {
                  {"family-two-sided", "energy:2", 1},
                  {"power", "power", 0},
                  {"schlick", "schlick", 0},
-                 {"libm", "power", 0}};
+                 {"libm", "power", 0},
+                 {"scene", "energy:2", -1}}; /* as many sides as the scene wants */
     burnish_error error;
     for (size_t i = 0; i < sizeof LOBES / sizeof *LOBES; ++i) {
         if (strcmp(variant, LOBES[i].variant) == 0) {
             int is_libm = strcmp(variant, "libm") == 0;
+            if (is_libm && r->libm_works < 0) {
+                r->libm_works = shades_by_table(r->job, r->best);
+            }
             if (is_libm && !r->libm_works) {
                 return 0;
             }
             r->options.kernels = is_libm ? &r->libm : r->best;
-            r->options.cull_back_faces = !LOBES[i].two_sided;
+            r->options.cull_back_faces =
+                LOBES[i].two_sided < 0 ? r->job->options.cull_back_faces : !LOBES[i].two_sided;
             return burnish_lobe_spec_parse(LOBES[i].lobe, &r->options.lobe, &error) ==
                    BURNISH_STATUS_OK;
         }
@@ -92,9 +97,9 @@ static int frame(void *state, const char *variant, double *milliseconds) {
     if (!choose(r, variant)) {
         return 0;
     }
-    double start = burnish_peers_now();
+    double start = burnish_peers_now(r->job);
     int drawn = draw(r);
-    *milliseconds = burnish_peers_now() - start;
+    *milliseconds = burnish_peers_now(r->job) - start;
     return drawn;
 }
 

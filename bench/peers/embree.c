@@ -236,9 +236,10 @@ static int draw(tracer *t, const char *variant) {
 }
 
 static int frame(void *state, const char *variant, double *milliseconds) {
-    double start = burnish_peers_now();
+    const tracer *t = state;
+    double start = burnish_peers_now(t->job);
     int done = draw(state, variant);
-    *milliseconds = burnish_peers_now() - start;
+    *milliseconds = burnish_peers_now(t->job) - start;
     return done;
 }
 

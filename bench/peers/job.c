@@ -39,7 +39,7 @@ static void find_range(burnish_peers_job *job) {
         job->nearest = fmin(job->nearest, depth);
         job->farthest = fmax(job->farthest, depth);
     }
-    job->nearest *= 0.99;
+    job->nearest = fmax(0.99 * job->nearest, 1e-4 * job->farthest); /* the eye may be inside */
     job->farthest *= 1.01;
 }
 
@@ -193,8 +193,8 @@ uint8_t burnish_peers_srgb(double linear) {
     return (uint8_t)lrint(255 * code);
 }
 
-double burnish_peers_now(void) {
+double burnish_peers_now(const burnish_peers_job *job) {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(job->options.threads == 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
 }

@@ -15,23 +15,43 @@
 
 #include "worker.h"
 
-static const char vertex_text[] = "#version 320 es\n"
-                                  "layout(location = 0) in vec3 position;\n"
+/* What a scene needs comes before each: COLORED (a colour per vertex), COLOR (float where all is
+ * grey, or vec3), LIGHTS, and NEAR for point lights. */
+static const char vertex_main[] = "layout(location = 0) in vec3 position;\n"
                                   "layout(location = 1) in vec3 normal;\n"
+                                  "layout(location = 2) in vec3 vertex_color;\n"
                                   "uniform mat4 to_clip;\n"
                                   "out vec3 n;\n"
+                                  "#ifdef COLORED\n"
+                                  "out vec3 tint;\n"
+                                  "#endif\n"
+                                  "#ifdef NEAR\n"
+                                  "out vec3 p;\n"
+                                  "#endif\n"
                                   "void main() {\n"
                                   "    n = normal;\n"
+                                  "#ifdef COLORED\n"
+                                  "    tint = vertex_color;\n"
+                                  "#endif\n"
+                                  "#ifdef NEAR\n"
+                                  "    p = position;\n"
+                                  "#endif\n"
                                   "    gl_Position = to_clip * vec4(position, 1.0);\n"
                                   "}\n";
 
 /* `float lobe(float c)` comes between the two parts. */
-static const char fragment_head[] = "#version 320 es\n"
-                                    "precision highp float;\n"
-                                    "precision highp int;\n"
-                                    "in vec3 n;\n"
-                                    "uniform vec3 light, halfway;\n"
-                                    "uniform float ambient, diffuse, specular, exponent, zeta;\n"
+static const char fragment_head[] = "in vec3 n;\n"
+                                    "#ifdef COLORED\n"
+                                    "in vec3 tint;\n"
+                                    "#else\n"
+                                    "const float tint = 1.0;\n"
+                                    "#endif\n"
+                                    "#ifdef NEAR\n"
+                                    "in vec3 p;\n"
+                                    "#endif\n"
+                                    "layout(location = 0) uniform COLOR diffuse;\n"
+                                    "uniform vec3 lights[LIGHTS], halfways[LIGHTS], viewer;\n"
+                                    "uniform float ambient, specular, exponent, zeta;\n"
                                     "out vec4 color;\n";
 static const char fragment_one_sided[] = "vec3 facing() { return normalize(n); }\n";
 static const char fragment_two_sided[] =
@@ -39,10 +59,18 @@ static const char fragment_two_sided[] =
 static const char fragment_main[] =
     "void main() {\n"
     "    vec3 unit = facing();\n"
-    "    float n_dot_l = max(dot(unit, light), 0.0);\n"
-    "    float shine = n_dot_l > 0.0 ? lobe(dot(unit, halfway)) : 0.0;\n"
-    "    float value = ambient + diffuse * n_dot_l + specular * shine;\n"
-    "    color = vec4(value, value, value, 1.0);\n"
+    "    COLOR value = COLOR(ambient * tint);\n"
+    "    for (int i = 0; i < LIGHTS; ++i) {\n"
+    "#ifdef NEAR\n"
+    "        vec3 light = normalize(lights[i] - p), halfway = normalize(light + viewer);\n"
+    "#else\n"
+    "        vec3 light = lights[i], halfway = halfways[i];\n"
+    "#endif\n"
+    "        float n_dot_l = max(dot(unit, light), 0.0);\n"
+    "        float shine = n_dot_l > 0.0 ? lobe(dot(unit, halfway)) : 0.0;\n"
+    "        value += (diffuse * tint * n_dot_l + specular * shine) * (1.0 / float(LIGHTS));\n"
+    "    }\n"
+    "    color = vec4(vec3(value), 1.0);\n"
     "}\n";
 static const char lobe_power[] = "float lobe(float c) { return pow(max(c, 0.0), exponent); }\n";
 static const char lobe_family[] =
@@ -50,24 +78,23 @@ static const char lobe_family[] =
 static const char lobe_schlick[] =
     "float lobe(float c) { c = max(c, 0.0); return c / (exponent - exponent * c + c); }\n";
 
-static const char fragment_number[] = "#version 320 es\n"
-                                      "precision highp float;\n"
-                                      "precision highp int;\n"
-                                      "out uint number;\n"
+static const char fragment_number[] = "out uint number;\n"
                                       "void main() { number = uint(gl_PrimitiveID); }\n";
 
 enum { LINEAR8, SRGB8, FLOAT32, NUMBER, TARGETS };
+
+enum { SIDES_OF_SCENE = 2 };
 
 /* The plain names are OpenGL at its fastest for this picture: linear bytes, back faces
  * culled. */
 static const struct variant {
     const char *name, *lobe;
     int target;
-    int two_sided; /* every face drawn, N turned toward the viewer, as burnish does */
+    int two_sided; /* 1: every face drawn, N turned toward the viewer, as burnish does */
 } VARIANTS[] = {
     {"power", lobe_power, LINEAR8, 0},           {"power-srgb", lobe_power, SRGB8, 0},
     {"power-two-sided", lobe_power, LINEAR8, 1}, {"family", lobe_family, LINEAR8, 0},
-    {"schlick", lobe_schlick, LINEAR8, 0},
+    {"schlick", lobe_schlick, LINEAR8, 0},       {"scene", lobe_power, LINEAR8, SIDES_OF_SCENE},
 };
 
 enum { VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS };
@@ -83,9 +110,11 @@ typedef struct gl_renderer {
     EGLContext context;
     GLuint programs[VARIANT_COUNT], number_program;
     GLuint framebuffers[TARGETS];
+    GLuint resolved;       /* where the samples of LINEAR8 go; 0: it has one per pixel */
     GLuint meshes[ORDERS]; /* vertex array objects */
     int fastest;           /* of these */
-    GLsizei index_count;
+    size_t *ends;          /* of each material's indices */
+    size_t material_count;
 } gl_renderer;
 
 static void fail(char *note, const char *what) {
@@ -127,10 +156,27 @@ static GLuint compile(GLenum kind, const char *const *parts, GLsizei count, char
     return shader;
 }
 
-static GLuint link_program(const char *const *parts, GLsizei count, char *note) {
-    const char *vertex_parts[] = {vertex_text};
-    GLuint vertex = compile(GL_VERTEX_SHADER, vertex_parts, 1, note);
-    GLuint fragment = compile(GL_FRAGMENT_SHADER, parts, count, note);
+static int is_colored(const burnish_peers_job *job) {
+    return burnish_mesh_get_view(job->scene)->colors != NULL;
+}
+
+static int is_grey(const burnish_peers_job *job) {
+    return !is_colored(job) && burnish_mesh_material_count(job->scene) == 1;
+}
+
+/* Fragment parts come after the common head. */
+static GLuint link_program(const burnish_peers_job *job, const char *const parts[4], char *note) {
+    char head[256];
+    snprintf(head, sizeof head,
+             "#version 320 es\nprecision highp float;\nprecision highp int;\n"
+             "#define LIGHTS %d\n#define COLOR %s\n%s%s",
+             job->options.light_count, is_grey(job) ? "float" : "vec3",
+             is_colored(job) ? "#define COLORED\n" : "",
+             job->options.lights[0].kind == BURNISH_LIGHT_POINT ? "#define NEAR\n" : "");
+    const char *const vertex_parts[] = {head, vertex_main};
+    const char *const fragment_parts[] = {head, parts[0], parts[1], parts[2], parts[3]};
+    GLuint vertex = compile(GL_VERTEX_SHADER, vertex_parts, 2, note);
+    GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_parts, 5, note);
     GLuint program = glCreateProgram();
     GLint done = 0;
     if (!vertex || !fragment) {
@@ -140,6 +186,9 @@ static GLuint link_program(const char *const *parts, GLsizei count, char *note) 
     glAttachShader(program, fragment);
     glLinkProgram(program);
     glGetProgramiv(program, GL_LINK_STATUS, &done);
+    if (!done) {
+        glGetProgramInfoLog(program, BURNISH_PEERS_NOTE, NULL, note);
+    }
     return done ? program : 0;
 }
 
@@ -147,8 +196,8 @@ static GLuint link_program(const char *const *parts, GLsizei count, char *note) 
 static void make_matrix(const burnish_peers_job *job, float matrix[16]) {
     const double n = job->nearest, f = job->farthest;
     const double *axes[4] = {job->right, job->up, job->forward, job->forward};
-    const double scale[4] = {2 * job->pixels / BURNISH_PEERS_WIDTH,
-                             2 * job->pixels / BURNISH_PEERS_HEIGHT, (f + n) / (f - n), 1};
+    const double scale[4] = {2 * job->pixels / job->options.width,
+                             2 * job->pixels / job->options.height, (f + n) / (f - n), 1};
     const double offset[4] = {0, 0, -2 * f * n / (f - n), 0};
     for (int row = 0; row < 4; ++row) {
         double constant = 0;
@@ -160,33 +209,55 @@ static void make_matrix(const burnish_peers_job *job, float matrix[16]) {
     }
 }
 
+static void set_lights(const burnish_peers_job *job, GLuint program) {
+    GLfloat lights[BURNISH_LIGHT_MAX][3], halfways[BURNISH_LIGHT_MAX][3];
+    const int count = job->options.light_count;
+    for (int i = 0; i < count; ++i) {
+        double half[3], squared = 0;
+        for (int k = 0; k < 3; ++k) {
+            lights[i][k] = (GLfloat)job->options.lights[i].vector[k];
+            half[k] = job->options.lights[i].vector[k] + (double)job->viewer[k];
+            squared += half[k] * half[k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            halfways[i][k] = (GLfloat)(half[k] / sqrt(squared));
+        }
+    }
+    glUniform3fv(glGetUniformLocation(program, "lights"), count, lights[0]);
+    glUniform3fv(glGetUniformLocation(program, "halfways"), count, halfways[0]);
+    glUniform3fv(glGetUniformLocation(program, "viewer"), 1, job->viewer);
+}
+
 static void set_uniforms(const burnish_peers_job *job, GLuint program) {
     float matrix[16];
     make_matrix(job, matrix);
     glUseProgram(program);
     glUniformMatrix4fv(glGetUniformLocation(program, "to_clip"), 1, GL_FALSE, matrix);
-    glUniform3fv(glGetUniformLocation(program, "light"), 1, job->light);
-    glUniform3fv(glGetUniformLocation(program, "halfway"), 1, job->half);
+    set_lights(job, program);
     glUniform1f(glGetUniformLocation(program, "ambient"), job->ambient);
-    glUniform1f(glGetUniformLocation(program, "diffuse"), job->diffuse);
     glUniform1f(glGetUniformLocation(program, "specular"), job->specular);
     glUniform1f(glGetUniformLocation(program, "exponent"), job->exponent);
     glUniform1f(glGetUniformLocation(program, "zeta"), job->zeta);
 }
 
+static int is_two_sided(const gl_renderer *gl, int variant) {
+    return VARIANTS[variant].two_sided == SIDES_OF_SCENE ? !gl->job->options.cull_back_faces
+                                                         : VARIANTS[variant].two_sided;
+}
+
 static int make_programs(gl_renderer *gl, char *note) {
     for (int i = 0; i < VARIANT_COUNT; ++i) {
-        const char *parts[] = {fragment_head,
-                               VARIANTS[i].two_sided ? fragment_two_sided : fragment_one_sided,
-                               VARIANTS[i].lobe, fragment_main};
-        gl->programs[i] = link_program(parts, 4, note);
+        const char *parts[4] = {fragment_head,
+                                is_two_sided(gl, i) ? fragment_two_sided : fragment_one_sided,
+                                VARIANTS[i].lobe, fragment_main};
+        gl->programs[i] = link_program(gl->job, parts, note);
         if (!gl->programs[i]) {
             return 0;
         }
         set_uniforms(gl->job, gl->programs[i]);
     }
-    const char *parts[] = {fragment_number};
-    gl->number_program = link_program(parts, 1, note);
+    const char *parts[4] = {fragment_number, "", "", ""};
+    gl->number_program = link_program(gl->job, parts, note);
     if (!gl->number_program) {
         return 0;
     }
@@ -194,82 +265,138 @@ static int make_programs(gl_renderer *gl, char *note) {
     return 1;
 }
 
+/* samples 1: a plain renderbuffer. Returns 0 when the framebuffer is not complete. */
+static int make_framebuffer(const gl_renderer *gl, GLuint framebuffer, GLenum format, int samples) {
+    const int count = samples > 1 ? samples : 0;
+    const int width = gl->job->options.width, height = gl->job->options.height;
+    GLuint buffers[2];
+    glGenRenderbuffers(2, buffers);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers[0]);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, count, GL_DEPTH_COMPONENT24, width, height);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers[1]);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffers[0]);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffers[1]);
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+/* With several samples there is LINEAR8 only. */
 static int make_framebuffers(gl_renderer *gl, char *note) {
     const GLenum formats[TARGETS] = {GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA32F, GL_R32UI};
-    GLuint depth, color[TARGETS];
-    glGenRenderbuffers(1, &depth);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, BURNISH_PEERS_WIDTH,
-                          BURNISH_PEERS_HEIGHT);
-    glGenRenderbuffers(TARGETS, color);
+    const int samples = gl->job->options.samples;
+    int done = 1;
     glGenFramebuffers(TARGETS, gl->framebuffers);
-    for (int i = 0; i < TARGETS; ++i) {
-        glBindRenderbuffer(GL_RENDERBUFFER, color[i]);
-        glRenderbufferStorage(GL_RENDERBUFFER, formats[i], BURNISH_PEERS_WIDTH,
-                              BURNISH_PEERS_HEIGHT);
-        glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffers[i]);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color[i]);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
-        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-            snprintf(note, BURNISH_PEERS_NOTE, "OpenGL: framebuffer %d is not complete", i);
-            return 0;
+    if (samples > 1) {
+        glGenFramebuffers(1, &gl->resolved);
+        done = make_framebuffer(gl, gl->resolved, formats[LINEAR8], 1);
+    }
+    for (int i = 0; done && i < (samples > 1 ? 1 : TARGETS); ++i) {
+        done = make_framebuffer(gl, gl->framebuffers[i], formats[i], samples);
+    }
+    if (!done) {
+        snprintf(note, BURNISH_PEERS_NOTE, "OpenGL: a framebuffer is not complete");
+    }
+    return done;
+}
+
+/* ---- Meshes ---- */
+
+/* An array of 3 floats per vertex as attribute; remap: where vertices go, or NULL. Returns 0 if
+ * memory is short. */
+static int send_attribute(GLuint attribute, const float *vectors, size_t count,
+                          const unsigned *remap) {
+    GLuint buffer;
+    float *moved = malloc(3 * count * sizeof *moved);
+    if (!moved) {
+        return 0;
+    }
+    if (remap) {
+        meshopt_remapVertexBuffer(moved, vectors, count, 3 * sizeof(float), remap);
+    } else {
+        memcpy(moved, vectors, 3 * count * sizeof *moved);
+    }
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(3 * count * sizeof *moved), moved, GL_STATIC_DRAW);
+    glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 0, NULL);
+    glEnableVertexAttribArray(attribute);
+    free(moved);
+    return 1;
+}
+
+/* The vertices' colours in linear light. */
+static int send_colors(const burnish_mesh_view *mesh, const unsigned *remap) {
+    float *linear = malloc(3 * mesh->vertex_count * sizeof *linear);
+    for (size_t i = 0; linear && i < mesh->vertex_count; ++i) {
+        for (size_t k = 0; k < 3; ++k) {
+            linear[3 * i + k] = burnish_srgb_decode((float)mesh->colors[4 * i + k] / 255);
         }
+    }
+    const int done = linear && send_attribute(2, linear, mesh->vertex_count, remap);
+    free(linear);
+    return done;
+}
+
+static int make_mesh(gl_renderer *gl, int order, const uint32_t *indices, const unsigned *remap) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(gl->job->scene);
+    GLuint buffer;
+    glGenVertexArrays(1, &gl->meshes[order]);
+    glBindVertexArray(gl->meshes[order]);
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(3 * mesh->triangle_count * sizeof *indices),
+                 indices, GL_STATIC_DRAW);
+    return send_attribute(0, mesh->positions, mesh->vertex_count, remap) &&
+           send_attribute(1, mesh->normals, mesh->vertex_count, remap) &&
+           (!mesh->colors || send_colors(mesh, remap));
+}
+
+/* Indices with the triangles of a material together, each material's in burnish's order: one draw
+ * call each. */
+static int sort_by_material(gl_renderer *gl, uint32_t *indices) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(gl->job->scene);
+    const uint16_t *numbers = mesh->triangle_materials;
+    gl->material_count = burnish_mesh_material_count(gl->job->scene);
+    gl->ends = calloc(gl->material_count + 1, sizeof *gl->ends);
+    if (!gl->ends) {
+        return 0;
+    }
+    for (size_t i = 0; i < mesh->triangle_count; ++i) {
+        gl->ends[(numbers ? numbers[i] : 0) + 1] += 3;
+    }
+    for (size_t m = 1; m <= gl->material_count; ++m) {
+        gl->ends[m] += gl->ends[m - 1];
+    }
+    for (size_t i = 0; i < mesh->triangle_count; ++i) { /* starts become ends */
+        size_t *at = &gl->ends[numbers ? numbers[i] : 0];
+        memcpy(indices + *at, mesh->indices + 3 * i, 3 * sizeof *indices);
+        *at += 3;
     }
     return 1;
 }
 
-static void make_mesh(gl_renderer *gl, int order, const float *positions, const float *normals,
-                      const uint32_t *indices) {
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(gl->job->scene);
-    GLuint buffers[3];
-    GLsizeiptr vectors = (GLsizeiptr)(mesh->vertex_count * 3 * sizeof(float));
-    gl->index_count = (GLsizei)(3 * mesh->triangle_count);
-    glGenVertexArrays(1, &gl->meshes[order]);
-    glBindVertexArray(gl->meshes[order]);
-    glGenBuffers(3, buffers);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, vectors, positions, GL_STATIC_DRAW);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, NULL);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers[1]);
-    glBufferData(GL_ARRAY_BUFFER, vectors, normals, GL_STATIC_DRAW);
-    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 0, NULL);
-    glEnableVertexAttribArray(0);
-    glEnableVertexAttribArray(1);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[2]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 (GLsizeiptr)(3 * mesh->triangle_count * sizeof *mesh->indices), indices,
-                 GL_STATIC_DRAW);
-}
-
-/* The mesh in the order that meshoptimizer makes for vertex caches. */
-static int make_cache_order(gl_renderer *gl) {
+/* The mesh in burnish's order and in the one that meshoptimizer makes for vertex caches. */
+static int make_meshes(gl_renderer *gl) {
     const burnish_mesh_view *mesh = burnish_mesh_get_view(gl->job->scene);
     const size_t vertices = mesh->vertex_count, count = 3 * mesh->triangle_count;
-    uint32_t *indices = malloc(count * sizeof *indices), *remap = malloc(vertices * sizeof *remap);
-    float *positions = malloc(3 * vertices * sizeof *positions);
-    float *normals = malloc(3 * vertices * sizeof *normals);
-    const int done = indices && remap && positions && normals;
+    uint32_t *sorted = malloc(count * sizeof *sorted), *indices = malloc(count * sizeof *indices);
+    unsigned *remap = malloc(vertices * sizeof *remap);
+    int done = sorted && indices && remap && sort_by_material(gl, sorted) &&
+               make_mesh(gl, ORDER_BURNISH, sorted, NULL);
+    for (size_t m = 0; done && m < gl->material_count; ++m) {
+        const size_t first = m ? gl->ends[m - 1] : 0;
+        meshopt_optimizeVertexCache(indices + first, sorted + first, gl->ends[m] - first, vertices);
+    }
     if (done) {
-        meshopt_optimizeVertexCache(indices, mesh->indices, count, vertices);
         meshopt_optimizeVertexFetchRemap(remap, indices, count, vertices);
         meshopt_remapIndexBuffer(indices, indices, count, remap);
-        meshopt_remapVertexBuffer(positions, mesh->positions, vertices, 3 * sizeof(float), remap);
-        meshopt_remapVertexBuffer(normals, mesh->normals, vertices, 3 * sizeof(float), remap);
-        make_mesh(gl, ORDER_CACHE, positions, normals, indices);
+        done = make_mesh(gl, ORDER_CACHE, indices, remap);
     }
+    free(sorted);
     free(indices);
     free(remap);
-    free(positions);
-    free(normals);
     return done;
-}
-
-static int make_buffers(gl_renderer *gl) {
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(gl->job->scene);
-    make_mesh(gl, ORDER_BURNISH, mesh->positions, mesh->normals, mesh->indices);
-    glEnable(GL_DEPTH_TEST);
-    glViewport(0, 0, BURNISH_PEERS_WIDTH, BURNISH_PEERS_HEIGHT);
-    return make_cache_order(gl);
 }
 
 static void close_gl(void *state) {
@@ -278,7 +405,29 @@ static void close_gl(void *state) {
         eglMakeCurrent(gl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglTerminate(gl->display);
     }
+    free(gl->ends);
     free(gl);
+}
+
+static void draw_materials(const gl_renderer *gl) {
+    const int grey = is_grey(gl->job);
+    for (size_t m = 0; m < gl->material_count; ++m) {
+        const size_t first = m ? gl->ends[m - 1] : 0;
+        const float *diffuse = burnish_mesh_material(gl->job->scene, m)->diffuse;
+        if (grey) {
+            glUniform1f(0, diffuse[0]);
+        } else {
+            glUniform3fv(0, 1, diffuse);
+        }
+        glDrawElements(GL_TRIANGLES, (GLsizei)(gl->ends[m] - first), GL_UNSIGNED_INT,
+                       (const char *)NULL + first * sizeof(uint32_t));
+    }
+}
+
+static void resolve(const gl_renderer *gl) {
+    const int width = gl->job->options.width, height = gl->job->options.height;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, gl->resolved);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 static void draw(const gl_renderer *gl, GLuint program, int target, int cull, int order) {
@@ -297,19 +446,27 @@ static void draw(const gl_renderer *gl, GLuint program, int target, int cull, in
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     }
     glBindVertexArray(gl->meshes[order]);
-    glDrawElements(GL_TRIANGLES, gl->index_count, GL_UNSIGNED_INT, NULL);
+    if (target == NUMBER) {
+        glDrawElements(GL_TRIANGLES, (GLsizei)gl->ends[gl->material_count - 1], GL_UNSIGNED_INT,
+                       NULL);
+    } else {
+        draw_materials(gl);
+    }
+    if (gl->resolved) {
+        resolve(gl);
+    }
     glFinish();
 }
 
 /* Finds the faster order by drawing both in turns. */
 static void find_fastest(gl_renderer *gl) {
-    enum { TURNS = 5 };
+    enum { TURNS = 3, SCENE = VARIANT_COUNT - 1 };
     double shortest[ORDERS] = {INFINITY, INFINITY};
     for (int i = 0; i < TURNS * ORDERS; ++i) {
         const int order = i % ORDERS;
-        const double start = burnish_peers_now();
-        draw(gl, gl->programs[0], LINEAR8, 1, order);
-        shortest[order] = fmin(shortest[order], burnish_peers_now() - start);
+        const double start = burnish_peers_now(gl->job);
+        draw(gl, gl->programs[SCENE], LINEAR8, !is_two_sided(gl, SCENE), order);
+        shortest[order] = fmin(shortest[order], burnish_peers_now(gl->job) - start);
     }
     gl->fastest = shortest[ORDER_CACHE] < shortest[ORDER_BURNISH] ? ORDER_CACHE : ORDER_BURNISH;
 }
@@ -325,7 +482,10 @@ static int open_gl(void **state, const burnish_peers_job *job, int threads, char
         close_gl(gl);
         return 0;
     }
-    if (!make_buffers(gl)) {
+    glEnable(GL_DEPTH_TEST);
+    glViewport(0, 0, job->options.width, job->options.height);
+    if (!make_meshes(gl)) {
+        snprintf(note, BURNISH_PEERS_NOTE, "out of memory");
         close_gl(gl);
         return 0;
     }
@@ -353,9 +513,9 @@ static int frame(void *state, const char *name, double *milliseconds) {
     if (i < 0) {
         return 0;
     }
-    double start = burnish_peers_now();
-    draw(gl, gl->programs[i], VARIANTS[i].target, !VARIANTS[i].two_sided, gl->fastest);
-    *milliseconds = burnish_peers_now() - start;
+    double start = burnish_peers_now(gl->job);
+    draw(gl, gl->programs[i], VARIANTS[i].target, !is_two_sided(gl, i), gl->fastest);
+    *milliseconds = burnish_peers_now(gl->job) - start;
     return glGetError() == GL_NO_ERROR;
 }
 
@@ -376,7 +536,7 @@ static int picture(void *state, const char *name, uint8_t *rgb) {
         return 0;
     }
     int encoded = VARIANTS[i].target == SRGB8;
-    draw(gl, gl->programs[i], encoded ? SRGB8 : FLOAT32, !VARIANTS[i].two_sided, ORDER_BURNISH);
+    draw(gl, gl->programs[i], encoded ? SRGB8 : FLOAT32, !is_two_sided(gl, i), ORDER_BURNISH);
     glReadPixels(0, 0, BURNISH_PEERS_WIDTH, BURNISH_PEERS_HEIGHT, GL_RGBA,
                  encoded ? GL_UNSIGNED_BYTE : GL_FLOAT, values);
     for (size_t p = 0; p < BURNISH_PEERS_PIXELS; ++p) {

@@ -62,10 +62,10 @@ static void skip(runner *r, int which, const char *why) {
 /* Starts a contestant; returns 0 and notes why when it can't. */
 static int start(runner *r, int which, const struct scene *scene, int threads,
                  burnish_peers_process *process) {
-    char program[PATH], count[8], answer[LINE], why[LINE + 64];
+    char program[PATH], count[8], open[64], answer[LINE], why[LINE + 64];
     snprintf(program, sizeof program, "%s/bench_peers_%s", r->folder, contestants[which].name);
     snprintf(count, sizeof count, "%d", threads);
-    const char *const arguments[] = {program, scene->name, count, NULL};
+    const char *const arguments[] = {program, count, NULL};
     if (access(program, X_OK) != 0) {
         snprintf(why, sizeof why, "not built: install %s (scripts/install-deps peers)",
                  contestants[which].packages);
@@ -77,7 +77,8 @@ static int start(runner *r, int which, const struct scene *scene, int threads,
         skip(r, which, "it can't be started");
         return 0;
     }
-    burnish_peers_ask(process, NULL, answer, sizeof answer);
+    snprintf(open, sizeof open, "open 1920 1080 1 %s", scene->name);
+    burnish_peers_ask(process, open, answer, sizeof answer);
     if (strncmp(answer, "ready ", 6) != 0) {
         skip(r, which, answer);
         burnish_peers_stop(process);

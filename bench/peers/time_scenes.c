@@ -61,10 +61,10 @@ static int time_job(const settings *s, const char *name, burnish_peers_job *job)
         done = write_picture(s, name, &image);
     }
     while (done && count < FRAMES_MOST && (count < s->frames || sum < BUDGET)) {
-        const double start = burnish_peers_now();
+        const double start = burnish_peers_now(job);
         done = burnish_renderer_draw(renderer, job->scene, &job->options, &image, NULL, &error) ==
                BURNISH_STATUS_OK;
-        times[count] = burnish_peers_now() - start;
+        times[count] = burnish_peers_now(job) - start;
         sum += times[count++];
     }
     if (done) {

@@ -55,48 +55,96 @@ static int answer_triangles(const burnish_peers_contestant *contestant, void *st
     return done;
 }
 
-static int answer(const burnish_peers_contestant *contestant, void *state, const char *line) {
+static int answer_counts(const burnish_peers_job *job) {
+    burnish_render_options options = job->options;
+    burnish_render_report report;
+    burnish_image image;
+    burnish_error error;
+    options.counts = BURNISH_COUNTS_ALL;
+    if (burnish_render(job->scene, &options, &image, &report, &error) != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    burnish_image_destroy(&image);
+    printf("ok %zu %zu %zu\n", report.triangles, report.triangles_drawn, report.covered_pixels);
+    return 1;
+}
+
+typedef struct server {
+    const burnish_peers_contestant *contestant;
+    int threads;
+    burnish_peers_job job;
+    void *state; /* NULL: nothing is open */
+} server;
+
+static void close_job(server *s) {
+    if (s->state) {
+        s->contestant->close(s->state);
+        burnish_peers_job_close(&s->job);
+        s->state = NULL;
+    }
+}
+
+/* Always answers. */
+static int answer_open(server *s, burnish_peers_view view, const char *input) {
+    char note[BURNISH_PEERS_NOTE] = "";
+    void *state;
+    close_job(s);
+    view.threads = s->threads;
+    if (!burnish_peers_job_open(&s->job, input, &view)) {
+        return 1;
+    }
+    if (s->contestant->open(&state, &s->job, s->threads, note)) {
+        s->state = state;
+        printf("ready %s\n", note);
+    } else {
+        burnish_peers_job_close(&s->job);
+        printf("error %s\n", note);
+    }
+    return 1;
+}
+
+static int answer(server *s, const char *line) {
+    burnish_peers_view view;
     char variant[32], path[512];
     int count;
+    if (sscanf(line, "open %d %d %d %511[^\n]", &view.width, &view.height, &view.samples, path) ==
+        4) {
+        return answer_open(s, view, path);
+    }
+    if (!s->state) {
+        return 0;
+    }
     if (sscanf(line, "frame %31s %d", variant, &count) == 2) {
-        return answer_frames(contestant, state, variant, count);
+        return answer_frames(s->contestant, s->state, variant, count);
+    }
+    if (strncmp(line, "counts", 6) == 0) {
+        return answer_counts(&s->job);
     }
     if (sscanf(line, "picture %31s %511s", variant, path) == 2) {
-        return answer_picture(contestant, state, variant, path);
+        return answer_picture(s->contestant, s->state, variant, path);
     }
     if (sscanf(line, "triangles %511s", path) == 1) {
-        return answer_triangles(contestant, state, path);
+        return answer_triangles(s->contestant, s->state, path);
     }
     return 0;
 }
 
 int burnish_peers_serve(const burnish_peers_contestant *contestant, int count, char **arguments) {
-    burnish_peers_job job;
-    void *state;
-    char note[BURNISH_PEERS_NOTE] = "", line[1024];
-    if (count != 3) {
-        fprintf(stderr, "usage: %s INPUT THREADS\n", arguments[0]);
+    static server s;
+    char line[1024];
+    if (count != 2) {
+        fprintf(stderr, "usage: %s THREADS\n", arguments[0]);
         return EXIT_FAILURE;
     }
     setvbuf(stdout, NULL, _IOLBF, 0);
-    const int threads = atoi(arguments[2]);
-    const burnish_peers_view view = {BURNISH_PEERS_WIDTH, BURNISH_PEERS_HEIGHT, 1, threads};
-    if (!burnish_peers_job_open(&job, arguments[1], &view)) {
-        return EXIT_FAILURE;
-    }
-    if (!contestant->open(&state, &job, threads, note)) {
-        printf("error %s\n", note);
-        burnish_peers_job_close(&job);
-        return EXIT_FAILURE;
-    }
-    printf("ready %s\n", note);
+    s.contestant = contestant;
+    s.threads = atoi(arguments[1]);
     while (fgets(line, sizeof line, stdin)) {
-        if (!answer(contestant, state, line)) {
+        if (!answer(&s, line)) {
             line[strcspn(line, "\n")] = 0;
             printf("error can't do \"%s\"\n", line);
         }
     }
-    contestant->close(state);
-    burnish_peers_job_close(&job);
+    close_job(&s);
     return EXIT_SUCCESS;
 }
