@@ -17,7 +17,8 @@
 typedef struct counts {
     atomic_long left;    /* allocations before one fails; negative: none does */
     atomic_long live;    /* taken and not given back */
-    long questions;      /* of cancelled, before it says yes; negative: never */
+    long asked;          /* whether to cancel */
+    long questions;      /* before the one that is answered by yes; negative: none is */
     burnish_stage stage; /* of the last progress, and its ... */
     double fraction;
     int wrong_order;
@@ -41,6 +42,7 @@ static inline void count_release(void *user_data, void *memory) {
 
 static inline int count_cancelled(void *user_data) {
     counts *c = user_data;
+    ++c->asked;
     return c->questions >= 0 && c->questions-- == 0;
 }
 

@@ -197,10 +197,45 @@ static void test_environment(int input) {
     burnish_mesh_destroy(first);
 }
 
+/* Two triangles that meet at 50 degrees: an edge in an FOLD_STL, smooth in an FOLD_OBJ, unless an
+ * angle is given. */
+static void test_crease_auto(void) {
+    static const char FOLD_OBJ[] =
+        "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -0.642787 0.766044 0\nf 1 2 3\nf 2 1 4\n";
+    static const char FOLD_STL[] =
+        "solid\n"
+        "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 1 vertex 1 0 0 "
+        "endloop endfacet\n"
+        "facet normal 0 0 0 outer loop vertex 0 0 1 vertex 0 0 0 "
+        "vertex -0.642787 0.766044 0 endloop endfacet\nendsolid\n";
+    static const struct {
+        const char *text, *name;
+        double angle;
+        size_t vertices;
+    } cases[] = {{FOLD_OBJ, "a.obj", BURNISH_CREASE_AUTO, 4},
+                 {FOLD_STL, "a.stl", BURNISH_CREASE_AUTO, 6},
+                 {FOLD_OBJ, "a.obj", 49, 6},
+                 {FOLD_STL, "a.stl", 51, 4}};
+    for (int i = 0; i < 4; ++i) {
+        burnish_load_options options = burnish_load_options_default();
+        burnish_mesh *mesh = NULL;
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        options.crease_angle = cases[i].angle;
+        if (CHECK(burnish_mesh_load_memory(cases[i].text, strlen(cases[i].text), cases[i].name,
+                                           &options, &mesh, &error) == BURNISH_STATUS_OK,
+                  "%s", error.text)) {
+            size_t count = burnish_mesh_get_view(mesh)->vertex_count;
+            CHECK(count == cases[i].vertices, "case %d: %zu vertices", i, count);
+        }
+        burnish_mesh_destroy(mesh);
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_companions());
     RUN(test_log());
+    RUN(test_crease_auto());
     for (int i = 0; i < INPUTS; ++i) {
         RUN(test_memory(i));
         RUN(test_cancelling(i));

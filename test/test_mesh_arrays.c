@@ -1,5 +1,6 @@
-/* burnish_mesh_create: arrays of every shape, and what the context brings: memory that runs short,
- * cancelling, progress, the log; the caller's floating-point environment. */
+/* burnish_mesh_create: arrays of every shape, materials, every refusal, and what the context
+ * brings: memory that runs short, cancelling, progress, the log; the caller's floating-point
+ * environment. */
 #include <math.h>
 
 #include "counting_context.h"
@@ -186,6 +187,174 @@ static void test_refusals(void) {
     refuse(&wrong, "materials[0]: diffuse[1] is 2, not in [0, 1]");
 }
 
+/* ---- Materials, and what is refused ---- */
+
+/* Four triangles in a row, the second without area; material numbers as given. */
+static burnish_status build_materials(size_t material_count, const uint16_t numbers[4],
+                                      burnish_mesh **mesh, burnish_error *error) {
+    static const float row[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
+    static const uint32_t corners[] = {0, 1, 2, 1, 1, 2, 1, 3, 2, 2, 3, 4};
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh_description arrays = describe_arrays(row, NULL, NULL, 5, corners, 4);
+    burnish_material materials[3];
+    for (size_t i = 0; i < 3; ++i) {
+        materials[i] = burnish_material_default();
+        materials[i].exponent = (float)(10 + i);
+    }
+    arrays.name = "row";
+    arrays.materials = materials;
+    arrays.material_count = material_count;
+    arrays.triangle_materials = (burnish_array){numbers, 4, 0};
+    return burnish_mesh_create(&arrays, &options, mesh, error);
+}
+
+static void test_material_numbers(void) {
+    burnish_mesh *mesh;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    const uint16_t numbers[4] = {2, 1, 0, 2}, zeros[4] = {0};
+    CHECK(build_materials(3, numbers, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    CHECK1(view->triangle_count == 3 && burnish_mesh_material_count(mesh) == 3);
+    const uint16_t *kept = view->triangle_materials;
+    if (CHECK1(kept != NULL)) {
+        CHECK(kept[0] == 2 && kept[1] == 0 && kept[2] == 2, "%d %d %d", kept[0], kept[1], kept[2]);
+    }
+    CHECK1(burnish_mesh_material(mesh, 2)->exponent == 12);
+    CHECK1(burnish_mesh_material(mesh, 3) == NULL);
+    burnish_mesh_destroy(mesh);
+
+    CHECK1(build_materials(1, zeros, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_get_view(mesh)->triangle_materials == NULL);
+    CHECK1(burnish_mesh_material_count(mesh) == 1);
+    CHECK1(burnish_mesh_material(mesh, 0)->exponent == 10);
+    burnish_mesh_destroy(mesh);
+
+    CHECK1(build_materials(0, zeros, &mesh, &error) == BURNISH_STATUS_OK);
+    burnish_material grey = burnish_material_default();
+    CHECK1(burnish_mesh_material_count(mesh) == 1);
+    CHECK1(memcmp(burnish_mesh_material(mesh, 0), &grey, sizeof grey) == 0);
+    burnish_mesh_destroy(mesh);
+
+    CHECK1(build_materials(2, numbers, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "triangle_materials[0]: 2 is out of range, there are 2 materials");
+    CHECK1(mesh == NULL);
+}
+
+static void test_set_material(void) {
+    const burnish_mesh_description cone =
+        describe_arrays(positions, NULL, NULL, VERTICES, indices, TRIANGLES);
+    burnish_mesh *mesh = create(&cone, 0);
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_material m = burnish_material_default();
+    CHECK1(m.has_diffuse == 0 && m.exponent >= 1);
+    m.exponent = 65536;
+    m.diffuse[1] = 1;
+    m.specular[2] = 0;
+    CHECK1(burnish_mesh_set_material(mesh, 0, &m, &error) == BURNISH_STATUS_OK);
+    CHECK1(memcmp(burnish_mesh_material(mesh, 0), &m, sizeof m) == 0);
+    CHECK1(burnish_mesh_set_material(mesh, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "index: 1 is out of range, the mesh has 1 material");
+    CHECK1(burnish_mesh_set_material(NULL, 0, &m, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_set_material(mesh, 0, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    const float bad[] = {-0.1f, 1.5f, NAN, INFINITY};
+    for (int i = 0; i < 4; ++i) {
+        burnish_material wrong[4] = {m, m, m, m};
+        wrong[0].ambient[0] = wrong[1].diffuse[1] = wrong[2].specular[2] = bad[i];
+        wrong[3].exponent = bad[i] == 1.5f ? 0.5f : bad[i];
+        const char *words[] = {"ambient[0]", "diffuse[1]", "specular[2]", "exponent"};
+        for (int k = 0; k < 4; ++k) {
+            CHECK1(burnish_mesh_set_material(mesh, 0, &wrong[k], &error) ==
+                   BURNISH_STATUS_ARGUMENT);
+            CHECK(strstr(error.text, words[k]), "%s", error.text);
+        }
+    }
+    CHECK(memcmp(burnish_mesh_material(mesh, 0), &m, sizeof m) == 0, "a refused one was stored");
+    burnish_mesh_destroy(mesh);
+}
+
+/* Plain positions and indices. */
+static void refuse_plain(const float *vertices, size_t vertex_count, const uint32_t *corners,
+                         size_t triangle_count, const char *text) {
+    const burnish_mesh_description arrays =
+        describe_arrays(vertices, NULL, NULL, vertex_count, corners, triangle_count);
+    refuse(&arrays, text);
+}
+
+static void test_arguments(void) {
+    float square[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    uint32_t corners[] = {0, 1, 2};
+    refuse_plain(NULL, 3, corners, 1, "positions: NULL; pass an array");
+    refuse_plain(square, 3, NULL, 1, "indices: items is NULL, but count is 3; pass an array");
+    refuse_plain(square, 2, corners, 1, "positions: count is 2, not in [3, 2^32 - 2]");
+    refuse_plain(square, UINT32_MAX, corners, 1,
+                 "positions: count is 4294967295, not in [3, 2^32 - 2]");
+    refuse_plain(square, 3, corners, 0,
+                 "indices: count is 0; triangles need a multiple of 3, at least 3");
+    corners[2] = 3;
+    refuse_plain(square, 3, corners, 1, "indices[2]: 3 is out of range, there are 3 vertices");
+    corners[2] = 2;
+    square[4] = NAN;
+    refuse_plain(square, 3, corners, 1, "positions[1]: number 2 of 3 is not finite");
+    square[4] = -INFINITY;
+    refuse_plain(square, 3, corners, 1, "positions[1]: number 2 of 3 is not finite");
+    square[4] = 0;
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh_description arrays = describe_arrays(square, NULL, NULL, 3, corners, 1);
+    CHECK1(burnish_mesh_create(&arrays, &options, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
+    /* Far too many triangles are refused before a byte of them is read. */
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    arrays.indices.count = (size_t)3 << 31;
+    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(error.text, "mesh: more than 1431655764 triangles; split or simplify the mesh");
+    burnish_mesh_destroy(NULL);
+    CHECK1(burnish_mesh_get_view(NULL) == NULL && burnish_mesh_material_count(NULL) == 0);
+}
+
+static void test_options(void) {
+    const float square[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    const uint32_t corners[] = {0, 1, 2, 1, 3, 2};
+    const burnish_mesh_description arrays = describe_arrays(square, NULL, NULL, 4, corners, 2);
+    burnish_load_options wrong[9];
+    const char *words[9] = {"burnish_load_options_default()",
+                            "crease_angle",
+                            "crease_angle",
+                            "tessellation",
+                            "tessellation",
+                            "max_triangles",
+                            "format",
+                            "format",
+                            "format"};
+    for (int i = 0; i < 9; ++i) {
+        wrong[i] = burnish_load_options_default();
+    }
+    memset(&wrong[0], 0, sizeof wrong[0]);
+    wrong[1].crease_angle = 180.5;
+    wrong[2].crease_angle = NAN;
+    wrong[3].tessellation = 0;
+    wrong[4].tessellation = 257;
+    wrong[5].max_triangles = 1431655765;
+    wrong[6].format = BURNISH_FORMAT_COUNT;
+    wrong[7].format = (burnish_format)-1;
+    wrong[8].format = BURNISH_FORMAT_ARRAYS;
+    for (int i = 0; i < 10; ++i) {
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        burnish_mesh *mesh = (burnish_mesh *)&error;
+        const burnish_load_options *options = i < 9 ? &wrong[i] : NULL;
+        CHECK(burnish_mesh_create(&arrays, options, &mesh, &error) == BURNISH_STATUS_ARGUMENT, "%d",
+              i);
+        CHECK(mesh == NULL && strstr(error.text, i < 9 ? words[i] : "NULL"), "%s", error.text);
+    }
+    burnish_load_options options = burnish_load_options_default();
+    CHECK1(options.crease_angle == BURNISH_CREASE_AUTO && options.tessellation == 16);
+    CHECK1(options.max_triangles == 1431655764 && options.max_input_bytes >> 30 == 16);
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh = NULL;
+    options.max_triangles = 1;
+    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_LIMIT);
+    CHECK(strstr(error.text, "mesh: more than 1 triangles; raise the limit"), "%s", error.text);
+}
+
 /* ---- Contexts ---- */
 
 /* Vertices by the file's normals, by generated ones, with colours and texture coordinates. */
@@ -297,6 +466,10 @@ int main(int count, char **arguments) {
     RUN(test_small_indices());
     RUN(test_texture_coordinates());
     RUN(test_refusals());
+    RUN(test_material_numbers());
+    RUN(test_set_material());
+    RUN(test_arguments());
+    RUN(test_options());
     RUN(test_memory(0, 1));
     RUN(test_memory(1, 1));
     RUN(test_memory(2, 3));

@@ -1,6 +1,5 @@
 /* Pictures in the caller's memory: every format and stride, the planes against what a plain
- * program finds, cancelling, progress, the floating-point environment. */
-#include <fenv.h>
+ * program finds. */
 #include <math.h>
 
 #include "burnish/render.h"
@@ -556,141 +555,6 @@ static void test_errors(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* ---- Context ---- */
-
-typedef struct watcher {
-    int asked, cancel_at; /* the question that is answered by yes; 0: none */
-    double last[BURNISH_STAGE_COUNT];
-    int falls;
-} watcher;
-
-static int is_cancelled(void *user_data) {
-    watcher *w = user_data;
-    return ++w->asked == w->cancel_at;
-}
-
-static void hear_progress(void *user_data, burnish_stage stage, double fraction) {
-    watcher *w = user_data;
-    w->falls += fraction < w->last[stage] || fraction > 1;
-    w->last[stage] = fraction;
-}
-
-static void test_cancel(int threads) {
-    burnish_mesh *mesh = load(":knot", 12);
-    burnish_render_options options = make_options(mesh, 4);
-    burnish_context_options context_options = burnish_context_options_default();
-    burnish_context *context;
-    burnish_renderer *renderer;
-    burnish_image image = {0}, expected;
-    watcher w = {0};
-    context_options.cancelled = is_cancelled;
-    context_options.progress = hear_progress;
-    context_options.cancelled_user_data = context_options.progress_user_data = &w;
-    options.width = 640;
-    options.height = 480;
-    options.threads = threads;
-    CHECK1(burnish_render(mesh, &options, &expected, NULL, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_context_create(&context_options, &context, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_create(context, &renderer, NULL) == BURNISH_STATUS_OK);
-    burnish_status status = BURNISH_STATUS_CANCELLED;
-    int cancelled = 0;
-    for (int at = 1; status == BURNISH_STATUS_CANCELLED; at += at < 20 ? 1 : 7) {
-        burnish_error error = {BURNISH_STATUS_OK, ""};
-        w = (watcher){.cancel_at = at};
-        status = burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error);
-        CHECK(status == (w.asked < at ? BURNISH_STATUS_OK : BURNISH_STATUS_CANCELLED) &&
-                  error.status == status,
-              "question %d of %d: status %d", at, w.asked, (int)status);
-        /* whoever said yes is not asked for long */
-        CHECK(w.asked <= at + 1 && w.falls == 0, "asked %d times after the answer", w.asked - at);
-        cancelled += status == BURNISH_STATUS_CANCELLED;
-        CHECK1((status == BURNISH_STATUS_OK) == (image.pixels != NULL));
-    }
-    CHECK(cancelled >= (threads == 1 ? 20 : 2), "asked only %d times", cancelled);
-    CHECK(burnish_image_hash(&image) == burnish_image_hash(&expected), "other pixels afterwards");
-    CHECK(w.last[BURNISH_STAGE_TRANSFORM] == 1 && w.last[BURNISH_STAGE_DRAW] == 1,
-          "progress ends at 1");
-    burnish_image_destroy(&image);
-    burnish_image_destroy(&expected);
-    burnish_renderer_destroy(renderer);
-    options.context = context;
-    w = (watcher){.cancel_at = 1};
-    CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_CANCELLED);
-    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, NULL) ==
-           BURNISH_STATUS_ARGUMENT);
-    burnish_renderer_destroy(renderer);
-    burnish_context_destroy(context);
-    burnish_mesh_destroy(mesh);
-}
-
-/* ---- The floating-point environment ---- */
-
-#if defined(__SSE__)
-#include <xmmintrin.h>
-static void flush_subnormals(int flush) {
-    _mm_setcsr((_mm_getcsr() & ~0x8040u) | (flush ? 0x8040u : 0));
-}
-static unsigned control(void) {
-    return _mm_getcsr() & ~0x3fu; /* without the exceptions that have come */
-}
-#else
-static void flush_subnormals(int flush) {
-    (void)flush;
-}
-static unsigned control(void) {
-    return (unsigned)fegetround();
-}
-#endif
-
-/* A picture, its planes and the kernels' results. */
-static uint64_t work_hash(const burnish_mesh *mesh, int threads) {
-    burnish_render_options options = make_options(mesh, 4);
-    planes p = make_planes(WIDTH, HEIGHT, 1);
-    const burnish_kernels *kernels = burnish_kernels_best();
-    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
-    burnish_kernels_shader *shader;
-    float values[7] = {0.1f, 0.5f, 0.83f, 0.97f, 0.995f, 1e-40f, 0.3f}, colors[3][7];
-    float *const rgb[3] = {colors[0], colors[1], colors[2]};
-    const float *const normal[3] = {values, values + 1, values};
-    uint8_t rgba[7][4];
-    const burnish_kernels_points points = {.normal = {values, values, values}};
-    options.threads = threads;
-    draw_planes(mesh, &options, &p, NULL);
-    uint64_t hash = hash_rows(hash_planes(&p), &p.pixels);
-    free_planes(&p);
-    burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
-    burnish_kernels_shade_rgba8(kernels, shader, &points, 7, rgba[0], NULL);
-    hash = add_hash(hash, rgba, sizeof rgba);
-    burnish_kernels_shade_float(kernels, shader, &points, 7, rgb, NULL);
-    hash = add_hash(hash, colors, sizeof colors);
-    burnish_kernels_shader_destroy(shader);
-    burnish_kernels_normalize(kernels, 6, normal, rgb);
-    hash = add_hash(hash, colors, sizeof colors);
-    lighting.lobe.kind = BURNISH_LOBE_POWER;
-    burnish_kernels_lobe_of_cosines(kernels, &lighting.lobe, 3.5f, 7, values, colors[0], NULL);
-    burnish_kernels_lobe_of_lambdas(kernels, &lighting.lobe, 3.5f, 7, values, colors[1], NULL);
-    return add_hash(hash, colors, sizeof colors);
-}
-
-static void test_environment(void) {
-    static const int MODES[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    burnish_mesh *mesh = load(":knot", 12);
-    const uint64_t expected = work_hash(mesh, 1);
-    for (int i = 0; i < 16; ++i) {
-        fesetround(MODES[i % 4]);
-        flush_subnormals(i / 4 % 2);
-        const unsigned before = control();
-        const uint64_t hash = work_hash(mesh, 1 + i / 8);
-        const int is_same = control() == before && fegetround() == MODES[i % 4];
-        fesetround(FE_TONEAREST);
-        flush_subnormals(0);
-        CHECK(hash == expected, "rounding mode %d, flushing %d: other bits", i % 4, i / 4 % 2);
-        CHECK(is_same, "rounding mode %d, flushing %d: not put back", i % 4, i / 4 % 2);
-    }
-    burnish_mesh_destroy(mesh);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_formats(1));
@@ -709,8 +573,5 @@ int main(int count, char **arguments) {
     RUN(test_independence(1));
     RUN(test_independence(8));
     RUN(test_errors());
-    RUN(test_cancel(1));
-    RUN(test_cancel(3));
-    RUN(test_environment());
     return test_end("target");
 }

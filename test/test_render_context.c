@@ -1,0 +1,164 @@
+/* Drawing with what the caller brings: a context that cancels and hears of progress; rounding modes
+ * and flushed subnormals, which change no bit and are put back. */
+#include "burnish/kernels.h"
+#include "burnish/render.h"
+#include "counting_context.h"
+
+enum { WIDTH = 131, HEIGHT = 77 };
+
+static burnish_mesh *load_knot(void) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    options.tessellation = 12;
+    CHECK(burnish_mesh_load(":knot", &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
+}
+
+static burnish_render_options make_options(const burnish_mesh *mesh, int width, int height,
+                                           int threads) {
+    burnish_render_options options = burnish_render_options_default();
+    burnish_framing framing = burnish_framing_default();
+    options.width = width;
+    options.height = height;
+    options.samples = 4;
+    options.threads = threads;
+    framing.aspect = (double)width / height;
+    CHECK1(burnish_camera_frame(mesh, &framing, &options.camera, NULL) == BURNISH_STATUS_OK);
+    return options;
+}
+
+/* Cancelled at every question, then drawn as if nothing had been. */
+static void test_cancel(int threads) {
+    burnish_mesh *mesh = load_knot();
+    burnish_render_options options = make_options(mesh, 640, 480, threads);
+    counts c;
+    burnish_context *context = make_context(&c);
+    burnish_renderer *renderer;
+    burnish_image image = {0}, expected;
+    CHECK1(burnish_render(mesh, &options, &expected, NULL, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_create(context, &renderer, NULL) == BURNISH_STATUS_OK);
+    burnish_status status = BURNISH_STATUS_CANCELLED;
+    int cancelled = 0;
+    for (long at = 0; status == BURNISH_STATUS_CANCELLED; at += at < 20 ? 1 : 7) {
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        c.asked = 0;
+        c.questions = at;
+        c.stage = BURNISH_STAGE_TRANSFORM;
+        c.fraction = 0;
+        status = burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error);
+        CHECK(status == (c.questions >= 0 ? BURNISH_STATUS_OK : BURNISH_STATUS_CANCELLED) &&
+                  error.status == status,
+              "question %ld of %ld: status %d", at, c.asked, (int)status);
+        /* whoever said yes is asked once more at most */
+        CHECK(c.asked <= at + 2 && !c.wrong_order, "asked %ld times after the answer",
+              c.asked - at - 1);
+        cancelled += status == BURNISH_STATUS_CANCELLED;
+        CHECK1((status == BURNISH_STATUS_OK) == (image.pixels != NULL));
+    }
+    CHECK(cancelled >= (threads == 1 ? 20 : 2), "asked only %d times", cancelled);
+    CHECK(burnish_image_hash(&image) == burnish_image_hash(&expected), "other pixels afterwards");
+    CHECK(c.stage == BURNISH_STAGE_DRAW && c.fraction == 1, "progress ends at %g of stage %d",
+          c.fraction, (int)c.stage);
+    burnish_image_destroy(&image);
+    burnish_image_destroy(&expected);
+    burnish_renderer_destroy(renderer);
+    options.context = context;
+    c.questions = 0;
+    CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_CANCELLED);
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, NULL) ==
+           BURNISH_STATUS_ARGUMENT);
+    burnish_renderer_destroy(renderer);
+    burnish_context_destroy(context);
+    CHECK(c.live == 0, "%ld blocks lost", c.live);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- The floating-point environment ---- */
+
+static uint64_t add_hash(uint64_t hash, const void *data, size_t size) {
+    const uint8_t *bytes = data;
+    for (size_t i = 0; i < size; ++i) {
+        hash = (hash ^ bytes[i]) * UINT64_C(0x100000001B3);
+    }
+    return hash;
+}
+
+/* Every plane of a picture. */
+static uint64_t hash_picture(const burnish_mesh *mesh, int threads) {
+    const burnish_render_options options = make_options(mesh, WIDTH, HEIGHT, threads);
+    static uint8_t pixels[HEIGHT][WIDTH * 4];
+    static uint8_t coverage[HEIGHT][WIDTH];
+    static float depth[HEIGHT][WIDTH], normals[HEIGHT][WIDTH][3];
+    static uint32_t triangles[HEIGHT][WIDTH];
+    burnish_target target = burnish_target_default();
+    burnish_renderer *renderer;
+    target.pixels =
+        (burnish_pixels){WIDTH, HEIGHT, BURNISH_PIXELS_RGBA8, sizeof pixels[0], pixels[0]};
+    target.depth = depth[0];
+    target.depth_stride = sizeof depth[0];
+    target.triangles = triangles[0];
+    target.triangle_stride = sizeof triangles[0];
+    target.normals = normals[0][0];
+    target.normal_stride = sizeof normals[0];
+    target.coverage = coverage[0];
+    target.coverage_stride = sizeof coverage[0];
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, NULL) ==
+           BURNISH_STATUS_OK);
+    burnish_renderer_destroy(renderer);
+    uint64_t hash = add_hash(0, pixels, sizeof pixels);
+    hash = add_hash(add_hash(hash, depth, sizeof depth), coverage, sizeof coverage);
+    return add_hash(add_hash(hash, normals, sizeof normals), triangles, sizeof triangles);
+}
+
+/* The kernels' results. */
+static uint64_t hash_kernels(void) {
+    const burnish_kernels *kernels = burnish_kernels_best();
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
+    burnish_kernels_shader *shader;
+    float values[7] = {0.1f, 0.5f, 0.83f, 0.97f, 0.995f, 1e-40f, 0.3f}, colors[3][7];
+    float *const rgb[3] = {colors[0], colors[1], colors[2]};
+    const float *const normal[3] = {values, values + 1, values};
+    uint8_t rgba[7][4];
+    const burnish_kernels_points points = {.normal = {values, values, values}};
+    burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
+    burnish_kernels_shade_rgba8(kernels, shader, &points, 7, rgba[0], NULL);
+    uint64_t hash = add_hash(0, rgba, sizeof rgba);
+    burnish_kernels_shade_float(kernels, shader, &points, 7, rgb, NULL);
+    hash = add_hash(hash, colors, sizeof colors);
+    burnish_kernels_shader_destroy(shader);
+    burnish_kernels_normalize(kernels, 6, normal, rgb);
+    hash = add_hash(hash, colors, sizeof colors);
+    lighting.lobe.kind = BURNISH_LOBE_POWER;
+    burnish_kernels_lobe_of_cosines(kernels, &lighting.lobe, 3.5f, 7, values, colors[0], NULL);
+    burnish_kernels_lobe_of_lambdas(kernels, &lighting.lobe, 3.5f, 7, values, colors[1], NULL);
+    return add_hash(hash, colors, sizeof colors);
+}
+
+static void test_environment(int threads) {
+    burnish_mesh *mesh = load_knot();
+    const uint64_t picture = hash_picture(mesh, threads), kernels = hash_kernels();
+    for (int mode = 1; mode < 8; ++mode) {
+        set_mode(mode);
+        const unsigned before = control_bits();
+        const uint64_t own_picture = hash_picture(mesh, threads), own_kernels = hash_kernels();
+        const int is_kept = control_bits() == before;
+        set_mode(0);
+        CHECK(own_picture == picture, "mode %d: another picture", mode);
+        CHECK(own_kernels == kernels, "mode %d: other kernels", mode);
+        CHECK(is_kept, "mode %d: not put back", mode);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_cancel(1));
+    RUN(test_cancel(3));
+    RUN(test_environment(1));
+    RUN(test_environment(2));
+    return test_end("render_context");
+}
