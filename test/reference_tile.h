@@ -56,12 +56,14 @@ typedef struct triangle_edges {
     int64_t bias[3];      /* -1 where the top-left rule leaves the edge out */
     float inverse_area;
     float depth0, depth1, depth2; /* of vertex 0; of 1 and 2 minus that */
+    int is_large;                 /* longer than BURNISH_LARGE_EDGE: interpolated by planes */
 } triangle_edges;
 
-static void load_edges(const burnish_geometry *geometry, uint32_t triangle, triangle_edges *edges) {
+static void load_corners(const burnish_geometry *geometry, const burnish_primitive *corners,
+                         triangle_edges *edges) {
     const burnish_screen_vertex *items = geometry->vertices.items;
-    const burnish_primitive corners = reference_corners(geometry, triangle);
-    const uint32_t *v = corners.vertices;
+    const uint32_t *v = corners->vertices;
+    edges->is_large = 0;
     for (int i = 0; i < 3; ++i) {
         const burnish_screen_vertex *a = &items[v[i == 2 ? 0 : i + 1]];
         const burnish_screen_vertex *b = &items[v[i == 0 ? 2 : i - 1]];
@@ -71,6 +73,8 @@ static void load_edges(const burnish_geometry *geometry, uint32_t triangle, tria
         edges->dy[i] = (int64_t)b->y - a->y;
         int top_or_left = edges->dy[i] < 0 || (edges->dy[i] == 0 && edges->dx[i] > 0);
         edges->bias[i] = top_or_left ? 0 : -1;
+        edges->is_large |= llabs(edges->dx[i]) > BURNISH_LARGE_EDGE ||
+                           llabs(edges->dy[i]) > BURNISH_LARGE_EDGE;
     }
     int64_t area = edges->dx[2] * edges->dy[0] - edges->dy[2] * edges->dx[0];
     edges->inverse_area = 1.0f / (float)area;
@@ -79,12 +83,51 @@ static void load_edges(const burnish_geometry *geometry, uint32_t triangle, tria
     edges->depth2 = items[v[2]].depth - edges->depth0;
 }
 
+static void load_edges(const burnish_geometry *geometry, uint32_t triangle, triangle_edges *edges) {
+    const burnish_primitive corners = reference_corners(geometry, triangle);
+    load_corners(geometry, &corners, edges);
+}
+
 static int64_t edge_at(const triangle_edges *edges, int i, int64_t x, int64_t y) {
     return edges->dx[i] * (y - edges->y[i]) - edges->dy[i] * (x - edges->x[i]);
 }
 
 static float depth_at(const triangle_edges *edges, float weight1, float weight2) {
     return (edges->depth0 + weight1 * edges->depth1) + weight2 * edges->depth2;
+}
+
+/* A number that changes linearly over a large triangle: counted from the tile's first pixel. */
+typedef struct reference_plane {
+    double base, across, down;
+} reference_plane;
+
+/* The plane of a number: value0 at vertex 0, step1 and step2 more at vertices 1 and 2. */
+static reference_plane reference_make_plane(const triangle_edges *edges, const reference_tile *tile,
+                                  double value0, double step1, double step2) {
+    const int64_t x = (int64_t)tile->x * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
+    const int64_t y = (int64_t)tile->y * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
+    const int64_t area = edges->dx[2] * edges->dy[0] - edges->dy[2] * edges->dx[0];
+    const double inverse = 1.0 / (double)area;
+    const double weight1 = (double)edge_at(edges, 1, x, y) * inverse;
+    const double weight2 = (double)edge_at(edges, 2, x, y) * inverse;
+    const double across1 = (double)(-256 * edges->dy[1]) * inverse;
+    const double across2 = (double)(-256 * edges->dy[2]) * inverse;
+    const double down1 = (double)(256 * edges->dx[1]) * inverse;
+    const double down2 = (double)(256 * edges->dx[2]) * inverse;
+    return (reference_plane){value0 + (step1 * weight1 + step2 * weight2),
+                             step1 * across1 + step2 * across2, step1 * down1 + step2 * down2};
+}
+
+/* At the centre of the tile's pixel (x, y). */
+static float reference_plane_at(const reference_plane *plane, int x, int y) {
+    const int u = x % 4, v = y % 4;
+    const float block =
+        (float)((plane->base + plane->down * (y - v)) + plane->across * (x - u));
+    return block + ((float)plane->across * (float)u + (float)plane->down * (float)v);
+}
+
+static reference_plane depth_plane(const triangle_edges *edges, const reference_tile *tile) {
+    return reference_make_plane(edges, tile, edges->depth0, edges->depth1, edges->depth2);
 }
 
 /* Pixels of the tile that the triangle's bounds touch; end is exclusive. */
@@ -121,6 +164,12 @@ static void draw_triangle(reference_tile *tile, const burnish_geometry *geometry
                 SAMPLE_STEP * (edges.dx[i] * offsets[s][1] - edges.dy[i] * offsets[s][0]);
         }
     }
+    const reference_plane plane = depth_plane(&edges, tile);
+    float sample_depth[BURNISH_MAX_SAMPLES];
+    for (int s = 0; s < tile->samples; ++s) {
+        sample_depth[s] =
+            (float)((plane.across * offsets[s][0] + plane.down * offsets[s][1]) / 16);
+    }
     const int64_t half = BURNISH_SUBPIXELS / 2;
     for (int y = y0; y < y1; ++y) {
         int64_t at[3];
@@ -139,6 +188,10 @@ static void draw_triangle(reference_tile *tile, const burnish_geometry *geometry
                 }
                 float depth = depth_at(&edges, (float)e1 * edges.inverse_area,
                                        (float)e2 * edges.inverse_area);
+                if (edges.is_large) {
+                    depth = reference_plane_at(&plane, x, y);
+                    depth = tile->samples == 1 ? depth : depth + sample_depth[s];
+                }
                 if (depth > tile->depths[entry]) {
                     tile->depths[entry] = depth;
                     tile->triangles[entry] = triangle;
@@ -247,6 +300,11 @@ static void append_fragment(const reference_tile *tile, const burnish_raster_vie
     fragments->x[i] = (float)(x - view->width * (BURNISH_SUBPIXELS / 2)) / BURNISH_SUBPIXELS;
     fragments->y[i] = (float)(view->height * (BURNISH_SUBPIXELS / 2) - y) / BURNISH_SUBPIXELS;
     fragments->depth[i] = depth_at(&edges, weight1, weight2);
+    if (weight == tile->samples && edges.is_large) {
+        const reference_plane plane = depth_plane(&edges, tile);
+        fragments->depth[i] =
+            reference_plane_at(&plane, pixel % BURNISH_TILE_SIZE, pixel / BURNISH_TILE_SIZE);
+    }
     fragments->weight1[i] = weight1;
     fragments->weight2[i] = weight2;
 }

@@ -236,6 +236,59 @@ static int same_whole(const burnish_tile *fast, const burnish_row_light *row,
                                       row->pixels.simple[i]) == expected->corners.id_and_facing;
 }
 
+/* What a corner of the reference's fragment carries: attributes of its vertex or, in a pixel that
+ * a large triangle has alone, what its planes are at the pixel's centre. */
+static void take_corners(const reference_tile *tile, const burnish_geometry *geometry,
+                         const burnish_attributes *from, const burnish_fragments *fragments, int i,
+                         burnish_float4 normals[3], burnish_float4 colors[3]) {
+    const burnish_primitive *corners = &fragments->primitives[i];
+    const int x = burnish_pixel_x(fragments->pixels[i]), y = burnish_pixel_y(fragments->pixels[i]);
+    triangle_edges edges;
+    load_corners(geometry, corners, &edges);
+    for (int corner = 0; corner < 3; ++corner) {
+        normals[corner] = from->normals[corners->vertices[corner]];
+        colors[corner] = from->has_colors ? from->colors[corners->vertices[corner]] : normals[0];
+    }
+    if (!edges.is_large || fragments->weight[i] < tile->samples) {
+        return;
+    }
+    for (int k = 0; k < 8; ++k) {
+        burnish_float4 *values = k < 4 ? normals : colors;
+        const double value = values[0][k % 4];
+        const reference_plane plane = reference_make_plane(&edges, tile, value,
+                                                           values[1][k % 4] - value,
+                                                           values[2][k % 4] - value);
+        for (int corner = 0; corner < 3; ++corner) {
+            values[corner][k % 4] = reference_plane_at(&plane, x, y);
+        }
+    }
+}
+
+/* Shades the reference's fragments, each with corners of its own. */
+static void shade_reference(const reference_tile *tile, const burnish_geometry *geometry,
+                            const burnish_surface *surface, const burnish_fragments *fragments,
+                            burnish_fragment_scratch *scratch, float *const rgb[3]) {
+    static burnish_fragments own;
+    static burnish_float4 normals[3 * BURNISH_FRAGMENT_BATCH], colors[3 * BURNISH_FRAGMENT_BATCH];
+    const burnish_attributes attributes = {
+        .normals = normals, .colors = colors, .has_colors = surface->attributes->has_colors};
+    burnish_surface with_own = *surface;
+    with_own.attributes = &attributes;
+    own = *fragments;
+    for (int i = 0; i < own.count; ++i) {
+        const uint32_t first = 3 * (uint32_t)i;
+        take_corners(tile, geometry, surface->attributes, fragments, i, normals + first,
+                     colors + first);
+        for (uint32_t k = 0; k < 3; ++k) {
+            own.primitives[i].vertices[k] = first + k;
+        }
+        if (memcmp(&normals[first], &normals[first + 1], sizeof *normals) == 0) {
+            own.weight1[i] = own.weight2[i] = 0; /* that the values stay as they are */
+        }
+    }
+    burnish_shade_fragments(&with_own, &own, scratch, rgb);
+}
+
 /* All points of a tile by both paths; *points counts them. */
 static int compare_points(reference_tile *tile, burnish_tile *fast, const burnish_isa_ops *ops,
                           const burnish_raster_view *view, const burnish_geometry *geometry,
@@ -248,7 +301,7 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
     float *const rgb[3] = {colors[0], colors[1], colors[2]};
     int count = 0, wrong = 0, at = 0, known = -1;
     while (reference_next_fragments(tile, view, geometry, &fragments)) {
-        burnish_shade_fragments(surface, &fragments, &scratch, rgb);
+        shade_reference(tile, geometry, surface, &fragments, &scratch, rgb);
         for (int i = 0; i < fragments.count; ++i) {
             expected[count++] = take_point(&fragments, (const float *const *)rgb, i);
         }

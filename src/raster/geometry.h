@@ -66,6 +66,12 @@ enum {
  * the triangle touches: 2 * 24576 * (24576 + 64 * 256) < 2^31. */
 enum { BURNISH_SMALL_EDGE = 96 * BURNISH_SUBPIXELS };
 
+/* Triangles with a longer edge are drawn cell by cell, with planes for depth and attributes
+ * (large_simd.h), others stamp by stamp. */
+#ifndef BURNISH_LARGE_EDGE
+#define BURNISH_LARGE_EDGE (48 * BURNISH_SUBPIXELS)
+#endif
+
 /* Neighbouring triangles, an item each; items of triangles that are not visible hold anything. */
 typedef struct burnish_triangle_batch {
     float nearest[BURNISH_BATCH_SIZE]; /* depth of the nearest vertex */

@@ -45,9 +45,9 @@ typedef struct triangle_setup {
     float inverse_area[LANES]; /* of triangles whose edge functions fit 32 bits */
     float attributes[3][BURNISH_PLANE_COUNT][LANES];
     primitive_group primitives;
-    /* bits: touch a pixel; have 32-bit edge functions; touch at most 2 x 2 pixels; touch too many
-     * stamps to be queued */
-    unsigned live, small, tiny, wide;
+    /* bits: touch a pixel; are drawn by stamps; have edge functions of more than 32 bits; touch at
+     * most 2 x 2 pixels; touch too many stamps to be queued */
+    unsigned live, small, beyond, tiny, wide;
 } triangle_setup;
 
 /* The primitives of some indices, `count` <= LANES. Prefetches what will be loaded of them: lists
@@ -155,7 +155,8 @@ BURNISH_INLINE void compute_setup(const burnish_tile *tile, size_t count, const 
     vf_store(setup->depth[2], vf_sub(depth[2], depth[0]));
     const unsigned real = (unsigned)((1ull << count) - 1);
     setup->live = vm_bits(vi_not_negative(vi_or(wide, high))) & real;
-    setup->small = vm_bits(vm_not(vi_greater(longest, vi_set(BURNISH_SMALL_EDGE))));
+    setup->small = vm_bits(vm_not(vi_greater(longest, vi_set(BURNISH_LARGE_EDGE))));
+    setup->beyond = vm_bits(vi_greater(longest, vi_set(BURNISH_SMALL_EDGE)));
     setup->tiny = setup->live & setup->small & vm_bits(vi_greater(vi_set(2), vi_max(wide, high)));
     const vi columns = vi_sub(vi_sar(x1, BURNISH_BLOCK_BITS), vi_sar(x0, BURNISH_BLOCK_BITS));
     const vi rows = vi_sub(vi_sar(y1, STAMP_HEIGHT_BITS), vi_sar(y0, STAMP_HEIGHT_BITS));

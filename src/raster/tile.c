@@ -109,6 +109,9 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
     if (tile->options.samples > 1) {
         memset(tile->buffer.ids, 0xff, count * sizeof *tile->buffer.ids);
     }
+    for (int i = 0; i < BURNISH_HIZ_SIZE * BURNISH_HIZ_SIZE; ++i) {
+        tile->hiz.cells[i] = tile->hiz.quads[i] = BURNISH_FARTHEST;
+    }
     memset(tile->buffer.dirty_blocks, 0, sizeof tile->buffer.dirty_blocks);
     tile->primitives.count = 0;
     fill_outside(tile, BURNISH_NEAREST); /* nothing is drawn there, and HiZ does not wait for it */

@@ -159,10 +159,12 @@ BURNISH_INLINE void append_primitives(burnish_tile_primitives *primitives,
     primitives->count = at + LANES;
 }
 
-/* The 64-bit part of a large triangle that has been drawn. */
-static void finish_large_primitive(burnish_tile_primitives *primitives, size_t at,
+/* The 64-bit part of a triangle beyond BURNISH_SMALL_EDGE. */
+static void append_large_primitive(burnish_tile_primitives *primitives, size_t at,
                                    const triangle_setup *setup, size_t lane) {
-    primitives->weights[at].inverse_area = setup->inverse_area[lane];
+    const int64_t area = (int64_t)setup->dx[2][lane] * setup->dy[0][lane] -
+                         (int64_t)setup->dy[2][lane] * setup->dx[0][lane];
+    primitives->weights[at].inverse_area = 1.0f / (float)area;
     for (int i = 0; i < 2; ++i) {
         const int a = i == 1 ? 0 : 2;
         primitives->constants[at][i] = (int64_t)setup->dy[i + 1][lane] * setup->x[a][lane] -
@@ -203,21 +205,49 @@ static void evict_hidden(burnish_tile *tile) {
 
 /* ---- Triangles ---- */
 
-/* Whether triangles are drawn by queued stamps: with vectors of fewer lanes it does not pay. */
-BURNISH_INLINE int is_queued(const triangle_setup *setup) {
-    return LANES >= 8 && !setup->wide;
+/* Draws one triangle. */
+BURNISH_INLINE void draw_alone(burnish_tile *tile, const triangle_setup *setup,
+                               const sample_steps *steps, size_t lane, int samples, int planes,
+                               int ids, int32_t id) {
+    if (setup->small >> lane & 1) {
+        draw_small(tile, setup, steps, lane, samples, planes, ids, id);
+    } else {
+        draw_large(tile, setup, lane, samples, planes, ids, id);
+    }
 }
 
+/* Draws a group by queued stamps, but for its wide triangles, in order. */
+BURNISH_INLINE void draw_runs(burnish_tile *tile, const triangle_setup *setup,
+                              const sample_steps *steps, int samples, int planes, int ids,
+                              const int32_t *id, stamp_queue *queue) {
+    unsigned rest = setup->live;
+    while (rest) {
+        const unsigned wide = rest & setup->wide;
+        const unsigned run = rest & ((wide & (0u - wide)) - 1); /* before the first wide one */
+        if (run) {
+            draw_queued(tile, setup, steps, run, samples, planes, ids ? id : NULL, queue);
+        }
+        if (wide) {
+            const size_t lane = (size_t)__builtin_ctz(wide);
+            draw_alone(tile, setup, steps, lane, samples, planes, ids, id[lane]);
+            rest &= ~(wide & (0u - wide));
+        }
+        rest &= ~run;
+    }
+}
+
+/* Queued stamps do not pay with vectors of fewer lanes. */
+enum { HAS_QUEUE = LANES >= 8 };
+
 /* Draws a group of triangles, one sample per pixel. ids: 1 where they are requested. */
-BURNISH_INLINE void draw_single_sampled(burnish_tile *tile, triangle_setup *setup, int planes,
+BURNISH_INLINE void draw_single_sampled(burnish_tile *tile, const triangle_setup *setup, int planes,
                                         int ids, tiny_pixels *pixels, stamp_queue *queue) {
-    static const int8_t center[1][2] = {{0, 0}};
     const int32_t *id = (const int32_t *)setup->primitives.id_and_facing;
     const int tiny = __builtin_popcount(setup->tiny);
     unsigned others = setup->live;
     uint64_t hits = 0;
-    if (is_queued(setup) && 2 * tiny < LANES) {
-        draw_queued(tile, setup, NULL, others, 1, planes, ids ? id : NULL, queue);
+    if (HAS_QUEUE && 2 * tiny < LANES) {
+        draw_runs(tile, setup, NULL, 1, planes, ids, id, queue);
         return;
     }
     if (tiny > 1) { /* the pixels of all tiny ones at once */
@@ -231,37 +261,31 @@ BURNISH_INLINE void draw_single_sampled(burnish_tile *tile, triangle_setup *setu
         const uint64_t before = hits & ((1ull << 4 * lane) - 1);
         draw_tiny(tile, setup, pixels, before, planes, ids);
         hits ^= before;
-        if (setup->small >> lane & 1) {
-            draw_small(tile, setup, NULL, lane, 1, planes, ids, id[lane]);
-        } else {
-            draw_large(tile, setup, lane, ids, id[lane], center);
-        }
+        draw_alone(tile, setup, NULL, lane, 1, planes, ids, id[lane]);
     }
     draw_tiny(tile, setup, pixels, hits, planes, ids);
 }
 
 /* The same with several samples per pixel. */
-BURNISH_INLINE void draw_multisampled(burnish_tile *tile, triangle_setup *setup, int samples,
+BURNISH_INLINE void draw_multisampled(burnish_tile *tile, const triangle_setup *setup, int samples,
                                       int planes, stamp_queue *queue) {
-    const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
     const size_t first = tile->primitives.count;
     sample_steps steps;
     int32_t ids[LANES];
     append_primitives(&tile->primitives, setup);
+    for (unsigned rest = setup->live & setup->beyond; rest; rest &= rest - 1) {
+        const size_t lane = (size_t)__builtin_ctz(rest);
+        append_large_primitive(&tile->primitives, first + lane, setup, lane);
+    }
     vi_store(ids, vi_add(vi_set((int32_t)first), vi_ramp(1)));
     compute_steps(setup, samples, &steps);
-    if (is_queued(setup)) {
-        draw_queued(tile, setup, &steps, setup->live, samples, planes, ids, queue);
+    if (HAS_QUEUE) {
+        draw_runs(tile, setup, &steps, samples, planes, 1, ids, queue);
         return;
     }
     for (unsigned rest = setup->live; rest; rest &= rest - 1) {
         const size_t lane = (size_t)__builtin_ctz(rest);
-        if (setup->small >> lane & 1) {
-            draw_small(tile, setup, &steps, lane, samples, planes, 1, ids[lane]);
-        } else {
-            draw_large(tile, setup, lane, 1, ids[lane], offsets);
-            finish_large_primitive(&tile->primitives, first + lane, setup, lane);
-        }
+        draw_alone(tile, setup, &steps, lane, samples, planes, 1, ids[lane]);
     }
 }
 
