@@ -42,18 +42,59 @@ static inline int append_entry(burnish_bin_slice *slice, burnish_tile_list *list
     return 1;
 }
 
-/* A triangle to the lists of the band's tiles that its bounds touch; 0 when there is no room. */
-static int bin_triangle(const burnish_bins *bins, burnish_bin_slice *slice, size_t batch,
-                        burnish_tile_box box, unsigned lane, unsigned back) {
+/* The edge functions of a triangle, each at the corner of a tile where it is greatest: all are >= 0
+ * for every tile in which the triangle has a sample. */
+typedef struct tile_edges {
+    int64_t at[3], right[3], down[3]; /* at the tile that the box begins with; steps per tile */
+} tile_edges;
+
+static tile_edges find_tile_edges(const burnish_geometry *geometry, size_t index, unsigned back,
+                                  int column, int row) {
+    enum { SIZE = BURNISH_TILE_SIZE * BURNISH_SUBPIXELS };
+    const burnish_primitive primitive = burnish_geometry_primitive(geometry, index, back);
+    tile_edges edges;
+    for (int i = 0; i < 3; ++i) {
+        const burnish_screen_vertex *a =
+            &geometry->vertices.items[primitive.vertices[i == 2 ? 0 : i + 1]];
+        const burnish_screen_vertex *b =
+            &geometry->vertices.items[primitive.vertices[i == 0 ? 2 : i - 1]];
+        const int64_t dx = b->x - a->x, dy = b->y - a->y;
+        edges.right[i] = -dy * SIZE;
+        edges.down[i] = dx * SIZE;
+        edges.at[i] = dx * ((int64_t)row * SIZE - a->y) - dy * ((int64_t)column * SIZE - a->x) +
+                      (dx > 0 ? edges.down[i] : 0) + (dy < 0 ? edges.right[i] : 0);
+    }
+    return edges;
+}
+
+/* A triangle to the lists of the band's tiles that it touches, or nearly so; 0 when there is no
+ * room. Rods are long and thin: of the tiles that their bounds touch they touch few. */
+static int bin_triangle(const burnish_bins *bins, burnish_bin_slice *slice,
+                        const burnish_geometry *geometry, size_t batch, unsigned lane,
+                        unsigned back) {
+    burnish_tile_box box = burnish_tile_box_of(&geometry->batches[batch], lane);
     box.row0 = box.row0 < bins->first_row ? bins->first_row : box.row0;
     box.row1 = box.row1 >= bins->end_row ? bins->end_row - 1 : box.row1;
+    tile_edges edges = {{0}, {0}, {0}};
+    if (box.column1 > box.column0 && box.row1 > box.row0) {
+        edges = find_tile_edges(geometry, batch * BURNISH_BATCH_SIZE + lane, back, box.column0,
+                                box.row0);
+    }
     for (int row = box.row0; row <= box.row1; ++row) {
         const int base = (row - bins->first_row) * bins->columns;
+        int64_t at[3] = {edges.at[0], edges.at[1], edges.at[2]};
         for (int column = box.column0; column <= box.column1; ++column) {
             burnish_tile_list *lists = &slice->lists[2 * (size_t)(base + column)];
-            if (!append_entry(slice, &lists[back], batch, 1u << lane)) {
+            if ((at[0] | at[1] | at[2]) >= 0 &&
+                !append_entry(slice, &lists[back], batch, 1u << lane)) {
                 return 0;
             }
+            for (int i = 0; i < 3; ++i) {
+                at[i] += edges.right[i];
+            }
+        }
+        for (int i = 0; i < 3; ++i) {
+            edges.at[i] += edges.down[i];
         }
     }
     return 1;
@@ -76,8 +117,9 @@ static inline int bin_to_tile(const burnish_bins *bins, burnish_bin_slice *slice
 /* The triangles of a batch to the lists of all tiles of the band that they touch; 0 when there is
  * no room. */
 static int bin_batch(const burnish_bins *bins, burnish_bin_slice *slice,
-                     const burnish_triangle_batch *bounds, const burnish_batch_header *header,
-                     size_t batch) {
+                     const burnish_geometry *geometry, size_t batch) {
+    const burnish_triangle_batch *bounds = &geometry->batches[batch];
+    const burnish_batch_header *header = &geometry->headers[batch];
     unsigned rest = header->visible[0] | header->visible[1];
     unsigned in_one_tile = rest & ~spans_tiles(bounds);
     rest &= ~in_one_tile;
@@ -91,8 +133,7 @@ static int bin_batch(const burnish_bins *bins, burnish_bin_slice *slice,
     }
     for (; rest; rest &= rest - 1) {
         const unsigned lane = (unsigned)__builtin_ctz(rest);
-        if (!bin_triangle(bins, slice, batch, burnish_tile_box_of(bounds, lane), lane,
-                          header->visible[1] >> lane & 1)) {
+        if (!bin_triangle(bins, slice, geometry, batch, lane, header->visible[1] >> lane & 1)) {
             return 0;
         }
     }
@@ -105,7 +146,7 @@ static size_t bin_batches(const burnish_bins *bins, burnish_bin_slice *slice,
         const burnish_batch_header *header = &geometry->headers[i];
         const int has_room = header->tile != BURNISH_NO_TILE /* as small triangles mostly have */
                                  ? bin_to_tile(bins, slice, i, header, header->tile, ALL_OF_BATCH)
-                                 : bin_batch(bins, slice, &geometry->batches[i], header, i);
+                                 : bin_batch(bins, slice, geometry, i);
         if (!has_room) {
             return i;
         }
