@@ -237,8 +237,8 @@ static int same_whole(const burnish_tile *fast, const burnish_row_light *row,
 }
 
 /* What a corner of the reference's fragment carries: attributes of its vertex or, in a pixel that
- * a large triangle has alone, what its planes are at the pixel's centre. */
-static void take_corners(const reference_tile *tile, const burnish_geometry *geometry,
+ * a large triangle has alone, what its planes are at the pixel's centre: then it returns 1. */
+static int take_corners(const reference_tile *tile, const burnish_geometry *geometry,
                          const burnish_attributes *from, const burnish_fragments *fragments, int i,
                          burnish_float4 normals[3], burnish_float4 colors[3]) {
     const burnish_primitive *corners = &fragments->primitives[i];
@@ -250,7 +250,7 @@ static void take_corners(const reference_tile *tile, const burnish_geometry *geo
         colors[corner] = from->has_colors ? from->colors[corners->vertices[corner]] : normals[0];
     }
     if (!edges.is_large || fragments->weight[i] < tile->samples) {
-        return;
+        return 0;
     }
     for (int k = 0; k < 8; ++k) {
         burnish_float4 *values = k < 4 ? normals : colors;
@@ -262,6 +262,7 @@ static void take_corners(const reference_tile *tile, const burnish_geometry *geo
             values[corner][k % 4] = reference_plane_at(&plane, x, y);
         }
     }
+    return 1;
 }
 
 /* Shades the reference's fragments, each with corners of its own. */
@@ -277,13 +278,13 @@ static void shade_reference(const reference_tile *tile, const burnish_geometry *
     own = *fragments;
     for (int i = 0; i < own.count; ++i) {
         const uint32_t first = 3 * (uint32_t)i;
-        take_corners(tile, geometry, surface->attributes, fragments, i, normals + first,
-                     colors + first);
+        const int is_plane = take_corners(tile, geometry, surface->attributes, fragments, i,
+                                          normals + first, colors + first);
         for (uint32_t k = 0; k < 3; ++k) {
             own.primitives[i].vertices[k] = first + k;
         }
-        if (memcmp(&normals[first], &normals[first + 1], sizeof *normals) == 0) {
-            own.weight1[i] = own.weight2[i] = 0; /* that the values stay as they are */
+        if (is_plane) { /* values stay as they are */
+            own.weight1[i] = own.weight2[i] = 0;
         }
     }
     burnish_shade_fragments(&with_own, &own, scratch, rgb);
