@@ -73,8 +73,8 @@ static void load_corners(const burnish_geometry *geometry, const burnish_primiti
         edges->dy[i] = (int64_t)b->y - a->y;
         int top_or_left = edges->dy[i] < 0 || (edges->dy[i] == 0 && edges->dx[i] > 0);
         edges->bias[i] = top_or_left ? 0 : -1;
-        edges->is_large |= llabs(edges->dx[i]) > BURNISH_LARGE_EDGE ||
-                           llabs(edges->dy[i]) > BURNISH_LARGE_EDGE;
+        edges->is_large |=
+            llabs(edges->dx[i]) > BURNISH_LARGE_EDGE || llabs(edges->dy[i]) > BURNISH_LARGE_EDGE;
     }
     int64_t area = edges->dx[2] * edges->dy[0] - edges->dy[2] * edges->dx[0];
     edges->inverse_area = 1.0f / (float)area;
@@ -103,7 +103,7 @@ typedef struct reference_plane {
 
 /* The plane of a number: value0 at vertex 0, step1 and step2 more at vertices 1 and 2. */
 static reference_plane reference_make_plane(const triangle_edges *edges, const reference_tile *tile,
-                                  double value0, double step1, double step2) {
+                                            double value0, double step1, double step2) {
     const int64_t x = (int64_t)tile->x * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
     const int64_t y = (int64_t)tile->y * BURNISH_SUBPIXELS + BURNISH_SUBPIXELS / 2;
     const int64_t area = edges->dx[2] * edges->dy[0] - edges->dy[2] * edges->dx[0];
@@ -120,10 +120,9 @@ static reference_plane reference_make_plane(const triangle_edges *edges, const r
 
 /* At the centre of the tile's pixel (x, y). */
 static float reference_plane_at(const reference_plane *plane, int x, int y) {
-    const int u = x % 4, v = y % 4;
-    const float block =
-        (float)((plane->base + plane->down * (y - v)) + plane->across * (x - u));
-    return block + ((float)plane->across * (float)u + (float)plane->down * (float)v);
+    const int u = x % 8, v = y % 8;
+    const float cell = (float)((plane->base + plane->down * (y - v)) + plane->across * (x - u));
+    return cell + ((float)plane->across * (float)u + (float)plane->down * (float)v);
 }
 
 static reference_plane depth_plane(const triangle_edges *edges, const reference_tile *tile) {
@@ -167,8 +166,7 @@ static void draw_triangle(reference_tile *tile, const burnish_geometry *geometry
     const reference_plane plane = depth_plane(&edges, tile);
     float sample_depth[BURNISH_MAX_SAMPLES];
     for (int s = 0; s < tile->samples; ++s) {
-        sample_depth[s] =
-            (float)((plane.across * offsets[s][0] + plane.down * offsets[s][1]) / 16);
+        sample_depth[s] = (float)((plane.across * offsets[s][0] + plane.down * offsets[s][1]) / 16);
     }
     const int64_t half = BURNISH_SUBPIXELS / 2;
     for (int y = y0; y < y1; ++y) {

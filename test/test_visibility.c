@@ -239,8 +239,8 @@ static int same_whole(const burnish_tile *fast, const burnish_row_light *row,
 /* What a corner of the reference's fragment carries: attributes of its vertex or, in a pixel that
  * a large triangle has alone, what its planes are at the pixel's centre: then it returns 1. */
 static int take_corners(const reference_tile *tile, const burnish_geometry *geometry,
-                         const burnish_attributes *from, const burnish_fragments *fragments, int i,
-                         burnish_float4 normals[3], burnish_float4 colors[3]) {
+                        const burnish_attributes *from, const burnish_fragments *fragments, int i,
+                        burnish_float4 normals[3], burnish_float4 colors[3]) {
     const burnish_primitive *corners = &fragments->primitives[i];
     const int x = burnish_pixel_x(fragments->pixels[i]), y = burnish_pixel_y(fragments->pixels[i]);
     triangle_edges edges;
@@ -255,9 +255,8 @@ static int take_corners(const reference_tile *tile, const burnish_geometry *geom
     for (int k = 0; k < 8; ++k) {
         burnish_float4 *values = k < 4 ? normals : colors;
         const double value = values[0][k % 4];
-        const reference_plane plane = reference_make_plane(&edges, tile, value,
-                                                           values[1][k % 4] - value,
-                                                           values[2][k % 4] - value);
+        const reference_plane plane = reference_make_plane(
+            &edges, tile, value, values[1][k % 4] - value, values[2][k % 4] - value);
         for (int corner = 0; corner < 3; ++corner) {
             values[corner][k % 4] = reference_plane_at(&plane, x, y);
         }

@@ -6,11 +6,11 @@
  * numbers. An edge that crosses the tile stays below 63 (2^23 + 2^23) + 2^23 < 2^31 all over it,
  * for images of 16384 pixels and a guard band of 16000.
  *
- * Planes count from the tile's first pixel in double precision up to a block's first pixel, and
- * within the block in single precision:
+ * Planes count from the tile's first pixel in double precision up to a cell's first pixel, and
+ * within the cell in single precision:
  *   value(x, y) = (float)((base + down Y) + across X) + ((float)across u + (float)down v),
- * X, Y the block's first pixel, u, v the pixel in the block. The error is about 2^-24 of the value
- * and 2^-23 of what the plane changes in three pixels. */
+ * X, Y the cell's first pixel, u, v the pixel in the cell. The error is about 2^-24 of the value
+ * and 2^-23 of what the plane changes in seven pixels. */
 #ifndef BURNISH_RASTER_LARGE_SIMD_H
 #define BURNISH_RASTER_LARGE_SIMD_H
 
@@ -20,6 +20,8 @@ enum {
     /* cells that are classified at once */
     CELL_COLUMNS = (int)LANES < (int)BURNISH_HIZ_SIZE ? (int)LANES : (int)BURNISH_HIZ_SIZE,
     CELL_ROWS = (int)LANES / CELL_COLUMNS,
+    CELL_BLOCKS = BURNISH_HIZ_PIXELS / BURNISH_BLOCK_SIZE, /* across and down */
+    CELL_PIXELS = BURNISH_HIZ_PIXELS * BURNISH_HIZ_PIXELS,
     /* four numbers are one vector: depth and three of the first attribute, then the others */
     NUMBERS = 2 * 4
 };
@@ -27,31 +29,38 @@ enum {
 typedef double double4 __attribute__((vector_size(32)));
 typedef float float4 __attribute__((vector_size(16)));
 
-/* Columns and rows of a block's pixels, and of cells that are classified at once. */
-static const int32_t BLOCK_X[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-static const int32_t BLOCK_Y[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+/* Columns and rows of a cell's pixels, block after block, and of cells that are classified at
+ * once. */
+#define BLOCK_X(x)                                                                                 \
+    x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3
+#define BLOCK_Y(y)                                                                                 \
+    y, y, y, y, y + 1, y + 1, y + 1, y + 1, y + 2, y + 2, y + 2, y + 2, y + 3, y + 3, y + 3, y + 3
+static const int32_t PIXEL_X[CELL_PIXELS] = {BLOCK_X(0), BLOCK_X(4), BLOCK_X(0), BLOCK_X(4)};
+static const int32_t PIXEL_Y[CELL_PIXELS] = {BLOCK_Y(0), BLOCK_Y(0), BLOCK_Y(4), BLOCK_Y(4)};
+#undef BLOCK_X
+#undef BLOCK_Y
 static const int32_t CELL_X[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
 static const int32_t CELL_Y[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
 
 /* floor((E + bias) / 256): an edge that crosses the tile; all zero for one that has all of it
  * inside. */
 typedef struct large_edge {
-    int32_t start, right, down;        /* at the centre of the tile's first pixel; steps per pixel */
+    int32_t start, right, down; /* at the centre of the tile's first pixel; steps per pixel */
     int32_t step[BURNISH_MAX_SAMPLES]; /* from a pixel's centre to its samples */
     int32_t most;                      /* of these steps */
-    int32_t low, high;                 /* least and greatest step from a cell's first pixel centre */
-    int32_t block[BURNISH_BLOCK_PIXELS]; /* steps from a block's first pixel to all of them */
-    int32_t cells[LANES];                /* from the first of CELL_ROWS x CELL_COLUMNS cells */
+    int32_t low, high;           /* least and greatest step from a cell's first pixel centre */
+    int32_t pixels[CELL_PIXELS]; /* steps from a cell's first pixel to all of them */
+    int32_t cells[LANES];        /* from the first of CELL_ROWS x CELL_COLUMNS cells */
 } large_edge;
 
 /* A large triangle in a tile. */
 typedef struct large_triangle {
     large_edge edges[3];
-    double4 base[2], across[2], down[2];         /* the planes of depth and attributes */
-    float block[NUMBERS][BURNISH_BLOCK_PIXELS];  /* steps of the planes within a block */
-    float sample_depth[BURNISH_MAX_SAMPLES];     /* from a pixel's centre to its samples */
-    float depth, depth_right, depth_down;        /* of the first cell's first pixel; steps per cell */
-    float nearest, farthest;                     /* steps of a cell's bounds from there */
+    double4 base[2], across[2], down[2];     /* the planes of depth and attributes */
+    float pixels[NUMBERS][CELL_PIXELS];      /* steps of the planes within a cell */
+    float sample_depth[BURNISH_MAX_SAMPLES]; /* from a pixel's centre to its samples */
+    float depth, depth_right, depth_down;    /* of the first cell's first pixel; steps per cell */
+    float nearest, farthest;                 /* steps of a cell's bounds from there */
     float cell_depths[LANES];
 } large_triangle;
 
@@ -90,9 +99,9 @@ BURNISH_INLINE int compute_large_edge(const triangle_setup *setup, size_t lane, 
     edge->low = LAST_OF_CELL * low + least;
     edge->high = LAST_OF_CELL * high + most;
     const vi across = vi_set(right), along = vi_set(down);
-    for (int k = 0; k < BURNISH_BLOCK_PIXELS; k += LANES) {
-        vi_store(edge->block + k, vi_add(vi_mul(across, vi_load(BLOCK_X + k)),
-                                         vi_mul(along, vi_load(BLOCK_Y + k))));
+    for (int k = 0; k < CELL_PIXELS; k += LANES) {
+        vi_store(edge->pixels + k,
+                 vi_add(vi_mul(across, vi_load(PIXEL_X + k)), vi_mul(along, vi_load(PIXEL_Y + k))));
     }
     const vi cells = vi_add(vi_mul(across, vi_load(CELL_X)), vi_mul(along, vi_load(CELL_Y)));
     vi_store(edge->cells, vi_shl(cells, BURNISH_HIZ_BITS));
@@ -105,8 +114,10 @@ BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int
     const int64_t dx1 = setup->dx[1][lane], dy1 = setup->dy[1][lane];
     const int64_t dx2 = setup->dx[2][lane], dy2 = setup->dy[2][lane];
     const double inverse_area = 1.0 / (double)(dx2 * setup->dy[0][lane] - dy2 * setup->dx[0][lane]);
-    const int64_t e1 = dx1 * (HALF_PIXEL - setup->y[2][lane]) - dy1 * (HALF_PIXEL - setup->x[2][lane]);
-    const int64_t e2 = dx2 * (HALF_PIXEL - setup->y[0][lane]) - dy2 * (HALF_PIXEL - setup->x[0][lane]);
+    const int64_t e1 =
+        dx1 * (HALF_PIXEL - setup->y[2][lane]) - dy1 * (HALF_PIXEL - setup->x[2][lane]);
+    const int64_t e2 =
+        dx2 * (HALF_PIXEL - setup->y[0][lane]) - dy2 * (HALF_PIXEL - setup->x[0][lane]);
     const double weight1 = (double)e1 * inverse_area, weight2 = (double)e2 * inverse_area;
     const double right1 = (double)(-dy1 * BURNISH_SUBPIXELS) * inverse_area;
     const double right2 = (double)(-dy2 * BURNISH_SUBPIXELS) * inverse_area;
@@ -131,10 +142,10 @@ BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int
         const float4 across = __builtin_convertvector(large->across[g], float4);
         const float4 down = __builtin_convertvector(large->down[g], float4);
         for (int k = 0; k < 4 && 4 * g + k <= planes; ++k) {
-            for (int p = 0; p < BURNISH_BLOCK_PIXELS; p += LANES) {
-                vf_store(large->block[4 * g + k] + p,
-                         vf_add(vf_mul(vf_set(across[k]), vf_from_int(vi_load(BLOCK_X + p))),
-                                vf_mul(vf_set(down[k]), vf_from_int(vi_load(BLOCK_Y + p)))));
+            for (int p = 0; p < CELL_PIXELS; p += LANES) {
+                vf_store(large->pixels[4 * g + k] + p,
+                         vf_add(vf_mul(vf_set(across[k]), vf_from_int(vi_load(PIXEL_X + p))),
+                                vf_mul(vf_set(down[k]), vf_from_int(vi_load(PIXEL_Y + p)))));
             }
         }
     }
@@ -176,38 +187,47 @@ BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle 
         partly = vi_or(partly, vi_add(at, vi_set(edge->low)));
     }
     float *cells = tile->hiz.cells + y * BURNISH_HIZ_SIZE + x;
-    const float first = large->depth + ((float)x * large->depth_right + (float)y * large->depth_down);
+    const float first =
+        large->depth + ((float)x * large->depth_right + (float)y * large->depth_down);
     const vf depth = vf_add(vf_set(first), vf_load(large->cell_depths));
     const vf before = vf_load(cells);
-    const vm may_show = vm_and(vi_not_negative(outside),
-                               vf_greater(vf_add(depth, vf_set(large->nearest)), before));
+    const vm may_show =
+        vm_and(vi_not_negative(outside), vf_greater(vf_add(depth, vf_set(large->nearest)), before));
     const vm full = vm_and(may_show, vi_not_negative(partly));
     vf_store(cells, vf_blend(full, vf_max(vf_add(depth, vf_set(large->farthest)), before), before));
     *inside = vm_bits(full);
     return vm_bits(may_show);
 }
 
-/* The planes at a block's first pixel. */
-BURNISH_INLINE void start_block(const large_triangle *large, int planes, int x, int y,
-                                float at[NUMBERS]) {
+/* A cell: edges and planes at its first pixel. */
+typedef struct large_cell {
+    int32_t edges[3];
+    float numbers[NUMBERS];
+} large_cell;
+
+BURNISH_INLINE void start_cell(const large_triangle *large, int planes, int x, int y,
+                               large_cell *cell) {
+    for (int i = 0; i < 3; ++i) {
+        cell->edges[i] =
+            large->edges[i].start + x * large->edges[i].right + y * large->edges[i].down;
+    }
     for (int g = 0; g < (planes + 4) / 4; ++g) {
         const double4 sum =
             (large->base[g] + large->down[g] * (double)y) + large->across[g] * (double)x;
         const float4 rounded = __builtin_convertvector(sum, float4);
-        memcpy(at + 4 * g, &rounded, sizeof rounded);
+        memcpy(cell->numbers + 4 * g, &rounded, sizeof rounded);
     }
 }
 
-/* Edges at the centres of LANES pixels of a block, from pixel k on. Returns where the triangle is,
+/* Edges at the centres of LANES pixels of a cell, from pixel k on. Returns where the triangle is,
  * or with several samples may be. */
-BURNISH_INLINE vm find_edges(const large_triangle *large, int samples, int x, int y, int k,
-                             vi at[3]) {
+BURNISH_INLINE vm find_edges(const large_triangle *large, const large_cell *cell, int samples,
+                             int k, vi at[3]) {
     vi outside = vi_set(0);
     for (int i = 0; i < 3; ++i) {
-        const large_edge *edge = &large->edges[i];
-        at[i] = vi_add(vi_set(edge->start + x * edge->right + y * edge->down),
-                       vi_load(edge->block + k));
-        outside = vi_or(outside, samples == 1 ? at[i] : vi_add(at[i], vi_set(edge->most)));
+        at[i] = vi_add(vi_set(cell->edges[i]), vi_load(large->edges[i].pixels + k));
+        outside =
+            vi_or(outside, samples == 1 ? at[i] : vi_add(at[i], vi_set(large->edges[i].most)));
     }
     return vi_not_negative(outside);
 }
@@ -243,51 +263,49 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
     return simple;
 }
 
-/* Draws a block, whose first pixel is (x, y). */
-BURNISH_INLINE void draw_block(burnish_tile *tile, const large_triangle *large, int is_inside,
-                               int samples, int planes, int ids, int32_t id, int x, int y) {
-    const int pixel = burnish_pixel_index(x, y);
-    const int sample = burnish_sample_index(samples, pixel, 0);
-    float first[NUMBERS];
+/* Draws LANES pixels of a cell, from its pixel k on, which is the tile's `pixel`. Returns whether
+ * any was nearer. */
+BURNISH_INLINE int draw_cell_part(const burnish_tile *tile, const large_triangle *large,
+                                  const large_cell *cell, int is_inside, int samples, int planes,
+                                  int ids, int32_t id, int k, int pixel) {
+    vi at[3] = {vi_set(0), vi_set(0), vi_set(0)};
+    vm covered = vi_not_negative(at[0]);
     unsigned drawn = 0;
-    int is_started = 0;
-    for (int k = 0; k < BURNISH_BLOCK_PIXELS; k += LANES) {
-        vi at[3] = {vi_set(0), vi_set(0), vi_set(0)};
-        vm covered = vi_not_negative(at[0]);
-        if (!is_inside) {
-            covered = find_edges(large, samples, x, y, k, at);
-            if (!vm_any(covered)) {
-                continue;
-            }
-        }
-        if (!is_started) {
-            start_block(large, planes, x, y, first);
-            is_started = 1;
-        }
-        const vf depth = vf_add(vf_set(first[0]), vf_load(large->block[0] + k));
-        const vm simple = draw_part(tile, large, is_inside, samples, ids, id, at, covered, depth,
-                                    sample + k, &drawn);
-        if (!vm_any(simple)) {
-            continue;
-        }
-        if (samples > 1 && tile->options.needs_position) {
-            vf_store_where(simple, tile->buffer.center_depths + pixel + k, depth);
-        }
-        for (int p = 0; p < planes; ++p) {
-            vf_store_where(simple, tile->buffer.planes[p] + pixel + k,
-                           vf_add(vf_set(first[1 + p]), vf_load(large->block[1 + p] + k)));
+    if (!is_inside) {
+        covered = find_edges(large, cell, samples, k, at);
+        if (!vm_any(covered)) {
+            return 0;
         }
     }
-    mark_dirty(tile, pixel, drawn != 0);
+    const vf depth = vf_add(vf_set(cell->numbers[0]), vf_load(large->pixels[0] + k));
+    const vm simple = draw_part(tile, large, is_inside, samples, ids, id, at, covered, depth,
+                                burnish_sample_index(samples, pixel, 0), &drawn);
+    if (vm_any(simple)) {
+        if (samples > 1 && tile->options.needs_position) {
+            vf_store_where(simple, tile->buffer.center_depths + pixel, depth);
+        }
+        for (int p = 0; p < planes; ++p) {
+            vf_store_where(simple, tile->buffer.planes[p] + pixel,
+                           vf_add(vf_set(cell->numbers[1 + p]), vf_load(large->pixels[1 + p] + k)));
+        }
+    }
+    return drawn != 0;
 }
 
+/* Draws a cell, whose first pixel is (x, y). */
 BURNISH_INLINE void draw_cell(burnish_tile *tile, const large_triangle *large, int is_inside,
                               int samples, int planes, int ids, int32_t id, int x, int y) {
-    enum { SIZE = BURNISH_HIZ_PIXELS, STEP = BURNISH_BLOCK_SIZE };
-    for (int v = y * SIZE; v < (y + 1) * SIZE; v += STEP) {
-        for (int u = x * SIZE; u < (x + 1) * SIZE; u += STEP) {
-            draw_block(tile, large, is_inside, samples, planes, ids, id, u, v);
+    large_cell cell;
+    start_cell(large, planes, x, y, &cell);
+    for (int block = 0; block < CELL_BLOCKS * CELL_BLOCKS; ++block) {
+        const int pixel = burnish_pixel_index(x + block % CELL_BLOCKS * BURNISH_BLOCK_SIZE,
+                                              y + block / CELL_BLOCKS * BURNISH_BLOCK_SIZE);
+        int drawn = 0;
+        for (int k = 0; k < BURNISH_BLOCK_PIXELS; k += LANES) {
+            drawn |= draw_cell_part(tile, large, &cell, is_inside, samples, planes, ids, id,
+                                    block * BURNISH_BLOCK_PIXELS + k, pixel + k);
         }
+        mark_dirty(tile, pixel, drawn);
     }
 }
 
@@ -315,9 +333,11 @@ BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, 
                     continue;
                 }
                 if (inside >> cell & 1) {
-                    draw_cell(tile, &large, 1, samples, planes, ids, id, column, row);
+                    draw_cell(tile, &large, 1, samples, planes, ids, id,
+                              column * BURNISH_HIZ_PIXELS, row * BURNISH_HIZ_PIXELS);
                 } else {
-                    draw_cell(tile, &large, 0, samples, planes, ids, id, column, row);
+                    draw_cell(tile, &large, 0, samples, planes, ids, id,
+                              column * BURNISH_HIZ_PIXELS, row * BURNISH_HIZ_PIXELS);
                 }
             }
         }
