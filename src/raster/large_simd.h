@@ -199,33 +199,24 @@ BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle 
     return vm_bits(may_show);
 }
 
-/* A cell: edges and planes at its first pixel. */
-typedef struct large_cell {
-    int32_t edges[3];
-    float numbers[NUMBERS];
-} large_cell;
-
-BURNISH_INLINE void start_cell(const large_triangle *large, int planes, int x, int y,
-                               large_cell *cell) {
-    for (int i = 0; i < 3; ++i) {
-        cell->edges[i] =
-            large->edges[i].start + x * large->edges[i].right + y * large->edges[i].down;
-    }
+/* The planes at the tile's pixel (x, y). */
+BURNISH_INLINE void start_planes(const large_triangle *large, int planes, int x, int y,
+                                 float numbers[NUMBERS]) {
     for (int g = 0; g < (planes + 4) / 4; ++g) {
         const double4 sum =
             (large->base[g] + large->down[g] * (double)y) + large->across[g] * (double)x;
         const float4 rounded = __builtin_convertvector(sum, float4);
-        memcpy(cell->numbers + 4 * g, &rounded, sizeof rounded);
+        memcpy(numbers + 4 * g, &rounded, sizeof rounded);
     }
 }
 
-/* Edges at the centres of LANES pixels of a cell, from pixel k on. Returns where the triangle is,
- * or with several samples may be. */
-BURNISH_INLINE vm find_edges(const large_triangle *large, const large_cell *cell, int samples,
+/* Edges at the centres of LANES pixels of a cell, from pixel k on; `first` are those of its first
+ * pixel. Returns where the triangle is, or with several samples may be. */
+BURNISH_INLINE vm find_edges(const large_triangle *large, const int32_t first[3], int samples,
                              int k, vi at[3]) {
     vi outside = vi_set(0);
     for (int i = 0; i < 3; ++i) {
-        at[i] = vi_add(vi_set(cell->edges[i]), vi_load(large->edges[i].pixels + k));
+        at[i] = vi_add(vi_set(first[i]), vi_load(large->edges[i].pixels + k));
         outside =
             vi_or(outside, samples == 1 ? at[i] : vi_add(at[i], vi_set(large->edges[i].most)));
     }
@@ -263,49 +254,74 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
     return simple;
 }
 
-/* Draws LANES pixels of a cell, from its pixel k on, which is the tile's `pixel`. Returns whether
- * any was nearer. */
-BURNISH_INLINE int draw_cell_part(const burnish_tile *tile, const large_triangle *large,
-                                  const large_cell *cell, int is_inside, int samples, int planes,
-                                  int ids, int32_t id, int k, int pixel) {
-    vi at[3] = {vi_set(0), vi_set(0), vi_set(0)};
-    vm covered = vi_not_negative(at[0]);
+/* Draws LANES pixels of a cell, from its pixel k on, which is the tile's `pixel`; `numbers` are the
+ * planes at its first pixel. */
+BURNISH_INLINE void draw_cell_part(burnish_tile *tile, const large_triangle *large, int is_inside,
+                                   int samples, int planes, int ids, int32_t id, const vi at[3],
+                                   vm covered, const float numbers[NUMBERS], int k, int pixel) {
     unsigned drawn = 0;
-    if (!is_inside) {
-        covered = find_edges(large, cell, samples, k, at);
-        if (!vm_any(covered)) {
-            return 0;
-        }
-    }
-    const vf depth = vf_add(vf_set(cell->numbers[0]), vf_load(large->pixels[0] + k));
+    const vf depth = vf_add(vf_set(numbers[0]), vf_load(large->pixels[0] + k));
     const vm simple = draw_part(tile, large, is_inside, samples, ids, id, at, covered, depth,
                                 burnish_sample_index(samples, pixel, 0), &drawn);
-    if (vm_any(simple)) {
-        if (samples > 1 && tile->options.needs_position) {
-            vf_store_where(simple, tile->buffer.center_depths + pixel, depth);
-        }
-        for (int p = 0; p < planes; ++p) {
-            vf_store_where(simple, tile->buffer.planes[p] + pixel,
-                           vf_add(vf_set(cell->numbers[1 + p]), vf_load(large->pixels[1 + p] + k)));
-        }
+    mark_dirty(tile, pixel, drawn != 0);
+    if (!vm_any(simple)) {
+        return;
     }
-    return drawn != 0;
+    if (samples > 1 && tile->options.needs_position) {
+        vf_store_where(simple, tile->buffer.center_depths + pixel, depth);
+    }
+    for (int p = 0; p < planes; ++p) {
+        vf_store_where(simple, tile->buffer.planes[p] + pixel,
+                       vf_add(vf_set(numbers[1 + p]), vf_load(large->pixels[1 + p] + k)));
+    }
 }
 
-/* Draws a cell, whose first pixel is (x, y). */
-BURNISH_INLINE void draw_cell(burnish_tile *tile, const large_triangle *large, int is_inside,
-                              int samples, int planes, int ids, int32_t id, int x, int y) {
-    large_cell cell;
-    start_cell(large, planes, x, y, &cell);
-    for (int block = 0; block < CELL_BLOCKS * CELL_BLOCKS; ++block) {
-        const int pixel = burnish_pixel_index(x + block % CELL_BLOCKS * BURNISH_BLOCK_SIZE,
-                                              y + block / CELL_BLOCKS * BURNISH_BLOCK_SIZE);
-        int drawn = 0;
-        for (int k = 0; k < BURNISH_BLOCK_PIXELS; k += LANES) {
-            drawn |= draw_cell_part(tile, large, &cell, is_inside, samples, planes, ids, id,
-                                    block * BURNISH_BLOCK_PIXELS + k, pixel + k);
-        }
-        mark_dirty(tile, pixel, drawn);
+/* The tile's pixel that is a cell's pixel k; (x, y) is the cell's first. */
+BURNISH_INLINE int pixel_of_cell(int x, int y, int k) {
+    const int block = k / BURNISH_BLOCK_PIXELS;
+    return burnish_pixel_index(x + block % CELL_BLOCKS * BURNISH_BLOCK_SIZE,
+                               y + block / CELL_BLOCKS * BURNISH_BLOCK_SIZE) +
+           k % BURNISH_BLOCK_PIXELS;
+}
+
+/* Draws a cell that the triangle covers, whose first pixel is (x, y). */
+BURNISH_INLINE void draw_whole_cell(burnish_tile *tile, const large_triangle *large, int samples,
+                                    int planes, int ids, int32_t id, int x, int y) {
+    const vi none[3] = {vi_set(0), vi_set(0), vi_set(0)};
+    float numbers[NUMBERS];
+    start_planes(large, planes, x, y, numbers);
+    for (int k = 0; k < CELL_PIXELS; k += LANES) {
+        draw_cell_part(tile, large, 1, samples, planes, ids, id, none, vi_not_negative(none[0]),
+                       numbers, k, pixel_of_cell(x, y, k));
+    }
+}
+
+/* Draws a cell that the triangle may cover in part. Which pixels it covers is unpredictable, so
+ * they are found first, without a branch. */
+BURNISH_INLINE void draw_part_of_cell(burnish_tile *tile, const large_triangle *large, int samples,
+                                      int planes, int ids, int32_t id, int x, int y) {
+    int32_t first[3];
+    vm covered[CELL_PIXELS / LANES];
+    vi at[3];
+    uint64_t hit = 0;
+    for (int i = 0; i < 3; ++i) {
+        const large_edge *edge = &large->edges[i];
+        first[i] = edge->start + x * edge->right + y * edge->down;
+    }
+    for (int k = 0; k < CELL_PIXELS; k += LANES) {
+        covered[k / LANES] = find_edges(large, first, samples, k, at);
+        hit |= (uint64_t)(vm_any(covered[k / LANES]) != 0) << k / LANES;
+    }
+    if (!hit) {
+        return;
+    }
+    float numbers[NUMBERS];
+    start_planes(large, planes, x, y, numbers);
+    for (; hit; hit &= hit - 1) {
+        const int part = __builtin_ctzll(hit), k = part * LANES;
+        find_edges(large, first, samples, k, at);
+        draw_cell_part(tile, large, 0, samples, planes, ids, id, at, covered[part], numbers, k,
+                       pixel_of_cell(x, y, k));
     }
 }
 
@@ -332,12 +348,11 @@ BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, 
                 if (column < x0 || column > x1 || row < y0 || row > y1) {
                     continue;
                 }
+                const int u = column * BURNISH_HIZ_PIXELS, v = row * BURNISH_HIZ_PIXELS;
                 if (inside >> cell & 1) {
-                    draw_cell(tile, &large, 1, samples, planes, ids, id,
-                              column * BURNISH_HIZ_PIXELS, row * BURNISH_HIZ_PIXELS);
+                    draw_whole_cell(tile, &large, samples, planes, ids, id, u, v);
                 } else {
-                    draw_cell(tile, &large, 0, samples, planes, ids, id,
-                              column * BURNISH_HIZ_PIXELS, row * BURNISH_HIZ_PIXELS);
+                    draw_part_of_cell(tile, &large, samples, planes, ids, id, u, v);
                 }
             }
         }
