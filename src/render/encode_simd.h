@@ -18,14 +18,27 @@ BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) 
     return vi_add(vi_shr(entry, 17), reached);
 }
 
+/* Whether three vectors have the same bits, as grey materials in white light make them. */
+BURNISH_INLINE int is_grey(const vf light[3]) {
+    const vi red = vf_bits(light[0]);
+    const vm same = vm_and(vi_equal(red, vf_bits(light[1])), vi_equal(red, vf_bits(light[2])));
+    return !vm_any(vm_not(same));
+}
+
 static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
                           const float *const rgb[3], const int32_t *shown, uint32_t alpha,
                           uint32_t background, uint32_t *pixels) {
     for (size_t i = 0; i < count; i += LANES) {
-        vi red = encode_vector(encoder, vf_load(rgb[0] + i));
-        vi green = encode_vector(encoder, vf_load(rgb[1] + i));
-        vi blue = encode_vector(encoder, vf_load(rgb[2] + i));
-        vi pixel = vi_or(vi_or(red, vi_shl(green, 8)), vi_shl(blue, 16));
+        const vf light[3] = {vf_load(rgb[0] + i), vf_load(rgb[1] + i), vf_load(rgb[2] + i)};
+        const vi red = encode_vector(encoder, light[0]);
+        vi pixel;
+        if (is_grey(light)) {
+            pixel = vi_or(vi_or(red, vi_shl(red, 8)), vi_shl(red, 16));
+        } else {
+            const vi green = encode_vector(encoder, light[1]);
+            const vi blue = encode_vector(encoder, light[2]);
+            pixel = vi_or(vi_or(red, vi_shl(green, 8)), vi_shl(blue, 16));
+        }
         if (shown) {
             vm mask = vi_not_negative(vi_load(shown + i));
             pixel =

@@ -132,6 +132,7 @@ static void shade_material(const burnish_shading *shading, const burnish_kernels
         shader, &run, (size_t)(end - first), NULL, to);
 }
 
+/* How many fragments in a row have the material of the one before. */
 static int material_end(const burnish_fragment_batch *batch, int first) {
     const uint16_t *material = batch->material;
     int end = first + 1;
@@ -139,6 +140,92 @@ static int material_end(const burnish_fragment_batch *batch, int first) {
         ++end;
     }
     return end;
+}
+
+/* Whether runs of one material are so short that the kernels work on parts of vectors. */
+static int is_mixed(const burnish_fragment_batch *batch) {
+    enum { SHORT = 24 };
+    int runs = 1;
+    for (int i = 1; i < batch->count; ++i) {
+        runs += batch->material[i] != batch->material[i - 1];
+    }
+    return runs > 1 && runs * SHORT > batch->count;
+}
+
+/* Sorts the numbers of a batch's fragments by material, each group in its order; returns how many
+ * materials there are. */
+static int sort_by_material(const burnish_fragment_batch *batch, burnish_material_groups *groups) {
+    enum { SLOTS = sizeof groups->table / sizeof *groups->table };
+    int count = 0;
+    memset(groups->table, 0, sizeof groups->table);
+    for (int i = 0, group = 0; i < batch->count; ++i) {
+        const uint16_t material = batch->material[i];
+        if (i == 0 || material != batch->material[i - 1]) {
+            unsigned slot = material % SLOTS;
+            while (groups->table[slot] && groups->materials[groups->table[slot] - 1] != material) {
+                slot = (slot + 1) % SLOTS; /* twice as many as there can be materials */
+            }
+            if (!groups->table[slot]) {
+                groups->materials[count] = material;
+                groups->ends[count] = 0;
+                groups->table[slot] = (uint16_t)++count;
+            }
+            group = groups->table[slot] - 1;
+        }
+        groups->of[i] = (uint16_t)group;
+        groups->ends[group] += 1;
+    }
+    for (int group = 0, end = 0; group < count; ++group) {
+        const int size = groups->ends[group];
+        groups->ends[group] = (uint16_t)end; /* where it begins, so far */
+        end += size;
+    }
+    for (int i = 0; i < batch->count; ++i) {
+        groups->order[groups->ends[groups->of[i]]++] = (uint16_t)i;
+    }
+    return count;
+}
+
+/* Shades a batch of many materials: the fragments of each are brought together, shaded, and taken
+ * back. */
+static void shade_mixed(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                        const burnish_kernels_points *points, burnish_fragment_scratch *scratch,
+                        float *const rgb[3]) {
+    burnish_material_groups *groups = &scratch->groups;
+    const int count = sort_by_material(batch, groups);
+    burnish_kernels_points own = {.w = scratch->own[9]};
+    float *const light[3] = {scratch->own[10], scratch->own[11], scratch->own[12]};
+    for (int k = 0; k < 3; ++k) {
+        own.normal[k] = scratch->own[k];
+        own.diffuse[k] = points->diffuse[k] ? scratch->own[3 + k] : NULL;
+        own.position[k] = scratch->own[6 + k];
+    }
+    for (int group = 0, first = 0; group < count; ++group) {
+        const uint16_t *order = groups->order + first;
+        const int size = groups->ends[group] - first;
+        const int padded = (size + BURNISH_SHADE_PAD - 1) / BURNISH_SHADE_PAD * BURNISH_SHADE_PAD;
+        for (int i = 0; i < padded; ++i) { /* whole vectors: the last fragment fills them */
+            const int from = order[i < size ? i : size - 1];
+            for (int k = 0; k < 3; ++k) {
+                scratch->own[k][i] = points->normal[k][from];
+            }
+            for (int k = 0; k < 3 && points->diffuse[k]; ++k) {
+                scratch->own[3 + k][i] = points->diffuse[k][from];
+            }
+            for (int k = 0; k < 3 && shading->needs_position; ++k) {
+                scratch->own[6 + k][i] = points->position[k][from];
+            }
+            scratch->own[9][i] = shading->needs_position ? points->w[from] : 0;
+        }
+        shade_material(shading, &own, &shading->shaders[groups->materials[group]], 0, padded,
+                       light);
+        for (int i = 0; i < size; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                rgb[k][order[i]] = light[k][i];
+            }
+        }
+        first = groups->ends[group];
+    }
 }
 
 /* rgb gets the colours: linear light, >= 0, not clamped above. */
@@ -160,6 +247,10 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     if (shading->needs_position) {
         shading->ops->position_from_depth(&shading->rays, &batch->points, (size_t)batch->count,
                                           position, scratch->w);
+    }
+    if (batch->material && is_mixed(batch)) {
+        shade_mixed(shading, batch, &points, scratch, rgb);
+        return;
     }
     for (int first = 0, end; first < batch->count; first = end) {
         end = batch->material ? material_end(batch, first) : batch->count;

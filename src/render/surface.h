@@ -33,7 +33,10 @@ burnish_status burnish_attributes_update(burnish_attributes *attributes,
 void burnish_attributes_destroy(burnish_attributes *attributes, const burnish_context *context);
 
 /* Fragments that are shaded at once: their arrays stay in L1. */
-enum { BURNISH_SHADE_BATCH = 256 };
+enum {
+    BURNISH_SHADE_BATCH = 256,
+    BURNISH_SHADE_PAD = 16 /* lanes of the longest vector */
+};
 
 /* Fragments to be shaded: arrays of `count` <= BURNISH_SHADE_BATCH, readable up to the next
  * multiple of 16. This is the one form that is shaded, whether the arrays are rows of a tile or
@@ -64,6 +67,14 @@ typedef struct burnish_surface {
     const uint16_t *triangle_materials; /* NULL: all have material 0 */
 } burnish_surface;
 
+/* A batch's fragments sorted by material. */
+typedef struct burnish_material_groups {
+    uint16_t materials[BURNISH_SHADE_BATCH], ends[BURNISH_SHADE_BATCH]; /* per group */
+    uint16_t of[BURNISH_SHADE_BATCH];                                   /* group of a fragment */
+    uint16_t order[BURNISH_SHADE_BATCH];     /* fragments, group after group */
+    uint16_t table[2 * BURNISH_SHADE_BATCH]; /* hashed materials: 1 + group, 0 for none */
+} burnish_material_groups;
+
 /* A thread's arrays. All zero before the first use. */
 typedef struct burnish_fragment_scratch {
     float normal[3][BURNISH_SHADE_BATCH], color[3][BURNISH_SHADE_BATCH]; /* times 1/w */
@@ -71,6 +82,8 @@ typedef struct burnish_fragment_scratch {
     uint16_t material[BURNISH_SHADE_BATCH];
     float divided_normal[3][BURNISH_SHADE_BATCH], divided_color[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
+    burnish_material_groups groups;
+    float own[13][BURNISH_SHADE_BATCH]; /* a group's normal, colour, position, w and light */
 } burnish_fragment_scratch;
 
 /* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are
