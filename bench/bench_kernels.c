@@ -56,7 +56,7 @@ static const cli_command command = {
         "pow, SLEEF's and libmvec's powf (opened when they are installed) and libm's; over 2,048 "
         "floats in the first cache, from memory, and inside the whole lighting equation. Numbers "
         "are medians; no thread is pinned to a core.\n"
-        "In the JSON object *tiers* has an object for each instruction set, with the keys "
+        "In the JSON object *isa* has an object for each instruction set, with the keys "
         "*lobe.l1.X_over*, *shade.directional.X_over*, *shade.point.X_over* and "
         "*root.l1.X_over*: X's time divided by the lobe's, larger being better for the lobe; "
         "*lobe.l1.over_copy* and *lobe.memory.over_nt_copy* are the lobe's time divided by the "
@@ -84,7 +84,7 @@ static void print_table(const burnish_bench_table *table) {
     } TITLES[] = {{"lobe.l1", "lobes, 2,048 floats in the first cache, n = 32"},
                   {"lobe.memory", "lobes, arrays in memory"},
                   {"shade.directional", "whole lighting, directional light, distant viewer"},
-                  {"shade.point", "whole lighting, point light, near viewer"},
+                  {"shade.point", "whole lighting, point light, local viewer"},
                   {"root.l1", "inverse square roots, 2,048 floats in the first cache"},
                   {"scalar.latency", "one value at a time: latency"},
                   {"scalar.throughput", "one value at a time: throughput"}};
@@ -113,8 +113,8 @@ static void print_missing(const burnish_bench_report *report) {
     const char *said[8];
     int count = 0;
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        const burnish_bench_table *table = &report->tiers[isa];
-        for (int i = 0; report->has_tier[isa] && i < table->count; ++i) {
+        const burnish_bench_table *table = &report->isa[isa];
+        for (int i = 0; report->has_isa[isa] && i < table->count; ++i) {
             const char *reason = table->rows[i].missing;
             int known = !reason || count == 8;
             for (int k = 0; !known && k < count; ++k) {
@@ -137,9 +137,9 @@ static void print_text(const burnish_bench_report *report) {
            "is pinned.\n",
            report->rounds, report->array_bytes >> 20);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        if (report->has_tier[isa]) {
+        if (report->has_isa[isa]) {
             printf("\n%s\n", burnish_isa_name((burnish_isa)isa));
-            print_table(&report->tiers[isa]);
+            print_table(&report->isa[isa]);
         }
     }
     printf("\nscalar code (the paper, on a Pentium M: schlick / lobe 2.3 and 1.69)\n");
@@ -189,7 +189,7 @@ static cJSON *machine_object(const burnish_bench_machine *machine, int *failed) 
 static burnish_status print_json(FILE *stream, const burnish_bench_report *report,
                                  burnish_error *error) {
     int failed = 0;
-    cJSON *root = cJSON_CreateObject(), *tiers = cJSON_CreateObject();
+    cJSON *root = cJSON_CreateObject(), *isas = cJSON_CreateObject();
     cJSON *missing = cJSON_CreateObject();
     cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
     cli_json_add(root, "machine", machine_object(&report->machine, &failed), &failed);
@@ -197,12 +197,12 @@ static burnish_status print_json(FILE *stream, const burnish_bench_report *repor
     cli_json_add(root, "rounds", cJSON_CreateNumber(report->rounds), &failed);
     cli_json_add(root, "array_bytes", cli_json_count(report->array_bytes), &failed);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        if (report->has_tier[isa]) {
-            cli_json_add(tiers, burnish_isa_name((burnish_isa)isa),
-                         table_object(&report->tiers[isa], missing, &failed), &failed);
+        if (report->has_isa[isa]) {
+            cli_json_add(isas, burnish_isa_name((burnish_isa)isa),
+                         table_object(&report->isa[isa], missing, &failed), &failed);
         }
     }
-    cli_json_add(root, "tiers", tiers, &failed);
+    cli_json_add(root, "isa", isas, &failed);
     cli_json_add(root, "scalar", table_object(&report->scalar, missing, &failed), &failed);
     cli_json_add(root, "missing", missing, &failed);
     return cli_json_print(stream, root, failed, error);
@@ -216,10 +216,10 @@ static void write_number(FILE *file, double value) {
     fprintf(file, ",%s", text);
 }
 
-static void write_rows(FILE *file, const char *tier, const burnish_bench_table *table) {
+static void write_rows(FILE *file, const char *isa, const burnish_bench_table *table) {
     for (int i = 0; i < table->count; ++i) {
         const burnish_bench_row *row = &table->rows[i];
-        fprintf(file, "%s,%s,%s,", tier, row->section, row->name);
+        fprintf(file, "%s,%s,%s,", isa, row->section, row->name);
         cli_csv_text(file, row->label);
         write_number(file, row->nanoseconds);
         write_number(file, row->cycles);
@@ -250,7 +250,7 @@ static burnish_status write_csv(const burnish_bench_report *report, const char *
         return status;
     }
     FILE *file = output.stream;
-    fprintf(file, "tier,section,name,label,nanoseconds,cycles,ratio\n");
+    fprintf(file, "isa,section,name,label,nanoseconds,cycles,ratio\n");
     write_fact(file, "processor", machine->processor);
     write_fact(file, "compiler", machine->compiler);
     for (int i = 0; i < 3; ++i) {
@@ -259,8 +259,8 @@ static burnish_status write_csv(const burnish_bench_report *report, const char *
     write_size(file, "rounds", (size_t)report->rounds, "");
     write_size(file, "array", report->array_bytes >> 20, " MiB");
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        if (report->has_tier[isa]) {
-            write_rows(file, burnish_isa_name((burnish_isa)isa), &report->tiers[isa]);
+        if (report->has_isa[isa]) {
+            write_rows(file, burnish_isa_name((burnish_isa)isa), &report->isa[isa]);
         }
     }
     write_rows(file, "code", &report->scalar);
@@ -269,7 +269,7 @@ static burnish_status write_csv(const burnish_bench_report *report, const char *
 
 static burnish_status bench_work(void *from, cli_call *call, burnish_error *error) {
     const bench_settings *settings = from;
-    burnish_bench_settings bench = {.quick = settings->quick, .tiers = ~0u};
+    burnish_bench_settings bench = {.quick = settings->quick, .isa_mask = ~0u};
     (void)call;
     if (settings->isa) {
         burnish_isa isa;
@@ -277,7 +277,7 @@ static burnish_status bench_work(void *from, cli_call *call, burnish_error *erro
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
-        bench.tiers = 1u << isa;
+        bench.isa_mask = 1u << isa;
     }
     burnish_bench_report *report = malloc(sizeof *report);
     if (!report) {

@@ -17,8 +17,8 @@ enum { JOBS_MAX = 16 };
 /* The context of a job of any kind. */
 typedef struct context {
     burnish_bench_input *input;
-    const burnish_kernels *batch;
-    const burnish_bench_tier *tier;
+    const burnish_kernels *kernels;
+    const burnish_bench_contenders *contenders;
     const burnish_bench_scalar *scalar;
     const burnish_bench_scalar_lobe *scalar_lobe;
     int scene, of; /* which shader */
@@ -37,19 +37,12 @@ typedef struct section {
     context contexts[JOBS_MAX];
 } section;
 
-static const burnish_bench_tier *const TIERS[BURNISH_ISA_COUNT] = {
-    [BURNISH_ISA_SCALAR] = &burnish_bench_tier_scalar,
-#if defined(__SSE2__)
-    [BURNISH_ISA_SSE2] = &burnish_bench_tier_sse2,
-    [BURNISH_ISA_AVX2] = &burnish_bench_tier_avx2,
-    [BURNISH_ISA_AVX512] = &burnish_bench_tier_avx512,
-#endif
-#if defined(__aarch64__)
-    [BURNISH_ISA_NEON] = &burnish_bench_tier_neon,
-#endif
-};
-
-const burnish_bench_tier *burnish_bench_tier_for(burnish_isa isa) {
+const burnish_bench_contenders *burnish_bench_contenders_for(burnish_isa isa) {
+    static const burnish_bench_contenders *(*const TABLES[])(void) = {
+#define CONTENDERS(name, word, lanes) burnish_bench_contenders_##word,
+        BURNISH_ISA_LIST(CONTENDERS)
+#undef CONTENDERS
+    };
     if ((unsigned)isa >= BURNISH_ISA_COUNT || !(burnish_isa_available() >> isa & 1)) {
         return NULL;
     }
@@ -58,11 +51,11 @@ const burnish_bench_tier *burnish_bench_tier_for(burnish_isa isa) {
         return NULL; /* the contenders use fused multiply-adds, the library does not */
     }
 #endif
-    return TIERS[isa];
+    return TABLES[isa]();
 }
 
 int burnish_bench_has(burnish_isa isa) {
-    return burnish_bench_tier_for(isa) != NULL;
+    return burnish_bench_contenders_for(isa) != NULL;
 }
 
 void burnish_bench_key(const burnish_bench_row *row, char *key, size_t size) {
@@ -75,28 +68,28 @@ static const burnish_bench_shader *shader_of(const context *given) {
 
 static void run_lobe(const void *given) {
     const context *at = given;
-    at->tier->lobe[BURNISH_BENCH_INDEX(at->which)](shader_of(at), BURNISH_BENCH_POINTS,
-                                                   at->input->cosines, at->input->values);
+    at->contenders->lobe[BURNISH_BENCH_INDEX(at->which)](shader_of(at), BURNISH_BENCH_POINTS,
+                                                         at->input->cosines, at->input->values);
 }
 
 static void run_library_lobe(const void *given) {
     const context *at = given;
     const burnish_lobe_constants *lobe = &shader_of(at)->shader.lobe;
-    at->batch->lobe[lobe->body][BURNISH_LOBE_INPUT_COSINE](lobe, BURNISH_BENCH_POINTS,
-                                                           at->input->cosines, at->input->values);
+    at->kernels->lobe[lobe->body][BURNISH_LOBE_INPUT_COSINE](lobe, BURNISH_BENCH_POINTS,
+                                                             at->input->cosines, at->input->values);
 }
 
 static void run_lobe_in_memory(const void *given) {
     const context *at = given;
-    at->tier->lobe[BURNISH_BENCH_INDEX(at->which)](shader_of(at),
-                                                   at->input->array_bytes / sizeof(float),
-                                                   at->input->source, at->input->destination);
+    at->contenders->lobe[BURNISH_BENCH_INDEX(at->which)](shader_of(at),
+                                                         at->input->array_bytes / sizeof(float),
+                                                         at->input->source, at->input->destination);
 }
 
 static void run_library_lobe_in_memory(const void *given) {
     const context *at = given;
     const burnish_lobe_constants *lobe = &shader_of(at)->shader.lobe;
-    at->batch->lobe[lobe->body][BURNISH_LOBE_INPUT_COSINE](
+    at->kernels->lobe[lobe->body][BURNISH_LOBE_INPUT_COSINE](
         lobe, at->input->array_bytes / sizeof(float), at->input->source, at->input->destination);
 }
 
@@ -104,7 +97,7 @@ static void run_shade(const void *given) {
     const context *at = given;
     for (size_t block = 0; block < at->input->blocks; ++block) {
         burnish_kernels_points points = burnish_bench_block(at->input, block);
-        at->tier->shade[BURNISH_BENCH_INDEX(at->which)][at->scene](
+        at->contenders->shade[BURNISH_BENCH_INDEX(at->which)][at->scene](
             shader_of(at), &points, BURNISH_BENCH_POINTS, at->input->rgba);
     }
 }
@@ -113,7 +106,7 @@ static void run_library_shade(const void *given) {
     const context *at = given;
     for (size_t block = 0; block < at->input->blocks; ++block) {
         burnish_kernels_points points = burnish_bench_block(at->input, block);
-        (void)burnish_kernels_shade_rgba8(at->batch, &shader_of(at)->shader, &points,
+        (void)burnish_kernels_shade_rgba8(at->kernels, &shader_of(at)->shader, &points,
                                           BURNISH_BENCH_POINTS, at->input->rgba, NULL);
     }
 }
@@ -121,7 +114,7 @@ static void run_library_shade(const void *given) {
 /* Cosines above 2^-126 serve as squared lengths. */
 static void run_root(const void *given) {
     const context *at = given;
-    at->tier->root[at->which](BURNISH_BENCH_POINTS, at->input->cosines, at->input->values);
+    at->contenders->root[at->which](BURNISH_BENCH_POINTS, at->input->cosines, at->input->values);
 }
 
 static void run_through(const void *given) {
@@ -178,13 +171,13 @@ static void section_run(section *given, int rounds, double seconds) {
 }
 
 /* Shared by the sections of an instruction set. */
-typedef struct tier_run {
+typedef struct isa_run {
     section section;
     context context;
     burnish_bench_symbol libmvec, sleef;
-} tier_run;
+} isa_run;
 
-static void add(tier_run *run, const char *name, const char *label, void (*function)(const void *),
+static void add(isa_run *run, const char *name, const char *label, void (*function)(const void *),
                 int of, int which, const char *missing) {
     context given = run->context;
     const int is_shade = function == run_shade || function == run_library_shade;
@@ -197,7 +190,7 @@ static void add(tier_run *run, const char *name, const char *label, void (*funct
     section_add(&run->section, name, label, function, &given, items, missing);
 }
 
-static void add_lobes(tier_run *run) {
+static void add_lobes(isa_run *run) {
     const int n = BURNISH_BENCH_OF_EXPONENT;
     section_begin(&run->section, "lobe.l1", run->section.table);
     run->context.scene = BURNISH_BENCH_DIRECTIONAL;
@@ -218,7 +211,7 @@ static void add_lobes(tier_run *run) {
     add(run, "libm", "libm powf", run_lobe, n, BURNISH_BENCH_LIBM, NULL);
 }
 
-static void add_roots(tier_run *run) {
+static void add_roots(isa_run *run) {
     section_begin(&run->section, "root.l1", run->section.table);
     add(run, "ours", "1/sqrt of the library", run_root, 0, BURNISH_BENCH_ROOT_OURS, NULL);
     add(run, "ieee", "IEEE root and division", run_root, 0, BURNISH_BENCH_ROOT_IEEE, NULL);
@@ -226,7 +219,7 @@ static void add_roots(tier_run *run) {
     add(run, "newton3", "three plain Newton steps", run_root, 0, BURNISH_BENCH_ROOT_NEWTON, NULL);
 }
 
-static void add_memory(tier_run *run) {
+static void add_memory(isa_run *run) {
     const char *missing =
         run->context.input->array_bytes > 0 ? NULL : "not enough free memory for two arrays";
     const int n = BURNISH_BENCH_OF_EXPONENT;
@@ -238,7 +231,7 @@ static void add_memory(tier_run *run) {
     add(run, "copy", "plain copy", run_lobe_in_memory, n, BURNISH_BENCH_COPY, missing);
 }
 
-static void add_shading(tier_run *run, const char *name, int scene) {
+static void add_shading(isa_run *run, const char *name, int scene) {
     const int n = BURNISH_BENCH_OF_EXPONENT;
     section_begin(&run->section, name, run->section.table);
     run->context.scene = scene;
@@ -254,29 +247,29 @@ static void add_shading(tier_run *run, const char *name, int scene) {
         run->libmvec.missing);
 }
 
-/* Opens the tier's libraries and hands their functions to the shaders. */
-static void tier_begin(tier_run *run, burnish_isa isa, burnish_bench_input *input,
-                       burnish_bench_table *table) {
+/* Opens the libraries of an instruction set and hands their functions to the shaders. */
+static void isa_begin(isa_run *run, burnish_isa isa, burnish_bench_input *input,
+                      burnish_bench_table *table) {
     memset(run, 0, sizeof *run);
     run->context.input = input;
-    run->context.tier = burnish_bench_tier_for(isa);
-    run->context.batch = burnish_kernels_for(isa);
+    run->context.contenders = burnish_bench_contenders_for(isa);
+    run->context.kernels = burnish_kernels_for(isa);
     run->section.table = table;
     table->count = 0;
-    run->libmvec = burnish_bench_open_libmvec(run->context.tier);
-    run->sleef = burnish_bench_open_sleef(run->context.tier);
+    run->libmvec = burnish_bench_open_libmvec(run->context.contenders);
+    run->sleef = burnish_bench_open_sleef(run->context.contenders);
     for (int scene = 0; scene < BURNISH_BENCH_SCENES; ++scene) {
         input->shaders[scene][BURNISH_BENCH_OF_LIBMVEC].library = run->libmvec.function;
         input->shaders[scene][BURNISH_BENCH_OF_SLEEF].library = run->sleef.function;
     }
 }
 
-static void tier_end(tier_run *run) {
+static void isa_end(isa_run *run) {
     burnish_bench_close(&run->libmvec);
     burnish_bench_close(&run->sleef);
 }
 
-static void measure_tier(tier_run *run, int rounds, int quick) {
+static void measure_isa(isa_run *run, int rounds, int quick) {
     const double seconds = quick ? 0.2e-3 : 1e-3;
     add_lobes(run);
     section_run(&run->section, rounds, seconds);
@@ -337,7 +330,7 @@ burnish_status burnish_bench_run(const burnish_bench_settings *settings,
                                  burnish_bench_report *report, burnish_error *error) {
     burnish_bench_input *input;
     burnish_status status = burnish_bench_input_create(&input, error);
-    tier_run *run = malloc(sizeof *run);
+    isa_run *run = malloc(sizeof *run);
     if (status != BURNISH_STATUS_OK || !run) {
         burnish_bench_input_destroy(input);
         free(run);
@@ -350,11 +343,11 @@ burnish_status burnish_bench_run(const burnish_bench_settings *settings,
     burnish_bench_input_map(input, find_array_bytes(&report->machine, settings->quick));
     report->array_bytes = input->array_bytes;
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        if (settings->tiers >> isa & 1 && burnish_bench_tier_for((burnish_isa)isa)) {
-            tier_begin(run, (burnish_isa)isa, input, &report->tiers[isa]);
-            measure_tier(run, report->rounds, settings->quick);
-            tier_end(run);
-            report->has_tier[isa] = 1;
+        if (settings->isa_mask >> isa & 1 && burnish_bench_contenders_for((burnish_isa)isa)) {
+            isa_begin(run, (burnish_isa)isa, input, &report->isa[isa]);
+            measure_isa(run, report->rounds, settings->quick);
+            isa_end(run);
+            report->has_isa[isa] = 1;
         }
     }
     measure_scalar(&run->section, input, report->rounds, settings->quick, report);
@@ -385,9 +378,9 @@ burnish_status burnish_bench_errors(burnish_isa isa, burnish_bench_table *errors
                                     burnish_error *error) {
     burnish_bench_input *input;
     burnish_status status = burnish_bench_input_create(&input, error);
-    tier_run *run = malloc(sizeof *run);
+    isa_run *run = malloc(sizeof *run);
     if (status == BURNISH_STATUS_OK && run) {
-        tier_begin(run, isa, input, errors);
+        isa_begin(run, isa, input, errors);
         for (int roots = 0; roots < 2; ++roots) {
             roots ? add_roots(run) : add_lobes(run);
             for (int i = 0; i < run->section.count; ++i) {
@@ -396,7 +389,7 @@ burnish_status burnish_bench_errors(burnish_isa isa, burnish_bench_table *errors
                 find_errors(input, roots, &errors->rows[run->section.rows[i]]);
             }
         }
-        tier_end(run);
+        isa_end(run);
     }
     status = status == BURNISH_STATUS_OK && !run ? BURNISH_STATUS_MEMORY : status;
     free(run);

@@ -18,8 +18,8 @@ enum {
 };
 
 typedef struct burnish_bench_settings {
-    uint32_t tiers; /* a mask of 1 << burnish_isa */
-    int quick;      /* fewer and shorter rounds, smaller arrays in memory */
+    uint32_t isa_mask; /* bits of 1 << burnish_isa */
+    int quick;         /* fewer and shorter rounds, smaller arrays in memory */
 } burnish_bench_settings;
 
 /* One contender in one section. */
@@ -53,8 +53,8 @@ typedef struct burnish_bench_report {
     int rounds;
     size_t array_bytes; /* of each array in memory; 0: not enough memory */
     double tsc_hertz;   /* time-stamp counter; 0 where there is none */
-    int has_tier[BURNISH_ISA_COUNT];
-    burnish_bench_table tiers[BURNISH_ISA_COUNT];
+    int has_isa[BURNISH_ISA_COUNT];
+    burnish_bench_table isa[BURNISH_ISA_COUNT];
     burnish_bench_table scalar; /* scalar code, one value at a time */
 } burnish_bench_report;
 
@@ -63,7 +63,7 @@ typedef struct burnish_bench_report {
 burnish_status burnish_bench_run(const burnish_bench_settings *settings,
                                  burnish_bench_report *report, burnish_error *error);
 
-/* 1 for the tiers that can be measured here. */
+/* 1 for the instruction sets that can be measured here. */
 int burnish_bench_has(burnish_isa isa);
 
 /* The errors of one instruction set's contenders over BURNISH_BENCH_POINTS cosines in [0, 1]: of

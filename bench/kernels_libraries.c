@@ -22,17 +22,17 @@ static burnish_bench_symbol open_symbol(const char *library, const char *name,
     return symbol;
 }
 
-burnish_bench_symbol burnish_bench_open_libmvec(const burnish_bench_tier *tier) {
-    return open_symbol("libmvec.so.1", tier->libmvec,
+burnish_bench_symbol burnish_bench_open_libmvec(const burnish_bench_contenders *contenders) {
+    return open_symbol("libmvec.so.1", contenders->libmvec,
                        "libmvec.so.1 is missing; it is part of the GNU C library (Debian: libc6)",
-                       "libmvec has no powf for this tier");
+                       "libmvec has no powf for this instruction set");
 }
 
-burnish_bench_symbol burnish_bench_open_sleef(const burnish_bench_tier *tier) {
-    return open_symbol("libsleef.so.3", tier->sleef,
+burnish_bench_symbol burnish_bench_open_sleef(const burnish_bench_contenders *contenders) {
+    return open_symbol("libsleef.so.3", contenders->sleef,
                        "libsleef.so.3 is missing; install Debian's libsleef3: scripts/install-deps "
                        "bench",
-                       "SLEEF has no powf for this tier");
+                       "SLEEF has no powf for this instruction set");
 }
 
 void burnish_bench_close(burnish_bench_symbol *symbol) {

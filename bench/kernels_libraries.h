@@ -2,7 +2,7 @@
 #ifndef BURNISH_BENCH_KERNELS_LIBRARIES_H
 #define BURNISH_BENCH_KERNELS_LIBRARIES_H
 
-#include "bench/kernels_tier.h"
+#include "bench/kernels_isa.h"
 
 /* One library's function, or why there is none. */
 typedef struct burnish_bench_symbol {
@@ -12,8 +12,8 @@ typedef struct burnish_bench_symbol {
 } burnish_bench_symbol;
 
 /* libmvec.so.1 and libsleef.so.3; release with burnish_bench_close. */
-burnish_bench_symbol burnish_bench_open_libmvec(const burnish_bench_tier *tier);
-burnish_bench_symbol burnish_bench_open_sleef(const burnish_bench_tier *tier);
+burnish_bench_symbol burnish_bench_open_libmvec(const burnish_bench_contenders *contenders);
+burnish_bench_symbol burnish_bench_open_sleef(const burnish_bench_contenders *contenders);
 void burnish_bench_close(burnish_bench_symbol *symbol);
 
 #endif

@@ -51,7 +51,7 @@ static double time_variant(const burnish_kernels *batch, burnish_lobe_kind kind,
 static void print_times(void) {
     static const char *const names[] = {"family:2", "power",    "whole power", "schlick",
                                         "gaussian", "gamecube", "lyon:2"};
-    printf("\n%-12s %-8s %10s %10s   ns a point\n", "lobe", "tier", "lobe", "lighting");
+    printf("\n%-12s %-8s %10s %10s   ns a point\n", "lobe", "isa", "lobe", "lighting");
     for (int k = 0; k < KIND_COUNT; ++k) {
         for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
             const burnish_kernels *batch = burnish_kernels_for((burnish_isa)isa);

@@ -38,37 +38,37 @@ static const struct claim *find_claim(const char *name) {
     return NULL;
 }
 
-static void check_tier(burnish_isa isa) {
+static void check_isa(burnish_isa isa) {
     burnish_bench_table errors;
     burnish_error error;
-    const char *tier = burnish_isa_name(isa);
+    const char *word = burnish_isa_name(isa);
     int known = 0;
-    if (!CHECK(burnish_bench_errors(isa, &errors, &error) == BURNISH_STATUS_OK, "%s: %s", tier,
+    if (!CHECK(burnish_bench_errors(isa, &errors, &error) == BURNISH_STATUS_OK, "%s: %s", word,
                error.text)) {
         return;
     }
     for (int i = 0; i < errors.count; ++i) {
         const burnish_bench_row *row = &errors.rows[i];
         const struct claim *claim = find_claim(row->name);
-        if (!CHECK(claim, "%s: nothing is claimed of %s", tier, row->name)) {
+        if (!CHECK(claim, "%s: nothing is claimed of %s", word, row->name)) {
             continue;
         }
         ++known;
         if (row->missing) {
-            printf("%s: %s: %s\n", tier, row->name, row->missing);
+            printf("%s: %s: %s\n", word, row->name, row->missing);
             continue;
         }
-        printf("%s: %-16s absolute %.3g, relative %.3g\n", tier, row->name, row->absolute,
+        printf("%s: %-16s absolute %.3g, relative %.3g\n", word, row->name, row->absolute,
                row->relative);
         CHECK(claim->absolute == 0 || row->absolute <= claim->absolute,
-              "%s: %s is off by %g, not %g", tier, row->name, row->absolute, claim->absolute);
+              "%s: %s is off by %g, not %g", word, row->name, row->absolute, claim->absolute);
         CHECK(claim->relative == 0 || row->relative <= claim->relative,
-              "%s: %s is off by %g of its value, not %g", tier, row->name, row->relative,
+              "%s: %s is off by %g of its value, not %g", word, row->name, row->relative,
               claim->relative);
-        CHECK(strcmp(row->name, "ieee") == 0 || row->relative > 0, "%s: %s: no error at all?", tier,
+        CHECK(strcmp(row->name, "ieee") == 0 || row->relative > 0, "%s: %s: no error at all?", word,
               row->name);
     }
-    CHECK(known == (int)(sizeof CLAIMS / sizeof *CLAIMS), "%s: %d contenders", tier, known);
+    CHECK(known == (int)(sizeof CLAIMS / sizeof *CLAIMS), "%s: %d contenders", word, known);
 }
 
 static void check_keys(void) {
@@ -85,7 +85,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
         if (burnish_bench_has((burnish_isa)isa)) {
-            RUN(check_tier((burnish_isa)isa));
+            RUN(check_isa((burnish_isa)isa));
         }
     }
     RUN(check_keys());

@@ -1,8 +1,8 @@
 /* The contenders of one instruction set: the alternatives of the library's kernels. They are
  * compiled per instruction set like the kernels, but may use what those may not: fused
  * multiply-adds, gathers, other libraries. */
-#ifndef BURNISH_BENCH_KERNELS_TIER_H
-#define BURNISH_BENCH_KERNELS_TIER_H
+#ifndef BURNISH_BENCH_KERNELS_ISA_H
+#define BURNISH_BENCH_KERNELS_ISA_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -63,26 +63,21 @@ typedef void burnish_bench_root_function(size_t count, const float *in, float *o
 #define BURNISH_BENCH_INDEX(lobe) ((int)(lobe) - (int)BURNISH_BENCH_SCHLICK)
 enum { BURNISH_BENCH_LOBE_COUNT = (int)BURNISH_BENCH_LOBE_END - (int)BURNISH_BENCH_SCHLICK };
 
-typedef struct burnish_bench_tier {
-    burnish_isa isa;
-    const char *libmvec, *sleef; /* names of the tier's powf there; NULL: there is none */
+typedef struct burnish_bench_contenders {
+    const char *libmvec, *sleef; /* names of the powf there; NULL: there is none */
     burnish_bench_lobe_function *lobe[BURNISH_BENCH_LOBE_COUNT];
     burnish_bench_shade_function *shade[BURNISH_BENCH_LOBE_COUNT][2]; /* distant, general */
     burnish_bench_root_function *root[BURNISH_BENCH_ROOT_COUNT];
-} burnish_bench_tier;
+} burnish_bench_contenders;
 
-/* The tables; those of other architectures are not built. */
-extern const burnish_bench_tier burnish_bench_tier_scalar;
-#if defined(__SSE2__)
-extern const burnish_bench_tier burnish_bench_tier_sse2;
-extern const burnish_bench_tier burnish_bench_tier_avx2;
-extern const burnish_bench_tier burnish_bench_tier_avx512;
-#endif
-#if defined(__aarch64__)
-extern const burnish_bench_tier burnish_bench_tier_neon;
-#endif
+/* kernels_isa.c, compiled for each instruction set, gives its contenders, or NULL where it was not
+ * compiled for that instruction set. */
+#define BURNISH_BENCH_DECLARE(name, word, lanes)                                                   \
+    const burnish_bench_contenders *burnish_bench_contenders_##word(void);
+BURNISH_ISA_LIST(BURNISH_BENCH_DECLARE)
+#undef BURNISH_BENCH_DECLARE
 
-/* The contenders of a tier that runs here; NULL where this build or processor lacks them. */
-const burnish_bench_tier *burnish_bench_tier_for(burnish_isa isa);
+/* The contenders of one that runs here; NULL where this build or processor lacks them. */
+const burnish_bench_contenders *burnish_bench_contenders_for(burnish_isa isa);
 
 #endif

@@ -1,10 +1,19 @@
-/* The contenders over a vector and over arrays. Defined BURNISH_VECTOR_... chooses the vector type,
- * TIER names the table, ISA the tier, LIBMVEC and SLEEF the powf of those libraries. */
+/* The contenders over a vector and over arrays, compiled once for each instruction set with its
+ * flags: BURNISH_BENCH_ISA is its word, and BURNISH_VECTOR_... chooses the vector type. */
+#include "bench/kernels_isa.h"
+
+#define CONTENDERS_OF_(word) burnish_bench_contenders_##word
+#define CONTENDERS_OF(word) CONTENDERS_OF_(word)
+
+#if defined(BURNISH_VECTOR_SCALAR) || (defined(BURNISH_VECTOR_SSE2) && defined(__SSE2__)) ||       \
+    (defined(BURNISH_VECTOR_AVX2) && defined(__AVX2__)) ||                                         \
+    (defined(BURNISH_VECTOR_AVX512) && defined(__AVX512F__)) ||                                    \
+    (defined(BURNISH_VECTOR_NEON) && defined(__aarch64__))
+
 #include <math.h>
 #include <stddef.h>
 
-#include "bench/kernels_tier.h"
-#include "bench/kernels_tier_ops.h"
+#include "bench/kernels_isa_ops.h"
 #include "shading/lobe_simd.h"
 
 /* log2 of m in [1, 2) minus RAMP (m - 1), degree 6 by Remez exchange, 1.85e-6 absolute; times n. */
@@ -185,10 +194,9 @@ ROOT_FUNCTION(newton, BURNISH_BENCH_ROOT_NEWTON)
 #define SHADE_ROW(name)                                                                            \
     { shade_##name##_DISTANT, shade_##name##_GENERAL }
 
-const burnish_bench_tier TIER = {
-    .isa = ISA,
-    .libmvec = LIBMVEC,
-    .sleef = SLEEF,
+static const burnish_bench_contenders CONTENDERS = {
+    .libmvec = BENCH_LIBMVEC,
+    .sleef = BENCH_SLEEF,
     .lobe = {[BURNISH_BENCH_INDEX(BURNISH_BENCH_SCHLICK)] = lobe_schlick,
              [BURNISH_BENCH_INDEX(BURNISH_BENCH_SQUARINGS)] = lobe_squarings,
              [BURNISH_BENCH_INDEX(BURNISH_BENCH_SQUARINGS_PLAIN)] = lobe_squarings_plain,
@@ -207,3 +215,15 @@ const burnish_bench_tier TIER = {
              [BURNISH_BENCH_ROOT_TUNED] = root_tuned,
              [BURNISH_BENCH_ROOT_NEWTON] = root_newton},
 };
+
+const burnish_bench_contenders *CONTENDERS_OF(BURNISH_BENCH_ISA)(void) {
+    return &CONTENDERS;
+}
+
+#else
+
+const burnish_bench_contenders *CONTENDERS_OF(BURNISH_BENCH_ISA)(void) {
+    return NULL;
+}
+
+#endif

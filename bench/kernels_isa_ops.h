@@ -4,14 +4,18 @@
  *   bench_sqrt      IEEE square root
  *   bench_round     floats to the nearest integers
  *   bench_gather    table[index] per lane
- *   bench_mantissa  the bits of x's significand in [1, 2) */
-#ifndef BURNISH_BENCH_KERNELS_TIER_OPS_H
-#define BURNISH_BENCH_KERNELS_TIER_OPS_H
+ *   bench_mantissa  the bits of x's significand in [1, 2)
+ *
+ * and the names of other libraries' powf, NULL where a library has none. */
+#ifndef BURNISH_BENCH_KERNELS_ISA_OPS_H
+#define BURNISH_BENCH_KERNELS_ISA_OPS_H
 
 #include "simd/vector.h"
 
 #if defined(BURNISH_VECTOR_AVX512)
 
+#define BENCH_LIBMVEC "_ZGVeN16vv_powf"
+#define BENCH_SLEEF "Sleef_powf16_u10avx512f"
 BURNISH_INLINE vf bench_fma(vf a, vf b, vf c) {
     return _mm512_fmadd_ps(a, b, c);
 }
@@ -27,6 +31,8 @@ BURNISH_INLINE vf bench_gather(const float *table, vi index) {
 
 #elif defined(BURNISH_VECTOR_AVX2)
 
+#define BENCH_LIBMVEC "_ZGVdN8vv_powf"
+#define BENCH_SLEEF "Sleef_powf8_u10avx2"
 BURNISH_INLINE vf bench_fma(vf a, vf b, vf c) {
     return _mm256_fmadd_ps(a, b, c);
 }
@@ -46,6 +52,8 @@ BURNISH_INLINE vf bench_mantissa(vf x) {
 
 #elif defined(BURNISH_VECTOR_SSE2)
 
+#define BENCH_LIBMVEC "_ZGVbN4vv_powf"
+#define BENCH_SLEEF "Sleef_powf4_u10sse2"
 BURNISH_INLINE vf bench_fma(vf a, vf b, vf c) {
     return vf_add(vf_mul(a, b), c);
 }
@@ -71,6 +79,8 @@ BURNISH_INLINE vf bench_mantissa(vf x) {
 
 #elif defined(BURNISH_VECTOR_NEON)
 
+#define BENCH_LIBMVEC "_ZGVnN4vv_powf"
+#define BENCH_SLEEF "Sleef_powf4_u10advsimd"
 BURNISH_INLINE vf bench_fma(vf a, vf b, vf c) {
     return vfmaq_f32(c, a, b);
 }
@@ -93,6 +103,8 @@ BURNISH_INLINE vf bench_mantissa(vf x) {
 
 #else
 
+#define BENCH_LIBMVEC NULL
+#define BENCH_SLEEF "Sleef_powf_u10"
 BURNISH_INLINE vf bench_fma(vf a, vf b, vf c) {
     return a * b + c;
 }
