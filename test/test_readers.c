@@ -259,6 +259,31 @@ static void test_guess(void) {
     CHECK1(burnish_guess_format(list.bytes, list.size, "x") == BURNISH_FORMAT_STL);
 }
 
+/* Texture coordinates in lists of faces, as MeshLab writes them: who asked for texture coordinates
+ * learns that they are not read. */
+static void test_ply_face_coordinates(void) {
+    static const char text[] =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+        "property list uchar float texcoord\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0 0 1\n3 2 1 0 6 0 0 1 0 0 1\n";
+    for (int keep = 0; keep < 2; ++keep) {
+        burnish_load_options options = burnish_load_options_default();
+        burnish_mesh *mesh = NULL;
+        burnish_error e;
+        options.keep_texture_coordinates = keep;
+        CHECK(burnish_mesh_load_memory(text, sizeof text - 1, "mesh.ply", &options, &mesh, &e) ==
+                  BURNISH_STATUS_OK,
+              "%s", e.text);
+        if (CHECK(mesh && burnish_mesh_warning_count(mesh) == (size_t)keep, "keep %d", keep) &&
+            keep) {
+            CHECK_TEXT(burnish_mesh_warning(mesh, 0),
+                       "mesh.ply: texture coordinates of faces (texcoord) are not read");
+        }
+        burnish_mesh_destroy(mesh);
+    }
+}
+
 static void test_files(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *scene = NULL;
@@ -346,6 +371,7 @@ int main(int count, char **arguments) {
     RUN(test_ply_line_ends());
     RUN(test_ply_elements());
     RUN(test_guess());
+    RUN(test_ply_face_coordinates());
     RUN(test_files());
     RUN(test_standard_input());
     RUN(test_pipe_limit());

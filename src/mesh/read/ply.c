@@ -535,7 +535,7 @@ static burnish_status read_body(ply_state *ply) {
     return status;
 }
 
-/* Says what of the file is not drawn. */
+/* Says what of the file is not drawn or kept. */
 static void warn_undrawn(const ply_state *ply) {
     const burnish_mesh_data *mesh = ply->reader->mesh;
     const uint8_t *rgba = burnish_colors(mesh);
@@ -554,6 +554,10 @@ static void warn_undrawn(const ply_state *ply) {
     }
     if (ply->header.has_face_colors) {
         burnish_reader_warn(ply->reader, NULL, "colours of faces are not drawn");
+    }
+    if (ply->header.has_face_coordinates && ply->reader->input->options->keep_texture_coordinates) {
+        burnish_reader_warn(ply->reader, NULL,
+                            "texture coordinates of faces (texcoord) are not read");
     }
 }
 

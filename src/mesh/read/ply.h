@@ -77,9 +77,9 @@ typedef struct burnish_ply_header {
     size_t element_count, element_capacity;
     burnish_ply_property *properties;
     size_t property_count, property_capacity;
-    const uint8_t *body;   /* first byte after the line end of end_header */
-    burnish_token texture; /* of "comment TextureFile NAME"; empty: none */
-    int has_face_colors;
+    const uint8_t *body;                       /* first byte after the line end of end_header */
+    burnish_token texture;                     /* of "comment TextureFile NAME"; empty: none */
+    int has_face_colors, has_face_coordinates; /* of textures: lists named texcoord */
 } burnish_ply_header;
 
 /* ---- ply_header.c ---- */

@@ -173,9 +173,10 @@ static burnish_status read_property(header_state *ply) {
         return FAIL(ply, "property has no name; write property TYPE NAME");
     }
     property.role = role_of(element->kind, is_list, name);
-    if (element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0 && !is_list) {
-        const burnish_ply_role role = vertex_role(name);
+    if (element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0) {
+        const burnish_ply_role role = is_list ? BURNISH_PLY_OTHER : vertex_role(name);
         header->has_face_colors |= role >= BURNISH_PLY_RED && role <= BURNISH_PLY_BLUE;
+        header->has_face_coordinates |= is_list && burnish_token_is(name, "texcoord");
     }
     burnish_memory *memory = &ply->reader->mesh->memory;
     header->properties = burnish_reserve(memory, header->properties, &header->property_capacity,

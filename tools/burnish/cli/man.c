@@ -93,9 +93,18 @@ static void print_flag(const cli_flag *flag) {
         cli_word_list(flag->words, values + strlen(values), sizeof values - strlen(values));
     }
     if (flag->words || *shown) {
-        char line[320];
-        snprintf(line, sizeof line, "%s%s%s%s.", values, flag->words && *shown ? ". " : "",
-                 *shown ? "Default: " : "", shown);
+        char line[512];
+        int length = snprintf(line, sizeof line, "%s%s%s%s", values,
+                              flag->words && *shown ? ". " : "", *shown ? "Default: " : "", shown);
+        if (flag->default_label && flag->default_text) { /* lines may end at the blanks */
+            const char *rest = flag->default_text, *item;
+            for (const char *before = ": "; rest; before = ", ") {
+                int size = (int)cli_next_item(&rest, ',', &item);
+                length += snprintf(line + length, sizeof line - (size_t)length, "%s*%.*s*", before,
+                                   size, item);
+            }
+        }
+        strcpy(line + length, ".");
         printf(".br\n");
         print_text(line);
     }

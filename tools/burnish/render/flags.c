@@ -31,6 +31,16 @@ static const cli_word format_words[] = {
 static const char format_manual[] = "Format of _INPUT_: " BURNISH_FORMAT_LIST(
     FORMAT_MANUAL) "or *auto*, which looks at the name's ending and the first bytes.";
 
+#define FORMAT_ENDING(name, word, endings, ...) " " endings
+/* ", obj 60, ply 60, stl 40": labels begin at the third character. */
+#define FORMAT_CREASE(name, word, endings, crease, ...) ", " #word " " #crease
+static const char format_creases[] = BURNISH_FORMAT_LIST(FORMAT_CREASE);
+#define AXIS_100 "+X"
+#define AXIS_010 "+Y"
+#define AXIS_001 "+Z"
+#define FORMAT_AXIS(name, word, endings, crease, x, y, z) ", " #word " " AXIS_##x##y##z
+static const char format_axes[] = BURNISH_FORMAT_LIST(FORMAT_AXIS);
+
 /* Values of coordinates and angles beyond this are mistakes. */
 #define ANGLE_MAX 36000.0
 
@@ -162,8 +172,8 @@ static const cli_flag flags[] = {
      .aliases = "up-axis,up-direction",
      .common = 1,
      .value = "AXIS",
-     .help = "axis that points up",
-     .default_label = "+Y, +Z for STL",
+     .help = "upward axis",
+     .default_label = format_axes + 2,
      .manual = "The axis of the object that points up.",
      .handler = cli_flag_word,
      .words = up_words,
@@ -366,7 +376,7 @@ static const cli_flag flags[] = {
     {.name = "crease-angle",
      .value = "DEG",
      .help = "smooth edges below this angle",
-     .default_label = "60, 40 for STL",
+     .default_label = format_creases + 2,
      .low = 0,
      .high = 180,
      .manual = "Where the input has no normals: smooth across edges whose faces differ by less, 0 "
@@ -534,7 +544,8 @@ const cli_command render_command = {
     .operand = "INPUT",
     .summary = "draw a mesh into a PNG",
     .operand_help =
-        "an .obj, .ply or .stl file, - for standard input, or :teapot, :sphere, :torus, :knot",
+        "a file:" BURNISH_FORMAT_LIST(FORMAT_ENDING) "; - for standard input; or :teapot, "
+                                                     ":sphere, :torus, :knot",
     .manual =
         "Loads _INPUT_ and draws it with the Phong illumination equation. _INPUT_ is an OBJ (with "
         "its material library), PLY or STL file, *-* for standard input, or a built-in object: "
