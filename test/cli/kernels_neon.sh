@@ -1,6 +1,6 @@
 #!/bin/sh
 # AArch64, cross-compiled, under emulation: test_kernels (NEON against scalar, and the scalar bits against
-# those of every other processor) and test_visibility on some scenes. Skipped (77) without the cross compiler.
+# those of every other processor), test_kernel_values and test_visibility on some scenes. Skipped (77) without the cross compiler.
 # Usage: kernels_neon.sh SOURCE_DIR SCRATCH
 set -eu
 compiler=aarch64-linux-gnu-gcc
@@ -9,10 +9,13 @@ for tool in $compiler qemu-aarch64; do
 done
 . "$(dirname "$0")/kernels_sources.sh"
 mkdir -p "$2"
-# shellcheck disable=SC2046,SC2086
-$compiler $flags -static $(sources "$1") -lm -o "$2/test_kernels_neon"
-qemu-aarch64 "$2/test_kernels_neon" | tee "$2/neon.txt"
-grep -q 'instruction sets: scalar neon' "$2/neon.txt"
+for name in kernels kernel_values; do
+    # shellcheck disable=SC2046,SC2086
+    $compiler $flags -static $(sources "$1" $name) -lm -o "$2/test_${name}_neon"
+    qemu-aarch64 "$2/test_${name}_neon" >"$2/$name.txt" || { cat "$2/$name.txt"; exit 1; }
+    cat "$2/$name.txt"
+done
+grep -q 'instruction sets: scalar neon' "$2/kernels.txt"
 # shellcheck disable=SC2046,SC2086
 $compiler $flags -static $(renderer_sources "$1") -lm -o "$2/test_visibility_neon"
 qemu-aarch64 "$2/test_visibility_neon" --scenes 100
