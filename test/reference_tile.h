@@ -149,8 +149,10 @@ static void pixel_bounds(const triangle_edges *edges, const reference_tile *tile
     *y1 = high_y > tile->height ? tile->height : (int)high_y;
 }
 
-static void draw_triangle(reference_tile *tile, const burnish_geometry *geometry,
-                          uint32_t triangle) {
+/* Returns how many samples the triangle covers, seen or not. */
+static int draw_triangle(reference_tile *tile, const burnish_geometry *geometry,
+                         uint32_t triangle) {
+    int covered = 0;
     triangle_edges edges;
     load_edges(geometry, triangle, &edges);
     int x0, y0, x1, y1;
@@ -184,6 +186,7 @@ static void draw_triangle(reference_tile *tile, const burnish_geometry *geometry
                 if (((e0 + edges.bias[0]) | (e1 + edges.bias[1]) | (e2 + edges.bias[2])) < 0) {
                     continue;
                 }
+                ++covered;
                 float depth = depth_at(&edges, (float)e1 * edges.inverse_area,
                                        (float)e2 * edges.inverse_area);
                 if (edges.is_large) {
@@ -200,6 +203,7 @@ static void draw_triangle(reference_tile *tile, const burnish_geometry *geometry
             }
         }
     }
+    return covered;
 }
 
 static void reference_tile_destroy(reference_tile *tile) {
@@ -249,11 +253,9 @@ static int reference_draw_indices(reference_tile *tile, const burnish_raster_vie
     return 1;
 }
 
-/* The same with the triangles of the tile's lists. */
-static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *view,
-                               const burnish_geometry *geometry, const burnish_bins *bins,
-                               int column, int row) {
-    uint32_t *indices = malloc((reference_primitive_count(geometry) + 1) * sizeof *indices);
+/* The indices in a tile's lists, which have room; returns how many. */
+static size_t reference_read_lists(const burnish_bins *bins, int column, int row,
+                                   uint32_t *indices) {
     size_t count = 0, more;
     for (int back = 0; back < 2; ++back) {
         burnish_list_reader reader = burnish_list_begin(bins, column, row, back);
@@ -268,9 +270,40 @@ static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *
             }
         }
     }
+    return count;
+}
+
+/* The same with the triangles of the tile's lists. */
+static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *view,
+                               const burnish_geometry *geometry, const burnish_bins *bins,
+                               int column, int row) {
+    uint32_t *indices = malloc((reference_primitive_count(geometry) + 1) * sizeof *indices);
+    const size_t count = reference_read_lists(bins, column, row, indices);
     const int drawn = reference_draw_indices(tile, view, geometry, column, row, indices, count);
     free(indices);
     return drawn;
+}
+
+/* Triangles that cover a sample of the current tile, (column, row), be it hidden, and are not in
+ * its lists. Draws them, so that they show in the tile. */
+static inline int reference_draw_missing(reference_tile *tile, const burnish_geometry *geometry,
+                                         const burnish_bins *bins, int column, int row) {
+    const size_t primitives = reference_primitive_count(geometry);
+    uint32_t *indices = malloc((primitives + 1) * sizeof *indices);
+    uint8_t *is_listed = calloc(primitives + 1, 1);
+    const size_t count = reference_read_lists(bins, column, row, indices);
+    int missing = 0;
+    for (size_t i = 0; i < count; ++i) {
+        is_listed[indices[i]] = 1;
+    }
+    for (uint32_t i = 0; i < primitives; ++i) {
+        if (!is_listed[i] && reference_side(geometry, i) >= 0) {
+            missing += draw_triangle(tile, geometry, i) > 0;
+        }
+    }
+    free(is_listed);
+    free(indices);
+    return missing;
 }
 
 /* Appends the point of `weight` samples whose offsets add up to (sum_x, sum_y) in 1/16 pixel. */
