@@ -165,12 +165,12 @@ bench-scale: short-docs ## time and memory up to MOST=100000000 triangles and 16
 	@$(MAKE) --no-print-directory program-all CMAKE_FLAGS=-DBURNISH_BENCH=ON
 	@./scripts/scale-tables build/release/bench_scale build/release/burnish build/release $(DOCS)/performance.md $(MOST)
 
-bench-peers: short-docs ## time frames and whole processes against other renderers (minutes); fills docs/frames.md. MESHES=FOLDER: frames of its files
+bench-peers: short-docs ## time frames and whole processes against other renderers (minutes); fills docs/frames.md. MESHES=FOLDER: frames of its files; PARTS=FOLDER: processes
 	@$(DEPS) build demo
 	@$(if $(SHORT),,$(DEPS) peers || echo "bench-peers: going on with the peers that are installed")
 	@$(MAKE) --no-print-directory program-bench_peers_programs CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON
 	@./bench/peers/run build/release $(ROUNDS)
-	@$(if $(MESHES),,./scripts/frames-tables build/release/bench-peers.json build/release/bench-scenes.txt $(DOCS)/frames.md)
+	@$(if $(MESHES),,./scripts/frames-tables $(if $(PARTS),--parts "$(PARTS)") build/release $(DOCS)/frames.md)
 
 install: ## install program, libraries, headers and man page (DESTDIR, PREFIX), building nothing else
 	@$(DEPS) build

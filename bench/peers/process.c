@@ -113,6 +113,19 @@ int burnish_peers_run(const char *const arguments[], int cores, const char *envi
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+int burnish_peers_draw(const burnish_peers_picture *picture, const char *burnish, int cores,
+                       const char *display, double *milliseconds, double *kibibytes) {
+    char resolution[64];
+    snprintf(resolution, sizeof resolution, "--resolution=%s", picture->size);
+    const char *const f3d[] = {"f3d",      "--dry-run",     "--quiet",  picture->input,
+                               "--output", picture->output, resolution, NULL};
+    const char *const ours[] = {burnish,    "render",      picture->input, "-o", picture->output,
+                                resolution, "--samples=1", "--quiet",      NULL};
+    usleep(100000);
+    return burnish_peers_run(burnish ? ours : f3d, cores, burnish ? NULL : display, milliseconds,
+                             kibibytes);
+}
+
 pid_t burnish_peers_start_x(char *environment, size_t size) {
     int ready[2];
     char number[16] = "", descriptor[16];

@@ -29,6 +29,17 @@ void burnish_peers_stop(burnish_peers_process *process);
 int burnish_peers_run(const char *const arguments[], int cores, const char *environment,
                       double *milliseconds, double *kibibytes);
 
+typedef struct burnish_peers_picture {
+    const char *input, *output; /* mesh and PNG */
+    const char *size;           /* "W,H" */
+} burnish_peers_picture;
+
+/* Draws by the program burnish, or by f3d where that is NULL, on this X display. One sample per
+ * pixel, since f3d does not smooth edges. The rest as burnish_peers_run; lets the X server clean up
+ * first, which takes it a tenth of a second after f3d. */
+int burnish_peers_draw(const burnish_peers_picture *picture, const char *burnish, int cores,
+                       const char *display, double *milliseconds, double *kibibytes);
+
 /* Starts Xvfb on a display of its own choice, "DISPLAY=:N" into environment. Returns its process
  * or 0. */
 pid_t burnish_peers_start_x(char *environment, size_t size);

@@ -184,25 +184,19 @@ static const struct picture_size {
 
 enum { SIZES = sizeof sizes / sizeof *sizes };
 
-/* One sample per pixel, since f3d does not smooth edges. counts: 0 for the first run,
- * which fills the caches of files and shaders. */
+/* counts: 0 for the first run, which fills the caches of files and shaders. */
 static void time_process(runner *r, const char *scene, int size, int cores, int is_f3d,
                          const char *display, int counts) {
-    char input[PATH], output[PATH], resolution[64], name[2][BURNISH_PEERS_NAME];
+    char input[PATH], output[PATH], name[2][BURNISH_PEERS_NAME];
     const char *who = is_f3d ? "f3d" : "burnish";
     double milliseconds, kibibytes;
-    usleep(100000); /* the X server is still busy cleaning up after f3d */
     snprintf(input, sizeof input, "%s/%s.ply", r->scratch, scene);
     snprintf(output, sizeof output, "%s/%s-%s-%s.png", r->scratch, scene, sizes[size].name, who);
-    snprintf(resolution, sizeof resolution, "--resolution=%s", sizes[size].resolution);
     snprintf(name[0], sizeof name[0], "process.%s.%s.t%d.%s", scene, sizes[size].name, cores, who);
     snprintf(name[1], sizeof name[1], "memory.%s.%s.t%d.%s", scene, sizes[size].name, cores, who);
-    const char *const f3d[] = {"f3d",      "--dry-run", "--quiet",  input,
-                               "--output", output,      resolution, NULL};
-    const char *const ours[] = {r->burnish, "render",      input,     "-o", output,
-                                resolution, "--samples=1", "--quiet", NULL};
-    if (!burnish_peers_run(is_f3d ? f3d : ours, cores, is_f3d ? display : NULL, &milliseconds,
-                           &kibibytes)) {
+    const burnish_peers_picture picture = {input, output, sizes[size].resolution};
+    if (!burnish_peers_draw(&picture, is_f3d ? NULL : r->burnish, cores, display, &milliseconds,
+                            &kibibytes)) {
         fprintf(stderr, "bench-peers: %s can't draw %s\n", who, input);
         return;
     }

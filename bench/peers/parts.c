@@ -1,0 +1,84 @@
+/* Whole processes on files: each to a PNG by f3d and by burnish in turns, on all cores.
+ * Usage: bench_peers_parts BURNISH SCRATCH ROUNDS FILE...
+ *
+ * Prints one line per file and size: the size, f3d's and burnish's milliseconds, their peaks of
+ * memory in KiB, the file. Numbers are medians of the rounds, after one that fills the caches. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "figures.h"
+#include "process.h"
+#include "quiet.h"
+
+enum { PATH = 600, PATIENCE = 300 };
+
+static const char *const SIZES[] = {"256,256", "1920,1080"};
+static const char *const TIMES[] = {"time f3d", "time burnish"};
+static const char *const PEAKS[] = {"peak f3d", "peak burnish"};
+
+typedef struct runner {
+    const char *burnish, *scratch, *display;
+    int rounds;
+    double patience;               /* seconds left to wait for quiet moments */
+    burnish_peers_figures figures; /* of one file at one size */
+} runner;
+
+static int run_part(runner *r, const char *file, const char *size) {
+    char output[PATH];
+    snprintf(output, sizeof output, "%s/part.png", r->scratch);
+    r->figures.count = 0;
+    for (int round = 0; round <= r->rounds; ++round) {
+        burnish_peers_wait_until_quiet(&r->patience);
+        for (int ours = 0; ours < 2; ++ours) {
+            const burnish_peers_picture picture = {file, output, size};
+            double milliseconds, kibibytes;
+            if (!burnish_peers_draw(&picture, ours ? r->burnish : NULL, 0, r->display,
+                                    &milliseconds, &kibibytes)) {
+                fprintf(stderr, "bench-peers: %s can't draw %s\n", ours ? "burnish" : "f3d", file);
+                return 0;
+            }
+            if (round > 0) {
+                burnish_peers_add(&r->figures, TIMES[ours], milliseconds);
+                burnish_peers_add(&r->figures, PEAKS[ours], kibibytes);
+            }
+        }
+    }
+    printf("%s %.2f %.2f %.0f %.0f %s\n", size, burnish_peers_median(&r->figures, TIMES[0]),
+           burnish_peers_median(&r->figures, TIMES[1]), burnish_peers_median(&r->figures, PEAKS[0]),
+           burnish_peers_median(&r->figures, PEAKS[1]), file);
+    fflush(stdout);
+    return 1;
+}
+
+int main(int count, char **arguments) {
+    char display[32] = "";
+    runner *r = calloc(1, sizeof *r);
+    if (count < 5 || !r) {
+        fprintf(stderr, "usage: %s BURNISH SCRATCH ROUNDS FILE...\n", arguments[0]);
+        free(r);
+        return EXIT_FAILURE;
+    }
+    r->burnish = arguments[1];
+    r->scratch = arguments[2];
+    r->display = display;
+    r->rounds = atoi(arguments[3]);
+    r->patience = r->rounds > 1 ? PATIENCE : 0; /* one round is not for its times */
+    pid_t x = burnish_peers_installed("f3d") && burnish_peers_installed("Xvfb")
+                  ? burnish_peers_start_x(display, sizeof display)
+                  : 0;
+    int done = x > 0;
+    if (!done) {
+        fprintf(stderr, "bench-peers: parts need f3d and Xvfb; scripts/install-deps peers\n");
+    }
+    for (int i = 4; done && i < count; ++i) {
+        for (size_t size = 0; done && size < sizeof SIZES / sizeof *SIZES; ++size) {
+            done = run_part(r, arguments[i], SIZES[size]);
+        }
+    }
+    if (x > 0) {
+        burnish_peers_stop_x(x);
+    }
+    free(r);
+    return done ? EXIT_SUCCESS : EXIT_FAILURE;
+}
