@@ -54,12 +54,13 @@ static screen_point random_direction(uint64_t *state) {
     return (screen_point){cos(turn), sin(turn)};
 }
 
-/* Appends a vertex. All of a scene may lie in one plane; else its depth is anything. */
+/* Appends a vertex. slope: of the plane in which all of a scene lies, or 0: then its depth is
+ * anything. */
 static uint32_t add_point(random_scene *scene, const burnish_raster_view *view, screen_point at,
-                          int is_flat, uint64_t *state) {
+                          double slope, uint64_t *state) {
     const double half_width = 0.5 * view->width, half_height = 0.5 * view->height;
-    const float z = is_flat ? (float)((at.x - 2 * at.y) * 0x1p-6)
-                            : test_uniform_float(state, -200, one_in(state, 64) ? 300 : 200);
+    const float z = slope != 0 ? (float)((at.x - 2 * at.y) * slope)
+                               : test_uniform_float(state, -200, one_in(state, 64) ? 300 : 200);
     const float p[3] = {(float)(at.x - half_width), (float)(half_height - at.y), z};
     add_vertex(scene, p, state);
     return (uint32_t)scene->vertex_count - 1;
@@ -119,16 +120,16 @@ static void random_corners(const burnish_raster_view *view, screen_point at[3], 
 }
 
 /* A fan around a point, closed, whose triangles share their edges. */
-static void add_fan(random_scene *scene, const burnish_raster_view *view, int is_flat,
+static void add_fan(random_scene *scene, const burnish_raster_view *view, double slope,
                     uint64_t *state) {
     const screen_point middle = random_point(view, state);
     const double radius = random_scale(state, 5, 12), turn = 8 * atan(1.0);
     const uint32_t count = 3 + test_random32(state) % 60;
-    const uint32_t first = add_point(scene, view, middle, is_flat, state);
+    const uint32_t first = add_point(scene, view, middle, slope, state);
     for (uint32_t i = 0; i < count; ++i) {
         const screen_point at = {middle.x + radius * cos(turn * i / count),
                                  middle.y + radius * sin(turn * i / count)};
-        add_point(scene, view, at, is_flat, state);
+        add_point(scene, view, at, slope, state);
     }
     for (uint32_t i = 0; i < count; ++i) {
         add_triangle(scene, first, first + 1 + i, first + 1 + (i + 1) % count, state);
@@ -136,23 +137,22 @@ static void add_fan(random_scene *scene, const burnish_raster_view *view, int is
 }
 
 static void make_scene(random_scene *scene, const burnish_raster_view *view, uint64_t *state) {
-    const int is_flat = one_in(state, 3);
+    const double slope = one_in(state, 3) ? random_scale(state, -20, -6) : 0;
     const size_t count = 1 + test_random32(state) % 60;
     scene->vertex_count = scene->triangle_count = 0;
     if (one_in(state, 4)) {
-        add_fan(scene, view, is_flat, state);
+        add_fan(scene, view, slope, state);
     }
     while (scene->triangle_count < count) {
         screen_point at[3];
         random_corners(view, at, state);
         for (int i = 0; i < 3; ++i) {
-            add_point(scene, view, at[i], is_flat, state);
+            add_point(scene, view, at[i], slope, state);
         }
         const uint32_t end = (uint32_t)scene->vertex_count;
         add_triangle(scene, end - 3, end - 2, end - 1, state);
         if (one_in(state, 4)) { /* share an edge */
-            const uint32_t other =
-                add_point(scene, view, random_point(view, state), is_flat, state);
+            const uint32_t other = add_point(scene, view, random_point(view, state), slope, state);
             add_triangle(scene, end - 2, end - 3, other, state);
         }
     }

@@ -16,6 +16,8 @@ for name in kernels kernel_values; do
     cat "$2/$name.txt"
 done
 grep -q 'instruction sets: scalar neon' "$2/kernels.txt"
-# shellcheck disable=SC2046,SC2086
-$compiler $flags -static $(renderer_sources "$1") -lm -o "$2/test_visibility_neon"
-qemu-aarch64 "$2/test_visibility_neon" --scenes 100
+for test in visibility large_triangles; do
+    # shellcheck disable=SC2046,SC2086
+    $compiler $flags -static "$1/test/test_$test.c" $(renderer_sources "$1") -lm -o "$2/test_${test}_neon"
+    qemu-aarch64 "$2/test_${test}_neon" --scenes 100 --only scenes
+done
