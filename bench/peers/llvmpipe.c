@@ -420,7 +420,7 @@ static void draw_materials(const gl_renderer *gl) {
             glUniform3fv(0, 1, diffuse);
         }
         glDrawElements(GL_TRIANGLES, (GLsizei)(gl->ends[m] - first), GL_UNSIGNED_INT,
-                       (const char *)NULL + first * sizeof(uint32_t));
+                       (const void *)(uintptr_t)(first * sizeof(uint32_t)));
     }
 }
 

@@ -33,7 +33,7 @@ typedef struct bench {
     int runs, disturbed;
 } bench;
 
-static void fail(const char *what) {
+static _Noreturn void fail(const char *what) {
     fprintf(stderr, "bench_scale: %s: %s\n", what, strerror(errno));
     exit(EXIT_FAILURE);
 }

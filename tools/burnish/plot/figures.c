@@ -180,7 +180,7 @@ static int lobe_ink(const burnish_theory_model *model) {
 }
 
 /* The order shows as dashes. */
-static plot_dash lobe_style(const burnish_theory_model *model) {
+static int lobe_style(const burnish_theory_model *model) {
     return model->lobe.order <= 2   ? PLOT_LINE
            : model->lobe.order == 4 ? PLOT_DASHED
            : model->lobe.order == 8 ? PLOT_DASH_DOT
@@ -188,8 +188,8 @@ static plot_dash lobe_style(const burnish_theory_model *model) {
 }
 
 /* The i-th style of curves that share their hues. */
-static plot_dash style_of(size_t i) {
-    static const plot_dash styles[] = {PLOT_LINE, PLOT_DASHED, PLOT_DASH_DOT, PLOT_DOTTED};
+static int style_of(size_t i) {
+    static const int styles[] = {PLOT_LINE, PLOT_DASHED, PLOT_DASH_DOT, PLOT_DOTTED};
     return styles[i % (sizeof styles / sizeof *styles)];
 }
 
