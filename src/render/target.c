@@ -147,15 +147,21 @@ static void store_codes(const burnish_output *output, const uint32_t *codes, int
     }
 }
 
+/* The same as three bytes per pixel. A group may be written past its end: the next one overwrites
+ * that, and the last ones go by way of `bytes`, so that the next tile's pixels stay. */
 static void pack_codes(const burnish_output *output, const uint32_t *codes, int width,
                        uint8_t *out) {
-    uint8_t bytes[3 * BURNISH_TILE_SIZE + 4];
-    output->ops->pack_groups(BURNISH_TILE_SIZE / BURNISH_BLOCK_SIZE, codes, BURNISH_BLOCK_PIXELS,
-                             bytes);
-    if (width == BURNISH_TILE_SIZE) {
-        memcpy(out, bytes, 3 * BURNISH_TILE_SIZE);
+    enum { LAST = 2 /* groups */ };
+    const int size = BURNISH_BLOCK_SIZE, groups = (width + size - 1) / size;
+    const int direct = groups > LAST ? groups - LAST : 0;
+    uint8_t bytes[3 * BURNISH_BLOCK_SIZE * LAST + 4];
+    output->ops->pack_groups((size_t)direct, codes, BURNISH_BLOCK_PIXELS, out);
+    output->ops->pack_groups((size_t)(groups - direct), codes + direct * BURNISH_BLOCK_PIXELS,
+                             BURNISH_BLOCK_PIXELS, bytes);
+    if (width == BURNISH_TILE_SIZE) { /* a number that the compiler knows */
+        memcpy(out + 3 * direct * size, bytes, 3 * BURNISH_BLOCK_SIZE * LAST);
     } else {
-        memcpy(out, bytes, 3 * (size_t)width);
+        memcpy(out + 3 * direct * size, bytes, 3 * (size_t)(width - direct * size));
     }
 }
 
