@@ -109,9 +109,13 @@ int burnish_surface_planes(const burnish_surface *surface) {
 /* attribute / (1/w) in three arrays. */
 static void divide(int count, const float *const attribute[3], const float *inverse_w,
                    float (*out)[BURNISH_SHADE_BATCH]) {
+    float w[BURNISH_SHADE_BATCH];
+    for (int i = 0; i < count; ++i) {
+        w[i] = 1.0f / inverse_w[i];
+    }
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < count; ++i) {
-            out[k][i] = attribute[k][i] * (1.0f / inverse_w[i]);
+            out[k][i] = attribute[k][i] * w[i];
         }
     }
 }
