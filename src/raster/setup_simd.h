@@ -1,8 +1,8 @@
 /* Triangle setup by vectors: as many triangles at once as a vector has lanes.
  *
- * Edge functions are whole numbers and exact: 32-bit ones for triangles up to 96 pixels, doubles,
- * which hold all of them, for larger ones (large_simd.h). What is computed from them keeps one
- * order of operations, that of test/reference_tile.h. */
+ * Edge functions are whole numbers and exact. Small triangles are drawn stamp by stamp, weights
+ * from their edges (stamps_simd.h), large ones cell by cell, by planes (large_simd.h). What is
+ * computed keeps one order of operations, that of test/reference_tile.h. */
 #ifndef BURNISH_RASTER_SETUP_SIMD_H
 #define BURNISH_RASTER_SETUP_SIMD_H
 
