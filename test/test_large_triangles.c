@@ -269,6 +269,46 @@ static void narrowest_corners(screen_point sample, int64_t length, screen_point 
     }
 }
 
+/* Needles, hidden by a wall or not: what rounding makes of their depth must not depend on what HiZ
+ * knows. */
+static void check_needles(int scenes) {
+    static random_scene scene;
+    static const int counts[] = {1, 4, 1, 8, 1, 16};
+    uint64_t state = test_seed(9);
+    int points = 0;
+    for (int i = 0; i < scenes; ++i) {
+        burnish_raster_view view = make_view(2, &state);
+        view.samples = counts[i % 6];
+        view.width = view.height = 2 * BURNISH_TILE_SIZE;
+        scene.vertex_count = scene.triangle_count = 0;
+        const float wall = test_uniform_float(&state, -100, 100);
+        for (int k = 0; k < 3; ++k) {
+            const float p[3] = {k == 1 ? 900 : -300, k == 2 ? 900 : -300, wall};
+            add_vertex(&scene, p, &state);
+        }
+        memcpy(scene.indices, (const uint32_t[3]){0, 1, 2}, 12);
+        scene.materials[scene.triangle_count++] = 0;
+        while (scene.triangle_count < 60) {
+            const int8_t *offset = burnish_sample_offsets(
+                view.samples)[test_random32(&state) % (uint32_t)view.samples];
+            const screen_point sample = {test_random32(&state) % 128 + 0.5 + offset[0] / 16.0,
+                                         test_random32(&state) % 128 + 0.5 + offset[1] / 16.0};
+            screen_point at[3];
+            narrowest_corners(sample, (int64_t)random_scale(&state, 12, 20), at, &state);
+            for (int k = 0; k < 3; ++k) {
+                const float depth =
+                    wall + (float)random_scale(&state, -12, 5) * (one_in(&state, 3) ? 1.0f : -1.0f);
+                const float p[3] = {(float)(at[k].x - 64), (float)(64 - at[k].y), depth};
+                add_vertex(&scene, p, &state);
+            }
+            const uint32_t end = (uint32_t)scene.vertex_count;
+            add_triangle(&scene, end - 3, end - 2, end - 1, &state);
+        }
+        compare_scene(&scene, &view, i, NULL, &state, &points);
+    }
+    CHECK(points > 16384 * scenes, "the scenes show something: %d points", points);
+}
+
 /* ---- Precision ---- */
 
 /* Triangles by their narrowest width, in pixels. */
@@ -456,6 +496,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, "--scenes");
     const int scenes = test_option() ? atoi(test_option()) : SCENES;
     RUN(check_scenes(scenes));
+    RUN(check_needles(scenes / 8));
     RUN(check_precision(1));
     RUN(check_precision(8));
     return test_end("large_triangles");
