@@ -92,6 +92,17 @@ static int64_t edge_at(const triangle_edges *edges, int i, int64_t x, int64_t y)
     return edges->dx[i] * (y - edges->y[i]) - edges->dy[i] * (x - edges->x[i]);
 }
 
+/* A depth between those of the vertices. */
+static float clamp_depth(const triangle_edges *edges, float depth) {
+    float low = edges->depth0, high = low;
+    const float others[2] = {edges->depth0 + edges->depth1, edges->depth0 + edges->depth2};
+    for (int i = 0; i < 2; ++i) {
+        low = others[i] < low ? others[i] : low;
+        high = others[i] > high ? others[i] : high;
+    }
+    return depth < low ? low : depth > high ? high : depth;
+}
+
 static float depth_at(const triangle_edges *edges, float weight1, float weight2) {
     return (edges->depth0 + weight1 * edges->depth1) + weight2 * edges->depth2;
 }
@@ -191,7 +202,8 @@ static int draw_triangle(reference_tile *tile, const burnish_geometry *geometry,
                                        (float)e2 * edges.inverse_area);
                 if (edges.is_large) {
                     depth = reference_plane_at(&plane, x, y);
-                    depth = tile->samples == 1 ? depth : depth + sample_depth[s];
+                    depth =
+                        clamp_depth(&edges, tile->samples == 1 ? depth : depth + sample_depth[s]);
                 }
                 if (depth > tile->depths[entry]) {
                     tile->depths[entry] = depth;
@@ -334,7 +346,8 @@ static void append_fragment(const reference_tile *tile, const burnish_raster_vie
     if (weight == tile->samples && edges.is_large) {
         const reference_plane plane = depth_plane(&edges, tile);
         fragments->depth[i] =
-            reference_plane_at(&plane, pixel % BURNISH_TILE_SIZE, pixel / BURNISH_TILE_SIZE);
+            clamp_depth(&edges, reference_plane_at(&plane, pixel % BURNISH_TILE_SIZE,
+                                                   pixel / BURNISH_TILE_SIZE));
     }
     fragments->weight1[i] = weight1;
     fragments->weight2[i] = weight2;

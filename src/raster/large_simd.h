@@ -61,6 +61,7 @@ typedef struct large_triangle {
     float sample_depth[BURNISH_MAX_SAMPLES]; /* from a pixel's centre to its samples */
     float depth, depth_right, depth_down;    /* of the first cell's first pixel; steps per cell */
     float nearest, farthest;                 /* steps of a cell's bounds from there */
+    float depth_low, depth_high;             /* of the vertices: no sample lies beyond */
     float cell_depths[LANES];
 } large_triangle;
 
@@ -152,7 +153,8 @@ BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int
 }
 
 /* Bounds of depth in a cell, farther and nearer than rounding can make them. */
-BURNISH_INLINE void compute_depth_bounds(large_triangle *large, int samples) {
+BURNISH_INLINE void compute_depth_bounds(const triangle_setup *setup, size_t lane, int samples,
+                                         large_triangle *large) {
     enum { LAST_OF_CELL = BURNISH_HIZ_PIXELS - 1 };
     const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
     const double base = large->base[0][0], across = large->across[0][0], down = large->down[0][0];
@@ -163,6 +165,12 @@ BURNISH_INLINE void compute_depth_bounds(large_triangle *large, int samples) {
     const double reach = 0.5 * BURNISH_HIZ_PIXELS * (wide + high) + margin;
     for (int s = 0; s < samples; ++s) {
         large->sample_depth[s] = (float)((across * offsets[s][0] + down * offsets[s][1]) / 16);
+    }
+    large->depth_low = large->depth_high = setup->depth[0][lane];
+    for (int i = 1; i < 3; ++i) {
+        const float depth = setup->depth[0][lane] + setup->depth[i][lane];
+        large->depth_low = depth < large->depth_low ? depth : large->depth_low;
+        large->depth_high = depth > large->depth_high ? depth : large->depth_high;
     }
     large->depth = (float)base;
     large->depth_right = (float)(across * BURNISH_HIZ_PIXELS);
@@ -232,6 +240,11 @@ BURNISH_INLINE vm cover_sample(const large_triangle *large, const vi at[3], int 
     return vi_not_negative(outside);
 }
 
+/* Planes of needles are steep, and rounding could carry them beyond the vertices. */
+BURNISH_INLINE vf clamp_depth(const large_triangle *large, vf depth) {
+    return vf_min(vf_max(depth, vf_set(large->depth_low)), vf_set(large->depth_high));
+}
+
 /* Stores what of LANES pixels is nearer; returns the pixels whose samples all are. */
 BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *large, int is_inside,
                             int samples, int ids, int32_t id, const vi at[3], vm covered, vf depth,
@@ -239,7 +252,8 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
     vm simple = covered;
     for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
         const vf before = vf_load(tile->buffer.depths + sample);
-        const vf after = samples == 1 ? depth : vf_add(depth, vf_set(large->sample_depth[s]));
+        const vf after = clamp_depth(
+            large, samples == 1 ? depth : vf_add(depth, vf_set(large->sample_depth[s])));
         vm nearer = vf_greater(after, before);
         if (!is_inside) {
             nearer = vm_and(nearer, samples == 1 ? covered : cover_sample(large, at, s));
@@ -268,7 +282,7 @@ BURNISH_INLINE void draw_cell_part(burnish_tile *tile, const large_triangle *lar
         return;
     }
     if (samples > 1 && tile->options.needs_position) {
-        vf_store_where(simple, tile->buffer.center_depths + pixel, depth);
+        vf_store_where(simple, tile->buffer.center_depths + pixel, clamp_depth(large, depth));
     }
     for (int p = 0; p < planes; ++p) {
         vf_store_where(simple, tile->buffer.planes[p] + pixel,
@@ -335,7 +349,7 @@ BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, 
         }
     }
     compute_planes(setup, lane, planes, &large);
-    compute_depth_bounds(&large, samples);
+    compute_depth_bounds(setup, lane, samples, &large);
     const int x0 = setup->x0[lane] / BURNISH_HIZ_PIXELS, x1 = setup->x1[lane] / BURNISH_HIZ_PIXELS;
     const int y0 = setup->y0[lane] / BURNISH_HIZ_PIXELS, y1 = setup->y1[lane] / BURNISH_HIZ_PIXELS;
     for (int y = y0 & ~(CELL_ROWS - 1); y <= y1; y += CELL_ROWS) {
