@@ -201,7 +201,7 @@ static int take_corners(const reference_tile *tile, const burnish_geometry *geom
         const reference_plane plane = reference_make_plane(
             &edges, tile, value, values[1][k % 4] - value, values[2][k % 4] - value);
         for (int corner = 0; corner < 3; ++corner) {
-            values[corner][k % 4] = reference_plane_at(&plane, x, y);
+            values[corner][k % 4] = reference_attribute_at(&plane, x, y);
         }
     }
     return 1;

@@ -92,17 +92,6 @@ static int64_t edge_at(const triangle_edges *edges, int i, int64_t x, int64_t y)
     return edges->dx[i] * (y - edges->y[i]) - edges->dy[i] * (x - edges->x[i]);
 }
 
-/* A depth between those of the vertices. */
-static float clamp_depth(const triangle_edges *edges, float depth) {
-    float low = edges->depth0, high = low;
-    const float others[2] = {edges->depth0 + edges->depth1, edges->depth0 + edges->depth2};
-    for (int i = 0; i < 2; ++i) {
-        low = others[i] < low ? others[i] : low;
-        high = others[i] > high ? others[i] : high;
-    }
-    return depth < low ? low : depth > high ? high : depth;
-}
-
 static float depth_at(const triangle_edges *edges, float weight1, float weight2) {
     return (edges->depth0 + weight1 * edges->depth1) + weight2 * edges->depth2;
 }
@@ -110,6 +99,8 @@ static float depth_at(const triangle_edges *edges, float weight1, float weight2)
 /* A number that changes linearly over a large triangle: counted from the tile's first pixel. */
 typedef struct reference_plane {
     double base, across, down;
+    float low, high; /* of the vertices */
+    int is_needle;   /* narrower than 1/16 pixel: numbers are kept between these */
 } reference_plane;
 
 /* The plane of a number: value0 at vertex 0, step1 and step2 more at vertices 1 and 2. */
@@ -125,8 +116,22 @@ static reference_plane reference_make_plane(const triangle_edges *edges, const r
     const double across2 = (double)(-256 * edges->dy[2]) * inverse;
     const double down1 = (double)(256 * edges->dx[1]) * inverse;
     const double down2 = (double)(256 * edges->dx[2]) * inverse;
-    return (reference_plane){value0 + (step1 * weight1 + step2 * weight2),
-                             step1 * across1 + step2 * across2, step1 * down1 + step2 * down2};
+    const float values[3] = {(float)value0, (float)(value0 + step1), (float)(value0 + step2)};
+    const double steep[4] = {across1, across2, down1, down2};
+    reference_plane plane = {value0 + (step1 * weight1 + step2 * weight2),
+                             step1 * across1 + step2 * across2,
+                             step1 * down1 + step2 * down2,
+                             values[0],
+                             values[0],
+                             0};
+    for (int i = 1; i < 3; ++i) {
+        plane.low = values[i] < plane.low ? values[i] : plane.low;
+        plane.high = values[i] > plane.high ? values[i] : plane.high;
+    }
+    for (int i = 0; i < 4; ++i) {
+        plane.is_needle |= steep[i] > 16 || steep[i] < -16;
+    }
+    return plane;
 }
 
 /* At the centre of the tile's pixel (x, y). */
@@ -134,6 +139,16 @@ static float reference_plane_at(const reference_plane *plane, int x, int y) {
     const int u = x % 8, v = y % 8;
     const float cell = (float)((plane->base + plane->down * (y - v)) + plane->across * (x - u));
     return cell + ((float)plane->across * (float)u + (float)plane->down * (float)v);
+}
+
+static float reference_clamp(const reference_plane *plane, float value) {
+    return value < plane->low ? plane->low : value > plane->high ? plane->high : value;
+}
+
+/* An attribute there. */
+static inline float reference_attribute_at(const reference_plane *plane, int x, int y) {
+    const float value = reference_plane_at(plane, x, y);
+    return plane->is_needle ? reference_clamp(plane, value) : value;
 }
 
 static reference_plane depth_plane(const triangle_edges *edges, const reference_tile *tile) {
@@ -202,8 +217,8 @@ static int draw_triangle(reference_tile *tile, const burnish_geometry *geometry,
                                        (float)e2 * edges.inverse_area);
                 if (edges.is_large) {
                     depth = reference_plane_at(&plane, x, y);
-                    depth =
-                        clamp_depth(&edges, tile->samples == 1 ? depth : depth + sample_depth[s]);
+                    depth = reference_clamp(&plane,
+                                            tile->samples == 1 ? depth : depth + sample_depth[s]);
                 }
                 if (depth > tile->depths[entry]) {
                     tile->depths[entry] = depth;
@@ -346,8 +361,8 @@ static void append_fragment(const reference_tile *tile, const burnish_raster_vie
     if (weight == tile->samples && edges.is_large) {
         const reference_plane plane = depth_plane(&edges, tile);
         fragments->depth[i] =
-            clamp_depth(&edges, reference_plane_at(&plane, pixel % BURNISH_TILE_SIZE,
-                                                   pixel / BURNISH_TILE_SIZE));
+            reference_clamp(&plane, reference_plane_at(&plane, pixel % BURNISH_TILE_SIZE,
+                                                       pixel / BURNISH_TILE_SIZE));
     }
     fragments->weight1[i] = weight1;
     fragments->weight2[i] = weight2;

@@ -57,11 +57,12 @@ typedef struct large_edge {
 typedef struct large_triangle {
     large_edge edges[3];
     double4 base[2], across[2], down[2];     /* the planes of depth and attributes */
+    float low[NUMBERS], high[NUMBERS];       /* of the vertices */
+    int is_needle;                           /* attributes may leave these bounds by rounding */
     float pixels[NUMBERS][CELL_PIXELS];      /* steps of the planes within a cell */
     float sample_depth[BURNISH_MAX_SAMPLES]; /* from a pixel's centre to its samples */
     float depth, depth_right, depth_down;    /* of the first cell's first pixel; steps per cell */
     float nearest, farthest;                 /* steps of a cell's bounds from there */
-    float depth_low, depth_high;             /* of the vertices: no sample lies beyond */
     float cell_depths[LANES];
 } large_triangle;
 
@@ -109,6 +110,18 @@ BURNISH_INLINE int compute_large_edge(const triangle_setup *setup, size_t lane, 
     return 1;
 }
 
+/* Whether a weight changes so fast that the triangle is narrower than 1/16 pixel. */
+BURNISH_INLINE int is_steep(double step1, double step2) {
+    return step1 > 16 || step1 < -16 || step2 > 16 || step2 < -16;
+}
+
+/* The least and greatest number of the vertices. */
+BURNISH_INLINE void bound_number(large_triangle *large, int i, float a, float b, float c) {
+    const float low = a < b ? a : b, high = a > b ? a : b;
+    large->low[i] = low < c ? low : c;
+    large->high[i] = high > c ? high : c;
+}
+
 /* The planes of depth and `planes` attributes. */
 BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int planes,
                                    large_triangle *large) {
@@ -124,6 +137,7 @@ BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int
     const double right2 = (double)(-dy2 * BURNISH_SUBPIXELS) * inverse_area;
     const double down1 = (double)(dx1 * BURNISH_SUBPIXELS) * inverse_area;
     const double down2 = (double)(dx2 * BURNISH_SUBPIXELS) * inverse_area;
+    large->is_needle = is_steep(right1, right2) || is_steep(down1, down2);
     for (int g = 0; g < (planes + 4) / 4; ++g) {
         double4 value = {0}, first = {0}, second = {0};
         for (int k = g == 0; k < 4 && 4 * g + k <= planes; ++k) {
@@ -131,11 +145,16 @@ BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int
             value[k] = (double)setup->attributes[0][plane][lane];
             first[k] = (double)setup->attributes[1][plane][lane] - value[k];
             second[k] = (double)setup->attributes[2][plane][lane] - value[k];
+            bound_number(large, 4 * g + k, setup->attributes[0][plane][lane],
+                         setup->attributes[1][plane][lane], setup->attributes[2][plane][lane]);
         }
         if (g == 0) {
             value[0] = (double)setup->depth[0][lane];
             first[0] = (double)setup->depth[1][lane];
             second[0] = (double)setup->depth[2][lane];
+            bound_number(large, 0, setup->depth[0][lane],
+                         setup->depth[0][lane] + setup->depth[1][lane],
+                         setup->depth[0][lane] + setup->depth[2][lane]);
         }
         large->base[g] = value + (first * weight1 + second * weight2);
         large->across[g] = first * right1 + second * right2;
@@ -153,8 +172,7 @@ BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int
 }
 
 /* Bounds of depth in a cell, farther and nearer than rounding can make them. */
-BURNISH_INLINE void compute_depth_bounds(const triangle_setup *setup, size_t lane, int samples,
-                                         large_triangle *large) {
+BURNISH_INLINE void compute_depth_bounds(large_triangle *large, int samples) {
     enum { LAST_OF_CELL = BURNISH_HIZ_PIXELS - 1 };
     const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
     const double base = large->base[0][0], across = large->across[0][0], down = large->down[0][0];
@@ -165,12 +183,6 @@ BURNISH_INLINE void compute_depth_bounds(const triangle_setup *setup, size_t lan
     const double reach = 0.5 * BURNISH_HIZ_PIXELS * (wide + high) + margin;
     for (int s = 0; s < samples; ++s) {
         large->sample_depth[s] = (float)((across * offsets[s][0] + down * offsets[s][1]) / 16);
-    }
-    large->depth_low = large->depth_high = setup->depth[0][lane];
-    for (int i = 1; i < 3; ++i) {
-        const float depth = setup->depth[0][lane] + setup->depth[i][lane];
-        large->depth_low = depth < large->depth_low ? depth : large->depth_low;
-        large->depth_high = depth > large->depth_high ? depth : large->depth_high;
     }
     large->depth = (float)base;
     large->depth_right = (float)(across * BURNISH_HIZ_PIXELS);
@@ -240,9 +252,10 @@ BURNISH_INLINE vm cover_sample(const large_triangle *large, const vi at[3], int 
     return vi_not_negative(outside);
 }
 
-/* Planes of needles are steep, and rounding could carry them beyond the vertices. */
-BURNISH_INLINE vf clamp_depth(const large_triangle *large, vf depth) {
-    return vf_min(vf_max(depth, vf_set(large->depth_low)), vf_set(large->depth_high));
+/* A number of the planes between those of the vertices: planes of needles are steep, and rounding
+ * could carry it beyond. */
+BURNISH_INLINE vf clamp_number(const large_triangle *large, int i, vf value) {
+    return vf_min(vf_max(value, vf_set(large->low[i])), vf_set(large->high[i]));
 }
 
 /* Stores what of LANES pixels is nearer; returns the pixels whose samples all are. */
@@ -252,8 +265,8 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
     vm simple = covered;
     for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
         const vf before = vf_load(tile->buffer.depths + sample);
-        const vf after = clamp_depth(
-            large, samples == 1 ? depth : vf_add(depth, vf_set(large->sample_depth[s])));
+        const vf at_sample = samples == 1 ? depth : vf_add(depth, vf_set(large->sample_depth[s]));
+        const vf after = clamp_number(large, 0, at_sample);
         vm nearer = vf_greater(after, before);
         if (!is_inside) {
             nearer = vm_and(nearer, samples == 1 ? covered : cover_sample(large, at, s));
@@ -282,11 +295,14 @@ BURNISH_INLINE void draw_cell_part(burnish_tile *tile, const large_triangle *lar
         return;
     }
     if (samples > 1 && tile->options.needs_position) {
-        vf_store_where(simple, tile->buffer.center_depths + pixel, clamp_depth(large, depth));
+        vf_store_where(simple, tile->buffer.center_depths + pixel, clamp_number(large, 0, depth));
     }
     for (int p = 0; p < planes; ++p) {
-        vf_store_where(simple, tile->buffer.planes[p] + pixel,
-                       vf_add(vf_set(numbers[1 + p]), vf_load(large->pixels[1 + p] + k)));
+        vf value = vf_add(vf_set(numbers[1 + p]), vf_load(large->pixels[1 + p] + k));
+        if (large->is_needle) {
+            value = clamp_number(large, 1 + p, value);
+        }
+        vf_store_where(simple, tile->buffer.planes[p] + pixel, value);
     }
 }
 
@@ -349,7 +365,7 @@ BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, 
         }
     }
     compute_planes(setup, lane, planes, &large);
-    compute_depth_bounds(setup, lane, samples, &large);
+    compute_depth_bounds(&large, samples);
     const int x0 = setup->x0[lane] / BURNISH_HIZ_PIXELS, x1 = setup->x1[lane] / BURNISH_HIZ_PIXELS;
     const int y0 = setup->y0[lane] / BURNISH_HIZ_PIXELS, y1 = setup->y1[lane] / BURNISH_HIZ_PIXELS;
     for (int y = y0 & ~(CELL_ROWS - 1); y <= y1; y += CELL_ROWS) {
