@@ -56,7 +56,7 @@ typedef struct triangle_edges {
     int64_t bias[3];      /* -1 where the top-left rule leaves the edge out */
     float inverse_area;
     float depth0, depth1, depth2; /* of vertex 0; of 1 and 2 minus that */
-    int is_large;                 /* longer than BURNISH_LARGE_EDGE: interpolated by planes */
+    int is_large;                 /* longer than BURNISH_SMALL_EDGE: interpolated by planes */
 } triangle_edges;
 
 static void load_corners(const burnish_geometry *geometry, const burnish_primitive *corners,
@@ -74,7 +74,7 @@ static void load_corners(const burnish_geometry *geometry, const burnish_primiti
         int top_or_left = edges->dy[i] < 0 || (edges->dy[i] == 0 && edges->dx[i] > 0);
         edges->bias[i] = top_or_left ? 0 : -1;
         edges->is_large |=
-            llabs(edges->dx[i]) > BURNISH_LARGE_EDGE || llabs(edges->dy[i]) > BURNISH_LARGE_EDGE;
+            llabs(edges->dx[i]) > BURNISH_SMALL_EDGE || llabs(edges->dy[i]) > BURNISH_SMALL_EDGE;
     }
     int64_t area = edges->dx[2] * edges->dy[0] - edges->dy[2] * edges->dx[0];
     edges->inverse_area = 1.0f / (float)area;

@@ -113,9 +113,9 @@ static void group_samples(const burnish_tile *tile, int block, sample_groups *gr
     }
 }
 
-/* The weights of a fragment of a large triangle. */
-static void compute_large_weights(const burnish_tile_primitives *primitives, size_t id, int64_t x,
-                                  int64_t y, float *weight1, float *weight2) {
+/* The weights of a fragment whose triangle needs 64 bits. */
+static void compute_64_bit_weights(const burnish_tile_primitives *primitives, size_t id, int64_t x,
+                                   int64_t y, float *weight1, float *weight2) {
     const burnish_primitive_edges *edges = &primitives->edges[id];
     const burnish_primitive_weights *weights = &primitives->weights[id];
     const int64_t *constants = primitives->constants[id];
@@ -149,11 +149,11 @@ BURNISH_INLINE void weigh_vector(const burnish_tile *tile, const burnish_raster_
         e = vi_add(e, vf_bits(edge[i]));
         vf_store(to[i], vf_mul(vf_from_int(e), weight[2]));
     }
-    for (unsigned large = vm_bits(is_nonzero(vf_bits(weight[3]))); large; large &= large - 1) {
-        const int at = first + __builtin_ctz(large);
+    for (unsigned rest = vm_bits(is_nonzero(vf_bits(weight[3]))); rest; rest &= rest - 1) {
+        const int at = first + __builtin_ctz(rest);
         if (at < fragments->count) {
-            compute_large_weights(primitives, (size_t)points->id[at], points->x[at], points->y[at],
-                                  &fragments->weight1[at], &fragments->weight2[at]);
+            compute_64_bit_weights(primitives, (size_t)points->id[at], points->x[at], points->y[at],
+                                   &fragments->weight1[at], &fragments->weight2[at]);
         }
     }
     if (tile->options.needs_position) {

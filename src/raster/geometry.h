@@ -64,13 +64,12 @@ enum {
 
 /* Longest edge, in 1/256 pixel along an axis, whose edge functions fit 32 bits all over a tile that
  * the triangle touches: 2 * 24576 * (24576 + 64 * 256) < 2^31. */
-enum { BURNISH_SMALL_EDGE = 96 * BURNISH_SUBPIXELS };
+enum { BURNISH_EDGE_32_BITS = 96 * BURNISH_SUBPIXELS };
 
-/* Triangles with a longer edge are drawn cell by cell, with planes for depth and attributes
+/* Triangles with a longer edge are large: drawn cell by cell, with planes for depth and attributes
  * (large_simd.h), others stamp by stamp. */
-#ifndef BURNISH_LARGE_EDGE
-#define BURNISH_LARGE_EDGE (48 * BURNISH_SUBPIXELS)
-#endif
+enum { BURNISH_SMALL_EDGE = 48 * BURNISH_SUBPIXELS };
+_Static_assert((int)BURNISH_SMALL_EDGE <= (int)BURNISH_EDGE_32_BITS, "stamps have 32-bit edges");
 
 /* Neighbouring triangles, an item each; items of triangles that are not visible hold anything. */
 typedef struct burnish_triangle_batch {

@@ -129,16 +129,17 @@ typedef struct cull_bits {
     unsigned clipped;       /* must be clipped */
 } cull_bits;
 
-/* The 64-bit areas of large triangles, lane by lane: lanes where they are positive, and not 0. */
-BURNISH_INLINE void measure_large(unsigned large, const vi dx[2], const vi dy[2], unsigned *back,
-                                  unsigned *has_area) {
+/* The 64-bit areas of triangles that need them, lane by lane: lanes where they are positive, and
+ * not 0. */
+BURNISH_INLINE void measure_64_bits(unsigned lanes, const vi dx[2], const vi dy[2], unsigned *back,
+                                    unsigned *has_area) {
     int32_t d[4][LANES];
     for (int i = 0; i < 2; ++i) {
         vi_store(d[i], dx[i]);
         vi_store(d[2 + i], dy[i]);
     }
-    for (; large; large &= large - 1) {
-        const unsigned lane = (unsigned)__builtin_ctz(large), bit = 1u << lane;
+    for (; lanes; lanes &= lanes - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(lanes), bit = 1u << lane;
         const int64_t area = (int64_t)d[0][lane] * d[3][lane] - (int64_t)d[1][lane] * d[2][lane];
         *back = area > 0 ? *back | bit : *back & ~bit;
         *has_area = area != 0 ? *has_area | bit : *has_area & ~bit;
@@ -173,9 +174,9 @@ BURNISH_INLINE cull_bits cull_vector(const burnish_raster_view *view,
     const unsigned in = vm_bits(vm_not(vm_or(out, clipped)));
     unsigned has_area = vm_bits(is_nonzero(area));
     cull_bits bits = {0, vm_bits(vi_greater(area, vi_set(0))), vm_bits(clipped)};
-    const unsigned large = in & vm_bits(vi_greater(longest, vi_set(BURNISH_SMALL_EDGE)));
-    if (large) { /* rare */
-        measure_large(large, dx, dy, &bits.back, &has_area);
+    const unsigned beyond = in & vm_bits(vi_greater(longest, vi_set(BURNISH_EDGE_32_BITS)));
+    if (beyond) { /* rare */
+        measure_64_bits(beyond, dx, dy, &bits.back, &has_area);
     }
     const unsigned kept = in & has_area & (view->cull_back_faces ? ~bits.back : ~0u);
     if (!kept) { /* neighbours often face the same side */

@@ -45,6 +45,7 @@ static const int32_t CELL_Y[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 
 /* floor((E + bias) / 256): an edge that crosses the tile; all zero for one that has all of it
  * inside. */
 typedef struct large_edge {
+    int64_t value;              /* E at the centre of the tile's first pixel, whatever it crosses */
     int32_t start, right, down; /* at the centre of the tile's first pixel; steps per pixel */
     int32_t step[BURNISH_MAX_SAMPLES]; /* from a pixel's centre to its samples */
     int32_t most;                      /* of these steps */
@@ -73,8 +74,8 @@ BURNISH_INLINE int compute_large_edge(const triangle_setup *setup, size_t lane, 
     const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
     const int a = i == 2 ? 0 : i + 1;
     const int64_t dx = setup->dx[i][lane], dy = setup->dy[i][lane];
-    const int64_t e = dx * (HALF_PIXEL - setup->y[a][lane]) -
-                      dy * (HALF_PIXEL - setup->x[a][lane]) + setup->bias[i][lane];
+    edge->value = dx * (HALF_PIXEL - setup->y[a][lane]) - dy * (HALF_PIXEL - setup->x[a][lane]);
+    const int64_t e = edge->value + setup->bias[i][lane];
     const int64_t start = e >> BURNISH_SUBPIXEL_BITS;
     int32_t right = (int32_t)-dy, down = (int32_t)dx, least = INT32_MAX, most = INT32_MIN;
     for (int s = 0; s < samples; ++s) {
@@ -122,17 +123,14 @@ BURNISH_INLINE void bound_number(large_triangle *large, int i, float a, float b,
     large->high[i] = high > c ? high : c;
 }
 
-/* The planes of depth and `planes` attributes. */
+/* The planes of depth and `planes` attributes; the edges are there. */
 BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int planes,
                                    large_triangle *large) {
     const int64_t dx1 = setup->dx[1][lane], dy1 = setup->dy[1][lane];
     const int64_t dx2 = setup->dx[2][lane], dy2 = setup->dy[2][lane];
     const double inverse_area = 1.0 / (double)(dx2 * setup->dy[0][lane] - dy2 * setup->dx[0][lane]);
-    const int64_t e1 =
-        dx1 * (HALF_PIXEL - setup->y[2][lane]) - dy1 * (HALF_PIXEL - setup->x[2][lane]);
-    const int64_t e2 =
-        dx2 * (HALF_PIXEL - setup->y[0][lane]) - dy2 * (HALF_PIXEL - setup->x[0][lane]);
-    const double weight1 = (double)e1 * inverse_area, weight2 = (double)e2 * inverse_area;
+    const double weight1 = (double)large->edges[1].value * inverse_area;
+    const double weight2 = (double)large->edges[2].value * inverse_area;
     const double right1 = (double)(-dy1 * BURNISH_SUBPIXELS) * inverse_area;
     const double right2 = (double)(-dy2 * BURNISH_SUBPIXELS) * inverse_area;
     const double down1 = (double)(dx1 * BURNISH_SUBPIXELS) * inverse_area;

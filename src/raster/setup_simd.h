@@ -155,8 +155,8 @@ BURNISH_INLINE void compute_setup(const burnish_tile *tile, size_t count, const 
     vf_store(setup->depth[2], vf_sub(depth[2], depth[0]));
     const unsigned real = (unsigned)((1ull << count) - 1);
     setup->live = vm_bits(vi_not_negative(vi_or(wide, high))) & real;
-    setup->small = vm_bits(vm_not(vi_greater(longest, vi_set(BURNISH_LARGE_EDGE))));
-    setup->beyond = vm_bits(vi_greater(longest, vi_set(BURNISH_SMALL_EDGE)));
+    setup->small = vm_bits(vm_not(vi_greater(longest, vi_set(BURNISH_SMALL_EDGE))));
+    setup->beyond = vm_bits(vi_greater(longest, vi_set(BURNISH_EDGE_32_BITS)));
     setup->tiny = setup->live & setup->small & vm_bits(vi_greater(vi_set(2), vi_max(wide, high)));
     const vi columns = vi_sub(vi_sar(x1, BURNISH_BLOCK_BITS), vi_sar(x0, BURNISH_BLOCK_BITS));
     const vi rows = vi_sub(vi_sar(y1, STAMP_HEIGHT_BITS), vi_sar(y0, STAMP_HEIGHT_BITS));

@@ -110,7 +110,7 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
         memset(tile->buffer.ids, 0xff, count * sizeof *tile->buffer.ids);
     }
     for (int i = 0; i < BURNISH_HIZ_SIZE * BURNISH_HIZ_SIZE; ++i) {
-        tile->hiz.cells[i] = tile->hiz.quads[i] = BURNISH_FARTHEST;
+        tile->hiz.cells[i] = BURNISH_FARTHEST;
     }
     memset(tile->buffer.dirty_blocks, 0, sizeof tile->buffer.dirty_blocks);
     tile->primitives.count = 0;

@@ -72,7 +72,7 @@ typedef struct burnish_primitive_edges {
 typedef struct burnish_primitive_weights {
     int32_t dy[2];
     float inverse_area;
-    int32_t is_large; /* 1: its constants do not fit 32 bits */
+    int32_t is_64_bit; /* 1: its constants do not fit 32 bits */
 } burnish_primitive_weights;
 
 typedef struct burnish_primitive_depths {
@@ -85,7 +85,7 @@ typedef struct burnish_tile_primitives {
     burnish_primitive_weights *weights;
     burnish_primitive_depths *depths;
     burnish_primitive *primitives;
-    int64_t (*constants)[2]; /* of large ones */
+    int64_t (*constants)[2]; /* of those that need 64 bits */
     int32_t *moved;          /* scratch of eviction: their new indices */
     size_t count, capacity;
 } burnish_tile_primitives;

@@ -135,8 +135,8 @@ BURNISH_INLINE void append_primitives(burnish_tile_primitives *primitives,
                                       const triangle_setup *setup) {
     const size_t at = primitives->count;
     const primitive_group *group = &setup->primitives;
-    const vi large = vi_blend(vi_greater(vi_load(setup->longest), vi_set(BURNISH_SMALL_EDGE)),
-                              vi_set(1), vi_set(0));
+    const vi beyond = vi_blend(vi_greater(vi_load(setup->longest), vi_set(BURNISH_EDGE_32_BITS)),
+                               vi_set(1), vi_set(0));
     vi constant[2], dx[2], dy[2];
     for (int i = 0; i < 2; ++i) {
         const int a = i == 1 ? 0 : 2;
@@ -148,7 +148,7 @@ BURNISH_INLINE void append_primitives(burnish_tile_primitives *primitives,
     vf_store_aos4(&primitives->edges[at], vf_from_bits(constant[0]), vf_from_bits(constant[1]),
                   vf_from_bits(dx[0]), vf_from_bits(dx[1]));
     vf_store_aos4(&primitives->weights[at], vf_from_bits(dy[0]), vf_from_bits(dy[1]),
-                  vf_load(setup->inverse_area), vf_from_bits(large));
+                  vf_load(setup->inverse_area), vf_from_bits(beyond));
     vf_store_aos4(&primitives->depths[at], vf_load(setup->depth[0]), vf_load(setup->depth[1]),
                   vf_load(setup->depth[2]), vf_set(0.0f));
     vf_store_aos4(&primitives->primitives[at],
@@ -159,9 +159,9 @@ BURNISH_INLINE void append_primitives(burnish_tile_primitives *primitives,
     primitives->count = at + LANES;
 }
 
-/* The 64-bit part of a triangle beyond BURNISH_SMALL_EDGE. */
-static void append_large_primitive(burnish_tile_primitives *primitives, size_t at,
-                                   const triangle_setup *setup, size_t lane) {
+/* The part of a primitive that needs 64 bits. */
+static void append_64_bits(burnish_tile_primitives *primitives, size_t at,
+                           const triangle_setup *setup, size_t lane) {
     const int64_t area = (int64_t)setup->dx[2][lane] * setup->dy[0][lane] -
                          (int64_t)setup->dy[2][lane] * setup->dx[0][lane];
     primitives->weights[at].inverse_area = 1.0f / (float)area;
@@ -223,16 +223,15 @@ BURNISH_INLINE void draw_runs(burnish_tile *tile, const triangle_setup *setup,
     unsigned rest = setup->live;
     while (rest) {
         const unsigned wide = rest & setup->wide;
-        const unsigned run = rest & ((wide & (0u - wide)) - 1); /* before the first wide one */
+        const unsigned first_wide = wide & (0u - wide), run = rest & (first_wide - 1);
         if (run) {
             draw_queued(tile, setup, steps, run, samples, planes, ids ? id : NULL, queue);
         }
         if (wide) {
             const size_t lane = (size_t)__builtin_ctz(wide);
             draw_alone(tile, setup, steps, lane, samples, planes, ids, id[lane]);
-            rest &= ~(wide & (0u - wide));
         }
-        rest &= ~run;
+        rest &= ~(run | first_wide);
     }
 }
 
@@ -275,7 +274,7 @@ BURNISH_INLINE void draw_multisampled(burnish_tile *tile, const triangle_setup *
     append_primitives(&tile->primitives, setup);
     for (unsigned rest = setup->live & setup->beyond; rest; rest &= rest - 1) {
         const size_t lane = (size_t)__builtin_ctz(rest);
-        append_large_primitive(&tile->primitives, first + lane, setup, lane);
+        append_64_bits(&tile->primitives, first + lane, setup, lane);
     }
     vi_store(ids, vi_add(vi_set((int32_t)first), vi_ramp(1)));
     compute_steps(setup, samples, &steps);

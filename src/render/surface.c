@@ -136,7 +136,7 @@ static void shade_material(const burnish_shading *shading, const burnish_kernels
         shader, &run, (size_t)(end - first), NULL, to);
 }
 
-/* How many fragments in a row have the material of the one before. */
+/* Where the run of one material that begins at `first` ends. */
 static int material_end(const burnish_fragment_batch *batch, int first) {
     const uint16_t *material = batch->material;
     int end = first + 1;
@@ -190,6 +190,25 @@ static int sort_by_material(const burnish_fragment_batch *batch, burnish_materia
     return count;
 }
 
+/* Brings the points of a group together; the last one fills whole vectors. */
+static void gather_group(const burnish_shading *shading, const burnish_kernels_points *points,
+                         const uint16_t *order, int size, int padded,
+                         burnish_material_group *group) {
+    for (int i = 0; i < padded; ++i) {
+        const int from = order[i < size ? i : size - 1];
+        for (int k = 0; k < 3; ++k) {
+            group->normal[k][i] = points->normal[k][from];
+        }
+        for (int k = 0; k < 3 && points->diffuse[k]; ++k) {
+            group->diffuse[k][i] = points->diffuse[k][from];
+        }
+        for (int k = 0; k < 3 && shading->needs_position; ++k) {
+            group->position[k][i] = points->position[k][from];
+        }
+        group->w[i] = shading->needs_position ? points->w[from] : 0;
+    }
+}
+
 /* Shades a batch of many materials: the fragments of each are brought together, shaded, and taken
  * back. */
 static void shade_mixed(const burnish_shading *shading, const burnish_fragment_batch *batch,
@@ -197,30 +216,19 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
                         float *const rgb[3]) {
     burnish_material_groups *groups = &scratch->groups;
     const int count = sort_by_material(batch, groups);
-    burnish_kernels_points own = {.w = scratch->own[9]};
-    float *const light[3] = {scratch->own[10], scratch->own[11], scratch->own[12]};
+    burnish_material_group *brought = &scratch->group;
+    burnish_kernels_points own = {.w = brought->w};
+    float *const light[3] = {brought->light[0], brought->light[1], brought->light[2]};
     for (int k = 0; k < 3; ++k) {
-        own.normal[k] = scratch->own[k];
-        own.diffuse[k] = points->diffuse[k] ? scratch->own[3 + k] : NULL;
-        own.position[k] = scratch->own[6 + k];
+        own.normal[k] = brought->normal[k];
+        own.diffuse[k] = points->diffuse[k] ? brought->diffuse[k] : NULL;
+        own.position[k] = brought->position[k];
     }
     for (int group = 0, first = 0; group < count; ++group) {
         const uint16_t *order = groups->order + first;
         const int size = groups->ends[group] - first;
         const int padded = (size + BURNISH_SHADE_PAD - 1) / BURNISH_SHADE_PAD * BURNISH_SHADE_PAD;
-        for (int i = 0; i < padded; ++i) { /* whole vectors: the last fragment fills them */
-            const int from = order[i < size ? i : size - 1];
-            for (int k = 0; k < 3; ++k) {
-                scratch->own[k][i] = points->normal[k][from];
-            }
-            for (int k = 0; k < 3 && points->diffuse[k]; ++k) {
-                scratch->own[3 + k][i] = points->diffuse[k][from];
-            }
-            for (int k = 0; k < 3 && shading->needs_position; ++k) {
-                scratch->own[6 + k][i] = points->position[k][from];
-            }
-            scratch->own[9][i] = shading->needs_position ? points->w[from] : 0;
-        }
+        gather_group(shading, points, order, size, padded, brought);
         shade_material(shading, &own, &shading->shaders[groups->materials[group]], 0, padded,
                        light);
         for (int i = 0; i < size; ++i) {

@@ -75,6 +75,13 @@ typedef struct burnish_material_groups {
     uint16_t table[2 * BURNISH_SHADE_BATCH]; /* hashed materials: 1 + group, 0 for none */
 } burnish_material_groups;
 
+/* The points of one of these groups, and their light. */
+typedef struct burnish_material_group {
+    float normal[3][BURNISH_SHADE_BATCH], diffuse[3][BURNISH_SHADE_BATCH];
+    float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
+    float light[3][BURNISH_SHADE_BATCH];
+} burnish_material_group;
+
 /* A thread's arrays. All zero before the first use. */
 typedef struct burnish_fragment_scratch {
     float normal[3][BURNISH_SHADE_BATCH], color[3][BURNISH_SHADE_BATCH]; /* times 1/w */
@@ -83,7 +90,7 @@ typedef struct burnish_fragment_scratch {
     float divided_normal[3][BURNISH_SHADE_BATCH], divided_color[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
     burnish_material_groups groups;
-    float own[13][BURNISH_SHADE_BATCH]; /* a group's normal, colour, position, w and light */
+    burnish_material_group group;
 } burnish_fragment_scratch;
 
 /* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are
