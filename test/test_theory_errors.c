@@ -1,5 +1,5 @@
 /* burnish/theory.h: fits and maximum errors against published and measured figures, certified
- * maxima against dense sweeps, the paper's claims, choice, boundary memories, roughness. */
+ * maxima against dense sweeps, choice, boundary memories, roughness. */
 #include <math.h>
 
 #include "burnish/theory.h"
@@ -194,88 +194,6 @@ static void check_extremes(void) {
     CHECK1(isnan(burnish_theory_extreme_angle(&schlick)));
 }
 
-static double claimed(const burnish_theory_claim *claim, const char *label) {
-    for (int i = 0; i < claim->count; ++i) {
-        if (strcmp(claim->values[i].label, label) == 0) {
-            return claim->values[i].value;
-        }
-    }
-    printf("claim %s has no value \"%s\"\n", claim->id, label);
-    return NAN; /* fails every comparison */
-}
-
-/* Independently computed values of the claims. */
-static const struct {
-    const char *id, *label;
-    double value, tolerance;
-} figures[] = {{"core-w", "n=10", 6.41, .005},
-               {"core-w", "n=100", 7.18, .005},
-               {"core-w", "n=200", 7.22, .005},
-               {"core-w", "n=65536", 7.26, .005},
-               {"core-schlick", "n=10", 9.90, .005},
-               {"core-schlick", "n=65536", 9.91, .006},
-               {"w1-absolute", "n=65536", .0916, .00005},
-               {"w05-large", "7n/16 n=21", .0181, .00005},
-               {"w05-large", "7n/16 n=100", .0248, .00005},
-               {"w05-large", "7n/16 n=65536", .027, .0005},
-               {"w05-large", "level(.5) n=21", .0197, .00006},
-               {"w05-large", "level(.5) n=65536", .022, .0005},
-               {"w05-large", "to inflection n=21", .0157, .00005},
-               {"w05-large", "to inflection n=100", .0147, .00005},
-               {"w05-small", "7n/16 n=5", .0216, .00005},
-               {"w05-small", "7n/16 n=3", .032, .0005},
-               {"schlick-absolute", "n=100", .0600, .00005},
-               {"schlick-ratio", "n=100", 4.1, .05},
-               {"operations-w05", "shift places", 7, 0}};
-static const struct {
-    const char *id;
-    burnish_theory_verdict verdict;
-} verdicts[] = {{"peak", BURNISH_THEORY_HOLDS},
-                {"zero", BURNISH_THEORY_HOLDS},
-                {"monotone", BURNISH_THEORY_HOLDS},
-                {"core-w", BURNISH_THEORY_HOLDS_TO_DIGITS},
-                {"core-schlick", BURNISH_THEORY_HOLDS},
-                {"order", BURNISH_THEORY_HOLDS},
-                {"radius", BURNISH_THEORY_HOLDS},
-                {"w1-absolute", BURNISH_THEORY_HOLDS},
-                {"w1-extreme", BURNISH_THEORY_HOLDS},
-                {"w05-large", BURNISH_THEORY_DOES_NOT_HOLD},
-                {"w05-small", BURNISH_THEORY_DOES_NOT_HOLD},
-                {"schlick-absolute", BURNISH_THEORY_HOLDS},
-                {"schlick-ratio", BURNISH_THEORY_HOLDS},
-                {"w05-extreme", BURNISH_THEORY_HOLDS},
-                {"w05-radius", BURNISH_THEORY_HOLDS},
-                {"w05-radius-larger", BURNISH_THEORY_HOLDS},
-                {"speed-w", BURNISH_THEORY_BENCHMARK},
-                {"speed-w05", BURNISH_THEORY_BENCHMARK},
-                {"operations-w", BURNISH_THEORY_HOLDS},
-                {"operations-w05", BURNISH_THEORY_HOLDS}};
-
-static void check_claims(void) {
-    size_t count = burnish_theory_claim_count(), compared = 0;
-    CHECK1(count == sizeof verdicts / sizeof verdicts[0]);
-    for (size_t i = 0; i < count; ++i) {
-        burnish_theory_claim claim;
-        CHECK1(burnish_theory_claim_compute(i, &claim) == BURNISH_STATUS_OK);
-        CHECK_TEXT(claim.id, verdicts[i].id);
-        CHECK(claim.verdict == verdicts[i].verdict, "%s: %s", claim.id,
-              burnish_theory_verdict_text(claim.verdict));
-        CHECK1(claim.command[0] && claim.claim[0] &&
-               (claim.count > 0) == (claim.relation != BURNISH_THEORY_NONE));
-        for (size_t k = 0; k < sizeof figures / sizeof figures[0]; ++k) {
-            if (strcmp(figures[k].id, claim.id) == 0) {
-                double value = claimed(&claim, figures[k].label);
-                CHECK(fabs(value - figures[k].value) <= figures[k].tolerance, "%s %s: %g", claim.id,
-                      figures[k].label, value);
-                ++compared;
-            }
-        }
-    }
-    CHECK1(compared == sizeof figures / sizeof figures[0]);
-    burnish_theory_claim claim;
-    CHECK1(burnish_theory_claim_compute(count, &claim) == BURNISH_STATUS_ARGUMENT);
-}
-
 static void check_choice(void) {
     static const struct {
         double n, epsilon;
@@ -408,7 +326,6 @@ int main(int count, char **arguments) {
     RUN(check_maxima());
     RUN(check_error_integrals());
     RUN(check_extremes());
-    RUN(check_claims());
     RUN(check_choice());
     RUN(check_formats());
     RUN(check_memories());

@@ -230,6 +230,38 @@ static void check_radii(void) {
     CHECK1(fabs(burnish_theory_inflection_angle(100) - acos(sqrt(0.99))) < 1e-14);
 }
 
+/* radii.csv: (1 + f'^2)^(3/2) / |f''| of the lobes' formulas, derivatives found
+ * numerically (mpmath 1.3, 40 digits, mpmath.diff), at angles inside the lobe. */
+static void check_curvature(void) {
+    FILE *file = fopen(TEST_DATA_DIR "/radii.csv", "r");
+    char line[128], words[32], angle_text[32];
+    double n, expected;
+    int compared = 0;
+    if (!CHECK(file != NULL, "radii.csv")) {
+        return;
+    }
+    (void)!fgets(line, sizeof line, file);
+    while (fgets(line, sizeof line, file)) {
+        burnish_theory_model model;
+        if (!CHECK(sscanf(line, "%31[^,],%lf,%31[^,],%lf", words, &n, angle_text, &expected) == 4 &&
+                       !burnish_theory_model_parse(words, n, &model, NULL),
+                   "%s", line)) {
+            break;
+        }
+        double radius = burnish_theory_curvature_radius(&model, strtod(angle_text, NULL));
+        CHECK(fabs(radius / expected - 1) < 1e-9, "%s: %.17g", line, radius);
+        ++compared;
+    }
+    fclose(file);
+    CHECK(compared == 68, "%d lines", compared);
+    burnish_theory_model w;
+    CHECK1(!burnish_theory_model_parse("taylor:2", 100, &w, NULL));
+    double zero = burnish_theory_zero_angle(&w);
+    CHECK1(fabs(burnish_theory_curvature_radius(&w, zero) * 198 - 1) < 1e-9);
+    CHECK1(isinf(burnish_theory_curvature_radius(&w, zero * 1.001)));
+    CHECK1(fabs(burnish_theory_curvature_radius(&w, 0) - 0.01) < 1e-15);
+}
+
 static void check_words(void) {
     static const char *const bad[] = {
         "",           "nonsense",   "energy:3",    "energy:64", "level",   "level0:2",
@@ -291,6 +323,7 @@ int main(int count, char **arguments) {
     RUN(check_slopes());
     RUN(check_order());
     RUN(check_radii());
+    RUN(check_curvature());
     RUN(check_words());
     RUN(check_lyon());
     return test_end("theory_values");

@@ -119,6 +119,13 @@ BURNISH_API double burnish_theory_value_at_angle(const burnish_theory_model *mod
 BURNISH_API void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
                                             double derivatives[3]);
 
+/* Radius of curvature of the curve over the angle, the paper's R(x): (1 + S'^2)^(3/2) / abs(S''),
+ * S' and S'' being the derivatives above, both axes with the same unit (1 radian, 1 of the value).
+ * A small radius is a sharp bend. 1/(m zeta) at the peak of the family, 1/n at the power's.
+ * Infinity where S'' is 0: at an inflection, where the lobe is 0, between nodes of a table. angle
+ * [0, pi] */
+BURNISH_API double burnish_theory_curvature_radius(const burnish_theory_model *model, double angle);
+
 /* Lyon's approximation of 1/sqrt(s) near 1: 1 + e/2 + 3 e^2/8, e = 1 - s. Source: Lyon 1993. */
 BURNISH_API double burnish_theory_lyon_normalize_factor(double s);
 
@@ -138,9 +145,8 @@ BURNISH_API double burnish_theory_zero_angle(const burnish_theory_model *model);
  * there is no zero (zeta < 1/2); NaN for the Gaussian. */
 BURNISH_API double burnish_theory_cutoff_cosine(const burnish_theory_model *model);
 
-/* Radius of curvature (1 + S'^2)^(3/2) / abs(S'') of the curve over the angle where it reaches
- * zero, seen from the peak; m = 2: 1 / (4 zeta - 2). Infinity where S'' is 0 (m >= 4, tables); NaN
- * without a zero. */
+/* burnish_theory_curvature_radius where the curve reaches zero, seen from the peak, in closed form;
+ * m = 2: 1 / (4 zeta - 2). Infinity where S'' is 0 (m >= 4, tables); NaN without a zero. */
 BURNISH_API double burnish_theory_zero_curvature_radius(const burnish_theory_model *model);
 
 /* Where cos^n has its inflection: acos(sqrt((n - 1) / n)). n >= 1, otherwise NaN. */
@@ -402,10 +408,12 @@ typedef enum burnish_theory_verdict {
     BURNISH_THEORY_HOLDS_TO_DIGITS, /* missed by less than one unit of the last digit stated */
     BURNISH_THEORY_DOES_NOT_HOLD,
     BURNISH_THEORY_BENCHMARK, /* a timing; run the benchmark */
+    BURNISH_THEORY_COUNTED,   /* a count of operations; docs/theory.md has the table */
     BURNISH_THEORY_VERDICT_COUNT
 } burnish_theory_verdict;
 
-/* "holds", "holds to the digits given", "does not hold", "measured by benchmark". */
+/* "holds", "holds to the digits given", "does not hold", "measured by benchmark", "counted in
+ * machine code". */
 BURNISH_API const char *burnish_theory_verdict_text(burnish_theory_verdict verdict);
 
 /* How the verdict follows from values and bound. */
@@ -413,7 +421,7 @@ typedef enum burnish_theory_relation {
     BURNISH_THEORY_AT_MOST,  /* every value <= bound */
     BURNISH_THEORY_AT_LEAST, /* every value >= bound */
     BURNISH_THEORY_ABOUT,    /* every value within half a unit of the bound's last digit */
-    BURNISH_THEORY_NONE      /* no verdict: a benchmark */
+    BURNISH_THEORY_NONE      /* not judged here: BENCHMARK or COUNTED */
 } burnish_theory_relation;
 
 enum { BURNISH_THEORY_CLAIM_VALUES = 12 };

@@ -156,6 +156,12 @@ void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
     derivatives[2] = slope[1] * sine * sine + slope[0] * cos(angle);
 }
 
+double burnish_theory_curvature_radius(const burnish_theory_model *model, double angle) {
+    double d[3];
+    burnish_theory_derivatives(model, angle, d);
+    return pow(1 + d[1] * d[1], 1.5) / fabs(d[2]);
+}
+
 double burnish_theory_lyon_normalize_factor(double s) {
     double e = 1 - s;
     return 1 + e * (0.5 + 0.375 * e);

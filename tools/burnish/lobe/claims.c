@@ -33,7 +33,8 @@ const cli_command lobe_claims_command = {
               "the statement holds, holds to the digits given (missed by less than one unit of "
               "the last digit that the paper gives), or does not hold. The paper's W is "
               "*taylor:2*, its W1 *energy:2*, its W with the index 0.5 *shift7*. Speeds are not "
-              "judged here but measured by *make bench*.\n"
+              "judged here but measured by *make bench*, operations counted in machine code by "
+              "*make mcu*.\n"
               "A verdict is a result, not a failure: the exit code stays 0.",
     .operands_max = 1,
     .flags = claims_flags,
@@ -142,12 +143,15 @@ static void print_count(FILE *stream, const claim_list *list) {
     for (size_t i = 0; i < list->count; ++i) {
         ++counts[list->items[i].verdict];
     }
-    fprintf(stream, "\n%zu claims.", list->count);
+    char text[256];
+    int length = snprintf(text, sizeof text, "%zu claims.", list->count);
     for (int i = 0; i < BURNISH_THEORY_VERDICT_COUNT; ++i) {
-        fprintf(stream, "%s %s: %d", i > 0 ? ";" : "",
-                burnish_theory_verdict_text((burnish_theory_verdict)i), counts[i]);
+        length +=
+            snprintf(text + length, sizeof text - (size_t)length, "%s %s: %d", i > 0 ? ";" : "",
+                     burnish_theory_verdict_text((burnish_theory_verdict)i), counts[i]);
     }
     fputc('\n', stream);
+    cli_print_wrapped(stream, text, 0, CLI_TEXT_WIDTH);
 }
 
 static void print_text(FILE *stream, const claim_list *list) {

@@ -43,6 +43,10 @@ static double second_at(const burnish_theory_model *model, double degrees) {
     return derivative(model, degrees, 2);
 }
 
+static double radius_at(const burnish_theory_model *model, double degrees) {
+    return burnish_theory_curvature_radius(model, degrees * CLI_DEGREE);
+}
+
 static double toksvig(const burnish_theory_model *model, double length) {
     return burnish_theory_toksvig_exponent(model->exponent, length);
 }
@@ -96,6 +100,8 @@ static const lobe_metric metrics[] = {
     {"slope", "slope_per_rad", "slope", "1/rad", 4, 'a', "first derivative there", .at = slope_at},
     {"second", "second_per_rad2", "second", "1/rad^2", 3, 'a', "second derivative there",
      .at = second_at},
+    {"radius", "radius_rad", "bend", "rad", 5, 'a', "radius of curvature of the curve there",
+     .at = radius_at},
     {"alpha", "alpha", "alpha", "", 4, 0, "Beckmann or GGX alpha of the exponent",
      .of_exponent = burnish_theory_alpha_from_exponent},
     {"roughness", "roughness", "rough", "", 4, 0, "the root of alpha",
@@ -114,7 +120,8 @@ static const lobe_metric metrics[] = {
     {"cutoff-cosine", "cutoff_cosine", "cutoff", "cosine", 5, 0, "its cosine",
      .of_model = burnish_theory_cutoff_cosine},
     {"curvature-radius", "curvature_radius_rad", "radius", "rad", 5, 0,
-     "radius of curvature of the curve there", .of_model = burnish_theory_zero_curvature_radius},
+     "radius of curvature of the curve where the lobe becomes 0",
+     .of_model = burnish_theory_zero_curvature_radius},
     {"inflection", "inflection_deg", "inflect.", "deg", 3, 0, "where the power has its inflection",
      .of_exponent = burnish_theory_inflection_angle},
     {"angle", "angle_deg", "angle", "deg", 3, 'q', "angle at which 2^-_BITS_ is reached",

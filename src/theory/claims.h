@@ -1,0 +1,34 @@
+/* Shared by the files of the paper's claims: claims.c judges, the others compute. */
+#ifndef BURNISH_THEORY_CLAIMS_H
+#define BURNISH_THEORY_CLAIMS_H
+
+#include "theory/internal.h"
+
+/* One claim: what the paper says and how its values come about. */
+typedef struct burnish_claim_source {
+    const char *id, *claim, *quantity, *note, *command;
+    burnish_theory_relation relation;
+    double bound, unit;
+    void (*compute)(burnish_theory_claim *claim); /* NULL with the relation NONE */
+    burnish_theory_verdict elsewhere;             /* with the relation NONE */
+} burnish_claim_source;
+
+/* The command of a claim that `burnish lobe claims` shows best. */
+#define BURNISH_CLAIM_SHOW(id) "burnish lobe claims " id
+
+/* The claims in the order of the paper; a NULL id ends each list. */
+extern const burnish_claim_source burnish_claims_w[];       /* W: shape, blooming, curvature */
+extern const burnish_claim_source burnish_claims_fits[];    /* W1, W_Q, W_0.5 */
+extern const burnish_claim_source burnish_claims_vectors[]; /* Lyon's vectors, operations */
+
+/* Appends a value; judged 0: for information. */
+__attribute__((format(printf, 4, 5))) void
+burnish_claim_add(burnish_theory_claim *claim, int judged, double value, const char *format, ...);
+
+/* A lobe of order 2; LEVEL is that of 1/2. The exponent is a constant of a claim: no errors. */
+burnish_theory_model burnish_claim_lobe(burnish_lobe_fit fit, double n);
+
+/* The power, Schlick's lobe. */
+burnish_theory_model burnish_claim_other(burnish_lobe_kind kind, double n);
+
+#endif

@@ -1,0 +1,244 @@
+/* The paper's claims of W1 (equal energy) and of W_Q and W_0.5 (equal level). */
+#include <math.h>
+
+#include "theory/claims.h"
+
+static const double END = 0.5 * BURNISH_PI;
+
+static double angle_of_level(double n, double level) {
+    burnish_theory_model power = burnish_claim_other(BURNISH_LOBE_POWER, n);
+    return burnish_theory_angle_at(&power, level);
+}
+
+/* ---- W1 ---- */
+
+static void energy_absolute(burnish_theory_claim *claim) {
+    static const double n[] = {2, 3, 5, 10, 21, 100, 1000, 65536};
+    for (int i = 0; i < 8; ++i) {
+        burnish_theory_model w1 = burnish_claim_lobe(BURNISH_FIT_ENERGY, n[i]);
+        burnish_claim_add(claim, 1, burnish_theory_maximum_error(&w1, END), "n=%g", n[i]);
+    }
+}
+
+/* Even: as far above the power as below it. */
+static void energy_even(burnish_theory_claim *claim) {
+    static const double n[] = {3, 10, 100, 65536};
+    for (int i = 0; i < 4; ++i) {
+        burnish_theory_model w1 = burnish_claim_lobe(BURNISH_FIT_ENERGY, n[i]);
+        burnish_theory_model best = burnish_claim_lobe(BURNISH_FIT_MINIMAX, n[i]);
+        burnish_theory_difference of_w1, of_best;
+        burnish_theory_compare(&w1, END, &of_w1);
+        burnish_theory_compare(&best, END, &of_best);
+        burnish_claim_add(claim, 1, of_w1.above / of_w1.below, "W1 n=%g", n[i]);
+        burnish_claim_add(claim, 0, of_best.above / of_best.below, "minimax n=%g", n[i]);
+    }
+}
+
+static void energy_extreme(burnish_theory_claim *claim) {
+    static const double n[] = {3, 10, 100, 1000};
+    for (int i = 0; i < 4; ++i) {
+        burnish_theory_model w1 = burnish_claim_lobe(BURNISH_FIT_ENERGY, n[i]);
+        double angle = burnish_theory_extreme_angle_searched(&w1);
+        burnish_claim_add(claim, 1, tan(angle) * n[i] / sqrt(2 * n[i] + 1), "n=%g", n[i]);
+    }
+}
+
+/* ---- W_Q ---- */
+
+/* The other root of (1 - zeta lambda)^2 = Q: there the parabola rises again beyond its zero. */
+static void second_root(burnish_theory_claim *claim) {
+    static const double n[] = {3, 10, 100, 1000};
+    static const double level[] = {0.1, 0.5, 0.9};
+    for (int i = 0; i < 12; ++i) {
+        double lambda = -expm1(log(level[i % 3]) / n[i / 3]);
+        double zeta = (1 + sqrt(level[i % 3])) / lambda;
+        double sine = sqrt(lambda * (2 - lambda));
+        burnish_claim_add(claim, 1, -2 * zeta * sine * (1 - zeta * lambda), "Q=%g n=%g",
+                          level[i % 3], n[i / 3]);
+    }
+}
+
+typedef struct {
+    double exponent, end;
+    int mean; /* 1: the root of the mean square over the solid angle; 0: the largest error */
+} level_search;
+
+static double level_error(const level_search *search, double level) {
+    burnish_theory_model model;
+    (void)burnish_theory_model_create(
+        &model, &(burnish_lobe_spec){.fit = BURNISH_FIT_LEVEL, .order = 2, .parameter = level},
+        search->exponent);
+    if (!search->mean) {
+        return burnish_theory_maximum_error(&model, search->end);
+    }
+    burnish_theory_difference difference;
+    burnish_theory_compare(&model, search->end, &difference);
+    return difference.rms;
+}
+
+/* The Q of least error: the best of 49, then golden section between its neighbours. */
+static double best_level(const level_search *search) {
+    const double golden = 0.6180339887498949, step = 0.02;
+    double best = step;
+    for (int i = 2; i < 50; ++i) {
+        best = level_error(search, i * step) < level_error(search, best) ? i * step : best;
+    }
+    double low = best - 0.99 * step, high = best + 0.99 * step;
+    while (high - low > 1e-5) {
+        double a = high - golden * (high - low), b = low + golden * (high - low);
+        if (level_error(search, a) < level_error(search, b)) {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+static void level_best(burnish_theory_claim *claim) {
+    static const char *const norms[] = {"max", "rms"};
+    static const double n[] = {10, 100};
+    for (int i = 0; i < 2; ++i) {
+        const double ends[] = {END, angle_of_level(n[i], 0.45),
+                               burnish_theory_inflection_angle(n[i])};
+        static const char *const ranges[] = {"90 degrees", "level .45", "inflection"};
+        for (int k = 0; k < 6; ++k) {
+            const level_search search = {n[i], ends[k / 2], k % 2};
+            burnish_claim_add(claim, 1, best_level(&search), "%s to %s n=%g", norms[k % 2],
+                              ranges[k / 2], n[i]);
+        }
+    }
+}
+
+static void half_zero(burnish_theory_claim *claim) {
+    static const double n[] = {3, 10, 100, 1000};
+    for (int i = 0; i < 4; ++i) {
+        burnish_theory_model half = burnish_claim_lobe(BURNISH_FIT_SHIFT7, n[i]);
+        double cosine = 1 - 16 / (7 * n[i]);
+        burnish_claim_add(claim, 1, fabs(cos(burnish_theory_zero_angle(&half)) - cosine),
+                          "cosine n=%g", n[i]);
+        burnish_claim_add(claim, 1, burnish_theory_value(&half, cosine), "value n=%g", n[i]);
+    }
+}
+
+static void half_tail(burnish_theory_claim *claim, const double *n, int count) {
+    for (int i = 0; i < count; ++i) {
+        burnish_theory_model half = burnish_claim_lobe(BURNISH_FIT_SHIFT7, n[i]);
+        burnish_theory_model exact = burnish_claim_lobe(BURNISH_FIT_LEVEL, n[i]);
+        double end = angle_of_level(n[i], 0.45);
+        double core = burnish_theory_inflection_angle(n[i]);
+        burnish_claim_add(claim, 1, burnish_theory_maximum_error(&half, end), "7n/16 n=%g", n[i]);
+        burnish_claim_add(claim, 0, burnish_theory_maximum_error(&exact, end), "level(.5) n=%g",
+                          n[i]);
+        burnish_claim_add(claim, 0, burnish_theory_maximum_error(&half, core), "to inflection n=%g",
+                          n[i]);
+    }
+}
+
+static void half_tail_large(burnish_theory_claim *claim) {
+    static const double n[] = {21, 100, 65536};
+    half_tail(claim, n, 3);
+}
+
+static void half_tail_small(burnish_theory_claim *claim) {
+    static const double n[] = {3, 5, 20};
+    half_tail(claim, n, 3);
+}
+
+static double core_absolute(const burnish_theory_model *model) {
+    return burnish_theory_maximum_error(model, burnish_theory_inflection_angle(model->exponent));
+}
+
+static void schlick_core(burnish_theory_claim *claim) {
+    static const double n[] = {21, 100, 1000, 65536};
+    for (int i = 0; i < 4; ++i) {
+        burnish_theory_model schlick = burnish_claim_other(BURNISH_LOBE_SCHLICK, n[i]);
+        burnish_claim_add(claim, 1, core_absolute(&schlick), "n=%g", n[i]);
+    }
+}
+
+static void schlick_ratio(burnish_theory_claim *claim) {
+    static const double n[] = {21, 100, 1000, 65536};
+    for (int i = 0; i < 4; ++i) {
+        burnish_theory_model schlick = burnish_claim_other(BURNISH_LOBE_SCHLICK, n[i]);
+        burnish_theory_model half = burnish_claim_lobe(BURNISH_FIT_SHIFT7, n[i]);
+        burnish_claim_add(claim, 1, core_absolute(&schlick) / core_absolute(&half), "n=%g", n[i]);
+    }
+}
+
+static void half_extreme(burnish_theory_claim *claim) {
+    static const double n[] = {3, 10, 100, 1000};
+    for (int i = 0; i < 4; ++i) {
+        burnish_theory_model half = burnish_claim_lobe(BURNISH_FIT_SHIFT7, n[i]);
+        double tangent = tan(burnish_theory_extreme_angle_searched(&half));
+        burnish_claim_add(claim, 1, tangent * (7 * n[i] - 16) / (2 * sqrt(7 * n[i] - 15)), "n=%g",
+                          n[i]);
+    }
+}
+
+static void half_radius(burnish_theory_claim *claim) {
+    static const double n[] = {3, 10, 100, 1000};
+    for (int i = 0; i < 4; ++i) {
+        burnish_theory_model half = burnish_claim_lobe(BURNISH_FIT_SHIFT7, n[i]);
+        burnish_claim_add(claim, 1,
+                          burnish_theory_zero_curvature_radius(&half) * (7 * n[i] - 8) / 4, "n=%g",
+                          n[i]);
+    }
+}
+
+static void half_radius_larger(burnish_theory_claim *claim) {
+    static const double n[] = {3, 10, 100, 1000};
+    for (int i = 0; i < 4; ++i) {
+        burnish_theory_model half = burnish_claim_lobe(BURNISH_FIT_SHIFT7, n[i]);
+        burnish_theory_model w = burnish_claim_lobe(BURNISH_FIT_TAYLOR, n[i]);
+        burnish_claim_add(claim, 1,
+                          burnish_theory_zero_curvature_radius(&half) /
+                              burnish_theory_zero_curvature_radius(&w),
+                          "n=%g", n[i]);
+    }
+}
+
+/* ---- The list ---- */
+
+const burnish_claim_source burnish_claims_fits[] = {
+    {"w1-absolute", "W1 differs from the power by at most 0.1", "largest absolute error", "",
+     BURNISH_CLAIM_SHOW("w1-absolute"), BURNISH_THEORY_AT_MOST, 0.1, 0.1, energy_absolute, 0},
+    {"w1-even", "W1's absolute error is distributed evenly over the whole interval",
+     "largest excess over the power, by the largest shortfall",
+     "more evenly than W's, which is all shortfall; even is minimax (* beside the claim)",
+     BURNISH_CLAIM_SHOW("w1-even"), BURNISH_THEORY_ABOUT, 1, 0.1, energy_even, 0},
+    {"w1-extreme", "W1's relative error is extreme at arctan(sqrt(2n + 1)/n)",
+     "tangent of the angle found by search, over the formula's", "",
+     BURNISH_CLAIM_SHOW("w1-extreme"), BURNISH_THEORY_ABOUT, 1, 1e-5, energy_extreme, 0},
+    {"level-second-root",
+     "the level's second root, zeta = (1 + sqrt Q)/(1 - Q^(1/n)), is of no use: W_Q rises there",
+     "slope of the parabola where it meets the level, per radian",
+     "it meets the level beyond its zero, on the way up", BURNISH_CLAIM_SHOW("level-second-root"),
+     BURNISH_THEORY_AT_LEAST, 0, 0, second_root, 0},
+    {"level-best", "W_Q is most accurate for Q = 0.5", "Q of the least error, by range and norm",
+     "near for the largest error down to level .45 only", BURNISH_CLAIM_SHOW("level-best"),
+     BURNISH_THEORY_ABOUT, 0.5, 0.1, level_best, 0},
+    {"w05-zero", "W_0.5 is zero where the cosine is 1 - 16/(7n)",
+     "distance of the cosines; value there", "", BURNISH_CLAIM_SHOW("w05-zero"),
+     BURNISH_THEORY_AT_MOST, 0, 0, half_zero, 0},
+    {"w05-large", "down to level .45, W_0.5 is off by at most .015 for n > 20",
+     "largest absolute error", "down to the inflection it is about that, probably what was meant",
+     BURNISH_CLAIM_SHOW("w05-large"), BURNISH_THEORY_AT_MOST, 0.015, 0.001, half_tail_large, 0},
+    {"w05-small", "down to level .45, W_0.5 is off by less than .02 for other n",
+     "largest absolute error", "exceeded for the smallest exponents",
+     BURNISH_CLAIM_SHOW("w05-small"), BURNISH_THEORY_AT_MOST, 0.02, 0.01, half_tail_small, 0},
+    {"schlick-absolute", "down to the inflection, Schlick's lobe is off by .06",
+     "largest absolute error", "", BURNISH_CLAIM_SHOW("schlick-absolute"), BURNISH_THEORY_ABOUT,
+     0.06, 0.01, schlick_core, 0},
+    {"schlick-ratio", "that is four times the error of W_0.5", "ratio of the two errors", "",
+     BURNISH_CLAIM_SHOW("schlick-ratio"), BURNISH_THEORY_ABOUT, 4, 1, schlick_ratio, 0},
+    {"w05-extreme", "W_0.5's relative error is extreme at arctan(2 sqrt(7n - 15)/(7n - 16))",
+     "tangent of the angle found by search, over the formula's", "",
+     BURNISH_CLAIM_SHOW("w05-extreme"), BURNISH_THEORY_ABOUT, 1, 1e-5, half_extreme, 0},
+    {"w05-radius", "W_0.5 meets zero with the curvature radius 4/(7n - 8)",
+     "radius times (7n - 8)/4", "", BURNISH_CLAIM_SHOW("w05-radius"), BURNISH_THEORY_ABOUT, 1, 0,
+     half_radius, 0},
+    {"w05-radius-larger", "that radius is larger than W's", "ratio of the radii", "",
+     BURNISH_CLAIM_SHOW("w05-radius-larger"), BURNISH_THEORY_AT_LEAST, 1, 0, half_radius_larger, 0},
+    {0},
+};

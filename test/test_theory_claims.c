@@ -1,0 +1,144 @@
+/* The paper's claims: verdicts, and values against formulas evaluated elsewhere (mpmath, or sums in
+ * plain double precision that know the two lobes only). */
+#include <math.h>
+
+#include "burnish/theory.h"
+#include "support.h"
+
+static double claimed(const burnish_theory_claim *claim, const char *label) {
+    for (int i = 0; i < claim->count; ++i) {
+        if (strcmp(claim->values[i].label, label) == 0) {
+            return claim->values[i].value;
+        }
+    }
+    printf("claim %s has no value \"%s\"\n", claim->id, label);
+    return NAN; /* fails every comparison */
+}
+
+/* Independently computed values of the claims. */
+static const struct {
+    const char *id, *label;
+    double value, tolerance;
+} figures[] = {
+    {"core-w", "n=10", 6.41, .005},
+    {"core-w", "n=100", 7.18, .005},
+    {"core-w", "n=200", 7.22, .005},
+    {"core-w", "n=65536", 7.26, .005},
+    {"core-schlick", "n=10", 9.90, .005},
+    {"core-schlick", "n=65536", 9.91, .006},
+    {"w1-absolute", "n=65536", .0916, .00005},
+    {"w05-large", "7n/16 n=21", .0181, .00005},
+    {"w05-large", "7n/16 n=100", .0248, .00005},
+    {"w05-large", "7n/16 n=65536", .027, .0005},
+    {"w05-large", "level(.5) n=21", .0197, .00006},
+    {"w05-large", "level(.5) n=65536", .022, .0005},
+    {"w05-large", "to inflection n=21", .0157, .00005},
+    {"w05-large", "to inflection n=100", .0147, .00005},
+    {"w05-small", "7n/16 n=5", .0216, .00005},
+    {"w05-small", "7n/16 n=3", .032, .0005},
+    {"schlick-absolute", "n=100", .0600, .00005},
+    {"schlick-ratio", "n=100", 4.1, .05},
+    /* the power's least (1 + f'^2)^(3/2) / |f''| beyond its inflection, and at W's end */
+    {"radius-classic", "power at its foot n=100", .26201058823925, 1e-5},
+    {"radius-classic", "power at its foot n=1000", .26671613882071, 1e-5},
+    {"radius-classic", "power where W ends n=100", 1.19521150389925, 1e-12},
+    {"radius-classic", "power where W ends n=1000", 2.71204429455999, 1e-12},
+    {"radius-classic", "power at peak n=100", .1, 1e-14},
+    {"radius-classic", "W at its zero n=100", 18. / 198, 1e-14},
+    {"blooming-schlick", "n=10 q=8", .40596710680, 1e-10},
+    /* largest and least of max(0, 1 - (n+1)/3 (1-c))^2 - c^n over 200,001 cosines */
+    {"w1-even", "W1 n=10", 1.39788148048, 1e-6},
+    {"w1-even", "W1 n=100", 1.57851297, 1e-7},
+    {"w1-even", "minimax n=100", 1, 1e-12},
+    /* 2 zeta sin sqrt(Q), zeta = (1 + sqrt Q)/(1 - Q^(1/n)), cos = Q^(1/n) */
+    {"level-second-root", "Q=0.5 n=100", 41.0089662765, 1e-9},
+    /* least of max |W_Q - c^n| and of the mean square, over 2,500 angles */
+    {"level-best", "max to 90 degrees n=10", .22812, 2e-4},
+    {"level-best", "rms to 90 degrees n=10", .24130, 2e-4},
+    {"level-best", "max to level .45 n=10", .53612, 2e-4},
+    {"level-best", "rms to inflection n=10", .68398, 4e-4},
+    {"level-best", "max to 90 degrees n=100", .23453, 2e-4},
+    {"level-best", "max to level .45 n=100", .53532, 2e-4},
+    {"level-best", "rms to level .45 n=100", .56779, 4e-4},
+    {"level-best", "max to inflection n=100", .66845, 2e-4},
+    /* 1 - (1 - n/2 x)^2, x = (1 - l (1 + e/2 + 3e^2/8))^2 / 2, e = 1 - l^2 */
+    {"lyon-series", "30 degrees n=1000", .00046459105, 1e-10},
+    {"lyon-series", "60 degrees n=100", .14704209330, 1e-10},
+    {"lyon-series", "90 degrees n=10", 1.23742647538, 1e-10},
+    {"lyon-series", "90 degrees n=1000", 85.60853855390, 1e-10},
+    /* the same with x = (1 - l)^2 / 2, and x = 1 - l */
+    {"lyon-lengths", "chord 30 degrees n=100", 5.72099435106, 1e-10},
+    {"lyon-lengths", "chord 60 degrees n=10", 8.77323777248, 1e-10},
+    {"lyon-lengths", "cosine 20 degrees n=100", 94.22137774340, 1e-10},
+    {"lyon-accuracy", "order 2 n=100", 1, 1e-12},
+    {"lyon-accuracy", "order 4 n=100", .4463531941, 1e-8},
+    /* of max(0, 1 - a x)^2 - max(0, 1 - b x)^2 the largest is (b - a) / (b + a) */
+    {"integer-zeta", "W n=3", .5 / 2.5, 1e-9},
+    {"integer-zeta", "W_0.5 n=3", .3125 / 2.3125, 1e-9},
+    {"integer-zeta", "W_0.5 n=21", .1875 / 18.1875, 1e-8},
+    {"integer-zeta", "W n=101", .5 / 100.5, 1e-8}};
+static const struct {
+    const char *id;
+    burnish_theory_verdict verdict;
+} verdicts[] = {{"peak", BURNISH_THEORY_HOLDS},
+                {"zero", BURNISH_THEORY_HOLDS},
+                {"monotone", BURNISH_THEORY_HOLDS},
+                {"core-w", BURNISH_THEORY_HOLDS_TO_DIGITS},
+                {"core-schlick", BURNISH_THEORY_HOLDS},
+                {"order", BURNISH_THEORY_HOLDS},
+                {"blooming-order", BURNISH_THEORY_HOLDS},
+                {"blooming-schlick", BURNISH_THEORY_HOLDS},
+                {"radius", BURNISH_THEORY_HOLDS},
+                {"radius-classic", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"w1-absolute", BURNISH_THEORY_HOLDS},
+                {"w1-even", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"w1-extreme", BURNISH_THEORY_HOLDS},
+                {"level-second-root", BURNISH_THEORY_HOLDS},
+                {"level-best", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"w05-zero", BURNISH_THEORY_HOLDS},
+                {"w05-large", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"w05-small", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"schlick-absolute", BURNISH_THEORY_HOLDS},
+                {"schlick-ratio", BURNISH_THEORY_HOLDS},
+                {"w05-extreme", BURNISH_THEORY_HOLDS},
+                {"w05-radius", BURNISH_THEORY_HOLDS},
+                {"w05-radius-larger", BURNISH_THEORY_HOLDS},
+                {"lyon-accuracy", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"lyon-series", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"lyon-lengths", BURNISH_THEORY_DOES_NOT_HOLD},
+                {"speed-w", BURNISH_THEORY_BENCHMARK},
+                {"speed-w05", BURNISH_THEORY_BENCHMARK},
+                {"operations-w", BURNISH_THEORY_COUNTED},
+                {"operations-w05", BURNISH_THEORY_COUNTED},
+                {"integer-zeta", BURNISH_THEORY_DOES_NOT_HOLD}};
+
+static void check_claims(void) {
+    size_t count = burnish_theory_claim_count(), compared = 0;
+    CHECK1(count == sizeof verdicts / sizeof verdicts[0]);
+    for (size_t i = 0; i < count; ++i) {
+        burnish_theory_claim claim;
+        CHECK1(burnish_theory_claim_compute(i, &claim) == BURNISH_STATUS_OK);
+        CHECK_TEXT(claim.id, verdicts[i].id);
+        CHECK(claim.verdict == verdicts[i].verdict, "%s: %s", claim.id,
+              burnish_theory_verdict_text(claim.verdict));
+        CHECK1(claim.command[0] && claim.claim[0] &&
+               (claim.count > 0) == (claim.relation != BURNISH_THEORY_NONE));
+        for (size_t k = 0; k < sizeof figures / sizeof figures[0]; ++k) {
+            if (strcmp(figures[k].id, claim.id) == 0) {
+                double value = claimed(&claim, figures[k].label);
+                CHECK(fabs(value - figures[k].value) <= figures[k].tolerance, "%s %s: %g", claim.id,
+                      figures[k].label, value);
+                ++compared;
+            }
+        }
+    }
+    CHECK1(compared == sizeof figures / sizeof figures[0]);
+    burnish_theory_claim claim;
+    CHECK1(burnish_theory_claim_compute(count, &claim) == BURNISH_STATUS_ARGUMENT);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(check_claims());
+    return test_end("theory_claims");
+}
