@@ -238,12 +238,11 @@ typedef struct burnish_theory_difference {
 } burnish_theory_difference;
 
 /* Measures all of that. The maxima are certified. The slopes of a lobe and of the power are equal
- * at two points at most, found by bisection (family, schlick, gaussian, gx, nv2x; within each cell
- * of a table one point in closed form). For kuijk-blake both curves fall with the angle, so
- * lobe(a) - power(b) bounds the error on [a, b], and intervals are split until no bound exceeds the
- * maximum found by more than 1e-9.
- *   end     (0, pi/2]: burnish_theory_inflection_angle, burnish_theory_angle_at of the power, or
- *           pi/2 for everything
+ * at two points at most (proof: docs/theory.md), found by bisection (family, schlick, gaussian, gx,
+ * nv2x; within each cell of a table one point in closed form). For kuijk-blake both curves fall
+ * with the angle, so lobe(a) - power(b) bounds the error on [a, b], and intervals are split until
+ * no bound exceeds the maximum found by more than 1e-9. end     (0, pi/2]:
+ * burnish_theory_inflection_angle, burnish_theory_angle_at of the power, or pi/2 for everything
  *   result  receives the numbers, all NaN for an end out of range; not NULL
  * Guarantees: maxima within 1e-9, angles where the error is within 1e-9 of the maximum; integral
  * and rms within 1e-8 relative where the maximum is above 1e-7. */

@@ -88,6 +88,20 @@ agrees "cost: the front is the family" '
     $1 == "front" && $3 > 0 { y[$3] = 1; next }
     $1 ~ /minimax|affine/ && ($3 in y) { delete y[$3]; expected = $3 }
     $1 == "gaussian" { for (v in y) { expected = -1 } }'
+agrees "cost: of one cost affine has the least error" '
+    BEGIN { wanted = 5 }
+    $1 ~ /^(taylor|energy|minimax):/ { split($1, w, ":"); if (!(w[2] in least) || $3 < least[w[2]]) least[w[2]] = $3 }
+    $1 ~ /^affine:/ { split($1, w, ":"); expected = w[2] in least && least[w[2]] < $3 ? -1 : $3 }'
+data radius --lobes=taylor:2,power --exponents=10,100
+agrees "radius: (1 + S1^2)^1.5 / |S2| of W and of the power" '
+    BEGIN { wanted = 250 }
+    { split($1, w, "="); n = w[2]; x = $2 * degree; s = sin(x); c = cos(x); u = 1 - n / 2 * (1 - c) }
+    $1 ~ /^taylor/ { first = n * s * u; second = n * n / 2 * s * s - n * c * u; if (u < 1e-9) { first = 0; second = 2 * n - 2 } }
+    $1 ~ /^power/ { first = n * s * pow(c, n - 1); second = n * (n - 1) * s * s * pow(c, n - 2) - n * pow(c, n) }
+    abs(second) > 1e-3 { expected = pow(1 + first * first, 1.5) / abs(second); if (expected > 10) expected = "" }'
+check "radius: W's curve ends at its zero" awk -F, '
+    $1 == "taylor:2 n=100" { angle = $2; radius = $3 }
+    END { d = angle - 11.478340954533572; r = radius * 198 - 1; exit !(d < 1e-8 && d > -1e-8 && r < 1e-8 && r > -1e-8) }' data.csv
 data object --size=160,160
 check "object: rows" [ "$(sed -n 1p data.csv)" = "lobe,reference,lowest_difference,highest_difference,mean_difference" ]
 check "object: W1 is nearer to the power than Schlick's function" awk -F, '

@@ -8,7 +8,7 @@
 static const double DEGREES = 180 / 3.14159265358979323846;
 
 static plot_metric lobe_value, power_error, core_error, extreme_error, extreme_error_searched,
-    energy_ratio, whole_error;
+    energy_ratio, whole_error, curvature_radius;
 
 static const plot_figure figures[] = {
     {.name = "error",
@@ -33,7 +33,7 @@ static const plot_figure figures[] = {
      .script = "core",
      .title = "Largest relative error from the peak to the inflection against the exponent",
      .exponents = "2,1000",
-     .lobes = "taylor:2,schlick",
+     .lobes = "taylor:2,shift7,schlick",
      .y_column = "relative_error_percent",
      .measure = core_error,
      .has_paper_names = 1},
@@ -77,10 +77,11 @@ static const plot_figure figures[] = {
      .script = "cost",
      .title = "Largest absolute error of every lobe against what it costs",
      .exponents = "64",
-     .lobes = "taylor:2,energy:2,minimax:2,affine:2,energy:4,minimax:4,minimax:8,minimax:16,"
-              "minimax:32,nv2x,power,schlick,gx,gaussian,kuijk-blake,table256,table256:linear",
+     .lobes = "taylor:2,energy:2,minimax:2,affine:2,energy:4,minimax:4,affine:4,minimax:8,affine:8,"
+              "minimax:16,affine:16,minimax:32,affine:32,nv2x,power,schlick,gx,gaussian,"
+              "kuijk-blake,table256,table256:linear",
      .width = 960,
-     .height = 600,
+     .height = 690,
      .y_column = "maximum_error"},
     {.name = "energy",
      .axis = PLOT_AXIS_EXPONENTS,
@@ -89,7 +90,8 @@ static const plot_figure figures[] = {
      .exponents = "2,1000",
      .lobes = "schlick,gx,energy:2,minimax:2,shift3,shift7,taylor:2",
      .y_column = "energy_ratio",
-     .measure = energy_ratio},
+     .measure = energy_ratio,
+     .has_paper_names = 1},
     {.name = "orders",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "orders",
@@ -107,7 +109,17 @@ static const plot_figure figures[] = {
      .lobes = "taylor:2,shift7,energy:2,minimax:2,shift3,minimax:4,minimax:8,gaussian,schlick",
      .bits = "1,16",
      .y_column = "ratio",
-     .measure = burnish_theory_width_ratio},
+     .measure = burnish_theory_width_ratio,
+     .has_paper_names = 1},
+    {.name = "radius",
+     .script = "radius",
+     .title = "Radius of curvature of W and the power against the angle",
+     .exponents = "10,100,1000",
+     .lobes = "taylor:2,power",
+     .y_column = "radius_rad",
+     .measure = curvature_radius,
+     .least_angle = 0.02,
+     .has_paper_names = 1},
 };
 
 const plot_figure *plot_figure_at(size_t index) {
@@ -141,8 +153,10 @@ static void lobe_text(const burnish_theory_model *model, char *text, size_t size
         snprintf(text, size, "{/:Italic W}");
     } else if (strcmp(word, "energy:2") == 0) {
         snprintf(text, size, "{/:Italic W}_1");
-    } else if (strcmp(word, "level0.5:2") == 0) {
+    } else if (strcmp(word, "shift7:2") == 0) {
         snprintf(text, size, "{/:Italic W}_{0.5}");
+    } else if (strcmp(word, "level0.5:2") == 0) {
+        snprintf(text, size, "{/:Italic W}_{0.5}, exact");
     } else if (strcmp(word, "power") == 0) {
         snprintf(text, size, "cos^{{/:Italic n}}");
     } else if (strcmp(word, "schlick") == 0) {
@@ -189,7 +203,8 @@ static int lobe_style(const burnish_theory_model *model) {
 
 /* The i-th style of curves that share their hues. */
 static int style_of(size_t i) {
-    static const int styles[] = {PLOT_LINE, PLOT_DASHED, PLOT_DASH_DOT, PLOT_DOTTED};
+    static const int styles[] = {PLOT_LINE,   PLOT_DASHED,       PLOT_DASH_DOT,
+                                 PLOT_DOTTED, PLOT_DASH_DOT_DOT, PLOT_SHORT_DASHED};
     return styles[i % (sizeof styles / sizeof *styles)];
 }
 
@@ -202,6 +217,10 @@ static double lobe_value(const burnish_theory_model *model, double degrees) {
 static double power_error(const burnish_theory_model *model, double degrees) {
     return fabs(lobe_value(model, degrees) -
                 burnish_theory_power(cos(degrees / DEGREES), model->exponent));
+}
+
+static double curvature_radius(const burnish_theory_model *model, double degrees) {
+    return burnish_theory_curvature_radius(model, degrees / DEGREES);
 }
 
 static double core_error(const burnish_theory_model *model, double bits) {
@@ -291,7 +310,7 @@ static double x_at(const plot_figure *figure, const plot_chart *chart, size_t i)
     if (i == 0 || i == PLOT_POINTS - 1) {
         return i == 0 ? chart->x_low : chart->x_high;
     }
-    if (figure->axis == PLOT_AXIS_EXPONENTS) {
+    if (figure->axis == PLOT_AXIS_EXPONENTS || figure->least_angle > 0) {
         return chart->x_low * pow(chart->x_high / chart->x_low, share);
     }
     return chart->x_low + (chart->x_high - chart->x_low) * share * (figure->is_narrow ? share : 1);
@@ -330,6 +349,18 @@ static void sample_exponents(const burnish_theory_model *pattern, plot_metric *m
     }
 }
 
+/* Where the lobe is 0 nothing bends: the curve ends at the zero, with the radius there. */
+static void end_at_zero(const burnish_theory_model *model, plot_series *series) {
+    const double zero = burnish_theory_zero_angle(model) * DEGREES;
+    for (size_t i = 0; i < series->count; ++i) {
+        if (series->x[i] >= zero) {
+            series->x[i] = zero;
+            series->y[i] = burnish_theory_zero_curvature_radius(model);
+            series->count = i + 1;
+        }
+    }
+}
+
 static void sample(const plot_figure *figure, const plot_chart *chart,
                    const burnish_theory_model *model, plot_metric *measure, double bits,
                    plot_series *series) {
@@ -343,6 +374,9 @@ static void sample(const plot_figure *figure, const plot_chart *chart,
     }
     for (size_t i = 0; i < PLOT_POINTS; ++i) {
         series->y[i] = measure(model, series->x[i]);
+    }
+    if (measure == curvature_radius) {
+        end_at_zero(model, series);
     }
 }
 
@@ -400,6 +434,7 @@ static void set_axis(const plot_figure *figure, const plot_request *request, plo
         const burnish_theory_model power = power_with(request->exponents.low);
         double end = 2.4 * burnish_theory_angle_at(&power, 1.0 / 256) * DEGREES;
         chart->x_column = "angle_deg";
+        chart->x_low = figure->least_angle;
         chart->x_high = end < 80 ? ceil(end / 5) * 5 : 90;
     } else {
         const int is_bits = figure->axis == PLOT_AXIS_BITS;
@@ -513,8 +548,8 @@ static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
     add_point(series, row, c->error > 0 ? c->error : NAN);
     double best = front->count > 0 ? front->y[front->count - 1] : INFINITY;
     if (c->error < best) {
-        if (front->count > 0) {
-            add_point(front, row, best);
+        if (front->count > 0) { /* beside the power stands a text */
+            add_point(front, c->error > 0 ? row : row - 0.45, best);
         }
         add_point(front, row, c->error > 0 ? c->error : NAN);
     }

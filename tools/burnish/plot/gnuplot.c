@@ -58,7 +58,7 @@ static void write_ranges(const plot_chart *chart, FILE *file) {
         for (size_t k = 0; k < chart->series[i].count; ++k) {
             double y = chart->series[i].y[k];
             low = y < low ? y : low;
-            high = y > high ? y : high;
+            high = y > high && isfinite(y) ? y : high;
         }
     }
     high = high > 1e-12 ? high : 1; /* nothing is drawn, or errors are all rounding noise */
@@ -278,6 +278,24 @@ static void write_rules(const char *light, const char *dark, const char *svg, FI
     }
 }
 
+/* gnuplot raises superscripts by half a letter and lowers subscripts by .3, too far for text of one
+ * line: 3/4 of that. The drawing keeps its length. */
+static void settle_scripts(char *svg) {
+    static const char *const shifts[][2] = {{"dy=\"-6.50", "dy=\"-4.90"},
+                                            {"dy=\"6.50", "dy=\"4.90"},
+                                            {"dy=\"-3.90", "dy=\"-2.90"},
+                                            {"dy=\"3.90", "dy=\"2.90"}};
+    for (char *at = strstr(svg, "dy=\""); at; at = strstr(at + 1, "dy=\"")) {
+        for (size_t i = 0; i < sizeof shifts / sizeof shifts[0]; ++i) {
+            size_t length = strlen(shifts[i][0]);
+            if (strncmp(at, shifts[i][0], length) == 0) {
+                memcpy(at, shifts[i][1], length);
+                break;
+            }
+        }
+    }
+}
+
 /* The two lists of inks in figures/style.gp, side by side. */
 static void write_dark_rules(const char *svg, FILE *file) {
     const char *style = script_text("style");
@@ -291,6 +309,7 @@ static void write_dark_rules(const char *svg, FILE *file) {
 burnish_status plot_dress(const plot_chart *chart, char **svg, size_t *size, burnish_error *error) {
     static const char root[] = "<svg ", start[] = "<title>", end[] = "</title>";
     char *raw = *svg;
+    settle_scripts(raw);
     const char *body = strstr(raw, root), *title = body ? strstr(body, start) : NULL;
     const char *rest = title ? strstr(title, end) : NULL;
     if (!rest) {

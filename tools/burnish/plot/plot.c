@@ -117,17 +117,19 @@ const cli_command lobe_plot_command = {
     .summary = "the paper's figures and our own, as SVG by gnuplot",
     .operand_help =
         "the paper's error, curves, core, ratio, w1, w1-extreme, object (figures 2 to 7);\n"
-        "          cost, energy, orders, widths",
-    .manual = "Draws a figure from numbers that are computed now. The paper's figures: *error* (2, "
-              "absolute error of W against the angle), *curves* (3, power, W and Schlick's "
-              "function), *core* (4, largest relative error up to the inflection), *ratio* (5, R "
-              "against the exponent), *w1* and *w1-extreme* (6, W1 beside the power and its "
-              "extreme relative error), *object* (7, a teapot shaded with each lobe, and the "
-              "differences).\n"
-              "And more: *cost* (error of every lobe against its cost), *energy* (against the "
-              "exponent), *orders* (error of every order), *widths* (R against the threshold).\n"
-              "gnuplot draws all but *object*; without it the command ends with exit code 7. The "
-              "same gnuplot gives the same bytes.",
+        "          cost, energy, orders, widths, radius",
+    .manual =
+        "Draws a figure from numbers that are computed now. The paper's figures: *error* (2, "
+        "absolute error of W against the angle), *curves* (3, power, W and Schlick's "
+        "function), *core* (4, largest relative error up to the inflection), *ratio* (5, R "
+        "against the exponent), *w1* and *w1-extreme* (6, W1 beside the power and its "
+        "extreme relative error), *object* (7, a teapot shaded with each lobe, and the "
+        "differences).\n"
+        "And more: *cost* (error of every lobe against its cost), *energy* (against the "
+        "exponent), *orders* (error of every order), *widths* (R against the threshold), *radius* "
+        "(radius of curvature against the angle).\n"
+        "gnuplot draws all but *object*; without it the command ends with exit code 7. The "
+        "same gnuplot gives the same bytes.",
     .operands_max = 1,
     .flags = plot_flags,
     .flag_count = sizeof plot_flags / sizeof *plot_flags,

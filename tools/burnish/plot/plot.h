@@ -27,7 +27,14 @@ typedef enum plot_ink {
 } plot_ink;
 
 /* Dashes, as figures/style.gp numbers them. */
-typedef enum plot_dash { PLOT_LINE = 1, PLOT_DASHED, PLOT_DASH_DOT, PLOT_DOTTED } plot_dash;
+typedef enum plot_dash {
+    PLOT_LINE = 1,
+    PLOT_DASHED,
+    PLOT_DASH_DOT,
+    PLOT_DOTTED,
+    PLOT_DASH_DOT_DOT,
+    PLOT_SHORT_DASHED
+} plot_dash;
 
 typedef struct plot_series {
     char name[PLOT_TEXT_SIZE]; /* for the CSV */
@@ -85,6 +92,7 @@ typedef struct plot_figure {
     const char *y_column;
     plot_metric *measure; /* NULL: see PLOT_AXIS_NONE */
     plot_metric *points;  /* the same found in another way, drawn as points; or NULL */
+    double least_angle;   /* degrees at the left end of a logarithmic axis of angles; 0: linear */
     int is_narrow;        /* 1: over the angle, more points where narrow lobes end */
     int has_paper_names;  /* 1: lobes are called as the paper does */
     int is_ordered;       /* 1: the lobes are an ordered set */

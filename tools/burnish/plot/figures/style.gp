@@ -8,8 +8,8 @@
 # Okabe and Ito 2008, which people with any colour vision tell apart, darkened for white and lightened
 # for dark pages to a contrast of at least 3 to 1; the steps run in lightness, so that their order
 # survives in grey. In an SVG burnish replaces each by its dark form where the page is dark.
-light = "#2f363f #6a737d #e7eaee #ffffff #1b1f24 #0072b2 #d55e00 #008561 #aa4f8d #a87400 #2b8fc4 #767676 #440154 #463480 #365c8d #277f8e #1a8f78 #2f9a50 #6b951c #a58500"
-dark = "#c9d1d9 #7d8791 #2a313a #161b22 #f0f3f6 #58a6e8 #f5874a #33c39a #de8fc0 #e3ad3e #8fd0f5 #a0a7ae #c886e0 #a394f2 #79a8f0 #55bcd0 #45cfa8 #7ad97f #b5d64e #f2d445"
+light = "#2f363f #6a737d #e7eaee #ffffff #1b1f24 #0072b2 #d55e00 #008561 #aa4f8d #a87400 #2b8fc4 #767676 #440154 #463480 #365c8d #277f8e #1a8f78 #2f9a50 #6b951c #c77700"
+dark = "#c9d1d9 #7d8791 #2a313a #161b22 #f0f3f6 #58a6e8 #f5874a #33c39a #de8fc0 #e3ad3e #8fd0f5 #a0a7ae #c886e0 #a394f2 #79a8f0 #55bcd0 #45cfa8 #7ad97f #b5d64e #ffb454"
 ink(i) = word(light, i)
 
 if (format eq "png") {
@@ -23,6 +23,8 @@ set dashtype 1 solid
 set dashtype 2 (9,6)
 set dashtype 3 (9,5,1,5)
 set dashtype 4 (1,5)
+set dashtype 5 (9,4,1,4,1,4)
+set dashtype 6 (4,4)
 
 # Ranges: 1, 2, 5 times a power of ten on logarithmic axes, whole steps on others.
 if (!exists("x_log")) { x_log = 0 }
@@ -48,6 +50,8 @@ if (!exists("high")) {
         set ytics step
     }
 }
+# Lines at 0 stay clear of the axis.
+if (!y_log && names ne "rows" && low == 0 && y_low < 0.005 * high) { low = -0.015 * high }
 set xrange [x_low:x_high]
 set yrange [low:high]
 if (x_log) { set logscale x }
