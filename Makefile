@@ -137,7 +137,7 @@ figures: short-docs ## draw the figures and fill the tables of docs/theory.md ag
 mcu: short-docs ## run the firmware in simulators, check every pixel, count cycles (minutes); rewrites docs/firmware.md
 	@$(DEPS) mcu mcu-float
 	@$(MAKE) --no-print-directory program-prove_q15 program-firmware_sheet
-	@./scripts/firmware-tables build/release $(DOCS)/firmware.md $(DOCS)/images/firmware.png
+	@./scripts/firmware-tables build/release $(DOCS)/firmware.md $(DOCS)/images/firmware.png $(if $(SHORT),short)
 
 cross: short-docs ## the golden hashes on musl, aarch64, armhf, i386, riscv64, s390x, Windows (minutes); fills docs/portability.md
 	@$(DEPS) build $(if $(SHORT),systems-short,systems)

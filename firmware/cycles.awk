@@ -1,5 +1,5 @@
 # Cycles by a model, from a program's listing and a trace of its executed instructions.
-# Usage: awk -v model=m0|rv32 -f cycles.awk LISTING TRACE, with LISTING from objdump -d and TRACE from
+# Usage: awk -v model=m0|rv32 -f cycles.awk LISTING FS=/ TRACE, with LISTING from objdump -d and TRACE from
 # qemu -singlestep -d exec,nochain. Prints "mark CYCLE" for every call of target_mark, and at the end
 # "end CYCLE".
 #
@@ -45,8 +45,9 @@ function learn_rv32(at, op) {
 
 function plain(address) { sub(/^0+/, "", address); return address == "" ? "0" : address }
 
-FNR == NR && /^[0-9a-f]+ <target_mark>:/ { mark = plain($1) }
-FNR == NR && /^ *[0-9a-f]+:\t/ {
+FNR == NR {
+    if (/^[0-9a-f]+ <target_mark>:/) { mark = plain($1) }
+    if (!/^ *[0-9a-f]+:\t/) { next }
     split($0, field, "\t")
     at = field[1]
     gsub(/[ :]/, "", at)
@@ -58,12 +59,11 @@ FNR == NR && /^ *[0-9a-f]+:\t/ {
     if (model == "m0") { learn_m0(at, op, rest) } else { learn_rv32(at, op) }
     next
 }
-FNR == NR { next }
 
 # An instruction's cost depends on the next one: whether a branch was taken.
 /^Trace/ {
-    split($0, field, "/")
-    at = plain(field[2])
+    if (!($2 in address)) { address[$2] = plain($2) } # gawk takes its time over regular expressions
+    at = address[$2]
     if (again) { again = 0; if (at == before) { next } }
     if (before == "" && !(at in cost)) { next } # the board's own start
     if (!(at in cost)) { print "cycles.awk: no instruction at " at >"/dev/stderr"; failed = 1; exit 1 }

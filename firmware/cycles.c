@@ -6,6 +6,7 @@
  * cosines, per cosine. Set-up (the lobe's slope, the tables) is not timed. */
 #include "burnish/shade_q15.h"
 
+#include "rivals.h"
 #include "target.h"
 
 #ifdef WITH_FLOAT
@@ -20,65 +21,16 @@ typedef struct input {
     uint16_t cosines[COSINES];
     uint16_t exponent;
     burnish_lobe_q15 taylor, energy, aligned, order4, order8, order16;
-    uint16_t table[257];         /* cos^n at 256ths, UQ0.16 */
+    uint16_t middles[256]; /* the tables of rivals.h */
+    uint16_t ends[257];
     int16_t normals[COSINES][3]; /* Q15, 2 % too short, as after interpolation */
     int32_t lengths[COSINES][3]; /* the same of any length */
     burnish_q15_shader shader;
     burnish_q15_light light;
 } input;
 
-/* ---- The rivals ----------------------------------------------------------------------------- */
-
-/* c / (c + n (1 - c)) by one 32-bit division. */
-static inline uint16_t schlick16(uint16_t exponent, uint16_t cosine) {
-    const uint32_t below = cosine + burnish_q15_multiply(exponent, burnish_q15_lambda(cosine));
-    return cosine >= BURNISH_Q15_ONE ? (uint16_t)0xFFFFu
-                                     : (uint16_t)(((uint32_t)cosine << 16) / below);
-}
-
-#ifdef __AVR__
-typedef __uint24 word24;
-#else
-typedef uint32_t word24;
-#endif
-
-/* The same to 8 bits, n <= 255: eight steps of restoring division, unrolled. */
-static inline uint8_t schlick8(uint8_t exponent, uint16_t cosine) {
-    const word24 below =
-        (word24)cosine + (word24)burnish_q15_multiply(exponent, burnish_q15_lambda(cosine));
-    word24 rest = cosine;
-    uint8_t quotient = 0;
-    if (cosine >= BURNISH_Q15_ONE) {
-        return 0xFF;
-    }
-#define STEP(bit)                                                                                  \
-    rest = (word24)(rest + rest);                                                                  \
-    if (rest >= below) {                                                                           \
-        rest = (word24)(rest - below);                                                             \
-        quotient |= (uint8_t)(bit);                                                                \
-    }
-    STEP(128)
-    STEP(64)
-    STEP(32)
-    STEP(16)
-    STEP(8)
-    STEP(4)
-    STEP(2)
-    STEP(1)
-#undef STEP
-    return quotient;
-}
-
-static inline uint16_t table_nearest(const uint16_t *table, uint16_t cosine) {
-    return table[(uint8_t)(cosine >= BURNISH_Q15_ONE ? 255 : cosine >> 7)];
-}
-
-static inline uint16_t table_between(const uint16_t *table, uint16_t cosine) {
-    const uint16_t *at = table + (cosine >= BURNISH_Q15_ONE ? 255 : cosine >> 7);
-    return (uint16_t)(at[0] + (uint16_t)((burnish_q15_multiply((uint16_t)(at[1] - at[0]),
-                                                               (uint8_t)(cosine & 127u))) >>
-                                         7));
-}
+/* ---- The same in floating point -----------------------------------------------------------------
+ */
 
 #ifdef WITH_FLOAT
 static inline uint16_t float_taylor(float exponent, uint16_t cosine) {
@@ -144,8 +96,8 @@ static inline uint16_t stored(uint16_t slope, uint16_t reach, uint8_t shift, uin
     X(order16, uint16_t, burnish_lobe_q15_fast(&in->order16, c))                                   \
     X(schlick16, uint16_t, schlick16(n, c))                                                        \
     X(schlick8, uint8_t, schlick8(n, c))                                                           \
-    X(table_nearest, uint16_t, table_nearest(in->table, c))                                        \
-    X(table_between, uint16_t, table_between(in->table, c))
+    X(table_nearest, uint16_t, table_nearest(in->middles, c))                                      \
+    X(table_between, uint16_t, table_between(in->ends, c))
 #ifdef WITH_FLOAT
 #define FLOAT_VARIANTS(X)                                                                          \
     X(float_taylor, float, float_taylor(n, c))                                                     \
@@ -184,8 +136,8 @@ FLOAT_VARIANTS(LOOP)
     X(pixel_aligned_stored, uint16_t,                                                              \
       PIXEL(in, i, stored(in->aligned.slope, in->aligned.reach, 8, c)))                            \
     X(pixel_schlick16, uint16_t, PIXEL(in, i, schlick16(n, c)))                                    \
-    X(pixel_table_nearest, uint16_t, PIXEL(in, i, table_nearest(in->table, c)))                    \
-    X(pixel_table_between, uint16_t, PIXEL(in, i, table_between(in->table, c)))
+    X(pixel_table_nearest, uint16_t, PIXEL(in, i, table_nearest(in->middles, c)))                  \
+    X(pixel_table_between, uint16_t, PIXEL(in, i, table_between(in->ends, c)))
 #ifdef WITH_FLOAT
 #define FLOAT_PIXELS(X) X(pixel_float_power, float, PIXEL(in, i, float_power(n, c)))
 #else
@@ -244,17 +196,22 @@ static void run(const char *name, loop *time, const input sets[2], uint8_t is_ex
     target_put('\n');
 }
 
-/* cos^32 by five squarings in 32 bits, rounded. */
-static void fill_table(uint16_t table[257]) {
-    uint16_t i;
-    for (i = 0; i <= 256; ++i) {
-        uint32_t x = i == 256 ? 0xFFFFFFFFul : (uint32_t)i << 24;
-        uint8_t k;
-        for (k = 0; k < 5; ++k) {
-            x = burnish_q15_square_wide(x);
-        }
-        table[i] = burnish_q15_round(x);
+/* x^32 of x in UQ0.32 by five squarings, rounded to UQ0.16. */
+static uint16_t power32(uint32_t x) {
+    uint8_t k;
+    for (k = 0; k < 5; ++k) {
+        x = burnish_q15_square_wide(x);
     }
+    return burnish_q15_round(x);
+}
+
+static void fill_tables(input *in) {
+    uint16_t i;
+    for (i = 0; i < 256; ++i) {
+        in->middles[i] = power32(((uint32_t)i << 24) + 0x800000ul);
+        in->ends[i] = power32((uint32_t)i << 24);
+    }
+    in->ends[256] = power32(0xFFFFFFFFul);
 }
 
 /* Normals around the half vector: all within the lobe, or over the whole lit side. */
@@ -299,7 +256,7 @@ static void fill(input *in, uint16_t reach) {
     burnish_lobe_q15_create(&in->order4, BURNISH_Q15_TAYLOR, 4, EXPONENT);
     burnish_lobe_q15_create(&in->order8, BURNISH_Q15_TAYLOR, 8, EXPONENT);
     burnish_lobe_q15_create(&in->order16, BURNISH_Q15_TAYLOR, 16, EXPONENT);
-    fill_table(in->table);
+    fill_tables(in);
     fill_normals(in, reach);
 }
 

@@ -1,12 +1,14 @@
 /* Every proof of q15_proof.h over every exponent, n = 1 .. 1023, every cosine and every lambda up
  * to past the cutoff: takes two minutes, so `make prove-q15` runs it, not ctest. Usage: prove_q15
- * [--markdown|--inputs|--tables]
+ * [--markdown|--short|--inputs|--tables]
  *   --markdown  the table of errors of docs/firmware.md
+ *   --short     the same of every 64th exponent
  *   --inputs    the table of the errors of input formats
  *   --tables    the table of lobes and tables of cos^n, all against cos^n */
 #include <math.h>
 #include <stdlib.h>
 
+#include "../firmware/rivals.h"
 #include "burnish/shade_q15.h"
 #include "core/tasks.h"
 #include "q15_proof.h"
@@ -31,12 +33,13 @@ enum { EXPONENTS = 1023 };
 typedef struct proof {
     const q15_case *c;
     int of_lambdas;
+    int stride;
     q15_result found[EXPONENTS];
 } proof;
 
 static void prove_exponent(void *of, size_t index, int thread) {
     proof *p = of;
-    const uint32_t n = (uint32_t)index + 1;
+    const uint32_t n = (uint32_t)index * (uint32_t)p->stride + 1;
     (void)thread;
     if (p->of_lambdas) {
         q15_prove_lambdas(p->c, n, 1, &p->found[index]);
@@ -45,15 +48,16 @@ static void prove_exponent(void *of, size_t index, int thread) {
     }
 }
 
-/* One proof over all exponents, shared by threads. */
-static q15_result all(const q15_case *c, int of_lambdas) {
+/* One proof over every stride-th exponent, shared by threads. */
+static q15_result all(const q15_case *c, int of_lambdas, int stride) {
+    const size_t count = (size_t)((EXPONENTS + stride - 1) / stride);
     static proof p;
     q15_result result = {0};
     burnish_tasks tasks, *pool = &tasks;
     burnish_tasks_begin(&tasks, NULL, 0);
-    p = (proof){.c = c, .of_lambdas = of_lambdas};
-    burnish_tasks_run(pool, EXPONENTS, 1, 0, prove_exponent, &p);
-    for (size_t i = 0; i < EXPONENTS; ++i) {
+    p = (proof){.c = c, .of_lambdas = of_lambdas, .stride = stride};
+    burnish_tasks_run(pool, count, 1, 0, prove_exponent, &p);
+    for (size_t i = 0; i < count; ++i) {
         merge(&result, &p.found[i]);
     }
     return result;
@@ -126,53 +130,58 @@ static void print_inputs(void) {
     }
 }
 
-/* cos^n from a table of 256 entries at the middles of their steps, the nearest one. */
-static double nearest(double cosine, int n) {
-    return pow((fmin(255, floor(cosine * 256)) + .5) / 256, n);
+static uint16_t power_word(double cosine, int n) {
+    return (uint16_t)fmin(65535, floor(pow(cosine, n) * 65536 + .5));
 }
 
-/* cos^n from 257 entries, interpolated linearly. */
-static double between(double cosine, int n) {
-    const double step = fmin(255, floor(cosine * 256)), part = cosine * 256 - step;
-    return pow(step / 256, n) * (1 - part) + pow((step + 1) / 256, n) * part;
-}
-
-/* Largest errors against cos^n over all cosines: lobes as computed, tables without rounding. */
-static void print_tables(void) {
+/* Largest errors against cos^n over all cosines, in the order of the columns below. */
+static void rival_errors(int n, double worst[6]) {
     static const struct {
-        const char *name;
         burnish_q15_fit fit;
         uint16_t order;
-    } lobes[] = {{"shift7", BURNISH_Q15_SHIFT7, 2},
-                 {"energy, order 2", BURNISH_Q15_ENERGY, 2},
-                 {"energy, order 4", BURNISH_Q15_ENERGY, 4},
-                 {"energy, order 8", BURNISH_Q15_ENERGY, 8}};
-    printf("| exponent | 256 entries, nearest | 257 entries, interpolated |");
+    } columns[] = {{BURNISH_Q15_SHIFT7, 2},
+                   {BURNISH_Q15_ENERGY, 2},
+                   {BURNISH_Q15_ENERGY, 4},
+                   {BURNISH_Q15_ENERGY, 8}};
+    uint16_t middles[256], ends[257];
+    burnish_lobe_q15 lobes[4];
     for (int i = 0; i < 4; ++i) {
-        printf(" %s |", lobes[i].name);
+        burnish_lobe_q15_create(&lobes[i], columns[i].fit, columns[i].order, (uint16_t)n);
     }
-    printf("\n| ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+    for (int i = 0; i <= 256; ++i) {
+        ends[i] = power_word(i / 256.0, n);
+        if (i < 256) {
+            middles[i] = power_word((i + .5) / 256, n);
+        }
+    }
+    for (uint16_t cosine = 0; cosine <= 0x8000; ++cosine) {
+        const double real = pow(cosine / 32768.0, n);
+        uint16_t found[6] = {table_nearest(middles, cosine), table_between(ends, cosine)};
+        for (int i = 0; i < 4; ++i) {
+            found[2 + i] = burnish_lobe_q15_fast(&lobes[i], cosine);
+        }
+        for (int i = 0; i < 6; ++i) {
+            worst[i] = fmax(worst[i], fabs(found[i] / 65536.0 - real));
+        }
+    }
+}
+
+static void print_tables(void) {
+    printf(
+        "| exponent | 256 entries, nearest | 257 entries, interpolated | shift7 | energy, order 2 "
+        "| energy, order 4 | energy, order 8 |\n"
+        "| ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
     for (int n = 8; n < 1024; n = n < 512 ? 2 * n : n == 512 ? 1023 : 1024) {
         double worst[6] = {0};
-        for (int cosine = 0; cosine <= 0x8000; ++cosine) {
-            const double c = cosine / 32768.0, real = pow(c, n);
-            worst[0] = fmax(worst[0], fabs(nearest(c, n) - real));
-            worst[1] = fmax(worst[1], fabs(between(c, n) - real));
-            for (int i = 0; i < 4; ++i) {
-                burnish_lobe_q15 lobe;
-                burnish_lobe_q15_create(&lobe, lobes[i].fit, lobes[i].order, (uint16_t)n);
-                worst[2 + i] =
-                    fmax(worst[2 + i],
-                         fabs(burnish_lobe_q15_fast(&lobe, (uint16_t)cosine) / 65536.0 - real));
-            }
-        }
+        rival_errors(n, worst);
         printf("| %d | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f |\n", n, worst[0], worst[1],
                worst[2], worst[3], worst[4], worst[5]);
     }
 }
 
 int main(int argc, char **argv) {
-    const int markdown = argc == 2 && strcmp(argv[1], "--markdown") == 0;
+    const int brief = argc == 2 && strcmp(argv[1], "--short") == 0;
+    const int markdown = brief || (argc == 2 && strcmp(argv[1], "--markdown") == 0);
     q15_result cosines[Q15_CASES];
     int bad = 0;
     if (argc == 2 && strcmp(argv[1], "--inputs") == 0) {
@@ -184,12 +193,12 @@ int main(int argc, char **argv) {
         return EXIT_SUCCESS;
     }
     if (argc > 2 || (argc == 2 && !markdown)) {
-        fprintf(stderr, "prove_q15: use --markdown, --inputs, --tables or nothing\n");
+        fprintf(stderr, "prove_q15: use --markdown, --short, --inputs, --tables or nothing\n");
         return EXIT_FAILURE;
     }
     if (markdown) {
         for (int i = 0; i < Q15_CASES; ++i) {
-            cosines[i] = all(&q15_cases[i], 0);
+            cosines[i] = all(&q15_cases[i], 0, brief ? 64 : 1);
         }
         print_markdown(cosines);
         return 0;
@@ -202,12 +211,12 @@ int main(int argc, char **argv) {
     }
     printf("\n");
     for (int i = 0; i < Q15_CASES; ++i) {
-        cosines[i] = all(&q15_cases[i], 0);
+        cosines[i] = all(&q15_cases[i], 0, 1);
         bad += !q15_report("cosine", &q15_cases[i], &cosines[i]);
         fflush(stdout);
     }
     for (int i = 0; i < Q15_CASES; ++i) {
-        const q15_result result = all(&q15_cases[i], 1);
+        const q15_result result = all(&q15_cases[i], 1, 1);
         bad += !q15_report("lambda", &q15_cases[i], &result);
         fflush(stdout);
     }

@@ -74,6 +74,14 @@
 extern "C" {
 #endif
 
+/* Steps that are hardly larger than a call of them. At -Os, with which Arduino compiles, GCC would
+ * call them, which makes lobes on AVR up to 2.9 times as slow, and most of them larger. */
+#ifdef __GNUC__
+#define BURNISH_Q15_INLINE static inline __attribute__((always_inline))
+#else
+#define BURNISH_Q15_INLINE static inline
+#endif
+
 /* The cosine 1, and the largest 1 - cosine. */
 #define BURNISH_Q15_ONE 0x8000u
 #define BURNISH_Q15_LAMBDA_MAX 0xFFFFFFul
@@ -113,7 +121,7 @@ typedef struct burnish_lobe_q15 {
  * The steps of the functions below; the hardware in rtl/ has a module for each. */
 
 /* 1 - cosine in UQ1.15.  cosine  any; above 0x8000 counts as 1 */
-static inline uint16_t burnish_q15_lambda(uint16_t cosine) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_lambda(uint16_t cosine) {
 #ifdef __AVR__ /* two cycles where the comparison takes six */
     uint16_t lambda = (uint16_t)(BURNISH_Q15_ONE - cosine);
     if ((uint8_t)(lambda >> 8) & 0x80u) {
@@ -132,7 +140,7 @@ static inline uint16_t burnish_q15_lambda(uint16_t cosine) {
 #endif
 
 /* The product of two 16-bit numbers in 32 bits. */
-static inline uint32_t burnish_q15_multiply(uint16_t a, uint16_t b) {
+BURNISH_Q15_INLINE uint32_t burnish_q15_multiply(uint16_t a, uint16_t b) {
 #ifdef BURNISH_Q15_AVR
     uint32_t product;
     uint8_t zero;
@@ -159,7 +167,7 @@ static inline uint32_t burnish_q15_multiply(uint16_t a, uint16_t b) {
 }
 
 /* w of a cosine: zeta (1 - c) in 2^-(16 + shift), exact.  lambda  UQ1.15, at most 0x8000 */
-static inline uint32_t burnish_q15_product(uint16_t slope, uint_fast16_t lambda) {
+BURNISH_Q15_INLINE uint32_t burnish_q15_product(uint16_t slope, uint_fast16_t lambda) {
 #ifdef BURNISH_Q15_AVR
     return burnish_q15_multiply(slope, lambda);
 #else
@@ -168,14 +176,14 @@ static inline uint32_t burnish_q15_product(uint16_t slope, uint_fast16_t lambda)
 }
 
 /* w of a 1 - cosine: zeta lambda in 2^-(16 + shift), floor.  lambda  UQ0.24, at most 0xFFFFFF */
-static inline uint32_t burnish_q15_product_lambda(uint16_t slope, uint32_t lambda) {
+BURNISH_Q15_INLINE uint32_t burnish_q15_product_lambda(uint16_t slope, uint32_t lambda) {
     return ((burnish_q15_multiply(slope, (uint16_t)(lambda >> 16)) << 8) +
             (burnish_q15_multiply(slope, (uint16_t)lambda) >> 8)) >>
            1;
 }
 
 /* floor(w / 2^shift): by a whole byte first on AVR, which shifts one bit at a time. */
-static inline uint32_t burnish_q15_shift(uint32_t w, uint8_t shift) {
+BURNISH_Q15_INLINE uint32_t burnish_q15_shift(uint32_t w, uint8_t shift) {
 #ifdef __AVR__
     if (shift >= 8) {
         w >>= 8;
@@ -186,7 +194,7 @@ static inline uint32_t burnish_q15_shift(uint32_t w, uint8_t shift) {
 }
 
 /* floor(x^2 / 2^16) of x in UQ0.16. */
-static inline uint16_t burnish_q15_square(uint_fast16_t x) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_square(uint_fast16_t x) {
 #ifdef BURNISH_Q15_AVR
     uint16_t square;
     uint8_t low, zero;
@@ -212,19 +220,19 @@ static inline uint16_t burnish_q15_square(uint_fast16_t x) {
 }
 
 /* x^2 of x in UQ0.16, rounded, halves up; 0xFFFF^2 + 0x8000 still fits. */
-static inline uint16_t burnish_q15_square_rounded(uint16_t x) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_square_rounded(uint16_t x) {
     return (uint16_t)((burnish_q15_multiply(x, x) + 0x8000u) >> 16);
 }
 
 /* (x + 1/2)^2 of x in UQ0.16, rounded: x stands for the middle of the interval truncated to it. */
-static inline uint16_t burnish_q15_square_middle(uint16_t x) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_square_middle(uint16_t x) {
     return (uint16_t)((burnish_q15_multiply(x, x) + x + 0x8000u) >> 16);
 }
 
 /* (y + 1/2)^2 of y = x >> 7, the top 9 bits of x in UQ0.16, rounded to 8 bits:
  * (y (y + 1) + 511) >> 10. With y = 2 h + b that is (h h + b h + ((h + b + 255) >> 1)) >> 8, which
  * needs one product of 8 bits and fits in 16. */
-static inline uint8_t burnish_q15_square8(uint_fast16_t x) {
+BURNISH_Q15_INLINE uint8_t burnish_q15_square8(uint_fast16_t x) {
 #ifdef BURNISH_Q15_AVR
     uint8_t result = 255, zero, some;
     __asm__("mul %B3, %B3\n\t"
@@ -257,12 +265,12 @@ static inline uint32_t burnish_q15_square_wide(uint32_t x) {
 }
 
 /* UQ0.32 rounded to UQ0.16, halves up, 1 limited to 0xFFFF. */
-static inline uint16_t burnish_q15_round(uint32_t x) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_round(uint32_t x) {
     return x >= 0xFFFF8000ul ? (uint16_t)0xFFFFu : (uint16_t)((x + 0x8000u) >> 16);
 }
 
 /* UQ0.32 rounded to UQ0.8, halves up, 1 limited to 0xFF. */
-static inline uint8_t burnish_q15_round8(uint32_t x) {
+BURNISH_Q15_INLINE uint8_t burnish_q15_round8(uint32_t x) {
     return x >= 0xFF800000ul ? (uint8_t)0xFFu : (uint8_t)((x + 0x800000ul) >> 24);
 }
 
@@ -270,7 +278,7 @@ static inline uint8_t burnish_q15_round8(uint32_t x) {
  * most 2m - 1 steps below the lobe.
  *   a          0 .. 0xFFFF
  *   squarings  1 .. 4; 0, the dark lobe's, gives 0 */
-static inline uint16_t burnish_q15_fast_at(uint_fast16_t a, uint8_t squarings) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_fast_at(uint_fast16_t a, uint8_t squarings) {
     uint16_t x = burnish_q15_square(0xFFFFu - a);
     while (--squarings) {
         x = burnish_q15_square(x);
@@ -326,7 +334,7 @@ static inline uint32_t burnish_q15_wide_of(uint32_t fraction, uint8_t squarings)
 
 /* Form fast, order 2, of any slope. For a cosine above 1 the difference wraps, w exceeds 2^31, and
  * the test for the cutoff finds that too. */
-static inline uint16_t burnish_slope_q15(uint16_t slope, uint8_t shift, uint16_t cosine) {
+BURNISH_Q15_INLINE uint16_t burnish_slope_q15(uint16_t slope, uint8_t shift, uint16_t cosine) {
 #ifdef __AVR__ /* 16 bits are cheaper there, but do not show the wrap */
     const uint32_t a = burnish_q15_product(slope, burnish_q15_lambda(cosine)) >> shift;
     return a > 0xFFFFu ? (uint16_t)0 : burnish_q15_square((uint16_t)~a);
@@ -558,8 +566,8 @@ static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) 
 
 /* Whether the lobe is above 0. For a cosine above 1, 1 - cosine wraps and is beyond every reach.
  *   lambda  receives 1 - cosine in UQ1.15 */
-static inline uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint16_t cosine,
-                                              uint_fast16_t *lambda) {
+BURNISH_Q15_INLINE uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint16_t cosine,
+                                                   uint_fast16_t *lambda) {
     *lambda = (uint_fast16_t)(BURNISH_Q15_ONE - cosine);
     if (*lambda <= lobe->reach) {
         return 1;
@@ -572,7 +580,8 @@ static inline uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe, uint
 }
 
 /* a at such a 1 - cosine: below 1, since reach is at most the lobe's own. */
-static inline uint_fast16_t burnish_lobe_q15_a(const burnish_lobe_q15 *lobe, uint_fast16_t lambda) {
+BURNISH_Q15_INLINE uint_fast16_t burnish_lobe_q15_a(const burnish_lobe_q15 *lobe,
+                                                    uint_fast16_t lambda) {
     return (uint_fast16_t)burnish_q15_shift(burnish_q15_product(lobe->slope, lambda), lobe->shift);
 }
 

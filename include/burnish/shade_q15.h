@@ -50,7 +50,7 @@ extern "C" {
 /* ---- Vectors -------------------------------------------------------------------------------- */
 
 /* The product of two Q15 numbers in Q30. */
-static inline int32_t burnish_q15_multiply_signed(int16_t a, int16_t b) {
+BURNISH_Q15_INLINE int32_t burnish_q15_multiply_signed(int16_t a, int16_t b) {
 #ifdef BURNISH_Q15_AVR
     int32_t product;
     uint8_t zero;
@@ -87,7 +87,7 @@ static inline int32_t burnish_q15_dot(const int16_t a[3], const int16_t b[3]) {
 }
 
 /* floor(x / 2^15) of x below 2^31. By whole bytes on AVR, which shifts one bit at a time. */
-static inline uint16_t burnish_q15_shift15(uint32_t x) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_shift15(uint32_t x) {
 #ifdef __AVR__
     return (uint16_t)((x + x) >> 16);
 #else
@@ -243,7 +243,7 @@ static inline uint16_t burnish_q15_from_byte(uint8_t byte) {
 }
 
 /* The product of two numbers in UQ1.15, rounded, halves up, limited to 0xFFFF. */
-static inline uint16_t burnish_q15_scale(uint16_t a, uint16_t b) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_scale(uint16_t a, uint16_t b) {
     const uint32_t product = burnish_q15_multiply(a, b);
     return product >= 0x7FFFC000ul ? (uint16_t)0xFFFFu : burnish_q15_shift15(product + 0x4000u);
 }
@@ -253,14 +253,14 @@ static inline uint16_t burnish_q15_scale(uint16_t a, uint16_t b) {
  *   sum     UQ1.15
  *   factor  UQ1.15: the light's intensity times the surface's
  *   weight  UQ0.16: a lobe, or a cosine by burnish_q15_weight */
-static inline uint16_t burnish_q15_accumulate(uint16_t sum, uint16_t factor, uint16_t weight) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_accumulate(uint16_t sum, uint16_t factor, uint16_t weight) {
     const uint16_t term = (uint16_t)(burnish_q15_multiply(factor, weight) >> 16);
     const uint16_t total = (uint16_t)(sum + term);
     return total < term ? (uint16_t)0xFFFFu : total;
 }
 
 /* A cosine as a weight: UQ1.15, at most 0x8000, to UQ0.16, 1 limited to 0xFFFF. */
-static inline uint16_t burnish_q15_weight(uint16_t cosine) {
+BURNISH_Q15_INLINE uint16_t burnish_q15_weight(uint16_t cosine) {
     return cosine >= BURNISH_Q15_ONE ? (uint16_t)0xFFFFu : (uint16_t)(2u * cosine);
 }
 
