@@ -50,9 +50,10 @@ module burnish_base #(
                         slope <= one ? 13'd0 : scaled;
                         kept <= {1'b1, angle[14:0]};
                     end
-                reg [31:0] complement;
-                wire signed [31:0] product = $signed({3'b0, slope}) * $signed(kept);
-                always @(posedge clk) if (enable) complement <= product - 32'd1;
+                wire [31:0] complement;
+                burnish_multiplier #(.SIGNED(1), .ADD(1)) multiply (
+                    .clk(clk), .enable(enable), .a({3'b0, slope}), .b(kept),
+                    .addend(32'hFFFFFFFF), .product(complement));
                 reg [15:0] kept_t;
                 wire lit = &complement[29:16+SHIFT]; /* w < 2^29 */
                 always @(posedge clk)
@@ -65,8 +66,10 @@ module burnish_base #(
                         slope <= scaled;
                         wide <= angle;
                     end
-                reg [36:0] product;
-                always @(posedge clk) if (enable) product <= slope * wide;
+                wire [36:0] product;
+                burnish_multiplier #(.A_WIDTH(13), .B_WIDTH(24)) multiply (
+                    .clk(clk), .enable(enable), .a(slope), .b(wide), .addend(37'd0),
+                    .product(product));
                 reg [15:0] kept_t;
                 wire zero = |product[36:25+SHIFT];
                 always @(posedge clk)

@@ -51,27 +51,21 @@ module burnish_channel #(
         .user_in({lit_now, color_now, sum_now, user_now}), .value(value),
         .user_out({lit_late, color_late, sum_late, user_late}));
 
-    reg [15:0] weight;
-    reg [47:0] color_kept;
-    always @(posedge clk)
-        if (enable) begin
-            weight <= lit_late ? value : 16'd0;
-            color_kept <= color_late;
-        end
+    wire [15:0] weight = lit_late ? value : 16'd0;
     genvar k;
     generate
         for (k = 0; k < 3; k = k + 1) begin : channel
-            reg [31:0] term;
+            wire [31:0] term;
+            burnish_multiplier #(.INPUTS(1)) multiply (
+                .clk(clk), .enable(enable), .a(color_late[16*k+:16]), .b(weight),
+                .addend(32'd0), .product(term));
             reg [15:0] sum;
             wire [15:0] prior;
             burnish_delay #(.WIDTH(16), .DEPTH(2)) line (
                 .clk(clk), .enable(enable), .in(sum_late[16*k+:16]), .out(prior));
             wire [16:0] total = {1'b0, prior} + {1'b0, term[31:16]};
             always @(posedge clk)
-                if (enable) begin
-                    term <= color_kept[16*k+:16] * weight;
-                    sum <= total[16] ? 16'hFFFF : total[15:0];
-                end
+                if (enable) sum <= total[16] ? 16'hFFFF : total[15:0];
             assign sum_out[16*k+:16] = sum;
         end
     endgenerate

@@ -10,7 +10,7 @@
 // Parameters WIDTH    bits of t
 //            ROWS     adder rows between two registers
 //            SEGMENT  0, or columns between two carry registers; see burnish_product
-//            DSP      1: a plain `*` and one register, for chips with multipliers
+//            DSP      1: burnish_multiplier, for chips with multipliers
 // Ports      offset   WIDTH + 1 bits, at most 2^(WIDTH + 1) - 2; for rounding; 0 costs nothing
 //            square   registered; bits that are not read cost little
 //
@@ -36,9 +36,9 @@ module burnish_square #(
     genvar k, i, s;
     generate
         if (DSP != 0) begin : multiplier
-            reg [COLUMNS-1:0] kept;
-            always @(posedge clk) if (enable) kept <= t * t + offset;
-            assign square = kept;
+            burnish_multiplier #(.A_WIDTH(WIDTH), .B_WIDTH(WIDTH), .ADD(1)) multiply (
+                .clk(clk), .enable(enable), .a(t), .b(t),
+                .addend({{WIDTH - 1{1'b0}}, offset}), .product(square));
         end else begin : rows
         for (k = 0; k < CLOCKS; k = k + 1) begin : at
             wire [WIDTH-1:0] t_now;

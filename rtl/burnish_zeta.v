@@ -47,9 +47,9 @@ module burnish_zeta #(
     wire [KEEP-1:0] product;
     generate
         if (DSP != 0) begin : dsp
-            reg [KEEP-1:0] kept;
-            always @(posedge clk) if (enable) kept <= slope_kept * u;
-            assign product = kept;
+            burnish_multiplier #(.A_WIDTH(16), .B_WIDTH(U_WIDTH)) multiply (
+                .clk(clk), .enable(enable), .a(slope_kept), .b(u), .addend({KEEP{1'b0}}),
+                .product(product));
         end else begin : rows
             wire over; /* never: the product is kept whole */
             burnish_product #(.SLOPE_WIDTH(16), .U_WIDTH(U_WIDTH), .KEEP(KEEP), .ROWS(ROWS),
