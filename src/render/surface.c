@@ -120,123 +120,76 @@ static void divide(int count, const float *const attribute[3], const float *inve
     }
 }
 
-/* The fragments [first, end), which have one material. */
+/* `count` points of one material. */
 static void shade_material(const burnish_shading *shading, const burnish_kernels_points *points,
-                           const burnish_kernels_shader *shader, int first, int end,
-                           float *const rgb[3]) {
-    burnish_kernels_points run = {.w = points->w + first};
-    float *to[3];
-    for (int k = 0; k < 3; ++k) {
-        run.normal[k] = points->normal[k] + first;
-        run.diffuse[k] = points->diffuse[k] ? points->diffuse[k] + first : NULL;
-        run.position[k] = points->position[k] + first;
-        to[k] = rgb[k] + first;
-    }
+                           int material, int count, float *const rgb[3]) {
+    const burnish_kernels_shader *shader = &shading->shaders[material];
     shading->ops->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
-        shader, &run, (size_t)(end - first), NULL, to);
+        shader, points, (size_t)count, NULL, rgb);
 }
 
-/* Where the run of one material that begins at `first` ends. */
-static int material_end(const burnish_fragment_batch *batch, int first) {
-    const uint16_t *material = batch->material;
-    int end = first + 1;
-    while (end < batch->count && material[end] == material[first]) {
-        ++end;
+static int has_one_material(const burnish_fragment_batch *batch) {
+    const int32_t *material = batch->material;
+    int32_t different = 0;
+    for (int i = 0; i < (material ? batch->count : 0); ++i) {
+        different |= material[i] ^ material[0];
     }
-    return end;
+    return different == 0;
 }
 
-/* Whether runs of one material are so short that the kernels work on parts of vectors. */
-static int is_mixed(const burnish_fragment_batch *batch) {
-    enum { SHORT = 24 };
-    int runs = 1;
-    for (int i = 1; i < batch->count; ++i) {
-        runs += batch->material[i] != batch->material[i - 1];
-    }
-    return runs > 1 && runs * SHORT > batch->count;
+/* The arrays of a batch that shading reads, and where those of one material go. */
+typedef struct point_streams {
+    int count;
+    const float *from[BURNISH_SHADE_STREAMS];
+    float *to[BURNISH_SHADE_STREAMS];
+} point_streams;
+
+static void add_stream(point_streams *streams, const float *from, float *to) {
+    streams->from[streams->count] = from;
+    streams->to[streams->count] = to;
+    streams->count += 1;
 }
 
-/* Sorts the numbers of a batch's fragments by material, each group in its order; returns how many
- * materials there are. */
-static int sort_by_material(const burnish_fragment_batch *batch, burnish_material_groups *groups) {
-    enum { SLOTS = sizeof groups->table / sizeof *groups->table };
-    int count = 0;
-    memset(groups->table, 0, sizeof groups->table);
-    for (int i = 0, group = 0; i < batch->count; ++i) {
-        const uint16_t material = batch->material[i];
-        if (i == 0 || material != batch->material[i - 1]) {
-            unsigned slot = material % SLOTS;
-            while (groups->table[slot] && groups->materials[groups->table[slot] - 1] != material) {
-                slot = (slot + 1) % SLOTS; /* twice as many as there can be materials */
-            }
-            if (!groups->table[slot]) {
-                groups->materials[count] = material;
-                groups->ends[count] = 0;
-                groups->table[slot] = (uint16_t)++count;
-            }
-            group = groups->table[slot] - 1;
-        }
-        groups->of[i] = (uint16_t)group;
-        groups->ends[group] += 1;
-    }
-    for (int group = 0, end = 0; group < count; ++group) {
-        const int size = groups->ends[group];
-        groups->ends[group] = (uint16_t)end; /* where it begins, so far */
-        end += size;
-    }
-    for (int i = 0; i < batch->count; ++i) {
-        groups->order[groups->ends[groups->of[i]]++] = (uint16_t)i;
-    }
-    return count;
+static int padded(int count) {
+    return (count + BURNISH_SHADE_PAD - 1) / BURNISH_SHADE_PAD * BURNISH_SHADE_PAD;
 }
 
-/* Brings the points of a group together; the last one fills whole vectors. */
-static void gather_group(const burnish_shading *shading, const burnish_kernels_points *points,
-                         const uint16_t *order, int size, int padded,
-                         burnish_material_group *group) {
-    for (int i = 0; i < padded; ++i) {
-        const int from = order[i < size ? i : size - 1];
-        for (int k = 0; k < 3; ++k) {
-            group->normal[k][i] = points->normal[k][from];
-        }
-        for (int k = 0; k < 3 && points->diffuse[k]; ++k) {
-            group->diffuse[k][i] = points->diffuse[k][from];
-        }
-        for (int k = 0; k < 3 && shading->needs_position; ++k) {
-            group->position[k][i] = points->position[k][from];
-        }
-        group->w[i] = shading->needs_position ? points->w[from] : 0;
-    }
-}
-
-/* Shades a batch of many materials: the fragments of each are brought together, shaded, and taken
- * back. */
+/* Shades a batch of several materials, one after another: the vectors that show it are brought
+ * together, shaded, and its pixels of them taken back. */
 static void shade_mixed(const burnish_shading *shading, const burnish_fragment_batch *batch,
                         const burnish_kernels_points *points, burnish_fragment_scratch *scratch,
                         float *const rgb[3]) {
-    burnish_material_groups *groups = &scratch->groups;
-    const int count = sort_by_material(batch, groups);
-    burnish_material_group *brought = &scratch->group;
-    burnish_kernels_points own = {.w = brought->w};
-    float *const light[3] = {brought->light[0], brought->light[1], brought->light[2]};
+    burnish_material_group *group = &scratch->group;
+    burnish_kernels_points brought = {.w = group->w};
+    float *const light[3] = {group->light[0], group->light[1], group->light[2]};
+    const float *const shaded[3] = {light[0], light[1], light[2]};
+    point_streams streams = {0};
     for (int k = 0; k < 3; ++k) {
-        own.normal[k] = brought->normal[k];
-        own.diffuse[k] = points->diffuse[k] ? brought->diffuse[k] : NULL;
-        own.position[k] = brought->position[k];
-    }
-    for (int group = 0, first = 0; group < count; ++group) {
-        const uint16_t *order = groups->order + first;
-        const int size = groups->ends[group] - first;
-        const int padded = (size + BURNISH_SHADE_PAD - 1) / BURNISH_SHADE_PAD * BURNISH_SHADE_PAD;
-        gather_group(shading, points, order, size, padded, brought);
-        shade_material(shading, &own, &shading->shaders[groups->materials[group]], 0, padded,
-                       light);
-        for (int i = 0; i < size; ++i) {
-            for (int k = 0; k < 3; ++k) {
-                rgb[k][order[i]] = light[k][i];
-            }
+        brought.normal[k] = group->normal[k];
+        brought.diffuse[k] = points->diffuse[k] ? group->diffuse[k] : NULL;
+        brought.position[k] = group->position[k];
+        add_stream(&streams, points->normal[k], group->normal[k]);
+        if (points->diffuse[k]) {
+            add_stream(&streams, points->diffuse[k], group->diffuse[k]);
         }
-        first = groups->ends[group];
+        if (shading->needs_position) {
+            add_stream(&streams, points->position[k], group->position[k]);
+        }
+    }
+    if (shading->needs_position) {
+        add_stream(&streams, points->w, group->w);
+    }
+    memcpy(group->left, batch->material, (size_t)padded(batch->count) * sizeof *group->left);
+    for (int i = 0; i < batch->count; ++i) {
+        const int32_t material = group->left[i];
+        if (material >= 0) {
+            const int size = shading->ops->collect_material(material, i, batch->count, group->left,
+                                                            streams.count, streams.from, streams.to,
+                                                            group->places);
+            shade_material(shading, &brought, material, size, light);
+            shading->ops->scatter_material(material, batch->material, size, group->places, shaded,
+                                           rgb);
+        }
     }
 }
 
@@ -260,14 +213,11 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         shading->ops->position_from_depth(&shading->rays, &batch->points, (size_t)batch->count,
                                           position, scratch->w);
     }
-    if (batch->material && is_mixed(batch)) {
+    if (has_one_material(batch)) {
+        const int material = batch->material ? batch->material[0] : 0;
+        shade_material(shading, &points, material, batch->count, rgb);
+    } else {
         shade_mixed(shading, batch, &points, scratch, rgb);
-        return;
-    }
-    for (int first = 0, end; first < batch->count; first = end) {
-        end = batch->material ? material_end(batch, first) : batch->count;
-        const int material = batch->material ? batch->material[first] : 0;
-        shade_material(shading, &points, &shading->shaders[material], first, end, rgb);
     }
 }
 
@@ -298,8 +248,8 @@ typedef struct block_run {
 /* Complex pixels get the material of the pixel before, so that runs of one material stay long;
  * their result is discarded. */
 static void find_materials(const burnish_surface *surface, const burnish_tile *tile, block_run run,
-                           const burnish_block_row *pixels, uint16_t *material) {
-    uint16_t last = 0;
+                           const burnish_block_row *pixels, int32_t *material) {
+    int32_t last = 0;
     for (int i = run.first; i < run.end; ++i) {
         if (pixels->simple[i] >= 0) {
             const uint32_t id = burnish_tile_id_and_facing(tile, run.row, i, pixels->simple[i]);

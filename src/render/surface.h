@@ -35,7 +35,8 @@ void burnish_attributes_destroy(burnish_attributes *attributes, const burnish_co
 /* Fragments that are shaded at once: their arrays stay in L1. */
 enum {
     BURNISH_SHADE_BATCH = 256,
-    BURNISH_SHADE_PAD = 16 /* lanes of the longest vector */
+    BURNISH_SHADE_PAD = 16,    /* lanes of the longest vector */
+    BURNISH_SHADE_STREAMS = 10 /* normal, colour, position, w */
 };
 
 /* Fragments to be shaded: arrays of `count` <= BURNISH_SHADE_BATCH, readable up to the next
@@ -47,7 +48,7 @@ typedef struct burnish_fragment_batch {
     const float *color[3];        /* linear vertex colours times 1/w; all NULL: none */
     const float *inverse_w;       /* 1/w; read with colours and where burnish_shading.is_lyon */
     burnish_screen_points points; /* read where burnish_shading.needs_position */
-    const uint16_t *material;     /* NULL: all are 0 */
+    const int32_t *material;      /* NULL: all are 0 */
 } burnish_fragment_batch;
 
 /* What a frame is shaded with. */
@@ -67,29 +68,22 @@ typedef struct burnish_surface {
     const uint16_t *triangle_materials; /* NULL: all have material 0 */
 } burnish_surface;
 
-/* A batch's fragments sorted by material. */
-typedef struct burnish_material_groups {
-    uint16_t materials[BURNISH_SHADE_BATCH], ends[BURNISH_SHADE_BATCH]; /* per group */
-    uint16_t of[BURNISH_SHADE_BATCH];                                   /* group of a fragment */
-    uint16_t order[BURNISH_SHADE_BATCH];     /* fragments, group after group */
-    uint16_t table[2 * BURNISH_SHADE_BATCH]; /* hashed materials: 1 + group, 0 for none */
-} burnish_material_groups;
-
-/* The points of one of these groups, and their light. */
+/* The vectors of a batch in which a material is shown, and their light. */
 typedef struct burnish_material_group {
     float normal[3][BURNISH_SHADE_BATCH], diffuse[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
     float light[3][BURNISH_SHADE_BATCH];
+    int32_t left[BURNISH_SHADE_BATCH];   /* materials not shaded yet, -1 for the others */
+    uint8_t places[BURNISH_SHADE_BATCH]; /* of vectors in the batch */
 } burnish_material_group;
 
 /* A thread's arrays. All zero before the first use. */
 typedef struct burnish_fragment_scratch {
     float normal[3][BURNISH_SHADE_BATCH], color[3][BURNISH_SHADE_BATCH]; /* times 1/w */
     float inverse_w[BURNISH_SHADE_BATCH];
-    uint16_t material[BURNISH_SHADE_BATCH];
+    int32_t material[BURNISH_SHADE_BATCH];
     float divided_normal[3][BURNISH_SHADE_BATCH], divided_color[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
-    burnish_material_groups groups;
     burnish_material_group group;
 } burnish_fragment_scratch;
 

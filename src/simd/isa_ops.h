@@ -95,6 +95,17 @@ typedef struct burnish_isa_ops {
 
     /* ---- render ---- */
 
+    /* Copies the vectors of points [first, count) in which `left` is `material`, one after another,
+     * from each of `streams` arrays to another; there `left` becomes -1. places[v] gets the first
+     * point of vector v, so count <= 256. Returns how many points were copied. Arrays are read and
+     * written up to the next multiple of 16. */
+    int (*collect_material)(int32_t material, int first, int count, int32_t *left, int streams,
+                            const float *const *from, float *const *to, uint8_t *places);
+
+    /* Takes `size` colours of such vectors back to where `materials` is `material`. */
+    void (*scatter_material)(int32_t material, const int32_t *materials, int size,
+                             const uint8_t *places, const float *const from[3], float *const to[3]);
+
     /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel,
      * then green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and
      * the others are `background`. */

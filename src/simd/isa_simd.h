@@ -5,6 +5,7 @@
 #include "raster/geometry_simd.h"
 #include "raster/tile_simd.h"
 #include "render/encode_simd.h"
+#include "render/materials_simd.h"
 #include "shading/lobe_simd.h"
 #include "shading/shade_simd.h"
 #include "simd/isa_ops.h"
@@ -90,6 +91,8 @@ static const burnish_isa_ops OPS = {
               [BURNISH_LOBE_BODY_GX] = SHADE_ROW(gx)},
     OP(normalize_array),
     OP(position_from_depth),
+    OP(collect_material),
+    OP(scatter_material),
     OP(encode_pixels),
     OP(pack_groups),
 };
