@@ -1,7 +1,7 @@
 # The front door. `make help` lists what there is; ./make does the same where make itself is missing.
 .DEFAULT_GOAL := help
 .PHONY: help deps build demo pictures test test-all check asan tsan msan clang scalar fuzz fuzz-briefly build-fuzz sweep bench \
-	bench-peers bench-scale format format-check golden abi figures mcu prove-q15 rtl rtl-prove cross install check-targets short-docs clean
+	bench-peers bench-scale format format-check golden abi figures mcu operations prove-q15 rtl rtl-prove cross install check-targets short-docs clean
 
 PRESET ?= release
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -138,6 +138,12 @@ mcu: short-docs ## run the firmware in simulators, check every pixel, count cycl
 	@$(DEPS) mcu mcu-float
 	@$(MAKE) --no-print-directory program-prove_q15 program-firmware_sheet
 	@./scripts/firmware-tables build/release $(DOCS)/firmware.md $(DOCS)/images/firmware.png $(if $(SHORT),short)
+
+operations: short-docs ## count the operations of W, W_0.5 and Schlick's lobe in machine code and circuits; fills docs/theory.md
+	@$(DEPS) build mcu rtl
+	@$(MAKE) --no-print-directory build
+	@./scripts/operation-counts build/operations $(DOCS)/images/operations.csv
+	@./scripts/theory-tables $(BUILD)/burnish $(DOCS)/theory.md
 
 cross: short-docs ## the golden hashes on musl, aarch64, armhf, i386, riscv64, s390x, Windows (minutes); fills docs/portability.md
 	@$(DEPS) build $(if $(SHORT),systems-short,systems)

@@ -1,6 +1,7 @@
 /* Runs an AVR program in simavr: its serial output goes to standard output. When the program writes
  * GPIOR0, a line "mark CYCLE" with the exact cycle goes to standard error.
- * Usage: simulate PROGRAM.elf */
+ * Usage: simulate PROGRAM.elf [trace]
+ * trace: the address of each instruction goes to standard error too, as qemu writes it. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,8 +36,9 @@ int main(int argc, char **argv) {
     avr_t *avr = avr_make_mcu_by_name("atmega1284p");
     uint32_t flags = 0;
     int state = cpu_Running;
-    if (argc != 2 || !avr) {
-        fprintf(stderr, "usage: simulate PROGRAM.elf\n");
+    const int traced = argc == 3 && strcmp(argv[2], "trace") == 0;
+    if ((argc != 2 && !traced) || !avr) {
+        fprintf(stderr, "usage: simulate PROGRAM.elf [trace]\n");
         return 2;
     }
     avr_global_logger_set(quiet);
@@ -54,6 +56,9 @@ int main(int argc, char **argv) {
                             NULL);
     avr_register_io_write(avr, GPIOR0, marked, NULL);
     while (state != cpu_Done && state != cpu_Crashed) {
+        if (traced) {
+            fprintf(stderr, "Trace 0: [0/%08x/0]\n", avr->pc);
+        }
         state = avr_run(avr);
     }
     return state == cpu_Crashed || fflush(stdout) != 0;

@@ -110,10 +110,11 @@ const burnish_claim_source burnish_claims_vectors[] = {
     {"operations-w", "W takes 2 multiplications, a shift, an increment and a decrement", "",
      "instructions of three processors and cells of the circuit: the table of operations in "
      "docs/theory.md",
-     "make mcu", BURNISH_THEORY_NONE, 2, 1, NULL, BURNISH_THEORY_COUNTED},
+     "make operations", BURNISH_THEORY_NONE, 2, 1, NULL, BURNISH_THEORY_COUNTED},
     {"operations-w05",
      "W_0.5 takes 2 multiplications, a decrement, an increment, a subtraction and 7 shift places",
-     "", "the same table", "make mcu", BURNISH_THEORY_NONE, 2, 1, NULL, BURNISH_THEORY_COUNTED},
+     "", "the same table", "make operations", BURNISH_THEORY_NONE, 2, 1, NULL,
+     BURNISH_THEORY_COUNTED},
     {"integer-zeta", "in integers zeta is n >> 1 for W and (8n - n) >> 4 for W_0.5",
      "largest difference of the lobe from that of the exact zeta",
      "exact for multiples of 2 and of 16; burnish keeps n and 7n whole and shifts the product",

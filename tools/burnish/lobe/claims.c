@@ -34,7 +34,7 @@ const cli_command lobe_claims_command = {
               "the last digit that the paper gives), or does not hold. The paper's W is "
               "*taylor:2*, its W1 *energy:2*, its W with the index 0.5 *shift7*. Speeds are not "
               "judged here but measured by *make bench*, operations counted in machine code by "
-              "*make mcu*.\n"
+              "*make operations*.\n"
               "A verdict is a result, not a failure: the exit code stays 0.",
     .operands_max = 1,
     .flags = claims_flags,
