@@ -214,6 +214,24 @@ about() {
 about taylor:2 100 zero-angle 11
 about energy:2 10 zero-angle 43
 
+# says LOBE N METRIC VALUE DIGITS [RANGE]: the same with that many digits after the point.
+says() {
+    run lobe table --lobes="$1" --exponents="$2" --metrics="$3" --range="${6:-all}" --format=csv
+    check "$3 of $1 at n = $2 is not $4" awk -F, -v said="$4" -v digits="$5" \
+        'NR == 2 { exit !(sprintf("%." digits "f", $3) == sprintf("%." digits "f", said)) }' "$out"
+    check "docs/theory.md doesn't say $4" grep -qF "${4#0}" "$root/docs/theory.md"
+}
+says schlick 100 angle:8 73.6 1
+says power 100 angle:8 18.9 1
+says taylor:2 100 angle:8 11.1 1
+says taylor:2 100 curvature-radius 0.005 3
+says power 10 radius:36.86989765 0.49 2
+says power 100 radius:11.47834095 0.58 2
+says power 1000 radius:3.62430750 1.57 2
+says shift7 1000 max-relative 1.9 1 inflection
+says energy:2 100 above 0.089 3
+says energy:2 100 below 0.057 3
+
 # Every command of the page and of the help screens and the man page.
 {
     grep -o '`burnish lobe plot [^`]*`' "$root/docs/theory.md" | tr -d '`'
