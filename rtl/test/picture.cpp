@@ -1,11 +1,11 @@
-/* picture.cpp: a teapot with highlights from the simulated channel.
+/* picture.cpp: a teapot from the simulated burnish_pixel.
  *
  * Usage: picture WIDTH HEIGHT [FILE.png]
  *
- * Normals per pixel from an orthographic projection of burnish's teapot; ambient and diffuse light by
- * shade_q15.h; the highlights of two lights by burnish_channel, the second light on the first one's
- * sums. Every sum is compared with the C core bit for bit, the finished picture with the same
- * equation in float by lobe.h. Exits with 1 on a difference, or below 45 dB.
+ * Interpolated normals from an orthographic projection of burnish's teapot; everything from there
+ * on by burnish_pixel with two lights. Every pixel is compared with shade_q15.h bit for bit, the
+ * finished picture with the same equation in float by lobe.h. Exits with 1 on a difference, or
+ * below 45 dB.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -15,7 +15,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "Vburnish_channel.h"
+#include "Vburnish_pixel.h"
 #include "burnish/image.h"
 #include "burnish/lobe.h"
 #include "burnish/mesh.h"
@@ -27,7 +27,7 @@ namespace {
 const unsigned exponent = 60;
 
 struct pixel {
-    float normal[3]; /* unit, facing the viewer; all 0: background */
+    float normal[3]; /* interpolated, facing the viewer; all 0: background */
     float depth;
 };
 
@@ -95,7 +95,6 @@ void draw(const float p[3][3], const float n[3][3], int width, int height,
                     value = -value;
                 }
             }
-            normalize(target.normal);
         }
     }
 }
@@ -148,52 +147,52 @@ uint64_t packed(const int16_t v[3]) {
     return (uint64_t)(uint16_t)v[2] << 32 | (uint64_t)(uint16_t)v[1] << 16 | (uint16_t)v[0];
 }
 
+/* Puts a light's 48 bits into a port of 96. */
+void put(VlWide<3> &port, int light, uint64_t word) {
+    for (int i = 0; i < 3; ++i) {
+        const int half = 3 * light + i, shift = half % 2 * 16;
+        port[half / 2] = (port[half / 2] & ~(0xFFFFu << shift)) |
+                         (uint32_t)(word >> (16 * i) & 0xFFFFu) << shift;
+    }
+}
+
 struct point {
     int16_t normal[3];
-    uint16_t lit[2]; /* N.L */
-    uint64_t sums;   /* blue, green, red */
+    uint64_t color; /* blue, green, red */
 };
 
-/* One light's highlights through the channel; every sum checked. Returns how many differ. */
-size_t shine(Vburnish_channel *top, const burnish_q15_light &light, int which,
-             std::vector<point> &points) {
-    size_t wrong = 0, done = 0, tick = 0;
-    const std::vector<point> before = points;
-    while (done < points.size()) {
+/* All pixels through the hardware; every colour checked. Returns how many differ. */
+size_t shade(Vburnish_pixel *top, const burnish_q15_shader &shader,
+             const burnish_q15_light lamps[2], std::vector<point> &points) {
+    size_t wrong = 0, done = 0;
+    for (int k = 0; k < 2; ++k) {
+        put(top->light, k, packed(lamps[k].direction));
+        put(top->half, k, packed(lamps[k].half));
+        put(top->diffuse, k, packed((const int16_t *)lamps[k].diffuse));
+        put(top->specular, k, packed((const int16_t *)lamps[k].specular));
+    }
+    top->enable = 1;
+    top->exponent = exponent;
+    top->ambient = packed((const int16_t *)shader.ambient);
+    for (size_t tick = 0; done < points.size() && tick < points.size() + 1000; ++tick) {
         const bool more = tick < points.size();
-        top->enable = 1;
         top->user_in = more ? (uint32_t)tick + 1 : 0;
-        top->exponent = exponent;
-        if (more) {
-            top->normal = packed(before[tick].normal);
-            top->half = packed(light.half);
-            top->lit = before[tick].lit[which] != 0;
-            top->color = packed((const int16_t *)light.specular);
-            top->sum_in = before[tick].sums;
-        }
+        top->normal = more ? packed(points[tick].normal) : 0;
         top->clk = 0;
         top->eval();
         top->clk = 1;
         top->eval();
-        ++tick;
         if (top->user_out == done + 1) {
-            const point &p = before[done];
-            uint16_t sum[3], lobe = 0;
-            if (p.lit[which]) {
-                lobe = burnish_shift7_q15(
-                    exponent, burnish_q15_cosine(burnish_q15_dot(p.normal, light.half)));
-            }
-            for (int i = 0; i < 3; ++i) {
-                sum[i] =
-                    burnish_q15_accumulate((uint16_t)(p.sums >> (16 * i)), light.specular[i], lobe);
-            }
-            wrong += packed((const int16_t *)sum) != top->sum_out;
-            points[done++].sums = top->sum_out;
-        } else if (tick > points.size() + 1000) {
-            return points.size();
+            point &p = points[done++];
+            int16_t unit[3];
+            uint16_t color[3];
+            burnish_q15_normalize_near(p.normal, unit);
+            burnish_q15_shade(&shader, lamps, 2, unit, color);
+            p.color = top->color;
+            wrong += packed((const int16_t *)color) != p.color;
         }
     }
-    return wrong;
+    return wrong + points.size() - done;
 }
 
 /* The same equation in float, as a code of 0 .. 255. */
@@ -201,6 +200,8 @@ double in_float(const pixel &p, int channel) {
     burnish_lobe lobe;
     burnish_lobe_create(&lobe, BURNISH_FIT_SHIFT7, 2, (float)exponent);
     double sum = ambient[channel];
+    float normal[3] = {p.normal[0], p.normal[1], p.normal[2]};
+    normalize(normal);
     for (const light &l : lights) {
         float d[3] = {l.direction[0], l.direction[1], l.direction[2]}, h[3];
         normalize(d);
@@ -210,8 +211,8 @@ double in_float(const pixel &p, int channel) {
         normalize(h);
         float n_dot_l = 0, n_dot_h = 0;
         for (int i = 0; i < 3; ++i) {
-            n_dot_l += p.normal[i] * d[i];
-            n_dot_h += p.normal[i] * h[i];
+            n_dot_l += normal[i] * d[i];
+            n_dot_h += normal[i] * h[i];
         }
         if (n_dot_l > 0) {
             sum += l.color[channel] *
@@ -228,9 +229,13 @@ int main(int argc, char **argv) {
     const std::vector<pixel> pixels = normals_of_teapot(width, height);
     burnish_q15_material material;
     burnish_q15_light prepared[2];
+    burnish_q15_shader shader;
+    uint16_t ambient_light[3];
     for (int i = 0; i < 3; ++i) {
         material.diffuse[i] = uq15(diffuse[i]);
         material.specular[i] = uq15(ks);
+        material.ambient[i] = uq15(1);
+        ambient_light[i] = uq15(ambient[i]);
     }
     const int16_t viewer[3] = {0, 0, 0x7FFF};
     for (int k = 0; k < 2; ++k) {
@@ -242,32 +247,21 @@ int main(int argc, char **argv) {
         }
         burnish_q15_light_create(&prepared[k], direction, viewer, color, &material);
     }
+    burnish_q15_shader_create(&shader, BURNISH_Q15_SHIFT7, 2, exponent, &material, ambient_light);
     std::vector<point> points;
     std::vector<size_t> places;
     for (size_t i = 0; i < pixels.size(); ++i) {
         if (pixels[i].depth > -1e29f) {
             point p;
-            uint16_t sum[3] = {uq15(ambient[0]), uq15(ambient[1]), uq15(ambient[2])};
             for (int k = 0; k < 3; ++k) {
                 p.normal[k] = q15(pixels[i].normal[k]);
             }
-            for (int k = 0; k < 2; ++k) {
-                p.lit[k] = burnish_q15_cosine(burnish_q15_dot(p.normal, prepared[k].direction));
-                for (int c = 0; c < 3; ++c) {
-                    sum[c] = burnish_q15_accumulate(sum[c], prepared[k].diffuse[c],
-                                                    burnish_q15_weight(p.lit[k]));
-                }
-            }
-            p.sums = packed((const int16_t *)sum);
             points.push_back(p);
             places.push_back(i);
         }
     }
-    Vburnish_channel top;
-    size_t wrong = 0;
-    for (int k = 0; k < 2; ++k) {
-        wrong += shine(&top, prepared[k], k, points);
-    }
+    Vburnish_pixel top;
+    const size_t wrong = shade(&top, shader, prepared, points);
     burnish_image image;
     burnish_error error;
     if (burnish_image_create(&image, width, height, 3, &error) != BURNISH_STATUS_OK) {
@@ -280,7 +274,7 @@ int main(int argc, char **argv) {
     double squares = 0;
     for (size_t k = 0; k < points.size(); ++k) {
         for (int c = 0; c < 3; ++c) {
-            const uint8_t code = burnish_q15_code((uint16_t)(points[k].sums >> (16 * c)), 255);
+            const uint8_t code = burnish_q15_code((uint16_t)(points[k].color >> (16 * c)), 255);
             const double rest = code - in_float(pixels[places[k]], c);
             squares += rest * rest;
             /* Codes are linear; the file is sRGB. */
@@ -292,9 +286,8 @@ int main(int argc, char **argv) {
     }
     const double psnr =
         10 * std::log10(255.0 * 255 * 3 * (double)points.size() / std::max(squares, 1e-9));
-    printf("picture: %zu pixels through the channel for 2 lights, %zu sums differ from the C core; "
-           "against "
-           "float %.1f dB\n",
+    printf("picture: %zu pixels from normals, 2 lights, %zu differ from the C core; against float "
+           "%.1f dB\n",
            points.size(), wrong, psnr);
     if (argc > 3 && burnish_image_write_png(&image, argv[3], &error) != BURNISH_STATUS_OK) {
         return 2;

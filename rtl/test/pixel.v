@@ -1,0 +1,94 @@
+// pixel: the units from vectors to a pixel side by side, for pixel.cpp. Every result on 48 bits, every unit's user bit,
+// which for those without one is a delay by the latency that burnish_latency.vh tells.
+// ALL 0 leaves out all but burnish_pixel, which then simulates ten times as fast.
+//
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+module pixel #(
+    parameter ALL = 1,
+    parameter ROWS = 1,
+    parameter SEGMENT = 0,
+    parameter DSP = 0
+) (
+    input wire clk,
+    input wire enable,
+    input wire user,
+    input wire [47:0] a,
+    input wire [47:0] b,
+    input wire [9:0] exponent,
+    input wire narrow,
+    input wire [3:0] shift,
+    input wire [15:0] slope,
+    input wire lit,
+    input wire [95:0] light,
+    input wire [95:0] half,
+    input wire [95:0] diffuse,
+    input wire [95:0] specular,
+    input wire [47:0] sum,
+    output wire [16*48-1:0] values,
+    output wire [15:0] users
+);
+    `include "burnish_latency.vh"
+    burnish_pixel #(.LIGHTS(2), .HELD(0), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) whole (
+        .clk(clk), .enable(enable), .normal(a), .exponent(exponent), .ambient(sum), .light(light),
+        .half(half), .diffuse(diffuse), .specular(specular), .user_in(user),
+        .color(values[47:0]), .user_out(users[0]));
+
+    genvar k;
+    generate
+        if (ALL == 0) begin : alone
+            assign values[16*48-1:48] = {15 * 48{1'b0}};
+            assign users[15:1] = 15'd0;
+        end else begin : units
+            burnish_dot #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) dot (
+                .clk(clk), .enable(enable), .a(a), .b(b), .cosine(values[48+:16]));
+            assign values[64+:32] = 32'd0;
+            burnish_delay #(.DEPTH(latency_dot(ROWS, SEGMENT, DSP))) user_dot (
+                .clk(clk), .enable(enable), .in(user), .out(users[1]));
+
+            burnish_chord #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) chord (
+                .clk(clk), .enable(enable), .a(a), .b(b), .lambda(values[96+:24]));
+            assign values[120+:24] = 24'd0;
+            burnish_delay #(.DEPTH(latency_chord(ROWS, SEGMENT, DSP))) user_chord (
+                .clk(clk), .enable(enable), .in(user), .out(users[2]));
+
+            burnish_normalize #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) normalize (
+                .clk(clk), .enable(enable), .v(a), .unit(values[144+:48]));
+            burnish_delay #(.DEPTH(latency_normalize(ROWS, SEGMENT, DSP))) user_normalize (
+                .clk(clk), .enable(enable), .in(user), .out(users[3]));
+
+            burnish_accumulate #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) accumulate (
+                .clk(clk), .enable(enable), .factor(diffuse[15:0]), .weight(slope), .sum(sum[15:0]),
+                .total(values[192+:16]));
+            assign values[208+:32] = 32'd0;
+            burnish_delay #(.DEPTH(latency_accumulate(ROWS, SEGMENT, DSP))) user_accumulate (
+                .clk(clk), .enable(enable), .in(user), .out(users[4]));
+
+            // taylor, shift7, shift3, energy, then taylor of order 4, energy of 16, cosine only, chord only
+            for (k = 0; k < 8; k = k + 1) begin : highlight
+                burnish_highlight #(.UNIT(k < 4 ? k : k == 5 ? 3 : 0), .NARROW(k < 6 ? 2 : k - 6),
+                    .SQUARINGS(k == 4 ? 2 : k == 5 ? 4 : 1), .ROWS(ROWS), .SEGMENT(SEGMENT),
+                    .DSP(DSP)) unit (
+                    .clk(clk), .enable(enable), .normal(a), .half(b), .exponent(exponent),
+                    .user_in(user), .value(values[48*(5+k)+:16]), .user_out(users[5+k]));
+                assign values[48*(5+k)+16+:32] = 32'd0;
+            end
+            burnish_highlight #(.UNIT(4), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) zeta (
+                .clk(clk), .enable(enable), .normal(a), .half(b),
+                .exponent({narrow, shift, slope}), .user_in(user), .value(values[48*13+:16]),
+                .user_out(users[13]));
+            assign values[48*13+16+:32] = 32'd0;
+
+            burnish_channel #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) channel (
+                .clk(clk), .enable(enable), .normal(a), .half(b), .exponent(exponent), .lit(lit),
+                .color(specular[47:0]), .sum_in(sum), .user_in(user), .sum_out(values[48*14+:48]),
+                .user_out(users[14]));
+            burnish_light #(.UNIT(4), .SQUARINGS(2), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP))
+                one (
+                .clk(clk), .enable(enable), .normal(a), .light(light[47:0]), .half(b),
+                .exponent({narrow, shift, slope}), .diffuse(diffuse[47:0]),
+                .specular(specular[47:0]), .sum_in(sum), .user_in(user),
+                .sum_out(values[48*15+:48]), .user_out(users[15]));
+        end
+    endgenerate
+endmodule
