@@ -18,7 +18,7 @@ static double slope_difference(const pair *p, double lambda) {
                        powl(1 - (long double)p->zeta * lambda, (long double)p->m - 1);
     long double power = (long double)p->n * powl(1 - (long double)lambda, (long double)p->n - 1);
     long double difference = lobe - power;
-    return fabsl(difference) > 1e-14L * (lobe + power) ? (double)(difference / (lobe + power)) : 0;
+    return fabsl(difference) > 1e-11L * (lobe + power) ? (double)(difference / (lobe + power)) : 0;
 }
 
 /* The cell borders: dense at both ends, where narrow lobes change sign. */
