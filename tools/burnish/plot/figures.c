@@ -126,8 +126,8 @@ const plot_figure *plot_figure_at(size_t index) {
     return index < sizeof figures / sizeof *figures ? &figures[index] : NULL;
 }
 
-static burnish_status make_model(const char *word, double exponent, burnish_theory_model *model,
-                                 burnish_error *error) {
+burnish_status plot_make_model(const char *word, double exponent, burnish_theory_model *model,
+                               burnish_error *error) {
     burnish_error inner;
     if (burnish_theory_model_parse(word, exponent, model, &inner) == BURNISH_STATUS_OK) {
         return BURNISH_STATUS_OK;
@@ -135,7 +135,7 @@ static burnish_status make_model(const char *word, double exponent, burnish_theo
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--lobes: %s", inner.text);
 }
 
-static plot_series *add_series(plot_chart *chart, burnish_error *error) {
+plot_series *plot_add_series(plot_chart *chart, burnish_error *error) {
     if (chart->series_count == PLOT_SERIES_MAX) {
         cli_fail(error, BURNISH_STATUS_ARGUMENT,
                  "%s: more than %d curves; leave out some lobes, exponents or bits", chart->name,
@@ -384,7 +384,7 @@ static burnish_status add_curve(const plot_figure *figure, const plot_request *r
                                 const curve *c, const burnish_theory_model *model,
                                 plot_chart *chart, burnish_error *error) {
     const double bits = c->list == &request->bits ? c->list->items[c->index] : 0;
-    plot_series *series = add_series(chart, error);
+    plot_series *series = plot_add_series(chart, error);
     if (!series) {
         return error->status;
     }
@@ -397,11 +397,11 @@ static burnish_status add_curve(const plot_figure *figure, const plot_request *r
 static burnish_status add_points(const plot_figure *figure, const plot_request *request,
                                  plot_chart *chart, burnish_error *error) {
     for (size_t l = 0; l < request->lobes.count; ++l) {
-        plot_series *line = &chart->series[l], *points = add_series(chart, error);
+        plot_series *line = &chart->series[l], *points = plot_add_series(chart, error);
         burnish_theory_model model;
-        burnish_status status =
-            points ? make_model(request->lobes.items[l], request->exponents.high, &model, error)
-                   : error->status;
+        burnish_status status = points ? plot_make_model(request->lobes.items[l],
+                                                         request->exponents.high, &model, error)
+                                       : error->status;
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
@@ -421,8 +421,7 @@ static burnish_status add_points(const plot_figure *figure, const plot_request *
     return BURNISH_STATUS_OK;
 }
 
-/* A figure for one exponent says which. */
-static void state_exponent(const plot_request *request, plot_chart *chart) {
+void plot_state_exponent(const plot_request *request, plot_chart *chart) {
     snprintf(chart->condition, sizeof chart->condition, ", {/:Italic n} = %.6g",
              request->exponents.items[0]);
 }
@@ -444,7 +443,7 @@ static void set_axis(const plot_figure *figure, const plot_request *request, plo
         chart->x_high = list->high;
     }
     if (figure->axis != PLOT_AXIS_EXPONENTS && request->exponents.count == 1) {
-        state_exponent(request, chart);
+        plot_state_exponent(request, chart);
     }
 }
 
@@ -463,9 +462,9 @@ static burnish_status fill_curves(const plot_figure *figure, const plot_request 
         c.lobe = request->lobes.items[c.lobe_index];
         for (c.index = 0; c.index < (c.list ? c.list->count : 1); ++c.index) {
             burnish_theory_model model;
-            status =
-                make_model(c.lobe, over_angles ? c.list->items[c.index] : request->exponents.high,
-                           &model, error);
+            status = plot_make_model(c.lobe,
+                                     over_angles ? c.list->items[c.index] : request->exponents.high,
+                                     &model, error);
             if (status != BURNISH_STATUS_OK && over_angles && request->lenient) {
                 continue;
             }
@@ -483,115 +482,8 @@ static burnish_status fill_curves(const plot_figure *figure, const plot_request 
     return figure->points ? add_points(figure, request, chart, error) : BURNISH_STATUS_OK;
 }
 
-/* ---- Error and cost ---------------------------------------------------------------------------*/
-
-/* What the script takes a series for. */
-enum { COST_FRONT = 1, COST_FAMILY, COST_OTHER, COST_EXACT, COST_HEADING };
-
-typedef struct candidate {
-    const char *word;
-    burnish_theory_model model;
-    burnish_theory_cost cost;
-    double error;
-} candidate;
-
-/* The dearest kind of operation: what the rows are grouped by. */
-static const char *heading(const burnish_theory_cost *cost) {
-    return cost->transcendentals > 0 ? "with pow, exp or acos"
-           : cost->divisions > 0     ? "with a division"
-           : cost->lookups > 0       ? "with a table"
-                                     : "multiplications, additions, maximum only";
-}
-
-static int compare_costs(const void *a, const void *b) {
-    const candidate *x = a, *y = b;
-    int order = burnish_theory_cost_order(&x->cost, &y->cost);
-    return order ? order : (x->error > y->error) - (x->error < y->error);
-}
-
-static burnish_status price(const plot_request *request, candidate *candidates,
-                            burnish_error *error) {
-    for (size_t i = 0; i < request->lobes.count; ++i) {
-        candidate *c = &candidates[i];
-        c->word = request->lobes.items[i];
-        burnish_status status = make_model(c->word, request->exponents.items[0], &c->model, error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-        c->cost = burnish_theory_model_cost(&c->model);
-        c->error = burnish_theory_maximum_error(&c->model, acos(0));
-    }
-    qsort(candidates, request->lobes.count, sizeof *candidates, compare_costs);
-    return BURNISH_STATUS_OK;
-}
-
-static void add_point(plot_series *series, double x, double y) {
-    series->x[series->count] = x;
-    series->y[series->count++] = y;
-}
-
-/* A row: its name and cost, and the point; the front steps down to it where it is below. */
-static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
-                              burnish_error *error) {
-    plot_series *front = &chart->series[0], *series = add_series(chart, error);
-    char cost[64];
-    if (!series) {
-        return error->status;
-    }
-    int family =
-        c->model.lobe.kind == BURNISH_LOBE_FAMILY || c->model.lobe.kind == BURNISH_LOBE_LYON;
-    lobe_cost_text(&c->cost, cost, sizeof cost);
-    snprintf(series->name, sizeof series->name, "%s", c->word);
-    snprintf(series->text, sizeof series->text, "%s   %s", cost, c->word);
-    series->ink = PLOT_INK_LOBE + !family;
-    series->dash = !(c->error > 0) ? COST_EXACT : family ? COST_FAMILY : COST_OTHER;
-    add_point(series, row, c->error > 0 ? c->error : NAN);
-    double best = front->count > 0 ? front->y[front->count - 1] : INFINITY;
-    if (c->error < best) {
-        if (front->count > 0) { /* beside the power stands a text */
-            add_point(front, c->error > 0 ? row : row - 0.45, best);
-        }
-        add_point(front, row, c->error > 0 ? c->error : NAN);
-    }
-    return BURNISH_STATUS_OK;
-}
-
-static burnish_status fill_cost(const plot_request *request, plot_chart *chart,
-                                burnish_error *error) {
-    candidate candidates[PLOT_LIST_MAX];
-    double row = 0;
-    const char *group = NULL;
-    burnish_status status = price(request, candidates, error);
-    plot_series *front = status == BURNISH_STATUS_OK ? add_series(chart, error) : NULL;
-    if (!front) {
-        return status == BURNISH_STATUS_OK ? error->status : status;
-    }
-    snprintf(front->name, sizeof front->name, "front");
-    front->ink = PLOT_INK_AXIS;
-    front->dash = COST_FRONT;
-    for (size_t i = 0; i < request->lobes.count && status == BURNISH_STATUS_OK; ++i) {
-        const char *next = heading(&candidates[i].cost);
-        if (!group || strcmp(group, next) != 0) {
-            plot_series *title = add_series(chart, error);
-            if (!title) {
-                return error->status;
-            }
-            group = next;
-            snprintf(title->text, sizeof title->text, "%s", group);
-            title->ink = PLOT_INK_TEXT;
-            title->dash = COST_HEADING;
-            add_point(title, ++row, NAN);
-        }
-        status = add_row(chart, &candidates[i], ++row, error);
-    }
-    chart->x_high = row;
-    chart->x_column = "row";
-    state_exponent(request, chart);
-    return status;
-}
-
 burnish_status plot_fill(const plot_figure *figure, const plot_request *request, plot_chart *chart,
                          burnish_error *error) {
     return figure->measure ? fill_curves(figure, request, chart, error)
-                           : fill_cost(request, chart, error);
+                           : plot_fill_cost(request, chart, error);
 }

@@ -103,6 +103,19 @@ typedef struct plot_figure {
 burnish_status plot_fill(const plot_figure *figure, const plot_request *request, plot_chart *chart,
                          burnish_error *error);
 
+/* The same for the figure `cost`. */
+burnish_status plot_fill_cost(const plot_request *request, plot_chart *chart, burnish_error *error);
+
+/* The model of a lobe of --lobes. Errors: ARGUMENT. */
+burnish_status plot_make_model(const char *word, double exponent, burnish_theory_model *model,
+                               burnish_error *error);
+
+/* One more curve, of zeros; NULL with an error where there are PLOT_SERIES_MAX. */
+plot_series *plot_add_series(plot_chart *chart, burnish_error *error);
+
+/* A figure for one exponent says which, after the title of y. */
+void plot_state_exponent(const plot_request *request, plot_chart *chart);
+
 /* All figures; `index` past the end gives NULL. */
 const plot_figure *plot_figure_at(size_t index);
 

@@ -1,0 +1,113 @@
+/* The figure `cost`: a row per lobe, the cheapest first, and the front of what no cheaper one does.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plot/plot.h"
+
+/* What the script takes a series for. */
+enum { COST_FRONT = 1, COST_FAMILY, COST_OTHER, COST_EXACT, COST_HEADING };
+
+typedef struct candidate {
+    const char *word;
+    burnish_theory_model model;
+    burnish_theory_cost cost;
+    double error;
+} candidate;
+
+/* The dearest kind of operation: what the rows are grouped by. */
+static const char *heading(const burnish_theory_cost *cost) {
+    return cost->transcendentals > 0 ? "with pow, exp or acos"
+           : cost->divisions > 0     ? "with a division"
+           : cost->lookups > 0       ? "with a table"
+                                     : "multiplications, additions, maximum only";
+}
+
+static int compare_costs(const void *a, const void *b) {
+    const candidate *x = a, *y = b;
+    int order = burnish_theory_cost_order(&x->cost, &y->cost);
+    return order ? order : (x->error > y->error) - (x->error < y->error);
+}
+
+static burnish_status price(const plot_request *request, candidate *candidates,
+                            burnish_error *error) {
+    for (size_t i = 0; i < request->lobes.count; ++i) {
+        candidate *c = &candidates[i];
+        c->word = request->lobes.items[i];
+        burnish_status status =
+            plot_make_model(c->word, request->exponents.items[0], &c->model, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        c->cost = burnish_theory_model_cost(&c->model);
+        c->error = burnish_theory_maximum_error(&c->model, acos(0));
+    }
+    qsort(candidates, request->lobes.count, sizeof *candidates, compare_costs);
+    return BURNISH_STATUS_OK;
+}
+
+static void add_point(plot_series *series, double x, double y) {
+    series->x[series->count] = x;
+    series->y[series->count++] = y;
+}
+
+/* A row: its name and cost, and the point; the front steps down to it where it is below. */
+static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
+                              burnish_error *error) {
+    plot_series *front = &chart->series[0], *series = plot_add_series(chart, error);
+    char cost[64];
+    if (!series) {
+        return error->status;
+    }
+    int family =
+        c->model.lobe.kind == BURNISH_LOBE_FAMILY || c->model.lobe.kind == BURNISH_LOBE_LYON;
+    lobe_cost_text(&c->cost, cost, sizeof cost);
+    snprintf(series->name, sizeof series->name, "%s", c->word);
+    snprintf(series->text, sizeof series->text, "%s   %s", cost, c->word);
+    series->ink = PLOT_INK_LOBE + !family;
+    series->dash = !(c->error > 0) ? COST_EXACT : family ? COST_FAMILY : COST_OTHER;
+    add_point(series, row, c->error > 0 ? c->error : NAN);
+    double best = front->count > 0 ? front->y[front->count - 1] : INFINITY;
+    if (c->error < best) {
+        if (front->count > 0) { /* beside the power stands a text */
+            add_point(front, c->error > 0 ? row : row - 0.45, best);
+        }
+        add_point(front, row, c->error > 0 ? c->error : NAN);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status plot_fill_cost(const plot_request *request, plot_chart *chart,
+                              burnish_error *error) {
+    candidate candidates[PLOT_LIST_MAX];
+    double row = 0;
+    const char *group = NULL;
+    burnish_status status = price(request, candidates, error);
+    plot_series *front = status == BURNISH_STATUS_OK ? plot_add_series(chart, error) : NULL;
+    if (!front) {
+        return status == BURNISH_STATUS_OK ? error->status : status;
+    }
+    snprintf(front->name, sizeof front->name, "front");
+    front->ink = PLOT_INK_AXIS;
+    front->dash = COST_FRONT;
+    for (size_t i = 0; i < request->lobes.count && status == BURNISH_STATUS_OK; ++i) {
+        const char *next = heading(&candidates[i].cost);
+        if (!group || strcmp(group, next) != 0) {
+            plot_series *title = plot_add_series(chart, error);
+            if (!title) {
+                return error->status;
+            }
+            group = next;
+            snprintf(title->text, sizeof title->text, "%s", group);
+            title->ink = PLOT_INK_TEXT;
+            title->dash = COST_HEADING;
+            add_point(title, ++row, NAN);
+        }
+        status = add_row(chart, &candidates[i], ++row, error);
+    }
+    chart->x_high = row;
+    chart->x_column = "row";
+    plot_state_exponent(request, chart);
+    return status;
+}
