@@ -5,7 +5,7 @@
 // Bit for bit burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h with
 // BURNISH_Q15_ENERGY. Where n rarely changes, burnish_zeta with a stored slope is smaller.
 //
-// Latency    4 + burnish_zeta
+// Latency    8 + burnish_zeta
 // Throughput one lobe per clock; n may change at every clock
 // Parameters, ports  as burnish_taylor
 //
@@ -36,7 +36,7 @@ module burnish_energy #(
     wire [USER_WIDTH-1:0] user_now;
     burnish_energy_slope #(.SQUARINGS(SQUARINGS)) make (
         .clk(clk), .enable(enable), .exponent(exponent), .slope(slope), .shift(shift));
-    burnish_delay #(.WIDTH(WIDTH + USER_WIDTH), .DEPTH(4)) line (
+    burnish_delay #(.WIDTH(WIDTH + USER_WIDTH), .DEPTH(8)) line (
         .clk(clk), .enable(enable), .in({angle, user_in}), .out({angle_now, user_now}));
     burnish_zeta #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA),
         .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) lobe (

@@ -46,7 +46,7 @@ module burnish_stream #(
         (UNIT == 0 ? latency_base(1, SQUARINGS - 1, LAMBDA, ROWS, SEGMENT, DSP)
             : UNIT == 1 ? latency_base(7, 3, LAMBDA, ROWS, SEGMENT, DSP)
             : UNIT == 2 ? latency_base(3, 2, LAMBDA, ROWS, SEGMENT, DSP)
-            : 4 + latency_zeta(LAMBDA, ROWS, SEGMENT, DSP));
+            : 8 + latency_zeta(LAMBDA, ROWS, SEGMENT, DSP));
 
     // The unit advances unless a result waits at its end.
     wire enable = !m_valid || m_ready;
