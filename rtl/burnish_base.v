@@ -18,6 +18,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_base #(
     parameter FACTOR = 7,
     parameter SHIFT = 3,
@@ -40,11 +41,11 @@ module burnish_base #(
         if (DSP != 0) begin : dsp
             // -w - 1 = slope (c - 1) - 1 is the complement of w, and c - 1 is c with its top bit set.
             reg [12:0] slope;
-            reg [15:0] kept;
             wire [12:0] scaled = FACTOR == 7 ? {exponent, 3'b0} - {3'b0, exponent}
                 : FACTOR == 3 ? {2'b0, exponent, 1'b0} + {3'b0, exponent} : {3'b0, exponent};
             if (LAMBDA == 0) begin : cosine
                 wire one = angle[15];
+                reg [15:0] kept;
                 always @(posedge clk)
                     if (enable) begin
                         slope <= one ? 13'd0 : scaled;
@@ -59,6 +60,7 @@ module burnish_base #(
                 always @(posedge clk)
                     if (enable) kept_t <= lit ? complement[15+SHIFT:SHIFT] : 16'd0;
                 assign t = kept_t;
+                wire unused = &{1'b0, complement};
             end else begin : lambda
                 reg [23:0] wide;
                 always @(posedge clk)
@@ -75,6 +77,7 @@ module burnish_base #(
                 always @(posedge clk)
                     if (enable) kept_t <= zero ? 16'd0 : ~product[24+SHIFT:9+SHIFT];
                 assign t = kept_t;
+                wire unused = &{1'b0, product};
             end
         end else begin : rows
             wire [9:0] slope;
@@ -109,6 +112,7 @@ module burnish_base #(
                 always @(posedge clk)
                     if (enable) kept_t <= over ? 16'd0 : ~product[KEEP-1:KEEP-16];
                 assign t = kept_t;
+                wire unused = &{1'b0, product};
             end else begin : folded
                 burnish_fold #(.WIDTH(KEEP), .SHIFT(SHIFT), .FRACTION(FRACTION),
                     .SEGMENT(SEGMENT)) fold (
@@ -117,3 +121,4 @@ module burnish_base #(
         end
     endgenerate
 endmodule
+`default_nettype wire

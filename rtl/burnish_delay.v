@@ -6,6 +6,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_delay #(
     parameter WIDTH = 1,
     parameter DEPTH = 1
@@ -19,6 +20,7 @@ module burnish_delay #(
     generate
         if (DEPTH == 0) begin : none
             assign out = in;
+            wire unused = &{1'b0, clk, enable};
         end else begin : line
             for (i = 0; i < DEPTH; i = i + 1) begin : step
                 reg [WIDTH-1:0] word;
@@ -32,3 +34,4 @@ module burnish_delay #(
         end
     endgenerate
 endmodule
+`default_nettype wire

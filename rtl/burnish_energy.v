@@ -11,6 +11,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_energy #(
     parameter SQUARINGS = 1,
     parameter RESULT = 16,
@@ -43,3 +44,4 @@ module burnish_energy #(
         .clk(clk), .enable(enable), .slope(slope), .shift(shift), .angle(angle_now),
         .user_in(user_now), .value(value), .user_out(user_out));
 endmodule
+`default_nettype wire

@@ -24,6 +24,7 @@ module burnish_energy_slope #(
 );
     // n + 1 with its leading one at bit 10, or shifted by LIFT_MAX, where the slope's shift is at its largest.
     localparam LIFT_MAX = 11 - SQUARINGS;
+    localparam SHIFT_LEAST = 4 + SQUARINGS;
     reg [10:0] next, next_kept, lifted;
     reg [3:0] lift, lift_kept;
     integer k;
@@ -41,11 +42,10 @@ module burnish_energy_slope #(
     wire more = lifted[9:10-SQUARINGS] == {SQUARINGS{1'b0}} && lift_kept != LIFT_MAX[3:0];
     reg [11:0] scaled;
     reg [3:0] shift_kept;
-    localparam [3:0] SHIFT_LEAST = 4 + SQUARINGS;
     always @(posedge clk)
         if (enable) begin
             scaled <= more ? {lifted, 1'b0} : {1'b0, lifted};
-            shift_kept <= lift_kept + SHIFT_LEAST + {3'd0, more};
+            shift_kept <= lift_kept + SHIFT_LEAST[3:0] + {3'd0, more};
         end
 
     // slope = floor((2 (n + 1) 2^shift + floor(W / 2)) / W). The sum needs no adder: 2^shift leaves its lower bits 0.
@@ -73,7 +73,9 @@ module burnish_energy_slope #(
             end
         end
     endgenerate
-    assign slope = step[3].sum[FRACTION+(SQUARINGS>1?SQUARINGS:2)+:16];
+    wire [WIDTH-1:0] quotient = step[3].sum >> (FRACTION + (SQUARINGS > 1 ? SQUARINGS : 2));
+    assign slope = quotient[15:0];
+    wire unused = &{1'b0, quotient};
     burnish_delay #(.WIDTH(4), .DEPTH(4)) line (
         .clk(clk), .enable(enable), .in(shift_kept), .out(shift));
 endmodule

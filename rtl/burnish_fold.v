@@ -15,6 +15,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_fold #(
     parameter WIDTH = 17,
     parameter SHIFT = 3,
@@ -28,7 +29,7 @@ module burnish_fold #(
     output reg [15:0] t
 );
     localparam COLUMNS = WIDTH + SHIFT;
-    localparam SPAN = SEGMENT == 0 ? COLUMNS : SEGMENT;
+    localparam SPAN = SEGMENT < 1 ? COLUMNS : SEGMENT;
     localparam SEGMENTS = (COLUMNS + SPAN - 1) / SPAN;
     wire [COLUMNS-1:0] whole = {product, {SHIFT{1'b0}}};
     wire [COLUMNS-1:0] part = {{SHIFT{1'b0}}, product};
@@ -37,7 +38,7 @@ module burnish_fold #(
 
     genvar s;
     generate
-        if (SEGMENT == 0) begin : at_once
+        if (SEGMENT < 1) begin : at_once
             assign rest = whole - part;
             assign over_kept = over;
         end else begin : split
@@ -55,11 +56,12 @@ module burnish_fold #(
                 burnish_delay #(.WIDTH(PART), .DEPTH(s)) line_b (
                     .clk(clk), .enable(enable), .in(~part[HIGH:LOW]), .out(b));
                 wire [PART:0] total;
+                wire unused = carry;
                 if (s == 0) begin : first
                     assign total = {1'b0, a} + {1'b0, b} + 1'b1;
                 end else begin : next
-                    wire ignored;
-                    assign {total, ignored} =
+                    wire unused_low;
+                    assign {total, unused_low} =
                         {1'b0, a, 1'b1} + {1'b0, b, segment[s-1].carry};
                 end
                 always @(posedge clk)
@@ -78,3 +80,4 @@ module burnish_fold #(
     always @(posedge clk)
         if (enable) t <= zero ? 16'd0 : ~rest[SHIFT+FRACTION+15:SHIFT+FRACTION];
 endmodule
+`default_nettype wire

@@ -5,7 +5,7 @@
 // Copyright (c) the burnish authors
 function integer latency_rows(input integer bits, input integer columns, input integer rows,
     input integer span);
-    latency_rows = (bits - 1) / rows + (span == 0 ? 1 : (columns + span - 1) / span);
+    latency_rows = (bits - 1) / (rows < 1 ? 1 : rows) + (span < 1 ? 1 : (columns + span - 1) / span);
 endfunction
 
 function integer latency_square(input integer bits, input integer rows, input integer span,
@@ -20,7 +20,7 @@ function integer latency_base(input integer of_factor, input integer places, inp
         keep = (by_lambda != 0 ? 9 : 0) + (of_factor == 1 ? 16 + places : 17);
         latency_base = dsp != 0 ? 3
             : 1 + latency_rows(10, keep, rows, span) +
-                (of_factor == 1 || span == 0 ? 1 : (keep + places + span - 1) / span + 1);
+                (of_factor == 1 || span < 1 ? 1 : (keep + places + span - 1) / span + 1);
     end
 endfunction
 
@@ -31,14 +31,14 @@ endfunction
 
 function integer latency_power(input integer squarings, input integer result,
     input integer rows, input integer span, input integer dsp);
-    latency_power = result == 8
+    latency_power = result < 16
         ? (squarings - 1) * latency_square(16, rows, span, dsp) + 1 +
-            latency_square(9, rows, span, dsp)
+            latency_square(result + 1, rows, span, dsp)
         : squarings * latency_square(16, rows, span, dsp);
 endfunction
 
 function integer latency_add(input integer bits, input integer span);
-    latency_add = span == 0 ? 1 : (bits + span - 1) / span;
+    latency_add = span < 1 ? 1 : (bits + span - 1) / span;
 endfunction
 
 function integer latency_times(input integer a_bits, input integer b_bits, input integer rows,
@@ -79,7 +79,7 @@ function integer latency_lobe(input integer kind, input integer squarings, input
         (kind == 0 ? latency_base(1, squarings - 1, by_lambda, rows, span, dsp)
             : kind == 1 ? latency_base(7, 3, by_lambda, rows, span, dsp)
             : kind == 2 ? latency_base(3, 2, by_lambda, rows, span, dsp)
-            : (kind == 3 ? 4 : 0) + latency_zeta(by_lambda, rows, span, dsp));
+            : (kind == 3 ? 8 : 0) + latency_zeta(by_lambda, rows, span, dsp));
 endfunction
 
 // narrow: 0 by the cosine, 1 by the chord, 2 either. The angle, before the lobe.

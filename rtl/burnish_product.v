@@ -17,6 +17,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_product #(
     parameter SLOPE_WIDTH = 10,
     parameter U_WIDTH = 16,
@@ -31,9 +32,10 @@ module burnish_product #(
     output wire [KEEP-1:0] product,
     output wire over
 );
-    localparam SPAN = SEGMENT == 0 ? KEEP : SEGMENT;
+    localparam STEP = ROWS < 1 ? 1 : ROWS;  // burnish_parameters refuses what is illegal, with a name
+    localparam SPAN = SEGMENT < 1 ? KEEP : SEGMENT;
     localparam SEGMENTS = (KEEP + SPAN - 1) / SPAN;
-    localparam CLOCKS = (SLOPE_WIDTH - 1) / ROWS + SEGMENTS;  // of the last row's last segment
+    localparam CLOCKS = (SLOPE_WIDTH - 1) / STEP + SEGMENTS;  // of the last row's last segment
 
     // The factors of every clock; synthesis removes what no row reads.
     genvar t, r, s;
@@ -55,6 +57,7 @@ module burnish_product #(
                 assign slope_now = slope_kept;
                 assign u_now = u_kept;
             end
+            wire unused = &{1'b0, slope_now, u_now};
         end
 
         for (s = 0; s < SEGMENTS; s = s + 1) begin : segment
@@ -64,9 +67,9 @@ module burnish_product #(
             localparam TOP = s == SEGMENTS - 1;
 
             for (r = 0; r < SLOPE_WIDTH; r = r + 1) begin : row
-                localparam NOW = r / ROWS + s;
+                localparam NOW = r / STEP + s;
                 localparam FROM = r > LOW ? r : LOW;  // the lowest column that changes
-                localparam REGISTERED = (r + 1) % ROWS == 0 || r == SLOPE_WIDTH - 1;
+                localparam REGISTERED = (r + 1) % STEP == 0 || r == SLOPE_WIDTH - 1;
                 wire bit_now = at[NOW].slope_now[r];
                 // u in this row's columns, and whether it exceeds the last.
                 wire [KEEP+SLOPE_WIDTH+U_WIDTH-1:0] placed =
@@ -93,8 +96,8 @@ module burnish_product #(
                         wire [PART-1:0] b = placed[HIGH:FROM];
                         wire [PART:0] total;
                         if (s > 0 && r < LOW) begin : carried
-                            wire ignored;
-                            assign {total, ignored} = {1'b0, a, 1'b1} +
+                            wire unused_low;
+                            assign {total, unused_low} = {1'b0, a, 1'b1} +
                                 {1'b0, b, segment[s-1].row[r].carry_kept};
                         end else begin : fresh
                             assign total = {1'b0, a} + {1'b0, b};
@@ -136,6 +139,7 @@ module burnish_product #(
                     assign over_kept = over_after;
                     assign beyond_kept = beyond;
                 end
+                wire unused = &{1'b0, bit_now, placed, prior, carry_kept, over_kept, beyond_kept};
             end
             burnish_delay #(.WIDTH(WIDTH), .DEPTH(SEGMENTS - 1 - s)) align (
                 .clk(clk), .enable(enable), .in(row[SLOPE_WIDTH-1].kept), .out(product[HIGH:LOW]));
@@ -143,3 +147,4 @@ module burnish_product #(
     endgenerate
     assign over = segment[SEGMENTS-1].row[SLOPE_WIDTH-1].over_kept;
 endmodule
+`default_nettype wire

@@ -6,7 +6,7 @@
 //
 // Latency    at order 2 and 16 bits 28, with ROWS 2 15, with DSP 4; others in burnish_latency.vh
 // Throughput one lobe per clock
-// Parameters RESULT     16 or 8 bits
+// Parameters RESULT     16, 12, 10 or 8 bits; see burnish_power
 //            ROUND      0: fast; 1: near, half the error for one more adder (RESULT 16)
 //            LAMBDA     0: angle is the cosine; 1: 1 - cosine
 //            ROWS       adder rows between two registers
@@ -21,6 +21,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_shift7 #(
     parameter RESULT = 16,
     parameter ROUND = 0,
@@ -39,6 +40,8 @@ module burnish_shift7 #(
     output wire [USER_WIDTH-1:0] user_out
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA),
+        .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) legal ();
     wire [15:0] t;
     burnish_base #(.FACTOR(7), .SHIFT(3), .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT),
         .DSP(DSP)) base (
@@ -51,3 +54,4 @@ module burnish_shift7 #(
             latency_power(1, RESULT, ROWS, SEGMENT, DSP))) user (
         .clk(clk), .enable(enable), .in(user_in), .out(user_out));
 endmodule
+`default_nettype wire

@@ -16,6 +16,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_square #(
     parameter WIDTH = 16,
     parameter ROWS = 1,
@@ -29,9 +30,10 @@ module burnish_square #(
     output wire [2*WIDTH-1:0] square
 );
     localparam COLUMNS = 2 * WIDTH;
-    localparam SPAN = SEGMENT == 0 ? COLUMNS : SEGMENT;
+    localparam STEP = ROWS < 1 ? 1 : ROWS;  // burnish_parameters refuses what is illegal, with a name
+    localparam SPAN = SEGMENT < 1 ? COLUMNS : SEGMENT;
     localparam SEGMENTS = (COLUMNS + SPAN - 1) / SPAN;
-    localparam CLOCKS = (WIDTH - 1) / ROWS + SEGMENTS;
+    localparam CLOCKS = (WIDTH - 1) / STEP + SEGMENTS;
 
     genvar k, i, s;
     generate
@@ -57,6 +59,7 @@ module burnish_square #(
                 assign t_now = t_kept;
                 assign offset_now = offset_kept;
             end
+            wire unused = &{1'b0, t_now, offset_now};
         end
 
         for (s = 0; s < SEGMENTS; s = s + 1) begin : segment
@@ -65,8 +68,8 @@ module burnish_square #(
             localparam PARTS = HIGH - LOW + 1;
 
             for (i = 0; i < WIDTH; i = i + 1) begin : row
-                localparam NOW = i / ROWS + s;
-                localparam REGISTERED = (i + 1) % ROWS == 0 || i == WIDTH - 1;
+                localparam NOW = i / STEP + s;
+                localparam REGISTERED = (i + 1) % STEP == 0 || i == WIDTH - 1;
                 // The row's columns: from 2i to the one after t's top bit, for the carry.
                 localparam FIRST = 2 * i;
                 localparam LAST = WIDTH + 1 + i > COLUMNS - 1 ? COLUMNS - 1 : WIDTH + 1 + i;
@@ -92,18 +95,19 @@ module burnish_square #(
                     wire [PART-1:0] a = prior[TO-LOW:FROM-LOW];
                     wire [PART-1:0] b = placed[TO:FROM];
                     wire [PART:0] total;
+                    wire unused_b = b[0]; /* where it is the carry in */
                     if (FIRST >= LOW) begin : fresh
                         // The lowest column's 1 is the carry in.
                         if (PART > 1) begin : wide
-                            wire ignored;
-                            assign {total, ignored} =
+                            wire unused_low;
+                            assign {total, unused_low} =
                                 {1'b0, a, 1'b1} + {1'b0, b[PART-1:1], 2'b01};
                         end else begin : narrow
                             assign total = {1'b0, a} + {1'b0, b};
                         end
                     end else begin : carried
-                        wire ignored;
-                        assign {total, ignored} = {1'b0, a, 1'b1} +
+                        wire unused_low;
+                        assign {total, unused_low} = {1'b0, a, 1'b1} +
                             {1'b0, b, segment[s-1].row[i].carry_kept};
                     end
                     assign carry = total[PART];
@@ -126,6 +130,7 @@ module burnish_square #(
                 end else begin : passed
                     assign kept = after;
                 end
+                wire unused = &{1'b0, bit_now, placed, prior, carry_kept};
             end
             burnish_delay #(.WIDTH(PARTS), .DEPTH(SEGMENTS - 1 - s)) align (
                 .clk(clk), .enable(enable), .in(row[WIDTH-1].kept), .out(square[HIGH:LOW]));
@@ -133,3 +138,4 @@ module burnish_square #(
         end
     endgenerate
 endmodule
+`default_nettype wire

@@ -15,6 +15,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_stream #(
     parameter UNIT = 1,
     parameter SQUARINGS = 1,
@@ -113,3 +114,4 @@ module burnish_stream #(
         end
     endgenerate
 endmodule
+`default_nettype wire

@@ -7,7 +7,7 @@
 // Latency    at order 2 and 16 bits 28, with ROWS 2 15, with DSP 4; others in burnish_latency.vh
 // Throughput one lobe per clock
 // Parameters SQUARINGS  log2 of the order: 1 .. 4
-//            RESULT     16 or 8 bits
+//            RESULT     16, 12, 10 or 8 bits; see burnish_power
 //            ROUND      0: fast; 1: near, half the error for one more adder (RESULT 16)
 //            LAMBDA     0: angle is the cosine; 1: 1 - cosine
 //            ROWS       adder rows between two registers
@@ -22,6 +22,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_taylor #(
     parameter SQUARINGS = 1,
     parameter RESULT = 16,
@@ -41,6 +42,8 @@ module burnish_taylor #(
     output wire [USER_WIDTH-1:0] user_out
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA),
+        .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) legal ();
     wire [15:0] t;
     burnish_base #(.FACTOR(1), .SHIFT(SQUARINGS - 1), .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT),
         .DSP(DSP)) base (
@@ -53,3 +56,4 @@ module burnish_taylor #(
             latency_power(SQUARINGS, RESULT, ROWS, SEGMENT, DSP))) user (
         .clk(clk), .enable(enable), .in(user_in), .out(user_out));
 endmodule
+`default_nettype wire

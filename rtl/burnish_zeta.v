@@ -12,6 +12,7 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+`default_nettype none
 module burnish_zeta #(
     parameter SQUARINGS = 1,
     parameter RESULT = 16,
@@ -32,30 +33,45 @@ module burnish_zeta #(
     output wire [USER_WIDTH-1:0] user_out
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA),
+        .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) legal ();
     localparam U_WIDTH = LAMBDA != 0 ? 24 : 16;
     localparam KEEP = 16 + U_WIDTH;
     localparam MULTIPLY = DSP != 0 ? 1 : latency_rows(16, KEEP, ROWS, SEGMENT);
 
+    // A cosine of 1 or more sets the slope to 0.
     reg [15:0] slope_kept;
     reg [U_WIDTH-1:0] u;
-    always @(posedge clk)
-        if (enable) begin
-            slope_kept <= LAMBDA == 0 && angle[15] ? 16'd0 : slope;
-            u <= LAMBDA == 0 ? 16'h8000 - {1'b0, angle[14:0]} : angle;
+    wire [KEEP-1:0] product;
+    wire [31:0] w;
+    generate
+        if (LAMBDA == 0) begin : cosine
+            always @(posedge clk)
+                if (enable) begin
+                    slope_kept <= angle[15] ? 16'd0 : slope;
+                    u <= 16'h8000 - {1'b0, angle[14:0]};
+                end
+            assign w = product;
+        end else begin : lambda
+            always @(posedge clk)
+                if (enable) begin
+                    slope_kept <= slope;
+                    u <= angle;
+                end
+            assign w = {1'b0, product[KEEP-1:9]};
+            wire unused = &{1'b0, product};
         end
 
-    wire [KEEP-1:0] product;
-    generate
         if (DSP != 0) begin : dsp
             burnish_multiplier #(.A_WIDTH(16), .B_WIDTH(U_WIDTH)) multiply (
                 .clk(clk), .enable(enable), .a(slope_kept), .b(u), .addend({KEEP{1'b0}}),
                 .product(product));
         end else begin : rows
-            wire over; /* never: the product is kept whole */
+            wire unused_over; /* the product is kept whole */
             burnish_product #(.SLOPE_WIDTH(16), .U_WIDTH(U_WIDTH), .KEEP(KEEP), .ROWS(ROWS),
                 .SEGMENT(SEGMENT)) multiply (
                 .clk(clk), .enable(enable), .slope(slope_kept), .u(u), .product(product),
-                .over(over));
+                .over(unused_over));
         end
     endgenerate
 
@@ -63,7 +79,6 @@ module burnish_zeta #(
     wire [3:0] shift_now;
     burnish_delay #(.WIDTH(4), .DEPTH(1 + MULTIPLY)) shift_line (
         .clk(clk), .enable(enable), .in(shift), .out(shift_now));
-    wire [31:0] w = LAMBDA != 0 ? {1'b0, product[KEEP-1:9]} : product[31:0];
     reg [31:0] coarse, fine;
     reg [1:0] shift_kept;
     reg over_kept;
@@ -87,3 +102,4 @@ module burnish_zeta #(
         latency_power(SQUARINGS, RESULT, ROWS, SEGMENT, DSP))) user (
         .clk(clk), .enable(enable), .in(user_in), .out(user_out));
 endmodule
+`default_nettype wire

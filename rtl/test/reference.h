@@ -112,6 +112,13 @@ static inline uint16_t power_by_tables(const vector &v) {
     return (uint16_t)(value > 255 ? 255 : value);
 }
 
+/* The lobe to fewer than 16 bits: fast8 of lobe_q15.h for any number of bits. */
+static inline uint16_t fast_to(unsigned bits, uint_fast16_t a, uint8_t squarings) {
+    const uint32_t x = squarings > 1 ? burnish_q15_fast_at(a, (uint8_t)(squarings - 1)) : 0xFFFFu - a;
+    const uint32_t y = x >> (15 - bits); /* stands for the middle of its interval */
+    return (uint16_t)((y * (y + 1) + (2u << bits) - 1) >> (bits + 2));
+}
+
 static inline uint16_t expected(const unit &u, const vector &v) {
     uint16_t slope = 0;
     uint8_t shift = 0;
@@ -135,6 +142,9 @@ static inline uint16_t expected(const unit &u, const vector &v) {
     }
     if (u.result == 8) {
         return burnish_q15_fast8_at(a, squarings);
+    }
+    if (u.result < 16) {
+        return fast_to(u.result, a, squarings);
     }
     return u.round ? burnish_q15_near_at(a, squarings) : burnish_q15_fast_at(a, squarings);
 }

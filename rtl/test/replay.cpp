@@ -158,7 +158,7 @@ double real_lobe(const unit &u, const vector &v, double lambda) {
         }
     }
     }
-    return value * (u.result == 8 ? 256.0 : 65536.0);
+    return value * (double)(1u << u.result);
 }
 
 /* The largest error over every cosine (or 2^15 lambdas over twice the lobe's reach) and exponents
