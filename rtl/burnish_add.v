@@ -22,7 +22,7 @@ module burnish_add #(
     input wire carry,
     output wire [WIDTH-1:0] sum
 );
-    localparam SPAN = SEGMENT == 0 ? WIDTH : SEGMENT;
+    localparam SPAN = SEGMENT < 1 ? WIDTH : SEGMENT;
     localparam SEGMENTS = (WIDTH + SPAN - 1) / SPAN;
 
     genvar s;

@@ -42,7 +42,7 @@ module burnish_chord #(
             burnish_add #(.WIDTH(16), .SEGMENT(SEGMENT)) absolute (
                 .clk(clk), .enable(enable), .a(difference[15:0] ^ {16{difference[16]}}),
                 .b(16'd0), .carry(difference[16]), .sum(magnitude));
-            burnish_square #(.WIDTH(16), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) square (
+            burnish_square #(.WIDTH(16), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) squarer (
                 .clk(clk), .enable(enable), .t(magnitude), .offset(k == 0 ? 17'd64 : 17'd0),
                 .square({quarter[k], unused_low}));
         end
