@@ -25,6 +25,7 @@ static const struct layer {
     {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/mesh.h "
                    "burnish/render.h"},
     {"tools/burnish/cli", "burnish"},
+    {"tools/burnish/info", "cli burnish"},
     {"tools/burnish/lobe", "cli plot burnish"},
     {"tools/burnish/plot", "cli lobe burnish"},
     {"tools/burnish/render", "cli lobe burnish"},

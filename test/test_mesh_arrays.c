@@ -379,6 +379,7 @@ static void test_memory(int kind, int threads) {
     options.context = context;
     options.threads = threads;
     options.keep_texture_coordinates = 1;
+    options.measure = kind == 1;
     const long before = atomic_load(&c.live);
     for (; status == BURNISH_STATUS_MEMORY && k < 200; ++k) {
         burnish_mesh *mesh = NULL;
@@ -412,6 +413,7 @@ static void test_cancelling(int kind, int threads) {
     long k = 0;
     options.context = context;
     options.threads = threads;
+    options.measure = kind == 1;
     const long before = atomic_load(&c.live);
     for (; status == BURNISH_STATUS_CANCELLED && k < 1000; ++k) {
         burnish_mesh *mesh = NULL;

@@ -48,9 +48,10 @@ static void test_defaults(void) {
     CHECK1(s->equation == (int)render.specular_model && s->viewer == render.local_viewer);
     CHECK(render.background[0] == 255 && render.background[1] == 255 && render.background[2] == 255,
           "the help says that the background is white");
-    CHECK1(s->format == (int)load.format && s->tessellation == load.tessellation);
+    CHECK1(s->load.format == (int)load.format && s->load.tessellation == load.tessellation);
     CHECK1(!s->crease.given && load.crease_angle == BURNISH_CREASE_AUTO);
-    CHECK1(s->max_triangles == load.max_triangles && s->max_input_bytes == load.max_input_bytes);
+    CHECK1(s->load.max_triangles == load.max_triangles &&
+           s->load.max_input_bytes == load.max_input_bytes);
     CHECK1(s->view_angle.value == fit.view_angle && s->margin.value == fit.margin);
     CHECK1(s->azimuth.value == fit.azimuth && s->elevation.value == fit.elevation);
     CHECK1(!s->json && !s->quiet && !s->fail_on_blank && !s->orthographic && s->material == 0);
@@ -144,8 +145,8 @@ static void test_numbers(void) {
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         CHECK(!cli_read_real(bad[i], strlen(bad[i]), &value), "\"%s\" accepted", bad[i]);
     }
-    CHECK1(parse("x|--max-input-bytes=3K").settings.max_input_bytes == 3072);
-    CHECK1(parse("x|--max-input-bytes=2G").settings.max_input_bytes == (uint64_t)2 << 30);
+    CHECK1(parse("x|--max-input-bytes=3K").settings.load.max_input_bytes == 3072);
+    CHECK1(parse("x|--max-input-bytes=2G").settings.load.max_input_bytes == (uint64_t)2 << 30);
     CHECK1(parse("x|--max-input-bytes=99999999999G").status == BURNISH_STATUS_ARGUMENT);
     CHECK1(parse("x|--max-input-bytes=G").status == BURNISH_STATUS_ARGUMENT);
     CHECK1(parse("x|--max-input-bytes=").status == BURNISH_STATUS_ARGUMENT);

@@ -105,6 +105,7 @@ typedef struct burnish_load_options {
                             differ by less; 0 shades every face flat; BURNISH_CREASE_AUTO */
     int tessellation;    /* built-in objects: segments along a patch edge, [1, 256] */
     int keep_texture_coordinates; /* 1: vertices carry them, and differ where they do; 0: dropped */
+    int measure;                  /* 1: the mesh has facts, see burnish_mesh_get_facts; 0: none */
     int threads; /* [0, 1024]: at most so many; 0: one per processor. The mesh does not depend on
                     it. */
     uint64_t max_input_bytes;       /* a larger file is refused with LIMIT */
@@ -113,7 +114,7 @@ typedef struct burnish_load_options {
                                        folder, none for standard input and memory */
 } burnish_load_options;
 
-/* Crease auto, tessellation 16, no texture coordinates, one thread per processor, 16 GiB,
+/* Crease auto, tessellation 16, no texture coordinates, no facts, one thread per processor, 16 GiB,
  * BURNISH_TRIANGLES_MAX triangles, the default context and loader. */
 BURNISH_API burnish_load_options burnish_load_options_default(void);
 
@@ -201,6 +202,45 @@ typedef struct burnish_mesh_info {
 
 /* NULL for NULL. Lives as long as the mesh. */
 BURNISH_API const burnish_mesh_info *burnish_mesh_get_info(const burnish_mesh *mesh);
+
+/* What is true of the triangles as they were read: before loading turned those whose winding
+ * contradicts their normals and left out those without area. Corners at equal positions, bit for
+ * bit but for the sign of 0, are one vertex. Polygons count as the triangles they were cut into.
+ *
+ * Area, volume and centre come from compensated sums in double precision, in the order of the
+ * input: they depend on no thread. Coordinates are the floats of burnish_mesh_view. */
+typedef struct burnish_mesh_facts {
+    size_t triangle_count;
+    size_t degenerate_count; /* of these without area: no mesh or picture has them */
+    size_t duplicate_count;  /* of these with the three vertices of an earlier one, in any order */
+    size_t vertex_count;     /* different positions of corners */
+
+    /* An edge joins two vertices of a triangle, also of one without area whose vertices differ:
+     * such fill T-junctions. */
+    size_t edge_count;
+    size_t open_edge_count;         /* of one triangle: the border of a hole or of a sheet */
+    size_t non_manifold_edge_count; /* of three triangles or more */
+    size_t inconsistent_edge_count; /* of an even number of triangles, not half of which run along
+                                       it in one direction, half in the other */
+    size_t shell_count;             /* parts that no edge joins; those that touch in a vertex are
+                                       two */
+    size_t flipped_count;      /* the fewest triangles whose turning lets windings agree across all
+                                  edges of two triangles, but for those next */
+    size_t unorientable_count; /* parts, joined by edges of two triangles, where no turning does: a
+                                  Moebius strip */
+    int is_closed;     /* 1: an even number of triangles at every edge: there is an inside */
+    int is_consistent; /* 1: no edge is inconsistent */
+
+    double area;
+    double volume; /* sum of a . (b x c) / 6 over all triangles a, b, c, measured from the middle of
+                      the bounding box. Means something where is_closed and is_consistent are 1;
+                      inside out it is negative; cavities that are wound inward are subtracted */
+    int is_solid;  /* 1: closed, consistent and not flat: the centre is that of the volume */
+    double center_of_mass[3]; /* else that of the surface, every area weighing the same */
+} burnish_mesh_facts;
+
+/* NULL where load options did not ask for them, and for NULL. They live as long as the mesh. */
+BURNISH_API const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh *mesh);
 
 /* Lines about what was passed over (a missing material library, triangles without area ...). The
  * context's log was told each of them. */

@@ -1,4 +1,5 @@
-/* The built-in objects: y up, round the origin (the teapot stands on y = 0), watertight. */
+/* The built-in objects: y up, round the origin (the teapot stands on y = 0). Closed but for
+ * the teapot, whose body, lid, handle and spout pass into each other. */
 #include <string.h>
 
 #include "core/vector.h"
@@ -48,15 +49,16 @@ static void turn(uint32_t i, uint32_t n, double *sine, double *cosine) {
 }
 
 /* Two triangles for each cell of a grid whose both directions close on themselves; vertex (i, j) is
- * number i * nj + j, and (i, j), (i + 1, j), (i, j + 1) are counter-clockwise seen from outside. */
-static void close_grid(burnish_mesh_data *data, uint32_t ni, uint32_t nj) {
+ * number i * nj + j, and (i, j), (i + 1, j), (i, j + 1) are counter-clockwise seen from outside, or
+ * clockwise where mirrored is 1. */
+static void close_grid(burnish_mesh_data *data, uint32_t ni, uint32_t nj, int mirrored) {
     for (uint32_t i = 0; i < ni; ++i) {
         for (uint32_t j = 0; j < nj; ++j) {
             uint32_t next_i = (i + 1) % ni, next_j = (j + 1) % nj;
             uint32_t a = i * nj + j, b = next_i * nj + j, c = next_i * nj + next_j,
                      d = i * nj + next_j;
-            add_triangle(data, a, b, c);
-            add_triangle(data, a, c, d);
+            add_triangle(data, a, mirrored ? c : b, mirrored ? b : c);
+            add_triangle(data, a, mirrored ? d : c, mirrored ? c : d);
         }
     }
 }
@@ -139,7 +141,7 @@ static burnish_status make_torus(const burnish_load_options *options, burnish_me
             add_vertex(data, burnish_vec3_add(center, burnish_vec3_scale(normal, minor)), normal);
         }
     }
-    close_grid(data, ni, nj);
+    close_grid(data, ni, nj, 0);
     return BURNISH_STATUS_OK;
 }
 
@@ -175,7 +177,7 @@ static burnish_status make_knot(const burnish_load_options *options, burnish_mes
             add_vertex(data, burnish_vec3_add(center, burnish_vec3_scale(spoke, radius)), spoke);
         }
     }
-    close_grid(data, ni, nj);
+    close_grid(data, ni, nj, 1);
     return BURNISH_STATUS_OK;
 }
 

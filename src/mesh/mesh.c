@@ -190,6 +190,10 @@ const burnish_mesh_info *burnish_mesh_get_info(const burnish_mesh *mesh) {
     return mesh ? &mesh->info : NULL;
 }
 
+const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh *mesh) {
+    return mesh && mesh->has_facts ? &mesh->facts : NULL;
+}
+
 size_t burnish_mesh_warning_count(const burnish_mesh *mesh) {
     return mesh ? mesh->warning_count : 0;
 }

@@ -118,6 +118,8 @@ burnish_status burnish_make_builtin(const char *name, const burnish_load_options
 struct burnish_mesh {
     burnish_mesh_view view; /* its pointers are the arrays below */
     burnish_mesh_info info;
+    burnish_mesh_facts facts;
+    int has_facts;
     const burnish_context *context; /* where all arrays come from */
 
     void *attributes[BURNISH_ATTRIBUTE_COUNT]; /* vertex_count items each; NULL: none */
@@ -145,7 +147,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
 
 /* What the ..._default() functions leave in `cookie`: the struct's name and version. One that was
  * not started from them is refused instead of being read as garbage. */
-#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6432u /* "lod2" */
+#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6433u /* "lod3" */
 #define BURNISH_DESCRIPTION_COOKIE 0x6d736831u  /* "msh1" */
 #define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
 

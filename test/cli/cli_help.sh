@@ -7,7 +7,7 @@
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
 
 lobe="table claims choose fit boundary sample plot"
-screens="--help;-h;help;render --help;render -h;help render;help --help;lobe --help;lobe -h;help lobe"
+screens="--help;-h;help;render --help;render -h;help render;info --help;help info;help --help;lobe --help;lobe -h;help lobe"
 for part in $lobe; do
     screens="$screens;lobe $part --help;help lobe $part"
 done
@@ -25,6 +25,8 @@ for part in $lobe; do
     check "burnish lobe --help lacks $part" sh -c "'$burnish' lobe --help | grep -q '^  $part '"
     cat "$out" >>lobe.txt
 done
+run info --help
+cat "$out" >>lobe.txt
 run --help
 cp "$out" main.txt
 check "exit codes are not in order" sh -c "grep -o '^  [0-9] ' main.txt | sort -nc"
@@ -73,7 +75,7 @@ while read -r flag; do
     check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt lobe.txt || '$burnish' help --help | grep -q -- $flag"
 done <described.txt
 for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE '"LOBE TABLE"' '"LOBE FIT"' COLOURS MATERIALS \
-    LOBES METRICS LIGHTS '"JSON OUTPUT"' \
+    LOBES METRICS LIGHTS INFO '"JSON OUTPUT"' '"FACTS IN JSON"' \
     '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
     check "the man page lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish.1
 done

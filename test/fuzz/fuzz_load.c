@@ -58,6 +58,7 @@ static burnish_load_options load_options(const uint8_t *head) {
     options.crease_angle = creases[head[1] & 3];
     options.max_triangles = head[1] & 4 ? 5 : TRIANGLE_LIMIT;
     options.max_input_bytes = INPUT_LIMIT;
+    options.measure = 1;
     options.threads = 1;
     return options;
 }

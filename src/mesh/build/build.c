@@ -103,7 +103,8 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                          .mesh = allocate_mesh(&data->memory, format),
                          .crease_angle = options->crease_angle == BURNISH_CREASE_AUTO
                                              ? burnish_format_get_info(format)->crease_angle
-                                             : options->crease_angle};
+                                             : options->crease_angle,
+                         .measure = options->measure};
     *mesh = NULL;
     if (!options->keep_texture_coordinates) {
         burnish_mesh_data_drop(data, BURNISH_TEXCOORD);

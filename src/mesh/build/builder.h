@@ -28,6 +28,7 @@ typedef struct burnish_builder {
     const char *name;       /* of the input */
     burnish_mesh *mesh;     /* the result */
     double crease_angle;
+    int measure; /* 1: the mesh gets its facts */
 
     size_t position_count;      /* welded positions, at the head of data's positions */
     size_t triangle_count;      /* triangles with area, at the head of data's arrays */
@@ -62,6 +63,13 @@ burnish_status burnish_build_triangles(burnish_builder *b);
 /* Releases what is kept per corner but for `extras`, whose corners are needed until they are
  * written: most of the memory. */
 void burnish_build_release_corners(burnish_builder *b, int extras);
+
+/* ---- measure.c ---- */
+
+/* Fills the mesh's facts: before triangles are turned or left out.
+ *   remap  number of the welded position of each of the file's
+ * Errors: MEMORY, CANCELLED. */
+burnish_status burnish_build_measure(burnish_builder *b, const uint32_t *remap);
 
 /* ---- order.c ---- */
 
@@ -163,6 +171,11 @@ static inline burnish_vec3 burnish_face_cross(const float *positions, const uint
     burnish_vec3 b = burnish_vec3_loadf(positions + 3 * (size_t)vertices[1]);
     burnish_vec3 c = burnish_vec3_loadf(positions + 3 * (size_t)vertices[2]);
     return burnish_vec3_cross(burnish_vec3_sub(b, a), burnish_vec3_sub(c, a));
+}
+
+/* A repeated position makes an edge, and so the product, exactly 0. */
+static inline int burnish_has_area(burnish_vec3 cross) {
+    return cross.x != 0 || cross.y != 0 || cross.z != 0;
 }
 
 /* Writes v / |v| in float with no negative zeros; 0 when v has no direction or is not finite. */

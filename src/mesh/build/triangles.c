@@ -89,11 +89,6 @@ static void orient(const burnish_builder *b, size_t triangle, burnish_vec3 cross
     }
 }
 
-/* A repeated position makes an edge, and so the product, exactly 0. */
-static int has_area(burnish_vec3 cross) {
-    return cross.x != 0 || cross.y != 0 || cross.z != 0;
-}
-
 static burnish_vec3 cross_of(const burnish_builder *b, size_t triangle) {
     return burnish_face_cross(burnish_positions(b->data), b->corner_positions + 3 * triangle);
 }
@@ -114,7 +109,7 @@ static void weld_range(void *context, size_t first, size_t end) {
             b->corner_positions[k] = c->remap[corners[k]];
         }
         const burnish_vec3 cross = cross_of(b, i);
-        with_area += (size_t)has_area(cross);
+        with_area += (size_t)burnish_has_area(cross);
         if (b->data->streams[BURNISH_NORMAL].count > 0) {
             orient(b, i, cross);
         }
@@ -143,7 +138,7 @@ static void drop_triangles(burnish_builder *b, size_t kept) {
                            burnish_show_name(b->name).text, count - kept, count);
     size_t next = 0;
     for (size_t i = 0; i < count; ++i) {
-        if (has_area(cross_of(b, i))) {
+        if (burnish_has_area(cross_of(b, i))) {
             move_triangle(b, i, next++);
         }
     }
@@ -194,6 +189,9 @@ burnish_status burnish_build_triangles(burnish_builder *b) {
     burnish_status status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
         status = weld_positions(b, remap);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = b->measure ? burnish_build_measure(b, remap) : BURNISH_STATUS_OK;
     }
     if (status == BURNISH_STATUS_OK) {
         normalize_file_normals(b);

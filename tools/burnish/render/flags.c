@@ -21,17 +21,6 @@ static const cli_word view_words[] = {
 static const cli_word equation_words[] = {
     {"blinn", BURNISH_SPECULAR_BLINN}, {"phong", BURNISH_SPECULAR_PHONG}, {NULL, 0}};
 static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}};
-#define FORMAT_WORD(name, word, ...)                                                               \
-    , {                                                                                            \
-#word, BURNISH_FORMAT_##name                                                               \
-    }
-static const cli_word format_words[] = {
-    {"auto", BURNISH_FORMAT_AUTO} BURNISH_FORMAT_LIST(FORMAT_WORD), {NULL, 0}};
-#define FORMAT_MANUAL(name, word, ...) "*" #word "*, "
-static const char format_manual[] = "Format of _INPUT_: " BURNISH_FORMAT_LIST(
-    FORMAT_MANUAL) "or *auto*, which looks at the name's ending and the first bytes.";
-
-#define FORMAT_ENDING(name, word, endings, ...) " " endings
 /* ", obj 60, ply 60, stl 40": labels begin at the third character. */
 #define FORMAT_CREASE(name, word, endings, crease, ...) ", " #word " " #crease
 static const char format_creases[] = BURNISH_FORMAT_LIST(FORMAT_CREASE);
@@ -362,17 +351,7 @@ static const cli_flag flags[] = {
      .handler = render_flag_ambient,
      TARGET(ambient)},
 
-    {.group = "Input and report",
-     .topic = "report",
-     .name = "input-format",
-     .aliases = "format",
-     .value = "NAME",
-     .help = "of INPUT",
-     .default_text = "auto",
-     .manual = format_manual,
-     .handler = cli_flag_word,
-     .words = format_words,
-     TARGET(format)},
+    {.group = "Input and report", .topic = "report", CLI_INPUT_FORMAT_FLAG(render_settings, load)},
     {.name = "crease-angle",
      .value = "DEG",
      .help = "smooth edges below this angle",
@@ -383,35 +362,9 @@ static const cli_flag flags[] = {
                "shades every face flat.",
      .handler = cli_flag_real,
      TARGET(crease)},
-    {.name = "tessellation",
-     .help = "segments per patch edge of built-in objects",
-     .value = "N",
-     .default_text = "16",
-     .low = 1,
-     .high = 256,
-     .manual = "Segments along a patch edge of a built-in object.",
-     .handler = cli_flag_integer,
-     TARGET(tessellation)},
-    {.name = "max-triangles",
-     .value = "N",
-     .help = "refuse larger meshes",
-     .default_text = "1431655764",
-     .low = 1,
-     .high = 1431655764,
-     .default_label = "1.43e9",
-     .manual = "Refuses meshes with more triangles (exit code 5).",
-     .handler = cli_flag_count,
-     TARGET(max_triangles)},
-    {.name = "max-input-bytes",
-     .help = "refuse larger inputs; K, M, G for powers of 1024",
-     .value = "N",
-     .default_text = "16G",
-     .low = 1,
-     .high = 9e18,
-     .manual =
-         "Refuses larger inputs (exit code 5). _N_ may end in *K*, *M* or *G*, powers of 1024.",
-     .handler = cli_flag_bytes,
-     TARGET(max_input_bytes)},
+    {CLI_TESSELLATION_FLAG(render_settings, load)},
+    {CLI_MAX_TRIANGLES_FLAG(render_settings, load)},
+    {CLI_MAX_INPUT_BYTES_FLAG(render_settings, load)},
     {.name = "json",
      .common = 1,
      .help = "report on standard output",
@@ -543,9 +496,7 @@ const cli_command render_command = {
     .name = "render",
     .operand = "INPUT",
     .summary = "draw a mesh into a PNG",
-    .operand_help =
-        "a file:" BURNISH_FORMAT_LIST(FORMAT_ENDING) "; - for standard input; or :teapot, "
-                                                     ":sphere, :torus, :knot",
+    .operand_help = CLI_INPUT_HELP,
     .manual =
         "Loads _INPUT_ and draws it with the Phong illumination equation. _INPUT_ is an OBJ (with "
         "its material library), PLY or STL file, *-* for standard input, or a built-in object: "

@@ -3,6 +3,7 @@
 #define TOOL_RENDER_SETTINGS_H
 
 #include "burnish/render.h"
+#include "cli/input.h"
 #include "cli/values.h"
 
 /* Longest list of --lobe and of --views. */
@@ -86,10 +87,8 @@ typedef struct render_settings {
     render_lights lights;
     render_ambient ambient;
 
-    int format;
+    cli_input load;
     cli_real crease;
-    int tessellation;
-    uint64_t max_triangles, max_input_bytes;
     int json, timing, quiet, fail_on_blank;
 
     char default_output[512]; /* what output points to when the name is made from the input's */

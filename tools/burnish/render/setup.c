@@ -152,14 +152,10 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
 
 burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
                            burnish_error *error) {
-    burnish_load_options options = burnish_load_options_default();
-    options.format = (burnish_format)settings->format;
+    burnish_load_options options = cli_load_options(&settings->load);
     if (settings->crease.given) {
         options.crease_angle = settings->crease.value;
     }
-    options.tessellation = settings->tessellation;
-    options.max_input_bytes = settings->max_input_bytes;
-    options.max_triangles = settings->max_triangles;
     options.threads = settings->threads;
     return burnish_mesh_load(settings->input, &options, mesh, error);
 }

@@ -1,0 +1,145 @@
+#!/bin/sh
+# burnish info as a user sees it: text, JSON, exit codes, one line per error.
+# usage: cli_info.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+
+same() { check "$1: $2 is not $3" [ "$2" = "$3" ]; }
+
+# A box from 0 to 1, 2, 3 as ASCII STL. box [SED SCRIPT]
+box() {
+    {
+        echo solid box
+        while read -r a b c; do
+            echo facet normal 0 0 0 outer loop
+            for point in $a $b $c; do
+                echo "vertex $(echo "$point" | sed 's/,/ /g')"
+            done
+            echo endloop endfacet
+        done <<'END'
+0,0,0 0,0,3 0,2,3
+0,0,0 0,2,3 0,2,0
+1,0,0 1,2,0 1,2,3
+1,0,0 1,2,3 1,0,3
+0,0,0 1,0,0 1,0,3
+0,0,0 1,0,3 0,0,3
+0,2,0 0,2,3 1,2,3
+0,2,0 1,2,3 1,2,0
+0,0,0 0,2,0 1,2,0
+0,0,0 1,2,0 1,0,0
+0,0,3 1,0,3 1,2,3
+0,0,3 1,2,3 0,2,3
+END
+        echo endsolid box
+    } | sed "${1:-}"
+}
+
+box >box.stl
+run info box.stl
+check "exit code $code" [ "$code" = 0 ]
+check "silent on standard error" [ ! -s "$err" ]
+cat >expected.txt <<'END'
+box.stl (stl): 12 triangles, 8 vertices, 1 material
+
+  size                  1 x 2 x 3
+  from                  0, 0, 0
+  to                    1, 2, 3
+  area                  22
+  volume                6
+  centre of mass        0.5, 1, 1.5 (of the solid)
+
+  closed                yes
+  consistent winding    yes
+  shells                1
+  edges                 18
+  open edges            0
+  non-manifold edges    0
+  inconsistent edges    0
+  flipped triangles     0
+  unorientable parts    0
+  degenerate triangles  0
+  duplicate triangles   0
+END
+check "text: $(diff "$out" expected.txt | head -3 | tr '\n' ' ')" cmp "$out" expected.txt
+
+# JSON: valid, the keys of the manual, the values.
+run info box.stl --json
+check "JSON is valid" valid_json
+if command -v python3 >/dev/null; then
+    check "python3 reads the JSON" python3 -m json.tool "$out"
+fi
+for wanted in input:box.stl format:stl triangles:12 vertices:8 materials:1 min:0,0,0 max:1,2,3 size:1,2,3 area:22 \
+    volume:6 center_of_mass:0.5,1,1.5 solid:true closed:true consistent_winding:true shells:1 edges:18 open_edges:0 \
+    non_manifold_edges:0 inconsistent_edges:0 flipped_triangles:0 unorientable_parts:0 degenerate_triangles:0 \
+    duplicate_triangles:0 warnings:; do
+    same "${wanted%%:*}" "$(json "${wanted%%:*}")" "${wanted#*:}"
+done
+tr -d '\n\t ' <"$out" | grep -oE '"[a-z0-9_]+":' | tr -d '":' | sort -u >written.txt
+"$burnish" help --man | tr -d '\\' | awk '/^.SH/ { on = /FACTS IN JSON/ } on' |
+    grep -o 'fB[a-z_, ]*fR' | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort -u >told.txt
+check "JSON keys and the manual differ: $(diff written.txt told.txt | grep '^[<>]' | tr '\n' ' ')" cmp written.txt told.txt
+
+# What is wrong with a surface is said.
+box '/^facet/{N;N;N;N;/vertex 0 0 3\nvertex 1 0 3\nvertex 1 2 3/d;}' >open.stl
+run info open.stl
+check "an open surface: $(cat "$out")" grep -q '^  volume  .* (meaningless: the surface is not closed)$' "$out"
+check "the centre of an open surface" grep -q '^  centre of mass .* (of the surface)$' "$out"
+run info open.stl --json
+same "11 triangles" "$(json triangles)" 11
+same "three open edges" "$(json open_edges)" 3
+same "closed" "$(json closed)" false
+box '/^vertex/{h;N;N;s/\(.*\)\n\(.*\)\n\(.*\)/\1\n\3\n\2/;}' >inward.stl
+run info inward.stl
+check "inside out: $(grep volume "$out")" grep -q '^  volume  *-6 (inside out: ' "$out"
+
+# Warnings.
+{
+    box '/endsolid/d'
+    echo facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 0 1 endloop endfacet endsolid box
+} >flat.stl
+run info flat.stl
+check "a warning: $(cat "$err")" grep -qx 'burnish: warning: flat.stl: 1 of 13 triangles have no area and were left out' "$err"
+check "a degenerate triangle" grep -qx '  degenerate triangles  1' "$out"
+run info flat.stl --json --quiet
+check "--quiet" [ ! -s "$err" ]
+check "a warning in JSON" grep -q '"warnings":.*1 of 13 triangles' "$out"
+
+# INPUT as render takes it.
+"$burnish" info - --json <box.stl | sed '/"input"/d' >piped.json
+run info box.stl --json --threads=3
+check "from a pipe, with three threads" sh -c "sed '/\"input\"/d' '$out' | cmp - piped.json"
+cp box.stl box.bin
+run info box.bin --input-format=stl --json
+same "--input-format" "$(json volume)" 6
+run info :torus --tessellation=3 --json
+same "--tessellation" "$(json triangles)" 576
+name=$(printf 'a"b\\\377\303\251.stl')
+box >"$name"
+run info "$name" --json
+check "JSON with an odd file name is valid" valid_json
+rm -f ./*
+
+# Errors.
+expect 2 'burnish: info: no INPUT; try "burnish info :teapot" or "burnish info --help"' info
+expect 2 'burnish: info: "b.stl" is one operand too many; usage: burnish info INPUT [options]' info a.stl b.stl
+expect 2 'burnish: --jsn: unknown flag; did you mean --json?' info a.stl --jsn
+expect 2 'burnish: :tepot: unknown built-in object; there are :teapot, :sphere, :torus, :knot' info :tepot
+expect 3 "burnish: none.stl: can't be opened: No such file or directory" info none.stl
+box '/endsolid/d;$d' | head -12 >../broken.stl
+expect 4 "$("$burnish" render ../broken.stl 2>&1)" info ../broken.stl
+run info ../broken.stl
+check "a broken file: one line" [ "$(wc -l <"$err")" = 1 ]
+rm ../broken.stl
+run info :sphere --max-triangles=3
+check "too many triangles: exit code $code" [ "$code" = 5 ]
+(
+    ulimit -v 60000
+    "$burnish" info :sphere --tessellation=256 --threads=1 >/dev/null 2>"$err"
+    echo $? >../code
+)
+check "out of memory: exit code $(cat ../code)" [ "$(cat ../code)" = 6 ]
+check "out of memory: one line" [ "$(wc -l <"$err")" = 1 ]
+"$burnish" info :sphere >/dev/full 2>"$err"
+check "a full device: 7" [ $? = 7 ]
+nothing_left "info"
+
+finish

@@ -1,0 +1,21 @@
+/* What every command that loads a mesh takes. */
+#include "cli/input.h"
+
+#define WORD(name, word, ...)                                                                      \
+    , {                                                                                            \
+#word, BURNISH_FORMAT_##name                                                               \
+    }
+const cli_word cli_input_formats[] = {{"auto", BURNISH_FORMAT_AUTO} BURNISH_FORMAT_LIST(WORD),
+                                      {NULL, 0}};
+#define MANUAL(name, word, ...) "*" #word "*, "
+const char cli_input_format_manual[] = "Format of _INPUT_: " BURNISH_FORMAT_LIST(
+    MANUAL) "or *auto*, which looks at the name's ending and the first bytes.";
+
+burnish_load_options cli_load_options(const cli_input *input) {
+    burnish_load_options options = burnish_load_options_default();
+    options.format = (burnish_format)input->format;
+    options.tessellation = input->tessellation;
+    options.max_triangles = input->max_triangles;
+    options.max_input_bytes = input->max_input_bytes;
+    return options;
+}

@@ -1,0 +1,50 @@
+/* What every command that loads a mesh takes: INPUT and the flags that say how it is read. */
+#ifndef TOOL_CLI_INPUT_H
+#define TOOL_CLI_INPUT_H
+
+#include "burnish/mesh.h"
+#include "cli/values.h"
+
+typedef struct cli_input {
+    int format, tessellation;
+    uint64_t max_triangles, max_input_bytes;
+} cli_input;
+
+/* The library's options as the flags say. */
+burnish_load_options cli_load_options(const cli_input *input);
+
+#define CLI_INPUT_ENDING(name, word, endings, ...) " " endings
+#define CLI_INPUT_HELP                                                                             \
+    "a file:" BURNISH_FORMAT_LIST(CLI_INPUT_ENDING) "; - for standard input; or :teapot, "         \
+                                                    ":sphere, :torus, :knot"
+
+/* Tables for the flags' rows. */
+extern const cli_word cli_input_formats[];
+extern const char cli_input_format_manual[];
+
+/* The rows; `type` has the cli_input `member`. The first one's group stands before it. */
+#define CLI_INPUT_FORMAT_FLAG(type, member)                                                        \
+    .name = "input-format", .aliases = "format", .value = "NAME", .help = "of INPUT",              \
+    .default_text = "auto", .manual = cli_input_format_manual, .handler = cli_flag_word,           \
+    .words = cli_input_formats, .offset = offsetof(type, member.format)
+
+#define CLI_TESSELLATION_FLAG(type, member)                                                        \
+    .name = "tessellation", .help = "segments per patch edge of built-in objects", .value = "N",   \
+    .default_text = "16", .low = 1, .high = 256,                                                   \
+    .manual = "Segments along a patch edge of a built-in object.", .handler = cli_flag_integer,    \
+    .offset = offsetof(type, member.tessellation)
+
+#define CLI_MAX_TRIANGLES_FLAG(type, member)                                                       \
+    .name = "max-triangles", .value = "N", .help = "refuse larger meshes",                         \
+    .default_text = "1431655764", .low = 1, .high = 1431655764, .default_label = "1.43e9",         \
+    .manual = "Refuses meshes with more triangles (exit code 5).", .handler = cli_flag_count,      \
+    .offset = offsetof(type, member.max_triangles)
+
+#define CLI_MAX_INPUT_BYTES_FLAG(type, member)                                                     \
+    .name = "max-input-bytes", .help = "refuse larger inputs; K, M, G for powers of 1024",         \
+    .value = "N", .default_text = "16G", .low = 1, .high = 9e18,                                   \
+    .manual =                                                                                      \
+        "Refuses larger inputs (exit code 5). _N_ may end in *K*, *M* or *G*, powers of 1024.",    \
+    .handler = cli_flag_bytes, .offset = offsetof(type, member.max_input_bytes)
+
+#endif

@@ -1,0 +1,297 @@
+/* `burnish info`: size, volume and soundness of a mesh, as text or JSON. */
+#include <float.h>
+#include <math.h>
+
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "cli/output.h"
+
+typedef struct info_settings {
+    cli_input load;
+    int threads, json, quiet;
+} info_settings;
+
+static cli_work work;
+
+#define TARGET(member) .offset = offsetof(info_settings, member)
+
+static const cli_flag flags[] = {
+    {.group = "Options",
+     .name = "json",
+     .help = "one JSON object instead of text",
+     .manual = "Prints one JSON object instead of text; see *FACTS IN JSON*.",
+     .handler = cli_flag_switch,
+     TARGET(json)},
+    {CLI_INPUT_FORMAT_FLAG(info_settings, load)},
+    {CLI_TESSELLATION_FLAG(info_settings, load)},
+    {CLI_MAX_TRIANGLES_FLAG(info_settings, load)},
+    {CLI_MAX_INPUT_BYTES_FLAG(info_settings, load)},
+    {.name = "quiet",
+     .help = "no warnings",
+     .manual = "No warnings on standard error; errors stay, and so do the warnings in JSON.",
+     .handler = cli_flag_switch,
+     TARGET(quiet)},
+    {.name = "threads",
+     .aliases = "jobs",
+     .value = "N",
+     .help = "never change a digit",
+     .default_text = "0",
+     .low = 0,
+     .high = 1024,
+     .default_label = "all cores",
+     .manual = "Threads to load with, 0 for as many as the machine offers. No digit depends on it.",
+     .handler = cli_flag_integer,
+     TARGET(threads)},
+};
+
+static const cli_example examples[] = {
+    {"burnish info part.stl", "size, volume, whether it is closed"},
+    {"burnish info part.stl --json", "for programs"},
+    {NULL, NULL},
+};
+
+static const cli_term json_terms[] = {
+    {"*burnish*", "the version"},
+    {"*input, format*", "the format that was read"},
+    {"*triangles, vertices*",
+     "as read: polygons cut into triangles; equal positions are one vertex"},
+    {"*materials*", "after loading: at least 1"},
+    {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, in the units of the "
+                       "input"},
+    {"*area*", "of all triangles, both of those that coincide"},
+    {"*volume*", "what the triangles enclose, by the divergence theorem. It means something where "
+                 "*solid* is true; a surface that is inside out has a negative one; cavities that "
+                 "are wound inward are subtracted"},
+    {"*center_of_mass*", "of the volume where *solid* is true, else of the surface"},
+    {"*solid*", "true where the surface is closed, its winding consistent and its volume not 0"},
+    {"*closed*", "true where every edge belongs to an even number of triangles"},
+    {"*consistent_winding*", "true where *inconsistent_edges* is 0"},
+    {"*shells*", "parts that no edge joins; those that touch in a vertex are two"},
+    {"*edges, open_edges, non_manifold_edges*",
+     "all of them; those of one triangle, where a hole or a sheet ends; those of three or more"},
+    {"*inconsistent_edges*", "those of an even number of triangles that do not run along it as "
+                             "often one way as the other"},
+    {"*flipped_triangles*", "the fewest that must be turned to make windings agree"},
+    {"*unorientable_parts*",
+     "parts where no turning does, such as a Moebius strip; their triangles "
+     "are not in *flipped_triangles*"},
+    {"*degenerate_triangles*", "without area: no picture has them. Those with three different "
+                               "vertices still join their neighbours"},
+    {"*duplicate_triangles*", "with the three vertices of an earlier one, in any order"},
+    {"*warnings*", "lines, also with *--quiet*"},
+    {NULL, NULL},
+};
+
+static const cli_section sections[] = {
+    {.heading = "FACTS IN JSON",
+     .text =
+         "What *burnish info --json* prints: one object. Lengths are in the units of the input, "
+         "which no mesh file of these formats states; numbers read back as exactly the values "
+         "that were computed, in double precision from single precision coordinates.",
+     .terms = json_terms},
+    {.heading = NULL},
+};
+
+const cli_command info_command = {
+    .name = "info",
+    .operand = "INPUT",
+    .summary = "size, volume and soundness of a mesh",
+    .operand_help = CLI_INPUT_HELP,
+    .manual =
+        "Prints what can be measured and counted of _INPUT_, which may be whatever *burnish "
+        "render* takes: bounding box, area, volume, centre of mass, whether the surface is closed "
+        "and wound consistently, open and non-manifold edges, shells, flipped, degenerate and "
+        "duplicate triangles.\n"
+        "All of it is true of the triangles as they were read, before *burnish render* turns those "
+        "that contradict their normals and leaves out those without area. Vertices are one where "
+        "their positions are equal, bit for bit; gaps are not closed. A volume needs a closed "
+        "surface whose triangles are wound alike.",
+    .operands_max = 1,
+    .flags = flags,
+    .flag_count = sizeof flags / sizeof *flags,
+    .examples = examples,
+    .sections = sections,
+    .settings_size = sizeof(info_settings),
+    .work = work,
+};
+
+/* What there is to tell. */
+typedef struct report {
+    const char *input;
+    const burnish_mesh *mesh;
+    const burnish_mesh_view *view;
+    const burnish_mesh_facts *facts;
+    float size[3];
+} report;
+
+static const char *format_name(const report *r) {
+    return burnish_format_get_info(burnish_mesh_get_info(r->mesh)->format)->name;
+}
+
+/* ---- JSON ---- */
+
+static cJSON *real_at(const void *values, size_t i) {
+    return cli_json_real(((const double *)values)[i]);
+}
+static cJSON *single_at(const void *values, size_t i) {
+    return cli_json_float(((const float *)values)[i]);
+}
+static cJSON *warning_at(const void *mesh, size_t i) {
+    return cli_json_text(burnish_mesh_warning(mesh, i));
+}
+
+static void add_sizes(cJSON *root, const report *r, int *failed) {
+    const burnish_mesh_facts *f = r->facts;
+    cJSON *box = cJSON_CreateObject();
+    cli_json_add(box, "min", cli_json_array(3, single_at, r->view->bounds_min), failed);
+    cli_json_add(box, "max", cli_json_array(3, single_at, r->view->bounds_max), failed);
+    cli_json_add(box, "size", cli_json_array(3, single_at, r->size), failed);
+    cli_json_add(root, "bounding_box", box, failed);
+    cli_json_add(root, "area", cli_json_real(f->area), failed);
+    cli_json_add(root, "volume", cli_json_real(f->volume), failed);
+    cli_json_add(root, "center_of_mass", cli_json_array(3, real_at, f->center_of_mass), failed);
+}
+
+static void add_counts(cJSON *root, const burnish_mesh_facts *f, int *failed) {
+    const struct {
+        const char *key;
+        size_t count;
+    } counts[] = {{"shells", f->shell_count},
+                  {"edges", f->edge_count},
+                  {"open_edges", f->open_edge_count},
+                  {"non_manifold_edges", f->non_manifold_edge_count},
+                  {"inconsistent_edges", f->inconsistent_edge_count},
+                  {"flipped_triangles", f->flipped_count},
+                  {"unorientable_parts", f->unorientable_count},
+                  {"degenerate_triangles", f->degenerate_count},
+                  {"duplicate_triangles", f->duplicate_count}};
+    cli_json_add(root, "solid", cJSON_CreateBool(f->is_solid), failed);
+    cli_json_add(root, "closed", cJSON_CreateBool(f->is_closed), failed);
+    cli_json_add(root, "consistent_winding", cJSON_CreateBool(f->is_consistent), failed);
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
+        cli_json_add(root, counts[i].key, cli_json_count(counts[i].count), failed);
+    }
+}
+
+static burnish_status print_json(FILE *stream, const report *r, burnish_error *error) {
+    int failed = 0;
+    cJSON *root = cJSON_CreateObject();
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    cli_json_add(root, "input", cli_json_text(r->input), &failed);
+    cli_json_add(root, "format", cJSON_CreateString(format_name(r)), &failed);
+    cli_json_add(root, "triangles", cli_json_count(r->facts->triangle_count), &failed);
+    cli_json_add(root, "vertices", cli_json_count(r->facts->vertex_count), &failed);
+    cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(r->mesh)), &failed);
+    add_sizes(root, r, &failed);
+    add_counts(root, r->facts, &failed);
+    cli_json_add(root, "warnings",
+                 cli_json_array(burnish_mesh_warning_count(r->mesh), warning_at, r->mesh), &failed);
+    return cli_json_print(stream, root, failed, error);
+}
+
+/* ---- Text ---- */
+
+static void print_count(FILE *stream, const char *name, size_t count) {
+    fprintf(stream, "  %-20s  %zu\n", name, count);
+}
+
+static void print_vector(FILE *stream, const char *name, const double v[3], const char *separator) {
+    fprintf(stream, "  %-20s  %.6g%s%.6g%s%.6g", name, v[0], separator, v[1], separator, v[2]);
+}
+
+static void print_floats(FILE *stream, const char *name, const float v[3], const char *separator) {
+    print_vector(stream, name, (double[]){v[0], v[1], v[2]}, separator);
+    fputc('\n', stream);
+}
+
+/* Why the volume may not be what it seems; "" where it is. */
+static const char *volume_remark(const burnish_mesh_facts *f) {
+    return !f->is_closed       ? " (meaningless: the surface is not closed)"
+           : !f->is_consistent ? " (meaningless: triangles are wound both ways)"
+           : !f->is_solid      ? " (the surface is flat)"
+           : f->volume < 0     ? " (inside out: triangles are clockwise seen from outside)"
+                               : "";
+}
+
+/* What is 0 but for rounding prints as 0. */
+static double snap(double value, double rounding) {
+    return fabs(value) < rounding ? 0 : value;
+}
+
+static void print_sizes(FILE *stream, const report *r) {
+    const burnish_mesh_facts *f = r->facts;
+    const double size = fmax(r->size[0], fmax(r->size[1], r->size[2])), *c = f->center_of_mass;
+    const double rounding = 4 * FLT_EPSILON * size; /* of the coordinates */
+    const double center[3] = {snap(c[0], rounding), snap(c[1], rounding), snap(c[2], rounding)};
+    print_floats(stream, "size", r->size, " x ");
+    print_floats(stream, "from", r->view->bounds_min, ", ");
+    print_floats(stream, "to", r->view->bounds_max, ", ");
+    fprintf(stream, "  %-20s  %.6g\n", "area", f->area);
+    fprintf(stream, "  %-20s  %.6g%s\n", "volume", snap(f->volume, 1e-12 * f->area * size),
+            volume_remark(f));
+    print_vector(stream, "centre of mass", center, ", ");
+    fprintf(stream, " (of the %s)\n", f->is_solid ? "solid" : "surface");
+}
+
+static void print_text(FILE *stream, const report *r) {
+    const burnish_mesh_facts *f = r->facts;
+    const size_t materials = burnish_mesh_material_count(r->mesh);
+    fprintf(stream, "%s (%s): %zu triangles, %zu vertices, %zu material%s\n\n", r->input,
+            format_name(r), f->triangle_count, f->vertex_count, materials,
+            materials == 1 ? "" : "s");
+    print_sizes(stream, r);
+    fprintf(stream, "\n  %-20s  %s\n", "closed", f->is_closed ? "yes" : "no");
+    fprintf(stream, "  %-20s  %s\n", "consistent winding", f->is_consistent ? "yes" : "no");
+    print_count(stream, "shells", f->shell_count);
+    print_count(stream, "edges", f->edge_count);
+    print_count(stream, "open edges", f->open_edge_count);
+    print_count(stream, "non-manifold edges", f->non_manifold_edge_count);
+    print_count(stream, "inconsistent edges", f->inconsistent_edge_count);
+    print_count(stream, "flipped triangles", f->flipped_count);
+    print_count(stream, "unorientable parts", f->unorientable_count);
+    print_count(stream, "degenerate triangles", f->degenerate_count);
+    print_count(stream, "duplicate triangles", f->duplicate_count);
+}
+
+static burnish_status print(const info_settings *settings, const char *input,
+                            const burnish_mesh *mesh, burnish_error *error) {
+    report r = {.input = input,
+                .mesh = mesh,
+                .view = burnish_mesh_get_view(mesh),
+                .facts = burnish_mesh_get_facts(mesh)};
+    cli_output output;
+    for (int axis = 0; axis < 3; ++axis) {
+        r.size[axis] = r.view->bounds_max[axis] - r.view->bounds_min[axis];
+    }
+    burnish_status status = cli_output_begin(&output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (settings->json) {
+        status = print_json(output.stream, &r, error);
+    } else {
+        print_text(output.stream, &r);
+    }
+    return cli_output_end(&output, "-", status, error);
+}
+
+static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+    const info_settings *settings = from;
+    burnish_load_options options = cli_load_options(&settings->load);
+    burnish_mesh *mesh;
+    if (call->operand_count == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "info: no INPUT; try \"burnish info :teapot\" or \"burnish info --help\"");
+    }
+    options.threads = settings->threads;
+    options.measure = 1;
+    burnish_status status = burnish_mesh_load(call->operands[0], &options, &mesh, error);
+    for (size_t i = 0; i < burnish_mesh_warning_count(mesh) && !settings->quiet; ++i) {
+        cli_warn(burnish_mesh_warning(mesh, i));
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = print(settings, call->operands[0], mesh, error);
+    }
+    burnish_mesh_destroy(mesh);
+    return status;
+}
