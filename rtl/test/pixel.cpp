@@ -1,6 +1,8 @@
 /* pixel.cpp: the units from vectors to a pixel against shade_q15.h, bit for bit.
  *
- * Usage: pixel COUNT SEED [alone]   alone: only burnish_pixel is there (pixel.v with ALL 0)
+ * Usage: pixel COUNT SEED [alone] [steady]
+ * alone: only burnish_pixel is there (pixel.v with ALL 0); steady: the clock is always enabled
+ * (FREE 0)
  *
  * A third of the vectors are any 16 bits or corners, the others of about unit length; half vectors
  * are mostly inside the lobe. The clock is disabled at random. Exits with 1 and a line at the
@@ -161,8 +163,8 @@ uint64_t whole(const burnish_q15_shader &shader, const burnish_q15_light *lights
     return packed(color);
 }
 
-/* A unit's result. Returns false where the C core has no such lobe. */
-bool expected(unsigned k, const input &in, uint64_t *result) {
+/* A unit's result; lights: of burnish_pixel. Returns false where the C core has no such lobe. */
+bool expected(unsigned k, const input &in, uint8_t lights, uint64_t *result) {
     const struct {
         burnish_q15_fit fit;
         uint16_t order;
@@ -176,7 +178,7 @@ bool expected(unsigned k, const input &in, uint64_t *result) {
     case 0:
         shader_of(&shader, in, BURNISH_Q15_SHIFT7, 2);
         burnish_q15_normalize_near(in.a, normal);
-        *result = whole(shader, in.lights, 2, normal);
+        *result = whole(shader, in.lights, lights, normal);
         return true;
     case 1:
         *result = burnish_q15_cosine(burnish_q15_dot(in.a, in.b));
@@ -286,12 +288,12 @@ bool measure_latencies(Vpixel *top, unsigned present) {
     return true;
 }
 
-int compare(Vpixel *top, unsigned present, uint64_t count) {
+int compare(Vpixel *top, unsigned present, bool steady, uint64_t count) {
     uint64_t lit = 0, compared = 0;
     for (uint64_t done = 0; done < count + ring_size; ++done) {
         input &now = ring[done % ring_size];
         make_input(&now);
-        while ((next_random() & 15u) == 0) { /* nothing may happen */
+        while (!steady && (next_random() & 15u) == 0) { /* nothing may happen */
             drive(top, ring[next_random() % ring_size], true);
             top->enable = 0;
             clock(top);
@@ -306,7 +308,7 @@ int compare(Vpixel *top, unsigned present, uint64_t count) {
             const input &in = ring[(done + 1 - latency[k]) % ring_size];
             const uint64_t got = get48(top->values, k);
             uint64_t want;
-            if (!expected(k, in, &want)) {
+            if (!expected(k, in, top->lights, &want)) {
                 continue;
             }
             ++compared;
@@ -335,12 +337,18 @@ int compare(Vpixel *top, unsigned present, uint64_t count) {
 int main(int argc, char **argv) {
     Vpixel top;
     if (argc < 3) {
-        fprintf(stderr, "usage: pixel COUNT SEED [alone]\n");
+        fprintf(stderr, "usage: pixel COUNT SEED [alone] [steady]\n");
         return 2;
     }
     random_state = strtoull(argv[2], nullptr, 10) * 0x9E3779B97F4A7C15ull + 1u;
-    const unsigned present = argc > 3 ? 1 : units;
+    unsigned present = units;
+    bool steady = false;
+    for (int i = 3; i < argc; ++i) {
+        present = strcmp(argv[i], "alone") == 0 ? 1 : present;
+        steady = steady || strcmp(argv[i], "steady") == 0;
+    }
     top.enable = 1;
-    return measure_latencies(&top, present) ? compare(&top, present, strtoull(argv[1], nullptr, 10))
-                                            : 1;
+    return measure_latencies(&top, present)
+               ? compare(&top, present, steady, strtoull(argv[1], nullptr, 10))
+               : 1;
 }
