@@ -27,6 +27,7 @@ module burnish_accumulate #(
     output reg [15:0] total
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) legal ();
     wire [15:0] term, prior, unused_fraction;
     wire [16:0] whole;
     burnish_times #(.INPUTS(1), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) multiply (

@@ -25,6 +25,7 @@ module burnish_chord #(
     output reg [23:0] lambda
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) legal ();
     localparam ADD = latency_add(32, SEGMENT);
 
     // The rounding, 16 after the shift by 2, is the first square's offset.

@@ -28,6 +28,7 @@ module burnish_dot #(
     output reg [15:0] cosine
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) legal ();
     wire [17:0] sum; // rounded, from 2^14 up
     wire [13:0] unused_fraction;
     genvar k;

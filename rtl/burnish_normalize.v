@@ -25,6 +25,7 @@ module burnish_normalize #(
     output wire [47:0] unit
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) legal ();
     localparam SQUARE = latency_square(16, ROWS, SEGMENT, DSP);
     localparam ADD16 = latency_add(16, SEGMENT);
     localparam ADD17 = latency_add(17, SEGMENT);

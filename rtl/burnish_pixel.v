@@ -45,6 +45,7 @@ module burnish_pixel #(
 );
     `include "burnish_latency.vh"
     localparam CONTROL = UNIT == 4 ? 21 : 10;
+    localparam LAST = LIGHTS < 1 ? 0 : LIGHTS - 1;
     localparam AHEAD = NORMALIZE != 0 ? latency_normalize(ROWS, SEGMENT, DSP) : 0;
     localparam LIGHT = latency_light(UNIT, SQUARINGS, NARROW, ROWS, SEGMENT, DSP);
 
@@ -53,7 +54,7 @@ module burnish_pixel #(
         if (LIGHTS < 1) begin : refused
             burnish_parameter_LIGHTS_must_be_1_or_more refused ();
         end
-        for (k = 0; k < LIGHTS; k = k + 1) begin : at
+        for (k = 0; k <= LAST; k = k + 1) begin : at
             wire [47:0] normal_now, sum_now, sum;
             wire [CONTROL-1:0] exponent_now;
             wire [USER_WIDTH-1:0] user_now, user;
@@ -88,7 +89,7 @@ module burnish_pixel #(
                 .user_out(user));
         end
     endgenerate
-    assign color = at[LIGHTS-1].sum;
-    assign user_out = at[LIGHTS-1].user;
+    assign color = at[LAST].sum;
+    assign user_out = at[LAST].user;
 endmodule
 `default_nettype wire

@@ -7,11 +7,12 @@
 //
 // Latency    the unit's + 1
 // Throughput one word per clock; stalls cost nothing else
-// Parameters UNIT       0: taylor, 1: shift7, 2: shift3, 3: energy
-//            SQUARINGS  for taylor and energy;  RESULT .. DSP  as burnish_taylor
+// Parameters UNIT       0: taylor, 1: shift7, 2: shift3, 3: energy, 4: zeta
+//            SQUARINGS  for taylor, energy and zeta;  RESULT .. DSP  as burnish_taylor
 //            USER_WIDTH width of the user data: TLAST, TUSER, TID ...
 // Ports      reset      1: drops all words inside; at least one clock after power-up
 //            s_*, m_*   the two streams; {s_exponent, s_angle} and m_value are their TDATA
+//            s_exponent n, 1 .. 1023; with UNIT 4 {shift, slope}: 4 and 16 bits
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
@@ -31,7 +32,7 @@ module burnish_stream #(
     input wire reset,
     input wire s_valid,
     output reg s_ready,
-    input wire [9:0] s_exponent,
+    input wire [(UNIT == 4 ? 20 : 10)-1:0] s_exponent,
     input wire [(LAMBDA != 0 ? 24 : 16)-1:0] s_angle,
     input wire [USER_WIDTH-1:0] s_user,
     output wire m_valid,
@@ -41,13 +42,9 @@ module burnish_stream #(
 );
     `include "burnish_latency.vh"
     localparam WIDTH = LAMBDA != 0 ? 24 : 16;
-    localparam WORD = 10 + WIDTH + USER_WIDTH;
-    localparam ORDER = UNIT == 1 || UNIT == 2 ? 1 : SQUARINGS;
-    localparam DEPTH = latency_power(ORDER, RESULT, ROWS, SEGMENT, DSP) +
-        (UNIT == 0 ? latency_base(1, SQUARINGS - 1, LAMBDA, ROWS, SEGMENT, DSP)
-            : UNIT == 1 ? latency_base(7, 3, LAMBDA, ROWS, SEGMENT, DSP)
-            : UNIT == 2 ? latency_base(3, 2, LAMBDA, ROWS, SEGMENT, DSP)
-            : 8 + latency_zeta(LAMBDA, ROWS, SEGMENT, DSP));
+    localparam WORD = (UNIT == 4 ? 20 : 10) + WIDTH + USER_WIDTH;
+    localparam DEPTH =
+        latency_lobe(UNIT, SQUARINGS, RESULT, LAMBDA, ROWS, SEGMENT, DSP);
 
     // The unit advances unless a result waits at its end.
     wire enable = !m_valid || m_ready;
@@ -85,33 +82,10 @@ module burnish_stream #(
         else if (enable) valid <= {valid[DEPTH-2:0], entering};
     assign m_valid = valid[DEPTH-1];
 
-    wire [9:0] exponent = entering_word[WORD-1:WIDTH+USER_WIDTH];
-    wire [WIDTH-1:0] angle = entering_word[WIDTH+USER_WIDTH-1:USER_WIDTH];
-    wire [USER_WIDTH-1:0] user = entering_word[USER_WIDTH-1:0];
-    generate
-        if (UNIT == 0) begin : taylor
-            burnish_taylor #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND),
-                .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),
-                .USER_WIDTH(USER_WIDTH)) unit (
-                .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user),
-                .value(m_value), .user_out(m_user));
-        end else if (UNIT == 1) begin : shift7
-            burnish_shift7 #(.RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA), .ROWS(ROWS),
-                .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) unit (
-                .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user),
-                .value(m_value), .user_out(m_user));
-        end else if (UNIT == 2) begin : shift3
-            burnish_shift3 #(.RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA), .ROWS(ROWS),
-                .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) unit (
-                .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user),
-                .value(m_value), .user_out(m_user));
-        end else begin : energy
-            burnish_energy #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND),
-                .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),
-                .USER_WIDTH(USER_WIDTH)) unit (
-                .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user),
-                .value(m_value), .user_out(m_user));
-        end
-    endgenerate
+    burnish_lobe #(.UNIT(UNIT), .SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND),
+        .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) lobe (
+        .clk(clk), .enable(enable), .exponent(entering_word[WORD-1:WIDTH+USER_WIDTH]),
+        .angle(entering_word[WIDTH+USER_WIDTH-1:USER_WIDTH]),
+        .user_in(entering_word[USER_WIDTH-1:0]), .value(m_value), .user_out(m_user));
 endmodule
 `default_nettype wire

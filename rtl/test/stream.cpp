@@ -1,8 +1,11 @@
 /* stream.cpp: the streaming wrapper under random stalls on both sides.
  *
- * Every word carries its number as user data: words must come out in order, none lost, none repeated,
- * with the C core's value; an offered word must not change until it is taken; s_ready must not depend
- * on m_ready within a clock. Exits with 1 and a line on the first fault.
+ * Compiled per set of parameters: STREAM_UNIT is a reference.h unit, STREAM_ZETA 1 for
+ * burnish_zeta.
+ *
+ * Every word carries its number as user data: words must come out in order, none lost, none
+ * repeated, with the C core's value; an offered word must not change until it is taken; s_ready
+ * must not depend on m_ready within a clock. Exits with 1 and a line on the first fault.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -11,7 +14,7 @@
 #include <cstdlib>
 
 #include "Vburnish_stream.h"
-#include "burnish/lobe_q15.h"
+#include "reference.h"
 #include "verilated.h"
 
 namespace {
@@ -25,14 +28,17 @@ uint32_t next_random() {
     return random_state;
 }
 
-struct word {
-    uint16_t exponent, cosine;
-};
+const unit lobe = STREAM_UNIT;
 
-word word_of(uint32_t number) {
+/* The input number so and so: most inside the lobe. */
+vector word_of(uint32_t number) {
     const uint32_t mixed = number * 2654435761u;
-    const uint16_t exponent = (uint16_t)(1 + mixed % 1023u);
-    return {exponent, (uint16_t)(0x8000u - (mixed >> 16) % (0x28000u / exponent + 1u) % 0x8001u)};
+    vector v;
+    v.exponent = (uint16_t)(1 + mixed % 1023u);
+    v.cosine = (uint16_t)(0x8000u - (mixed >> 16) % (0x28000u / v.exponent + 1u) % 0x8001u);
+    v.lambda = mixed % (0x4000000u / v.exponent) & 0xFFFFFFu;
+    v.slope = burnish_q15_energy_slope(v.exponent, 2, &v.shift);
+    return v;
 }
 
 int fault(const char *what, uint32_t number) {
@@ -61,10 +67,12 @@ int run(uint32_t count, uint32_t push, uint32_t pop) {
         top.clk = 0;
         /* A source keeps what it has offered until it is taken. */
         offered = offered || (sent < count && (next_random() & 15u) < push);
-        const word w = word_of(sent);
+        const vector w = word_of(sent);
         top.s_valid = offered;
-        top.s_exponent = offered ? w.exponent : (uint16_t)(next_random() & 1023u);
-        top.s_angle = offered ? w.cosine : (uint16_t)next_random();
+        top.s_exponent = !offered      ? next_random() & 1023u
+                         : STREAM_ZETA ? (uint32_t)w.shift << 16 | w.slope
+                                       : w.exponent;
+        top.s_angle = !offered ? next_random() & 0xFFFFu : lobe.lambda ? w.lambda : w.cosine;
         top.s_user = offered ? sent : next_random();
         top.m_ready = 0;
         top.eval();
@@ -83,11 +91,10 @@ int run(uint32_t count, uint32_t push, uint32_t pop) {
         held_user = top.m_user;
         held_value = top.m_value;
         if (top.m_valid && top.m_ready) {
-            const word r = word_of(received);
             if (top.m_user != received) {
                 return fault("out of order, lost or repeated", received);
             }
-            if (top.m_value != burnish_shift7_q15(r.exponent, r.cosine)) {
+            if (top.m_value != expected(lobe, word_of(received))) {
                 return fault("not the value of the C core", received);
             }
             ++received;
@@ -126,6 +133,7 @@ int main(int argc, char **argv) {
             return 1;
         }
     }
-    printf("stream: 7 rates of stalls, %u words each: in order, none lost, none repeated\n", count);
+    printf("stream: %s: 7 rates of stalls, %u words each: in order, none lost, none repeated\n",
+           lobe.name, count);
     return 0;
 }
