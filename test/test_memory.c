@@ -218,6 +218,7 @@ static burnish_render_options box_options(int samples, int threads) {
     options.camera.position[1] = 0.8;
     options.camera.position[2] = 0.7;
     options.camera.view_angle = 90;
+    options.occlusion = 3;
     return options;
 }
 

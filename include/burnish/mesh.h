@@ -188,6 +188,7 @@ typedef struct burnish_mesh_view {
     const uint16_t *triangle_materials; /* 1 per triangle; NULL: every triangle has material 0 */
     float bounds_min[3], bounds_max[3]; /* of the positions that triangles use */
     float up_axis[3];                   /* the direction in which the object stands, unit length */
+    uint64_t serial;                    /* of this process' meshes no other one has it; never 0 */
 } burnish_mesh_view;
 
 /* NULL for NULL. */

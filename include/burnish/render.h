@@ -47,6 +47,11 @@ typedef enum burnish_counts {
     BURNISH_COUNTS_NONE
 } burnish_counts;
 
+/* Directions of ambient occlusion: at most so many; or chosen by the number of triangles, from 128
+ * for up to 40,000 to 16 for more than 2 million. */
+#define BURNISH_OCCLUSION_MAX 256
+#define BURNISH_OCCLUSION_AUTO (-1)
+
 /* As many threads as the process may use, or as the context's task runner has. */
 #define BURNISH_THREADS_AUTO 0
 
@@ -64,6 +69,9 @@ typedef struct burnish_render_options {
     int local_viewer;       /* 1: V points from each pixel to the camera; 0: V is the camera's axis
                                everywhere */
     float ambient_light[3]; /* Ia, linear */
+    int occlusion; /* directions that ambient occlusion is found from, [0, BURNISH_OCCLUSION_MAX];
+                      0: none; or BURNISH_OCCLUSION_AUTO */
+    float occlusion_strength; /* [0, 1]: what a point that sees no sky loses of its light */
     burnish_light lights[BURNISH_LIGHT_MAX];
     int light_count;       /* [0, BURNISH_LIGHT_MAX] */
     uint8_t background[3]; /* sRGB */
@@ -79,6 +87,24 @@ typedef struct burnish_render_options {
  * focal point, which burnish_render refuses). */
 BURNISH_API burnish_render_options burnish_render_options_default(void);
 
+/* Sets of options by name. */
+typedef enum burnish_look {
+    BURNISH_LOOK_PLAIN, /* what burnish_render_options_default() has: the default rig on white */
+    /* The same rig, so weak that a white surface comes out near 0.9 of white and no surface's own
+     * colour is cut off, on a ground a little darker than white, with ambient occlusion. */
+    BURNISH_LOOK_STUDIO,
+    BURNISH_LOOK_CLAY, /* studio without highlights: every surface one matt warm colour */
+    BURNISH_LOOK_COUNT
+} burnish_look;
+
+/* Sets the options' lights, ambient light, background, occlusion and ignore_colors as the look has
+ * them, and those of the mesh's materials that have no colour of their own (has_diffuse 0), or for
+ * CLAY all, to the look's grey; call it before flags or settings of your own. mesh may be NULL.
+ * Errors: ARGUMENT (options not from burnish_render_options_default(), no such look). */
+BURNISH_API burnish_status burnish_render_options_set_look(burnish_render_options *options,
+                                                           burnish_look look, burnish_mesh *mesh,
+                                                           burnish_error *error);
+
 /* What was drawn. */
 typedef struct burnish_render_report {
     size_t triangles;       /* of the mesh */
@@ -87,8 +113,9 @@ typedef struct burnish_render_report {
     int bounds[4];          /* x0, y0, x1, y1 (exclusive) of the covered pixels; all 0 when blank */
     int threads;            /* used */
     burnish_isa isa;        /* used */
-    size_t lobe_fallbacks;  /* materials whose exponent is too low for the lobe's order: drawn with
-                               the highest order that it allows */
+    int occlusion_directions; /* that ambient occlusion was found from; 0: none */
+    size_t lobe_fallbacks; /* materials whose exponent is too low for the lobe's order: drawn with
+                              the highest order that it allows */
     double seconds_transform; /* materials, vertices, clipping, culling */
     double seconds_draw;      /* tiles: binning, visibility, shading */
 } burnish_render_report;
@@ -99,7 +126,8 @@ typedef struct burnish_render_report {
  * counted; 0.3 kB per material and 76 bytes more per light; tile lists of 8 bytes per entry, which
  * stands for up to 16 neighbouring triangles, about 128 MiB of them at most unless a single row of
  * tiles needs more; and for each thread 0.2 MB, with several samples 0.2 MB more and 0.7 MB per
- * sample, of which only what is needed is touched.
+ * sample, of which only what is needed is touched. Ambient occlusion takes 128 KiB per direction
+ * (32 for pictures of less than 384 pixels), and vertices, triangles and tile lists once more.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (also a mesh so small, below about 1e-33 across, or so
  * much enlarged that single precision can't hold it); the image is then empty. */
 BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,

@@ -14,6 +14,11 @@ static inline burnish_vec3 burnish_vec3_load(const double v[3]) {
 static inline burnish_vec3 burnish_vec3_loadf(const float v[3]) {
     return (burnish_vec3){v[0], v[1], v[2]};
 }
+static inline void burnish_vec3_store(burnish_vec3 a, double v[3]) {
+    v[0] = a.x;
+    v[1] = a.y;
+    v[2] = a.z;
+}
 static inline burnish_vec3 burnish_vec3_add(burnish_vec3 a, burnish_vec3 b) {
     return (burnish_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }

@@ -63,7 +63,9 @@ BURNISH_INLINE void fetch_group(const burnish_tile *tile, const burnish_geometry
             const size_t vertex = found.vertices[i];
             group->vertices[i][lane] = found.vertices[i];
             __builtin_prefetch(&geometry->vertices.items[vertex]);
-            __builtin_prefetch(&tile->attributes[0][vertex]);
+            if (tile->options.planes > 0) {
+                __builtin_prefetch(&tile->attributes[0][vertex]);
+            }
         }
     }
 }
@@ -85,6 +87,9 @@ BURNISH_INLINE void load_group(const burnish_tile *tile, const burnish_geometry 
         x[i] = vi_sub(vf_bits(at[0]), vi_set(tile->x * BURNISH_SUBPIXELS));
         y[i] = vi_sub(vf_bits(at[1]), vi_set(tile->y * BURNISH_SUBPIXELS));
         depth[i] = at[2];
+        if (tile->options.planes == 0) {
+            continue;
+        }
         for (int lane = 0; lane < LANES; ++lane) {
             from[lane] = &tile->attributes[0][group->vertices[i][lane]];
         }

@@ -33,7 +33,7 @@ enum {
 /* What is requested of a tile. */
 typedef struct burnish_tile_options {
     int samples;
-    int planes;         /* interpolated: 3, 4 or BURNISH_PLANE_COUNT */
+    int planes; /* interpolated: 3, 4 or BURNISH_PLANE_COUNT; with one sample also 0: depth alone */
     int keep_ids;       /* 1: ids are requested, also with one sample */
     int needs_position; /* 1: fragments get x, y and depth, simple pixels the depth at their centre
                          */

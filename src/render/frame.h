@@ -6,6 +6,7 @@
 #include "burnish/render.h"
 #include "core/memory.h"
 #include "core/srgb.h"
+#include "render/occlusion.h"
 #include "render/surface.h"
 
 /* ---- View: camera, lights and materials, as raster and shading work with them ---- */
@@ -20,6 +21,8 @@ typedef struct burnish_view {
     burnish_raster_view raster;
     burnish_shading shading; /* ops are the caller's to set */
     burnish_view_distance distance;
+    double eye[3]; /* in the raster's space */
+    burnish_occlusion_lookup occlusion;
     size_t lobe_fallbacks; /* materials with a lower order than the lobe's: their exponent allows no
                               more */
 } burnish_view;

@@ -6,6 +6,7 @@
 #include "core/environment.h"
 #include "core/memory.h"
 #include "core/tasks.h"
+#include "core/vector.h"
 #include "render/frame.h"
 
 /* Marks options that burnish_render_options_default() made. */
@@ -33,6 +34,7 @@ burnish_render_options burnish_render_options_default(void) {
     options.lobe.fit = BURNISH_FIT_ENERGY;
     options.lobe.order = 2;
     options.local_viewer = 1;
+    options.occlusion_strength = 0.75f;
     for (int i = 0; i < 3; ++i) {
         options.ambient_light[i] = 0.08f;
         options.background[i] = 255;
@@ -107,6 +109,20 @@ static burnish_status check_lights(const burnish_render_options *options, burnis
     return BURNISH_STATUS_OK;
 }
 
+static burnish_status check_occlusion(const burnish_render_options *options, burnish_error *error) {
+    if (options->occlusion < BURNISH_OCCLUSION_AUTO || options->occlusion > BURNISH_OCCLUSION_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "occlusion: %d directions are not in [0, %d], nor automatic",
+                            options->occlusion, BURNISH_OCCLUSION_MAX);
+    }
+    if (!(options->occlusion_strength >= 0 && options->occlusion_strength <= 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "occlusion: a strength of %g is not in [0, 1]",
+                            (double)options->occlusion_strength);
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status check_options(const burnish_render_options *options, burnish_error *error) {
     if (!options || options->cookie != RENDER_COOKIE) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -131,6 +147,9 @@ static burnish_status check_options(const burnish_render_options *options, burni
     if (status == BURNISH_STATUS_OK) {
         status = check_camera(&options->camera, error);
     }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_occlusion(options, error);
+    }
     return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
 }
 
@@ -144,6 +163,7 @@ struct burnish_renderer {
     burnish_geometry geometry;
     burnish_attributes attributes;
     burnish_tiles tiles;
+    burnish_occlusion occlusion;
     burnish_output_row background;
     burnish_srgb_encoder encoder;
     const burnish_kernels *best; /* asking the processor takes as long as drawing a tile */
@@ -169,6 +189,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
     if (renderer) {
         const burnish_context *context = renderer->context;
         burnish_tiles_destroy(&renderer->tiles, context);
+        burnish_occlusion_destroy(&renderer->occlusion, context);
         burnish_attributes_destroy(&renderer->attributes, context);
         burnish_geometry_destroy(&renderer->geometry);
         burnish_release(context, renderer->shaders.items);
@@ -210,6 +231,28 @@ static burnish_status transform(drawing *d) {
         status = burnish_tasks_check(&renderer->tasks, d->memory.error);
     }
     burnish_tasks_progress(&renderer->tasks, BURNISH_STAGE_TRANSFORM, 1);
+    return status;
+}
+
+/* What ambient occlusion needs of the mesh. */
+static burnish_status update_occlusion(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    double up[3];
+    d->view.shading.occlusion = NULL;
+    if (d->options->occlusion == 0 || !d->target->pixels.pixels) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_vec3_store(burnish_vec3_loadf(mesh->up_axis), up);
+    d->view.occlusion.strength = d->options->occlusion_strength;
+    d->view.shading.occlusion = &d->view.occlusion;
+    const int side =
+        d->options->width < d->options->height ? d->options->width : d->options->height;
+    const burnish_status status = burnish_occlusion_update(
+        &renderer->occlusion, d->view.shading.ops, mesh, d->options->occlusion,
+        side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE, d->view.eye, up,
+        &renderer->tasks, &d->memory, &d->view.occlusion);
+    d->report.occlusion_directions = d->view.occlusion.count;
     return status;
 }
 
@@ -278,6 +321,9 @@ static burnish_status draw(drawing *d) {
     burnish_status status =
         burnish_view_create(d->mesh, d->options, &renderer->shaders, &d->view, &d->memory);
     d->report.lobe_fallbacks = d->view.lobe_fallbacks;
+    if (status == BURNISH_STATUS_OK) {
+        status = update_occlusion(d);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = transform(d);
         d->report.seconds_transform = burnish_seconds_now() - start;

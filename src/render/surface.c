@@ -219,6 +219,9 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     } else {
         shade_mixed(shading, batch, &points, scratch, rgb);
     }
+    if (shading->occlusion) {
+        shading->ops->occlude(shading->occlusion, &points, (size_t)batch->count, rgb);
+    }
 }
 
 /* ---- Simple pixels: attributes lie in the tile's planes ---- */

@@ -54,9 +54,10 @@ typedef struct burnish_fragment_batch {
 /* What a frame is shaded with. */
 typedef struct burnish_shading {
     const burnish_isa_ops *ops;
-    const burnish_kernels_shader *shaders; /* one per material */
-    burnish_rays rays;                     /* from the eye */
-    int needs_position;                    /* 1: a point light or a local viewer */
+    const burnish_kernels_shader *shaders;            /* one per material */
+    burnish_rays rays;                                /* from the eye */
+    int needs_position;                               /* 1: a point light or a local viewer */
+    const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
     int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
 } burnish_shading;
 

@@ -322,7 +322,7 @@ static void make_shading(const burnish_kernels_lighting *lighting,
                          const burnish_render_options *options, const burnish_shaders *shaders,
                          burnish_shading *shading) {
     shading->shaders = shaders->items;
-    shading->needs_position = lighting->local_viewer;
+    shading->needs_position = lighting->local_viewer || options->occlusion != 0;
     for (int i = 0; i < lighting->light_count; ++i) {
         shading->needs_position |= lighting->lights[i].kind == BURNISH_LIGHT_POINT;
     }
@@ -360,6 +360,7 @@ burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_rende
         status = make_raster(shape, options, &frame, view, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
+        burnish_vec3_store(frame.eye, view->eye);
         make_lighting(&frame, shape, options, &lighting);
         status = fold_materials(mesh, options, &lighting, shaders, view, memory);
     }

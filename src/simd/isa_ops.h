@@ -19,6 +19,7 @@ struct burnish_bins;
 struct burnish_block_row;
 struct burnish_fragments;
 struct burnish_geometry;
+struct burnish_occlusion_lookup;
 struct burnish_raster_view;
 struct burnish_screen_vertices;
 struct burnish_srgb_encoder;
@@ -105,6 +106,11 @@ typedef struct burnish_isa_ops {
     /* Takes `size` colours of such vectors back to where `materials` is `material`. */
     void (*scatter_material)(int32_t material, const int32_t *materials, int size,
                              const uint8_t *places, const float *const from[3], float *const to[3]);
+
+    /* Multiplies count colours by what their points see of the sky: 1 less strength times the share
+     * of it that is hidden. Reads and writes whole vectors. */
+    void (*occlude)(const struct burnish_occlusion_lookup *lookup,
+                    const struct burnish_kernels_points *points, size_t count, float *const rgb[3]);
 
     /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel,
      * then green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and

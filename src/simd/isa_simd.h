@@ -6,6 +6,7 @@
 #include "raster/tile_simd.h"
 #include "render/encode_simd.h"
 #include "render/materials_simd.h"
+#include "render/occlusion_simd.h"
 #include "shading/lobe_simd.h"
 #include "shading/shade_simd.h"
 #include "simd/isa_ops.h"
@@ -93,6 +94,7 @@ static const burnish_isa_ops OPS = {
     OP(position_from_depth),
     OP(collect_material),
     OP(scatter_material),
+    OP(occlude),
     OP(encode_pixels),
     OP(pack_groups),
 };

@@ -103,6 +103,9 @@ static inline vi vi_min(vi a, vi b) {
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm256_i32gather_epi32((const int *)table, index, 4);
 }
+static inline vi vi_gather_pair(const uint16_t *table, vi index) {
+    return _mm256_i32gather_epi32((const int *)(const void *)table, index, 2);
+}
 static inline vf vf_gather(const float *table, vi index) {
     return _mm256_i32gather_ps(table, index, 4);
 }

@@ -103,6 +103,9 @@ static inline vi vi_min(vi a, vi b) {
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm512_i32gather_epi32(index, table, 4);
 }
+static inline vi vi_gather_pair(const uint16_t *table, vi index) {
+    return _mm512_i32gather_epi32(index, (const void *)table, 2);
+}
 static inline vf vf_gather(const float *table, vi index) {
     return _mm512_i32gather_ps(index, table, 4);
 }

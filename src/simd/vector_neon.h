@@ -110,6 +110,15 @@ static inline vi vi_gather(const int32_t *table, vi index) {
     }
     return vld1q_s32(lanes);
 }
+static inline vi vi_gather_pair(const uint16_t *table, vi index) {
+    int32_t lanes[4];
+    vst1q_s32(lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        const uint16_t *pair = table + lanes[i];
+        lanes[i] = (int32_t)((uint32_t)pair[0] | (uint32_t)pair[1] << 16);
+    }
+    return vld1q_s32(lanes);
+}
 static inline vf vf_gather(const float *table, vi index) {
     int32_t at[4];
     vst1q_s32(at, index);

@@ -114,6 +114,15 @@ static inline vi vi_gather(const int32_t *table, vi index) {
     }
     return _mm_loadu_si128((const __m128i *)(const void *)lanes);
 }
+static inline vi vi_gather_pair(const uint16_t *table, vi index) {
+    int32_t lanes[4];
+    _mm_storeu_si128((__m128i *)(void *)lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        const uint16_t *pair = table + lanes[i];
+        lanes[i] = (int32_t)((uint32_t)pair[0] | (uint32_t)pair[1] << 16);
+    }
+    return _mm_loadu_si128((const __m128i *)(const void *)lanes);
+}
 static inline vf vf_gather(const float *table, vi index) {
     int32_t lanes[4];
     _mm_storeu_si128((__m128i *)(void *)lanes, index);

@@ -116,6 +116,15 @@ static inline vi vi_gather(const int32_t *table, vi index) {
     }
     return wasm_v128_load(lanes);
 }
+static inline vi vi_gather_pair(const uint16_t *table, vi index) {
+    int32_t lanes[4];
+    wasm_v128_store(lanes, index);
+    for (int i = 0; i < 4; ++i) {
+        const uint16_t *pair = table + lanes[i];
+        lanes[i] = (int32_t)((uint32_t)pair[0] | (uint32_t)pair[1] << 16);
+    }
+    return wasm_v128_load(lanes);
+}
 static inline vf vf_gather(const float *table, vi index) {
     int32_t at[4];
     wasm_v128_store(at, index);

@@ -1,7 +1,9 @@
 /* From what a reader hands over to a mesh, step by step: weld, orient and drop; order; generate
  * normals and number vertices; materials. */
 #include "core/clock.h"
+
 #include "mesh/build/builder.h"
+#include <stdatomic.h>
 
 /* Moves the materials to the mesh, and their numbers where there is more than one. */
 static burnish_status take_materials(burnish_builder *b) {
@@ -87,6 +89,8 @@ static burnish_mesh *allocate_mesh(burnish_memory *memory, burnish_format format
     if (mesh) {
         mesh->context = memory->context;
         mesh->info.format = format;
+        static atomic_uint_fast64_t last_serial;
+        mesh->view.serial = atomic_fetch_add_explicit(&last_serial, 1, memory_order_relaxed) + 1;
         memcpy(mesh->view.up_axis, burnish_format_get_info(format)->up_axis,
                sizeof mesh->view.up_axis);
     }

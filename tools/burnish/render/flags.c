@@ -2,7 +2,6 @@
 #include <stdio.h>
 
 #include "cli/commands.h"
-#include "cli/output.h"
 #include "render/settings.h"
 
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
@@ -19,6 +18,11 @@ static const cli_word view_words[] = {
     {"front", VIEW_FRONT}, {"right", VIEW_RIGHT}, {"top", VIEW_TOP},       {"iso", VIEW_ISO},
     {"back", VIEW_BACK},   {"left", VIEW_LEFT},   {"bottom", VIEW_BOTTOM}, {NULL, 0},
 };
+const cli_word render_look_words[] = {{"studio", BURNISH_LOOK_STUDIO},
+                                      {"plain", BURNISH_LOOK_PLAIN},
+                                      {"clay", BURNISH_LOOK_CLAY},
+                                      {NULL, 0}};
+
 static const cli_word equation_words[] = {
     {"blinn", BURNISH_SPECULAR_BLINN}, {"phong", BURNISH_SPECULAR_PHONG}, {NULL, 0}};
 static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}};
@@ -107,7 +111,7 @@ static const cli_flag flags[] = {
      .common = 1,
      .value = "COLOR",
      .help = "#rgb, #rrggbb, r,g,b or a name",
-     .default_label = "white",
+     .default_label = "the look's",
      .manual = "Colour of the background, see *COLOURS*, or *none*. The later of this flag and "
                "*--no-background* counts.",
      .handler = render_flag_background,
@@ -268,7 +272,17 @@ static const cli_flag flags[] = {
 
     {.group = "Surface and light",
      .topic = "light",
-     .name = "color",
+     .name = "look",
+     .common = 1,
+     .value = "NAME",
+     .help = "lights and ground by name",
+     .default_text = "studio",
+     .manual = "Lights, ground, burnish's grey and ambient occlusion by one name; see *LOOKS*. "
+               "Other flags change parts of it.",
+     .handler = cli_flag_word,
+     .words = render_look_words,
+     TARGET(look)},
+    {.name = "color",
      .aliases = "colour,object-color",
      .common = 1,
      .value = "COLOR",
@@ -351,6 +365,18 @@ static const cli_flag flags[] = {
      .default_label = "a little",
      .handler = render_flag_ambient,
      TARGET(ambient)},
+    {.name = "occlusion",
+     .aliases = "ambient-occlusion,ao",
+     .help = "directions of the sky, or none",
+     .value = "N",
+     .low = 1,
+     .high = BURNISH_OCCLUSION_MAX,
+     .default_label = "the look's",
+     .manual = "Ambient occlusion: creases, holes and undersides, which see less of the sky, are "
+               "darker. From how many directions the sky is looked at, or *none*. More directions "
+               "are smoother and take longer.",
+     .handler = render_flag_occlusion,
+     TARGET(occlusion)},
 
     {.group = "Input and report", .topic = "report", CLI_INPUT_FORMAT_FLAG(render_settings, load)},
     {.name = "crease-angle",
@@ -366,7 +392,12 @@ static const cli_flag flags[] = {
     {CLI_TESSELLATION_FLAG(render_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(render_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, load)},
-    {CLI_JSON_FLAG(render_settings, json, "report on standard output, or in FILE", "JSON OUTPUT")},
+    {.name = "json",
+     .common = 1,
+     .help = "report on standard output",
+     .manual = "Prints one JSON object on standard output; see *JSON OUTPUT*.",
+     .handler = cli_flag_switch,
+     TARGET(json)},
     {.name = "timing",
      .aliases = "time,verbose",
      .help = "milliseconds per phase on standard error",
@@ -376,7 +407,6 @@ static const cli_flag flags[] = {
      .handler = cli_flag_switch,
      TARGET(timing)},
     {.name = "quiet",
-     .common = 1,
      .help = "no warnings and no progress",
      .manual = "No warnings and no progress on standard error; errors stay.",
      .handler = cli_flag_switch,
@@ -408,9 +438,9 @@ static const cli_flag flags[] = {
      .aliases = "strict",
      .common = 1,
      .help = "a blank picture ends with exit code 8 and no file",
-     .manual = "When the picture, or a cell of a sheet, shows nothing or is of one colour, ends "
-               "with exit "
-               "code 8 and writes no picture. Otherwise a blank picture only gives a warning.",
+     .manual =
+         "When the picture, or a cell of a sheet, shows nothing, ends with exit code 8 and writes "
+         "no file. Otherwise a blank picture only gives a warning.",
      .handler = cli_flag_switch,
      TARGET(fail_on_blank)},
 };
@@ -434,6 +464,13 @@ static void each_material(cli_take_term *take) {
     }
 }
 
+static const cli_term look_terms[] = {
+    {"*studio*", "key, fill and rim light on a light grey ground, ambient occlusion: for web pages "
+                 "and thumbnails."},
+    {"*plain*", "the same lights, brighter, on white, without occlusion: the fastest."},
+    {"*clay*", "every surface matt and warm, strong occlusion: for shapes."},
+};
+
 static const cli_term light_terms[] = {
     {"*directional*", "from the direction _X_,_Y_,_Z_ as the camera sees it: x to the right, y "
                       "up, z toward the viewer."},
@@ -454,21 +491,14 @@ static const cli_term json_terms[] = {
     {"*triangles_drawn*", "triangles that own at least one sample"},
     {"*covered_pixels, pixel_bounds*",
      "pixels that show the object; x0, y0, x1, y1, ends excluded"},
-    {"*near_white, near_black*",
-     "shares of those pixels whose channels are all at least 250, or at most 5"},
-    {"*like_ground*", "share of those pixels whose channels all are within 5 of the background's; "
-                      "null without a background"},
-    {"*contrast*", "ratio of the mean luminances, each plus 0.05, of those pixels and of the "
-                   "background, the larger by the smaller, from 1 to 21 (as WCAG 2 has it); null "
-                   "without a background"},
     {"*camera*", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* "
                  "(0: perspective)"},
-    {"*lobe, equation, viewer, lights, samples, threads, isa*", "as used"},
+    {"*lobe, equation, viewer, look, occlusion, lights, samples, threads, isa*", "as used"},
     {"*seconds*", "*start* (processor time before loading), *load* (of which *read* and "
                   "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
     {"*hash, hash_algorithm*",
      "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
-    {"*blank*", "true when the picture, or a cell, shows nothing or is of one colour"},
+    {"*blank*", "true when the picture, or a cell, shows nothing"},
     {"*warnings*", "lines, also with *--quiet*"},
     {"*cells*", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and "
                 "what depends on view or lobe"},
@@ -481,6 +511,9 @@ static const cli_section sections[] = {
          "The names of *--material* and what they set. *--specular* and *--exponent* change the "
          "strength and the exponent further.",
      .each_term = each_material},
+    {.heading = "LOOKS",
+     .text = "The names of *--look*. Surfaces without a colour of their own get the look's grey.",
+     .terms = look_terms},
     {.heading = "LIGHTS",
      .text = "_SPEC_ is _KIND_:_X_,_Y_,_Z_[:_INTENSITY_[:_COLOR_]] with an intensity from 0 to "
              "1000, 1 when left out, and a colour, white when left out. Lights have no falloff and "

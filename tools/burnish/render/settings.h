@@ -51,6 +51,11 @@ typedef struct render_ambient {
     float linear[3];
 } render_ambient;
 
+typedef struct render_occlusion {
+    int given;
+    int directions;
+} render_occlusion;
+
 typedef struct render_background {
     int given; /* 1: color counts */
     int transparent;
@@ -86,11 +91,12 @@ typedef struct render_settings {
     int equation, viewer;
     render_lights lights;
     render_ambient ambient;
+    int look; /* burnish_look */
+    render_occlusion occlusion;
 
     cli_input load;
     cli_real crease;
-    const char *json; /* where the report goes; NULL: nowhere */
-    int timing, quiet, fail_on_blank;
+    int json, timing, quiet, fail_on_blank;
 
     char default_output[512]; /* what output points to when the name is made from the input's */
 } render_settings;
@@ -125,6 +131,8 @@ typedef struct render_preset {
 extern const render_preset render_presets[];
 extern const cli_word render_preset_words[];
 
+extern const cli_word render_look_words[]; /* burnish_look */
+
 /* Handlers for the flags that only this command has; target types as in render_settings. */
 cli_handler render_flag_background;    /* render_background */
 cli_handler render_flag_no_background; /* render_background */
@@ -132,5 +140,6 @@ cli_handler render_flag_views;         /* render_views */
 cli_handler render_flag_lobes;         /* render_lobes */
 cli_handler render_flag_light;         /* render_lights */
 cli_handler render_flag_ambient;       /* render_ambient */
+cli_handler render_flag_occlusion;     /* render_occlusion */
 
 #endif

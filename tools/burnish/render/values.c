@@ -196,3 +196,17 @@ burnish_status render_flag_ambient(const cli_flag *flag, const char *text, void 
                     "--%s: \"%.60s\" is not a number from %g to %g, nor %s", flag->name, text,
                     flag->low, flag->high, cli_color_forms);
 }
+
+burnish_status render_flag_occlusion(const cli_flag *flag, const char *text, void *target,
+                                     burnish_error *error) {
+    render_occlusion *occlusion = target;
+    int directions = 0;
+    if (strcmp(text, "none") != 0) {
+        burnish_status status = cli_flag_integer(flag, text, &directions, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
+    *occlusion = (render_occlusion){1, directions};
+    return BURNISH_STATUS_OK;
+}

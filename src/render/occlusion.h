@@ -1,0 +1,58 @@
+/* Ambient occlusion: how much of the sky a point sees. The mesh's depth is drawn from directions
+ * spread over the sphere; a point is hidden from those where its depth map shows something nearer.
+ */
+#ifndef BURNISH_RENDER_OCCLUSION_H
+#define BURNISH_RENDER_OCCLUSION_H
+
+#include "burnish/mesh.h"
+#include "burnish/render.h"
+#include "core/memory.h"
+#include "raster/tile.h"
+
+/* Texels along an edge of a depth map: about a pixel of the picture is enough. */
+enum { BURNISH_OCCLUSION_SMALL = 128, BURNISH_OCCLUSION_LARGE = 256 };
+
+/* One direction, for points that count from the eye in the raster's space. */
+typedef struct burnish_occlusion_direction {
+    float toward[3], weight;           /* unit vector; of its part of the sky */
+    float column[4], row[4], depth[4]; /* of (point, 1) in its map; centres of texels are whole */
+    const uint16_t *depths;            /* size^2, growing toward the sky */
+} burnish_occlusion_direction;
+
+/* What points are looked up with. */
+typedef struct burnish_occlusion_lookup {
+    int count, size; /* texels along an edge */
+    const burnish_occlusion_direction *directions;
+    float strength; /* [0, 1]: what a point that sees no sky loses of its light */
+    float offset;   /* along the normal, off the surface that the maps show */
+    float slope;    /* a texel's width nearer by depth hides all of a point */
+} burnish_occlusion_lookup;
+
+/* Depth maps of a mesh, kept from frame to frame. All zero before the first. */
+typedef struct burnish_occlusion {
+    uint64_t mesh; /* whose maps they are, burnish_mesh_view.serial; 0: nobody's */
+    int count, size;
+    burnish_occlusion_direction directions[BURNISH_OCCLUSION_MAX]; /* from the origin */
+    burnish_occlusion_direction seen[BURNISH_OCCLUSION_MAX];       /* from the eye */
+    uint16_t *depths;
+    size_t capacity;
+    burnish_geometry geometry;
+    burnish_bins bins;
+    burnish_tile *tiles; /* one per thread */
+    int tile_count;
+} burnish_occlusion;
+
+/* Draws the maps unless they are there, and readies the look-up.
+ *   count  directions, [1, BURNISH_OCCLUSION_MAX], or BURNISH_OCCLUSION_AUTO
+ *   size   of a map
+ *   eye    the camera, in the raster's space
+ *   up     the brighter side of the sky, a unit vector
+ * Errors: MEMORY, CANCELLED; the maps are then nobody's. */
+burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
+                                        const burnish_mesh_view *mesh, int count, int size,
+                                        const double eye[3], const double up[3],
+                                        burnish_tasks *tasks, burnish_memory *memory,
+                                        burnish_occlusion_lookup *lookup);
+void burnish_occlusion_destroy(burnish_occlusion *occlusion, const burnish_context *context);
+
+#endif

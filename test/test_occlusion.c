@@ -1,0 +1,216 @@
+/* Ambient occlusion against integrals over the hidden part of the sky, and looks. */
+#include <math.h>
+
+#include "burnish/render.h"
+#include "mesh_arrays.h"
+#include "support.h"
+
+enum { SIZE = 400 };
+
+/* The sky's brightness in a direction whose cosine to the up axis is given, as render/occlusion.c
+ * has it. */
+static double sky(double height) {
+    return 0.35 + 0.65 * (0.5 + 0.5 * height);
+}
+
+/* Linear red of every pixel, seen along `direction` in parallel projection, one sample each. */
+static float *draw(const burnish_mesh *mesh, const double direction[3], int occlusion) {
+    float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
+    burnish_framing framing = burnish_framing_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_target target = burnish_target_default();
+    burnish_renderer *renderer;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    memcpy(framing.direction, direction, sizeof framing.direction);
+    framing.orthographic = 1;
+    framing.up[1] = 1;
+    framing.aspect = 1;
+    burnish_camera_frame(mesh, &framing, &options.camera, &error);
+    options.width = options.height = SIZE;
+    options.samples = 1;
+    options.light_count = 0;
+    options.ambient_light[0] = 1;
+    options.occlusion = occlusion;
+    options.occlusion_strength = 1;
+    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
+                                     (size_t)SIZE * 4 * sizeof *pixels, (uint8_t *)pixels};
+    burnish_renderer_create(NULL, &renderer, &error);
+    CHECK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    burnish_renderer_destroy(renderer);
+    return pixels;
+}
+
+/* The share of the sky that the wall x = -1, abs(y) < 1, 0 < z < 1 hides from (x, 0, 0), whose
+ * normal is z: cos dA / r^2 over the wall, over the same integral of the hemisphere. */
+static double hidden_by_wall(double x) {
+    enum { STEPS = 400 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; ++i) {
+        for (int j = 0; j < STEPS; ++j) {
+            const double y = 2 * (i + 0.5) / STEPS - 1, z = (j + 0.5) / STEPS, wide = x + 1;
+            const double squared = wide * wide + y * y + z * z, r = sqrt(squared);
+            sum += sky(z / r) * (z / r) * (wide / r) / squared * (2.0 / STEPS) * (1.0 / STEPS);
+        }
+    }
+    return sum / (2 * acos(-1) * (0.675 / 2 + 0.325 / 3));
+}
+
+static void test_wall(void) {
+    static const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 1, -1, 1, 1};
+    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 0, 3, 5, 0, 5, 4};
+    static const double down[] = {0, 0, -1};
+    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 6, indices, 4);
+    burnish_load_options load = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    double worst = 0;
+    arrays.up_axis[0] = arrays.up_axis[1] = 0;
+    arrays.up_axis[2] = 1;
+    CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    float *open = draw(mesh, down, 0), *occluded = draw(mesh, down, BURNISH_OCCLUSION_MAX);
+    int first = SIZE, last = 0;
+    for (int x = 0; x < SIZE; ++x) { /* the floor's columns */
+        if (open[4 * (SIZE / 2 * SIZE + x)] > 0 && open[4 * (SIZE / 2 * SIZE + x)] < 0.9f) {
+            first = x < first ? x : first;
+            last = x > last ? x : last;
+        }
+    }
+    CHECK(last - first > SIZE / 2, "the floor is %d pixels wide", last - first + 1);
+    for (int i = 1; i < 40; ++i) { /* where walls are near, but no nearer than a few texels */
+        const double x = -1 + 0.05 * i;
+        const int column = first + (int)((x + 1) / 2 * (last - first + 1));
+        const int at = 4 * (SIZE / 2 * SIZE + column);
+        const double found = 1 - (double)(occluded[at] / open[at]);
+        const double difference = fabs(found - hidden_by_wall(x));
+        worst = difference > worst ? difference : worst;
+    }
+    CHECK(worst < 0.025, "a wall hides up to %g more or less than its share of the sky", worst);
+    printf("wall: at most %.3f from the integral\n", worst);
+    free(open);
+    free(occluded);
+    burnish_mesh_destroy(mesh);
+}
+
+/* A convex surface hides nothing of itself. */
+static void test_sphere(void) {
+    static const double along[] = {1, -2, 3};
+    burnish_load_options load = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    double worst = 0;
+    CHECK(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    float *open = draw(mesh, along, 0), *occluded = draw(mesh, along, 64);
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        const double lost = 1 - (double)(occluded[4 * i] / open[4 * i]);
+        worst = lost > worst ? lost : worst;
+    }
+    CHECK(worst < 0.005, "a sphere hides %g of the sky from itself", worst);
+    free(open);
+    free(occluded);
+    burnish_mesh_destroy(mesh);
+}
+
+/* A renderer that drew one mesh must not use its maps for another. */
+static void test_renderer_again(void) {
+    static const char *const names[] = {":knot", ":torus", ":knot"};
+    burnish_load_options load = burnish_load_options_default();
+    burnish_framing framing = burnish_framing_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_renderer *kept;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_image image = {0};
+    options.width = options.height = 150;
+    options.occlusion = 12;
+    burnish_renderer_create(NULL, &kept, &error);
+    for (int i = 0; i < 3; ++i) {
+        burnish_mesh *mesh;
+        burnish_image fresh;
+        burnish_mesh_load(names[i], &load, &mesh, &error);
+        burnish_camera_frame(mesh, &framing, &options.camera, &error);
+        CHECK(burnish_renderer_draw(kept, mesh, &options, &image, NULL, &error) ==
+                      BURNISH_STATUS_OK &&
+                  burnish_render(mesh, &options, &fresh, NULL, &error) == BURNISH_STATUS_OK,
+              "%s", error.text);
+        CHECK(memcmp(image.pixels, fresh.pixels, 3 * 150 * 150) == 0,
+              "%s: another picture from a renderer that drew before", names[i]);
+        burnish_image_destroy(&fresh);
+        burnish_mesh_destroy(mesh);
+    }
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(kept);
+}
+
+/* Whatever its colour, no surface is cut off in the default rig of the command, and a fully lit
+ * white one is near 0.9 of white. */
+static void test_exposure(void) {
+    burnish_load_options load = burnish_load_options_default();
+    burnish_framing framing = burnish_framing_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh;
+    burnish_image image = {0};
+    int brightest = 0;
+    burnish_mesh_load(":sphere", &load, &mesh, &error);
+    burnish_material material = *burnish_mesh_material(mesh, 0);
+    CHECK(burnish_render_options_set_look(&options, BURNISH_LOOK_STUDIO, mesh, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    for (int k = 0; k < 3; ++k) {
+        material.diffuse[k] = material.ambient[k] = 1;
+        material.specular[k] = 0;
+    }
+    burnish_mesh_set_material(mesh, 0, &material, &error);
+    options.width = options.height = 200;
+    options.transparent = 1;
+    burnish_camera_frame(mesh, &framing, &options.camera, &error);
+    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    for (int i = 0; i < 4 * 200 * 200; ++i) {
+        const int code = i % 4 < 3 ? image.pixels[i] : 0;
+        brightest = code > brightest ? code : brightest;
+    }
+    CHECK(brightest >= 222 && brightest <= 238, "white comes out as %d of 255", brightest);
+    burnish_image_destroy(&image);
+    burnish_mesh_destroy(mesh);
+}
+
+static void test_refusals(void) {
+    burnish_load_options load = burnish_load_options_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh;
+    burnish_image image;
+    burnish_mesh_load(":sphere", &load, &mesh, &error);
+    options.camera.position[2] = 5;
+    for (int occlusion = -2; occlusion <= BURNISH_OCCLUSION_MAX + 1;
+         occlusion += BURNISH_OCCLUSION_MAX + 3) {
+        options.occlusion = occlusion;
+        CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
+              "%d directions are accepted", occlusion);
+    }
+    options.occlusion = 1;
+    options.occlusion_strength = NAN;
+    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
+          "a strength that is no number is accepted");
+    CHECK(burnish_render_options_set_look(&options, BURNISH_LOOK_COUNT, mesh, &error) ==
+              BURNISH_STATUS_ARGUMENT,
+          "a look that does not exist is accepted");
+    CHECK(burnish_render_options_set_look(NULL, BURNISH_LOOK_CLAY, mesh, &error) ==
+              BURNISH_STATUS_ARGUMENT,
+          "no options are accepted");
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_wall());
+    RUN(test_sphere());
+    RUN(test_renderer_again());
+    RUN(test_exposure());
+    RUN(test_refusals());
+    return test_end("occlusion");
+}
