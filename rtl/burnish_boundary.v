@@ -12,7 +12,7 @@
 //
 // Latency    burnish_lobe + 2
 // Throughput one lobe per clock
-// Parameters FILE       the memory's file, with words from exponent 1 on:
+// Parameters FILE       the memory's file, with words from exponent 1 on; empty: no boundary
 //                       LAMBDA 0: --exponents=1-1023 --format-word=UQ0.15
 //                       LAMBDA 1: --exponents=1-1023 --lambda --format-word=UQ0.24
 //            UNIT       0 .. 3, see burnish_lobe;  the others as burnish_lobe
@@ -23,7 +23,7 @@
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_boundary #(
-    parameter FILE = "boundary.mem",
+    parameter FILE = "",
     parameter UNIT = 1,
     parameter SQUARINGS = 1,
     parameter RESULT = 16,
@@ -59,7 +59,14 @@ module burnish_boundary #(
     reg [9:0] exponent_now;
     reg [WIDTH-1:0] angle_now;
     wire [9:0] address = exponent - 10'd1;
-    initial $readmemh(FILE, memory, 0, 1022);
+    generate
+        if (FILE != "") begin : file
+            initial $readmemh(FILE, memory, 0, 1022);
+        end else begin : nothing
+            integer i;
+            initial for (i = 0; i < 1024; i = i + 1) memory[i] = LAMBDA != 0 ? ~{WORD{1'b0}} : {WORD{1'b0}};
+        end
+    endgenerate
     always @(posedge clk)
         if (enable) begin
             word <= memory[address];
