@@ -6,6 +6,12 @@
 // after the sum, instead of masking u before it, lets one adder cell do both. Columns from KEEP up are
 // never summed: over follows from the bits of u in those columns, or a carry.
 //
+//     clock    upper segment        lower segment      with ROWS 1 and two segments: rows of one
+//       1                           row 0              sum, the carry into a row's upper half coming
+//       2      row 0 and carry      row 1              from its lower half, one clock earlier. At the
+//       3      row 1 and carry      row 2              end the lower half waits for the upper one.
+//      ...
+//
 // Latency    (SLOPE_WIDTH - 1) / ROWS + SEGMENTS, SEGMENTS = ceil(KEEP / SEGMENT) or 1
 // Throughput one product per clock
 // Parameters SLOPE_WIDTH, U_WIDTH  bits of the factors

@@ -5,6 +5,12 @@
 // One row per bit of t, lowest first: t_i ? prior + 4^i (4 (t >> (i+1)) + 1) : prior. Each product of two
 // different bits appears once, at twice its weight, which halves a multiplier.
 //
+//     clock    upper segment        lower segment      with ROWS 1 and two segments: rows of one
+//       1                           row 0              sum, the carry into a row's upper half coming
+//       2      row 0 and carry      row 1              from its lower half, one clock earlier. At the
+//       3      row 1 and carry      row 2              end the lower half waits for the upper one.
+//      ...
+//
 // Latency    (WIDTH - 1) / ROWS + SEGMENTS, SEGMENTS = ceil(2 WIDTH / SEGMENT) or 1; with DSP 1
 // Throughput one square per clock
 // Parameters WIDTH    bits of t
