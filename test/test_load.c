@@ -197,8 +197,7 @@ static void test_environment(int input) {
     burnish_mesh_destroy(first);
 }
 
-/* Two triangles that meet at 50 degrees: an edge in an FOLD_STL, smooth in an FOLD_OBJ, unless an
- * angle is given. */
+/* Two triangles that meet at 50 degrees: an edge in any format, unless an angle is given. */
 static void test_crease_auto(void) {
     static const char FOLD_OBJ[] =
         "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -0.642787 0.766044 0\nf 1 2 3\nf 2 1 4\n";
@@ -212,10 +211,10 @@ static void test_crease_auto(void) {
         const char *text, *name;
         double angle;
         size_t vertices;
-    } cases[] = {{FOLD_OBJ, "a.obj", BURNISH_CREASE_AUTO, 4},
+    } cases[] = {{FOLD_OBJ, "a.obj", BURNISH_CREASE_AUTO, 6},
                  {FOLD_STL, "a.stl", BURNISH_CREASE_AUTO, 6},
-                 {FOLD_OBJ, "a.obj", 49, 6},
-                 {FOLD_STL, "a.stl", 51, 4}};
+                 {FOLD_OBJ, "a.obj", 51, 4},
+                 {FOLD_STL, "a.stl", 49, 6}};
     for (int i = 0; i < 4; ++i) {
         burnish_load_options options = burnish_load_options_default();
         burnish_mesh *mesh = NULL;

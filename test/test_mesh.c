@@ -508,7 +508,7 @@ static void test_wide_fans(void) {
     int different = 0, apart = 0;
     uint64_t state = test_seed(4);
     const int wide = (int)(burnish_isa_available() >> BURNISH_ISA_AVX2 & 1);
-    burnish_rings_create(&rings, MOST, 60, wide, &memory);
+    burnish_rings_create(&rings, MOST, 60, NULL, wide, &memory);
     if (!CHECK1(memory.status == BURNISH_STATUS_OK)) {
         return;
     }

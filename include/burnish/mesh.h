@@ -38,19 +38,19 @@ extern "C" {
 
 /* ---- Formats ---- */
 
-/* The formats of files, X(name, word, endings, crease angle, x, y, z of the up axis): the one list
+/* The formats of files, X(name, word, endings, x, y, z of the up axis): the one list
  * of them; burnish_format_info says what the columns are. */
 #define BURNISH_FORMAT_LIST(X)                                                                     \
-    X(OBJ, obj, ".obj", 60, 0, 1, 0)                                                               \
-    X(PLY, ply, ".ply", 60, 0, 1, 0)                                                               \
-    X(STL, stl, ".stl", 40, 0, 0, 1)
+    X(OBJ, obj, ".obj", 0, 1, 0)                                                                   \
+    X(PLY, ply, ".ply", 0, 1, 0)                                                                   \
+    X(STL, stl, ".stl", 0, 0, 1)
 
 /* Where meshes come from; the formats of files come last. */
 typedef enum burnish_format {
     BURNISH_FORMAT_AUTO,    /* in load options: told by the name's ending and the first bytes */
     BURNISH_FORMAT_BUILTIN, /* a built-in object */
     BURNISH_FORMAT_ARRAYS,  /* the caller's arrays */
-#define BURNISH_FORMAT_ENUM(name, word, endings, crease, x, y, z) BURNISH_FORMAT_##name,
+#define BURNISH_FORMAT_ENUM(name, word, endings, x, y, z) BURNISH_FORMAT_##name,
     BURNISH_FORMAT_LIST(BURNISH_FORMAT_ENUM)
 #undef BURNISH_FORMAT_ENUM
         BURNISH_FORMAT_COUNT
@@ -60,7 +60,6 @@ typedef enum burnish_format {
 typedef struct burnish_format_info {
     const char *name;    /* "stl": one word for flags and reports */
     const char *endings; /* of file names, lower case, separated by blanks: ".stl"; "" for none */
-    double crease_angle; /* degrees: what BURNISH_CREASE_AUTO stands for */
     float up_axis[3];    /* unit vector: the direction in which its objects stand */
     int is_file;         /* 1: bytes can be in it, and load options may name it */
 } burnish_format_info;
@@ -76,8 +75,13 @@ BURNISH_API const burnish_format_info *burnish_format_get_info(burnish_format fo
 /* burnish's grey: what a mesh without materials gets. */
 BURNISH_API burnish_material burnish_material_default(void);
 
-/* The crease angle that suits the format: 40 degrees for STL, which holds parts with chamfers, 60
- * for the others, which hold scans and sculptures where they have no normals. */
+/* No angle: each edge is judged by what is around it, in the same way for every format. Edges are
+ * smooth up to 20 degrees and sharp from 60 on. Between these an edge is smooth where both faces
+ * bend at all their edges, as in scans and what simplification leaves of them, and up to 40 degrees
+ * as a step of a curve: the flat faces on both sides are about as wide, and beyond them the surface
+ * goes on bending in the same sense. So a cylinder of 12 sides is round, and chamfers, octagons and
+ * pockets keep their edges. A flat face with four times the area of the others at a vertex gives
+ * its normal to those that share it, so that a fillet does not bend a plane. */
 #define BURNISH_CREASE_AUTO (-1.0)
 
 /* A mesh never has more triangles: its corners are numbered in 32 bits. (2^32 - 2) / 3 */
@@ -101,8 +105,9 @@ typedef struct burnish_load_options {
     uint32_t cookie;                /* set by burnish_load_options_default() */
     const burnish_context *context; /* outlives the mesh; NULL: the default */
     burnish_format format;          /* AUTO, or a file's format where no name tells it */
-    double crease_angle; /* degrees, [0, 180]: generated normals are smooth across edges whose faces
-                            differ by less; 0 shades every face flat; BURNISH_CREASE_AUTO */
+    double crease_angle; /* degrees, [0, 180]: generated normals are smooth across all edges whose
+                            faces differ by less, weighted by the faces' angles at the vertex; 0
+                            shades every face flat; BURNISH_CREASE_AUTO */
     int tessellation;    /* built-in objects: segments along a patch edge, [1, 256] */
     int keep_texture_coordinates; /* 1: vertices carry them, and differ where they do; 0: dropped */
     int measure;                  /* 1: the mesh has facts, see burnish_mesh_get_facts; 0: none */

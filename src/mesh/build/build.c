@@ -105,9 +105,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                          .memory = &data->memory,
                          .name = name,
                          .mesh = allocate_mesh(&data->memory, format),
-                         .crease_angle = options->crease_angle == BURNISH_CREASE_AUTO
-                                             ? burnish_format_get_info(format)->crease_angle
-                                             : options->crease_angle,
+                         .crease_angle = options->crease_angle,
                          .measure = options->measure};
     *mesh = NULL;
     if (!options->keep_texture_coordinates) {

@@ -22,6 +22,14 @@ typedef struct burnish_extra {
     const uint8_t *items;
 } burnish_extra;
 
+/* The welded mesh, to look beyond a face. */
+typedef struct burnish_surface {
+    const float *positions;
+    const uint32_t *corner_positions; /* 3 per triangle, every triangle with area */
+    const uint32_t *first_corner;     /* as the builder has them */
+    const uint32_t *corners;
+} burnish_surface;
+
 typedef struct burnish_builder {
     burnish_mesh_data *data;
     burnish_memory *memory; /* the data's */
@@ -39,6 +47,7 @@ typedef struct burnish_builder {
     uint32_t *first_corner; /* position_count + 1: where a position's corners start in ... */
     uint32_t *corners;      /* ... all corners, by position */
     size_t max_faces;       /* around one position */
+    burnish_surface surface;
     burnish_extra extras[BURNISH_ATTRIBUTE_COUNT]; /* from the vertices on */
     int extra_count;
     size_t vertex_count;
@@ -115,14 +124,46 @@ typedef struct burnish_weld_record {
 /* Sorts in place, O(n log n) in the worst case, O(n) when the records are sorted already. */
 void burnish_weld_sort(burnish_weld_record *records, size_t count);
 
+/* ---- creases.c: which edges are smooth where no crease angle is given ---- */
+
+#define BURNISH_SMOOTH_COSINE                                                                      \
+    0.93969262078590838          /* 20 degrees: smooth below, whatever is around                   \
+                                  */
+#define BURNISH_SHARP_COSINE 0.5 /* 60: never smooth from there on */
+#define BURNISH_COPLANAR_COSINE 0.99984769515639124 /* 1 degree: parts of one flat face */
+
+/* Whether an edge between 20 and 60 degrees is smooth.
+ *
+ * It is where both faces bend at all their edges and none is sharp: scans, spheres, decimated
+ * shapes. Where one of them belongs to a larger flat face, or has a sharp edge or none beyond it,
+ * only up to 40 degrees and only as a step of a curve: the flat faces on both sides are about as
+ * wide, and beyond them the surface goes on bending in the same sense. So a cylinder of 12 sides is
+ * round, and a chamfer or a pocket of flat facets keeps its edges.
+ *
+ * triangles: the two at the edge; their order does not matter
+ * edge:      numbers of its positions, in any order */
+int burnish_surface_is_smooth(const burnish_surface *surface, const uint32_t triangles[2],
+                              const uint32_t edge[2]);
+
 /* ---- normals.c: the average of the faces around a vertex, weighted by their angles there ---- */
+
+/* Faces of a vertex that share a normal. */
+typedef struct burnish_face_set {
+    burnish_vec3 sum;       /* of unit normals times angles */
+    double area, flat_area; /* twice the areas: of all; of the largest and those coplanar with it */
+    size_t largest;
+    int dominated; /* the flat ones give the normal */
+} burnish_face_set;
 
 /* The one-rings of some vertices: what is known of the faces at their corners, in arrays of
  * `capacity`. */
 typedef struct burnish_rings {
-    double crease_cosine;
-    int flat; /* crease angle 0: no edge is smooth */
-    int wide; /* eight faces are compared at once: the processor has AVX2 */
+    double sharp_cosine;            /* an edge is smooth above it, ... */
+    double smooth_cosine;           /* ... and above this one whatever is around */
+    const burnish_surface *surface; /* tells the edges in between; NULL: there are none */
+    const uint32_t *corners;        /* those measured */
+    int flat;                       /* crease angle 0: no edge is smooth */
+    int wide;                       /* eight faces are compared at once: the processor has AVX2 */
     size_t capacity;
     /* arrays of `capacity` and eight more, so that eight can be read from anywhere */
     double *x, *y, *z;         /* unit normals of the corners' faces */
@@ -130,16 +171,17 @@ typedef struct burnish_rings {
     double *angles;            /* between them */
     uint32_t *next, *previous; /* the edges' other ends */
     uint32_t *parents;         /* sets of joined faces of the vertex at hand, and ... */
-    burnish_vec3 *sums;        /* ... their normals */
+    burnish_face_set *sets;    /* ... what is known of them */
     uint64_t *edges;           /* 2 per corner: other end and face */
 } burnish_rings;
 
 /* Scratch for one thread and `capacity` corners at a time.
- *   crease_angle  degrees, [0, 180]
+ *   surface       decides where crease_angle is BURNISH_CREASE_AUTO; stays until the rings go
+ *   crease_angle  degrees, [0, 180], or BURNISH_CREASE_AUTO
  *   wide          1: the processor has AVX2; the results have the same bits
  * Errors: memory->status; the arrays are then incomplete. */
-void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle, int wide,
-                          burnish_memory *memory);
+void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle,
+                          const burnish_surface *surface, int wide, burnish_memory *memory);
 
 /* Releases the scratch; rings of zero bytes are allowed. */
 void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context);
@@ -148,7 +190,8 @@ void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context)
  *
  * positions:        3 per vertex
  * corner_positions: 3 per triangle, every triangle with area
- * corners:          count corners (3 * triangle + 0..2), those of a vertex together
+ * corners:          count corners (3 * triangle + 0..2), those of a vertex together; stay until the
+ *                   next call
  * count:            at most the rings' capacity */
 void burnish_rings_measure(burnish_rings *rings, const float *positions,
                            const uint32_t *corner_positions, const uint32_t *corners, size_t count);
@@ -156,9 +199,11 @@ void burnish_rings_measure(burnish_rings *rings, const float *positions,
 /* Unit normals of the corners that meet in one vertex, O(count log count).
  *
  * Two faces are joined when they share an edge at this vertex and their normals differ by less than
- * the crease angle; each set of joined faces has one normal, the sum of its unit face normals times
- * their angles at the vertex (Thuermer and Wuethrich 1998), which does not depend on how a flat
- * face is cut into triangles. Where the sum cancels to nothing, each face keeps its own.
+ * the crease angle, or as burnish_surface_is_smooth says; each set of joined faces has one normal,
+ * the sum of its unit face normals times their angles at the vertex (Thuermer and Wuethrich 1998),
+ * which does not depend on how a flat face is cut into triangles. With BURNISH_CREASE_AUTO a flat
+ * face with four times the area of the rest of its set gives its normal to the set, so that the
+ * slivers of a fillet do not bend it. Where the sum cancels to nothing, each face keeps its own.
  *
  * first, count: where the vertex's corners stand among those measured
  * normals:      3 per corner, in their order, written

@@ -18,6 +18,9 @@ enum { PAIRWISE_MAX = 8 };
 /* A sum shorter than this share of its weights is rounding noise around zero. */
 #define CANCELLED 1e-9
 
+/* A flat face with so many times the area of the other faces gives its normal to all of them. */
+#define FLAT_SHARE 4
+
 /* Shorter vectors, sums weighted by the tip of a needle, have squares that lose bits to underflow;
  * a power of two lengthens them. */
 #define SHORT_LENGTH 0x1p-400
@@ -39,13 +42,21 @@ void burnish_store_unit(burnish_vec3 v, float unit[3]) {
     }
 }
 
-void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle, int wide,
-                          burnish_memory *memory) {
+void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle,
+                          const burnish_surface *surface, int wide, burnish_memory *memory) {
     const char *what = "generating normals";
     const size_t padded = capacity + PAIRWISE_MAX;
-    double sine;
-    *rings = (burnish_rings){.flat = crease_angle <= 0, .wide = wide, .capacity = capacity};
-    burnish_sincos(crease_angle * DEGREE, &sine, &rings->crease_cosine);
+    *rings = (burnish_rings){.wide = wide, .capacity = capacity};
+    if (crease_angle == BURNISH_CREASE_AUTO) {
+        rings->surface = surface;
+        rings->sharp_cosine = BURNISH_SHARP_COSINE;
+        rings->smooth_cosine = BURNISH_SMOOTH_COSINE;
+    } else {
+        double sine;
+        burnish_sincos(crease_angle * DEGREE, &sine, &rings->sharp_cosine);
+        rings->smooth_cosine = rings->sharp_cosine;
+        rings->flat = crease_angle <= 0;
+    }
     double **doubles[] = {&rings->x,       &rings->y,    &rings->z,
                           &rings->lengths, &rings->dots, &rings->angles};
     uint32_t **numbers[] = {&rings->next, &rings->previous, &rings->parents};
@@ -55,14 +66,14 @@ void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_a
     for (int i = 0; i < 3; ++i) {
         *numbers[i] = burnish_allocate(memory, padded, sizeof **numbers[i], what);
     }
-    rings->sums = burnish_allocate(memory, capacity, sizeof *rings->sums, what);
+    rings->sets = burnish_allocate(memory, capacity, sizeof *rings->sets, what);
     rings->edges = burnish_allocate(memory, capacity, 2 * sizeof *rings->edges, what);
 }
 
 void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context) {
     void *arrays[] = {rings->x,       rings->y,      rings->z,    rings->lengths,
                       rings->dots,    rings->angles, rings->next, rings->previous,
-                      rings->parents, rings->sums,   rings->edges};
+                      rings->parents, rings->sets,   rings->edges};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
         burnish_release(context, arrays[i]);
     }
@@ -95,6 +106,7 @@ void burnish_rings_measure(burnish_rings *rings, const float *positions,
                            const uint32_t *corner_positions, const uint32_t *corners,
                            size_t count) {
     static const uint8_t after[5] = {0, 1, 2, 0, 1};
+    rings->corners = corners;
     for (size_t i = 0; i < count; ++i) {
         const uint32_t *face = corner_positions + corners[i] / 3 * (size_t)3;
         uint32_t at = corners[i] % 3, second = after[at + 1], third = after[at + 2];
@@ -140,13 +152,24 @@ static uint32_t find_root(uint32_t *parents, uint32_t i) {
     return i;
 }
 
-/* Joins faces i and j of the vertex when the edge between them is smooth; the smaller root stays
- * one. Returns 1 when two sets became one. */
-static int join(burnish_rings *rings, size_t first, uint32_t i, uint32_t j) {
-    if (burnish_vec3_dot(face_normal(rings, first + i), face_normal(rings, first + j)) <=
-        rings->crease_cosine) {
-        return 0;
-    }
+/* The end of the edge that two faces share, away from the vertex. */
+static uint32_t other_end(const burnish_rings *rings, size_t i, size_t j) {
+    const uint32_t next = rings->next[i];
+    return next == rings->previous[j] || next == rings->next[j] ? next : rings->previous[i];
+}
+
+/* Whether the edge from the vertex to position `end` is smooth; its faces do not tell. */
+static int ask_surface(const burnish_rings *rings, size_t i, size_t j, uint32_t end) {
+    const burnish_surface *surface = rings->surface;
+    const uint32_t triangles[2] = {rings->corners[i] / 3, rings->corners[j] / 3};
+    const uint32_t edge[2] = {surface->corner_positions[rings->corners[i]], end};
+    return burnish_surface_is_smooth(surface, triangles, edge);
+}
+
+/* Joins faces i and j of the vertex; the smaller root stays one. Returns 1 when two sets became
+ * one.
+ */
+static int join(burnish_rings *rings, uint32_t i, uint32_t j) {
     i = find_root(rings->parents, i);
     j = find_root(rings->parents, j);
     if (i < j) {
@@ -157,23 +180,30 @@ static int join(burnish_rings *rings, size_t first, uint32_t i, uint32_t j) {
     return i != j;
 }
 
-/* For each face of a few the set of those that it shares a smooth edge with, as bits. Without
- * branches: what a face shares with another can't be predicted. */
-static void find_neighbors(const burnish_rings *rings, size_t first, size_t count,
-                           uint32_t neighbors[PAIRWISE_MAX]) {
+/* For each face of a few, as bits, those that it shares an edge with.
+ *   smooth    across a smooth edge
+ *   doubtful  across one that may be smooth */
+typedef struct neighbors {
+    uint32_t smooth[PAIRWISE_MAX], doubtful[PAIRWISE_MAX];
+    uint32_t any_doubtful;
+} neighbors;
+
+/* Without branches: what a face shares with another can't be predicted. */
+static void find_neighbors(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
     const uint32_t *next = rings->next + first, *previous = rings->previous + first;
-    for (size_t i = 0; i < count; ++i) {
-        neighbors[i] = 0;
-    }
+    *n = (neighbors){0};
     for (size_t i = 0; i < count; ++i) {
         burnish_vec3 normal = face_normal(rings, first + i);
         for (size_t j = i + 1; j < count; ++j) {
             int edge = (next[i] == previous[j]) | (previous[i] == next[j]) | (next[i] == next[j]) |
                        (previous[i] == previous[j]);
             double cosine = burnish_vec3_dot(normal, face_normal(rings, first + j));
-            uint32_t joined = (uint32_t)(edge & (cosine > rings->crease_cosine));
-            neighbors[i] |= joined << j;
-            neighbors[j] |= joined << i;
+            uint32_t close = (uint32_t)(edge & (cosine > rings->sharp_cosine));
+            uint32_t smooth = close & (uint32_t)(cosine > rings->smooth_cosine);
+            n->smooth[i] |= smooth << j;
+            n->smooth[j] |= smooth << i;
+            n->doubtful[i] |= (close ^ smooth) << j;
+            n->any_doubtful |= close ^ smooth;
         }
     }
 }
@@ -181,23 +211,25 @@ static void find_neighbors(const burnish_rings *rings, size_t first, size_t coun
 #if defined(__x86_64__)
 /* The same, all of the others at once: the dot product has the same bits from either side. Reads
  * PAIRWISE_MAX entries from `first` on. */
-__attribute__((target("avx2"))) static void find_neighbors_avx2(const burnish_rings *rings,
-                                                                size_t first, size_t count,
-                                                                uint32_t neighbors[PAIRWISE_MAX]) {
+__attribute__((target("avx2"))) static void
+find_neighbors_avx2(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
     const double *x = rings->x + first, *y = rings->y + first, *z = rings->z + first;
-    __m256d crease = _mm256_set1_pd(rings->crease_cosine);
+    const __m256d sharp_cosine = _mm256_set1_pd(rings->sharp_cosine);
+    const __m256d smooth_cosine = _mm256_set1_pd(rings->smooth_cosine);
     __m256i next = _mm256_loadu_si256((const __m256i *)(rings->next + first));
     __m256i previous = _mm256_loadu_si256((const __m256i *)(rings->previous + first));
+    n->any_doubtful = 0;
     for (size_t i = 0; i < count; ++i) {
         __m256d at_x = _mm256_set1_pd(x[i]), at_y = _mm256_set1_pd(y[i]);
         __m256d at_z = _mm256_set1_pd(z[i]);
-        int smooth = 0;
+        int close = 0, smooth = 0;
         for (int half = 0; half < PAIRWISE_MAX; half += 4) {
             __m256d cosine =
                 _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(at_x, _mm256_loadu_pd(x + half)),
                                             _mm256_mul_pd(at_y, _mm256_loadu_pd(y + half))),
                               _mm256_mul_pd(at_z, _mm256_loadu_pd(z + half)));
-            smooth |= _mm256_movemask_pd(_mm256_cmp_pd(cosine, crease, _CMP_GT_OQ)) << half;
+            close |= _mm256_movemask_pd(_mm256_cmp_pd(cosine, sharp_cosine, _CMP_GT_OQ)) << half;
+            smooth |= _mm256_movemask_pd(_mm256_cmp_pd(cosine, smooth_cosine, _CMP_GT_OQ)) << half;
         }
         __m256i at_next = _mm256_set1_epi32((int)rings->next[first + i]);
         __m256i at_previous = _mm256_set1_epi32((int)rings->previous[first + i]);
@@ -205,34 +237,68 @@ __attribute__((target("avx2"))) static void find_neighbors_avx2(const burnish_ri
                                                        _mm256_cmpeq_epi32(at_previous, next)),
                                        _mm256_or_si256(_mm256_cmpeq_epi32(at_next, next),
                                                        _mm256_cmpeq_epi32(at_previous, previous)));
-        uint32_t joined = (uint32_t)(smooth & _mm256_movemask_ps(_mm256_castsi256_ps(edge)));
-        neighbors[i] = joined & ((1U << count) - 1) & ~(1U << i);
+        uint32_t shared = (uint32_t)_mm256_movemask_ps(_mm256_castsi256_ps(edge)) &
+                          ((1U << count) - 1) & ~(1U << i);
+        n->smooth[i] = shared & (uint32_t)smooth;
+        n->doubtful[i] = shared & (uint32_t)(close & ~smooth);
+        n->any_doubtful |= n->doubtful[i];
     }
 }
 #endif
 
+/* The faces joined with those of a set, so far. */
+static uint32_t grow_set(const neighbors *n, size_t count, uint32_t set) {
+    uint32_t before;
+    do {
+        before = set;
+        for (size_t i = 0; i < count; ++i) {
+            set |= n->smooth[i] & (0U - (set >> i & 1));
+        }
+    } while (set != before);
+    return set;
+}
+
+/* Finds out which of the doubtful edges are smooth; one whose faces are joined already, as most are
+ * in a scan, makes no difference. */
+static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
+    for (size_t i = 0; i < count; ++i) {
+        uint32_t set = n->doubtful[i] ? grow_set(n, count, 1U << i) : 0;
+        for (size_t j = i + 1; j < count; ++j) {
+            const size_t at = first + i, to = first + j;
+            if ((n->doubtful[i] & ~set) >> j & 1 &&
+                ask_surface(rings, at, to, other_end(rings, at, to))) {
+                n->smooth[i] |= 1U << j;
+                n->smooth[j] |= 1U << i;
+                set = grow_set(n, count, set);
+            }
+        }
+    }
+}
+
 /* Sets of joined faces among a few; returns 1 when they are one, and leaves parents alone then. */
 static int join_few(burnish_rings *rings, size_t first, size_t count) {
-    uint32_t neighbors[PAIRWISE_MAX], all = (1U << count) - 1, left = all;
+    const uint32_t all = (1U << count) - 1;
+    uint32_t left = all;
+    neighbors n;
 #if defined(__x86_64__)
     if (rings->wide) {
-        find_neighbors_avx2(rings, first, count, neighbors);
+        find_neighbors_avx2(rings, first, count, &n);
     } else
 #endif
     {
-        find_neighbors(rings, first, count, neighbors);
+        find_neighbors(rings, first, count, &n);
+    }
+    if (grow_set(&n, count, 1) == all) {
+        return 1;
+    }
+    if (n.any_doubtful) {
+        ask_neighbors(rings, first, count, &n);
     }
     for (uint32_t root = 0; left != 0; ++root) {
-        uint32_t set = 1U << root, before;
-        if (!(left & set)) {
+        if (!(left >> root & 1)) {
             continue;
         }
-        do {
-            before = set;
-            for (size_t i = 0; i < count; ++i) {
-                set |= neighbors[i] & (0U - (set >> i & 1));
-            }
-        } while (set != before);
+        const uint32_t set = grow_set(&n, count, 1U << root);
         if (set == all) {
             return 1;
         }
@@ -252,27 +318,48 @@ static int join_few(burnish_rings *rings, size_t first, size_t count) {
 #define SORT_INSERTION_MAX 40
 #include "mesh/build/sort.h"
 
+/* Joins the faces of `count` edges of one other end: those that are smooth, or the doubtful ones.
+ * Returns how many sets went. */
+static size_t join_at_end(burnish_rings *rings, size_t first, const uint64_t *edges, size_t count,
+                          int doubtful) {
+    const size_t reach = count <= PAIRWISE_MAX ? PAIRWISE_MAX : 1;
+    size_t joined = 0;
+    for (size_t k = 0; k < count; ++k) {
+        for (size_t l = k + 1; l < count && l <= k + reach; ++l) {
+            const uint32_t i = (uint32_t)edges[k], j = (uint32_t)edges[l];
+            const double cosine =
+                burnish_vec3_dot(face_normal(rings, first + i), face_normal(rings, first + j));
+            const int smooth = cosine > rings->smooth_cosine;
+            if (doubtful ? !smooth && cosine > rings->sharp_cosine &&
+                               find_root(rings->parents, i) != find_root(rings->parents, j) &&
+                               ask_surface(rings, first + i, first + j, (uint32_t)(edges[k] >> 32))
+                         : smooth) {
+                joined += (size_t)join(rings, i, j);
+            }
+        }
+    }
+    return joined;
+}
+
 /* The same for any number, by sorting the edges by their other end, then by face. */
 static int join_many(burnish_rings *rings, size_t first, size_t count) {
     uint64_t *edges = rings->edges;
-    size_t joined = 0;
+    size_t sets = count;
     for (size_t i = 0; i < count; ++i) {
         rings->parents[i] = (uint32_t)i;
         edges[2 * i] = (uint64_t)rings->next[first + i] << 32 | i;
         edges[2 * i + 1] = (uint64_t)rings->previous[first + i] << 32 | i;
     }
     sort_edge_array(edges, 2 * count);
-    for (size_t start = 0, end; start < 2 * count; start = end) {
-        for (end = start + 1; end < 2 * count && edges[end] >> 32 == edges[start] >> 32; ++end) {
-        }
-        size_t reach = end - start <= PAIRWISE_MAX ? PAIRWISE_MAX : 1;
-        for (size_t i = start; i < end; ++i) {
-            for (size_t j = i + 1; j < end && j <= i + reach; ++j) {
-                joined += (size_t)join(rings, first, (uint32_t)edges[i], (uint32_t)edges[j]);
+    for (int doubtful = 0; doubtful <= (rings->surface != NULL) && sets > 1; ++doubtful) {
+        for (size_t start = 0, end; start < 2 * count; start = end) {
+            for (end = start + 1; end < 2 * count && edges[end] >> 32 == edges[start] >> 32;
+                 ++end) {
             }
+            sets -= join_at_end(rings, first, edges + start, end - start, doubtful);
         }
     }
-    return joined + 1 == count;
+    return sets == 1;
 }
 
 /* ---- normals ---- */
@@ -286,13 +373,144 @@ static int is_cancelled(double length, double angle) {
     return !(length > CANCELLED * angle);
 }
 
+static void add_face(burnish_face_set *set, const burnish_rings *rings, size_t i) {
+    set->sum = burnish_vec3_add(set->sum, weighted_normal(rings, i));
+    set->area += rings->lengths[i];
+    set->largest = rings->lengths[i] > rings->lengths[set->largest] ? i : set->largest;
+}
+
+/* Whether a face is part of the flat face that the largest one of its set belongs to. */
+static int is_flat(const burnish_face_set *set, const burnish_rings *rings, size_t i) {
+    return burnish_vec3_dot(face_normal(rings, i), face_normal(rings, set->largest)) >
+           BURNISH_COPLANAR_COSINE;
+}
+
+/* The area of the flat face, once all faces of the set were added. */
+static void add_flat_area(burnish_face_set *set, const burnish_rings *rings, size_t i) {
+    set->flat_area += is_flat(set, rings, i) ? rings->lengths[i] : 0;
+}
+
+/* Whether the flat face gives its normal to the set: then that is summed up anew. */
+static int is_dominated(burnish_face_set *set) {
+    const double rest = set->area - set->flat_area;
+    const int dominated = rest > 0 && set->flat_area >= FLAT_SHARE * rest;
+    set->sum = dominated ? (burnish_vec3){0, 0, 0} : set->sum;
+    return dominated;
+}
+
+static void add_if_flat(burnish_face_set *set, const burnish_rings *rings, size_t i) {
+    if (is_flat(set, rings, i)) {
+        set->sum = burnish_vec3_add(set->sum, weighted_normal(rings, i));
+    }
+}
+
+/* Of a few faces in one set, as bits, those that give it its normal: all, or the flat face. Four
+ * partial sums, as vectors have them. */
+static uint32_t choose_faces(const burnish_rings *rings, size_t first, size_t count) {
+    double areas[4] = {0}, flat_areas[4] = {0};
+    burnish_face_set set = {.largest = first};
+    uint32_t flat = 0;
+    for (size_t i = first; i < first + count; ++i) {
+        areas[(i - first) % 4] += rings->lengths[i];
+        set.largest = rings->lengths[i] > rings->lengths[set.largest] ? i : set.largest;
+    }
+    for (size_t i = first; i < first + count; ++i) {
+        const uint32_t is_part = (uint32_t)is_flat(&set, rings, i);
+        flat |= is_part << (i - first);
+        flat_areas[(i - first) % 4] += is_part ? rings->lengths[i] : 0;
+    }
+    set.area = (areas[0] + areas[2]) + (areas[1] + areas[3]);
+    set.flat_area = (flat_areas[0] + flat_areas[2]) + (flat_areas[1] + flat_areas[3]);
+    return is_dominated(&set) ? flat : (1U << count) - 1;
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) static double sum_lanes(__m256d lanes) {
+    const __m128d pair = _mm_add_pd(_mm256_castpd256_pd128(lanes), _mm256_extractf128_pd(lanes, 1));
+    return _mm_cvtsd_f64(_mm_add_sd(pair, _mm_unpackhi_pd(pair, pair)));
+}
+
+/* The same bits. Reads PAIRWISE_MAX entries from `first` on. */
+__attribute__((target("avx2"))) static uint32_t choose_faces_avx2(const burnish_rings *rings,
+                                                                  size_t first, size_t count) {
+    const __m256d coplanar = _mm256_set1_pd(BURNISH_COPLANAR_COSINE);
+    const __m256i all = _mm256_set1_epi64x((long long)count);
+    burnish_face_set set = {0};
+    __m256d areas[2], flat_areas[2];
+    int flat = 0;
+    for (int k = 0; k < 2; ++k) {
+        const __m256i lanes =
+            _mm256_add_epi64(_mm256_setr_epi64x(0, 1, 2, 3), _mm256_set1_epi64x(4 * k));
+        areas[k] = _mm256_and_pd(_mm256_loadu_pd(rings->lengths + first + 4 * (size_t)k),
+                                 _mm256_castsi256_pd(_mm256_cmpgt_epi64(all, lanes)));
+    }
+    __m256d most = _mm256_max_pd(areas[0], areas[1]);
+    most = _mm256_max_pd(most, _mm256_permute2f128_pd(most, most, 1));
+    most = _mm256_max_pd(most, _mm256_permute_pd(most, 5));
+    const int largest = _mm256_movemask_pd(_mm256_cmp_pd(areas[0], most, _CMP_EQ_OQ)) |
+                        _mm256_movemask_pd(_mm256_cmp_pd(areas[1], most, _CMP_EQ_OQ)) << 4;
+    set.largest = first + (size_t)__builtin_ctz((unsigned)largest);
+    for (int k = 0; k < 2; ++k) {
+        const size_t at = first + 4 * (size_t)k;
+        const __m256d x =
+            _mm256_mul_pd(_mm256_loadu_pd(rings->x + at), _mm256_set1_pd(rings->x[set.largest]));
+        const __m256d y =
+            _mm256_mul_pd(_mm256_loadu_pd(rings->y + at), _mm256_set1_pd(rings->y[set.largest]));
+        const __m256d z =
+            _mm256_mul_pd(_mm256_loadu_pd(rings->z + at), _mm256_set1_pd(rings->z[set.largest]));
+        const __m256d is_part =
+            _mm256_cmp_pd(_mm256_add_pd(_mm256_add_pd(x, y), z), coplanar, _CMP_GT_OQ);
+        flat_areas[k] = _mm256_and_pd(areas[k], is_part);
+        flat |= _mm256_movemask_pd(is_part) << 4 * k;
+    }
+    set.area = sum_lanes(_mm256_add_pd(areas[0], areas[1]));
+    set.flat_area = sum_lanes(_mm256_add_pd(flat_areas[0], flat_areas[1]));
+    return (is_dominated(&set) ? (uint32_t)flat : ~0U) & ((1U << count) - 1);
+}
+#endif
+
+/* The sum of a few faces in one set. */
+static burnish_vec3 sum_few(const burnish_rings *rings, size_t first, size_t count) {
+    uint32_t chosen = (1U << count) - 1;
+    burnish_vec3 sum = {0, 0, 0};
+    if (rings->surface) {
+#if defined(__x86_64__)
+        chosen = rings->wide ? choose_faces_avx2(rings, first, count)
+                             : choose_faces(rings, first, count);
+#else
+        chosen = choose_faces(rings, first, count);
+#endif
+    }
+    for (size_t i = 0; i < count; ++i) {
+        if (chosen >> i & 1) {
+            sum = burnish_vec3_add(sum, weighted_normal(rings, first + i));
+        }
+    }
+    return sum;
+}
+
+/* The sum of any number of faces in one set. */
+static burnish_vec3 sum_many(const burnish_rings *rings, size_t first, size_t count) {
+    burnish_face_set set = {.largest = first};
+    for (size_t i = first; i < first + count; ++i) {
+        add_face(&set, rings, i);
+    }
+    for (size_t i = first; i < first + count && rings->surface; ++i) {
+        add_flat_area(&set, rings, i);
+    }
+    if (rings->surface && is_dominated(&set)) {
+        for (size_t i = first; i < first + count; ++i) {
+            add_if_flat(&set, rings, i);
+        }
+    }
+    return set.sum;
+}
+
 /* The normal of all faces together; returns 0 when it cancels for one of them. */
 static int store_common(const burnish_rings *rings, size_t first, size_t count, float *normal) {
-    burnish_vec3 sum = {0, 0, 0};
-    for (size_t i = first; i < first + count; ++i) {
-        sum = burnish_vec3_add(sum, weighted_normal(rings, i));
-    }
-    double length = burnish_vec3_length(sum);
+    const burnish_vec3 sum =
+        count <= PAIRWISE_MAX ? sum_few(rings, first, count) : sum_many(rings, first, count);
+    const double length = burnish_vec3_length(sum);
     for (size_t i = first; i < first + count; ++i) {
         if (is_cancelled(length, rings->angles[i])) {
             return 0;
@@ -300,6 +518,36 @@ static int store_common(const burnish_rings *rings, size_t first, size_t count, 
     }
     burnish_store_unit(sum, normal);
     return 1;
+}
+
+/* The set of a face of the vertex. */
+static burnish_face_set *set_of(const burnish_rings *rings, size_t i) {
+    return &rings->sets[find_root(rings->parents, (uint32_t)i)];
+}
+
+/* The sums of faces in several sets, or in one that cancels. */
+static void sum_sets(burnish_rings *rings, size_t first, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        rings->sets[i] = (burnish_face_set){.largest = first + i};
+    }
+    for (size_t i = 0; i < count; ++i) {
+        add_face(set_of(rings, i), rings, first + i);
+    }
+    if (!rings->surface) {
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        add_flat_area(set_of(rings, i), rings, first + i);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        burnish_face_set *set = &rings->sets[i];
+        set->dominated = is_dominated(set);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        if (set_of(rings, i)->dominated) {
+            add_if_flat(set_of(rings, i), rings, first + i);
+        }
+    }
 }
 
 int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, float *normals) {
@@ -317,15 +565,9 @@ int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, floa
     for (size_t i = 0; i < count && one; ++i) {
         rings->parents[i] = 0;
     }
+    sum_sets(rings, first, count);
     for (size_t i = 0; i < count; ++i) {
-        rings->sums[i] = (burnish_vec3){0, 0, 0};
-    }
-    for (size_t i = 0; i < count; ++i) {
-        uint32_t root = find_root(rings->parents, (uint32_t)i);
-        rings->sums[root] = burnish_vec3_add(rings->sums[root], weighted_normal(rings, first + i));
-    }
-    for (size_t i = 0; i < count; ++i) {
-        burnish_vec3 sum = rings->sums[find_root(rings->parents, (uint32_t)i)];
+        const burnish_vec3 sum = set_of(rings, i)->sum;
         int cancelled = is_cancelled(burnish_vec3_length(sum), rings->angles[first + i]);
         burnish_store_unit(cancelled ? face_normal(rings, first + i) : sum, normals + 3 * i);
     }

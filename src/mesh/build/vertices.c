@@ -387,7 +387,8 @@ static void destroy_scratch(vertex_maker *maker) {
 
 static void create_scratch(vertex_maker *maker, size_t capacity) {
     const burnish_builder *b = maker->b;
-    burnish_rings_create(&maker->rings, capacity, b->crease_angle, maker->wide, &maker->memory);
+    burnish_rings_create(&maker->rings, capacity, b->crease_angle, &b->surface, maker->wide,
+                         &maker->memory);
     maker->normals =
         burnish_allocate(&maker->memory, capacity, 3 * sizeof *maker->normals, "vertices");
     maker->records = burnish_allocate(&maker->memory, capacity, sizeof *maker->records, "vertices");
@@ -484,6 +485,8 @@ static burnish_status build_any(burnish_builder *b) {
         return status;
     }
     find_extras(b);
+    b->surface = (burnish_surface){burnish_positions(b->data), b->corner_positions, b->first_corner,
+                                   b->corners};
     vertex_maker *makers = create_makers(b, count);
     status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {

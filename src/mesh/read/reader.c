@@ -14,12 +14,12 @@ typedef struct format_row {
 } format_row;
 
 static const format_row formats[BURNISH_FORMAT_COUNT] = {
-    [BURNISH_FORMAT_AUTO] = {.info = {"auto", "", 60, {0, 1, 0}, 0}},
-    [BURNISH_FORMAT_BUILTIN] = {.info = {"builtin", "", 60, {0, 1, 0}, 0}},
-    [BURNISH_FORMAT_ARRAYS] = {.info = {"arrays", "", 60, {0, 1, 0}, 0}},
-#define ROW(name, word, endings, crease, x, y, z)                                                  \
-    [BURNISH_FORMAT_##name] = {                                                                    \
-        {#word, endings, crease, {x, y, z}, 1}, burnish_recognise_##word, burnish_read_##word},
+    [BURNISH_FORMAT_AUTO] = {.info = {"auto", "", {0, 1, 0}, 0}},
+    [BURNISH_FORMAT_BUILTIN] = {.info = {"builtin", "", {0, 1, 0}, 0}},
+    [BURNISH_FORMAT_ARRAYS] = {.info = {"arrays", "", {0, 1, 0}, 0}},
+#define ROW(name, word, endings, x, y, z)                                                          \
+    [BURNISH_FORMAT_##                                                                             \
+        name] = {{#word, endings, {x, y, z}, 1}, burnish_recognise_##word, burnish_read_##word},
     BURNISH_FORMAT_LIST(ROW)
 #undef ROW
 };

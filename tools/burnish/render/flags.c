@@ -2,7 +2,6 @@
 #include <stdio.h>
 
 #include "cli/commands.h"
-#include "cli/output.h"
 #include "render/settings.h"
 
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
@@ -27,13 +26,11 @@ const cli_word render_look_words[] = {{"studio", BURNISH_LOOK_STUDIO},
 static const cli_word equation_words[] = {
     {"blinn", BURNISH_SPECULAR_BLINN}, {"phong", BURNISH_SPECULAR_PHONG}, {NULL, 0}};
 static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}};
-/* ", obj 60, ply 60, stl 40": labels begin at the third character. */
-#define FORMAT_CREASE(name, word, endings, crease, ...) ", " #word " " #crease
-static const char format_creases[] = BURNISH_FORMAT_LIST(FORMAT_CREASE);
 #define AXIS_100 "+X"
 #define AXIS_010 "+Y"
 #define AXIS_001 "+Z"
-#define FORMAT_AXIS(name, word, endings, crease, x, y, z) ", " #word " " AXIS_##x##y##z
+#define FORMAT_AXIS(name, word, endings, x, y, z) ", " #word " " AXIS_##x##y##z
+/* ", obj +Y, ply +Y, stl +Z": the label begins at the third character. */
 static const char format_axes[] = BURNISH_FORMAT_LIST(FORMAT_AXIS);
 
 /* Values of coordinates and angles beyond this are mistakes. */
@@ -383,17 +380,26 @@ static const cli_flag flags[] = {
     {.name = "crease-angle",
      .value = "DEG",
      .help = "smooth edges below this angle",
-     .default_label = format_creases + 2,
+     .default_label = "auto",
      .low = 0,
      .high = 180,
-     .manual = "Where the input has no normals: smooth across edges whose faces differ by less, 0 "
-               "shades every face flat.",
+     .manual =
+         "Where the input has no normals: smooth across all edges whose faces differ by less, "
+         "0 shades every face flat. Without the flag each edge is judged by what is around "
+         "it: smooth up to 20 degrees; up to 60 between faces that bend at all their edges, "
+         "as in scans; up to 40 as a step of a curve; chamfers and pockets stay sharp, and "
+         "fillets do not bend planes.",
      .handler = cli_flag_real,
      TARGET(crease)},
     {CLI_TESSELLATION_FLAG(render_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(render_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, load)},
-    {CLI_JSON_FLAG(render_settings, json, "report on standard output, or in FILE", "JSON OUTPUT")},
+    {.name = "json",
+     .common = 1,
+     .help = "report on standard output",
+     .manual = "Prints one JSON object on standard output; see *JSON OUTPUT*.",
+     .handler = cli_flag_switch,
+     TARGET(json)},
     {.name = "timing",
      .aliases = "time,verbose",
      .help = "milliseconds per phase on standard error",
@@ -434,9 +440,9 @@ static const cli_flag flags[] = {
      .aliases = "strict",
      .common = 1,
      .help = "a blank picture ends with exit code 8 and no file",
-     .manual = "When the picture, or a cell of a sheet, shows nothing or is of one colour, ends "
-               "with exit "
-               "code 8 and writes no picture. Otherwise a blank picture only gives a warning.",
+     .manual =
+         "When the picture, or a cell of a sheet, shows nothing, ends with exit code 8 and writes "
+         "no file. Otherwise a blank picture only gives a warning.",
      .handler = cli_flag_switch,
      TARGET(fail_on_blank)},
 };
@@ -487,13 +493,6 @@ static const cli_term json_terms[] = {
     {"*triangles_drawn*", "triangles that own at least one sample"},
     {"*covered_pixels, pixel_bounds*",
      "pixels that show the object; x0, y0, x1, y1, ends excluded"},
-    {"*near_white, near_black*",
-     "shares of those pixels whose channels are all at least 250, or at most 5"},
-    {"*like_ground*", "share of those pixels whose channels all are within 5 of the background's; "
-                      "null without a background"},
-    {"*contrast*", "ratio of the mean luminances, each plus 0.05, of those pixels and of the "
-                   "background, the larger by the smaller, from 1 to 21 (as WCAG 2 has it); null "
-                   "without a background"},
     {"*camera*", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* "
                  "(0: perspective)"},
     {"*lobe, equation, viewer, look, occlusion, lights, samples, threads, isa*", "as used"},
@@ -501,7 +500,7 @@ static const cli_term json_terms[] = {
                   "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
     {"*hash, hash_algorithm*",
      "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
-    {"*blank*", "true when the picture, or a cell, shows nothing or is of one colour"},
+    {"*blank*", "true when the picture, or a cell, shows nothing"},
     {"*warnings*", "lines, also with *--quiet*"},
     {"*cells*", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and "
                 "what depends on view or lobe"},

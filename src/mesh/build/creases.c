@@ -1,0 +1,210 @@
+/* The edges that are smooth where the caller gives no crease angle. Angles alone can't tell a
+ * cylinder of 12 sides (30 degrees) from a chamfer of 30: what lies beyond both faces can. Only
+ * edges between SMOOTH and SHARP degrees ask, so that a dense mesh costs nothing. */
+#include "mesh/build/builder.h"
+
+#define STEP_COSINE                                                                                \
+    0.76604444311897804 /* 40: an octagon's 45 is an edge, a decagon's 36 a step                   \
+                         */
+
+enum {
+    FACES_MAX = 32, /* at the end of an edge with fewer: more are not searched, which bounds the
+                       time for any input */
+    WALK_MAX = 16   /* triangles of one flat face that are crossed */
+};
+
+/* Across a curve, neighbouring steps are at most so many times as wide, ... */
+#define WIDTH_RATIO_MAX 3.0
+/* ... and bend at least so much, as a share of the sine; an arc's end bends half a step. */
+#define BEND_SHARE 0.25
+
+typedef struct face {
+    uint32_t triangle;
+    burnish_vec3 normal;
+} face;
+
+static burnish_vec3 position_of(const burnish_surface *s, uint32_t position) {
+    return burnish_vec3_loadf(s->positions + 3 * (size_t)position);
+}
+
+static face face_of(const burnish_surface *s, uint32_t triangle) {
+    const burnish_vec3 cross =
+        burnish_face_cross(s->positions, s->corner_positions + 3 * (size_t)triangle);
+    return (face){triangle, burnish_vec3_normalize(cross)};
+}
+
+/* The triangle's corner that is not on the edge. */
+static uint32_t third_corner(const burnish_surface *s, uint32_t triangle, uint32_t a, uint32_t b) {
+    const uint32_t *corners = s->corner_positions + 3 * (size_t)triangle;
+    for (int i = 0; i < 2; ++i) {
+        if (corners[i] != a && corners[i] != b) {
+            return corners[i];
+        }
+    }
+    return corners[2];
+}
+
+/* The one other triangle at an edge. Returns 0 where there is none, or several. */
+static int find_across(const burnish_surface *s, uint32_t triangle, uint32_t a, uint32_t b,
+                       face *across) {
+    const size_t at_a = s->first_corner[a + (size_t)1] - s->first_corner[a];
+    const size_t at_b = s->first_corner[b + (size_t)1] - s->first_corner[b];
+    const uint32_t here = at_b < at_a ? b : a, there = at_b < at_a ? a : b;
+    const size_t count = at_b < at_a ? at_b : at_a;
+    const uint32_t *corners = s->corners + s->first_corner[here];
+    uint32_t found = BURNISH_NONE;
+    for (size_t i = 0; i < count && count <= FACES_MAX; ++i) {
+        const uint32_t other = corners[i] / 3;
+        const uint32_t *around = s->corner_positions + 3 * (size_t)other;
+        if (other != triangle && (around[0] == there || around[1] == there || around[2] == there)) {
+            if (found != BURNISH_NONE) {
+                return 0;
+            }
+            found = other;
+        }
+    }
+    if (found != BURNISH_NONE) {
+        *across = face_of(s, found);
+    }
+    return found != BURNISH_NONE;
+}
+
+/* ---- curved faces: scans, sculptures, and what simplification left of them ---- */
+
+/* Whether a face bends at two of its edges, neither flat nor sharp there.
+ *   outer  the two faces at these edges, written */
+static int is_bent(const burnish_surface *s, const face *f, const uint32_t edge[2], face outer[2]) {
+    const uint32_t third = third_corner(s, f->triangle, edge[0], edge[1]);
+    for (int i = 0; i < 2; ++i) {
+        if (!find_across(s, f->triangle, edge[i], third, &outer[i])) {
+            return 0;
+        }
+        const double cosine = burnish_vec3_dot(f->normal, outer[i].normal);
+        if (cosine > BURNISH_COPLANAR_COSINE || cosine <= BURNISH_SHARP_COSINE) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int is_flat_beyond(const burnish_surface *s, const face *f, const uint32_t edge[2]) {
+    const uint32_t third = third_corner(s, f->triangle, edge[0], edge[1]);
+    for (int i = 0; i < 2; ++i) {
+        face next;
+        if (find_across(s, f->triangle, edge[i], third, &next) &&
+            burnish_vec3_dot(f->normal, next.normal) > BURNISH_COPLANAR_COSINE) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Whether two faces that bend at all their edges belong to a curved surface. All edges of an
+ * icosahedron are steep, and facets of a pocket have edges around them and larger flat faces beyond
+ * these; few edges of a scan are that sharp, so that it seldom asks for flat ones. */
+static int is_curved(const burnish_surface *s, const face faces[2], const uint32_t edge[2],
+                     face outer[2][2], double cosine) {
+    int steep = 0, sharp = 0, flat = 0;
+    for (int i = 0; i < 4; ++i) {
+        const double around = burnish_vec3_dot(faces[i / 2].normal, outer[i / 2][i % 2].normal);
+        steep += around <= STEP_COSINE;
+        sharp += around <= BURNISH_SMOOTH_COSINE;
+    }
+    for (int i = 0; i < 4 && sharp >= 3; ++i) {
+        const uint32_t third = third_corner(s, faces[i / 2].triangle, edge[0], edge[1]);
+        const uint32_t side[2] = {edge[i % 2], third};
+        flat += is_flat_beyond(s, &outer[i / 2][i % 2], side);
+    }
+    return flat <= 2 && (cosine > STEP_COSINE || steep <= 2);
+}
+
+/* ---- steps of a curve ---- */
+
+/* What lies at the far side of a flat face. */
+typedef enum far_side { CONTINUES, ENDS, DIFFERS } far_side;
+
+typedef struct crossing {
+    double width; /* of the flat face at the middle of the edge */
+    far_side beyond;
+} crossing;
+
+/* What lies beyond the far edge of a face.
+ *   bend, next_bend  sines of the angles at the near and the far edge, in the plane of the crossing
+ *   cosine           of the whole angle at the far edge */
+static far_side find_far_side(double bend, double next_bend, double cosine) {
+    const double least = BEND_SHARE * bend * bend;
+    if (cosine <= STEP_COSINE) {
+        return ENDS;
+    }
+    if (next_bend * bend >= least) {
+        return CONTINUES;
+    }
+    const int sideways = 4 * next_bend * next_bend < 1 - cosine * cosine; /* as at a pole */
+    return sideways ? ENDS : DIFFERS;
+}
+
+/* Crosses the flat face from the middle of an edge at a right angle to it, triangle by triangle.
+ *   other  the face on the near side of the edge */
+static crossing cross_face(const burnish_surface *s, const face *start, const face *other,
+                           const uint32_t edge[2]) {
+    uint32_t triangle = start->triangle, left = edge[0], right = edge[1];
+    const burnish_vec3 a = position_of(s, left), b = position_of(s, right);
+    const burnish_vec3 along = burnish_vec3_normalize(burnish_vec3_sub(b, a));
+    const burnish_vec3 middle = burnish_vec3_scale(burnish_vec3_add(a, b), 0.5);
+    const burnish_vec3 inward =
+        burnish_vec3_sub(position_of(s, third_corner(s, triangle, left, right)), middle);
+    burnish_vec3 across = burnish_vec3_cross(start->normal, along);
+    across = burnish_vec3_scale(across, burnish_vec3_dot(across, inward) < 0 ? -1 : 1);
+    const double bend = -burnish_vec3_dot(other->normal, across);
+    double left_at = burnish_vec3_dot(burnish_vec3_sub(a, middle), along), right_at = -left_at;
+    for (int step = 0; step < WALK_MAX; ++step) {
+        const uint32_t third = third_corner(s, triangle, left, right);
+        const burnish_vec3 to_third = burnish_vec3_sub(position_of(s, third), middle);
+        const double third_at = burnish_vec3_dot(to_third, along);
+        if (third_at > 0) {
+            right = third;
+            right_at = third_at;
+        } else {
+            left = third;
+            left_at = third_at;
+        }
+        face next = *start;
+        const int found = find_across(s, triangle, left, right, &next);
+        const double cosine = found ? burnish_vec3_dot(start->normal, next.normal) : -1;
+        if (cosine > BURNISH_COPLANAR_COSINE) {
+            triangle = next.triangle;
+            continue;
+        }
+        const double share = right_at > left_at ? right_at / (right_at - left_at) : 0.5;
+        const burnish_vec3 from = burnish_vec3_sub(position_of(s, right), middle);
+        const burnish_vec3 to = burnish_vec3_sub(position_of(s, left), middle);
+        const double width =
+            burnish_vec3_dot(from, across) * (1 - share) + burnish_vec3_dot(to, across) * share;
+        return (crossing){width,
+                          find_far_side(bend, burnish_vec3_dot(next.normal, across), cosine)};
+    }
+    return (crossing){0, DIFFERS};
+}
+
+/* Whether an edge is a step of a curve: both faces are about as wide, and beyond at least one of
+ * them the surface goes on bending in the same sense, beyond the other it does or ends. */
+static int is_step(const burnish_surface *s, const face faces[2], const uint32_t edge[2]) {
+    const crossing c = cross_face(s, &faces[0], &faces[1], edge);
+    if (c.beyond == DIFFERS) {
+        return 0;
+    }
+    const crossing d = cross_face(s, &faces[1], &faces[0], edge);
+    return d.beyond != DIFFERS && (c.beyond == CONTINUES || d.beyond == CONTINUES) &&
+           c.width <= WIDTH_RATIO_MAX * d.width && d.width <= WIDTH_RATIO_MAX * c.width;
+}
+
+int burnish_surface_is_smooth(const burnish_surface *s, const uint32_t triangles[2],
+                              const uint32_t edge[2]) {
+    const face faces[2] = {face_of(s, triangles[0]), face_of(s, triangles[1])};
+    const double cosine = burnish_vec3_dot(faces[0].normal, faces[1].normal);
+    face outer[2][2];
+    if (is_bent(s, &faces[0], edge, outer[0]) && is_bent(s, &faces[1], edge, outer[1])) {
+        return is_curved(s, faces, edge, outer, cosine);
+    }
+    return cosine > STEP_COSINE && is_step(s, faces, edge);
+}

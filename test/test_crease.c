@@ -1,0 +1,556 @@
+/* Generated normals of shapes whose normals are known: flat faces keep theirs, curved ones get the
+ * surface's, and the format does not matter. */
+#include <math.h>
+#include <stdarg.h>
+
+#include "burnish/mesh.h"
+#include "mesh_arrays.h"
+#include "support.h"
+
+#define PI 3.14159265358979323846
+
+enum { CORNERS_MAX = 65536 };
+
+typedef struct point {
+    double x, y, z;
+} point;
+
+/* A shape: its corners, and per corner the normal that it should get. */
+static float positions[3 * CORNERS_MAX];
+static point expected[CORNERS_MAX];
+static uint32_t indices[CORNERS_MAX];
+static size_t corner_count;
+
+static point subtract(point a, point b) {
+    return (point){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+static point scaled(point a, double s) {
+    return (point){a.x * s, a.y * s, a.z * s};
+}
+static point cross(point a, point b) {
+    return (point){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+static double dot(point a, point b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+static point unit(point a) {
+    return scaled(a, 1 / sqrt(dot(a, a)));
+}
+
+static void add_corner(point p, point normal) {
+    if (!CHECK1(corner_count < CORNERS_MAX)) {
+        return;
+    }
+    positions[3 * corner_count] = (float)p.x;
+    positions[3 * corner_count + 1] = (float)p.y;
+    positions[3 * corner_count + 2] = (float)p.z;
+    expected[corner_count] = normal;
+    indices[corner_count] = (uint32_t)corner_count;
+    ++corner_count;
+}
+
+/* Triangles around the first point; normals NULL: flat. */
+static void add_polygon(const point *points, const point *normals, int count) {
+    const point flat = unit(cross(subtract(points[1], points[0]), subtract(points[2], points[0])));
+    for (int i = 1; i + 1 < count; ++i) {
+        const int fan[3] = {0, i, i + 1};
+        for (int k = 0; k < 3; ++k) {
+            add_corner(points[fan[k]], normals ? normals[fan[k]] : flat);
+        }
+    }
+}
+
+static void add_quad(point a, point b, point c, point d) {
+    const point points[4] = {a, b, c, d};
+    add_polygon(points, NULL, 4);
+}
+
+static void add_smooth_quad(const point points[4], const point normals[4]) {
+    add_polygon(points, normals, 4);
+}
+
+/* ---- The check ---- */
+
+/* Share of the corners whose normal is more than `tolerance` degrees away from the expected one. */
+static double wrong_share(double tolerance, double crease_angle) {
+    const burnish_mesh_description arrays =
+        describe_arrays(positions, NULL, NULL, corner_count, indices, corner_count / 3);
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error = {0};
+    burnish_mesh *mesh = NULL;
+    size_t wrong = 0;
+    options.crease_angle = crease_angle;
+    if (!CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+               error.text)) {
+        return 1;
+    }
+    /* Fewer than 4,096 triangles keep their order. */
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    CHECK(3 * view->triangle_count == corner_count, "%zu triangles", view->triangle_count);
+    for (size_t i = 0; i < corner_count && 3 * view->triangle_count == corner_count; ++i) {
+        const float *n = view->normals + 3 * (size_t)view->indices[i];
+        wrong += dot((point){n[0], n[1], n[2]}, expected[i]) < cos(tolerance * PI / 180);
+    }
+    burnish_mesh_destroy(mesh);
+    return (double)wrong / (double)corner_count;
+}
+
+/* ---- Parts with flat faces ---- */
+
+/* A prism over a closed polygon, its top and bottom fans. */
+static void make_prism(double (*polygon)[2], int count, double height, const point *sides) {
+    point top[64], bottom[64];
+    for (int i = 0; i < count; ++i) {
+        top[i] = (point){polygon[i][0], polygon[i][1], height};
+        bottom[count - 1 - i] = (point){polygon[i][0], polygon[i][1], 0};
+    }
+    add_polygon(top, NULL, count);
+    add_polygon(bottom, NULL, count);
+    for (int i = 0; i < count; ++i) {
+        const int j = (i + 1) % count;
+        const point points[4] = {bottom[count - 1 - i], bottom[count - 1 - j], top[j], top[i]};
+        if (sides) {
+            const point normals[4] = {sides[i], sides[j], sides[j], sides[i]};
+            add_smooth_quad(points, normals);
+        } else {
+            add_polygon(points, NULL, 4);
+        }
+    }
+}
+
+static void make_regular_prism(int sides, double height, int is_round) {
+    double polygon[64][2];
+    point normals[64];
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * PI * i / sides;
+        polygon[i][0] = cos(angle);
+        polygon[i][1] = sin(angle);
+        normals[i] = (point){cos(angle), sin(angle), 0};
+    }
+    make_prism(polygon, sides, height, is_round ? normals : NULL);
+}
+
+/* A prism whose upright edges are chamfered: the chamfer leaves x at `degrees`. */
+static void make_chamfered_prism(double degrees) {
+    const double w = 4, d = 4, c = 0.3, e = c * tan(degrees * PI / 180);
+    double polygon[8][2] = {{c, 0},     {w - c, 0}, {w, e},     {w, d - e},
+                            {w - c, d}, {c, d},     {0, d - e}, {0, e}};
+    make_prism(polygon, 8, 1.5, NULL);
+}
+
+static point corner_of(const int signs[3], int axis, double half, double chamfer) {
+    double p[3];
+    for (int k = 0; k < 3; ++k) {
+        p[k] = signs[k] * (k == axis ? half : half - chamfer);
+    }
+    return (point){p[0], p[1], p[2]};
+}
+
+/* A cube with all 12 edges chamfered at 45 degrees, and triangles at its corners. */
+static void add_outward(const point *points, int count) {
+    point turned[4];
+    const point flat = cross(subtract(points[1], points[0]), subtract(points[2], points[0]));
+    for (int i = 0; i < count; ++i) {
+        turned[i] = points[dot(flat, points[0]) < 0 ? count - 1 - i : i];
+    }
+    add_polygon(turned, NULL, count);
+}
+
+static void make_chamfered_cube(double chamfer) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        for (int s = -1; s <= 1; s += 2) {
+            point face[4];
+            static const int around[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+            for (int k = 0; k < 4; ++k) {
+                int signs[3];
+                signs[axis] = s;
+                signs[u] = around[k][0];
+                signs[v] = around[k][1];
+                face[k] = corner_of(signs, axis, 1, chamfer);
+            }
+            add_outward(face, 4);
+            for (int t = -1; t <= 1; t += 2) { /* the edge along v between faces axis and u */
+                int low[3], high[3];
+                low[axis] = high[axis] = s;
+                low[u] = high[u] = t;
+                low[v] = -1;
+                high[v] = 1;
+                const point strip[4] = {
+                    corner_of(low, axis, 1, chamfer), corner_of(high, axis, 1, chamfer),
+                    corner_of(high, u, 1, chamfer), corner_of(low, u, 1, chamfer)};
+                add_outward(strip, 4);
+            }
+        }
+    }
+    for (int i = 0; i < 8; ++i) {
+        const int signs[3] = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
+        const point corner[3] = {corner_of(signs, 0, 1, chamfer), corner_of(signs, 1, 1, chamfer),
+                                 corner_of(signs, 2, 1, chamfer)};
+        add_outward(corner, 3);
+    }
+}
+
+/* A plate with a hexagonal hole. */
+static void make_hexagon_hole(void) {
+    for (int i = 0; i < 6; ++i) {
+        const double a = PI / 3 * i, b = PI / 3 * (i + 1);
+        const point inner[2] = {{cos(a), sin(a), 0}, {cos(b), sin(b), 0}};
+        const point outer[2] = {scaled(inner[0], 2), scaled(inner[1], 2)};
+        const point up = {0, 0, 1};
+        const point inner_top[2] = {{cos(a), sin(a), up.z}, {cos(b), sin(b), up.z}};
+        const point outer_top[2] = {{outer[0].x, outer[0].y, 1}, {outer[1].x, outer[1].y, 1}};
+        add_quad(inner_top[0], outer_top[0], outer_top[1], inner_top[1]);
+        add_quad(inner[1], outer[1], outer[0], inner[0]);
+        add_quad(inner[1], inner[0], inner_top[0], inner_top[1]);
+        add_quad(outer[0], outer[1], outer_top[1], outer_top[0]);
+    }
+}
+
+/* A plate with a V-shaped pocket of flat facets: a groove that ends in a triangle. */
+static void make_pocket(double degrees) {
+    const double depth = tan(degrees * PI / 180);
+    const point a = {-1, -3, 0}, b = {1, -3, 0}, c = {0, -3, -depth}, d = {0, 0, -depth};
+    const point e = {0, 0.8, 0}, f = {-1, 0, 0}, g = {1, 0, 0};
+    const point h = {-4, -3, 0}, i = {-4, 4, 0}, j = {4, 4, 0}, k = {4, -3, 0};
+    add_quad(a, c, d, f);
+    add_quad(c, b, g, d);
+    add_polygon((const point[]){f, d, e}, NULL, 3);
+    add_polygon((const point[]){d, g, e}, NULL, 3);
+    add_quad(h, a, f, i);
+    add_quad(e, j, i, f);
+    add_polygon((const point[]){e, g, j}, NULL, 3);
+    add_quad(g, b, k, j);
+}
+
+/* ---- Round ones ---- */
+
+/* A block with its upright edges rounded in `steps`, tangent to the planes. */
+static void make_filleted_block(int steps, double radius) {
+    static const double centers[4][2] = {{2, 1}, {-2, 1}, {-2, -1}, {2, -1}};
+    double polygon[64][2];
+    point normals[64];
+    int count = 0;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        for (int i = 0; i <= steps; ++i) {
+            const double angle = PI / 2 * (quarter + (double)i / steps);
+            normals[count] = (point){cos(angle), sin(angle), 0};
+            polygon[count][0] = centers[quarter][0] + radius * cos(angle);
+            polygon[count][1] = centers[quarter][1] + radius * sin(angle);
+            ++count;
+        }
+    }
+    make_prism(polygon, count, 3, normals);
+}
+
+static point on_sphere(double longitude, double latitude) {
+    return (point){cos(longitude) * cos(latitude), sin(longitude) * cos(latitude), sin(latitude)};
+}
+
+static void add_smooth_triangle(point a, point b, point c) {
+    const point points[3] = {a, b, c}, normals[3] = {unit(a), unit(b), unit(c)};
+    add_polygon(points, normals, 3);
+}
+
+static void make_sphere(int columns, int rows) {
+    for (int row = 0; row < rows; ++row) {
+        const double low = PI * row / rows - PI / 2, high = PI * (row + 1) / rows - PI / 2;
+        for (int column = 0; column < columns; ++column) {
+            const double a = 2 * PI * column / columns;
+            const double b = 2 * PI * ((column + 1) % columns) / columns;
+            const point south = {0, 0, -1}, north = {0, 0, 1};
+            if (row == 0) {
+                add_smooth_triangle(south, on_sphere(b, high), on_sphere(a, high));
+            } else if (row == rows - 1) {
+                add_smooth_triangle(on_sphere(a, low), on_sphere(b, low), north);
+            } else {
+                const point quad[4] = {on_sphere(a, low), on_sphere(b, low), on_sphere(b, high),
+                                       on_sphere(a, high)};
+                add_smooth_quad(quad, quad);
+            }
+        }
+    }
+}
+
+static point middle(point a, point b) {
+    return unit((point){a.x + b.x, a.y + b.y, a.z + b.z});
+}
+
+static void split_triangle(point a, point b, point c, int level) {
+    if (level == 0) {
+        add_smooth_triangle(a, b, c);
+        return;
+    }
+    const point d = middle(a, b), e = middle(b, c), f = middle(c, a);
+    split_triangle(a, d, f, level - 1);
+    split_triangle(d, b, e, level - 1);
+    split_triangle(f, e, c, level - 1);
+    split_triangle(d, e, f, level - 1);
+}
+
+/* An octahedron, split. */
+static void make_geodesic(int level) {
+    for (int i = 0; i < 8; ++i) {
+        const point x = {i & 1 ? -1 : 1, 0, 0}, y = {0, i & 2 ? -1 : 1, 0};
+        const point z = {0, 0, i & 4 ? -1 : 1};
+        const int turned = (i ^ i >> 1 ^ i >> 2) & 1;
+        split_triangle(x, turned ? z : y, turned ? y : z, level);
+    }
+}
+
+/* A geodesic sphere whose vertices lie in or out at random, as those of decimated scans: its
+ * normals are near the sphere's. */
+static void make_noisy_sphere(int level, double noise) {
+    make_geodesic(level);
+    for (size_t i = 0; i < 3 * corner_count; i += 3) {
+        uint32_t words[3];
+        memcpy(words, positions + i, sizeof words);
+        /* By value: the same for all corners of a vertex. */
+        uint64_t state = ((uint64_t)words[0] << 32 | words[1]) ^ (uint64_t)words[2] << 16;
+        const double r = test_random32(&state) * 0x1p-32 - 0.5, size = 1 + noise * r;
+        for (size_t k = i; k < i + 3; ++k) {
+            positions[k] = (float)(positions[k] * size);
+        }
+    }
+}
+
+static void make_cone(int sides) {
+    const point tip = {0, 0, 2};
+    for (int i = 0; i < sides; ++i) {
+        const double a = 2 * PI * i / sides, b = 2 * PI * ((i + 1) % sides) / sides;
+        const point p = {cos(a), sin(a), 0}, q = {cos(b), sin(b), 0};
+        const point points[3] = {p, q, tip};
+        const point normals[3] = {
+            unit((point){2 * p.x, 2 * p.y, 1}), unit((point){2 * q.x, 2 * q.y, 1}), {0, 0, 1}};
+        add_polygon(points, normals, 3);
+        add_polygon((const point[]){q, p, {0, 0, 0}}, NULL, 3);
+    }
+}
+
+/* ---- The shapes ---- */
+
+static void octagon(void) {
+    make_regular_prism(8, 1, 0);
+}
+static void chamfer_45(void) {
+    make_chamfered_prism(45);
+}
+static void chamfer_30(void) {
+    make_chamfered_prism(60);
+}
+static void chamfered_cube(void) {
+    make_chamfered_cube(0.2);
+}
+static void shallow_pocket(void) {
+    make_pocket(25);
+}
+static void pocket(void) {
+    make_pocket(35);
+}
+static void fillet_3(void) {
+    make_filleted_block(3, 0.2);
+}
+static void fillet_12(void) {
+    make_filleted_block(12, 0.2);
+}
+static void round_12(void) {
+    make_regular_prism(12, 4, 1);
+}
+static void round_16(void) {
+    make_regular_prism(16, 4, 1);
+}
+static void round_24(void) {
+    make_regular_prism(24, 4, 1);
+}
+static void round_64(void) {
+    make_regular_prism(64, 4, 1);
+}
+static void low_disc(void) {
+    make_regular_prism(12, 0.1, 1);
+}
+static void cone_12(void) {
+    make_cone(12);
+}
+static void cone_32(void) {
+    make_cone(32);
+}
+static void sphere_12x6(void) {
+    make_sphere(12, 6);
+}
+static void sphere_16x8(void) {
+    make_sphere(16, 8);
+}
+static void sphere_48x24(void) {
+    make_sphere(48, 24);
+}
+static void geodesic_1(void) {
+    make_geodesic(1);
+}
+static void geodesic_2(void) {
+    make_geodesic(2);
+}
+static void geodesic_4(void) {
+    make_geodesic(4);
+}
+static void noisy_2(void) {
+    make_noisy_sphere(2, 0.12);
+}
+static void noisy_3(void) {
+    make_noisy_sphere(3, 0.1);
+}
+static void noisy_4(void) {
+    make_noisy_sphere(4, 0.05);
+}
+
+typedef struct shape {
+    const char *name;
+    void (*make)(void);
+    double tolerance; /* degrees from the known normal */
+    double share;     /* of corners that may be farther away */
+} shape;
+
+static const shape shapes[] = {
+    {"octagonal prism", octagon, 0.1, 0},
+    {"45-degree chamfers", chamfer_45, 0.1, 0},
+    {"30 and 60-degree chamfers", chamfer_30, 0.1, 0},
+    {"cube with chamfers", chamfered_cube, 0.1, 0},
+    {"hexagonal hole", make_hexagon_hole, 0.1, 0},
+    {"pocket of 25 degrees", shallow_pocket, 0.1, 0},
+    {"pocket of 35 degrees", pocket, 0.1, 0},
+    {"fillet in 3 steps", fillet_3, 1, 0},
+    {"fillet in 12 steps", fillet_12, 1, 0},
+    {"cylinder of 12 sides", round_12, 1, 0},
+    {"cylinder of 16", round_16, 1, 0},
+    {"cylinder of 24", round_24, 1, 0},
+    {"cylinder of 64", round_64, 1, 0},
+    {"low disc of 12 sides", low_disc, 1, 0},
+    {"cone of 12 sides", cone_12, 4, 0},
+    {"cone of 32 sides", cone_32, 4, 0},
+    {"sphere of 12 x 6", sphere_12x6, 8, 0},
+    {"sphere of 16 x 8", sphere_16x8, 4, 0},
+    {"sphere of 48 x 24", sphere_48x24, 1, 0},
+    {"geodesic sphere of 32", geodesic_1, 8, 0},
+    {"geodesic sphere of 128", geodesic_2, 4, 0},
+    {"geodesic sphere of 2,048", geodesic_4, 1, 0},
+    {"noisy sphere of 128", noisy_2, 25, 0.02},
+    {"noisy sphere of 512", noisy_3, 30, 0.02},
+    {"noisy sphere of 2,048", noisy_4, 30, 0.02},
+};
+
+enum { SHAPES = sizeof shapes / sizeof *shapes };
+
+static void test_shape(const shape *s) {
+    corner_count = 0;
+    s->make();
+    const double share = wrong_share(s->tolerance, BURNISH_CREASE_AUTO);
+    CHECK(share <= s->share, "%s: %.1f %% of %zu corners are wrong", s->name, 100 * share,
+          corner_count);
+}
+
+/* Wrong corners in percent for every shape: the automatic rule and fixed angles. */
+static void print_table(void) {
+    static const double angles[] = {BURNISH_CREASE_AUTO, 20, 25, 30, 35, 40, 50, 60};
+    enum { ANGLES = sizeof angles / sizeof *angles };
+    printf("| shape | auto |");
+    for (int k = 1; k < ANGLES; ++k) {
+        printf(" %g |", angles[k]);
+    }
+    for (int i = 0; i < SHAPES; ++i) {
+        corner_count = 0;
+        shapes[i].make();
+        printf("\n| %s |", shapes[i].name);
+        for (int k = 0; k < ANGLES; ++k) {
+            printf(" %.0f |", 100 * wrong_share(shapes[i].tolerance, angles[k]));
+        }
+    }
+    printf("\n");
+}
+
+/* ---- Formats ---- */
+
+static char text[1 << 16];
+static size_t text_size;
+
+__attribute__((format(printf, 1, 2))) static void print(const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    text_size += (size_t)vsnprintf(text + text_size, sizeof text - text_size, format, arguments);
+    va_end(arguments);
+}
+
+/* The shape as a text file, each triangle with vertices of its own. */
+static void print_shape(const char *ending) {
+    const int is_obj = strcmp(ending, "obj") == 0, is_ply = strcmp(ending, "ply") == 0;
+    text_size = 0;
+    if (is_ply) {
+        print("ply\nformat ascii 1.0\nelement vertex %zu\nproperty float x\nproperty float y\n"
+              "property float z\nelement face %zu\nproperty list uchar int vertex_indices\n"
+              "end_header\n",
+              corner_count, corner_count / 3);
+    } else if (!is_obj) {
+        print("solid\n");
+    }
+    for (size_t i = 0; i < corner_count; ++i) {
+        const float *p = positions + 3 * i;
+        if (!is_obj && !is_ply && i % 3 == 0) {
+            print("facet normal 0 0 0 outer loop\n");
+        }
+        print("%s%.9g %.9g %.9g\n",
+              is_obj   ? "v "
+              : is_ply ? ""
+                       : "vertex ",
+              (double)p[0], (double)p[1], (double)p[2]);
+        if (!is_obj && !is_ply && i % 3 == 2) {
+            print("endloop endfacet\n");
+        }
+    }
+    for (size_t i = 0; i < corner_count && (is_obj || is_ply); i += 3) {
+        print("%s %zu %zu %zu\n", is_obj ? "f" : "3", i + (size_t)is_obj, i + 1 + (size_t)is_obj,
+              i + 2 + (size_t)is_obj);
+    }
+    if (!is_obj && !is_ply) {
+        print("endsolid\n");
+    }
+}
+
+static burnish_mesh *load_shape(const char *name) {
+    const burnish_load_options options = burnish_load_options_default();
+    burnish_error error = {0};
+    burnish_mesh *mesh = NULL;
+    print_shape(name + 2);
+    CHECK(burnish_mesh_load_memory(text, text_size, name, &options, &mesh, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    return mesh;
+}
+
+/* One part as STL, OBJ and PLY has the same normals, bit for bit. */
+static void test_formats(void (*make)(void)) {
+    corner_count = 0;
+    make();
+    burnish_mesh *meshes[3] = {load_shape("a.stl"), load_shape("a.obj"), load_shape("a.ply")};
+    const burnish_mesh_view *first = burnish_mesh_get_view(meshes[0]);
+    for (int i = 1; i < 3 && first; ++i) {
+        const burnish_mesh_view *view = burnish_mesh_get_view(meshes[i]);
+        CHECK1(view && view->vertex_count == first->vertex_count &&
+               memcmp(view->normals, first->normals, 3 * sizeof(float) * view->vertex_count) == 0);
+    }
+    for (int i = 0; i < 3; ++i) {
+        burnish_mesh_destroy(meshes[i]);
+    }
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, "--table");
+    if (test_option()) {
+        print_table();
+        return EXIT_SUCCESS;
+    }
+    for (int i = 0; i < SHAPES; ++i) {
+        RUN(test_shape(&shapes[i]));
+    }
+    RUN(test_formats(octagon));
+    RUN(test_formats(chamfered_cube));
+    RUN(test_formats(round_12));
+    return test_end("crease");
+}
