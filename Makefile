@@ -158,6 +158,7 @@ rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/ha
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
 	@$(DEPS) rtl
 	@./rtl/test/run build/rtl $(if $(SHORT),short events proofs,full)
+	$(if $(SHORT),,@./rtl/test/run build/rtl short newest)
 
 bench: short-docs ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
 	@$(DEPS) build demo bench

@@ -39,6 +39,8 @@ module burnish_channel #(
     output wire [USER_WIDTH-1:0] user_out
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),
+        .USER_WIDTH(USER_WIDTH)) legal ();
     wire [15:0] value;
     wire lit_now;
     wire [47:0] color_now, sum_now;

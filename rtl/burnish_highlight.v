@@ -39,6 +39,8 @@ module burnish_highlight #(
     output wire [USER_WIDTH-1:0] user_out
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),
+        .USER_WIDTH(USER_WIDTH)) legal ();
     localparam CONTROL = UNIT == 4 ? 20 : 10;
     localparam LAMBDA = NARROW != 0 ? 1 : 0;
     localparam WIDTH = LAMBDA != 0 ? 24 : 16;

@@ -3,6 +3,8 @@
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
+// A module and its instances include the same functions, which hides nothing.
+// verilator lint_off VARHIDDEN
 function integer latency_rows(input integer bits, input integer columns, input integer rows,
     input integer span);
     latency_rows = (bits - 1) / (rows < 1 ? 1 : rows) + (span < 1 ? 1 : (columns + span - 1) / span);
@@ -116,3 +118,4 @@ function integer latency_light(input integer kind, input integer squarings,
     latency_light = latency_light_specular(kind, squarings, narrow, rows, span, dsp) +
         latency_accumulate(rows, span, dsp);
 endfunction
+// verilator lint_on VARHIDDEN

@@ -43,6 +43,8 @@ module burnish_light #(
     output wire [USER_WIDTH-1:0] user_out
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),
+        .USER_WIDTH(USER_WIDTH)) legal ();
     localparam DOT = latency_dot(ROWS, SEGMENT, DSP);
     localparam HIGHLIGHT = latency_highlight(UNIT, SQUARINGS, NARROW, ROWS, SEGMENT, DSP);
     localparam DIFFUSE = latency_light_diffuse(ROWS, SEGMENT, DSP);

@@ -44,6 +44,8 @@ module burnish_pixel #(
     output wire [USER_WIDTH-1:0] user_out
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),
+        .USER_WIDTH(USER_WIDTH)) legal ();
     localparam CONTROL = UNIT == 4 ? 21 : 10;
     localparam LAST = LIGHTS < 1 ? 0 : LIGHTS - 1;
     localparam AHEAD = NORMALIZE != 0 ? latency_normalize(ROWS, SEGMENT, DSP) : 0;

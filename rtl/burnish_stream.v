@@ -41,6 +41,8 @@ module burnish_stream #(
     output wire [USER_WIDTH-1:0] m_user
 );
     `include "burnish_latency.vh"
+    burnish_parameters #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA),
+        .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) legal ();
     localparam WIDTH = LAMBDA != 0 ? 24 : 16;
     localparam WORD = (UNIT == 4 ? 20 : 10) + WIDTH + USER_WIDTH;
     localparam DEPTH =

@@ -71,7 +71,10 @@ static void test_forms(void) {
     p = parse("--json|--|--quiet");
     CHECK1(p.settings.json && !p.settings.quiet);
     CHECK_TEXT(p.call.operands[0], "--quiet");
+    CHECK_TEXT(p.settings.json, "-");
     CHECK_TEXT(parse("-|--json").call.operands[0], "-");
+    CHECK_TEXT(parse("x|--json=a.json").settings.json, "a.json");
+    CHECK_TEXT(parse("--json|x").call.operands[0], "x");
     p = parse("x|--camera-azimuth-angle|-30|--camera-position|-1,-2,-3");
     CHECK(p.settings.azimuth.value == -30 && p.settings.position.values[2] == -3,
           "a negative number is a value, not a flag");
@@ -113,7 +116,7 @@ static void test_errors(void) {
     expect_error("-o", "--output: a value is missing: --output=FILE");
     expect_error("-o|--json", "--output: a value is missing before --json: --output=FILE");
     expect_error("-o=x", "-o: write -o FILE or --output=FILE, not -o=FILE");
-    expect_error("--json=yes", "--json: takes no value; write --json alone");
+    expect_error("--timing=yes", "--timing: takes no value; write --timing alone");
     expect_error("--size=0", "--size: \"0\" is not a whole number from 1 to 16384");
     expect_error("--size=1e3", "--size: \"1e3\" is not a whole number from 1 to 16384");
     expect_error("--margin=0.6", "--margin: \"0.6\" is not a number from 0 to 0.45");

@@ -57,6 +57,7 @@ vector vector_at(uint32_t index) {
     return v;
 }
 
+/* clk_on is the clock of units without an enable: it stands still where enable is 0. */
 void clock(Vreplay *top, const vector &v, bool user) {
     top->cosine = v.cosine;
     top->lambda = v.lambda;
@@ -65,9 +66,20 @@ void clock(Vreplay *top, const vector &v, bool user) {
     top->shift = v.shift;
     top->user = user;
     top->clk = 0;
+    top->clk_on = 0;
     top->eval();
     top->clk = 1;
+    top->clk_on = top->enable;
     top->eval();
+}
+
+/* One clock in 16 finds enable at 0 and other inputs, which must change nothing. */
+void stall(Vreplay *top) {
+    if ((next_random() & 15u) == 0) {
+        top->enable = 0;
+        clock(top, vector_at(next_random() & 0x3FFFFFFu), next_random() & 1u);
+        top->enable = 1;
+    }
 }
 
 /* Ports up to 64 bits are integers, wider ones arrays of words. */
@@ -111,6 +123,7 @@ int replay(Vreplay *top, uint32_t stride, uint32_t first) {
     for (uint64_t index = first; index < (1ull << 26) + (uint64_t)stride * ring_size;
          index += stride, ++count) {
         ring[count % ring_size] = vector_at((uint32_t)(index & 0x3FFFFFFu));
+        stall(top);
         clock(top, ring[count % ring_size], true);
         for (unsigned k = 0; k < UNITS; ++k) {
             if (count + 1 < latency[k]) {

@@ -17,7 +17,7 @@ module replay_tb;
     integer i, k, wrong, longest;
 
     replay units (
-        .clk(clk), .enable(1'b1), .cosine(word[15:0]), .lambda(word[39:16]),
+        .clk(clk), .clk_on(clk), .enable(1'b1), .cosine(word[15:0]), .lambda(word[39:16]),
         .exponent(word[49:40]), .slope(word[67:52]), .shift(word[71:68]), .user(1'b1), .values(values),
         .users(users));
 

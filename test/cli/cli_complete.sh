@@ -33,6 +33,7 @@ if command -v bash >/dev/null; then
     offers "table" burnish lobe ta
     offers "--camera-position=" burnish render x --camera-pos
     offers "--json" burnish render x --js
+    offers "part.stl" burnish info --json = pa
     offers "1 4 8 16" burnish render x --samples ""
     offers "1 16" burnish render x --samples = 1
     offers "matte satin plastic polished metal" burnish render x --material =

@@ -131,7 +131,7 @@ run render :teapot --size=64 --json -o t.png
 check "JSON is valid" valid_json
 check "JSON alone: nothing on standard error" [ ! -s "$err" ]
 for key in burnish input format output width height triangles vertices materials exponents bounding_box up \
-    triangles_drawn covered_pixels pixel_bounds camera lobe equation viewer lights samples threads seconds hash \
+    triangles_drawn covered_pixels pixel_bounds near_white near_black like_ground contrast camera lobe equation viewer lights samples threads seconds hash \
     hash_algorithm blank warnings; do
     check "JSON lacks $key" grep -q "\"$key\":" "$out"
 done
@@ -160,6 +160,45 @@ fi
 run render :sphere --size=16 --timing -o t.png
 check "--timing" grep -qx 'burnish: start [0-9.]* ms, read [0-9.]* ms, build [0-9.]* ms, transform [0-9.]* ms, draw [0-9.]* ms, encode [0-9.]* ms, write [0-9.]* ms, total [0-9.]* ms' "$err"
 check "--timing leaves standard output alone" [ ! -s "$out" ]
+
+# What the picture looks like, for those who can't see it: flat white on black, on white, and black on a
+# dark and on no background.
+tones() {
+    run render :sphere --look=plain --size=32 --samples=1 --light=none --specular=0 "$@" --json --quiet -o t.png
+    same "tones of $*" "$(json near_white) $(json near_black) $(json like_ground) $(json contrast | cut -c1-6) $(json blank)" "$wanted"
+}
+wanted='1 0 0 21 false' tones --color=white --ambient=1 --background-color=black
+wanted='1 0 1 1 true' tones --color=white --ambient=1 --background-color=white
+wanted='0 1 0 1.0485 false' tones --ambient=0 --background-color=#080808
+wanted='0 1 null null false' tones --ambient=0 --no-background
+run render :teapot --size=64 --color=white --light=directional:0,0,1:3 --background-color=white --json -o t.png
+check "a share of white: $(json near_white)" sh -c "echo $(json near_white) | grep -qx '0\.[0-9]*[1-9][0-9]*'"
+same "lost in a white ground" "$(json near_white)" "$(json like_ground)"
+unseen='--look=plain --size=16 --color=white --light=none --ambient=1 --background-color=white'
+mkdir unseen
+cd unseen || exit 1
+expect 8 'burnish: :sphere: the picture has one colour; check colours, lights and background; nothing was written' render :sphere $unseen --fail-on-blank
+expect 8 'burnish: :sphere: 2 of 2 cells are blank; check colours, lights and background; nothing was written' render :sphere $unseen --views=front,top --fail-on-blank
+nothing_left "a picture of one colour"
+cd ..
+run render :sphere $unseen --json -o t.png
+check "a picture of one colour is written with a warning: $(cat "$err")" grep -q 'warning: :sphere: the picture has one colour' "$err"
+expect 0 '' render :sphere --size=16 --fail-on-blank -o t.png
+
+# The report in a file, beside a picture on standard output.
+"$burnish" render :torus --size=16 --json=report.json -o - >piped.png
+check "a picture beside its report" is_png piped.png 16 16
+cp report.json "$out"
+check "a report in a file is valid" valid_json
+same "its output" "$(json output)" -
+expect 0 '' render :torus --size=16 --json=report.json -o t.png
+expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE or --json=FILE' render :torus --json -o -
+expect 2 'burnish: --json: "t.png" is the picture; name another file' render :torus --json=t.png -o t.png
+expect 2 'burnish: --json: "in/part.v2.stl" is the input; name another file' render in/part.v2.stl --json=in/part.v2.stl -o t.png
+expect 2 'burnish: --json: the value is empty: --json=FILE' render :torus --json=
+printf 'mine' >kept.png
+expect 7 "burnish: none/r.json: can't be written: No such file or directory; create the folder first" render :torus --size=16 --json=none/r.json -o kept.png
+check "a report that can't be written replaces a picture" [ "$(cat kept.png)" = mine ]
 
 # Flags that must not change the picture, and flags that must.
 same "threads" "$plain" "$(hash :teapot --size=64 --threads=3)"

@@ -19,7 +19,7 @@ expect 2 'burnish: --samples: "3" is not one of 1, 4, 8, 16' render :sphere --sa
 expect 2 'burnish: --samples: a value is missing: --samples=N' render :sphere --samples
 expect 2 'burnish: --output: a value is missing before --json: --output=FILE' render :sphere -o --json
 expect 2 'burnish: --output: a value is missing before --help: --output=FILE' render :sphere -o --help
-expect 2 'burnish: --json: takes no value; write --json alone' render :sphere --json=1
+expect 2 'burnish: --timing: takes no value; write --timing alone' render :sphere --timing=1
 expect 2 'burnish: --resolution: "0,5" is not a width and a height from 1 to 16384, such as 1024,768' render :sphere --resolution=0,5
 expect 2 'burnish: --size: "16385" is not a whole number from 1 to 16384' render :sphere --size=16385
 expect 2 'burnish: --margin: "0.5" is not a number from 0 to 0.45' render :sphere --margin=0.5
@@ -34,8 +34,8 @@ expect 2 'burnish: --light: "sun:1,2,3" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: t
 expect 2 'burnish: --ambient: "-1" is not a number from 0 to 16, nor a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name' render :sphere --ambient=-1
 expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polished, metal' render :sphere --material=wood
 expect 2 'burnish: sheet: 2 pictures of 16384 x 16 in 2 columns exceed 16384 pixels; use smaller pictures or another number of columns' render :sphere --views=front,top --resolution=16384,16
-expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE' render :sphere -o - --json
-expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE' render - --json
+expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE or --json=FILE' render :sphere -o - --json
+expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE or --json=FILE' render - --json
 expect 2 'burnish: "/" gives the picture no name; name it with --output=FILE' render /
 expect 2 'burnish: "nonsense": unknown command; "burnish --help" lists the commands' help nonsense
 expect 2 'burnish: --samples: "?[31m" is not one of 1, 4, 8, 16' render :sphere --samples="$(printf '\033[31m')"

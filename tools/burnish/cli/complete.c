@@ -55,7 +55,8 @@ static void print_quoted(const char *text, const char *escaped) {
 static void print_bash_command(const cli_command *command) {
     printf("    '%s')\n        flags='", command->name);
     for (size_t i = 0; i < command->flag_count; ++i) {
-        printf("--%s%s ", command->flags[i].name, command->flags[i].value ? "=" : "");
+        const cli_flag *flag = &command->flags[i];
+        printf("--%s%s ", flag->name, flag->value && !flag->optional ? "=" : "");
     }
     printf("--help'\n        case $previous in\n");
     for (size_t i = 0; i < command->flag_count; ++i) {
@@ -123,11 +124,11 @@ static void print_zsh_command(const cli_command *command) {
     printf("    '%s')\n        _arguments -S \\\n", command->name);
     for (size_t i = 0; i < command->flag_count; ++i) {
         const cli_flag *flag = &command->flags[i];
-        printf("            '*--%s%s[", flag->name, flag->value ? "=" : "");
+        printf("            '*--%s%s[", flag->name, flag->optional ? "=-" : flag->value ? "=" : "");
         print_quoted(flag->help, "[]:\\");
         printf("]");
         if (flag->value) {
-            printf(":");
+            printf(flag->optional ? "::" : ":");
             print_quoted(flag->value, "[]:\\");
             if (flag->words) {
                 printf(":(");
@@ -193,7 +194,7 @@ static void print_fish_command(const cli_command *command) {
         if (flag->letter) {
             printf(" -s %c", flag->letter);
         }
-        if (flag->value) {
+        if (flag->value && !flag->optional) {
             printf(flag->takes_file ? " -r -F" : " -x");
         }
         if (flag->words) {

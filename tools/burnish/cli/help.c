@@ -19,14 +19,17 @@ const char *cli_default_label(const cli_flag *flag) {
 
 static const cli_flag help_row = {.letter = 'h', .name = "help", .help = "this screen"};
 
-/* "-o, --output=FILE" */
+/* "-o, --output=FILE", "--json[=FILE]" */
 static int flag_names(const cli_flag *flag, char row[ROW_MAX]) {
     char letter[8] = "    ";
     if (flag->letter) {
         snprintf(letter, sizeof letter, "-%c, ", flag->letter);
     }
-    return snprintf(row, ROW_MAX, "%s--%s%s%s", letter, flag->name, flag->value ? "=" : "",
-                    flag->value ? flag->value : "");
+    return snprintf(row, ROW_MAX, "%s--%s%s%s%s", letter, flag->name,
+                    flag->optional ? "[="
+                    : flag->value  ? "="
+                                   : "",
+                    flag->value ? flag->value : "", flag->optional ? "]" : "");
 }
 
 /* "seen from: front, right, top [front]" */

@@ -79,7 +79,8 @@ static void print_flag(const cli_flag *flag) {
                  flag->value ? flag->value : "");
     }
     if (flag->value) {
-        snprintf(tag, sizeof tag, "%s*--%s*=_%s_", letter, flag->name, flag->value);
+        snprintf(tag, sizeof tag, flag->optional ? "%s*--%s*[=_%s_]" : "%s*--%s*=_%s_", letter,
+                 flag->name, flag->value);
     } else {
         snprintf(tag, sizeof tag, "%s*--%s*", letter, flag->name);
     }

@@ -230,6 +230,10 @@ static burnish_status parse_long(const cli_command *command, const char *argumen
         *text = equals + 1;
         return BURNISH_STATUS_OK;
     }
+    if (flag->optional) {
+        *text = NULL;
+        return BURNISH_STATUS_OK;
+    }
     return next_value(command, flag, at, text, error);
 }
 

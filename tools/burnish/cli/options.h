@@ -23,7 +23,8 @@ typedef struct cli_word {
 
 typedef struct cli_flag cli_flag;
 
-/* Reads text (NULL for a switch) into *target. Messages begin with the flag's name. */
+/* Reads text (NULL for a switch, and where an optional value is not there) into *target. Messages
+ * begin with the flag's name. */
 typedef burnish_status cli_handler(const cli_flag *flag, const char *text, void *target,
                                    burnish_error *error);
 
@@ -35,6 +36,7 @@ struct cli_flag {
     char letter;               /* short form; 0: none */
     int common;                /* 1: on the first screen of a command with topics */
     const char *value;         /* what stands for the value in help; NULL: a switch */
+    int optional;              /* 1: without =VALUE the handler gets NULL */
     const char *help;          /* text of the help row; the names of `words` follow it */
     const char *default_text;  /* default as the handler reads it; NULL: none */
     const char *default_label; /* default in words, where the text is NULL or unclear */

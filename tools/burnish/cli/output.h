@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "cli/options.h"
+#include "cli/values.h"
 
 typedef enum cli_format {
     CLI_FORMAT_TEXT,
@@ -105,6 +106,14 @@ cJSON *cli_json_array(size_t size, cJSON *(*make)(const void *values, size_t ind
 
 /* Prints and deletes the object. Errors: MEMORY, also where `failed` is set. */
 burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error);
+
+/* The row of --json. Its target is the name of the file, "-" for standard output, NULL where no
+ * JSON is wanted; `section` of the man page lists the keys. */
+#define CLI_JSON_FLAG(type, member, text, section)                                                 \
+    .name = "json", .common = 1, .value = "FILE", .optional = 1, .help = text,                     \
+    .manual = "Writes one JSON object to _FILE_, or to standard output where *=*_FILE_ is left "   \
+              "out; see *" section "*.",                                                           \
+    .handler = cli_flag_file, .takes_file = 1, .offset = offsetof(type, member)
 
 /* A table and what a command says besides. */
 typedef struct cli_document {

@@ -137,6 +137,11 @@ burnish_status cli_flag_text(const cli_flag *flag, const char *text, void *targe
     return BURNISH_STATUS_OK;
 }
 
+burnish_status cli_flag_file(const cli_flag *flag, const char *text, void *target,
+                             burnish_error *error) {
+    return cli_flag_text(flag, text ? text : "-", target, error);
+}
+
 burnish_status cli_flag_integer(const cli_flag *flag, const char *text, void *target,
                                 burnish_error *error) {
     uint64_t value;

@@ -23,6 +23,7 @@ typedef struct cli_color {
 /* Handlers for tables of flags; the comment names the type of the target. */
 cli_handler cli_flag_switch;  /* int: becomes 1 */
 cli_handler cli_flag_text;    /* const char *; empty is refused */
+cli_handler cli_flag_file;    /* const char *; "-" where an optional value is not there */
 cli_handler cli_flag_integer; /* int in [low, high] */
 cli_handler cli_flag_count;   /* uint64_t in [low, high] */
 cli_handler cli_flag_bytes;   /* uint64_t in [low, high], with K, M or G */

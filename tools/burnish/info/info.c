@@ -8,7 +8,8 @@
 
 typedef struct info_settings {
     cli_input load;
-    int threads, json, quiet;
+    const char *json; /* where to; NULL: text */
+    int threads, quiet;
 } info_settings;
 
 static cli_work work;
@@ -17,11 +18,7 @@ static cli_work work;
 
 static const cli_flag flags[] = {
     {.group = "Options",
-     .name = "json",
-     .help = "one JSON object instead of text",
-     .manual = "Prints one JSON object instead of text; see *FACTS IN JSON*.",
-     .handler = cli_flag_switch,
-     TARGET(json)},
+     CLI_JSON_FLAG(info_settings, json, "one JSON object instead of text", "FACTS IN JSON")},
     {CLI_INPUT_FORMAT_FLAG(info_settings, load)},
     {CLI_TESSELLATION_FLAG(info_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(info_settings, load)},
@@ -272,7 +269,7 @@ static burnish_status print(const info_settings *settings, const char *input,
     } else {
         print_text(output.stream, &r);
     }
-    return cli_output_end(&output, "-", status, error);
+    return cli_output_end(&output, settings->json ? settings->json : "-", status, error);
 }
 
 static burnish_status work(void *from, cli_call *call, burnish_error *error) {

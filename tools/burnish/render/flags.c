@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "cli/commands.h"
+#include "cli/output.h"
 #include "render/settings.h"
 
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
@@ -394,12 +395,7 @@ static const cli_flag flags[] = {
     {CLI_TESSELLATION_FLAG(render_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(render_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, load)},
-    {.name = "json",
-     .common = 1,
-     .help = "report on standard output",
-     .manual = "Prints one JSON object on standard output; see *JSON OUTPUT*.",
-     .handler = cli_flag_switch,
-     TARGET(json)},
+    {CLI_JSON_FLAG(render_settings, json, "report on standard output, or in FILE", "JSON OUTPUT")},
     {.name = "timing",
      .aliases = "time,verbose",
      .help = "milliseconds per phase on standard error",
@@ -440,9 +436,9 @@ static const cli_flag flags[] = {
      .aliases = "strict",
      .common = 1,
      .help = "a blank picture ends with exit code 8 and no file",
-     .manual =
-         "When the picture, or a cell of a sheet, shows nothing, ends with exit code 8 and writes "
-         "no file. Otherwise a blank picture only gives a warning.",
+     .manual = "When the picture, or a cell of a sheet, shows nothing or is of one colour, ends "
+               "with exit "
+               "code 8 and writes no picture. Otherwise a blank picture only gives a warning.",
      .handler = cli_flag_switch,
      TARGET(fail_on_blank)},
 };
@@ -493,6 +489,13 @@ static const cli_term json_terms[] = {
     {"*triangles_drawn*", "triangles that own at least one sample"},
     {"*covered_pixels, pixel_bounds*",
      "pixels that show the object; x0, y0, x1, y1, ends excluded"},
+    {"*near_white, near_black*",
+     "shares of those pixels whose channels are all at least 250, or at most 5"},
+    {"*like_ground*", "share of those pixels whose channels all are within 5 of the background's; "
+                      "null without a background"},
+    {"*contrast*", "ratio of the mean luminances, each plus 0.05, of those pixels and of the "
+                   "background, the larger by the smaller, from 1 to 21 (as WCAG 2 has it); null "
+                   "without a background"},
     {"*camera*", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* "
                  "(0: perspective)"},
     {"*lobe, equation, viewer, look, occlusion, lights, samples, threads, isa*", "as used"},
@@ -500,7 +503,7 @@ static const cli_term json_terms[] = {
                   "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
     {"*hash, hash_algorithm*",
      "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
-    {"*blank*", "true when the picture, or a cell, shows nothing"},
+    {"*blank*", "true when the picture, or a cell, shows nothing or is of one colour"},
     {"*warnings*", "lines, also with *--quiet*"},
     {"*cells*", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and "
                 "what depends on view or lobe"},

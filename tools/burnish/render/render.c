@@ -88,20 +88,33 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
         render_result_warn(result, !result->settings->fail_on_blank,
                            "%.300s: %s is blank: nothing of the object is in it; check the camera",
                            input, picture);
+    } else if (cell->has_one_color) {
+        ++result->blank_cells;
+        render_result_warn(result, !result->settings->fail_on_blank,
+                           "%.300s: %s has one colour: the object can't be seen in it; check "
+                           "colours, lights and background",
+                           input, picture);
     }
 }
 
 /* The one line of a run that --fail-on-blank ends. */
 static void report_blank(const render_result *result) {
     const char *input = result->settings->input;
+    size_t unseen = 0; /* cells where the camera is not to blame */
     burnish_error error;
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        unseen += result->cells[i].report.covered_pixels > 0 && result->cells[i].has_one_color;
+    }
+    const char *cure = unseen == result->blank_cells ? "colours, lights and background"
+                       : unseen > 0                  ? "camera, colours, lights and background"
+                                                     : "the camera";
     if (result->cell_count > 1) {
         cli_fail(&error, BURNISH_STATUS_OK,
-                 "%.300s: %zu of %zu cells are blank; check the camera; nothing was written", input,
-                 result->blank_cells, result->cell_count);
+                 "%.300s: %zu of %zu cells are blank; check %s; nothing was written", input,
+                 result->blank_cells, result->cell_count, cure);
     } else {
-        cli_fail(&error, BURNISH_STATUS_OK,
-                 "%.300s: the picture is blank; check the camera; nothing was written", input);
+        cli_fail(&error, BURNISH_STATUS_OK, "%.300s: the picture %s; check %s; nothing was written",
+                 input, unseen > 0 ? "has one colour" : "is blank", cure);
     }
     fprintf(stderr, "burnish: %s\n", error.text);
 }
@@ -126,6 +139,10 @@ static burnish_status draw_cell(render_result *result, burnish_renderer *rendere
     result->seconds.draw += cell->report.seconds_draw;
     if (result->settings->json) {
         cell->hash = burnish_image_hash(&cell->image);
+        cell->tones = render_measure_tones(&cell->image, cell->report.covered_pixels, options);
+    }
+    if (result->settings->json || result->settings->fail_on_blank) {
+        cell->has_one_color = render_has_one_color(&cell->image);
     }
     warn_about_cell(result, cell);
     return BURNISH_STATUS_OK;
@@ -214,7 +231,7 @@ static burnish_status report(void *context, burnish_error *error) {
     double now = seconds_now();
     result->seconds.write = now - result->encoded;
     result->seconds.total = now - result->start;
-    return result->settings->json ? render_print_json(result, error) : BURNISH_STATUS_OK;
+    return result->settings->json ? render_write_json(result, error) : BURNISH_STATUS_OK;
 }
 
 static burnish_status write_picture(render_result *result, burnish_error *error) {

@@ -89,6 +89,10 @@ static cJSON *exponents_array(const burnish_mesh *mesh) {
     return array;
 }
 
+int render_is_blank(const render_cell *cell) {
+    return cell->report.covered_pixels == 0 || cell->has_one_color;
+}
+
 /* The keys that a single picture and a cell share. */
 static void add_picture(cJSON *object, const render_cell *cell, int *failed) {
     char lobe[32];
@@ -97,6 +101,10 @@ static void add_picture(cJSON *object, const render_cell *cell, int *failed) {
     cli_json_add(object, "covered_pixels", cli_json_count(cell->report.covered_pixels), failed);
     cli_json_add(object, "pixel_bounds", cli_json_array(4, integer_at, cell->report.bounds),
                  failed);
+    cli_json_add(object, "near_white", cli_json_real(cell->tones.near_white), failed);
+    cli_json_add(object, "near_black", cli_json_real(cell->tones.near_black), failed);
+    cli_json_add(object, "like_ground", cli_json_real(cell->tones.like_ground), failed);
+    cli_json_add(object, "contrast", cli_json_real(cell->tones.contrast), failed);
     cli_json_add(object, "camera", camera_object(&cell->camera, failed), failed);
     cli_json_add(object, "lobe", cJSON_CreateString(lobe), failed);
 }
@@ -114,7 +122,7 @@ static void add_cells(cJSON *root, const render_result *result, int *failed) {
         cli_json_add(object, "width", cJSON_CreateNumber(cell->image.width), failed);
         cli_json_add(object, "height", cJSON_CreateNumber(cell->image.height), failed);
         add_picture(object, cell, failed);
-        cli_json_add(object, "blank", cJSON_CreateBool(cell->report.covered_pixels == 0), failed);
+        cli_json_add(object, "blank", cJSON_CreateBool(render_is_blank(cell)), failed);
         cli_json_add(object, "hash", hash_text(cell->hash), failed);
         if (!object || !cJSON_AddItemToArray(cells, object)) {
             cJSON_Delete(object);
@@ -191,7 +199,7 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
                  failed);
 }
 
-burnish_status render_print_json(const render_result *result, burnish_error *error) {
+static burnish_status print_json(FILE *stream, const render_result *result, burnish_error *error) {
     int failed = 0;
     cJSON *root = cJSON_CreateObject();
     cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
@@ -206,8 +214,17 @@ burnish_status render_print_json(const render_result *result, burnish_error *err
         add_picture(root, &result->cells[0], &failed);
     }
     add_run(root, result, &failed);
-    burnish_status status = cli_json_print(stdout, root, failed, error);
-    return status == BURNISH_STATUS_OK ? cli_finish_output(error) : status;
+    return cli_json_print(stream, root, failed, error);
+}
+
+burnish_status render_write_json(const render_result *result, burnish_error *error) {
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = print_json(output.stream, result, error);
+        status = cli_output_end(&output, result->settings->json, status, error);
+    }
+    return status;
 }
 
 void render_print_timing(const render_seconds *seconds) {

@@ -3,6 +3,7 @@
 #define TOOL_RENDER_REPORT_H
 
 #include "render/settings.h"
+#include "render/tones.h"
 
 /* One picture: all there is, or a cell of a sheet. */
 typedef struct render_cell {
@@ -12,6 +13,8 @@ typedef struct render_cell {
     burnish_image image;
     burnish_render_report report;
     uint64_t hash;
+    render_tones tones; /* with --json */
+    int has_one_color;  /* with --json and --fail-on-blank */
     char label[96];
 } render_cell;
 
@@ -39,13 +42,16 @@ typedef struct render_result {
     size_t warning_count;
 } render_result;
 
+/* 1: nothing of the object is in the picture, or it can't be told from the background. */
+int render_is_blank(const render_cell *cell);
+
 /* Adds a line to the result and, where printed is 1 and without --quiet, prints it on standard
  * error. */
 __attribute__((format(printf, 3, 4))) void render_result_warn(render_result *result, int printed,
                                                               const char *format, ...);
 
-/* Prints the JSON object on standard output. Errors: MEMORY, WRITE. */
-burnish_status render_print_json(const render_result *result, burnish_error *error);
+/* Writes the JSON object where --json says. Errors: MEMORY, WRITE. */
+burnish_status render_write_json(const render_result *result, burnish_error *error);
 
 /* Prints one line of milliseconds on standard error. */
 void render_print_timing(const render_seconds *seconds);

@@ -96,7 +96,8 @@ typedef struct render_settings {
 
     cli_input load;
     cli_real crease;
-    int json, timing, quiet, fail_on_blank;
+    const char *json; /* where the report goes; NULL: nowhere */
+    int timing, quiet, fail_on_blank;
 
     char default_output[512]; /* what output points to when the name is made from the input's */
 } render_settings;

@@ -34,6 +34,19 @@ static burnish_status derive_output(render_settings *settings, burnish_error *er
     return BURNISH_STATUS_OK;
 }
 
+/* The report may replace neither the input nor the picture. */
+static burnish_status check_report(const render_settings *settings, burnish_error *error) {
+    const char *others[] = {settings->input, settings->output};
+    for (int i = 0; i < 2 && settings->json && !is_standard(settings->json); ++i) {
+        if (strcmp(settings->json, others[i]) == 0 || cli_same_file(settings->json, others[i])) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--json: \"%.200s\" is the %s; name another file", settings->json,
+                            i == 0 ? "input" : "picture");
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
 /* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
 static burnish_status check_ending(const char *path, burnish_error *error) {
     static const char *const others[] = {"jpg",  "jpeg", "webp", "svg", "gif", "tif",
@@ -71,10 +84,10 @@ static int is_own_picture(const char *path) {
 
 static burnish_status check_output(const render_settings *settings, burnish_error *error) {
     if (is_standard(settings->output)) {
-        if (settings->json) {
+        if (settings->json && is_standard(settings->json)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "--json: standard output already carries the picture; name a "
-                            "file with --output=FILE");
+                            "file with --output=FILE or --json=FILE");
         }
         if (isatty(STDOUT_FILENO)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -147,7 +160,10 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
     if (status == BURNISH_STATUS_OK && !settings->output) {
         status = derive_output(settings, error);
     }
-    return status == BURNISH_STATUS_OK ? check_output(settings, error) : status;
+    if (status == BURNISH_STATUS_OK) {
+        status = check_output(settings, error);
+    }
+    return status == BURNISH_STATUS_OK ? check_report(settings, error) : status;
 }
 
 burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
