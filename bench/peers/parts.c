@@ -1,8 +1,9 @@
 /* Whole processes on files: each to a PNG by f3d and by burnish in turns, on all cores.
  * Usage: bench_peers_parts BURNISH SCRATCH ROUNDS FILE...
  *
- * Prints one line per file and size: the size, f3d's and burnish's milliseconds, their peaks of
- * memory in KiB, the file. Numbers are medians of the rounds, after one that fills the caches. */
+ * Prints one line per file and size: the size, milliseconds of f3d, of burnish as f3d draws (look
+ * plain, one sample) and of burnish without flags, their peaks of memory in KiB, the file. Numbers
+ * are medians of the rounds, after one that fills the caches. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +15,10 @@
 enum { PATH = 600, PATIENCE = 300 };
 
 static const char *const SIZES[] = {"256,256", "1920,1080"};
-static const char *const TIMES[] = {"time f3d", "time burnish"};
-static const char *const PEAKS[] = {"peak f3d", "peak burnish"};
+enum { F3D, PLAIN, DEFAULT, CONTESTANTS };
+static const char *const NAMES[] = {"f3d", "burnish --look=plain", "burnish"};
+static const char *const TIMES[] = {"time f3d", "time plain", "time default"};
+static const char *const PEAKS[] = {"peak f3d", "peak plain", "peak default"};
 
 typedef struct runner {
     const char *burnish, *scratch, *display;
@@ -30,23 +33,28 @@ static int run_part(runner *r, const char *file, const char *size) {
     r->figures.count = 0;
     for (int round = 0; round <= r->rounds; ++round) {
         burnish_peers_wait_until_quiet(&r->patience);
-        for (int ours = 0; ours < 2; ++ours) {
-            const burnish_peers_picture picture = {file, output, size};
+        for (int who = 0; who < CONTESTANTS; ++who) {
+            const burnish_peers_picture picture = {file, output, size, who == DEFAULT};
             double milliseconds, kibibytes;
-            if (!burnish_peers_draw(&picture, ours ? r->burnish : NULL, 0, r->display,
+            if (!burnish_peers_draw(&picture, who == F3D ? NULL : r->burnish, 0, r->display,
                                     &milliseconds, &kibibytes)) {
-                fprintf(stderr, "bench-peers: %s can't draw %s\n", ours ? "burnish" : "f3d", file);
+                fprintf(stderr, "bench-peers: %s can't draw %s\n", NAMES[who], file);
                 return 0;
             }
             if (round > 0) {
-                burnish_peers_add(&r->figures, TIMES[ours], milliseconds);
-                burnish_peers_add(&r->figures, PEAKS[ours], kibibytes);
+                burnish_peers_add(&r->figures, TIMES[who], milliseconds);
+                burnish_peers_add(&r->figures, PEAKS[who], kibibytes);
             }
         }
     }
-    printf("%s %.2f %.2f %.0f %.0f %s\n", size, burnish_peers_median(&r->figures, TIMES[0]),
-           burnish_peers_median(&r->figures, TIMES[1]), burnish_peers_median(&r->figures, PEAKS[0]),
-           burnish_peers_median(&r->figures, PEAKS[1]), file);
+    printf("%s", size);
+    for (int who = 0; who < CONTESTANTS; ++who) {
+        printf(" %.2f", burnish_peers_median(&r->figures, TIMES[who]));
+    }
+    for (int who = 0; who < CONTESTANTS; ++who) {
+        printf(" %.0f", burnish_peers_median(&r->figures, PEAKS[who]));
+    }
+    printf(" %s\n", file);
     fflush(stdout);
     return 1;
 }

@@ -119,8 +119,10 @@ int burnish_peers_draw(const burnish_peers_picture *picture, const char *burnish
     snprintf(resolution, sizeof resolution, "--resolution=%s", picture->size);
     const char *const f3d[] = {"f3d",      "--dry-run",     "--quiet",  picture->input,
                                "--output", picture->output, resolution, NULL};
-    const char *const ours[] = {burnish,    "render",      picture->input, "-o", picture->output,
-                                resolution, "--samples=1", "--quiet",      NULL};
+    const char *const ours[] = {
+        burnish,         "render",   picture->input, "-o",
+        picture->output, resolution, "--quiet",      picture->is_default ? NULL : "--samples=1",
+        "--look=plain",  NULL};
     usleep(100000);
     return burnish_peers_run(burnish ? ours : f3d, cores, burnish ? NULL : display, milliseconds,
                              kibibytes);

@@ -32,10 +32,12 @@ int burnish_peers_run(const char *const arguments[], int cores, const char *envi
 typedef struct burnish_peers_picture {
     const char *input, *output; /* mesh and PNG */
     const char *size;           /* "W,H" */
+    int is_default; /* 1: burnish as it is without flags; 0: --look=plain --samples=1, as f3d does
+                     */
 } burnish_peers_picture;
 
-/* Draws by the program burnish, or by f3d where that is NULL, on this X display. One sample per
- * pixel, since f3d does not smooth edges. The rest as burnish_peers_run; lets the X server clean up
+/* Draws by the program burnish, or by f3d where that is NULL, on this X display. f3d takes one
+ * sample per pixel and does not occlude. The rest as burnish_peers_run; lets the X server clean up
  * first, which takes it a tenth of a second after f3d. */
 int burnish_peers_draw(const burnish_peers_picture *picture, const char *burnish, int cores,
                        const char *display, double *milliseconds, double *kibibytes);

@@ -194,7 +194,7 @@ static void time_process(runner *r, const char *scene, int size, int cores, int 
     snprintf(output, sizeof output, "%s/%s-%s-%s.png", r->scratch, scene, sizes[size].name, who);
     snprintf(name[0], sizeof name[0], "process.%s.%s.t%d.%s", scene, sizes[size].name, cores, who);
     snprintf(name[1], sizeof name[1], "memory.%s.%s.t%d.%s", scene, sizes[size].name, cores, who);
-    const burnish_peers_picture picture = {input, output, sizes[size].resolution};
+    const burnish_peers_picture picture = {input, output, sizes[size].resolution, 0};
     if (!burnish_peers_draw(&picture, is_f3d ? NULL : r->burnish, cores, display, &milliseconds,
                             &kibibytes)) {
         fprintf(stderr, "bench-peers: %s can't draw %s\n", who, input);
