@@ -38,7 +38,7 @@ module power_tables #(
     integer i;
     always @* begin
         top = 4'd0;
-        for (i = 1; i < 15; i = i + 1) if (c[i]) top = i;
+        for (i = 1; i < 15; i = i + 1) if (c[i]) top = i[3:0];
     end
     reg [9:0] n_0, n_1, n_2, n_3, n_4;
     reg [14:0] lifted;

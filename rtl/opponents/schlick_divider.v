@@ -82,11 +82,13 @@ module schlick_divider #(
             end
             wire [WIDTH:0] difference = {1'b0, twice[WIDTH-1:0]} - {1'b0, wide[WIDTH-1:0]};
             wire fits = !difference[WIDTH] && !beyond;
+            wire [26+WIDTH:0] rest_next =
+                {27'd0, fits ? difference[WIDTH-1:0] : twice[WIDTH-1:0]};
             reg [25:0] rest_kept, divisor_kept;
             reg [RESULT-1:0] quotient;
             always @(posedge clk)
                 if (enable) begin
-                    rest_kept <= fits ? difference[WIDTH-1:0] : twice[WIDTH-1:0];
+                    rest_kept <= rest_next[25:0];
                     divisor_kept <= divisor_now;
                     quotient <= {quotient_now[RESULT-2:0], fits};
                 end

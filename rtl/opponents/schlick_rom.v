@@ -20,8 +20,12 @@ module schlick_rom (
     output wire user_out
 );
     reg [15:0] memory[0:255];
-    integer i;
-    initial for (i = 0; i < 256; i = i + 1) memory[i] = 33554432 / (512 + 2 * i + 1);
+    integer i, word;
+    initial
+        for (i = 0; i < 256; i = i + 1) begin
+            word = 33554432 / (512 + 2 * i + 1);
+            memory[i] = word[15:0];
+        end
 
     reg [9:0] n;
     reg [15:0] u, c, c_1, c_2, c_3, c_4, reciprocal;
@@ -39,11 +43,12 @@ module schlick_rom (
     integer k;
     always @* begin
         top = 5'd0;
-        for (k = 1; k < 26; k = k + 1) if (place_of[k]) top = k;
+        for (k = 1; k < 26; k = k + 1) if (place_of[k]) top = k[4:0];
     end
     wire [4:0] up = 5'd25 - top;
     wire [25:0] fine = coarse << fine_by;
     // c r < 2^32: shifted to bits 0 .. 8 in two steps, with one more bit for the rounding.
+    wire [24:0] shifted_wide = scaled[31:7] >> {e_6[4:3], 3'b000};
     wire [16:0] final_shift = shifted >> last_by;
     always @(posedge clk)
         if (enable) begin
@@ -77,7 +82,7 @@ module schlick_rom (
             scaled <= c_5 * reciprocal;
             e_6 <= e_5;
 
-            shifted <= scaled[31:7] >> {e_6[4:3], 3'b000}; /* c <= D: at most 514 << 7 */
+            shifted <= shifted_wide[16:0]; /* c <= D: at most 514 << 7 */
             last_by <= e_6[2:0];
 
             result <= rounded[8] ? 8'd255 : rounded[7:0];
