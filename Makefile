@@ -153,7 +153,7 @@ rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/ha
 	@$(DEPS) rtl figures
 	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/$(DOCS)/images/rtl-teapot.png ./rtl/test/run build/rtl short errors picture
 	@./scripts/rtl-table build/rtl/table $(DOCS)/hardware.md build/rtl/errors.txt $(if $(SHORT),short)
-	@./scripts/rtl-figure $(BUILD)/burnish $(DOCS)/images/rtl-area.csv $(DOCS)/images/rtl-area.svg
+	@./scripts/rtl-figure $(BUILD)/burnish $(if $(SHORT),docs,$(DOCS))/images/rtl-area.csv $(DOCS)/images/rtl-area.svg
 
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
 	@$(DEPS) rtl
