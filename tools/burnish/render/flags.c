@@ -467,6 +467,7 @@ static const cli_term look_terms[] = {
                  "and thumbnails."},
     {"*plain*", "the same lights, brighter, on white, without occlusion: the fastest."},
     {"*clay*", "every surface matt and warm, strong occlusion: for shapes."},
+    {NULL, NULL},
 };
 
 static const cli_term light_terms[] = {
