@@ -106,6 +106,15 @@ int burnish_surface_planes(const burnish_surface *surface) {
 /* ---- Batches: attributes divided by 1/w, positions from depths, then the kernels, a run of one
  * material after another ---- */
 
+static int padded(int count) {
+    return (count + BURNISH_SHADE_PAD - 1) / BURNISH_SHADE_PAD * BURNISH_SHADE_PAD;
+}
+
+/* Clears what is between the last item and the end of its vector: it is read, though not used. */
+static void clear_tail(float *items, int count) {
+    memset(items + count, 0, (size_t)(padded(count) - count) * sizeof *items);
+}
+
 /* attribute / (1/w) in three arrays. */
 static void divide(int count, const float *const attribute[3], const float *inverse_w,
                    float (*out)[BURNISH_SHADE_BATCH]) {
@@ -148,10 +157,6 @@ static void add_stream(point_streams *streams, const float *from, float *to) {
     streams->from[streams->count] = from;
     streams->to[streams->count] = to;
     streams->count += 1;
-}
-
-static int padded(int count) {
-    return (count + BURNISH_SHADE_PAD - 1) / BURNISH_SHADE_PAD * BURNISH_SHADE_PAD;
 }
 
 /* Shades a batch of several materials, one after another: the vectors that show it are brought
@@ -212,6 +217,10 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     if (shading->needs_position) {
         shading->ops->position_from_depth(&shading->rays, &batch->points, (size_t)batch->count,
                                           position, scratch->w);
+        for (int k = 0; k < 3; ++k) {
+            clear_tail(position[k], batch->count);
+        }
+        clear_tail(scratch->w, batch->count);
     }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;
@@ -344,6 +353,10 @@ static void gather(const burnish_surface *surface, const burnish_fragments *frag
         if (surface->triangle_materials) {
             scratch->material[i] = surface->triangle_materials[primitive->id_and_facing >> 1];
         }
+    }
+    for (int k = 0; k < 3; ++k) {
+        clear_tail(scratch->normal[k], fragments->count);
+        clear_tail(scratch->color[k], fragments->count);
     }
 }
 
