@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/memory.h"
+#include "render/bands.h"
 
 /* What one thread needs to draw tiles, and what it counted. */
 struct burnish_tile_worker {
@@ -113,60 +114,40 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     }
 }
 
-/* ---- Bands of tiles ---- */
+/* ---- Tiles ---- */
 
-/* What the tasks of a band share. */
-typedef struct band_context {
+/* What the tasks of a frame share. */
+typedef struct frame_context {
     const burnish_frame *frame;
     const burnish_bins *bins;
     burnish_tile_worker *workers;
-    atomic_size_t *tiles_done;
-} band_context;
+    atomic_size_t tiles_done;
+} frame_context;
 
 /* Only the thread that called tells how far the frame is. */
-static void report_progress(const band_context *band, int thread) {
-    const burnish_frame *frame = band->frame;
-    const size_t done = 1 + atomic_fetch_add_explicit(band->tiles_done, 1, memory_order_relaxed);
+static void report_progress(frame_context *context, int thread) {
+    const size_t done =
+        1 + atomic_fetch_add_explicit(&context->tiles_done, 1, memory_order_relaxed);
     if (thread == 0) {
-        const size_t all = (size_t)band->bins->columns * (size_t)band->bins->rows;
-        burnish_tasks_progress(frame->tasks, BURNISH_STAGE_DRAW, (double)done / (double)all);
+        const size_t all = (size_t)context->bins->columns * (size_t)context->bins->rows;
+        burnish_tasks_progress(context->frame->tasks, BURNISH_STAGE_DRAW,
+                               (double)done / (double)all);
     }
 }
 
-static void draw_task(void *context, size_t index, int thread) {
-    const band_context *band = context;
-    const burnish_bins *bins = band->bins;
-    draw_tile(band->frame, bins, &band->workers[thread], (int)index % bins->columns,
-              bins->first_row + (int)index / bins->columns);
-    report_progress(band, thread);
+static void draw_task(void *from, int column, int row, int thread) {
+    frame_context *context = from;
+    draw_tile(context->frame, context->bins, &context->workers[thread], column, row);
+    report_progress(context, thread);
 }
 
-/* Neighbouring tiles share cache lines of the target, so a thread takes some of them at once; but
- * so few that the last ones are not waited for. */
-static size_t tile_grain(int count, int threads) {
-    enum { MAX_GRAIN = 8, TURNS = 32 };
-    const int grain = count / (threads * TURNS);
-    return (size_t)(grain < 1 ? 1 : grain > MAX_GRAIN ? MAX_GRAIN : grain);
-}
-
-static burnish_status draw_bands(const burnish_frame *frame, burnish_tiles *tiles,
+static burnish_status draw_tiles(const burnish_frame *frame, burnish_tiles *tiles,
                                  burnish_error *error) {
-    burnish_bins *bins = &tiles->bins;
-    burnish_status status = BURNISH_STATUS_OK;
-    atomic_size_t tiles_done = 0;
-    burnish_bins_begin(bins, frame->context);
-    do {
-        status = burnish_bin_tiles(bins, frame->ops, frame->geometry, frame->surface.view,
-                                   frame->tasks, error);
-        if (status == BURNISH_STATUS_OK) {
-            const int count = bins->columns * (bins->end_row - bins->first_row);
-            band_context band = {frame, bins, tiles->workers, &tiles_done};
-            burnish_tasks_run(frame->tasks, (size_t)count, tile_grain(count, tiles->worker_count),
-                              tiles->worker_count, draw_task, &band);
-            status = burnish_tasks_check(frame->tasks, error);
-        }
-    } while (status == BURNISH_STATUS_OK && bins->end_row < bins->rows);
-    return status;
+    frame_context context = {frame, &tiles->bins, tiles->workers, 0};
+    const burnish_bands bands = {&tiles->bins,        frame->ops,   frame->geometry,
+                                 frame->surface.view, frame->tasks, tiles->worker_count,
+                                 frame->context};
+    return burnish_bands_draw(&bands, draw_task, &context, error);
 }
 
 /* Counts are sums and bounds extremes: their order does not matter. */
@@ -258,7 +239,7 @@ burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_tiles *til
                                   burnish_render_report *report, burnish_error *error) {
     burnish_status status = prepare_workers(frame, tiles, error);
     if (status == BURNISH_STATUS_OK) {
-        status = draw_bands(frame, tiles, error);
+        status = draw_tiles(frame, tiles, error);
     }
     if (status == BURNISH_STATUS_OK) {
         merge_counts(tiles, report);

@@ -6,17 +6,16 @@
 
 #include "burnish/mesh.h"
 #include "burnish/render.h"
-#include "core/memory.h"
-#include "raster/tile.h"
+#include "render/depth_map.h"
 
 /* Texels along an edge of a depth map: about a pixel of the picture is enough. */
 enum { BURNISH_OCCLUSION_SMALL = 128, BURNISH_OCCLUSION_LARGE = 256 };
 
 /* One direction, for points that count from the eye in the raster's space. */
 typedef struct burnish_occlusion_direction {
-    float toward[3], weight;           /* unit vector; of its part of the sky */
-    float column[4], row[4], depth[4]; /* of (point, 1) in its map; centres of texels are whole */
-    const uint16_t *depths;            /* size^2, growing toward the sky */
+    float toward[3], weight; /* unit vector; of its part of the sky */
+    burnish_map_rows map;
+    const uint16_t *depths; /* size^2, growing toward the sky */
 } burnish_occlusion_direction;
 
 /* What points are looked up with. */
@@ -32,14 +31,10 @@ typedef struct burnish_occlusion_lookup {
 typedef struct burnish_occlusion {
     uint64_t mesh; /* whose maps they are, burnish_mesh_view.serial; 0: nobody's */
     int count, size;
-    burnish_occlusion_direction directions[BURNISH_OCCLUSION_MAX]; /* from the origin */
-    burnish_occlusion_direction seen[BURNISH_OCCLUSION_MAX];       /* from the eye */
+    burnish_occlusion_direction directions[BURNISH_OCCLUSION_MAX];
     uint16_t *depths;
     size_t capacity;
-    burnish_geometry geometry;
-    burnish_bins bins;
-    burnish_tile *tiles; /* one per thread */
-    int tile_count;
+    burnish_map_drawer drawer;
 } burnish_occlusion;
 
 /* Draws the maps unless they are there, and readies the look-up.

@@ -15,7 +15,7 @@ BURNISH_INLINE vf transform_row(const float row[4], const vf point[3]) {
 /* A whole number at most half a texel from x - 1/2, inside a map with its neighbour; NaN becomes
  * 0. */
 BURNISH_INLINE vf texel_before(vf x, int size) {
-    const vf rounder = vf_set(12582912.0f); /* 1.5 * 2^23 */
+    const vf rounder = vf_set(BURNISH_ROUNDER);
     vf at = vf_max(vf_sub(x, vf_set(0.5f)), vf_set(0.0f));
     at = vf_min(at, vf_set((float)(size - 2)));
     return vf_sub(vf_add(at, rounder), rounder);
@@ -38,14 +38,15 @@ BURNISH_INLINE vf hide_pair(const uint16_t *depths, vi index, vf depth, vf slope
 /* The share of a direction's sky that is hidden from points: four texels, bilinear. */
 BURNISH_INLINE vf look_up(const burnish_occlusion_direction *direction, const vf point[3], int size,
                           vf slope) {
-    const vf x = transform_row(direction->column, point), y = transform_row(direction->row, point);
-    const vf depth = transform_row(direction->depth, point);
+    const vf x = transform_row(direction->map.column, point),
+             y = transform_row(direction->map.row, point);
+    const vf depth = transform_row(direction->map.depth, point);
     const vf x0 = texel_before(x, size), y0 = texel_before(y, size), zero = vf_set(0.0f),
              one = vf_set(1.0f);
     const vf u = vf_min(vf_max(vf_sub(x, x0), zero), one);
     const vf v = vf_min(vf_max(vf_sub(y, y0), zero), one);
-    const vf at = vf_add(vf_add(vf_mul(y0, vf_set((float)size)), x0), vf_set(12582912.0f));
-    const vi index = vi_sub(vf_bits(at), vi_set(0x4b400000)); /* below 2^22: exact */
+    const vf at = vf_add(vf_add(vf_mul(y0, vf_set((float)size)), x0), vf_set(BURNISH_ROUNDER));
+    const vi index = vi_sub(vf_bits(at), vf_bits(vf_set(BURNISH_ROUNDER))); /* below 2^22: exact */
     const vf upper = hide_pair(direction->depths, index, depth, slope, u);
     const vf lower = hide_pair(direction->depths + size, index, depth, slope, u);
     return vf_add(upper, vf_mul(vf_sub(lower, upper), v));

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/vector.h"
 #include "render/frame.h"
+#include "render/space.h"
 
 /* Distance of the near plane in units of the scene's size; a power of two, so that 1/w comes back
  * from the depth exactly. */
@@ -24,31 +25,17 @@ typedef struct camera_frame {
     double scale; /* raster units a scene unit */
 } camera_frame;
 
-static burnish_vec3 bounds_center(const burnish_mesh_view *mesh) {
-    float center[3];
-    for (int i = 0; i < 3; ++i) {
-        center[i] = (float)(((double)mesh->bounds_min[i] + mesh->bounds_max[i]) * 0.5);
-    }
-    return burnish_vec3_loadf(center);
-}
-
-static double scene_scale(const burnish_mesh_view *mesh) {
-    burnish_vec3 low = burnish_vec3_loadf(mesh->bounds_min);
-    burnish_vec3 high = burnish_vec3_loadf(mesh->bounds_max);
-    double half_diagonal = burnish_vec3_length(burnish_vec3_sub(high, low)) * 0.5;
-    return half_diagonal > 0 ? 1 / half_diagonal : 1;
-}
-
 static burnish_status make_frame(const burnish_mesh_view *mesh, const burnish_camera *camera,
                                  camera_frame *frame, burnish_error *error) {
     burnish_vec3 position = burnish_vec3_load(camera->position);
     burnish_vec3 direction = burnish_vec3_sub(burnish_vec3_load(camera->focal_point), position);
-    frame->scale = scene_scale(mesh);
+    frame->scale = burnish_space_scale(mesh);
     frame->forward = burnish_vec3_normalize(direction);
     frame->right = burnish_vec3_normalize(
         burnish_vec3_cross(frame->forward, burnish_vec3_load(camera->view_up)));
     frame->up = burnish_vec3_cross(frame->right, frame->forward);
-    frame->eye = burnish_vec3_scale(burnish_vec3_sub(position, bounds_center(mesh)), frame->scale);
+    frame->eye =
+        burnish_vec3_scale(burnish_vec3_sub(position, burnish_space_center(mesh)), frame->scale);
     if (!(burnish_vec3_length(frame->forward) > 0.5)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "camera: position and focal point are the same; move one");
@@ -65,16 +52,10 @@ static burnish_status make_frame(const burnish_mesh_view *mesh, const burnish_ca
     return BURNISH_STATUS_OK;
 }
 
-static void store(burnish_vec3 v, float out[3]) {
-    out[0] = (float)v.x;
-    out[1] = (float)v.y;
-    out[2] = (float)v.z;
-}
-
 /* row . (p - origin, 1) = factor * axis . (p * scale - eye) + constant */
 static void store_row(const camera_frame *frame, burnish_vec3 axis, double factor, double constant,
                       float row[4]) {
-    store(burnish_vec3_scale(axis, factor * frame->scale), row);
+    burnish_space_store(burnish_vec3_scale(axis, factor * frame->scale), row);
     row[3] = (float)(constant - factor * burnish_vec3_dot(axis, frame->eye));
 }
 
@@ -90,9 +71,9 @@ static void make_perspective(const camera_frame *frame, double view_angle, int h
     memset(raster->rows[2], 0, sizeof raster->rows[2]);
     raster->rows[2][3] = (float)NEAR_PLANE;
     store_row(frame, frame->forward, 1, 0, raster->rows[3]);
-    store(frame->forward, rays->ray);
-    store(burnish_vec3_scale(frame->right, 1 / pixels), rays->ray_x);
-    store(burnish_vec3_scale(frame->up, 1 / pixels), rays->ray_y);
+    burnish_space_store(frame->forward, rays->ray);
+    burnish_space_store(burnish_vec3_scale(frame->right, 1 / pixels), rays->ray_x);
+    burnish_space_store(burnish_vec3_scale(frame->up, 1 / pixels), rays->ray_y);
     memset(rays->ray_depth, 0, sizeof rays->ray_depth);
     rays->q_per_depth = (float)(1 / NEAR_PLANE);
     rays->q_constant = 0;
@@ -112,9 +93,9 @@ static void make_orthographic(const camera_frame *frame, double view_height, int
     memset(raster->rows[3], 0, sizeof raster->rows[3]);
     raster->rows[3][3] = 1;
     memset(rays->ray, 0, sizeof rays->ray);
-    store(burnish_vec3_scale(frame->right, 1 / pixels), rays->ray_x);
-    store(burnish_vec3_scale(frame->up, 1 / pixels), rays->ray_y);
-    store(burnish_vec3_scale(frame->forward, range), rays->ray_depth);
+    burnish_space_store(burnish_vec3_scale(frame->right, 1 / pixels), rays->ray_x);
+    burnish_space_store(burnish_vec3_scale(frame->up, 1 / pixels), rays->ray_y);
+    burnish_space_store(burnish_vec3_scale(frame->forward, range), rays->ray_depth);
     rays->q_per_depth = 0;
     rays->q_constant = 1;
     view->distance = (burnish_view_distance){0, (float)(range / frame->scale)};
@@ -160,7 +141,7 @@ static burnish_vec3 light_vector(const camera_frame *frame, const burnish_mesh_v
         return burnish_vec3_scale(from_camera_space(frame, v), unit);
     }
     if (is_point) {
-        v = burnish_vec3_scale(burnish_vec3_sub(v, bounds_center(mesh)), frame->scale);
+        v = burnish_vec3_scale(burnish_vec3_sub(v, burnish_space_center(mesh)), frame->scale);
         return burnish_vec3_sub(v, frame->eye);
     }
     return v;
@@ -186,7 +167,7 @@ static burnish_light make_light(const camera_frame *frame, const burnish_mesh_vi
     if (made.kind == BURNISH_LIGHT_DIRECTIONAL) {
         v = burnish_vec3_normalize(burnish_vec3_scale(v, 1 / largest));
     }
-    store(v, vector);
+    burnish_space_store(v, vector);
     for (int k = 0; k < 3; ++k) {
         made.vector[k] = (double)vector[k];
     }
@@ -204,7 +185,7 @@ static void make_lighting(const camera_frame *frame, const burnish_mesh_view *me
     lighting->local_viewer = options->local_viewer && !(camera->orthographic_height > 0);
     memset(lighting->viewer, 0, sizeof lighting->viewer); /* positions count from the eye */
     if (!lighting->local_viewer) {
-        store(burnish_vec3_scale(frame->forward, -1), lighting->viewer);
+        burnish_space_store(burnish_vec3_scale(frame->forward, -1), lighting->viewer);
     }
     lighting->light_count = options->light_count;
     for (int i = 0; i < options->light_count; ++i) {
@@ -339,7 +320,7 @@ static burnish_status make_raster(const burnish_mesh_view *mesh,
     raster->height = options->height;
     raster->samples = options->samples;
     raster->cull_back_faces = options->cull_back_faces;
-    store(bounds_center(mesh), raster->origin);
+    burnish_space_store(burnish_space_center(mesh), raster->origin);
     if (camera->orthographic_height > 0) {
         make_orthographic(frame, camera->orthographic_height, options->height, view);
     } else {

@@ -1,0 +1,160 @@
+#include "render/depth_map.h"
+
+#include <string.h>
+
+#include "render/bands.h"
+#include "render/space.h"
+
+/* Maps are drawn from this far: behind the unit sphere there is as much of the range as before it.
+ */
+#define DISTANCE (BURNISH_MAP_RANGE / 2)
+
+/* ---- Views ---- */
+
+burnish_map_view burnish_map_view_make(burnish_vec3 toward, burnish_vec3 right, int size) {
+    return (burnish_map_view){.toward = toward,
+                              .right = right,
+                              .up = burnish_vec3_cross(toward, right),
+                              .size = size,
+                              .texels = (size - 4) * 0.5};
+}
+
+static void store_row(burnish_vec3 axis, double factor, double constant, float row[4]) {
+    burnish_space_store(burnish_vec3_scale(axis, factor), row);
+    row[3] = (float)constant;
+}
+
+/* The same for points that count from the eye. */
+static void move_row(float row[4], const double eye[3]) {
+    row[3] = (float)((double)row[3] + (double)row[0] * eye[0] + (double)row[1] * eye[1] +
+                     (double)row[2] * eye[2]);
+}
+
+burnish_map_rows burnish_map_rows_make(const burnish_map_view *view, const double eye[3]) {
+    const double middle = view->size * 0.5 - 0.5;
+    burnish_map_rows rows;
+    store_row(view->right, view->texels, middle, rows.column);
+    store_row(view->up, -view->texels, middle, rows.row);
+    store_row(view->toward, BURNISH_MAP_CODES / BURNISH_MAP_RANGE,
+              BURNISH_MAP_CODES * (1 - DISTANCE / BURNISH_MAP_RANGE), rows.depth);
+    move_row(rows.column, eye);
+    move_row(rows.row, eye);
+    move_row(rows.depth, eye);
+    return rows;
+}
+
+static burnish_raster_view raster_view(const burnish_map_view *view,
+                                       const burnish_mesh_view *mesh) {
+    const double scale = burnish_space_scale(mesh);
+    burnish_raster_view raster = {.width = view->size, .height = view->size, .samples = 1};
+    burnish_space_store(burnish_space_center(mesh), raster.origin);
+    store_row(view->right, view->texels * scale, 0, raster.rows[0]);
+    store_row(view->up, view->texels * scale, 0, raster.rows[1]);
+    store_row(view->toward, scale / BURNISH_MAP_RANGE, 1 - DISTANCE / BURNISH_MAP_RANGE,
+              raster.rows[2]);
+    raster.rows[3][3] = 1;
+    return raster;
+}
+
+/* ---- Tiles ---- */
+
+/* What the tasks of a map share. */
+typedef struct map_context {
+    burnish_map_drawer *drawer;
+    const burnish_isa_ops *ops;
+    const burnish_raster_view *view;
+    uint16_t *depths;
+} map_context;
+
+static void store_tile(const burnish_tile *tile, uint16_t *depths, size_t size) {
+    uint16_t codes[BURNISH_TILE_PIXELS];
+    for (int i = 0; i < BURNISH_TILE_PIXELS; ++i) {
+        const float depth = tile->buffer.depths[i]; /* below 0 where nothing is */
+        codes[i] = (uint16_t)(int)((depth > 0 ? depth : 0) * (float)BURNISH_MAP_CODES + 0.5f);
+    }
+    for (int y = 0; y < tile->height; ++y) {
+        uint16_t *to = depths + (size_t)(tile->y + y) * size + tile->x;
+        for (int x = 0; x < tile->width; x += BURNISH_BLOCK_SIZE) {
+            memcpy(to + x, codes + burnish_pixel_index(x, y), BURNISH_BLOCK_SIZE * sizeof *to);
+        }
+    }
+}
+
+static void clear_tile(const burnish_tile *tile, uint16_t *depths, size_t size) {
+    for (int y = 0; y < tile->height; ++y) {
+        memset(depths + (size_t)(tile->y + y) * size + tile->x, 0,
+               (size_t)tile->width * sizeof *depths);
+    }
+}
+
+static void draw_tile(void *context, int column, int row, int thread) {
+    const map_context *map = context;
+    const burnish_map_drawer *drawer = map->drawer;
+    const size_t size = (size_t)map->view->width;
+    burnish_tile *tile = &drawer->tiles[thread];
+    if (burnish_tile_draw(tile, map->ops, map->view, &drawer->geometry, &drawer->bins, column,
+                          row)) {
+        store_tile(tile, map->depths, size);
+    } else {
+        clear_tile(tile, map->depths, size);
+    }
+}
+
+static void destroy_tiles(burnish_map_drawer *drawer, const burnish_context *context) {
+    for (int i = 0; i < drawer->tile_count; ++i) {
+        burnish_tile_destroy(&drawer->tiles[i]);
+    }
+    burnish_release(context, drawer->tiles);
+    drawer->tiles = NULL;
+    drawer->tile_count = 0;
+}
+
+static burnish_status prepare_tiles(burnish_map_drawer *drawer, int threads,
+                                    burnish_memory *memory) {
+    static const burnish_tile_options depth_only = {.samples = 1};
+    if (drawer->tile_count == threads) {
+        return BURNISH_STATUS_OK;
+    }
+    destroy_tiles(drawer, memory->context);
+    drawer->tiles =
+        burnish_allocate_zeroed(memory, (size_t)threads, sizeof *drawer->tiles, "tiles");
+    drawer->tile_count = drawer->tiles ? threads : 0;
+    burnish_status status = memory->status;
+    for (int i = 0; i < drawer->tile_count && status == BURNISH_STATUS_OK; ++i) {
+        status =
+            burnish_tile_create(&drawer->tiles[i], &depth_only, memory->context, memory->error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        destroy_tiles(drawer, memory->context); /* no later map takes a half-made one */
+    }
+    return status;
+}
+
+/* ---- Maps ---- */
+
+burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
+                                const burnish_mesh_view *mesh, const burnish_map_view *view,
+                                uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory) {
+    const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
+                                         mesh->triangle_count};
+    const burnish_raster_view raster = raster_view(view, mesh);
+    map_context map = {drawer, ops, &raster, depths};
+    burnish_status status = prepare_tiles(drawer, burnish_tasks_threads(tasks), memory);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_geometry_update(&drawer->geometry, ops, &raster, &triangles, tasks,
+                                         memory->error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        const burnish_bands bands = {&drawer->bins,  ops,   &drawer->geometry,
+                                     &raster,        tasks, drawer->tile_count,
+                                     memory->context};
+        status = burnish_bands_draw(&bands, draw_tile, &map, memory->error);
+    }
+    return status;
+}
+
+void burnish_map_drawer_destroy(burnish_map_drawer *drawer, const burnish_context *context) {
+    destroy_tiles(drawer, context);
+    burnish_bins_destroy(&drawer->bins);
+    burnish_geometry_destroy(&drawer->geometry);
+}
