@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/arithmetic.h"
+#include "image/strokes.h"
 
 enum {
     BURNISH_GLYPH_CAP = 100,
@@ -32,11 +32,6 @@ typedef struct burnish_glyph_scale {
     float unit;   /* pixels a unit */
     float radius; /* of the pen, in pixels */
 } burnish_glyph_scale;
-
-/* A straight piece of a glyph in pixels: a segment thickened by radius, with round ends. */
-typedef struct burnish_stroke {
-    float x0, y0, x1, y1, radius;
-} burnish_stroke;
 
 /* The glyph of an ASCII character 32..126, of '?' for any other. */
 const burnish_glyph *burnish_glyph_find(unsigned char character);

@@ -1,11 +1,9 @@
-/* Text: layout, and exact distances from pixel centres to the strokes of a round pen. */
+/* Text: layout, and glyphs as strokes of a round pen. */
 #include "image/text.h"
 
 #include <string.h>
 
-#include "core/elementary.h"
 #include "core/environment.h"
-#include "core/srgb.h"
 #include "image/stroke_font.h"
 
 enum { SPAN = 256 }; /* pixels of a row that are covered at a time */
@@ -16,69 +14,9 @@ static const float pen_share = 0.12F;  /* of the height of a capital */
 static const float widening = 0.35F;   /* pixels, at most, that a pen is widened to whole ones */
 static const float far_away = 4194304; /* 2^22: beyond it a float has no quarter pixels */
 
-typedef struct rectangle {
-    int left, top, right, bottom; /* right and bottom exclusive */
-} rectangle;
-
-/* floor(value) clamped to [0, most]; NaN gives 0. */
-static int clamp_to_pixels(float value, int most) {
-    if (!(value > 0)) {
-        return 0;
-    }
-    return value < (float)most ? (int)value : most;
-}
-
-/* The pixels that strokes can touch, within the image. */
-static rectangle touched_pixels(const burnish_image *image, const burnish_stroke *stroke) {
-    float reach = stroke->radius + 0.5F;
-    float left = stroke->x0 < stroke->x1 ? stroke->x0 : stroke->x1;
-    float right = stroke->x0 < stroke->x1 ? stroke->x1 : stroke->x0;
-    float top = stroke->y0 < stroke->y1 ? stroke->y0 : stroke->y1;
-    float bottom = stroke->y0 < stroke->y1 ? stroke->y1 : stroke->y0;
-    return (rectangle){clamp_to_pixels(left - reach, image->width),
-                       clamp_to_pixels(top - reach, image->height),
-                       clamp_to_pixels(right + reach + 1, image->width),
-                       clamp_to_pixels(bottom + reach + 1, image->height)};
-}
-
-/* Raises coverage[i] of pixels first + i of a row to the stroke's:
- * clamp(1/2 + radius - distance from the pixel's centre to the segment, 0, 1). */
-static void cover_row(const burnish_stroke *stroke, int row, int first, int count,
-                      float *coverage) {
-    float ex = stroke->x1 - stroke->x0;
-    float ey = stroke->y1 - stroke->y0;
-    float length2 = ex * ex + ey * ey;
-    float inverse = length2 > 0 ? 1 / length2 : 0;
-    float py = (float)row + 0.5F - stroke->y0;
-    for (int i = 0; i < count; ++i) {
-        float px = (float)(first + i) + 0.5F - stroke->x0;
-        float t = (px * ex + py * ey) * inverse;
-        t = t > 0 ? (t < 1 ? t : 1) : 0;
-        float dx = px - t * ex;
-        float dy = py - t * ey;
-        float share = 0.5F + stroke->radius - burnish_sqrtf(dx * dx + dy * dy);
-        share = share < 1 ? share : 1;
-        coverage[i] = share > coverage[i] ? share : coverage[i];
-    }
-}
-
-/* Mixes the linear colour over a pixel. */
-static void blend_pixel(uint8_t *pixel, int channels, const float linear[3], float share) {
-    if (channels == 4) {
-        float alpha = (float)pixel[3] / 255.0F;
-        float sum = share + alpha * (1 - share);
-        share = share / sum;
-        pixel[3] = (uint8_t)(sum * 255.0F + 0.5F);
-    }
-    float below = 1 - share;
-    for (int k = 0; k < 3; ++k) {
-        float behind = burnish_srgb_to_linear[pixel[k]];
-        pixel[k] = burnish_linear_to_srgb(linear[k] * share + behind * below);
-    }
-}
-
-static void draw_span(burnish_image *image, const burnish_stroke *strokes, const rectangle *touched,
-                      size_t count, int row, int first, int last, const float linear[3]) {
+static void draw_span(const burnish_pixels *pixels, const burnish_stroke *strokes,
+                      const burnish_rectangle *touched, size_t count, int row, int first, int last,
+                      const burnish_ink *ink) {
     float coverage[SPAN] = {0};
     for (size_t i = 0; i < count; ++i) {
         if (row < touched[i].top || row >= touched[i].bottom) {
@@ -87,27 +25,20 @@ static void draw_span(burnish_image *image, const burnish_stroke *strokes, const
         int left = touched[i].left > first ? touched[i].left : first;
         int right = touched[i].right < last ? touched[i].right : last;
         if (left < right) {
-            cover_row(&strokes[i], row, left, right - left, coverage + (left - first));
+            burnish_stroke_cover(&strokes[i], row, left, right - left, coverage + (left - first));
         }
     }
-    size_t channels = (size_t)image->channels;
-    uint8_t *pixels =
-        image->pixels + ((size_t)row * (size_t)image->width + (size_t)first) * channels;
-    for (int i = 0; i < last - first; ++i) {
-        if (coverage[i] > 0) {
-            blend_pixel(pixels + (size_t)i * channels, image->channels, linear, coverage[i]);
-        }
-    }
+    burnish_ink_blend(pixels, row, first, last - first, coverage, ink);
 }
 
-static void draw_glyph(burnish_image *image, const burnish_glyph *glyph,
-                       const burnish_glyph_scale *scale, const float linear[3]) {
+static void draw_glyph(const burnish_pixels *pixels, const burnish_glyph *glyph,
+                       const burnish_glyph_scale *scale, const burnish_ink *ink) {
     burnish_stroke strokes[BURNISH_GLYPH_MAX_STROKES];
-    rectangle touched[BURNISH_GLYPH_MAX_STROKES];
+    burnish_rectangle touched[BURNISH_GLYPH_MAX_STROKES];
     size_t count = burnish_glyph_strokes(glyph, scale, strokes);
-    rectangle all = {image->width, image->height, 0, 0};
+    burnish_rectangle all = {pixels->width, pixels->height, 0, 0};
     for (size_t i = 0; i < count; ++i) {
-        touched[i] = touched_pixels(image, &strokes[i]);
+        touched[i] = burnish_stroke_bounds(&strokes[i], pixels->width, pixels->height);
         all.left = touched[i].left < all.left ? touched[i].left : all.left;
         all.top = touched[i].top < all.top ? touched[i].top : all.top;
         all.right = touched[i].right > all.right ? touched[i].right : all.right;
@@ -116,7 +47,7 @@ static void draw_glyph(burnish_image *image, const burnish_glyph *glyph,
     for (int row = all.top; row < all.bottom; ++row) {
         for (int first = all.left; first < all.right; first += SPAN) {
             int last = all.right - first > SPAN ? first + SPAN : all.right;
-            draw_span(image, strokes, touched, count, row, first, last, linear);
+            draw_span(pixels, strokes, touched, count, row, first, last, ink);
         }
     }
 }
@@ -160,9 +91,11 @@ float burnish_text_draw(burnish_image *image, float x, float y, float height,
                         const uint8_t color[3], const char *text, size_t length) {
     float seat;
     burnish_glyph_scale scale = make_scale(height, &seat);
-    float linear[3] = {0, 0, 0};
-    for (int k = 0; image && k < 3; ++k) {
-        linear[k] = burnish_srgb_to_linear[color[k]];
+    burnish_ink ink = {.opacity = 1};
+    burnish_pixels pixels = {.pixels = NULL};
+    if (image) {
+        ink = burnish_ink_of(color, 1);
+        pixels = burnish_image_pixels(image);
     }
     x = snap(x);
     scale.y = snap(y) - seat * 0.5F;
@@ -176,8 +109,8 @@ float burnish_text_draw(burnish_image *image, float x, float y, float height,
         const burnish_glyph *glyph = burnish_glyph_find(character);
         advance += gap_pixels(&scale, before, glyph);
         scale.x = x + advance + seat * 0.5F;
-        if (image && image->pixels && near_image(scale.x) && near_image(scale.y)) {
-            draw_glyph(image, glyph, &scale, linear);
+        if (pixels.pixels && near_image(scale.x) && near_image(scale.y)) {
+            draw_glyph(&pixels, glyph, &scale, &ink);
         }
         advance += burnish_glyph_pixels(&scale, glyph->width) + seat;
         before = glyph;
