@@ -126,8 +126,30 @@ static void test_obj(void) {
     CHECK1(s.streams[BURNISH_NORMAL].corners &&
            memcmp(s.streams[BURNISH_NORMAL].corners, normals, sizeof normals) == 0);
     CHECK1(burnish_normals(&s)[2] == 1 && burnish_normals(&s)[3] == 0);
-    CHECK1(!burnish_colors(&s) && !s.triangle_materials && s.material_count == 1 &&
-           s.warning_count == 0);
+    CHECK1(!burnish_colors(&s) && !s.triangle_materials && s.material_count == 1);
+    if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "mesh.obj:14: \"foo\" is not a statement of OBJ and was ignored");
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Curves and surfaces make one line, with what they are made of; so do statements of others. */
+static void test_obj_other_statements(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(read_text(BURNISH_FORMAT_OBJ,
+                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nvp 1 2\ncstype bezier\ndeg 1 1\n"
+                    "surf 0 1 0 1 1 2 3 1\nparm u 0 1\nend\ncurv 0 1 1 2\nend\nmg 1 2\nlod 3\n"
+                    "q 1\n#MRGB 1\nMRGB 2\n\"\xFF 3\n",
+                    &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "mesh.obj:8: curves and surfaces (\"surf\") are not drawn; "
+                                  "export them as faces (and 1 more like it)");
+        CHECK_TEXT(
+            s.warnings[1],
+            "mesh.obj:15: \"q\" is not a statement of OBJ and was ignored (and 2 more like it)");
+    }
     burnish_mesh_data_destroy(&s);
 }
 
@@ -163,8 +185,9 @@ static void test_obj_colors(void) {
         "%s", e.text);
     CHECK1(burnish_colors(&s) && memcmp(burnish_colors(&s), expected, sizeof expected) == 0);
     if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
-        CHECK_TEXT(s.warnings[0], "mesh.obj:6: lines and points were ignored");
-        CHECK_TEXT(s.warnings[1], "mesh.obj:8: faces with fewer than 3 corners were ignored");
+        CHECK_TEXT(s.warnings[0],
+                   "mesh.obj:6: lines and points are not drawn (and 1 more like it)");
+        CHECK_TEXT(s.warnings[1], "mesh.obj:8: a face with fewer than 3 corners was ignored");
     }
     CHECK1(!s.streams[BURNISH_NORMAL].corners && s.triangle_count == 1);
     burnish_mesh_data_destroy(&s);
@@ -287,17 +310,26 @@ static void test_obj_materials(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* Warnings stop after 16 lines, however many there would be. */
+/* Warnings of one kind are one line, and stop after 16 lines, however many there would be. */
 static void test_many_warnings(void) {
-    char library[512] = "newmtl a\n";
+    char library[512] = "newmtl a\n", mesh[512] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     burnish_mesh_data s;
     burnish_error e;
-    for (int i = 0; i < 40; ++i) {
-        strcat(library, "Ns 0.5\n");
+    for (int i = 0; i < 20; ++i) {
+        strcat(library, "Ns 0.5\nKd spectral x\n");
+        snprintf(mesh + strlen(mesh), 32, "mtllib no %d\n", i);
     }
     CHECK(read_with_library("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
                             library, &s, &e) == BURNISH_STATUS_OK,
           "%s", e.text);
+    if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "my parts/a b.mtl:3: Kd spectral is not supported and was "
+                                  "ignored (and 19 more like it)");
+        CHECK_TEXT(s.warnings[1], "my parts/a b.mtl:2: Ns 0.5 is not in [1, 65536] and was taken "
+                                  "as 1 (and 19 more like it)");
+    }
+    burnish_mesh_data_destroy(&s);
+    CHECK(read_with_library(mesh, library, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
     CHECK(s.warning_count == 16, "%zu", s.warning_count);
     burnish_mesh_data_destroy(&s);
 }
@@ -448,6 +480,7 @@ int main(int count, char **arguments) {
     RUN(test_random_polygons());
     RUN(test_obj());
     RUN(test_obj_forward());
+    RUN(test_obj_other_statements());
     RUN(test_obj_colors());
     RUN(test_obj_polygons());
     RUN(test_mtl());

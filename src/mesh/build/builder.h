@@ -126,11 +126,12 @@ void burnish_weld_sort(burnish_weld_record *records, size_t count);
 
 /* ---- creases.c: which edges are smooth where no crease angle is given ---- */
 
-#define BURNISH_SMOOTH_COSINE                                                                      \
-    0.93969262078590838          /* 20 degrees: smooth below, whatever is around                   \
-                                  */
-#define BURNISH_SHARP_COSINE 0.5 /* 60: never smooth from there on */
-#define BURNISH_COPLANAR_COSINE 0.99984769515639124 /* 1 degree: parts of one flat face */
+/* 20 degrees: smooth below, whatever is around. */
+#define BURNISH_SMOOTH_COSINE 0.93969262078590838
+/* 60: never smooth from there on. */
+#define BURNISH_SHARP_COSINE 0.5
+/* 1: parts of one flat face. */
+#define BURNISH_COPLANAR_COSINE 0.99984769515639124
 
 /* Whether an edge between 20 and 60 degrees is smooth.
  *

@@ -3,9 +3,8 @@
  * edges between SMOOTH and SHARP degrees ask, so that a dense mesh costs nothing. */
 #include "mesh/build/builder.h"
 
-#define STEP_COSINE                                                                                \
-    0.76604444311897804 /* 40: an octagon's 45 is an edge, a decagon's 36 a step                   \
-                         */
+/* 40 degrees: an octagon's 45 is an edge, a decagon's 36 a step. */
+#define STEP_COSINE 0.76604444311897804
 
 enum {
     FACES_MAX = 32, /* at the end of an edge with fewer: more are not searched, which bounds the

@@ -18,6 +18,7 @@ typedef struct mtl_state {
     float ambient[3], diffuse[3], specular[3], exponent; /* colours as written */
     int has_ambient, has_diffuse, has_specular, has_exponent;
     int matt; /* illum 0 or 1: no highlight */
+    burnish_warning_group unsupported, exponents;
 } mtl_state;
 
 /* A malformed statement. */
@@ -95,7 +96,7 @@ static burnish_status read_color(mtl_state *mtl, const char *what, float color[3
     int count = 0;
     while (count < 3 && burnish_lexer_token(&mtl->lexer, &token)) {
         if (count == 0 && (burnish_token_is(token, "spectral") || burnish_token_is(token, "xyz"))) {
-            burnish_reader_warn(mtl->reader, mtl->lexer.next,
+            burnish_reader_note(mtl->reader, &mtl->unsupported, mtl->lexer.next,
                                 "%s %s is not supported and was ignored", what,
                                 burnish_token_quote(token).text);
             return BURNISH_STATUS_OK;
@@ -137,7 +138,7 @@ static burnish_status read_exponent(mtl_state *mtl) {
     mtl->has_exponent = 1;
     /* Ns 0 is how exporters say "dull": no cause for a warning. */
     if (mtl->exponent != written && written != 0) {
-        burnish_reader_warn(mtl->reader, mtl->lexer.next,
+        burnish_reader_note(mtl->reader, &mtl->exponents, mtl->lexer.next,
                             "Ns %g is not in [1, 65536] and was taken as %g", (double)written,
                             (double)mtl->exponent);
     }
@@ -237,6 +238,8 @@ burnish_status burnish_read_mtl(burnish_reader *library_file, burnish_mtl *libra
         }
     } while (status == BURNISH_STATUS_OK && burnish_lexer_next_line(&mtl.lexer));
     finish(&mtl);
+    burnish_reader_warn_group(library_file, &mtl.unsupported);
+    burnish_reader_warn_group(library_file, &mtl.exponents);
     return status;
 }
 

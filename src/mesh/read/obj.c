@@ -1,13 +1,14 @@
 /* OBJ (Wavefront, "Object Files", 1992): v, vn, vt, f, usemtl, mtllib; polygons; indices from
  * either end, of values that stand anywhere in the file.
  *
- * o, g, s and unknown keywords are passed over; l and p too, with one warning. Vertex colours
+ * l and p, curves and surfaces and statements of other programs are passed over, with a warning
+ * each; o, g, s and others that make nothing without one. Vertex colours
  * follow the coordinates (v x y z r g b). */
 #include "mesh/read/chunks.h"
 #include "mesh/read/obj_materials.h"
 
 /* What is done in the order of the file. */
-enum { MATERIAL, LIBRARY, ELEMENT, FEW_CORNERS };
+enum { MATERIAL, LIBRARY, ELEMENT, FEW_CORNERS, OTHER };
 
 /* Numbers of a corner: those of its attributes, by attribute. No corner has a colour of its own, so
  * that in its column stands which of the others are relative, as bits 1 << attribute. */
@@ -18,7 +19,7 @@ typedef struct obj_state {
     int with_texcoords;
     burnish_obj_materials materials;
     size_t triangle; /* those before it have their run of one material */
-    int warned_elements, warned_corners;
+    burnish_warning_group elements, few_corners, free_form, unknown;
 } obj_state;
 
 typedef struct obj_parser {
@@ -364,6 +365,22 @@ static void read_face(obj_parser *obj, const uint8_t *at) {
 
 /* ---- Statements ---- */
 
+/* They make geometry that is not drawn. */
+static const char *const free_form_words[] = {"curv", "curv2", "surf", "bzp",
+                                              "bsp",  "cdc",   "cdp",  NULL};
+/* They make none of their own, or belong to those that do. */
+static const char *const silent_words[] = {
+    "mg",     "usemap", "maplib", "bevel", "lod",  "c_interp",   "d_interp",  "call", "csh",
+    "cstype", "deg",    "bmat",   "step",  "parm", "trim",       "hole",      "scrv", "sp",
+    "end",    "con",    "ctech",  "stech", "res",  "shadow_obj", "trace_obj", NULL};
+
+static int is_one_of(burnish_token keyword, const char *const *words) {
+    while (*words && !burnish_token_is(keyword, *words)) {
+        ++words;
+    }
+    return *words != NULL;
+}
+
 static void read_statement(obj_parser *obj) {
     burnish_token keyword;
     if (!burnish_lexer_token(&obj->lexer, &keyword)) {
@@ -377,6 +394,8 @@ static void read_statement(obj_parser *obj) {
             read_face(obj, keyword.bytes);
         } else if (first == 'l' || first == 'p') {
             burnish_chunk_note(obj->chunk, ELEMENT, keyword.bytes);
+        } else if (first != 'o' && first != 'g' && first != 's') {
+            burnish_chunk_note(obj->chunk, OTHER, keyword.bytes);
         }
     } else if (keyword.size == 2 && first == 'v') {
         if (second == 'n') {
@@ -388,6 +407,8 @@ static void read_statement(obj_parser *obj) {
         burnish_chunk_note(obj->chunk, MATERIAL, obj->lexer.next);
     } else if (burnish_token_is(keyword, "mtllib")) {
         burnish_chunk_note(obj->chunk, LIBRARY, obj->lexer.next);
+    } else if (!is_one_of(keyword, silent_words)) {
+        burnish_chunk_note(obj->chunk, OTHER, keyword.bytes);
     }
 }
 
@@ -416,6 +437,21 @@ static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
     return end;
 }
 
+/* A statement that is not read. */
+static void note_other(obj_state *obj, const uint8_t *at, burnish_lexer *lexer) {
+    burnish_token keyword;
+    burnish_lexer_token(lexer, &keyword);
+    if (is_one_of(keyword, free_form_words)) {
+        burnish_reader_note(obj->reader, &obj->free_form, at,
+                            "curves and surfaces (\"%s\") are not drawn; export them as faces",
+                            burnish_token_quote(keyword).text);
+    } else {
+        burnish_reader_note(obj->reader, &obj->unknown, at,
+                            "\"%s\" is not a statement of OBJ and was ignored",
+                            burnish_token_quote(keyword).text);
+    }
+}
+
 static burnish_status accept(void *state, const burnish_chunk *chunk) {
     obj_state *obj = state;
     burnish_status status = BURNISH_STATUS_OK;
@@ -424,16 +460,17 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
         const size_t triangle = chunk->triangles_before + event->triangle;
         burnish_lexer lexer = {event->at, chunk->text_end, 1};
         if (event->kind == ELEMENT) {
-            if (!obj->warned_elements++) {
-                burnish_reader_warn(obj->reader, event->at, "lines and points were ignored");
-            }
+            burnish_reader_note(obj->reader, &obj->elements, event->at,
+                                "lines and points are not drawn");
             continue;
         }
         if (event->kind == FEW_CORNERS) {
-            if (!obj->warned_corners++) {
-                burnish_reader_warn(obj->reader, event->at,
-                                    "faces with fewer than 3 corners were ignored");
-            }
+            burnish_reader_note(obj->reader, &obj->few_corners, event->at,
+                                "a face with fewer than 3 corners was ignored");
+            continue;
+        }
+        if (event->kind == OTHER) {
+            note_other(obj, event->at, &lexer);
             continue;
         }
         if (triangle > obj->triangle) {
@@ -459,6 +496,11 @@ static void check_texcoords(void *user_data, size_t first, size_t end) {
 
 static burnish_status finish(obj_state *obj) {
     burnish_mesh_data *mesh = obj->reader->mesh;
+    const burnish_warning_group *groups[] = {&obj->elements, &obj->few_corners, &obj->free_form,
+                                             &obj->unknown};
+    for (size_t i = 0; i < sizeof groups / sizeof *groups; ++i) {
+        burnish_reader_warn_group(obj->reader, groups[i]);
+    }
     if (mesh->triangle_count == 0) {
         return burnish_reader_fail(obj->reader, BURNISH_STATUS_FORMAT, NULL,
                                    "no faces among %zu vertices; export the mesh with its faces",

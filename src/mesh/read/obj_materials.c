@@ -348,7 +348,7 @@ static void warn_material(burnish_obj_materials *materials, burnish_token name) 
                             "usemtl without mtllib: its materials are burnish's grey");
         return;
     }
-    burnish_reader_warn(materials->reader, NULL,
+    burnish_reader_note(materials->reader, &materials->missing, NULL,
                         "material \"%s\" is in no material library; it is burnish's grey",
                         burnish_token_quote(name).text);
 }
@@ -412,6 +412,7 @@ burnish_status burnish_obj_resolve_materials(burnish_obj_materials *materials) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    burnish_reader_warn_group(materials->reader, &materials->missing);
     warn_undrawn(materials);
     return write_triangle_materials(materials);
 }

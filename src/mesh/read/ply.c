@@ -15,7 +15,7 @@ typedef struct ply_state {
     size_t first_row;                   /* rows of it that were read by other means */
     size_t vertex_count;
     burnish_ply_type types[BURNISH_PLY_ROLE_COUNT]; /* of a vertex; NONE: not there */
-    int warned_corners;
+    burnish_warning_group few_corners;
 } ply_state;
 
 static int has_roles(const ply_state *ply, int first, int last) {
@@ -328,9 +328,9 @@ static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
 
 static burnish_status accept(void *state, const burnish_chunk *chunk) {
     ply_state *ply = state;
-    if (chunk->event_count > 0 && !ply->warned_corners++) {
-        burnish_reader_warn(ply->reader, chunk->events[0].at,
-                            "faces with fewer than 3 corners were ignored");
+    for (size_t i = 0; i < chunk->event_count; ++i) {
+        burnish_reader_note(ply->reader, &ply->few_corners, chunk->events[i].at,
+                            "a face with fewer than 3 corners was ignored");
     }
     return BURNISH_STATUS_OK;
 }
@@ -538,6 +538,7 @@ static burnish_status read_body(ply_state *ply) {
 /* Says what of the file is not drawn or kept. */
 static void warn_undrawn(const ply_state *ply) {
     const burnish_mesh_data *mesh = ply->reader->mesh;
+    burnish_reader_warn_group(ply->reader, &ply->few_corners);
     const uint8_t *rgba = burnish_colors(mesh);
     int transparent = 0;
     if (rgba && ply->types[BURNISH_PLY_ALPHA] != BURNISH_PLY_NONE) {

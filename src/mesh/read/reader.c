@@ -145,6 +145,27 @@ void burnish_reader_warn(burnish_reader *reader, const uint8_t *at, const char *
     burnish_mesh_data_warn(reader->mesh, "%s", line);
 }
 
+void burnish_reader_note(burnish_reader *reader, burnish_warning_group *group, const uint8_t *at,
+                         const char *format, ...) {
+    if (group->count++ == 0) {
+        char line[LINE_SIZE];
+        va_list arguments;
+        va_start(arguments, format);
+        write_line(line, reader, at, format, arguments);
+        va_end(arguments);
+        burnish_fail(&group->first, BURNISH_STATUS_OK, "%s", line);
+    }
+}
+
+void burnish_reader_warn_group(burnish_reader *reader, const burnish_warning_group *group) {
+    if (group->count == 1) {
+        burnish_mesh_data_warn(reader->mesh, "%s", group->first.text);
+    } else if (group->count > 1) {
+        burnish_mesh_data_warn(reader->mesh, "%s (and %zu more like it)", group->first.text,
+                               group->count - 1);
+    }
+}
+
 burnish_number_text burnish_describe_number(const char *what, burnish_token token,
                                             burnish_number_status status) {
     burnish_number_text text;

@@ -39,6 +39,21 @@ __attribute__((format(printf, 4, 5))) burnish_status burnish_reader_fail(burnish
 __attribute__((format(printf, 3, 4))) void
 burnish_reader_warn(burnish_reader *reader, const uint8_t *at, const char *format, ...);
 
+/* Warnings of one kind, which make one line: the first, and how many more there were. All zero
+ * before the first. */
+typedef struct burnish_warning_group {
+    size_t count;
+    burnish_error first; /* its line */
+} burnish_warning_group;
+
+/* Adds a warning to a group; format and location as for burnish_reader_warn. */
+__attribute__((format(printf, 4, 5))) void burnish_reader_note(burnish_reader *reader,
+                                                               burnish_warning_group *group,
+                                                               const uint8_t *at,
+                                                               const char *format, ...);
+/* Warns of a group, once it is complete; of an empty one not. */
+void burnish_reader_warn_group(burnish_reader *reader, const burnish_warning_group *group);
+
 /* What to say of a number that can't be taken, and of `what` ("coordinate", "Kd" ...) it is. */
 typedef struct burnish_number_text {
     char text[160];

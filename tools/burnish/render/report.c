@@ -156,12 +156,11 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
                  failed);
 }
 
-static const char *look_name(int look) {
-    const cli_word *word = render_look_words;
-    while (word->value != look) {
-        ++word;
+static const char *word_of(const cli_word *words, int value) {
+    while (words->value != value) {
+        ++words;
     }
-    return word->name;
+    return words->name;
 }
 
 static void add_run(cJSON *root, const render_result *result, int *failed) {
@@ -174,7 +173,9 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
         failed);
     cli_json_add(root, "viewer", cJSON_CreateString(options->local_viewer ? "local" : "distant"),
                  failed);
-    cli_json_add(root, "look", cJSON_CreateString(look_name(result->settings->look)), failed);
+    cli_json_add(root, "look",
+                 cJSON_CreateString(word_of(render_look_words, (int)result->settings->look)),
+                 failed);
     cli_json_add(root, "occlusion",
                  cJSON_CreateNumber(result->cells[0].report.occlusion_directions), failed);
     cli_json_add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
