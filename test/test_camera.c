@@ -113,6 +113,51 @@ static void check_axis(const double actual[3], double x, double y, double z, con
           "%s: %g %g %g, not %g %g %g", what, actual[0], actual[1], actual[2], x, y, z);
 }
 
+/* Insets and a given height: the object's middle lies in the middle of what is left, its size is
+ * the one that fits there, or the given one. */
+static void test_insets(void) {
+    const double cases[][4] = {{0.1, 0, 0, 0}, {0, 0.2, 0.05, 0.15}, {0.3, 0.3, 0.01, 0}};
+    burnish_mesh *mesh = builtin("teapot");
+    burnish_error error;
+    for (int i = 0; i < 3; ++i) {
+        for (int projection = 0; projection < 3; ++projection) {
+            burnish_framing options = burnish_framing_default();
+            burnish_camera camera;
+            double e[4], t[4], smaller = 1;
+            options.aspect = 1.5;
+            options.orthographic = projection > 0;
+            options.orthographic_height = projection == 2 ? 12 : 0;
+            memcpy(options.inset, cases[i], sizeof options.inset);
+            CHECK1(burnish_camera_frame(mesh, &options, &camera, &error) == BURNISH_STATUS_OK);
+            CHECK1(projection < 2 || camera.orthographic_height == 12);
+            extent(mesh, &camera, e);
+            for (int k = 0; k < 4; ++k) {
+                t[k] = options.margin + cases[i][k];
+            }
+            for (int k = 0; k < 4 && projection == 0; k += 2) {
+                t[k] = t[k + 1] = fmax(t[k], t[k + 1]);
+            }
+            const double x0 = -options.aspect + 2 * smaller * t[0], y0 = -1 + 2 * smaller * t[2];
+            const double x1 = options.aspect - 2 * smaller * t[1], y1 = 1 - 2 * smaller * t[3];
+            CHECK(fabs(e[0] - x0 - (x1 - e[1])) < 1e-9 && fabs(e[2] - y0 - (y1 - e[3])) < 1e-9,
+                  "case %d, projection %d: %g %g %g %g in %g %g %g %g", i, projection, e[0], e[1],
+                  e[2], e[3], x0, x1, y0, y1);
+            CHECK1(projection == 2 || fabs(e[0] - x0) < 1e-9 || fabs(e[2] - y0) < 1e-9);
+        }
+    }
+    burnish_framing options = burnish_framing_default();
+    burnish_camera camera;
+    options.margin = 0.2;
+    options.inset[2] = options.inset[3] = 0.3;
+    CHECK1(burnish_camera_frame(mesh, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    options.inset[2] = -1;
+    CHECK1(burnish_camera_frame(mesh, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    options = burnish_framing_default();
+    options.orthographic_height = -1;
+    CHECK1(burnish_camera_frame(mesh, &options, &camera, &error) == BURNISH_STATUS_ARGUMENT);
+    burnish_mesh_destroy(mesh);
+}
+
 static void test_exact_fit(void) {
     const char *names[] = {"teapot", "knot", "torus"};
     const double aspects[] = {1, 16 / 9.0, 0.4}, angles[] = {30, 5, 100};
@@ -373,6 +418,7 @@ static void test_arguments(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_exact_fit());
+    RUN(test_insets());
     RUN(test_sphere_distance());
     RUN(test_three_quarter());
     RUN(test_named_views());

@@ -54,7 +54,8 @@ static void test_defaults(void) {
            s->load.max_input_bytes == load.max_input_bytes);
     CHECK1(s->view_angle.value == fit.view_angle && s->margin.value == fit.margin);
     CHECK1(s->azimuth.value == fit.azimuth && s->elevation.value == fit.elevation);
-    CHECK1(!s->json && !s->quiet && !s->fail_on_blank && !s->orthographic && s->material == 0);
+    CHECK1(!s->json && !s->quiet && !s->fail_on_blank && s->projection == PROJECTION_AUTO &&
+           s->material == 0);
 }
 
 static void test_forms(void) {

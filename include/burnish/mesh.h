@@ -287,10 +287,16 @@ typedef struct burnish_framing {
     double view_angle;   /* degrees, [BURNISH_VIEW_ANGLE_MIN, BURNISH_VIEW_ANGLE_MAX] */
     double aspect;       /* width / height of the picture, [1e-5, 1e5] */
     double margin;       /* share of the smaller side left free on each side, [0, 0.45] */
+    double inset[4];     /* left, right, bottom, top: shares of the smaller side left free besides
+                            the margin, for what is drawn around the object, [0, 0.45]. In
+                            perspective the larger of two opposite ones counts for both */
     int orthographic;    /* 1: parallel projection */
+    double orthographic_height; /* > 0: the picture's height in world units, instead of the one
+                                   that fits, and a parallel projection; 0: what fits */
 } burnish_framing;
 
-/* The mesh's up axis, three-quarter view, view angle 30 degrees, aspect 1, margin 0.05. */
+/* The mesh's up axis, three-quarter view, view angle 30 degrees, aspect 1, margin 0.05, no insets,
+ * perspective. */
 BURNISH_API burnish_framing burnish_framing_default(void);
 
 /* The camera that shows the whole mesh as large as the margin allows, exactly: it fits the

@@ -52,6 +52,34 @@ static burnish_status check_vector(const double v[3], const char *name, burnish_
     return BURNISH_STATUS_OK;
 }
 
+/* Side of the picture, in heights, that margin and insets are shares of. */
+static double smaller_side(const burnish_framing *options) {
+    return options->aspect < 1 ? options->aspect : 1;
+}
+
+/* What margin and insets leave, across and up, in halves of the picture's height: in perspective
+ * the object stays in the middle of the picture. */
+static void picture_slopes(const burnish_framing *options, int centered, double slope[2]) {
+    const double smaller = smaller_side(options);
+    for (int axis = 0; axis < 2; ++axis) {
+        const double *inset = options->inset + 2 * axis;
+        const double larger = inset[0] > inset[1] ? inset[0] : inset[1];
+        const double taken = centered ? 2 * larger : inset[0] + inset[1];
+        slope[axis] = (axis == 0 ? options->aspect : 1) - 2 * options->margin * smaller;
+        slope[axis] -= taken * smaller;
+    }
+}
+
+static burnish_status check_room(const burnish_framing *options, burnish_error *error) {
+    double slope[2];
+    picture_slopes(options, !options->orthographic && !(options->orthographic_height > 0), slope);
+    return slope[0] > 0 && slope[1] > 0
+               ? BURNISH_STATUS_OK
+               : burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "options: margin and inset leave no room for the object; make them "
+                              "smaller");
+}
+
 static burnish_status check_framing(const burnish_framing *options, burnish_error *error) {
     if (!options) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -81,7 +109,13 @@ static burnish_status check_framing(const burnish_framing *options, burnish_erro
     if (status == BURNISH_STATUS_OK) {
         status = check_number(options->margin, 0, 0.45, "margin", error);
     }
-    return status;
+    for (int i = 0; i < 4 && status == BURNISH_STATUS_OK; ++i) {
+        status = check_number(options->inset[i], 0, 0.45, "inset", error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_number(options->orthographic_height, 0, 1e100, "orthographic_height", error);
+    }
+    return status == BURNISH_STATUS_OK ? check_room(options, error) : status;
 }
 
 /* Unit vector along v, whose largest coordinate may have any size. */
@@ -280,19 +314,12 @@ static void center_axes(const view_mesh *view, double cz, double center[2]) {
     }
 }
 
-/* Where the margins leave off, across and up, in halves of the picture's height. */
-static void picture_slopes(const burnish_framing *options, double slope[2]) {
-    double smaller = options->aspect < 1 ? options->aspect : 1; /* side, in heights */
-    slope[0] = options->aspect - 2 * options->margin * smaller;
-    slope[1] = 1 - 2 * options->margin * smaller;
-}
-
 static void frame_perspective(const view_mesh *view, const burnish_framing *options,
                               burnish_vec3 *position, double *focus) {
     double sine, cosine, slope[2], near_depth, far_depth, center[2];
     extreme side[4];
     burnish_sincos(options->view_angle * DEGREE / 2, &sine, &cosine);
-    picture_slopes(options, slope);
+    picture_slopes(options, 1, slope);
     double tx = sine / cosine * slope[0], ty = sine / cosine * slope[1];
     measure_depth(view, &near_depth, &far_depth);
     push_sides(view, tx, ty, side);
@@ -310,16 +337,21 @@ static double frame_orthographic(const view_mesh *view, const burnish_framing *o
                                  burnish_vec3 *position, double *focus) {
     double slope[2], near_depth, far_depth;
     extreme side[4];
-    picture_slopes(options, slope);
+    picture_slopes(options, 0, slope);
     measure_depth(view, &near_depth, &far_depth);
     push_sides(view, 0, 0, side);
     double height_x = (side[0].value + side[1].value) / slope[0];
     double height_y = (side[2].value + side[3].value) / slope[1];
     double height = height_x > height_y ? height_x : height_y;
+    height = height > 0 ? height : view->diagonal;
+    height = options->orthographic_height > 0 ? options->orthographic_height : height;
+    const double unit = height * smaller_side(options) / 2; /* half of what an inset of 1 takes */
+    const double *inset = options->inset;
     *focus = (near_depth + far_depth) / 2;
-    *position = (burnish_vec3){(side[0].value - side[1].value) / 2,
-                               (side[2].value - side[3].value) / 2, *focus + view->diagonal};
-    return height > 0 ? height : view->diagonal;
+    *position = (burnish_vec3){(side[0].value - side[1].value) / 2 - (inset[0] - inset[1]) * unit,
+                               (side[2].value - side[3].value) / 2 - (inset[2] - inset[3]) * unit,
+                               *focus + view->diagonal};
+    return height;
 }
 
 /* From the frame back to the mesh's coordinates. */
@@ -353,7 +385,7 @@ static burnish_status frame_mesh(const burnish_mesh *mesh, const burnish_framing
     if (measure_groups(&view, &memory) != BURNISH_STATUS_OK) {
         return memory.status;
     }
-    if (options->orthographic) {
+    if (options->orthographic || options->orthographic_height > 0) {
         height = frame_orthographic(&view, options, &position, &focus);
     } else {
         frame_perspective(&view, options, &position, &focus);

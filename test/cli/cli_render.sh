@@ -132,7 +132,7 @@ run render :teapot --size=64 --occlusion=8 --json -o t.png
 check "JSON is valid" valid_json
 check "JSON alone: nothing on standard error" [ ! -s "$err" ]
 for key in burnish input format output width height triangles vertices materials exponents bounding_box up \
-    triangles_drawn covered_pixels pixel_bounds near_white near_black like_ground contrast camera lobe equation viewer lights samples threads seconds hash \
+    triangles_drawn covered_pixels pixel_bounds near_white near_black like_ground contrast camera pixels_per_unit lobe equation viewer lights samples threads seconds hash \
     hash_algorithm blank warnings; do
     check "JSON lacks $key" grep -q "\"$key\":" "$out"
 done
@@ -220,6 +220,8 @@ same "a closed surface has no back that shows" "$(hash :sphere --size=64 --sampl
 same "specular 0 has no lobe" "$(hash :teapot --size=64 --specular=0)" \
     "$(hash :teapot --size=64 --specular=0 --lobe=power)"
 same "a turn of 360 degrees and --size" "$(hash :teapot --resolution=64,64 --camera-direction=0,0,-1)" \
+    "$(hash :teapot --size=64 --views=front --camera-orthographic=no)"
+same "standard views are parallel projections" "$(hash :teapot --size=64 --camera-direction=0,0,-1 --camera-orthographic)" \
     "$(hash :teapot --size=64 --views=front)"
 same "STL stands on +Z" "$(hash in/part.v2.stl --size=32)" "$(hash in/part.v2.stl --size=32 --up=+Z)"
 # A binary STL whose header begins as a PLY's does: only the flag says what it is.
@@ -251,6 +253,27 @@ differs "--no-labels" "$labelled" "$(hash :teapot --views=front,top --size=40 --
 run render :teapot --views=front,top --lobe=power,energy:2,taylor:4 --size=40 --json -o sheet.png
 check "views times lobes" [ "$(grep -c '"row":' "$out")" = 6 ]
 check "a row a view" [ "$(grep -c '"column":.*2' "$out")" = 2 ]
+# One scale: a block of 40 x 20 x 10 measures the same in all cells, and in all runs.
+printf 'v 0 0 0\nv 40 0 0\nv 40 20 0\nv 0 20 0\nv 0 0 10\nv 40 0 10\nv 40 20 10\nv 0 20 10\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 4 3 7 8\nf 1 4 8 5\nf 2 3 7 6\n' >block.obj
+# bounds: widths and heights of the silhouettes, one cell after another
+bounds() { tr -d ' \n\t' <"$out" | grep -o '"pixel_bounds":\[[0-9,]*' | tr -c '0-9\n' ' ' | awk '{printf "%dx%d ", $3 - $1, $4 - $2}'; }
+run render block.obj --views=front,right,top --same-scale --size=100 --margin=0.1 --occlusion=none --json -o s.png
+same "silhouettes of one scale" "$(bounds)" "80x40 20x40 80x20 "
+same "pixels per unit" "$(grep -c '"pixels_per_unit":[[:space:]]*2,' "$out")" 3
+run render block.obj --views=front,right,top --size=100 --margin=0.1 --occlusion=none --json -o s.png
+same "silhouettes of three scales" "$(bounds)" "80x40 40x80 80x20 "
+run render block.obj --views=front,right,top --camera-orthographic-height=50 --size=100 --occlusion=none --json -o s.png
+same "silhouettes of a given scale" "$(bounds)" "80x40 20x40 80x20 "
+run render block.obj --camera-direction=1,0,0 --camera-orthographic-height=100 --size=100 --occlusion=none --json -o s.png
+same "a scale without a view" "$(bounds)$(json pixels_per_unit)" "10x20 1"
+run render block.obj --size=16 --json -o s.png
+expect 2 'burnish: --camera-orthographic: "x" is not one of yes, no, 1, 0' render block.obj --camera-orthographic=x
+run render block.obj --size=16 --json -o s.png
+same "a perspective has no scale" "$(json pixels_per_unit)" null
+expect 2 'burnish: --same-scale: a perspective has no scale; leave out --camera-orthographic=no' render block.obj --same-scale --camera-orthographic=no
+expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; leave out --camera-orthographic=no' render block.obj --camera-orthographic=0 --camera-orthographic-height=3
+expect 2 'burnish: --camera-zoom-factor: --camera-orthographic-height already says how large the object is; leave one out' render block.obj --camera-orthographic-height=3 --camera-zoom-factor=2
+
 run render :teapot --lobe=power,schlick,energy:2,taylor:2 --columns=4 --size=40 --json -o sheet.png
 check "four columns" [ "$(json width)" -ge 160 ]
 

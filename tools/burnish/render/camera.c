@@ -109,28 +109,38 @@ static burnish_status choose_upward(const frame *axes, const render_settings *se
     return BURNISH_STATUS_OK;
 }
 
-static burnish_framing fit_options(const render_settings *settings) {
+/* What the camera flags and a view ask of framing. */
+static int is_parallel(const render_settings *settings, render_view view) {
+    return settings->projection == PROJECTION_PARALLEL || settings->same_scale ||
+           settings->orthographic_height.given ||
+           (settings->projection == PROJECTION_AUTO && view != VIEW_FREE);
+}
+
+static burnish_framing fit_options(const render_settings *settings, render_view view,
+                                   double height) {
     burnish_framing options = burnish_framing_default();
     options.view_angle = settings->view_angle.value;
     options.aspect = (double)settings->size[0] / settings->size[1];
     options.margin = settings->margin.value;
-    options.orthographic = settings->orthographic;
+    options.orthographic = is_parallel(settings, view);
+    options.orthographic_height =
+        settings->orthographic_height.given ? settings->orthographic_height.value : height;
     return options;
 }
 
 /* Frames the object seen along direction with upward up. */
-static burnish_status fit_along(const burnish_mesh *mesh, const render_settings *settings,
+static burnish_status fit_along(const burnish_mesh *mesh, burnish_framing options,
                                 const double direction[3], const double upward[3],
                                 burnish_camera *camera, burnish_error *error) {
-    burnish_framing options = fit_options(settings);
     memcpy(options.direction, direction, sizeof options.direction);
     memcpy(options.up, upward, sizeof options.up);
+    options.azimuth = options.elevation = 0;
     return burnish_camera_frame(mesh, &options, camera, error);
 }
 
 static burnish_status explicit_camera(const burnish_mesh *mesh, const render_settings *settings,
-                                      const frame *axes, burnish_camera *camera,
-                                      burnish_error *error) {
+                                      const frame *axes, const burnish_framing *options,
+                                      burnish_camera *camera, burnish_error *error) {
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     double focal[3], direction[3], upward[3];
     for (int k = 0; k < 3; ++k) {
@@ -144,8 +154,8 @@ static burnish_status explicit_camera(const burnish_mesh *mesh, const render_set
                         "--camera-position: it is the focal point; move one of them");
     }
     burnish_status status = choose_upward(axes, settings, direction, upward, error);
-    if (status == BURNISH_STATUS_OK && settings->orthographic) {
-        status = fit_along(mesh, settings, direction, upward, camera, error);
+    if (status == BURNISH_STATUS_OK && options->orthographic) {
+        status = fit_along(mesh, *options, direction, upward, camera, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -160,16 +170,15 @@ static burnish_status explicit_camera(const burnish_mesh *mesh, const render_set
 /* The camera that shows the whole object: standard views, --camera-direction, three-quarter view.
  */
 static burnish_status framed_camera(const burnish_mesh *mesh, const render_settings *settings,
-                                    render_view view, const frame *axes, burnish_camera *camera,
-                                    burnish_error *error) {
+                                    render_view view, const frame *axes, burnish_framing options,
+                                    burnish_camera *camera, burnish_error *error) {
     double direction[3], upward[3];
     burnish_status status;
     if (view != VIEW_FREE) {
         combine(axes, views[view].toward, -1, direction);
         combine(axes, views[view].upward, 1, upward);
-        return fit_along(mesh, settings, direction, upward, camera, error);
+        return fit_along(mesh, options, direction, upward, camera, error);
     }
-    burnish_framing options = fit_options(settings);
     memcpy(options.up, axes->up, sizeof options.up);
     options.azimuth = settings->azimuth.value;
     options.elevation = settings->elevation.value;
@@ -186,17 +195,19 @@ static burnish_status framed_camera(const burnish_mesh *mesh, const render_setti
     /* A rolled picture has other extents: frame again along the direction just found. */
     subtract(camera->focal_point, camera->position, direction);
     status = choose_upward(axes, settings, direction, upward, error);
-    return status == BURNISH_STATUS_OK ? fit_along(mesh, settings, direction, upward, camera, error)
+    return status == BURNISH_STATUS_OK ? fit_along(mesh, options, direction, upward, camera, error)
                                        : status;
 }
 
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
-                             render_view view, burnish_camera *camera, burnish_error *error) {
+                             render_view view, double height, burnish_camera *camera,
+                             burnish_error *error) {
     const frame *axes = frame_in_use(mesh, settings);
+    const burnish_framing options = fit_options(settings, view, height);
     *camera = (burnish_camera){.view_angle = settings->view_angle.value};
     burnish_status status = settings->position.given
-                                ? explicit_camera(mesh, settings, axes, camera, error)
-                                : framed_camera(mesh, settings, view, axes, camera, error);
+                                ? explicit_camera(mesh, settings, axes, &options, camera, error)
+                                : framed_camera(mesh, settings, view, axes, options, camera, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

@@ -61,7 +61,7 @@ static const cli_flag flags[] = {
      .takes_file = 1,
      TARGET(output)},
     {.name = "overwrite",
-     .help = "replace a file that has INPUT's name with .png, whoever wrote it",
+     .help = "replace a file with INPUT's name and .png, whoever wrote it",
      .manual = "Replaces a file that has the name made from _INPUT_'s, whoever wrote it. Without "
                "this flag only pictures by burnish are replaced.",
      .handler = cli_flag_switch,
@@ -131,7 +131,8 @@ static const cli_flag flags[] = {
          "Standard views, seen along the axes; several, between commas, make one labelled "
          "sheet. *front* looks at the side that faces the viewer when the up axis points up "
          "(+Z for up +Y, -Y for up +Z), *iso* is the isometric direction from the upper right "
-         "front. Each view is framed on its own.",
+         "front. They are parallel projections unless *--camera-orthographic=no* is given. Each "
+         "view is framed on its own, in a scale of its own unless *--same-scale* is given.",
      .handler = render_flag_views,
      .words = view_words,
      TARGET(views)},
@@ -254,11 +255,35 @@ static const cli_flag flags[] = {
     {.name = "camera-orthographic",
      .aliases = "ortho,parallel",
      .common = 1,
-     .help = "parallel projection",
-     .manual = "Parallel projection. With *--camera-position* the height of the picture is the one "
+     .value = "no",
+     .optional = 1,
+     .help = "parallel projection; no: perspective",
+     .default_label = "for --views",
+     .manual = "Parallel projection, which standard views have without this flag; *no* draws those "
+               "in perspective too. With *--camera-position* the height of the picture is the one "
                "that frames the object.",
+     .handler = render_flag_projection,
+     TARGET(projection)},
+    {.name = "camera-orthographic-height",
+     .aliases = "parallel-scale,ortho-scale,orthographic-height",
+     .value = "H",
+     .help = "parallel projection, H units of the input high",
+     .default_label = "what fits",
+     .low = 1e-30,
+     .high = 1e30,
+     .manual = "Parallel projection in which the picture's height shows _H_ units of the input: "
+               "pictures of different objects, or of different runs, have one scale. The object "
+               "stays in the middle; *--margin* has no meaning.",
+     .handler = cli_flag_real,
+     TARGET(orthographic_height)},
+    {.name = "same-scale",
+     .help = "parallel projection, all cells of a sheet in one scale",
+     .manual = "Draws all cells of a sheet in one scale, the largest in which each view fits: "
+               "lengths can be compared across views, and what is at one height in *front* is at "
+               "that height in *right*. Implies *--camera-orthographic*. The report's "
+               "*pixels_per_unit* tells the scale.",
      .handler = cli_flag_switch,
-     TARGET(orthographic)},
+     TARGET(same_scale)},
     {.name = "margin",
      .help = "share left free at each side by framing",
      .value = "F",
@@ -348,7 +373,7 @@ static const cli_flag flags[] = {
     {.name = "light",
      .common = 1,
      .value = "SPEC",
-     .help = "KIND:X,Y,Z[:INTENSITY[:COLOR]]; may be repeated",
+     .help = "KIND:X,Y,Z[:INTENSITY[:COLOR]]; repeatable",
      .default_label = "key, fill, rim",
      .manual =
          "A light, in place of the default rig of key, fill and rim light; see *LIGHTS*. May be "
@@ -499,6 +524,7 @@ static const cli_term json_terms[] = {
                    "without a background"},
     {"*camera*", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* "
                  "(0: perspective)"},
+    {"*pixels_per_unit*", "scale of a parallel projection; null in perspective"},
     {"*lobe, equation, viewer, look, occlusion, lights, samples, threads, isa*", "as used"},
     {"*seconds*", "*start* (processor time before loading), *load* (of which *read* and "
                   "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},

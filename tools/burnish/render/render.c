@@ -123,14 +123,9 @@ static burnish_status draw_cell(render_result *result, burnish_renderer *rendere
                                 burnish_render_options *options, render_cell *cell,
                                 burnish_error *error) {
     options->lobe = cell->lobe;
+    options->camera = cell->camera;
     options->counts = result->settings->json ? BURNISH_COUNTS_ALL : BURNISH_COUNTS_PIXELS;
     burnish_status status =
-        render_camera(result->mesh, result->settings, cell->view, &options->camera, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    cell->camera = options->camera;
-    status =
         burnish_renderer_draw(renderer, result->mesh, options, &cell->image, &cell->report, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -163,12 +158,34 @@ static void describe_cells(render_result *result) {
     }
 }
 
+/* The cameras of all cells; with --same-scale once more at the largest height that one needs. */
+static burnish_status aim_cells(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    burnish_status status = BURNISH_STATUS_OK;
+    double height = 0;
+    for (int pass = 0; pass <= settings->same_scale; ++pass) {
+        double largest = 0;
+        for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
+            burnish_camera *camera = &result->cells[i].camera;
+            status =
+                render_camera(result->mesh, settings, result->cells[i].view, height, camera, error);
+            const double needed = camera->orthographic_height * settings->zoom.value;
+            largest = needed > largest ? needed : largest;
+        }
+        height = largest;
+    }
+    return status;
+}
+
 static burnish_status draw_cells(render_result *result, burnish_render_options *options,
                                  burnish_error *error) {
     const render_settings *settings = result->settings;
     int progress = result->cell_count > 1 && !settings->quiet && isatty(STDERR_FILENO);
-    burnish_renderer *renderer;
-    burnish_status status = burnish_renderer_create(NULL, &renderer, error);
+    burnish_renderer *renderer = NULL;
+    burnish_status status = aim_cells(result, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renderer_create(NULL, &renderer, error);
+    }
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
         render_cell *cell = &result->cells[i];
         if (progress) {

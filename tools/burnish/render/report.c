@@ -3,6 +3,7 @@
 
 #include <cjson/cJSON.h>
 #include <errno.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -106,6 +107,9 @@ static void add_picture(cJSON *object, const render_cell *cell, int *failed) {
     cli_json_add(object, "like_ground", cli_json_real(cell->tones.like_ground), failed);
     cli_json_add(object, "contrast", cli_json_real(cell->tones.contrast), failed);
     cli_json_add(object, "camera", camera_object(&cell->camera, failed), failed);
+    const double height = cell->camera.orthographic_height;
+    cli_json_add(object, "pixels_per_unit",
+                 cli_json_real(height > 0 ? cell->image.height / height : (double)NAN), failed);
     cli_json_add(object, "lobe", cJSON_CreateString(lobe), failed);
 }
 

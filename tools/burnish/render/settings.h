@@ -30,6 +30,12 @@ typedef enum render_up {
     UP_NEGATIVE_Z
 } render_up;
 
+typedef enum render_projection {
+    PROJECTION_AUTO, /* parallel for standard views, else perspective */
+    PROJECTION_PARALLEL,
+    PROJECTION_PERSPECTIVE
+} render_projection;
+
 typedef struct render_views {
     render_view items[RENDER_LIST_MAX];
     size_t count;
@@ -82,7 +88,9 @@ typedef struct render_settings {
     int up; /* render_up */
     cli_vector direction, position, focal_point, view_up;
     cli_real azimuth, elevation, view_angle, zoom, margin;
-    int orthographic;
+    int projection; /* render_projection */
+    cli_real orthographic_height;
+    int same_scale;
 
     cli_color color;
     int material; /* 1 + index into render_presets; 0: the input's own */
@@ -142,5 +150,6 @@ cli_handler render_flag_lobes;         /* render_lobes */
 cli_handler render_flag_light;         /* render_lights */
 cli_handler render_flag_ambient;       /* render_ambient */
 cli_handler render_flag_occlusion;     /* render_occlusion */
+cli_handler render_flag_projection;    /* int: render_projection */
 
 #endif

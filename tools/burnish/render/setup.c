@@ -111,6 +111,24 @@ static burnish_status check_output(const render_settings *settings, burnish_erro
     return check_ending(settings->output, error);
 }
 
+/* A scale is one of a parallel projection, and there is one. */
+static burnish_status check_scale_flags(const render_settings *settings, burnish_error *error) {
+    const char *scale = settings->orthographic_height.given ? "camera-orthographic-height"
+                        : settings->same_scale              ? "same-scale"
+                                                            : NULL;
+    if (scale && settings->projection == PROJECTION_PERSPECTIVE) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: a perspective has no scale; leave out --camera-orthographic=no",
+                        scale);
+    }
+    if (settings->orthographic_height.given && settings->zoom.value != 1) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--camera-zoom-factor: --camera-orthographic-height already says how large "
+                        "the object is; leave one out");
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status check_camera_flags(const render_settings *settings, burnish_error *error) {
     const char *turn = settings->azimuth.value != 0     ? "camera-azimuth-angle"
                        : settings->elevation.value != 0 ? "camera-elevation-angle"
@@ -127,7 +145,7 @@ static burnish_status check_camera_flags(const render_settings *settings, burnis
         fixed = "views";
     }
     if (!extra) {
-        return BURNISH_STATUS_OK;
+        return check_scale_flags(settings, error);
     }
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "--%s: --%s already says where the camera looks from; leave one out", extra,

@@ -210,3 +210,15 @@ burnish_status render_flag_occlusion(const cli_flag *flag, const char *text, voi
     *occlusion = (render_occlusion){1, directions};
     return BURNISH_STATUS_OK;
 }
+
+burnish_status render_flag_projection(const cli_flag *flag, const char *text, void *target,
+                                      burnish_error *error) {
+    static const cli_word words[] = {{"yes", PROJECTION_PARALLEL},
+                                     {"no", PROJECTION_PERSPECTIVE},
+                                     {"1", PROJECTION_PARALLEL},
+                                     {"0", PROJECTION_PERSPECTIVE},
+                                     {NULL, 0}};
+    cli_flag named = *flag;
+    named.words = words;
+    return cli_flag_word(&named, text ? text : "yes", target, error);
+}
