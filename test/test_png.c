@@ -193,7 +193,7 @@ static void test_bad_views(void) {
                   "PNG: a size of 1 x 16385 pixels; width and height must be 1 to 16384"},
                  {1, 1, BURNISH_PIXELS_RGBA8, 3, "PNG: a stride of 3 bytes; a row has 4"},
                  {1, 1, BURNISH_PIXELS_RGBA_FLOAT, 4,
-                  "PNG: 3 is no pixel format; expected RGB8, RGBA8 or BGRA8"}};
+                  "PNG: 3 is no pixel format; expected RGB8, RGBA8, BGRA8, GRAY16 or RGB16"}};
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; ++i) {
         const burnish_pixels view = {CASES[i].width, CASES[i].height, CASES[i].format,
                                      CASES[i].stride, pixel};
@@ -206,6 +206,92 @@ static void test_bad_views(void) {
     CHECK_STATUS(burnish_png_encode(&view, &unset, &bytes, &size, &error), BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text,
                "PNG options: not initialised; start from burnish_png_options_default()");
+}
+
+/* Numbers of 16 bits come back as they were, several bands of them, and no sRGB says they are
+ * colours. */
+static void test_16_bits(void) {
+    enum { WIDTH = 401, HEIGHT = 233, GAP = 6 };
+    for (int channels = 1; channels <= 3; channels += 2) {
+        const size_t stride = WIDTH * 2 * (size_t)channels + GAP, row = WIDTH * (size_t)channels;
+        uint8_t *rows = calloc(HEIGHT, stride), *bytes;
+        uint64_t state = test_seed((unsigned)channels);
+        size_t size;
+        for (size_t i = 0; rows && i < HEIGHT * row; ++i) {
+            const uint16_t value = (uint16_t)(i % 3 ? i * 7 : test_random32(&state));
+            memcpy(rows + i / row * stride + 2 * (i % row), &value, sizeof value);
+        }
+        const burnish_pixels view = {WIDTH, HEIGHT,
+                                     channels == 1 ? BURNISH_PIXELS_GRAY16 : BURNISH_PIXELS_RGB16,
+                                     stride, rows};
+        CHECK_STATUS(burnish_png_encode(&view, NULL, &bytes, &size, NULL), BURNISH_STATUS_OK);
+        FILE *file = fmemopen(bytes, size, "rb");
+        png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+        png_infop info = png_create_info_struct(png);
+        png_init_io(png, file);
+        png_read_png(png, info, PNG_TRANSFORM_IDENTITY, NULL);
+        CHECK(png_get_bit_depth(png, info) == 16 && png_get_channels(png, info) == channels &&
+                  png_get_image_width(png, info) == WIDTH &&
+                  png_get_image_height(png, info) == HEIGHT,
+              "%d channels: not the header", channels);
+        CHECK(!png_get_valid(png, info, PNG_INFO_sRGB), "16 bits are no sRGB colours");
+        uint8_t *const *read = png_get_rows(png, info);
+        int wrong = 0;
+        for (size_t i = 0; i < HEIGHT * row; ++i) {
+            uint16_t value;
+            memcpy(&value, rows + i / row * stride + 2 * (i % row), sizeof value);
+            const uint8_t *big = read[i / row] + 2 * (i % row);
+            wrong += (big[0] << 8 | big[1]) != value;
+        }
+        CHECK(wrong == 0, "%d channels: %d of the values differ", channels, wrong);
+        png_destroy_read_struct(&png, &info, NULL);
+        fclose(file);
+        burnish_release(NULL, bytes);
+        free(rows);
+    }
+}
+
+/* pHYs as libpng reads it: dots per metre, the nearest whole number; no sRGB in data. */
+static void test_density(void) {
+    static const struct {
+        double dots_per_inch;
+        unsigned per_metre;
+    } CASES[] = {{0, 0}, {1, 39}, {72, 2835}, {300, 11811}, {96.5, 3799}, {1e6, 39370079}};
+    burnish_image image = make(5, 4, 3);
+    const burnish_pixels pixels = burnish_image_pixels(&image);
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; ++i) {
+        burnish_png_options options = burnish_png_options_default();
+        uint8_t *bytes;
+        size_t size;
+        options.dots_per_inch = CASES[i].dots_per_inch;
+        options.is_data = (int)i % 2;
+        CHECK_STATUS(burnish_png_encode(&pixels, &options, &bytes, &size, NULL), BURNISH_STATUS_OK);
+        FILE *file = fmemopen(bytes, size, "rb");
+        png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+        png_infop info = png_create_info_struct(png);
+        png_init_io(png, file);
+        png_read_info(png, info);
+        const unsigned x = (unsigned)png_get_x_pixels_per_meter(png, info);
+        const unsigned y = (unsigned)png_get_y_pixels_per_meter(png, info);
+        CHECK(x == CASES[i].per_metre && y == x, "%g dots per inch: %u and %u per metre",
+              CASES[i].dots_per_inch, x, y);
+        CHECK((png_get_valid(png, info, PNG_INFO_sRGB) == 0) == options.is_data, "sRGB or not");
+        png_destroy_read_struct(&png, &info, NULL);
+        fclose(file);
+        burnish_release(NULL, bytes);
+    }
+    static const double wrong[] = {0.5, -1, 1e7, 0.0 / 0.0};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+        burnish_png_options options = burnish_png_options_default();
+        burnish_error error;
+        uint8_t *bytes;
+        size_t size;
+        options.dots_per_inch = wrong[i];
+        CHECK_STATUS(burnish_png_encode(&pixels, &options, &bytes, &size, &error),
+                     BURNISH_STATUS_ARGUMENT);
+        CHECK(strstr(error.text, "dots per inch; expected 1 to 1e6"), "%s", error.text);
+    }
+    burnish_image_destroy(&image);
 }
 
 typedef struct counted_memory {
@@ -292,6 +378,8 @@ int main(int count, char **arguments) {
     RUN(test_bands());
     RUN(test_chunks());
     RUN(test_views());
+    RUN(test_16_bits());
+    RUN(test_density());
     RUN(test_bad_views());
     RUN(test_context());
     RUN(test_write_png());

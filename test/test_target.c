@@ -113,7 +113,7 @@ static int same_pixel(burnish_pixel_format format, const uint8_t *pixel, const u
     }
 }
 
-static const size_t PIXEL_SIZES[BURNISH_PIXELS_COUNT] = {3, 4, 4, 16};
+static const size_t PIXEL_SIZES[] = {3, 4, 4, 16};
 
 static void check_format(burnish_renderer *renderer, const burnish_mesh *mesh,
                          const burnish_render_options *options, burnish_pixel_format format,
@@ -147,7 +147,7 @@ static void test_formats(int samples) {
     burnish_mesh *mesh = load(":knot", 12);
     burnish_renderer *renderer;
     CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    for (int i = 0; i < 2 * BURNISH_PIXELS_COUNT; ++i) {
+    for (int i = 0; i < 2 * (BURNISH_PIXELS_RGBA_FLOAT + 1); ++i) {
         const burnish_pixel_format format = (burnish_pixel_format)(i / 2);
         burnish_render_options options = make_options(mesh, samples);
         options.transparent = i % 2;
@@ -535,6 +535,7 @@ static void test_errors(void) {
     WRONG(target.pixels.stride = 4 * WIDTH - 1, "pixels has a stride of 523 bytes");
     WRONG(target.pixels.width = WIDTH - 1, "130 x 77");
     WRONG(target.pixels.format = BURNISH_PIXELS_COUNT, "no pixel format");
+    WRONG(target.pixels.format = BURNISH_PIXELS_GRAY16, "no pixel format");
     WRONG(target.depth_stride = 4 * WIDTH - 4, "depth");
     WRONG(target.depth_stride = 4 * WIDTH + 2, "multiple of 4");
     WRONG(target.triangle_stride = 4, "triangles");

@@ -1,6 +1,7 @@
-/* burnish/image.h: keep a picture: 8-bit pixels, PNG, hash, labels, contact sheets.
+/* burnish/image.h: keep a picture: 8-bit pixels, PNG (also of 16 bits), hash, labels, contact
+ * sheets.
  *
- * What it does not do: read pictures, resample them, or hold more than 8 bits per channel.
+ * What it does not do: read pictures, or resample them.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -36,13 +37,15 @@ BURNISH_API burnish_status burnish_image_create(burnish_image *image, int width,
 /* Releases the pixels and makes the image empty. An empty image and NULL are allowed. */
 BURNISH_API void burnish_image_destroy(burnish_image *image);
 
-/* How pixels lie in memory: sRGB codes of 8 bits, or floats. A fourth channel is straight (not
- * premultiplied) alpha. */
+/* How pixels lie in memory: sRGB codes of 8 bits, floats, or numbers of 16 bits in the byte order
+ * of the machine. A fourth channel is straight (not premultiplied) alpha. */
 typedef enum burnish_pixel_format {
     BURNISH_PIXELS_RGB8,
     BURNISH_PIXELS_RGBA8,
     BURNISH_PIXELS_BGRA8,      /* what most window systems show */
     BURNISH_PIXELS_RGBA_FLOAT, /* linear light, 4 floats: drawn by render.h, not kept as PNG */
+    BURNISH_PIXELS_GRAY16,     /* kept as PNG, not drawn: for depth and the like */
+    BURNISH_PIXELS_RGB16,
     BURNISH_PIXELS_COUNT
 } burnish_pixel_format;
 
@@ -59,7 +62,8 @@ BURNISH_API burnish_pixels burnish_image_pixels(const burnish_image *image);
 
 /* XXH64 (seed 0) of the pixel bytes in the order RGB or RGBA, without what lies between rows: what
  * `xxhsum -H64` prints for them as a raw file. The same picture has the same hash in RGBA8 and
- * BGRA8. Of nothing for a view that can't be read (see burnish_png_encode). */
+ * BGRA8. Of nothing for other formats and for a view that can't be read (see burnish_png_encode).
+ */
 BURNISH_API uint64_t burnish_pixels_hash(const burnish_pixels *pixels);
 BURNISH_API uint64_t burnish_image_hash(const burnish_image *image);
 
@@ -68,10 +72,13 @@ typedef struct burnish_png_options {
     uint32_t cookie;          /* set by burnish_png_options_default() */
     burnish_context *context; /* NULL: the default */
     int threads;              /* at most so many, [0, 1024]; 0: one per processor */
+    double dots_per_inch;     /* [1, 1e6], in the chunk pHYs, rounded to dots per metre; 0: none */
+    int is_data; /* 1: the values are no colours: no chunk sRGB; no 16-bit PNG has it */
 } burnish_png_options;
 BURNISH_API burnish_png_options burnish_png_options_default(void);
 
-/* Encodes as PNG: 8-bit RGB or RGBA, chunks sRGB and tEXt (Software: burnish).
+/* Encodes as PNG: RGB or RGBA of 8 bits, grey or RGB of 16, chunks sRGB and tEXt (Software:
+ * burnish).
  *   pixels   what to encode; only read
  *   options  NULL for the defaults
  *   bytes    receives the file's bytes, NULL on error; give them to burnish_release() with the

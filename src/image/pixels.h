@@ -5,14 +5,17 @@
 #include "burnish/image.h"
 #include "core/error.h"
 
-/* Channels of a format of the list, which are its bytes per pixel. */
-static inline int burnish_pixel_channels(burnish_pixel_format format) {
-    return format == BURNISH_PIXELS_RGB8 ? 3 : 4;
+/* Bytes of a pixel in a format that is kept as PNG. */
+static inline size_t burnish_pixel_size(burnish_pixel_format format) {
+    return format == BURNISH_PIXELS_RGB8     ? 3
+           : format == BURNISH_PIXELS_GRAY16 ? 2
+           : format == BURNISH_PIXELS_RGB16  ? 6
+                                             : 4;
 }
 
 /* Bytes of a row's pixels. */
 static inline size_t burnish_pixels_row(const burnish_pixels *pixels) {
-    return (size_t)pixels->width * (size_t)burnish_pixel_channels(pixels->format);
+    return (size_t)pixels->width * burnish_pixel_size(pixels->format);
 }
 
 /* ARGUMENT, with what is wrong in a line that begins with `what`, unless the view can be read. */

@@ -1,4 +1,4 @@
-/* PNG (ISO/IEC 15948): 8-bit RGB and RGBA, compressed in bands of rows.
+/* PNG (ISO/IEC 15948), compressed in bands of rows.
  *
  * A band knows nothing of the others and ends at a byte boundary, so that bands are made in any
  * order and the stream is their concatenation. The file does not depend on the number of threads;
@@ -18,9 +18,10 @@ enum {
     CHUNK_FRAME = 12, /* length, type, CRC */
     IHDR_SIZE = 13,
     SRGB_SIZE = 1,
+    PHYS_SIZE = 9,
     TEXT_SIZE = sizeof SOFTWARE - 1,
-    HEAD_SIZE = SIGNATURE_SIZE + CHUNK_FRAME + IHDR_SIZE + CHUNK_FRAME + SRGB_SIZE + CHUNK_FRAME +
-                TEXT_SIZE,
+    HEAD_MAX = SIGNATURE_SIZE + CHUNK_FRAME + IHDR_SIZE + CHUNK_FRAME + SRGB_SIZE + CHUNK_FRAME +
+               PHYS_SIZE + CHUNK_FRAME + TEXT_SIZE,
     FILTER_UP = 2,
     ZLIB_HEAD_SIZE = 2,
     ADLER_SIZE = 4,
@@ -55,34 +56,66 @@ static uint8_t *put_chunk_frame(uint8_t *to, const char type[4], size_t size) {
     return put_u32(to + 8 + size, burnish_deflate_crc32(to + 4, size + 4));
 }
 
-static uint8_t *put_header(uint8_t *to, const burnish_pixels *image) {
+/* Bits per channel and colour type of each format. */
+static const uint8_t kinds[BURNISH_PIXELS_COUNT][2] = {
+    [BURNISH_PIXELS_RGB8] = {8, 2},   [BURNISH_PIXELS_RGBA8] = {8, 6},
+    [BURNISH_PIXELS_BGRA8] = {8, 6},  [BURNISH_PIXELS_GRAY16] = {16, 0},
+    [BURNISH_PIXELS_RGB16] = {16, 2},
+};
+
+/* Both axes, in dots per metre. */
+static uint8_t *put_density(uint8_t *to, double dots_per_inch) {
+    const uint32_t density = (uint32_t)(dots_per_inch / 0.0254 + 0.5);
+    put_u32(to + 8, density);
+    put_u32(to + 12, density);
+    to[16] = 1; /* per metre */
+    return put_chunk_frame(to, "pHYs", PHYS_SIZE);
+}
+
+static uint8_t *put_header(uint8_t *to, const burnish_pixels *image,
+                           const burnish_png_options *options) {
     static const uint8_t signature[SIGNATURE_SIZE] = {137, 'P', 'N', 'G', 13, 10, 26, 10};
     memcpy(to, signature, SIGNATURE_SIZE);
     to += SIGNATURE_SIZE;
     uint8_t *header = to + 8;
     header = put_u32(header, (uint32_t)image->width);
     header = put_u32(header, (uint32_t)image->height);
-    *header++ = 8;                                                  /* bits per channel */
-    *header++ = burnish_pixel_channels(image->format) == 4 ? 6 : 2; /* RGBA, RGB */
-    *header++ = 0;                                                  /* deflate */
-    *header++ = 0;                                                  /* adaptive filtering */
-    *header = 0;                                                    /* not interlaced */
+    *header++ = kinds[image->format][0];
+    *header++ = kinds[image->format][1];
+    *header++ = 0; /* deflate */
+    *header++ = 0; /* adaptive filtering */
+    *header = 0;   /* not interlaced */
     to = put_chunk_frame(to, "IHDR", IHDR_SIZE);
-    to[8] = 0; /* rendering intent: perceptual */
-    to = put_chunk_frame(to, "sRGB", SRGB_SIZE);
+    if (!options->is_data && kinds[image->format][0] == 8) {
+        to[8] = 0; /* rendering intent: perceptual */
+        to = put_chunk_frame(to, "sRGB", SRGB_SIZE);
+    }
+    if (options->dots_per_inch > 0) {
+        to = put_density(to, options->dots_per_inch);
+    }
     memcpy(to + 8, SOFTWARE, TEXT_SIZE);
     return put_chunk_frame(to, "tEXt", TEXT_SIZE);
 }
 
-/* The difference of two rows in memory, or of one to zero, in PNG's order of channels. */
+/* The bytes of a row, or differences of such, into PNG's order of channels and bytes. */
+static void reorder(const burnish_pixels *image, uint8_t *bytes) {
+    if (image->format == BURNISH_PIXELS_BGRA8) {
+        burnish_pixels_swap(bytes, bytes, (size_t)image->width);
+    } else if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && kinds[image->format][0] == 16) {
+        for (size_t i = 0; i < burnish_pixels_row(image); i += 2) {
+            const uint8_t low = bytes[i];
+            bytes[i] = bytes[i + 1];
+            bytes[i + 1] = low;
+        }
+    }
+}
+
+/* The difference of two rows. */
 static void filter_row(const burnish_pixels *image, const uint8_t *restrict row,
                        const uint8_t *restrict above, uint8_t *restrict filtered) {
     const size_t size = burnish_pixels_row(image);
     for (size_t i = 0; i < size; ++i) {
         filtered[i] = (uint8_t)(row[i] - above[i]);
-    }
-    if (image->format == BURNISH_PIXELS_BGRA8) {
-        burnish_pixels_swap(filtered, filtered, (size_t)image->width);
     }
 }
 
@@ -96,11 +129,10 @@ static void filter_rows(const burnish_pixels *image, int first, int end,
         *filtered++ = FILTER_UP;
         if (y > 0) {
             filter_row(image, row, row - image->stride, filtered);
-        } else if (image->format == BURNISH_PIXELS_BGRA8) {
-            burnish_pixels_swap(row, filtered, (size_t)image->width);
         } else {
             memcpy(filtered, row, size);
         }
+        reorder(image, filtered);
         filtered += size;
     }
 }
@@ -126,6 +158,7 @@ typedef struct encoder {
     burnish_tasks tasks;
     const burnish_context *context;
     const burnish_pixels *image;
+    const burnish_png_options *options;
     int rows; /* per band */
     int band_count;
     band *bands;
@@ -250,7 +283,9 @@ static void put_file(encoder *e, burnish_memory *memory, uint8_t **bytes, size_t
     band *last = &e->bands[e->band_count - 1];
     put_u32(last->chunk + 8 + last->size - ADLER_SIZE, whole_adler(e));
     put_chunk_frame(last->chunk, "IDAT", last->size);
-    size_t sum = HEAD_SIZE + CHUNK_FRAME;
+    uint8_t head[HEAD_MAX];
+    const size_t head_size = (size_t)(put_header(head, e->image, e->options) - head);
+    size_t sum = head_size + CHUNK_FRAME;
     for (int i = 0; i < e->band_count; ++i) {
         sum += CHUNK_FRAME + e->bands[i].size;
     }
@@ -259,7 +294,8 @@ static void put_file(encoder *e, burnish_memory *memory, uint8_t **bytes, size_t
         return;
     }
     *size = sum;
-    uint8_t *to = put_header(*bytes, e->image);
+    memcpy(*bytes, head, head_size);
+    uint8_t *to = *bytes + head_size;
     for (int i = 0; i < e->band_count; ++i) {
         memcpy(to, e->bands[i].chunk, CHUNK_FRAME + e->bands[i].size);
         to += CHUNK_FRAME + e->bands[i].size;
@@ -307,12 +343,21 @@ static burnish_status check_options(const burnish_png_options *options, burnish_
                             "PNG options: %d threads; expected 0 to %d", options->threads,
                             BURNISH_THREADS_MAX);
     }
+    if (options && options->dots_per_inch != 0 &&
+        !(options->dots_per_inch >= 1 && options->dots_per_inch <= 1e6)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "PNG options: %g dots per inch; expected 1 to 1e6, or 0 for none",
+                            options->dots_per_inch);
+    }
     return BURNISH_STATUS_OK;
 }
 
 burnish_status burnish_png_encode(const burnish_pixels *pixels, const burnish_png_options *options,
                                   uint8_t **bytes, size_t *size, burnish_error *error) {
-    encoder e = {.image = pixels, .context = options ? options->context : NULL};
+    const burnish_png_options defaults = burnish_png_options_default();
+    encoder e = {.image = pixels,
+                 .options = options ? options : &defaults,
+                 .context = options ? options->context : NULL};
     *bytes = NULL;
     *size = 0;
     burnish_status status = check_options(options, error);

@@ -12,10 +12,10 @@ burnish_target burnish_target_default(void) {
 }
 
 static size_t pixel_size_of(burnish_pixel_format format) {
-    static const size_t sizes[BURNISH_PIXELS_COUNT] = {[BURNISH_PIXELS_RGB8] = 3,
-                                                       [BURNISH_PIXELS_RGBA8] = 4,
-                                                       [BURNISH_PIXELS_BGRA8] = 4,
-                                                       [BURNISH_PIXELS_RGBA_FLOAT] = 16};
+    static const size_t sizes[] = {[BURNISH_PIXELS_RGB8] = 3,
+                                   [BURNISH_PIXELS_RGBA8] = 4,
+                                   [BURNISH_PIXELS_BGRA8] = 4,
+                                   [BURNISH_PIXELS_RGBA_FLOAT] = 16};
     return sizes[format];
 }
 
@@ -38,7 +38,7 @@ static burnish_status check_pixels(const burnish_pixels *pixels,
     if (!pixels->pixels) {
         return BURNISH_STATUS_OK;
     }
-    if ((unsigned)pixels->format >= BURNISH_PIXELS_COUNT) {
+    if ((unsigned)pixels->format > BURNISH_PIXELS_RGBA_FLOAT) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "target: %d is no pixel format; expected RGB8, RGBA8, BGRA8 or "
                             "RGBA_FLOAT",

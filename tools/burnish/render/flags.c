@@ -5,6 +5,11 @@
 #include "cli/output.h"
 #include "render/settings.h"
 
+static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
+                                        {"png", PICTURE_PNG},
+                                        {"jpeg", PICTURE_JPEG},
+                                        {"webp", PICTURE_WEBP},
+                                        {NULL, 0}};
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
 static const cli_word up_words[] = {
     {"+Y", UP_POSITIVE_Y},
@@ -43,23 +48,52 @@ static const cli_flag flags[] = {
     {.group = "Picture",
      .topic = "picture",
      .name = "output",
-     .aliases = "out,output-format",
+     .aliases = "out",
      .common = 1,
      .letter = 'o',
      .value = "FILE",
-     .help = "the PNG; - is standard output",
-     .default_label = "INPUT's name with .png",
+     .help = ".png, .jpg or .webp; - is standard output",
+     .default_label = "INPUT's name",
      .manual =
-         "Writes the picture to _FILE_, or to standard output for *-*. The file appears whole or "
+         "Writes the picture to _FILE_, or to standard output for *-*, in the format that its "
+         "ending says: *.png*, *.jpg*, *.jpeg* or *.webp*; see *FORMATS*. Other names are PNG. "
+         "The file appears whole or "
          "not at all: it is written beside its final name and renamed. Without this flag the name "
          "is that of _INPUT_ with *.png* in the current folder (*teapot.png* for *:teapot*), "
          "and standard output when _INPUT_ is *-*; a file that has this name already is "
          "replaced only if burnish wrote it, or *--overwrite* is given. A file that _FILE_ names "
          "is replaced. A "
-         "terminal is refused as output, and so is a name that ends like another format.",
+         "terminal is refused as output, and so is an ending of a format that burnish does not "
+         "write.",
      .handler = cli_flag_text,
      .takes_file = 1,
      TARGET(output)},
+    {.name = "output-format",
+     .value = "NAME",
+     .help = "whatever the ending says",
+     .default_text = "auto",
+     .manual = "Format of the picture, whatever _FILE_'s ending says: for standard output.",
+     .handler = cli_flag_word,
+     .words = format_words,
+     TARGET(format)},
+    {.name = "quality",
+     .value = "N",
+     .low = 1,
+     .high = 100,
+     .help = "of JPEG and WebP",
+     .default_label = "90, WebP without loss",
+     .manual = "Quality of JPEG (90 without this flag) and WebP (without loss), from 1 to 100.",
+     .handler = cli_flag_integer,
+     TARGET(quality)},
+    {.name = "dpi",
+     .value = "N",
+     .low = 1,
+     .high = 65535,
+     .help = "dots per inch, for printing",
+     .default_label = "none",
+     .manual = "Dots per inch that PNG and JPEG say they are printed with. The pixels stay.",
+     .handler = cli_flag_real,
+     TARGET(dots_per_inch)},
     {.name = "overwrite",
      .help = "replace a file with INPUT's name and .png, whoever wrote it",
      .manual = "Replaces a file that has the name made from _INPUT_'s, whoever wrote it. Without "
@@ -505,6 +539,13 @@ static const cli_term light_terms[] = {
     {NULL, NULL},
 };
 
+static const cli_term format_terms[] = {
+    {"*.png*", "8 bits per channel, sRGB, with alpha where the background is transparent."},
+    {"*.jpg*, *.jpeg*", "without alpha: *--no-background* is refused. Colour is not subsampled."},
+    {"*.webp*", "without loss, or with *--quality*; alpha as in PNG; at most 16383 pixels a side."},
+    {NULL, NULL},
+};
+
 static const cli_term json_terms[] = {
     {"*burnish*", "the version"},
     {"*input, format, output*", "*output* is null when nothing is written"},
@@ -552,6 +593,11 @@ static const cli_section sections[] = {
              "cast no shadows.",
      .terms = light_terms,
      .closing = "For example *--light=directional:-1,1,2:0.8:#fff2e0*."},
+    {.heading = "FORMATS",
+     .text = "The pixels are the same bits on every machine, and so is what PNG and lossless WebP "
+             "hold. The bytes of PNG, JPEG and WebP, and what JPEG and lossy WebP lose, depend on "
+             "the libraries that write them. JPEG and WebP are optional parts of the program.",
+     .terms = format_terms},
     {.heading = "JSON OUTPUT",
      .text = "One object. Numbers read back as exactly the values that were used. It is printed "
              "before the picture replaces an older one, so that a report that can't be printed "
@@ -563,7 +609,7 @@ static const cli_section sections[] = {
 const cli_command render_command = {
     .name = "render",
     .operand = "INPUT",
-    .summary = "draw a mesh into a PNG",
+    .summary = "draw a mesh into a picture",
     .operand_help = CLI_INPUT_HELP,
     .manual =
         "Loads _INPUT_ and draws it with the Phong illumination equation. _INPUT_ is an OBJ (with "

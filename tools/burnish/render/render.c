@@ -1,4 +1,4 @@
-/* `burnish render`: load a mesh, draw one picture or a sheet of them, write a PNG, report. */
+/* `burnish render`: load a mesh, draw one picture or a sheet of them, write it, report. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -253,20 +253,21 @@ static burnish_status report(void *context, burnish_error *error) {
 
 static burnish_status write_picture(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
-    uint8_t *bytes;
-    size_t size;
+    picture_file file;
     double start = seconds_now();
     const burnish_pixels pixels = burnish_image_pixels(result->picture);
-    burnish_png_options options = burnish_png_options_default();
-    options.threads = settings->threads;
-    burnish_status status = burnish_png_encode(&pixels, &options, &bytes, &size, error);
+    const picture_options options = {settings->threads, settings->quality,
+                                     settings->dots_per_inch.value};
+    burnish_status status =
+        picture_encode((picture_format)settings->format, &pixels, &options, &file, error);
     if (status == BURNISH_STATUS_OK) {
         result->encoded = seconds_now();
         result->seconds.encode = result->encoded - start;
         result->written = 1;
-        status = burnish_file_write_then(settings->output, bytes, size, report, result, error);
-        burnish_release(NULL, bytes);
+        status =
+            burnish_file_write_then(settings->output, file.bytes, file.size, report, result, error);
     }
+    picture_release(&file);
     return status;
 }
 

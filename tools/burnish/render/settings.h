@@ -5,6 +5,7 @@
 #include "burnish/render.h"
 #include "cli/input.h"
 #include "cli/values.h"
+#include "picture/picture.h"
 
 /* Longest list of --lobe and of --views. */
 #define RENDER_LIST_MAX 16
@@ -72,6 +73,9 @@ typedef struct render_settings {
     const char *input;
     const char *output; /* NULL until render_finish */
     int overwrite;      /* 1: a name made from the input's replaces a file */
+    int format;         /* picture_format; AUTO until render_finish */
+    int quality;        /* 0: not given */
+    cli_real dots_per_inch;
 
     int size[2];
     int samples;

@@ -2,7 +2,6 @@
  * options. */
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 #include <unistd.h>
 
 #include "cli/platform.h"
@@ -12,7 +11,8 @@ static int is_standard(const char *path) {
     return strcmp(path, "-") == 0;
 }
 
-/* The name of the picture when none is given: the input's, in the current folder. */
+/* The name of the picture when none is given: the input's, in the current folder, with the ending
+ * of --output-format. */
 static burnish_status derive_output(render_settings *settings, burnish_error *error) {
     const char *input = settings->input;
     if (is_standard(input)) {
@@ -24,12 +24,13 @@ static burnish_status derive_output(render_settings *settings, burnish_error *er
     const char *dot = strrchr(base, '.');
     size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
     char *name = settings->default_output;
-    if (length == 0 || length + sizeof ".png" > sizeof settings->default_output) {
+    const char *ending = picture_ending(
+        settings->format == PICTURE_AUTO ? PICTURE_PNG : (picture_format)settings->format);
+    if (length == 0 || length + strlen(ending) + sizeof "." > sizeof settings->default_output) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "\"%.60s\" gives the picture no name; name it with --output=FILE", input);
     }
-    memcpy(name, base, length);
-    memcpy(name + length, ".png", sizeof ".png");
+    snprintf(name, sizeof settings->default_output, "%.*s.%s", (int)length, base, ending);
     settings->output = name;
     return BURNISH_STATUS_OK;
 }
@@ -47,19 +48,26 @@ static burnish_status check_report(const render_settings *settings, burnish_erro
     return BURNISH_STATUS_OK;
 }
 
-/* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
-static burnish_status check_ending(const char *path, burnish_error *error) {
-    static const char *const others[] = {"jpg",  "jpeg", "webp", "svg", "gif", "tif",
-                                         "tiff", "bmp",  "ppm",  "pgm", "exr", "avif",
-                                         "pdf",  "ico",  "tga",  "hdr", "jxl", "eps"};
-    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
-    for (size_t i = 0; dot && i < sizeof others / sizeof *others; ++i) {
-        if (strcasecmp(dot + 1, others[i]) == 0) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--output: \"%.200s\": pictures are written as PNG; end the name in "
-                            ".png",
-                            path);
-        }
+/* The output's format, and flags that ask of it what it can't hold. */
+static burnish_status choose_format(render_settings *settings, burnish_error *error) {
+    picture_format format;
+    burnish_status status = picture_choose("output", settings->output, PICTURE_STILL,
+                                           (picture_format)settings->format, &format, error);
+    settings->format = format;
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (settings->background.transparent && format == PICTURE_JPEG) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--no-background: JPEG has no alpha; write PNG or WebP");
+    }
+    if (settings->quality > 0 && format != PICTURE_JPEG && format != PICTURE_WEBP) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--quality: only JPEG and WebP lose any; leave it out");
+    }
+    if (settings->dots_per_inch.given && format != PICTURE_PNG && format != PICTURE_JPEG) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--dpi: only PNG and JPEG hold it; leave it out");
     }
     return BURNISH_STATUS_OK;
 }
@@ -82,7 +90,7 @@ static int is_own_picture(const char *path) {
     return found && memcmp(head, "\x89PNG", 4) == 0;
 }
 
-static burnish_status check_output(const render_settings *settings, burnish_error *error) {
+static burnish_status check_output(render_settings *settings, burnish_error *error) {
     if (is_standard(settings->output)) {
         if (settings->json && is_standard(settings->json)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -92,9 +100,9 @@ static burnish_status check_output(const render_settings *settings, burnish_erro
         if (isatty(STDOUT_FILENO)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "--output: standard output is a terminal, which can't show a "
-                            "PNG; redirect it, or name a file with --output=FILE");
+                            "picture; redirect it, or name a file with --output=FILE");
         }
-        return BURNISH_STATUS_OK;
+        return choose_format(settings, error);
     }
     if (cli_same_file(settings->input, settings->output)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -108,7 +116,7 @@ static burnish_status check_output(const render_settings *settings, burnish_erro
                         "or name the picture with --output=FILE",
                         settings->output);
     }
-    return check_ending(settings->output, error);
+    return choose_format(settings, error);
 }
 
 /* A scale is one of a parallel projection, and there is one. */

@@ -1,0 +1,134 @@
+/* The formats: endings, uses, and whether this build has them. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "picture/picture.h"
+
+typedef struct format_row {
+    const char *name, *ending, *other_ending;
+    int uses;
+    const char *library; /* what a build without it lacks; NULL: built in */
+} format_row;
+
+#define WITH(has, package) ((has) ? NULL : (package))
+
+static const format_row rows[PICTURE_COUNT] = {
+    [PICTURE_PNG] = {"PNG", "png", NULL, PICTURE_STILL, NULL},
+    [PICTURE_JPEG] = {"JPEG", "jpg", "jpeg", PICTURE_STILL, WITH(BURNISH_HAS_JPEG, "libjpeg")},
+    [PICTURE_WEBP] = {"WebP", "webp", NULL, PICTURE_STILL, WITH(BURNISH_HAS_WEBP, "libwebp")},
+};
+
+/* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
+static const char *const foreign[] = {"svg", "tif",  "tiff", "bmp", "ppm", "pgm", "pnm",  "avif",
+                                      "pdf", "ico",  "tga",  "hdr", "jxl", "eps", "heic", "jp2",
+                                      "mp4", "webm", "mov",  "avi", "mkv", "qoi", "gif",  "exr"};
+
+const char *picture_ending(picture_format format) {
+    return rows[format].ending;
+}
+
+/* Lists names or, with a dot before each, endings: "a", "a or b", "a, b or c". */
+static void list(picture_use use, int endings, char *text, size_t size) {
+    size_t used = 0;
+    int left = 0;
+    for (int i = 1; i < PICTURE_COUNT; ++i) {
+        left += (rows[i].uses & use) != 0;
+    }
+    text[0] = 0;
+    for (int i = 1; i < PICTURE_COUNT && used < size; ++i) {
+        if (rows[i].uses & use) {
+            --left;
+            used += (size_t)snprintf(text + used, size - used, "%s%s%s", endings ? "." : "",
+                                     endings ? rows[i].ending : rows[i].name,
+                                     left > 1    ? ", "
+                                     : left == 1 ? " or "
+                                                 : "");
+        }
+    }
+}
+
+picture_names picture_list_names(picture_use use) {
+    picture_names names;
+    list(use, 0, names.text, sizeof names.text);
+    return names;
+}
+
+static burnish_status fail_format(const char *flag, const char *path, picture_use use,
+                                  burnish_error *error) {
+    static const char *const whats[] = {[PICTURE_STILL] = "pictures are"};
+    char endings[96];
+    list(use, 1, endings, sizeof endings);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--%s: \"%.200s\": %s written as %s; end the name in %s", flag, path,
+                    whats[use], picture_list_names(use).text, endings);
+}
+
+/* The format whose ending the path has; AUTO for none, COUNT for one that burnish does not write.
+ */
+static picture_format find_ending(const char *path) {
+    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+    for (int i = 1; dot && i < PICTURE_COUNT; ++i) {
+        if (strcasecmp(dot + 1, rows[i].ending) == 0 ||
+            (rows[i].other_ending && strcasecmp(dot + 1, rows[i].other_ending) == 0)) {
+            return (picture_format)i;
+        }
+    }
+    for (size_t i = 0; dot && i < sizeof foreign / sizeof *foreign; ++i) {
+        if (strcasecmp(dot + 1, foreign[i]) == 0) {
+            return PICTURE_COUNT;
+        }
+    }
+    return PICTURE_AUTO;
+}
+
+burnish_status picture_choose(const char *flag, const char *path, picture_use use,
+                              picture_format wanted, picture_format *format, burnish_error *error) {
+    *format = wanted != PICTURE_AUTO ? wanted : find_ending(path);
+    if (*format == PICTURE_AUTO) {
+        *format = PICTURE_PNG;
+    }
+    if (*format == PICTURE_COUNT || !(rows[*format].uses & use)) {
+        return fail_format(flag, path, use, error);
+    }
+    if (rows[*format].library) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.200s\": this build writes no %s, since it was made without %s; "
+                        "write a PNG",
+                        flag, path, rows[*format].name, rows[*format].library);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+void picture_release(picture_file *file) {
+    (file->release ? file->release : free)(file->bytes);
+    *file = (picture_file){0};
+}
+
+static void release_png(void *bytes) {
+    burnish_release(NULL, bytes);
+}
+
+static burnish_status encode_png(const burnish_pixels *pixels, const picture_options *options,
+                                 picture_file *file, burnish_error *error) {
+    burnish_png_options png = burnish_png_options_default();
+    png.threads = options->threads;
+    png.dots_per_inch = options->dots_per_inch;
+    file->release = release_png;
+    return burnish_png_encode(pixels, &png, &file->bytes, &file->size, error);
+}
+
+burnish_status picture_encode(picture_format format, const burnish_pixels *pixels,
+                              const picture_options *options, picture_file *file,
+                              burnish_error *error) {
+    *file = (picture_file){0};
+    switch (format) {
+    case PICTURE_JPEG:
+        return picture_encode_jpeg(pixels, options, file, error);
+    case PICTURE_WEBP:
+        return picture_encode_webp(pixels, options, file, error);
+    default:
+        return encode_png(pixels, options, file, error);
+    }
+}

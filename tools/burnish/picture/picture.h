@@ -1,0 +1,67 @@
+/* Files that pictures, planes of numbers and animations go into: which formats there are, and how
+ * their bytes are made. Here and not in libburnish, so that who links that needs no libjpeg. */
+#ifndef TOOL_PICTURE_PICTURE_H
+#define TOOL_PICTURE_PICTURE_H
+
+#include "burnish/image.h"
+#include "cli/values.h"
+
+typedef enum picture_format {
+    PICTURE_AUTO, /* by the ending of the file's name */
+    PICTURE_PNG,
+    PICTURE_JPEG,
+    PICTURE_WEBP,
+    PICTURE_COUNT
+} picture_format;
+
+/* What a file is for; a set of bits says what a format serves. */
+typedef enum picture_use { PICTURE_STILL = 1 } picture_use;
+
+/* What comes after the dot in names of that format: "jpg". */
+const char *picture_ending(picture_format format);
+
+/* "PNG, JPEG or WebP": the formats that serve a use. */
+typedef struct picture_names {
+    char text[96];
+} picture_names;
+picture_names picture_list_names(picture_use use);
+
+/* Finds the format of an output.
+ *   flag    names the output in messages: "output"
+ *   path    of the file; "-" is standard output
+ *   wanted  a format whatever the name says, or PICTURE_AUTO: by the ending; a name without one and
+ *           one with an ending that no format of pictures has are PNG
+ * Errors: ARGUMENT for a format that does not serve the use, or that this build lacks. */
+burnish_status picture_choose(const char *flag, const char *path, picture_use use,
+                              picture_format wanted, picture_format *format, burnish_error *error);
+
+/* How a still picture is encoded. */
+typedef struct picture_options {
+    int threads;
+    int quality;          /* [1, 100]; 0: JPEG 90, WebP without loss */
+    double dots_per_inch; /* 0: none; PNG and JPEG hold it */
+} picture_options;
+
+enum { PICTURE_JPEG_QUALITY = 90 };
+
+/* A file's bytes. Empty: {0}. */
+typedef struct picture_file {
+    uint8_t *bytes;
+    size_t size;
+    void (*release)(void *bytes); /* NULL: free */
+} picture_file;
+void picture_release(picture_file *file);
+
+/* Encodes RGB8 or RGBA8 pixels. Errors: ARGUMENT (alpha, a size or a format that the file can't
+ * hold), MEMORY. */
+burnish_status picture_encode(picture_format format, const burnish_pixels *pixels,
+                              const picture_options *options, picture_file *file,
+                              burnish_error *error);
+
+/* The same for one format; picture_encode finds it. Those without their library always fail. */
+burnish_status picture_encode_jpeg(const burnish_pixels *pixels, const picture_options *options,
+                                   picture_file *file, burnish_error *error);
+burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_options *options,
+                                   picture_file *file, burnish_error *error);
+
+#endif
