@@ -118,7 +118,7 @@ static void blend_light(uint8_t *bytes, const float linear[3], float share) {
 
 void burnish_ink_blend(const burnish_pixels *pixels, int row, int first, int count,
                        const float *coverage, const burnish_ink *ink) {
-    const int channels = burnish_pixel_channels(pixels->format);
+    const int channels = (int)burnish_pixel_size(pixels->format); /* of 8 bits */
     const int is_light = pixels->format == BURNISH_PIXELS_RGBA_FLOAT;
     const int red = pixels->format == BURNISH_PIXELS_BGRA8 ? 2 : 0;
     const size_t size = is_light ? 4 * sizeof(float) : (size_t)channels;
@@ -337,7 +337,7 @@ static burnish_status check(const burnish_pixels *pixels, const burnish_stroke *
                             size_t count, burnish_error *error) {
     if (!pixels->pixels || pixels->width < 1 || pixels->width > BURNISH_IMAGE_MAX_SIZE ||
         pixels->height < 1 || pixels->height > BURNISH_IMAGE_MAX_SIZE ||
-        (unsigned)pixels->format >= BURNISH_PIXELS_COUNT) {
+        (unsigned)pixels->format > BURNISH_PIXELS_RGBA_FLOAT) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "strokes: pixels of a known format and of 1 to %d a side are expected",
                             BURNISH_IMAGE_MAX_SIZE);
