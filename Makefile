@@ -66,9 +66,12 @@ asan: ## tests with the address and undefined behaviour sanitizers
 	@$(DEPS) build test check
 	@$(MAKE) --no-print-directory ctest-asan
 
+# What runs in one thread and shares nothing is left out.
+one_thread = theory|lobe|shade_q15|kernel|elementary|srgb|numbers|layers|options|text|camera|visibility|large_triangles
+one_thread_cli = headers|abi|exports|tables|shell|sheet|cli_(figures|lobe|help|complete|bench)
 tsan: ## tests with the thread sanitizer
 	@$(DEPS) build test check
-	@$(MAKE) --no-print-directory ctest-tsan
+	@$(MAKE) --no-print-directory ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'"
 
 msan: ## unit tests with the memory sanitizer
 	@$(DEPS) build test check
@@ -151,14 +154,14 @@ cross: short-docs ## the golden hashes on musl, aarch64, armhf, i386, riscv64, s
 
 rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)
 	@$(DEPS) rtl figures
-	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/$(DOCS)/images/rtl-teapot.png ./rtl/test/run build/rtl short errors picture
-	@./scripts/rtl-table build/rtl/table $(DOCS)/hardware.md build/rtl/errors.txt $(if $(SHORT),short)
+	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/$(DOCS)/images/rtl-teapot.png ./rtl/test/run $(BUILD)/rtl short errors picture
+	@./scripts/rtl-table $(BUILD)/rtl/table $(DOCS)/hardware.md $(BUILD)/rtl/errors.txt $(if $(SHORT),short)
 	@./scripts/rtl-figure $(BUILD)/burnish $(if $(SHORT),docs,$(DOCS))/images/rtl-area.csv $(DOCS)/images/rtl-area.svg
 
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
 	@$(DEPS) rtl
-	@./rtl/test/run build/rtl $(if $(SHORT),short events proofs,full)
-	$(if $(SHORT),,@./rtl/test/run build/rtl short newest)
+	@./rtl/test/run $(BUILD)/rtl $(if $(SHORT),short events proofs,full)
+	$(if $(SHORT),,@./rtl/test/run $(BUILD)/rtl short newest)
 
 bench: short-docs ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
 	@$(DEPS) build demo bench
