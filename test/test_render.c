@@ -395,6 +395,32 @@ static void check_symmetry(int turned, double orthographic_height, int samples) 
     burnish_mesh_destroy(other);
 }
 
+/* Of a box of 2 x 1 x 3 seen from its front, all but that face is hidden; beside the camera all. */
+static void check_hidden_share(void) {
+    static const uint32_t BOX[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                     2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+    float positions[24];
+    for (int i = 0; i < 8; ++i) {
+        positions[3 * i] = i & 1 ? 1 : -1;
+        positions[3 * i + 1] = i & 2 ? .5f : -.5f;
+        positions[3 * i + 2] = i & 4 ? 1.5f : -1.5f;
+    }
+    burnish_mesh *box = make_scene(positions, NULL, 8, BOX, 12);
+    burnish_render_options options = front_options(40, 40, 4);
+    burnish_image image;
+    burnish_render_report report;
+    options.counts = BURNISH_COUNTS_AREA;
+    render(box, &options, &image, &report);
+    CHECK(fabs(report.hidden_share - 20.0 / 22) < 1e-12 && report.triangles_drawn == 2,
+          "the front hides %.17g", report.hidden_share);
+    burnish_image_destroy(&image);
+    options.camera.position[0] = options.camera.focal_point[0] = 10;
+    render(box, &options, &image, &report);
+    CHECK(report.hidden_share == 1, "beside it: %.17g", report.hidden_share);
+    burnish_image_destroy(&image);
+    burnish_mesh_destroy(box);
+}
+
 static void check_threads(void) {
     static const int THREADS[] = {1, 2, 7, 64};
     burnish_mesh *scene = load(":knot", 16);
@@ -408,6 +434,7 @@ static void check_threads(void) {
         fit.aspect = 5.0 / 3;
         burnish_camera_frame(scene, &fit, &options.camera, NULL);
         options.threads = THREADS[i];
+        options.counts = BURNISH_COUNTS_AREA;
         options.samples = 8;
         render(scene, &options, &image, &report);
         uint64_t hash = burnish_image_hash(&image);
@@ -416,6 +443,7 @@ static void check_threads(void) {
         CHECK(hash == first, "%d threads: other pixels", THREADS[i]);
         CHECK(report.covered_pixels == first_report.covered_pixels &&
                   report.triangles_drawn == first_report.triangles_drawn &&
+                  report.hidden_share == first_report.hidden_share &&
                   memcmp(report.bounds, first_report.bounds, sizeof report.bounds) == 0,
               "%d threads: other counts", THREADS[i]);
         burnish_image_destroy(&image);
@@ -579,6 +607,7 @@ int main(int count, char **arguments) {
         RUN(check_symmetry(0, 0, samples));
         RUN(check_symmetry(1, 0, samples));
     }
+    RUN(check_hidden_share());
     RUN(check_threads());
     RUN(check_renderer(sphere));
     RUN(check_blank(sphere));

@@ -44,7 +44,8 @@ extern "C" {
 typedef enum burnish_counts {
     BURNISH_COUNTS_ALL,
     BURNISH_COUNTS_PIXELS, /* covered_pixels and bounds */
-    BURNISH_COUNTS_NONE
+    BURNISH_COUNTS_NONE,
+    BURNISH_COUNTS_AREA /* all, and hidden_share */
 } burnish_counts;
 
 /* Directions of ambient occlusion: at most so many; or chosen by the number of triangles, from 128
@@ -109,10 +110,11 @@ BURNISH_API burnish_status burnish_render_options_set_look(burnish_render_option
 typedef struct burnish_render_report {
     size_t triangles;       /* of the mesh */
     size_t triangles_drawn; /* that show in at least one sample */
-    size_t covered_pixels;  /* pixels with at least one covered sample */
-    int bounds[4];          /* x0, y0, x1, y1 (exclusive) of the covered pixels; all 0 when blank */
-    int threads;            /* used */
-    burnish_isa isa;        /* used */
+    double hidden_share; /* of the mesh's area, that of triangles that show in no sample, [0, 1] */
+    size_t covered_pixels; /* pixels with at least one covered sample */
+    int bounds[4];         /* x0, y0, x1, y1 (exclusive) of the covered pixels; all 0 when blank */
+    int threads;           /* used */
+    burnish_isa isa;       /* used */
     int occlusion_directions; /* that ambient occlusion was found from; 0: none */
     size_t lobe_fallbacks; /* materials whose exponent is too low for the lobe's order: drawn with
                               the highest order that it allows */

@@ -256,11 +256,15 @@ static burnish_status update_occlusion(drawing *d) {
     return status;
 }
 
+static int marks_drawn(const drawing *d) {
+    return d->counts == BURNISH_COUNTS_ALL || d->counts == BURNISH_COUNTS_AREA;
+}
+
 /* The bytes where drawn triangles are marked, all 0. */
 static uint8_t *clear_drawn(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const size_t count = d->report.triangles;
-    if (d->counts != BURNISH_COUNTS_ALL) {
+    if (!marks_drawn(d)) {
         return NULL;
     }
     renderer->drawn = burnish_reserve_discard(
@@ -272,9 +276,28 @@ static uint8_t *clear_drawn(drawing *d) {
 }
 
 static void count_drawn(drawing *d) {
-    for (size_t i = 0; d->counts == BURNISH_COUNTS_ALL && i < d->report.triangles; ++i) {
+    for (size_t i = 0; marks_drawn(d) && i < d->report.triangles; ++i) {
         d->report.triangles_drawn += d->renderer->drawn[i];
     }
+}
+
+static burnish_vec3 corner_of(const burnish_mesh_view *mesh, size_t corner) {
+    return burnish_vec3_loadf(mesh->positions + 3 * (size_t)mesh->indices[corner]);
+}
+
+/* Sums in the order of the triangles, whatever the threads. */
+static void measure_hidden(drawing *d) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    double hidden = 0, all = 0;
+    for (size_t i = 0; d->counts == BURNISH_COUNTS_AREA && i < mesh->triangle_count; ++i) {
+        const burnish_vec3 a = corner_of(mesh, 3 * i);
+        const burnish_vec3 b = burnish_vec3_sub(corner_of(mesh, 3 * i + 1), a);
+        const burnish_vec3 c = burnish_vec3_sub(corner_of(mesh, 3 * i + 2), a);
+        const double area = burnish_vec3_length(burnish_vec3_cross(b, c));
+        all += area;
+        hidden += d->renderer->drawn[i] ? 0 : area;
+    }
+    d->report.hidden_share = all > 0 ? hidden / all : 0;
 }
 
 /* Tiles to pixels. */
@@ -297,6 +320,7 @@ static burnish_status draw_tiles(drawing *d) {
     }
     if (status == BURNISH_STATUS_OK) {
         count_drawn(d);
+        measure_hidden(d);
     }
     return status;
 }

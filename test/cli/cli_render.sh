@@ -132,7 +132,7 @@ run render :teapot --size=64 --occlusion=8 --json -o t.png
 check "JSON is valid" valid_json
 check "JSON alone: nothing on standard error" [ ! -s "$err" ]
 for key in burnish input format output width height triangles vertices materials exponents bounding_box up \
-    triangles_drawn covered_pixels pixel_bounds near_white near_black like_ground contrast camera pixels_per_unit lobe equation viewer lights samples threads seconds hash \
+    triangles_drawn hidden covered_pixels pixel_bounds near_white near_black like_ground contrast camera pixels_per_unit lobe equation viewer lights samples threads seconds hash \
     hash_algorithm blank warnings; do
     check "JSON lacks $key" grep -q "\"$key\":" "$out"
 done

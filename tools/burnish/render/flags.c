@@ -554,6 +554,7 @@ static const cli_term json_terms[] = {
     {"*bounding_box*", "*min* and *max* of the object in the units of the input"},
     {"*up, view*", "the up axis; the standard view where one was asked for"},
     {"*triangles_drawn*", "triangles that own at least one sample"},
+    {"*hidden*", "share of the object's area that belongs to the other triangles"},
     {"*covered_pixels, pixel_bounds*",
      "pixels that show the object; x0, y0, x1, y1, ends excluded"},
     {"*near_white, near_black*",

@@ -124,7 +124,7 @@ static burnish_status draw_cell(render_result *result, burnish_renderer *rendere
                                 burnish_error *error) {
     options->lobe = cell->lobe;
     options->camera = cell->camera;
-    options->counts = result->settings->json ? BURNISH_COUNTS_ALL : BURNISH_COUNTS_PIXELS;
+    options->counts = result->settings->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
     burnish_status status =
         burnish_renderer_draw(renderer, result->mesh, options, &cell->image, &cell->report, error);
     if (status != BURNISH_STATUS_OK) {
