@@ -48,8 +48,8 @@ typedef enum burnish_counts {
     BURNISH_COUNTS_AREA /* all, and hidden_share */
 } burnish_counts;
 
-/* Directions of ambient occlusion: at most so many; or chosen by the number of triangles, from 128
- * for up to 40,000 to 16 for more than 2 million. */
+/* Directions of ambient occlusion: at most so many; or chosen by the number of triangles, from 64
+ * for up to 8,192 to 16 for more than a million. */
 #define BURNISH_OCCLUSION_MAX 256
 #define BURNISH_OCCLUSION_AUTO (-1)
 
@@ -128,8 +128,8 @@ typedef struct burnish_render_report {
  * counted; 0.3 kB per material and 76 bytes more per light; tile lists of 8 bytes per entry, which
  * stands for up to 16 neighbouring triangles, about 128 MiB of them at most unless a single row of
  * tiles needs more; and for each thread 0.2 MB, with several samples 0.2 MB more and 0.7 MB per
- * sample, of which only what is needed is touched. Ambient occlusion takes 128 KiB per direction
- * (32 for pictures of less than 384 pixels), and vertices, triangles and tile lists once more.
+ * sample, of which only what is needed is touched. Ambient occlusion takes 130 KiB per direction
+ * (33 for pictures of less than 384 pixels), and vertices, triangles and tile lists once more.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (also a mesh so small, below about 1e-33 across, or so
  * much enlarged that single precision can't hold it); the image is then empty. */
 BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,

@@ -39,6 +39,12 @@ typedef struct burnish_map_drawer {
  *   right  a unit vector across toward */
 burnish_map_view burnish_map_view_make(burnish_vec3 toward, burnish_vec3 right, int size);
 
+/* What the slopes of a surface's plane in a map are multiplied with: codes per texel are
+ * -burnish_map_plane (normal . column, normal . row) / (normal . toward). */
+static inline double burnish_map_plane(const burnish_map_view *view) {
+    return BURNISH_MAP_CODES / (BURNISH_MAP_RANGE * view->texels * view->texels);
+}
+
 /* The rows for points that count from `eye`. */
 burnish_map_rows burnish_map_rows_make(const burnish_map_view *view, const double eye[3]);
 

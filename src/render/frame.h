@@ -22,6 +22,7 @@ typedef struct burnish_view {
     burnish_shading shading; /* ops are the caller's to set */
     burnish_view_distance distance;
     double eye[3]; /* in the raster's space */
+    double pixel;  /* what one is wide there, about, in the middle of the mesh */
     burnish_occlusion_lookup occlusion;
     size_t lobe_fallbacks; /* materials with a lower order than the lobe's: their exponent allows no
                               more */

@@ -7,7 +7,17 @@
 
 /* How far points are moved off the surface, in texels: less makes a curved surface hide itself,
  * more opens creases. */
-#define OFFSET 2.5
+#define OFFSET 1.5
+
+/* The filter's radius in cones of a direction, which are circles of as large a part of the sky; its
+ * limits, in texels and in the raster's space. */
+#define CONE 0.65
+#define LEAST_RADIUS 0.75f
+#define MOST_RADIUS 0.15
+
+/* Neighbouring points share look-ups within so many texels. */
+#define REACH 1.5
+#define SQRT2 1.4142135623730951
 
 /* The sky below is this bright where above it is 1. */
 #define DARK_SKY 0.35
@@ -23,13 +33,13 @@ static burnish_map_view map_view(int i, int count, int size) {
                                  size);
 }
 
-/* As many directions as do not show as silhouettes where a mesh is smooth and small, and as few as
- * do not take too long where it is large: those are rough. */
+/* As many directions as do not show as silhouettes on large flat faces, which meshes of few
+ * triangles have, and as few as do not take too long where a mesh is large: those are rough. */
 static int choose_count(const burnish_mesh_view *mesh) {
     static const struct {
         size_t triangles;
         int count;
-    } steps[] = {{40000, 128}, {131072, 48}, {524288, 32}, {2097152, 24}};
+    } steps[] = {{8192, 64}, {65536, 48}, {262144, 32}, {1048576, 24}};
     for (size_t i = 0; i < sizeof steps / sizeof *steps; ++i) {
         if (mesh->triangle_count <= steps[i].triangles) {
             return steps[i].count;
@@ -38,10 +48,32 @@ static int choose_count(const burnish_mesh_view *mesh) {
     return 16;
 }
 
+/* Texels of a map and its blockers. */
+static size_t map_texels(int size) {
+    const size_t edge = (size_t)size, cells = edge / BURNISH_OCCLUSION_CELL;
+    return edge * edge + cells * cells;
+}
+
+/* The largest depth of each cell. */
+static void find_blockers(const uint16_t *depths, size_t size, uint16_t *blockers) {
+    const size_t cells = size / BURNISH_OCCLUSION_CELL;
+    memset(blockers, 0, cells * cells * sizeof *blockers);
+    for (size_t y = 0; y < size; ++y) {
+        uint16_t *row = blockers + y / BURNISH_OCCLUSION_CELL * cells;
+        for (size_t cell = 0; cell < cells; ++cell) {
+            uint16_t largest = row[cell];
+            for (int x = 0; x < BURNISH_OCCLUSION_CELL; ++x, ++depths) {
+                largest = *depths > largest ? *depths : largest;
+            }
+            row[cell] = largest;
+        }
+    }
+}
+
 static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
                                 const burnish_mesh_view *mesh, int count, int size,
                                 burnish_tasks *tasks, burnish_memory *memory) {
-    const size_t texels = (size_t)size * (size_t)size;
+    const size_t texels = map_texels(size), edge = (size_t)size;
     occlusion->mesh = 0;
     occlusion->depths =
         burnish_reserve_discard(memory, occlusion->depths, &occlusion->capacity,
@@ -49,8 +81,11 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_
     burnish_status status = memory->status;
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         const burnish_map_view view = map_view(i, count, size);
-        status = burnish_map_draw(&occlusion->drawer, ops, mesh, &view,
-                                  occlusion->depths + (size_t)i * texels, tasks, memory);
+        uint16_t *depths = occlusion->depths + (size_t)i * texels;
+        status = burnish_map_draw(&occlusion->drawer, ops, mesh, &view, depths, tasks, memory);
+        if (status == BURNISH_STATUS_OK) {
+            find_blockers(depths, edge, depths + edge * edge);
+        }
     }
     if (status == BURNISH_STATUS_OK) {
         occlusion->mesh = mesh->serial;
@@ -62,11 +97,11 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_
 
 burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
                                         const burnish_mesh_view *mesh, int wanted, int size,
-                                        const double eye[3], const double up[3],
+                                        const double eye[3], const double up[3], double pixel,
                                         burnish_tasks *tasks, burnish_memory *memory,
                                         burnish_occlusion_lookup *lookup) {
     const int count = wanted == BURNISH_OCCLUSION_AUTO ? choose_count(mesh) : wanted;
-    double texels = 1;
+    double texels = 1, plane = 0;
     if (occlusion->mesh != mesh->serial || occlusion->count != count || occlusion->size != size) {
         burnish_status status = draw_maps(occlusion, ops, mesh, count, size, tasks, memory);
         if (status != BURNISH_STATUS_OK) {
@@ -77,18 +112,27 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
         const burnish_map_view view = map_view(i, count, size);
         burnish_occlusion_direction *direction = &occlusion->directions[i];
         texels = view.texels;
+        plane = burnish_map_plane(&view);
         direction->map = burnish_map_rows_make(&view, eye);
         burnish_space_store(view.toward, direction->toward);
         const double height =
             burnish_vec3_dot(burnish_vec3_loadf(direction->toward), burnish_vec3_load(up));
         direction->weight = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 + 0.5 * height));
-        direction->depths = occlusion->depths + (size_t)i * (size_t)size * (size_t)size;
+        direction->depths = occlusion->depths + (size_t)i * map_texels(size);
+        direction->blockers = direction->depths + (size_t)size * (size_t)size;
     }
     lookup->count = count;
     lookup->size = size;
     lookup->directions = occlusion->directions;
-    lookup->offset = (float)(OFFSET * (1 / texels));
-    lookup->slope = (float)(BURNISH_MAP_RANGE / (BURNISH_MAP_CODES * (1 / texels)));
+    lookup->offset = (float)(OFFSET / texels);
+    lookup->slope = (float)(BURNISH_MAP_RANGE * texels / BURNISH_MAP_CODES);
+    lookup->plane = (float)plane;
+    lookup->cone =
+        (float)(CONE * burnish_sqrt(4.0 / count) * texels * BURNISH_MAP_RANGE / BURNISH_MAP_CODES);
+    lookup->least_radius = LEAST_RADIUS;
+    lookup->most_radius = (float)(MOST_RADIUS * texels);
+    lookup->reach = (float)(REACH / texels);
+    lookup->share = pixel > 0 && 4 * SQRT2 * pixel * texels < REACH ? 4 : 2;
     return BURNISH_STATUS_OK;
 }
 

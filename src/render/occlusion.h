@@ -8,14 +8,15 @@
 #include "burnish/render.h"
 #include "render/depth_map.h"
 
-/* Texels along an edge of a depth map: about a pixel of the picture is enough. */
-enum { BURNISH_OCCLUSION_SMALL = 128, BURNISH_OCCLUSION_LARGE = 256 };
+/* Texels along an edge of a depth map, and of a cell, whose nearest depth is kept, too. */
+enum { BURNISH_OCCLUSION_SMALL = 128, BURNISH_OCCLUSION_LARGE = 256, BURNISH_OCCLUSION_CELL = 8 };
 
 /* One direction, for points that count from the eye in the raster's space. */
 typedef struct burnish_occlusion_direction {
     float toward[3], weight; /* unit vector; of its part of the sky */
     burnish_map_rows map;
-    const uint16_t *depths; /* size^2, growing toward the sky */
+    const uint16_t *depths;   /* size^2, growing toward the sky */
+    const uint16_t *blockers; /* (size / CELL)^2: the largest of each cell */
 } burnish_occlusion_direction;
 
 /* What points are looked up with. */
@@ -25,6 +26,11 @@ typedef struct burnish_occlusion_lookup {
     float strength; /* [0, 1]: what a point that sees no sky loses of its light */
     float offset;   /* along the normal, off the surface that the maps show */
     float slope;    /* a texel's width nearer by depth hides all of a point */
+    float plane;    /* burnish_map_plane */
+    float cone;     /* radius of a direction's cone, in texels, per code of distance */
+    float least_radius, most_radius; /* of the filter, in texels */
+    float reach;                     /* points so near share a look-up, in the raster's space */
+    int share;                       /* pixels along the edge of the squares that share: 2 or 4 */
 } burnish_occlusion_lookup;
 
 /* Depth maps of a mesh, kept from frame to frame. All zero before the first. */
@@ -32,7 +38,7 @@ typedef struct burnish_occlusion {
     uint64_t mesh; /* whose maps they are, burnish_mesh_view.serial; 0: nobody's */
     int count, size;
     burnish_occlusion_direction directions[BURNISH_OCCLUSION_MAX];
-    uint16_t *depths;
+    uint16_t *depths; /* and each map's blockers after it */
     size_t capacity;
     burnish_map_drawer drawer;
 } burnish_occlusion;
@@ -42,10 +48,11 @@ typedef struct burnish_occlusion {
  *   size   of a map
  *   eye    the camera, in the raster's space
  *   up     the brighter side of the sky, a unit vector
+ *   pixel  about what one is wide at the mesh, in the raster's space
  * Errors: MEMORY, CANCELLED; the maps are then nobody's. */
 burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
                                         const burnish_mesh_view *mesh, int count, int size,
-                                        const double eye[3], const double up[3],
+                                        const double eye[3], const double up[3], double pixel,
                                         burnish_tasks *tasks, burnish_memory *memory,
                                         burnish_occlusion_lookup *lookup);
 void burnish_occlusion_destroy(burnish_occlusion *occlusion, const burnish_context *context);

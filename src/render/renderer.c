@@ -251,7 +251,7 @@ static burnish_status update_occlusion(drawing *d) {
     const burnish_status status = burnish_occlusion_update(
         &renderer->occlusion, d->view.shading.ops, mesh, d->options->occlusion,
         side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE, d->view.eye, up,
-        &renderer->tasks, &d->memory, &d->view.occlusion);
+        d->view.pixel, &renderer->tasks, &d->memory, &d->view.occlusion);
     d->report.occlusion_directions = d->view.occlusion.count;
     return status;
 }

@@ -198,6 +198,20 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
     }
 }
 
+static void occlude_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                          const burnish_kernels_points *points, burnish_share_scratch *scratch,
+                          float *const rgb[3]) {
+    burnish_share_points shared = {.w = points->w,
+                                   .pixels = batch->pixels,
+                                   .first_pixel = batch->first_pixel,
+                                   .shown = batch->shown};
+    for (int k = 0; k < 3; ++k) {
+        shared.position[k] = points->position[k];
+        shared.normal[k] = points->normal[k];
+    }
+    burnish_occlude_points(shading->occlusion, shading->ops, &shared, batch->count, scratch, rgb);
+}
+
 /* rgb gets the colours: linear light, >= 0, not clamped above. */
 static void shade_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
                         burnish_fragment_scratch *scratch, float *const rgb[3]) {
@@ -229,7 +243,7 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         shade_mixed(shading, batch, &points, scratch, rgb);
     }
     if (shading->occlusion) {
-        shading->ops->occlude(shading->occlusion, &points, (size_t)batch->count, rgb);
+        occlude_batch(shading, batch, &points, &scratch->share, rgb);
     }
 }
 
@@ -299,6 +313,8 @@ static void shade_run(const burnish_surface *surface, const burnish_tile *tile, 
     burnish_fragment_batch batch = run_batch(surface, tile, run);
     float *const rgb[3] = {row->rgb[0] + run.first, row->rgb[1] + run.first,
                            row->rgb[2] + run.first};
+    batch.first_pixel = run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;
+    batch.shown = row->pixels.simple + run.first;
     if (surface->triangle_materials) {
         find_materials(surface, tile, run, &row->pixels, scratch->material);
         batch.material = scratch->material + run.first;
@@ -366,6 +382,7 @@ burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
                                                float *const *rgb) {
     burnish_fragment_batch batch = {.count = fragments->count,
                                     .inverse_w = scratch->inverse_w,
+                                    .pixels = fragments->pixels,
                                     .points = {0, 0, fragments->x, fragments->y, fragments->depth},
                                     .material =
                                         surface->triangle_materials ? scratch->material : NULL};

@@ -12,6 +12,7 @@
 #include "burnish/mesh.h"
 #include "core/memory.h"
 #include "raster/fragments.h"
+#include "render/occlusion_share.h"
 #include "simd/isa_ops.h"
 
 /* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
@@ -49,6 +50,9 @@ typedef struct burnish_fragment_batch {
     const float *inverse_w;       /* 1/w; read with colours and where burnish_shading.is_lyon */
     burnish_screen_points points; /* read where burnish_shading.needs_position */
     const int32_t *material;      /* NULL: all are 0 */
+    const uint16_t *pixels;       /* index in the tile; NULL: first_pixel + i */
+    int first_pixel;
+    const int32_t *shown; /* items below 0 need no light; NULL: all do */
 } burnish_fragment_batch;
 
 /* What a frame is shaded with. */
@@ -86,6 +90,7 @@ typedef struct burnish_fragment_scratch {
     float divided_normal[3][BURNISH_SHADE_BATCH], divided_color[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
     burnish_material_group group;
+    burnish_share_scratch share;
 } burnish_fragment_scratch;
 
 /* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are

@@ -78,6 +78,7 @@ static void make_perspective(const camera_frame *frame, double view_angle, int h
     rays->q_per_depth = (float)(1 / NEAR_PLANE);
     rays->q_constant = 0;
     view->distance = (burnish_view_distance){(float)(1 / frame->scale), 0};
+    view->pixel = burnish_vec3_length(frame->eye) / pixels;
 }
 
 /* Depth falls from 1 at the camera to 0 behind the scene. */
@@ -99,6 +100,7 @@ static void make_orthographic(const camera_frame *frame, double view_height, int
     rays->q_per_depth = 0;
     rays->q_constant = 1;
     view->distance = (burnish_view_distance){0, (float)(range / frame->scale)};
+    view->pixel = 1 / pixels;
 }
 
 /* Refuses what single precision can't hold: meshes of next to no size (1e-33 and less), pictures

@@ -107,10 +107,11 @@ typedef struct burnish_isa_ops {
     void (*scatter_material)(int32_t material, const int32_t *materials, int size,
                              const uint8_t *places, const float *const from[3], float *const to[3]);
 
-    /* Multiplies count colours by what their points see of the sky: 1 less strength times the share
-     * of it that is hidden. Reads and writes whole vectors. */
-    void (*occlude)(const struct burnish_occlusion_lookup *lookup,
-                    const struct burnish_kernels_points *points, size_t count, float *const rgb[3]);
+    /* What count points keep of their light: 1 less strength times the share of the sky that is
+     * hidden from them. Positions count from the eye, normals are unit vectors. Reads and writes
+     * whole vectors. */
+    void (*occlude)(const struct burnish_occlusion_lookup *lookup, const float *const position[3],
+                    const float *const normal[3], size_t count, float *open);
 
     /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel,
      * then green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and
