@@ -47,7 +47,7 @@ if command -v bash >/dev/null; then
 fi
 if command -v zsh >/dev/null; then
     check "zsh: $(zsh -n burnish.zsh 2>&1)" zsh -n burnish.zsh
-    check "zsh: no topics" grep -q -- "--help=-.*picture camera light report all" burnish.zsh
+    check "zsh: no topics" grep -q -- "--help=-.*picture files camera light report all" burnish.zsh
 fi
 if command -v fish >/dev/null; then
     check "fish: $(fish --no-execute burnish.fish 2>&1)" fish --no-execute burnish.fish

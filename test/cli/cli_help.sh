@@ -35,7 +35,7 @@ for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'rende
 done
 run render --help
 cp "$out" render.txt
-for topic in picture camera light report; do
+for topic in picture files camera light report; do
     run render --help=$topic
     check "burnish render --help=$topic does not fit 40 lines of 100 columns" fits "$out"
     check "burnish render --help lacks $topic" grep -q -- "--help=$topic" render.txt
@@ -85,12 +85,14 @@ run render :sphere --size=16 --json -o p.png
 json_keys >keys.txt
 run render :sphere --size=16 --views=front,top --json -o p.png
 json_keys >>keys.txt
+run render :sphere --size=16 --plane=depth:d.npy --json -o p.png
+json_keys >>keys.txt
 sort -u keys.txt >written.txt
 awk '/^.SH/ { on = /JSON OUTPUT/ } on' page.txt >section.txt
 grep -o 'fB[a-z_, ]*fR' section.txt | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort -u >told.txt
 check "JSON keys and the manual differ: $(diff written.txt told.txt | grep '^[<>]' | tr '\n' ' ')" cmp written.txt told.txt
 check "fewer than 40 JSON keys" [ "$(wc -l <written.txt)" -ge 40 ]
-rm -f p.png
+rm -f p.png d.npy
 for variable in BURNISH_ISA PATH; do
     check "the manual's ENVIRONMENT lacks $variable" sh -c "sed -n '/^.SH ENVIRONMENT/,/^.SH EXAMPLES/p' page.txt | grep -q $variable"
 done

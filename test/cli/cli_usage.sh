@@ -44,14 +44,14 @@ expect 2 'burnish: --labels: 2 texts for 3 cells; give one text per cell, betwee
 expect 2 'burnish: sheet: 3 pictures of 16 x 8000 in 1 columns exceed 16384 pixels; use smaller pictures or another number of columns' render none.obj --views=front,top,iso --columns=1 --resolution=16,8000
 expect 2 'burnish: --camera-position: "1e308,0,0" has a number beyond 1e100; give a smaller one' render :sphere --camera-position=1e308,0,0
 expect 2 'burnish: --bg-color: unknown flag; did you mean --background-color?' render :sphere --bg-color=red
-expect 2 'burnish: --help: "nonsense" is not one of picture, camera, light, report, all' render --help=nonsense
+expect 2 'burnish: --help: "nonsense" is not one of picture, files, camera, light, report, all' render --help=nonsense
 for name in picture.bmp out/picture.TIF a.svg; do
-    expect 2 "burnish: --output: \"$name\": pictures are written as PNG, JPEG or WebP; end the name in .png, .jpg or .webp" render :sphere -o $name
+    expect 2 "burnish: --output: \"$name\": pictures are written as PNG, JPEG, WebP, EXR or NPY; end the name in .png, .jpg, .webp, .exr or .npy" render :sphere -o $name
 done
 expect 2 'burnish: --quality: only JPEG and WebP lose any; leave it out' render :sphere --quality=50 -o x.png
 expect 2 'burnish: --quality: "0" is not a whole number from 1 to 100' render :sphere --quality=0 -o x.jpg
 expect 2 'burnish: --dpi: "0" is not a number from 1 to 65535' render :sphere --dpi=0
-expect 2 'burnish: --output-format: "bmp" is not one of auto, png, jpeg, webp' render :sphere --output-format=bmp
+expect 2 'burnish: --output-format: "bmp" is not one of auto, png, jpeg, webp, exr, npy' render :sphere --output-format=bmp
 BURNISH_ISA=foo
 export BURNISH_ISA
 run render :sphere --size=16 -o x.png

@@ -15,15 +15,18 @@ typedef struct format_row {
 #define WITH(has, package) ((has) ? NULL : (package))
 
 static const format_row rows[PICTURE_COUNT] = {
-    [PICTURE_PNG] = {"PNG", "png", NULL, PICTURE_STILL, NULL},
+    [PICTURE_PNG] = {"PNG", "png", NULL, PICTURE_STILL | PICTURE_PLANE, NULL},
     [PICTURE_JPEG] = {"JPEG", "jpg", "jpeg", PICTURE_STILL, WITH(BURNISH_HAS_JPEG, "libjpeg")},
     [PICTURE_WEBP] = {"WebP", "webp", NULL, PICTURE_STILL, WITH(BURNISH_HAS_WEBP, "libwebp")},
+    [PICTURE_EXR] = {"EXR", "exr", NULL, PICTURE_STILL | PICTURE_PLANE,
+                     WITH(BURNISH_HAS_EXR, "OpenEXR")},
+    [PICTURE_NPY] = {"NPY", "npy", NULL, PICTURE_STILL | PICTURE_PLANE, NULL},
 };
 
 /* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
 static const char *const foreign[] = {"svg", "tif",  "tiff", "bmp", "ppm", "pgm", "pnm",  "avif",
                                       "pdf", "ico",  "tga",  "hdr", "jxl", "eps", "heic", "jp2",
-                                      "mp4", "webm", "mov",  "avi", "mkv", "qoi", "gif",  "exr"};
+                                      "mp4", "webm", "mov",  "avi", "mkv", "qoi", "gif"};
 
 const char *picture_ending(picture_format format) {
     return rows[format].ending;
@@ -57,7 +60,8 @@ picture_names picture_list_names(picture_use use) {
 
 static burnish_status fail_format(const char *flag, const char *path, picture_use use,
                                   burnish_error *error) {
-    static const char *const whats[] = {[PICTURE_STILL] = "pictures are"};
+    static const char *const whats[] = {
+        [PICTURE_STILL] = "pictures are", [PICTURE_PLANE] = "planes are"};
     char endings[96];
     list(use, 1, endings, sizeof endings);
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -86,10 +90,10 @@ static picture_format find_ending(const char *path) {
 burnish_status picture_choose(const char *flag, const char *path, picture_use use,
                               picture_format wanted, picture_format *format, burnish_error *error) {
     *format = wanted != PICTURE_AUTO ? wanted : find_ending(path);
-    if (*format == PICTURE_AUTO) {
+    if (*format == PICTURE_AUTO && use == PICTURE_STILL) {
         *format = PICTURE_PNG;
     }
-    if (*format == PICTURE_COUNT || !(rows[*format].uses & use)) {
+    if (*format == PICTURE_AUTO || *format == PICTURE_COUNT || !(rows[*format].uses & use)) {
         return fail_format(flag, path, use, error);
     }
     if (rows[*format].library) {
@@ -115,6 +119,7 @@ static burnish_status encode_png(const burnish_pixels *pixels, const picture_opt
     burnish_png_options png = burnish_png_options_default();
     png.threads = options->threads;
     png.dots_per_inch = options->dots_per_inch;
+    png.is_data = options->is_data;
     file->release = release_png;
     return burnish_png_encode(pixels, &png, &file->bytes, &file->size, error);
 }

@@ -11,11 +11,16 @@ typedef enum picture_format {
     PICTURE_PNG,
     PICTURE_JPEG,
     PICTURE_WEBP,
+    PICTURE_EXR,
+    PICTURE_NPY,
     PICTURE_COUNT
 } picture_format;
 
 /* What a file is for; a set of bits says what a format serves. */
-typedef enum picture_use { PICTURE_STILL = 1 } picture_use;
+typedef enum picture_use {
+    PICTURE_STILL = 1,
+    PICTURE_PLANE = 2 /* numbers per pixel */
+} picture_use;
 
 /* What comes after the dot in names of that format: "jpg". */
 const char *picture_ending(picture_format format);
@@ -29,8 +34,8 @@ picture_names picture_list_names(picture_use use);
 /* Finds the format of an output.
  *   flag    names the output in messages: "output"
  *   path    of the file; "-" is standard output
- *   wanted  a format whatever the name says, or PICTURE_AUTO: by the ending; a name without one and
- *           one with an ending that no format of pictures has are PNG
+ *   wanted  a format whatever the name says, or PICTURE_AUTO: by the ending; still pictures whose
+ *           name has none, or one that no format of pictures has, are PNG
  * Errors: ARGUMENT for a format that does not serve the use, or that this build lacks. */
 burnish_status picture_choose(const char *flag, const char *path, picture_use use,
                               picture_format wanted, picture_format *format, burnish_error *error);
@@ -40,6 +45,7 @@ typedef struct picture_options {
     int threads;
     int quality;          /* [1, 100]; 0: JPEG 90, WebP without loss */
     double dots_per_inch; /* 0: none; PNG and JPEG hold it */
+    int is_data;          /* 1: PNG does not say that the values are sRGB */
 } picture_options;
 
 enum { PICTURE_JPEG_QUALITY = 90 };
@@ -52,8 +58,8 @@ typedef struct picture_file {
 } picture_file;
 void picture_release(picture_file *file);
 
-/* Encodes RGB8 or RGBA8 pixels. Errors: ARGUMENT (alpha, a size or a format that the file can't
- * hold), MEMORY. */
+/* Encodes pixels as PNG, or RGB8 and RGBA8 as JPEG and WebP. Errors: ARGUMENT (alpha, a size or a
+ * format that the file can't hold), MEMORY. */
 burnish_status picture_encode(picture_format format, const burnish_pixels *pixels,
                               const picture_options *options, picture_file *file,
                               burnish_error *error);
@@ -63,5 +69,40 @@ burnish_status picture_encode_jpeg(const burnish_pixels *pixels, const picture_o
                                    picture_file *file, burnish_error *error);
 burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_options *options,
                                    picture_file *file, burnish_error *error);
+
+/* ---- Numbers ---- */
+
+typedef enum picture_kind { PICTURE_FLOAT, PICTURE_INT, PICTURE_BYTE } picture_kind;
+
+/* height rows of width items of `channels` numbers, nothing between them. With one channel the
+ * array has two axes, else three. */
+typedef struct picture_array {
+    picture_kind kind;
+    int width, height, channels;
+    const void *values;
+} picture_array;
+
+/* Errors: MEMORY. */
+burnish_status picture_encode_npy(const picture_array *array, picture_file *file,
+                                  burnish_error *error);
+
+/* A channel of an OpenEXR file: FLOAT, or INT, which is written without its sign. */
+typedef struct picture_channel {
+    const char *name;
+    picture_kind kind;
+    const void *values;
+    size_t step; /* bytes from one pixel to the next; rows follow each other */
+} picture_channel;
+
+enum { PICTURE_CHANNELS_MAX = 16 };
+
+typedef struct picture_channels {
+    int width, height, count;
+    picture_channel items[PICTURE_CHANNELS_MAX]; /* all names differ */
+} picture_channels;
+
+/* Errors: MEMORY; ARGUMENT in a build without OpenEXR. */
+burnish_status picture_encode_exr(const picture_channels *channels, picture_file *file,
+                                  burnish_error *error);
 
 #endif

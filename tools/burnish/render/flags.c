@@ -9,7 +9,18 @@ static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
                                         {"png", PICTURE_PNG},
                                         {"jpeg", PICTURE_JPEG},
                                         {"webp", PICTURE_WEBP},
+                                        {"exr", PICTURE_EXR},
+                                        {"npy", PICTURE_NPY},
                                         {NULL, 0}};
+const cli_word render_plane_words[] = {
+    {"depth", PLANE_DEPTH},
+    {"normal", PLANE_NORMAL},
+    {"triangle", PLANE_TRIANGLE},
+    {"material", PLANE_MATERIAL},
+    {"coverage", PLANE_COVERAGE},
+    {"color", PLANE_COLOR},
+    {NULL, 0},
+};
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
 static const cli_word up_words[] = {
     {"+Y", UP_POSITIVE_Y},
@@ -52,11 +63,12 @@ static const cli_flag flags[] = {
      .common = 1,
      .letter = 'o',
      .value = "FILE",
-     .help = ".png, .jpg or .webp; - is standard output",
+     .help = ".png .jpg .webp .exr .npy; - is standard output",
      .default_label = "INPUT's name",
      .manual =
          "Writes the picture to _FILE_, or to standard output for *-*, in the format that its "
-         "ending says: *.png*, *.jpg*, *.jpeg* or *.webp*; see *FORMATS*. Other names are PNG. "
+         "ending says: *.png*, *.jpg*, *.jpeg*, *.webp*, *.exr* or *.npy*; see *FORMATS*. Other "
+         "names are PNG. "
          "The file appears whole or "
          "not at all: it is written beside its final name and renamed. Without this flag the name "
          "is that of _INPUT_ with *.png* in the current folder (*teapot.png* for *:teapot*), "
@@ -68,38 +80,6 @@ static const cli_flag flags[] = {
      .handler = cli_flag_text,
      .takes_file = 1,
      TARGET(output)},
-    {.name = "output-format",
-     .value = "NAME",
-     .help = "whatever the ending says",
-     .default_text = "auto",
-     .manual = "Format of the picture, whatever _FILE_'s ending says: for standard output.",
-     .handler = cli_flag_word,
-     .words = format_words,
-     TARGET(format)},
-    {.name = "quality",
-     .value = "N",
-     .low = 1,
-     .high = 100,
-     .help = "of JPEG and WebP",
-     .default_label = "90, WebP without loss",
-     .manual = "Quality of JPEG (90 without this flag) and WebP (without loss), from 1 to 100.",
-     .handler = cli_flag_integer,
-     TARGET(quality)},
-    {.name = "dpi",
-     .value = "N",
-     .low = 1,
-     .high = 65535,
-     .help = "dots per inch, for printing",
-     .default_label = "none",
-     .manual = "Dots per inch that PNG and JPEG say they are printed with. The pixels stay.",
-     .handler = cli_flag_real,
-     TARGET(dots_per_inch)},
-    {.name = "overwrite",
-     .help = "replace a file with INPUT's name and .png, whoever wrote it",
-     .manual = "Replaces a file that has the name made from _INPUT_'s, whoever wrote it. Without "
-               "this flag only pictures by burnish are replaced.",
-     .handler = cli_flag_switch,
-     TARGET(overwrite)},
     {.name = "resolution",
      .aliases = "width,height,res",
      .common = 1,
@@ -193,6 +173,52 @@ static const cli_flag flags[] = {
      .manual = "Leaves out the names below the cells of a sheet.",
      .handler = cli_flag_switch,
      TARGET(no_labels)},
+
+    {.group = "Files",
+     .topic = "files",
+     .name = "output-format",
+     .value = "NAME",
+     .help = "by name",
+     .default_text = "auto",
+     .manual = "Format of the picture, whatever _FILE_'s ending says: for standard output.",
+     .handler = cli_flag_word,
+     .words = format_words,
+     TARGET(format)},
+    {.name = "quality",
+     .value = "N",
+     .low = 1,
+     .high = 100,
+     .help = "of JPEG and WebP",
+     .default_label = "90, WebP without loss",
+     .manual = "Quality of JPEG (90 without this flag) and WebP (without loss), from 1 to 100.",
+     .handler = cli_flag_integer,
+     TARGET(quality)},
+    {.name = "dpi",
+     .value = "N",
+     .low = 1,
+     .high = 65535,
+     .help = "dots per inch, for printing",
+     .default_label = "none",
+     .manual = "Dots per inch that PNG and JPEG say they are printed with. The pixels stay.",
+     .handler = cli_flag_real,
+     TARGET(dots_per_inch)},
+    {.name = "plane",
+     .value = "NAME:FILE",
+     .help = "depth, normal, triangle, material, coverage or color",
+     .manual = "Numbers of each pixel, in a file of their own beside the picture; may be repeated. "
+               "*depth* is the distance from the camera along its axis, *normal* the interpolated "
+               "normal in the object's axes, *triangle* and *material* are numbers from 0, "
+               "*coverage* is the part of the pixel that the object takes, *color* linear light. "
+               "Where several triangles share a pixel, it shows one of them; nothing is mixed but "
+               "*coverage* and *color*. See *PLANES*.",
+     .handler = render_flag_plane,
+     TARGET(planes)},
+    {.name = "overwrite",
+     .help = "replace a file with INPUT's name and .png, whoever wrote it",
+     .manual = "Replaces a file that has the name made from _INPUT_'s, whoever wrote it. Without "
+               "this flag only pictures by burnish are replaced.",
+     .handler = cli_flag_switch,
+     TARGET(overwrite)},
 
     {.group = "Camera",
      .topic = "camera",
@@ -543,6 +569,25 @@ static const cli_term format_terms[] = {
     {"*.png*", "8 bits per channel, sRGB, with alpha where the background is transparent."},
     {"*.jpg*, *.jpeg*", "without alpha: *--no-background* is refused. Colour is not subsampled."},
     {"*.webp*", "without loss, or with *--quality*; alpha as in PNG; at most 16383 pixels a side."},
+    {"*.exr*", "32 bits per channel: *R*, *G*, *B* (linear, alpha multiplied in), *A*, *Z*, *N.X*, "
+               "*N.Y*, *N.Z*, *id*, *material* and *coverage*, as in *PLANES*. One picture, no "
+               "sheet."},
+    {"*.npy*", "linear RGBA, 32-bit floats of shape (height, width, 4), alpha not multiplied in. "
+               "One picture, no sheet."},
+    {NULL, NULL},
+};
+
+static const cli_term plane_terms[] = {
+    {"*.npy*", "*depth*: float32, infinity where nothing shows. *normal*: float32, x, y, z. "
+               "*triangle*, *material*: int32, -1 for none. *coverage*: uint8, 0 to 255. *color*: "
+               "as *--output*."},
+    {"*.exr*", "the channels that *--output* would have; none of a triangle or a material is "
+               "4294967295."},
+    {"*.png*",
+     "*depth*: 16 bits, 0 where nothing shows, else *low* + (value - 1) / 65534 x (*high* "
+     "- *low*), which are in the JSON report. *normal*: 16 bits per channel, 2 x value / "
+     "65535 - 1; 0, 0, 0 where nothing shows. *triangle*, *material*: 65536 R + 256 G + "
+     "B - 1, up to 16777214. *coverage*: 16 bits. Not *color*. None says sRGB."},
     {NULL, NULL},
 };
 
@@ -574,6 +619,7 @@ static const cli_term json_terms[] = {
      "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
     {"*blank*", "true when the picture, or a cell, shows nothing or is of one colour"},
     {"*warnings*", "lines, also with *--quiet*"},
+    {"*planes*", "of each *--plane*: *plane*, *output*; of depth also *low* and *high*"},
     {"*cells*", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and "
                 "what depends on view or lobe"},
     {NULL, NULL},
@@ -597,8 +643,12 @@ static const cli_section sections[] = {
     {.heading = "FORMATS",
      .text = "The pixels are the same bits on every machine, and so is what PNG and lossless WebP "
              "hold. The bytes of PNG, JPEG and WebP, and what JPEG and lossy WebP lose, depend on "
-             "the libraries that write them. JPEG and WebP are optional parts of the program.",
+             "the libraries that write them. JPEG, WebP and EXR are optional parts of the program.",
      .terms = format_terms},
+    {.heading = "PLANES",
+     .text = "What *--plane* writes, by the ending of its file. Rows run from the top. Triangles "
+             "are numbered as burnish orders them: the same in every picture of a file.",
+     .terms = plane_terms},
     {.heading = "JSON OUTPUT",
      .text = "One object. Numbers read back as exactly the values that were used. It is printed "
              "before the picture replaces an older one, so that a report that can't be printed "

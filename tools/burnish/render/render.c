@@ -177,6 +177,21 @@ static burnish_status aim_cells(render_result *result, burnish_error *error) {
     return status;
 }
 
+/* The planes that the output and --plane need, of a picture that is no sheet. */
+static burnish_status draw_planes(render_result *result, burnish_renderer *renderer,
+                                  const burnish_render_options *options, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    unsigned kinds = settings->format == PICTURE_EXR   ? (1U << PLANE_KINDS) - 1
+                     : settings->format == PICTURE_NPY ? 1U << PLANE_COLOR
+                                                       : 0;
+    for (size_t i = 0; i < settings->planes.count; ++i) {
+        kinds |= 1U << settings->planes.items[i].kind;
+    }
+    return kinds == 0
+               ? BURNISH_STATUS_OK
+               : render_draw_planes(renderer, result->mesh, options, kinds, &result->planes, error);
+}
+
 static burnish_status draw_cells(render_result *result, burnish_render_options *options,
                                  burnish_error *error) {
     const render_settings *settings = result->settings;
@@ -196,6 +211,9 @@ static burnish_status draw_cells(render_result *result, burnish_render_options *
     }
     if (progress) {
         fprintf(stderr, "\r\033[K");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_planes(result, renderer, options, error);
     }
     burnish_renderer_destroy(renderer);
     return status;
@@ -251,21 +269,48 @@ static burnish_status report(void *context, burnish_error *error) {
     return result->settings->json ? render_write_json(result, error) : BURNISH_STATUS_OK;
 }
 
-static burnish_status write_picture(render_result *result, burnish_error *error) {
+static burnish_status write_planes(const render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t i = 0; i < settings->planes.count && status == BURNISH_STATUS_OK; ++i) {
+        const render_plane *plane = &settings->planes.items[i];
+        picture_file file;
+        status = render_encode_plane(&result->planes, plane, settings->threads, &file, error);
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_file_write(plane->path, file.bytes, file.size, error);
+        }
+        picture_release(&file);
+    }
+    return status;
+}
+
+static burnish_status encode(const render_result *result, picture_file *file,
+                             burnish_error *error) {
+    const render_settings *settings = result->settings;
+    const picture_format format = (picture_format)settings->format;
+    if (format == PICTURE_EXR || format == PICTURE_NPY) {
+        return render_encode_planes(&result->planes, format, file, error);
+    }
+    const burnish_pixels pixels = burnish_image_pixels(result->picture);
+    const picture_options options = {.threads = settings->threads,
+                                     .quality = settings->quality,
+                                     .dots_per_inch = settings->dots_per_inch.value};
+    return picture_encode(format, &pixels, &options, file, error);
+}
+
+static burnish_status write_picture(render_result *result, burnish_error *error) {
     picture_file file;
     double start = seconds_now();
-    const burnish_pixels pixels = burnish_image_pixels(result->picture);
-    const picture_options options = {settings->threads, settings->quality,
-                                     settings->dots_per_inch.value};
-    burnish_status status =
-        picture_encode((picture_format)settings->format, &pixels, &options, &file, error);
+    burnish_status status = encode(result, &file, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = write_planes(result, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         result->encoded = seconds_now();
         result->seconds.encode = result->encoded - start;
         result->written = 1;
-        status =
-            burnish_file_write_then(settings->output, file.bytes, file.size, report, result, error);
+        status = burnish_file_write_then(result->settings->output, file.bytes, file.size, report,
+                                         result, error);
     }
     picture_release(&file);
     return status;
@@ -332,6 +377,7 @@ static void release(render_result *result) {
         burnish_image_destroy(&result->cells[i].image);
     }
     free(result->cells);
+    render_release_planes(&result->planes);
     for (size_t i = 0; i < result->warning_count; ++i) {
         free(result->warnings[i]);
     }

@@ -168,6 +168,28 @@ static const char *word_of(const cli_word *words, int value) {
     return words->name;
 }
 
+static void add_planes(cJSON *root, const render_result *result, int *failed) {
+    const render_planes *planes = &result->settings->planes;
+    cJSON *array = cJSON_CreateArray();
+    for (size_t i = 0; i < planes->count; ++i) {
+        const render_plane *plane = &planes->items[i];
+        cJSON *object = cJSON_CreateObject();
+        const cli_word *word = render_plane_words;
+        while (word->value != (int)plane->kind) {
+            ++word;
+        }
+        cli_json_add(object, "plane", cJSON_CreateString(word->name), failed);
+        cli_json_add(object, "output",
+                     result->written ? cli_json_text(plane->path) : cJSON_CreateNull(), failed);
+        if (plane->kind == PLANE_DEPTH) {
+            cli_json_add(object, "low", cli_json_float(result->planes.low), failed);
+            cli_json_add(object, "high", cli_json_float(result->planes.high), failed);
+        }
+        cli_json_add(array, NULL, object, failed);
+    }
+    cli_json_add(root, "planes", array, failed);
+}
+
 static void add_run(cJSON *root, const render_result *result, int *failed) {
     const render_seconds *seconds = &result->seconds;
     const burnish_render_options *options = result->options;
@@ -218,6 +240,9 @@ static burnish_status print_json(FILE *stream, const render_result *result, burn
                          &failed);
         }
         add_picture(root, &result->cells[0], &failed);
+    }
+    if (result->settings->planes.count > 0) {
+        add_planes(root, result, &failed);
     }
     add_run(root, result, &failed);
     return cli_json_print(stream, root, failed, error);

@@ -6,6 +6,7 @@
 #include "cli/input.h"
 #include "cli/values.h"
 #include "picture/picture.h"
+#include "render/planes.h"
 
 /* Longest list of --lobe and of --views. */
 #define RENDER_LIST_MAX 16
@@ -76,6 +77,7 @@ typedef struct render_settings {
     int format;         /* picture_format; AUTO until render_finish */
     int quality;        /* 0: not given */
     cli_real dots_per_inch;
+    render_planes planes;
 
     int size[2];
     int samples;
@@ -154,6 +156,7 @@ cli_handler render_flag_lobes;         /* render_lobes */
 cli_handler render_flag_light;         /* render_lights */
 cli_handler render_flag_ambient;       /* render_ambient */
 cli_handler render_flag_occlusion;     /* render_occlusion */
+cli_handler render_flag_plane;         /* render_planes */
 cli_handler render_flag_projection;    /* int: render_projection */
 
 #endif

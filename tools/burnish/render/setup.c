@@ -48,6 +48,48 @@ static burnish_status check_report(const render_settings *settings, burnish_erro
     return BURNISH_STATUS_OK;
 }
 
+/* Whether two names of files are the same, or stand for one file. */
+static int is_same(const char *a, const char *b) {
+    return a && b && !is_standard(a) && !is_standard(b) &&
+           (strcmp(a, b) == 0 || cli_same_file(a, b));
+}
+
+/* Planes go into files that nothing else goes into, and exist of one picture. */
+static burnish_status check_planes(render_settings *settings, burnish_error *error) {
+    const int is_sheet = settings->views.count > 1 || settings->lobes.count > 1;
+    if (is_sheet && (settings->planes.count > 0 || settings->format == PICTURE_EXR ||
+                     settings->format == PICTURE_NPY)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: a sheet has no planes of numbers; draw one view and one lobe",
+                        settings->planes.count > 0 ? "plane" : "output");
+    }
+    for (size_t i = 0; i < settings->planes.count; ++i) {
+        render_plane *plane = &settings->planes.items[i];
+        burnish_status status = picture_choose("plane", plane->path, PICTURE_PLANE, PICTURE_AUTO,
+                                               &plane->format, error);
+        int taken = is_same(plane->path, settings->output) ||
+                    is_same(plane->path, settings->json) || is_same(plane->path, settings->input);
+        for (size_t k = 0; k < i; ++k) {
+            taken |= is_same(plane->path, settings->planes.items[k].path);
+        }
+        if (status == BURNISH_STATUS_OK && taken) {
+            status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "--plane: \"%.200s\" is another file of this run; name another one",
+                              plane->path);
+        }
+        if (status == BURNISH_STATUS_OK && plane->kind == PLANE_COLOR &&
+            plane->format == PICTURE_PNG) {
+            status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "--plane: linear colour goes into NPY or EXR; the PNG in sRGB is "
+                              "--output's");
+        }
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
 /* The output's format, and flags that ask of it what it can't hold. */
 static burnish_status choose_format(render_settings *settings, burnish_error *error) {
     picture_format format;
@@ -188,6 +230,9 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_output(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_planes(settings, error);
     }
     return status == BURNISH_STATUS_OK ? check_report(settings, error) : status;
 }

@@ -95,6 +95,32 @@ burnish_status render_flag_lobes(const cli_flag *flag, const char *text, void *t
     return BURNISH_STATUS_OK;
 }
 
+burnish_status render_flag_plane(const cli_flag *flag, const char *text, void *target,
+                                 burnish_error *error) {
+    render_planes *planes = target;
+    const char *colon = strchr(text, ':');
+    char name[CLI_NAME_MAX];
+    int kind = 0;
+    cli_flag named = *flag;
+    named.words = render_plane_words; /* not in the table: with them the row of help is too long */
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
+    burnish_status status = cli_flag_word(&named, name, &kind, error);
+    if (status == BURNISH_STATUS_OK && (!colon || !colon[1])) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" names no file; write %s:FILE", flag->name, text, name);
+    }
+    if (status == BURNISH_STATUS_OK && planes->count == RENDER_PLANES_MAX) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: more than %d of them; leave some out", flag->name,
+                        RENDER_PLANES_MAX);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        planes->items[planes->count++] =
+            (render_plane){(render_plane_kind)kind, colon + 1, PICTURE_AUTO};
+    }
+    return status;
+}
+
 static void linear_of(const float srgb[3], float scale, float linear[3]) {
     for (int k = 0; k < 3; ++k) {
         linear[k] = burnish_srgb_decode(srgb[k]) * scale;

@@ -1,0 +1,47 @@
+#!/bin/sh
+# Planes of numbers: refusals here, values in planes.py.
+# usage: cli_planes.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+here=$(dirname "$(realpath "$0")")
+
+expect 2 'burnish: --plane: "mist" is not one of depth, normal, triangle, material, coverage, color' render :sphere --plane=mist:x.png
+expect 2 'burnish: --plane: "depth" names no file; write depth:FILE' render :sphere --plane=depth
+expect 2 'burnish: --plane: "depth:" names no file; write depth:FILE' render :sphere --plane=depth:
+expect 2 'burnish: --plane: "d.tif": planes are written as PNG, EXR or NPY; end the name in .png, .exr or .npy' render :sphere --plane=depth:d.tif
+expect 2 'burnish: --plane: "d": planes are written as PNG, EXR or NPY; end the name in .png, .exr or .npy' render :sphere --plane=depth:d
+expect 2 'burnish: --plane: "-": planes are written as PNG, EXR or NPY; end the name in .png, .exr or .npy' render :sphere --plane=depth:-
+expect 2 'burnish: --plane: "d.jpg": planes are written as PNG, EXR or NPY; end the name in .png, .exr or .npy' render :sphere --plane=depth:d.jpg
+expect 2 "burnish: --plane: linear colour goes into NPY or EXR; the PNG in sRGB is --output's" render :sphere --plane=color:c.png
+expect 2 'burnish: --plane: "p.png" is another file of this run; name another one' render :sphere -o p.png --plane=depth:p.png
+expect 2 'burnish: --plane: "d.npy" is another file of this run; name another one' render :sphere --plane=depth:d.npy --plane=normal:d.npy
+expect 2 'burnish: --plane: a sheet has no planes of numbers; draw one view and one lobe' render :sphere --views=top,front --plane=depth:d.npy
+expect 2 'burnish: --output: a sheet has no planes of numbers; draw one view and one lobe' render :sphere --views=top,front -o x.npy
+nothing_left "wrong usage"
+
+# Nothing shows: the range of depths is 0, every id none. A folder that is missing is the plane's.
+run render :sphere --size=8 --camera-position=9,0,0 --camera-focal-point=20,0,0 --quiet -o p.png --plane=depth:d.png --json
+check "a blank plane: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+check "a blank plane: low" [ "$(json low)" = 0 ]
+rm -f p.png d.png
+expect 7 "burnish: none/d.npy: can't be written: No such file or directory; create the folder first" render :sphere --size=8 --plane=depth:none/d.npy
+nothing_left "a plane that can't be written"
+
+# The same bytes from every instruction set and number of threads.
+for isa in scalar sse2 avx2 avx512; do
+    "$burnish" render :knot --size=64 --isa=$isa --threads=3 --look=plain -o "$isa.npy" --plane=depth:d.npy --plane=normal:n.npy 2>"$err" || {
+        check "$isa: $(cat "$err")" grep -q 'lacks\|has no\|not in this' "$err"
+        continue
+    }
+    cat d.npy n.npy "$isa.npy" | cksum >>sums
+done
+check "instruction sets differ: $(cat sums)" [ "$(sort -u sums | wc -l)" = 1 ]
+
+if ! "$burnish" render :sphere --size=8 -o x.exr 2>/dev/null; then
+    echo "cli_planes: SKIPPED: values, since this build writes no EXR"
+elif ! command -v python3 >/dev/null; then
+    echo "cli_planes: SKIPPED: values, since python3 is missing"
+else
+    check "$(PYTHONDONTWRITEBYTECODE=1 python3 "$here/planes.py" "$burnish" 2>&1 | tail -1)" \
+        env PYTHONDONTWRITEBYTECODE=1 python3 "$here/planes.py" "$burnish"
+fi
+finish

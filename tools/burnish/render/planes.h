@@ -1,0 +1,62 @@
+/* Planes: numbers of each pixel for other programs, beside the picture or as it. */
+#ifndef TOOL_RENDER_PLANES_H
+#define TOOL_RENDER_PLANES_H
+
+#include "burnish/render.h"
+#include "picture/picture.h"
+
+typedef enum render_plane_kind {
+    PLANE_COLOR,
+    PLANE_DEPTH,
+    PLANE_NORMAL,
+    PLANE_TRIANGLE,
+    PLANE_MATERIAL,
+    PLANE_COVERAGE,
+    PLANE_KINDS
+} render_plane_kind;
+
+/* The words of --plane. */
+extern const cli_word render_plane_words[];
+
+/* One --plane=NAME:FILE. */
+typedef struct render_plane {
+    render_plane_kind kind;
+    const char *path;
+    picture_format format; /* set by render_check_planes */
+} render_plane;
+
+enum { RENDER_PLANES_MAX = 3 * PLANE_KINDS };
+
+typedef struct render_planes {
+    render_plane items[RENDER_PLANES_MAX];
+    size_t count;
+} render_planes;
+
+/* What was drawn; width * height items each, NULL where nothing asks for them. */
+typedef struct render_plane_data {
+    int width, height;
+    float *color;        /* linear RGBA, straight alpha */
+    float *depth;        /* infinity where nothing shows */
+    float *normals;      /* x, y, z; 0, 0, 0 where nothing shows */
+    uint32_t *triangles; /* UINT32_MAX, which is -1, where nothing shows */
+    uint32_t *materials; /* the same */
+    uint8_t *coverage;
+    float low, high; /* of the depths that are finite; both 0 without any */
+} render_plane_data;
+
+/* Draws the planes of a set of kinds, bits 1 << render_plane_kind, by the camera and lobe of
+ * options. Release them also after an error. Errors: MEMORY, and those of drawing. */
+burnish_status render_draw_planes(burnish_renderer *renderer, const burnish_mesh *mesh,
+                                  const burnish_render_options *options, unsigned kinds,
+                                  render_plane_data *data, burnish_error *error);
+void render_release_planes(render_plane_data *data);
+
+/* The file of one plane. Errors: ARGUMENT for ids that a PNG can't hold, MEMORY. */
+burnish_status render_encode_plane(const render_plane_data *data, const render_plane *plane,
+                                   int threads, picture_file *file, burnish_error *error);
+
+/* A whole picture: EXR with every plane, or NPY with the colour. Errors: MEMORY. */
+burnish_status render_encode_planes(const render_plane_data *data, picture_format format,
+                                    picture_file *file, burnish_error *error);
+
+#endif
