@@ -22,6 +22,7 @@ static const struct layer {
     {"src/mesh/read", "core mesh mesh/build burnish/core.h burnish/mesh.h"},
     {"src/raster", "core simd burnish/core.h"},
     {"src/image", "core burnish/core.h burnish/image.h"},
+    {"src/annotate", "core image burnish/annotate.h burnish/core.h burnish/image.h burnish/mesh.h"},
     {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/mesh.h "
                    "burnish/render.h"},
     {"tools/burnish/cli", "burnish"},

@@ -31,11 +31,16 @@ static void draw_span(const burnish_pixels *pixels, const burnish_stroke *stroke
     burnish_ink_blend(pixels, row, first, last - first, coverage, ink);
 }
 
-static void draw_glyph(const burnish_pixels *pixels, const burnish_glyph *glyph,
-                       const burnish_glyph_scale *scale, const burnish_ink *ink) {
-    burnish_stroke strokes[BURNISH_GLYPH_MAX_STROKES];
+/* Where glyphs are drawn. */
+typedef struct page {
+    burnish_pixels pixels;
+    burnish_ink ink;
+} page;
+
+static void draw_strokes(void *context, const burnish_stroke *strokes, size_t count) {
+    const page *to = context;
+    const burnish_pixels *pixels = &to->pixels;
     burnish_rectangle touched[BURNISH_GLYPH_MAX_STROKES];
-    size_t count = burnish_glyph_strokes(glyph, scale, strokes);
     burnish_rectangle all = {pixels->width, pixels->height, 0, 0};
     for (size_t i = 0; i < count; ++i) {
         touched[i] = burnish_stroke_bounds(&strokes[i], pixels->width, pixels->height);
@@ -47,7 +52,7 @@ static void draw_glyph(const burnish_pixels *pixels, const burnish_glyph *glyph,
     for (int row = all.top; row < all.bottom; ++row) {
         for (int first = all.left; first < all.right; first += SPAN) {
             int last = all.right - first > SPAN ? first + SPAN : all.right;
-            draw_span(pixels, strokes, touched, count, row, first, last, ink);
+            draw_span(pixels, strokes, touched, count, row, first, last, &to->ink);
         }
     }
 }
@@ -86,17 +91,11 @@ static float gap_pixels(const burnish_glyph_scale *scale, const burnish_glyph *b
 }
 
 /* Positions and advances are whole pixels: every stem of a line is then equally sharp, and the same
- * letters are spaced alike wherever they stand. */
-float burnish_text_draw(burnish_image *image, float x, float y, float height,
-                        const uint8_t color[3], const char *text, size_t length) {
+ * letters are spaced alike wherever they stand. take NULL: the line is only measured. */
+static float set_line(float x, float y, float height, const char *text, size_t length,
+                      burnish_take_strokes *take, void *context) {
     float seat;
     burnish_glyph_scale scale = make_scale(height, &seat);
-    burnish_ink ink = {.opacity = 1};
-    burnish_pixels pixels = {.pixels = NULL};
-    if (image) {
-        ink = burnish_ink_of(color, 1);
-        pixels = burnish_image_pixels(image);
-    }
     x = snap(x);
     scale.y = snap(y) - seat * 0.5F;
     const burnish_glyph *before = NULL;
@@ -109,13 +108,28 @@ float burnish_text_draw(burnish_image *image, float x, float y, float height,
         const burnish_glyph *glyph = burnish_glyph_find(character);
         advance += gap_pixels(&scale, before, glyph);
         scale.x = x + advance + seat * 0.5F;
-        if (pixels.pixels && near_image(scale.x) && near_image(scale.y)) {
-            draw_glyph(&pixels, glyph, &scale, &ink);
+        if (take && near_image(scale.x) && near_image(scale.y)) {
+            burnish_stroke strokes[BURNISH_GLYPH_MAX_STROKES];
+            take(context, strokes, burnish_glyph_strokes(glyph, &scale, strokes));
         }
         advance += burnish_glyph_pixels(&scale, glyph->width) + seat;
         before = glyph;
     }
     return advance + gap_pixels(&scale, before, NULL);
+}
+
+void burnish_text_strokes(float x, float y, float height, const char *text, size_t length,
+                          burnish_take_strokes *take, void *context) {
+    set_line(x, y, height, text, length, take, context);
+}
+
+float burnish_text_draw(burnish_image *image, float x, float y, float height,
+                        const uint8_t color[3], const char *text, size_t length) {
+    if (!image || !image->pixels) {
+        return set_line(x, y, height, text, length, NULL, NULL);
+    }
+    page to = {burnish_image_pixels(image), burnish_ink_of(color, 1)};
+    return set_line(x, y, height, text, length, draw_strokes, &to);
 }
 
 float burnish_image_draw_text(burnish_image *image, float x, float y, float height,

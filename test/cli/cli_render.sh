@@ -274,6 +274,18 @@ expect 2 'burnish: --same-scale: a perspective has no scale; leave out --camera-
 expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; leave out --camera-orthographic=no' render block.obj --camera-orthographic=0 --camera-orthographic-height=3
 expect 2 'burnish: --camera-zoom-factor: --camera-orthographic-height already says how large the object is; leave one out' render block.obj --camera-orthographic-height=3 --camera-zoom-factor=2
 
+# Annotations: each changes the picture, none what the report says of the object's light.
+bare=$(hash block.obj --size=200 --camera-orthographic)
+for kind in axes box dimensions scale grid axes,grid,scale; do
+    differs "--annotate=$kind" "$bare" "$(hash block.obj --size=200 --camera-orthographic --annotate=$kind)"
+done
+same "annotations leave no trace in the report" "$(run render block.obj --size=200 --annotate=grid,dimensions --json -o s.png; json near_black)" 0
+expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the annotations; make it larger, or show more of it' render block.obj --size=60 --camera-zoom-factor=4 --annotate=dimensions -o s.png
+expect 2 'burnish: --annotate: scale: a perspective has no scale; give --camera-orthographic, or leave it out' render block.obj --annotate=scale
+expect 2 'burnish: --annotate: scale: a perspective has no scale; give --camera-orthographic, or leave it out' render block.obj --views=front --camera-orthographic=no --annotate=axes,scale
+expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=axes,ruler
+expect 2 'burnish: --annotate: "" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=
+
 run render :teapot --lobe=power,schlick,energy:2,taylor:2 --columns=4 --size=40 --json -o sheet.png
 check "four columns" [ "$(json width)" -ge 160 ]
 

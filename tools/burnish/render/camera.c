@@ -117,25 +117,50 @@ static int is_parallel(const render_settings *settings, render_view view) {
 }
 
 static burnish_framing fit_options(const render_settings *settings, render_view view,
-                                   double height) {
+                                   const render_room *room) {
     burnish_framing options = burnish_framing_default();
     options.view_angle = settings->view_angle.value;
     options.aspect = (double)settings->size[0] / settings->size[1];
     options.margin = settings->margin.value;
     options.orthographic = is_parallel(settings, view);
     options.orthographic_height =
-        settings->orthographic_height.given ? settings->orthographic_height.value : height;
+        settings->orthographic_height.given ? settings->orthographic_height.value : room->height;
     return options;
 }
 
+burnish_annotations render_make_annotations(const burnish_mesh *mesh,
+                                            const render_settings *settings) {
+    burnish_annotations annotations = burnish_annotations_default();
+    annotations.kinds = settings->annotations;
+    memcpy(annotations.up, frame_in_use(mesh, settings)->up, sizeof annotations.up);
+    return annotations;
+}
+
+/* burnish_camera_frame with room for annotations. */
+static burnish_status frame_with_room(const burnish_mesh *mesh, const render_settings *settings,
+                                      const burnish_framing *options, render_room *room,
+                                      burnish_camera *camera, burnish_error *error) {
+    burnish_framing framing = *options;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!room->is_given && settings->annotations) {
+        const burnish_annotations annotations = render_make_annotations(mesh, settings);
+        status = burnish_annotate_inset(mesh, &annotations, options, settings->size[0],
+                                        settings->size[1], room->inset, error);
+    }
+    memcpy(framing.inset, room->inset, sizeof framing.inset);
+    return status == BURNISH_STATUS_OK ? burnish_camera_frame(mesh, &framing, camera, error)
+                                       : status;
+}
+
 /* Frames the object seen along direction with upward up. */
-static burnish_status fit_along(const burnish_mesh *mesh, burnish_framing options,
-                                const double direction[3], const double upward[3],
-                                burnish_camera *camera, burnish_error *error) {
+static burnish_status fit_along(const burnish_mesh *mesh, const render_settings *settings,
+                                burnish_framing options, const double direction[3],
+                                const double upward[3], render_room *room, burnish_camera *camera,
+                                burnish_error *error) {
     memcpy(options.direction, direction, sizeof options.direction);
     memcpy(options.up, upward, sizeof options.up);
     options.azimuth = options.elevation = 0;
-    return burnish_camera_frame(mesh, &options, camera, error);
+    return frame_with_room(mesh, settings, &options, room, camera, error);
 }
 
 static burnish_status explicit_camera(const burnish_mesh *mesh, const render_settings *settings,
@@ -155,7 +180,8 @@ static burnish_status explicit_camera(const burnish_mesh *mesh, const render_set
     }
     burnish_status status = choose_upward(axes, settings, direction, upward, error);
     if (status == BURNISH_STATUS_OK && options->orthographic) {
-        status = fit_along(mesh, *options, direction, upward, camera, error);
+        render_room none = {.is_given = 1};
+        status = fit_along(mesh, settings, *options, direction, upward, &none, camera, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -171,13 +197,14 @@ static burnish_status explicit_camera(const burnish_mesh *mesh, const render_set
  */
 static burnish_status framed_camera(const burnish_mesh *mesh, const render_settings *settings,
                                     render_view view, const frame *axes, burnish_framing options,
-                                    burnish_camera *camera, burnish_error *error) {
+                                    render_room *room, burnish_camera *camera,
+                                    burnish_error *error) {
     double direction[3], upward[3];
     burnish_status status;
     if (view != VIEW_FREE) {
         combine(axes, views[view].toward, -1, direction);
         combine(axes, views[view].upward, 1, upward);
-        return fit_along(mesh, options, direction, upward, camera, error);
+        return fit_along(mesh, settings, options, direction, upward, room, camera, error);
     }
     memcpy(options.up, axes->up, sizeof options.up);
     options.azimuth = settings->azimuth.value;
@@ -188,26 +215,31 @@ static burnish_status framed_camera(const burnish_mesh *mesh, const render_setti
             usual_upward(axes, options.direction, options.up);
         }
     }
+    if (!settings->view_up.given) {
+        return frame_with_room(mesh, settings, &options, room, camera, error);
+    }
     status = burnish_camera_frame(mesh, &options, camera, error);
-    if (status != BURNISH_STATUS_OK || !settings->view_up.given) {
+    if (status != BURNISH_STATUS_OK) {
         return status;
     }
     /* A rolled picture has other extents: frame again along the direction just found. */
     subtract(camera->focal_point, camera->position, direction);
     status = choose_upward(axes, settings, direction, upward, error);
-    return status == BURNISH_STATUS_OK ? fit_along(mesh, options, direction, upward, camera, error)
-                                       : status;
+    return status == BURNISH_STATUS_OK
+               ? fit_along(mesh, settings, options, direction, upward, room, camera, error)
+               : status;
 }
 
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
-                             render_view view, double height, burnish_camera *camera,
+                             render_view view, render_room *room, burnish_camera *camera,
                              burnish_error *error) {
     const frame *axes = frame_in_use(mesh, settings);
-    const burnish_framing options = fit_options(settings, view, height);
+    const burnish_framing options = fit_options(settings, view, room);
     *camera = (burnish_camera){.view_angle = settings->view_angle.value};
-    burnish_status status = settings->position.given
-                                ? explicit_camera(mesh, settings, axes, &options, camera, error)
-                                : framed_camera(mesh, settings, view, axes, options, camera, error);
+    burnish_status status =
+        settings->position.given
+            ? explicit_camera(mesh, settings, axes, &options, camera, error)
+            : framed_camera(mesh, settings, view, axes, options, room, camera, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

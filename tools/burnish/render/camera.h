@@ -4,11 +4,21 @@
 
 #include "render/settings.h"
 
-/* The camera of one view of the mesh.
- *   height  of a parallel projection before --camera-zoom-factor; 0: as the flags say */
+/* What framing leaves around the object, and how large it shows it. */
+typedef struct render_room {
+    double inset[4]; /* as burnish_framing has it; what annotations need where is_given is 0 */
+    int is_given;
+    double height; /* of a parallel projection before --camera-zoom-factor; 0: as the flags say */
+} render_room;
+
+/* The camera of one view of the mesh. room->inset receives what it was framed with. */
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
-                             render_view view, double height, burnish_camera *camera,
+                             render_view view, render_room *room, burnish_camera *camera,
                              burnish_error *error);
+
+/* What --annotate asks for, but for colours. */
+burnish_annotations render_make_annotations(const burnish_mesh *mesh,
+                                            const render_settings *settings);
 
 /* "front", "right" ...; "view" for VIEW_FREE. */
 const char *render_view_name(render_view view);

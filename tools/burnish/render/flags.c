@@ -40,6 +40,12 @@ const cli_word render_look_words[] = {{"studio", BURNISH_LOOK_STUDIO},
                                       {"clay", BURNISH_LOOK_CLAY},
                                       {NULL, 0}};
 
+static const cli_word annotation_words[] = {{"axes", BURNISH_ANNOTATION_AXES},
+                                            {"box", BURNISH_ANNOTATION_BOX},
+                                            {"dimensions", BURNISH_ANNOTATION_DIMENSIONS},
+                                            {"scale", BURNISH_ANNOTATION_SCALE},
+                                            {"grid", BURNISH_ANNOTATION_GRID},
+                                            {NULL, 0}};
 static const cli_word equation_words[] = {
     {"blinn", BURNISH_SPECULAR_BLINN}, {"phong", BURNISH_SPECULAR_PHONG}, {NULL, 0}};
 static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}};
@@ -150,6 +156,21 @@ static const cli_flag flags[] = {
      .handler = render_flag_views,
      .words = view_words,
      TARGET(views)},
+    {.name = "annotate",
+     .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box",
+     .value = "LIST",
+     .help = "measure",
+     .manual =
+         "Draws lines and numbers around the object, several between commas: *axes*, the "
+         "directions of X, Y and Z in a corner; *box*, the edges of the bounding box, dashed "
+         "behind the object; *dimensions*, the lengths of the bounding box with arrows; *scale*, a "
+         "bar of 1, 2 or 5 times a power of 10, of a parallel projection; *grid*, lines of the "
+         "ground so far apart, with their spacing. Numbers are in the units of the input, rounded "
+         "to four digits. Framing leaves room for them; what finds none is left out with a "
+         "warning.",
+     .handler = render_flag_annotate,
+     .words = annotation_words,
+     TARGET(annotations)},
     {.name = "columns",
      .value = "N",
      .help = "of a sheet",

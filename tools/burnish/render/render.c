@@ -8,6 +8,7 @@
 #include "burnish/core.h"
 #include "burnish/render.h"
 #include "cli/run.h"
+#include "render/annotate.h"
 #include "render/camera.h"
 #include "render/report.h"
 #include "render/settings.h"
@@ -125,22 +126,26 @@ static burnish_status draw_cell(render_result *result, burnish_renderer *rendere
     options->lobe = cell->lobe;
     options->camera = cell->camera;
     options->counts = result->settings->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
-    burnish_status status =
-        burnish_renderer_draw(renderer, result->mesh, options, &cell->image, &cell->report, error);
+    float *depth = NULL;
+    burnish_status status = render_draw(result, renderer, options, cell, &depth, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     result->seconds.transform += cell->report.seconds_transform;
     result->seconds.draw += cell->report.seconds_draw;
     if (result->settings->json) {
-        cell->hash = burnish_image_hash(&cell->image);
         cell->tones = render_measure_tones(&cell->image, cell->report.covered_pixels, options);
     }
     if (result->settings->json || result->settings->fail_on_blank) {
         cell->has_one_color = render_has_one_color(&cell->image);
     }
     warn_about_cell(result, cell);
-    return BURNISH_STATUS_OK;
+    status = render_annotate(result, options, cell, depth, error);
+    free(depth);
+    if (result->settings->json && status == BURNISH_STATUS_OK) {
+        cell->hash = burnish_image_hash(&cell->image);
+    }
+    return status;
 }
 
 /* Fills the cells' views, lobes and labels; the lobes of a view stand side by side. */
@@ -158,21 +163,37 @@ static void describe_cells(render_result *result) {
     }
 }
 
-/* The cameras of all cells; with --same-scale once more at the largest height that one needs. */
+/* Passes of cells that share a scale: how much room annotations need on each side, how high the
+ * picture must be, the cameras. Cells that share no scale take one. */
+enum { AIM_ROOM, AIM_HEIGHT, AIM_CAMERA, AIM_PASSES };
+
+static void widen(render_room *shared, const render_room *room, double height) {
+    shared->height = height > shared->height ? height : shared->height;
+    for (int k = 0; k < 4; ++k) {
+        shared->inset[k] = room->inset[k] > shared->inset[k] ? room->inset[k] : shared->inset[k];
+    }
+}
+
+/* The cameras of all cells. */
 static burnish_status aim_cells(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
+    const int is_shared = settings->same_scale || settings->orthographic_height.given;
     burnish_status status = BURNISH_STATUS_OK;
-    double height = 0;
-    for (int pass = 0; pass <= settings->same_scale; ++pass) {
-        double largest = 0;
+    render_room shared = {.is_given = 0};
+    for (int pass = is_shared ? AIM_ROOM : AIM_CAMERA; pass < AIM_PASSES; ++pass) {
+        render_room widest = shared;
         for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
             burnish_camera *camera = &result->cells[i].camera;
+            render_room room = shared;
             status =
-                render_camera(result->mesh, settings, result->cells[i].view, height, camera, error);
-            const double needed = camera->orthographic_height * settings->zoom.value;
-            largest = needed > largest ? needed : largest;
+                render_camera(result->mesh, settings, result->cells[i].view, &room, camera, error);
+            widen(&widest, &room, camera->orthographic_height * settings->zoom.value);
         }
-        height = largest;
+        if (pass == AIM_ROOM) {
+            widest.height = 0;
+        }
+        shared = widest;
+        shared.is_given = 1;
     }
     return status;
 }

@@ -2,6 +2,7 @@
 #ifndef TOOL_RENDER_SETTINGS_H
 #define TOOL_RENDER_SETTINGS_H
 
+#include "burnish/annotate.h"
 #include "burnish/render.h"
 #include "cli/input.h"
 #include "cli/values.h"
@@ -97,6 +98,7 @@ typedef struct render_settings {
     int projection; /* render_projection */
     cli_real orthographic_height;
     int same_scale;
+    unsigned annotations; /* sum of burnish_annotation */
 
     cli_color color;
     int material; /* 1 + index into render_presets; 0: the input's own */
@@ -158,5 +160,6 @@ cli_handler render_flag_ambient;       /* render_ambient */
 cli_handler render_flag_occlusion;     /* render_occlusion */
 cli_handler render_flag_plane;         /* render_planes */
 cli_handler render_flag_projection;    /* int: render_projection */
+cli_handler render_flag_annotate;      /* unsigned: sum of burnish_annotation */
 
 #endif

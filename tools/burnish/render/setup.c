@@ -163,6 +163,8 @@ static burnish_status check_output(render_settings *settings, burnish_error *err
 
 /* A scale is one of a parallel projection, and there is one. */
 static burnish_status check_scale_flags(const render_settings *settings, burnish_error *error) {
+    const int parallel = settings->views.count > 0 ? settings->projection != PROJECTION_PERSPECTIVE
+                                                   : settings->projection == PROJECTION_PARALLEL;
     const char *scale = settings->orthographic_height.given ? "camera-orthographic-height"
                         : settings->same_scale              ? "same-scale"
                                                             : NULL;
@@ -170,6 +172,12 @@ static burnish_status check_scale_flags(const render_settings *settings, burnish
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: a perspective has no scale; leave out --camera-orthographic=no",
                         scale);
+    }
+    if ((settings->annotations & BURNISH_ANNOTATION_SCALE) && !scale && !parallel) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--annotate: scale: a perspective has no scale; give --camera-orthographic, "
+            "or leave it out");
     }
     if (settings->orthographic_height.given && settings->zoom.value != 1) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,

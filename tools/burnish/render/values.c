@@ -248,3 +248,20 @@ burnish_status render_flag_projection(const cli_flag *flag, const char *text, vo
     named.words = words;
     return cli_flag_word(&named, text ? text : "yes", target, error);
 }
+
+burnish_status render_flag_annotate(const cli_flag *flag, const char *text, void *target,
+                                    burnish_error *error) {
+    unsigned read = 0;
+    while (text) {
+        char item[CLI_NAME_MAX];
+        int kind = 0;
+        copy_item(&text, item, sizeof item);
+        burnish_status status = cli_flag_word(flag, item, &kind, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        read |= (unsigned)kind;
+    }
+    *(unsigned *)target = read;
+    return BURNISH_STATUS_OK;
+}

@@ -1,0 +1,350 @@
+/* The doors: what to draw is laid out, then drawn layer by layer; or laid out to see how much room
+ * it needs. */
+#include "annotate/annotate.h"
+
+#include <string.h>
+
+#include "core/environment.h"
+#include "core/error.h"
+#include "core/srgb.h"
+#include "image/pixels.h"
+#include "image/text.h"
+
+#define COOKIE 0x414e4e31u
+
+/* Of the space that margins leave, at most so much is taken on one side. */
+#define LARGEST_INSET 0.3
+
+enum { FITTING_STEPS = 8 };
+
+burnish_annotations burnish_annotations_default(void) {
+    return (burnish_annotations){.cookie = COOKIE, .background = {255, 255, 255}};
+}
+
+static burnish_status check(const burnish_mesh *mesh, const burnish_annotations *annotations,
+                            int width, int height, burnish_error *error) {
+    if (!mesh || !annotations || annotations->cookie != COOKIE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "annotations: %s",
+                            mesh ? "not initialised; start from burnish_annotations_default()"
+                                 : "no mesh; pass the one that was drawn");
+    }
+    if (annotations->kinds & ~(unsigned)BURNISH_ANNOTATION_ALL) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "annotations: kinds %u is no sum of burnish_annotation",
+                            annotations->kinds);
+    }
+    if (annotations->text_height != 0 &&
+        !(annotations->text_height >= 5 && annotations->text_height <= 256)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "annotations: text_height %g is not 0 or in [5, 256]",
+                            annotations->text_height);
+    }
+    if (width < 1 || width > BURNISH_IMAGE_MAX_SIZE || height < 1 ||
+        height > BURNISH_IMAGE_MAX_SIZE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "annotations: %d x %d pixels; 1 to %d a side are expected", width,
+                            height, BURNISH_IMAGE_MAX_SIZE);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view, unsigned kinds,
+                                          const burnish_annotation_depth *depth, int bounded,
+                                          burnish_memory *memory, burnish_annotation_list *list) {
+    *list = (burnish_annotation_list){.bounded = bounded, .memory = memory};
+    if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
+        burnish_annotate_dimensions(view, list);
+    }
+    burnish_annotate_marks(view, kinds, list);
+    if (kinds & BURNISH_ANNOTATION_BOX) {
+        burnish_annotate_box(view, depth, list);
+    }
+    if (kinds & BURNISH_ANNOTATION_GRID) {
+        burnish_annotate_grid(view, depth, list);
+    }
+    return memory->status;
+}
+
+/* ---- Room ---- */
+
+/* Pixels by which what is laid out leaves the picture: left, right, bottom, top. */
+static void measure_overflow(const burnish_annotation_view *view,
+                             const burnish_annotation_list *list, double overflow[4]) {
+    const double border = 0.5 * view->text;
+    burnish_area all = {view->width, view->height, 0, 0};
+    for (size_t i = 0; i < list->line_count; ++i) {
+        const burnish_stroke *s = &list->lines[i].stroke;
+        for (int end = 0; end < 2; ++end) {
+            const double x = (double)(end ? s->x1 : s->x0), y = (double)(end ? s->y1 : s->y0);
+            all.left = x < all.left ? x : all.left;
+            all.right = x > all.right ? x : all.right;
+            all.top = y < all.top ? y : all.top;
+            all.bottom = y > all.bottom ? y : all.bottom;
+        }
+    }
+    for (size_t i = 0; i < list->label_count; ++i) {
+        const burnish_area *area = &list->labels[i].area;
+        all.left = area->left < all.left ? area->left : all.left;
+        all.right = area->right > all.right ? area->right : all.right;
+        all.top = area->top < all.top ? area->top : all.top;
+        all.bottom = area->bottom > all.bottom ? area->bottom : all.bottom;
+    }
+    overflow[0] = border - all.left;
+    overflow[1] = all.right - (view->width - border);
+    overflow[2] = all.bottom - (view->height - border);
+    overflow[3] = border - all.top;
+}
+
+/* Widens the insets by what is missing. Returns 0 where nothing is, or no more can be given. */
+static int widen(const burnish_annotation_view *view, const burnish_annotation_list *list,
+                 const double limit[4], double inset[4]) {
+    const double smaller = view->width < view->height ? view->width : view->height;
+    double missing[4];
+    int changed = 0;
+    measure_overflow(view, list, missing);
+    if (list->crowded > 0) { /* a corner at the bottom becomes free */
+        const double more = 1.5 * view->text;
+        missing[2] = missing[2] > more ? missing[2] : more;
+    }
+    for (int k = 0; k < 4; ++k) {
+        double wanted = missing[k] > 0.25 ? inset[k] + missing[k] / smaller : inset[k];
+        wanted = wanted < limit[k] ? wanted : limit[k];
+        changed |= wanted > inset[k];
+        inset[k] = wanted;
+    }
+    return changed;
+}
+
+static burnish_status find_inset(const burnish_mesh *mesh, const burnish_annotations *annotations,
+                                 const burnish_framing *framing, int width, int height,
+                                 double inset[4], burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(annotations->context, error);
+    burnish_framing tried = *framing;
+    const double smaller = framing->aspect < 1 ? framing->aspect : 1;
+    double limit[4];
+    int missing = 1;
+    memset(inset, 0, 4 * sizeof *inset);
+    for (int k = 0; k < 4; ++k) {
+        const double side = (k < 2 ? framing->aspect : 1) / smaller;
+        limit[k] = LARGEST_INSET * (side - 2 * framing->margin);
+        limit[k] = limit[k] < 0.45 ? limit[k] : 0.45;
+    }
+    for (int step = 0; step < FITTING_STEPS && missing; ++step) {
+        const burnish_annotation_depth nothing_hides = {NULL, 0};
+        burnish_annotation_view view;
+        burnish_annotation_list list;
+        burnish_camera camera;
+        memcpy(tried.inset, inset, sizeof tried.inset);
+        burnish_status status = burnish_camera_frame(mesh, &tried, &camera, error);
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_annotation_view_make(mesh, annotations, &camera, width, height, &view,
+                                                  error);
+        }
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        status = burnish_annotation_lay_out(&view, annotations->kinds, &nothing_hides, 0, &memory,
+                                            &list);
+        missing = status == BURNISH_STATUS_OK && widen(&view, &list, limit, inset);
+        burnish_release(annotations->context, list.lines);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_annotate_inset(const burnish_mesh *mesh,
+                                      const burnish_annotations *annotations,
+                                      const burnish_framing *framing, int width, int height,
+                                      double inset[4], burnish_error *error) {
+    const burnish_environment before = burnish_environment_enter();
+    burnish_status status = check(mesh, annotations, width, height, error);
+    if (status == BURNISH_STATUS_OK && !framing) {
+        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "annotations: no framing; pass burnish_framing_default()");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = find_inset(mesh, annotations, framing, width, height, inset, error);
+    }
+    burnish_environment_leave(before);
+    return status;
+}
+
+/* ---- Drawing ---- */
+
+/* Colours of the layers and of the rim that keeps lines and letters clear of what they cross. */
+typedef struct palette {
+    uint8_t layers[BURNISH_LAYER_COUNT][3];
+    float opacities[BURNISH_LAYER_COUNT];
+    uint8_t rim[3];
+    float rim_opacity;
+} palette;
+
+/* Relative luminance as WCAG 2.2 has it. */
+static double luminance(const uint8_t srgb[3]) {
+    return 0.2126 * (double)burnish_srgb_to_linear[srgb[0]] +
+           0.7152 * (double)burnish_srgb_to_linear[srgb[1]] +
+           0.0722 * (double)burnish_srgb_to_linear[srgb[2]];
+}
+
+static double contrast(const uint8_t a[3], const uint8_t b[3]) {
+    const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
+    return x > y ? x / y : y / x;
+}
+
+static palette choose_palette(const burnish_annotations *annotations) {
+    static const uint8_t inks[2][3] = {{34, 36, 40}, {242, 243, 245}};
+    static const uint8_t axes[2][3][3] = {{{196, 30, 36}, {16, 122, 44}, {28, 76, 214}},
+                                          {{255, 128, 118}, {120, 226, 128}, {140, 180, 255}}};
+    static const uint8_t white[3] = {255, 255, 255};
+    const uint8_t *ground = annotations->transparent ? white : annotations->background;
+    const int light = contrast(inks[1], ground) > contrast(inks[0], ground);
+    palette made = {.rim_opacity = 0.9F};
+    memcpy(made.rim, ground, sizeof made.rim);
+    for (int layer = 0; layer < BURNISH_LAYER_COUNT; ++layer) {
+        memcpy(made.layers[layer], inks[light], sizeof made.layers[layer]);
+        made.opacities[layer] = 1;
+    }
+    made.opacities[BURNISH_LAYER_GRID] = light ? 0.2F : 0.36F;
+    made.opacities[BURNISH_LAYER_HIDDEN] = 0.55F;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int pale = contrast(axes[1][axis], ground) > contrast(axes[0][axis], ground);
+        memcpy(made.layers[BURNISH_LAYER_AXIS + axis], axes[pale][axis], 3);
+    }
+    return made;
+}
+
+/* Strokes of one figure. */
+typedef struct strokes {
+    burnish_stroke *items;
+    size_t count, capacity;
+    burnish_memory *memory;
+} strokes;
+
+static void push(strokes *to, burnish_stroke stroke) {
+    to->items = burnish_reserve(to->memory, to->items, &to->capacity, to->count + 1,
+                                sizeof *to->items, "strokes of annotations");
+    if (to->memory->status == BURNISH_STATUS_OK) {
+        to->items[to->count++] = stroke;
+    }
+}
+
+static void push_glyph(void *context, const burnish_stroke *items, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        push(context, items[i]);
+    }
+}
+
+/* The middle of whole pixels, or the border between two, for a line of that width. */
+static float snapped(float value, float width) {
+    const int odd = (int)(width + 0.5F) % 2;
+    const float half = odd ? 0.5F : 0;
+    return (float)(int)(value - half + 16384.5F) - 16384 + half;
+}
+
+/* Lines along rows or columns are as sharp as pixels can be, at most half a pixel off. */
+static burnish_stroke sharpened(burnish_stroke stroke) {
+    const float dx = stroke.x1 - stroke.x0, dy = stroke.y1 - stroke.y0;
+    if (dx > -0.01F && dx < 0.01F && stroke.x0 > -16384 && stroke.x0 < 32768) {
+        stroke.x0 = stroke.x1 = snapped(stroke.x0, 2 * stroke.radius);
+    } else if (dy > -0.01F && dy < 0.01F && stroke.y0 > -16384 && stroke.y0 < 32768) {
+        stroke.y0 = stroke.y1 = snapped(stroke.y0, 2 * stroke.radius);
+    }
+    return stroke;
+}
+
+/* The strokes of a layer, or of LINES and all after it, each thickened by `rim` on both sides. */
+static void gather(const burnish_annotation_list *list, int first, int last, float rim,
+                   float text_height, strokes *to) {
+    to->count = 0;
+    for (size_t i = 0; i < list->line_count; ++i) {
+        if ((int)list->lines[i].layer >= first && (int)list->lines[i].layer <= last) {
+            push(to, sharpened(list->lines[i].stroke));
+        }
+    }
+    for (size_t i = 0; i < list->label_count; ++i) {
+        const burnish_annotation_label *label = &list->labels[i];
+        if ((int)label->layer >= first && (int)label->layer <= last) {
+            burnish_text_strokes((float)label->x, (float)label->baseline, text_height, label->text,
+                                 strlen(label->text), push_glyph, to);
+        }
+    }
+    for (size_t i = 0; i < to->count; ++i) {
+        to->items[i].radius += rim;
+    }
+}
+
+static burnish_status draw_list(const burnish_annotation_view *view,
+                                const burnish_annotation_list *list, const palette *colors,
+                                const burnish_pixels *pixels, burnish_memory *memory) {
+    strokes figure = {.memory = memory};
+    burnish_status status = BURNISH_STATUS_OK;
+    for (int layer = 0; layer <= BURNISH_LAYER_COUNT && status == BURNISH_STATUS_OK; ++layer) {
+        /* the rim comes before lines and axes */
+        const int is_rim = layer == BURNISH_LAYER_LINES;
+        const int shown = layer > BURNISH_LAYER_LINES ? layer - 1 : layer;
+        const float rim = is_rim ? (float)(view->line + view->text / 12) : 0;
+        const burnish_ink ink =
+            is_rim ? burnish_ink_of(colors->rim, colors->rim_opacity)
+                   : burnish_ink_of(colors->layers[shown], colors->opacities[shown]);
+        gather(list, is_rim ? BURNISH_LAYER_LINES : shown, is_rim ? BURNISH_LAYER_COUNT - 1 : shown,
+               rim, (float)view->text, &figure);
+        status = memory->status;
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_strokes_draw(pixels, figure.items, figure.count, &ink, NULL, memory);
+        }
+    }
+    burnish_release(memory->context, figure.items);
+    return status;
+}
+
+static burnish_status annotate(const burnish_mesh *mesh, const burnish_annotations *annotations,
+                               const burnish_camera *camera, const burnish_pixels *pixels,
+                               const burnish_annotation_depth *depth, size_t *left_out,
+                               burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(annotations->context, error);
+    burnish_annotation_view view;
+    burnish_annotation_list list;
+    const palette colors = choose_palette(annotations);
+    burnish_status status = burnish_annotation_view_make(mesh, annotations, camera, pixels->width,
+                                                         pixels->height, &view, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    status = burnish_annotation_lay_out(&view, annotations->kinds, depth, 1, &memory, &list);
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_list(&view, &list, &colors, pixels, &memory);
+    }
+    if (left_out) {
+        *left_out = list.left_out;
+    }
+    burnish_release(annotations->context, list.lines);
+    return status;
+}
+
+burnish_status burnish_annotate(const burnish_mesh *mesh, const burnish_annotations *annotations,
+                                const burnish_camera *camera, const burnish_pixels *pixels,
+                                const float *depth, size_t stride, size_t *left_out,
+                                burnish_error *error) {
+    const burnish_environment before = burnish_environment_enter();
+    const burnish_annotation_depth distances = {depth, stride};
+    burnish_status status =
+        check(mesh, annotations, pixels ? pixels->width : 0, pixels ? pixels->height : 0, error);
+    if (status == BURNISH_STATUS_OK && !camera) {
+        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "annotations: no camera; pass the one of the picture");
+    }
+    if (status == BURNISH_STATUS_OK && depth &&
+        (stride % 4 != 0 || stride / 4 < (size_t)pixels->width)) {
+        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "annotations: a depth stride of %zu bytes for %d pixels; at least "
+                              "four each, and a multiple of 4",
+                              stride, pixels->width);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = annotate(mesh, annotations, camera, pixels, &distances, left_out, error);
+    }
+    burnish_environment_leave(before);
+    return status;
+}

@@ -1,0 +1,174 @@
+/* Annotations within the library: a view of the mesh's box, and the list of lines and labels that
+ * are laid out before anything is drawn. */
+#ifndef BURNISH_ANNOTATE_ANNOTATE_H
+#define BURNISH_ANNOTATE_ANNOTATE_H
+
+#include "burnish/annotate.h"
+#include "core/memory.h"
+#include "core/vector.h"
+#include "image/strokes.h"
+
+/* Pixels from the top left corner of the picture. */
+typedef struct burnish_point {
+    double x, y;
+} burnish_point;
+
+typedef struct burnish_area {
+    double left, top, right, bottom;
+} burnish_area;
+
+/* ---- The view ---- */
+
+typedef struct burnish_annotation_view {
+    burnish_vec3 eye, right, up, forward;
+    int parallel;
+    double pixels; /* per unit; in perspective per unit at distance 1 */
+    double width, height;
+    burnish_vec3 low, high; /* of the bounding box */
+    double diagonal;
+    int up_axis;              /* 0, 1, 2 */
+    int up_negative;          /* 1: the ground's normal points down that axis */
+    double text;              /* height of a capital, whole pixels */
+    double line;              /* width of a line, whole pixels */
+    burnish_point corners[8]; /* of the box on the screen; bit a of the index: high in axis a */
+    int corners_seen;         /* 1: all are in front of the camera */
+    burnish_point hull[8];    /* convex hull of the corners */
+    int hull_count;
+} burnish_annotation_view;
+
+/* Errors: ARGUMENT (a camera that looks nowhere). */
+burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
+                                            const burnish_annotations *annotations,
+                                            const burnish_camera *camera, int width, int height,
+                                            burnish_annotation_view *view, burnish_error *error);
+
+/* Where a point is on the screen, and its distance along the camera's axis, which in perspective
+ * must be above 0. */
+burnish_point burnish_annotation_project(const burnish_annotation_view *view, burnish_vec3 p,
+                                         double *distance);
+
+/* The corner of the bounding box whose bits say where it is high. */
+burnish_vec3 burnish_annotation_corner(const burnish_annotation_view *view, int bits);
+
+/* 1: the area touches the convex hull of the box on the screen. */
+int burnish_annotation_hits_hull(const burnish_annotation_view *view, const burnish_area *area);
+
+/* 1: the segment touches the area. */
+int burnish_segment_hits(burnish_point a, burnish_point b, const burnish_area *area);
+
+int burnish_areas_touch(const burnish_area *a, const burnish_area *b);
+
+static inline double burnish_axis(burnish_vec3 v, int axis) {
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/* ---- The list ---- */
+
+/* What is drawn in one colour and way. */
+typedef enum burnish_annotation_layer {
+    BURNISH_LAYER_GRID,
+    BURNISH_LAYER_HIDDEN, /* edges behind the object */
+    BURNISH_LAYER_BOX,
+    BURNISH_LAYER_LINES, /* what a rim keeps clear of the layers before: dimensions, scale */
+    BURNISH_LAYER_AXIS,  /* X; Y and Z follow */
+    BURNISH_LAYER_COUNT = BURNISH_LAYER_AXIS + 3
+} burnish_annotation_layer;
+
+typedef struct burnish_annotation_line {
+    burnish_stroke stroke;
+    burnish_annotation_layer layer;
+} burnish_annotation_line;
+
+enum { BURNISH_LABELS_MAX = 8, BURNISH_LABEL_SIZE = 32 };
+
+typedef struct burnish_annotation_label {
+    char text[BURNISH_LABEL_SIZE];
+    double x, baseline; /* whole pixels */
+    burnish_area area;  /* of the ink */
+    burnish_annotation_layer layer;
+} burnish_annotation_label;
+
+typedef struct burnish_annotation_list {
+    burnish_annotation_line *lines;
+    size_t line_count, line_capacity;
+    burnish_annotation_label labels[BURNISH_LABELS_MAX];
+    size_t label_count;
+    burnish_area marks[3]; /* what corners hold */
+    size_t mark_count;
+    int bounded;     /* 1: nothing may leave the picture; 0: framing asks how much room is needed */
+    size_t left_out; /* labels without room */
+    size_t crowded;  /* marks that found no corner free of the object */
+    burnish_memory *memory;
+} burnish_annotation_list;
+
+void burnish_annotation_add_line(burnish_annotation_list *list, burnish_point a, burnish_point b,
+                                 double width, burnish_annotation_layer layer);
+
+/* A label with its middle at a point, before it is taken into the list. */
+burnish_annotation_label burnish_annotation_label_at(const burnish_annotation_view *view,
+                                                     const char *text, burnish_point middle,
+                                                     burnish_annotation_layer layer);
+
+/* An area with `pixels` more on each side. */
+static inline burnish_area burnish_area_grown(burnish_area area, double pixels) {
+    return (burnish_area){area.left - pixels, area.top - pixels, area.right + pixels,
+                          area.bottom + pixels};
+}
+
+/* 1: no label, mark or line of the list touches the area. */
+int burnish_annotation_is_free(const burnish_annotation_list *list, const burnish_area *area);
+
+/* ---- What is laid out; each appends to the list ---- */
+
+void burnish_annotate_dimensions(const burnish_annotation_view *view,
+                                 burnish_annotation_list *list);
+
+/* Axes, scale bar and the grid's spacing, in corners that nothing else holds. */
+void burnish_annotate_marks(const burnish_annotation_view *view, unsigned kinds,
+                            burnish_annotation_list *list);
+
+/* Distances that hide; NULL: nothing does. */
+typedef struct burnish_annotation_depth {
+    const float *distances;
+    size_t stride;
+} burnish_annotation_depth;
+
+void burnish_annotate_box(const burnish_annotation_view *view,
+                          const burnish_annotation_depth *depth, burnish_annotation_list *list);
+void burnish_annotate_grid(const burnish_annotation_view *view,
+                           const burnish_annotation_depth *depth, burnish_annotation_list *list);
+
+/* ---- Numbers ---- */
+
+/* 1, 2 or 5 times a power of 10. */
+typedef struct burnish_round_number {
+    int digit, exponent;
+    double value; /* the nearest double to digit * 10^exponent */
+} burnish_round_number;
+
+/* The largest that is at most limit, or the smallest that is at least limit; limit in
+ * [1e-300, 1e300]. */
+burnish_round_number burnish_round_number_below(double limit);
+burnish_round_number burnish_round_number_above(double limit);
+
+/* A length >= 0 with four significant digits, more where it is a larger integer, no trailing
+ * zeros: "0.125", "12.5", "123456", "1.235e+09". The locale has no say. */
+void burnish_number_text(double value, char text[BURNISH_LABEL_SIZE]);
+
+/* Lines of the ground's grid: spacing, and the first and last of each of its two axes in spacings
+ * from 0. */
+typedef struct burnish_annotation_grid {
+    burnish_round_number spacing;
+    int axis[2];
+    double first[2], last[2]; /* whole numbers */
+    int is_there;             /* 0: too far from the origin for lines that can be told apart */
+} burnish_annotation_grid;
+
+burnish_annotation_grid burnish_annotation_grid_of(const burnish_annotation_view *view);
+
+/* Everything that kinds ask for, in one list, to be released with burnish_release. */
+burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view, unsigned kinds,
+                                          const burnish_annotation_depth *depth, int bounded,
+                                          burnish_memory *memory, burnish_annotation_list *list);
+
+#endif

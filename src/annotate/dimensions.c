@@ -1,0 +1,267 @@
+/* Dimensions: the lengths of the bounding box, as drawings have them. A dimension line lies beside
+ * an edge of the box that bounds it on the screen, away from it; extension lines lead there from
+ * the edge's ends; the number stands upright in a gap of the line, or beside a line that is too
+ * short.
+ */
+#include "annotate/annotate.h"
+
+/* Of the height of a capital. */
+#define ARROW_LENGTH 0.9
+#define ARROW_HALF 0.17     /* half its width */
+#define LEAST_OFFSET 1.7    /* from the edge to the dimension line */
+#define CLEAR 0.55          /* white around a number */
+#define EXTENSION_GAP 0.35  /* white between the edge and an extension line */
+#define EXTENSION_OVER 0.45 /* of an extension line beyond the dimension line */
+#define TIER 1.8            /* from one try to the next further out */
+
+/* An axis seen at less than this sine of its angle to the view is not measured. */
+#define LEAST_SINE 0.12
+
+enum { TIERS = 3, PLACES = 4, LINES_MAX = 24 };
+
+/* An edge of the box that bounds it on the screen. */
+typedef struct edge {
+    burnish_point p, q;   /* its ends */
+    burnish_point d;      /* from p to q, unit length */
+    burnish_point n;      /* away from the box, unit length */
+    double length, value; /* pixels; units */
+    double preference;
+} edge;
+
+/* A dimension before it is known to have room. */
+typedef struct dimension {
+    burnish_annotation_label label;
+    struct {
+        burnish_point a, b;
+        double width;
+    } lines[LINES_MAX];
+    int line_count;
+} dimension;
+
+static burnish_point moved(burnish_point p, burnish_point d, double by) {
+    return (burnish_point){p.x + d.x * by, p.y + d.y * by};
+}
+
+static double magnitude(double value) {
+    return value < 0 ? -value : value;
+}
+
+/* 1 where all corners are on one side of the line through corners i and j. */
+static int make_edge(const burnish_annotation_view *view, int i, int j, edge *made) {
+    const burnish_point p = view->corners[i], q = view->corners[j];
+    const double dx = q.x - p.x, dy = q.y - p.y, length = burnish_sqrt(dx * dx + dy * dy);
+    double least = 0, most = 0;
+    if (!(length >= 1 && length < 1e9)) {
+        return 0;
+    }
+    made->d = (burnish_point){dx / length, dy / length};
+    made->n = (burnish_point){made->d.y, -made->d.x};
+    for (int k = 0; k < 8; ++k) {
+        const double side =
+            (view->corners[k].x - p.x) * made->n.x + (view->corners[k].y - p.y) * made->n.y;
+        least = side < least ? side : least;
+        most = side > most ? side : most;
+    }
+    if (most > 0.01 && least < -0.01) {
+        return 0;
+    }
+    if (most > 0.01) {
+        made->n = (burnish_point){-made->n.x, -made->n.y};
+    } else if (least > -0.01 && made->n.y < magnitude(made->n.x) * 0.5) {
+        made->n = (burnish_point){-made->n.x, -made->n.y}; /* a line: below it, or to the right */
+    }
+    made->p = p;
+    made->q = q;
+    made->length = length;
+    made->preference = made->n.y + 0.45 * made->n.x; /* below rather than above, right than left */
+    return 1;
+}
+
+static double along(burnish_point d, double width, double height) {
+    const double x = magnitude(d.x), y = magnitude(d.y);
+    const double across = x * height < y * width ? height / y : width / x; /* through its middle */
+    return across;
+}
+
+static void push(dimension *made, burnish_point a, burnish_point b, double width) {
+    if (made->line_count < LINES_MAX) {
+        made->lines[made->line_count].a = a;
+        made->lines[made->line_count].b = b;
+        made->lines[made->line_count++].width = width;
+    }
+}
+
+/* A slim filled triangle: a fan of lines from its tip, which point d leads away from. */
+static void push_arrow(const burnish_annotation_view *view, dimension *made, burnish_point tip,
+                       burnish_point d) {
+    const burnish_point across = {d.y, -d.x};
+    const burnish_point base = moved(tip, d, ARROW_LENGTH * view->text);
+    const double half = ARROW_HALF * view->text;
+    const burnish_point start = moved(tip, d, view->line / 2);
+    for (int i = -2; i <= 2; ++i) {
+        push(made, start, moved(base, across, half * i / 2), half > 1.5 ? 0.8 * half : view->line);
+    }
+}
+
+/* The dimension `offset` from its edge. place 0: the number in or beside the middle, 1 and 2:
+ * beyond an end, 3: beside the middle. */
+static void make_dimension(const burnish_annotation_view *view, const edge *e, double offset,
+                           int place, dimension *made) {
+    const double text = view->text, arrow = ARROW_LENGTH * text, clear = CLEAR * text;
+    const burnish_point p = moved(e->p, e->n, offset), q = moved(e->q, e->n, offset);
+    const burnish_point middle = {(p.x + q.x) / 2, (p.y + q.y) / 2};
+    char number[BURNISH_LABEL_SIZE];
+    burnish_number_text(e->value, number);
+    made->label = burnish_annotation_label_at(view, number, middle, BURNISH_LAYER_LINES);
+    const double width = made->label.area.right - made->label.area.left;
+    const double gap = along(e->d, width + clear, text + clear);
+    const double reach = (magnitude(e->d.x) * width + magnitude(e->d.y) * text) / 2;
+    const double depth = (magnitude(e->n.x) * width + magnitude(e->n.y) * text) / 2;
+    const int inside = e->length > 3.2 * arrow; /* arrows */
+    const int in_line = place == 0 && e->length > gap + 2 * arrow + clear;
+    made->line_count = 0;
+    for (int end = 0; end < 2; ++end) {
+        const burnish_point corner = end ? e->q : e->p, tip = end ? q : p;
+        const double way = (end ? -1 : 1) * (inside ? 1 : -1);
+        const burnish_point d = {e->d.x * way, e->d.y * way};
+        push(made, moved(corner, e->n, EXTENSION_GAP * text),
+             moved(corner, e->n, offset + EXTENSION_OVER * text), view->line);
+        push_arrow(view, made, tip, d);
+        if (!inside) {
+            push(made, tip, moved(tip, d, 2 * arrow), view->line);
+        }
+    }
+    if (in_line) {
+        push(made, p, moved(middle, e->d, -gap / 2), view->line);
+        push(made, moved(middle, e->d, gap / 2), q, view->line);
+        return;
+    }
+    push(made, p, q, view->line);
+    const double beyond = e->length / 2 + (inside ? 0 : 2 * arrow) + clear + reach;
+    const burnish_point center = place == 1   ? moved(middle, e->d, beyond)
+                                 : place == 2 ? moved(middle, e->d, -beyond)
+                                              : moved(middle, e->n, depth + clear);
+    made->label = burnish_annotation_label_at(view, number, center, BURNISH_LAYER_LINES);
+}
+
+static int is_within(const burnish_annotation_view *view, const burnish_area *area) {
+    return area->left >= 1 && area->top >= 1 && area->right <= view->width - 1 &&
+           area->bottom <= view->height - 1;
+}
+
+static burnish_area line_area(burnish_point a, burnish_point b) {
+    return (burnish_area){a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.x < b.x ? b.x : a.x,
+                          a.y < b.y ? b.y : a.y};
+}
+
+static int has_room(const burnish_annotation_view *view, const burnish_annotation_list *list,
+                    const dimension *made) {
+    const burnish_area label = burnish_area_grown(made->label.area, CLEAR * view->text / 2);
+    if (burnish_annotation_hits_hull(view, &label) || !burnish_annotation_is_free(list, &label) ||
+        (list->bounded && !is_within(view, &made->label.area))) {
+        return 0;
+    }
+    for (int i = 0; i < made->line_count; ++i) {
+        const burnish_point a = made->lines[i].a, b = made->lines[i].b;
+        const burnish_area area = line_area(a, b);
+        if ((list->bounded && !is_within(view, &area)) ||
+            burnish_segment_hits(a, b, &made->label.area)) {
+            return 0;
+        }
+        for (size_t k = 0; k < list->label_count; ++k) {
+            const burnish_area other = burnish_area_grown(list->labels[k].area, view->line);
+            if (burnish_segment_hits(a, b, &other)) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+static void take(burnish_annotation_list *list, const dimension *made) {
+    for (int i = 0; i < made->line_count; ++i) {
+        burnish_annotation_add_line(list, made->lines[i].a, made->lines[i].b, made->lines[i].width,
+                                    BURNISH_LAYER_LINES);
+    }
+    list->labels[list->label_count++] = made->label;
+}
+
+/* The first that has room of all ways to draw the dimension beside an edge. */
+static int place(const burnish_annotation_view *view, const edge *e,
+                 burnish_annotation_list *list) {
+    char number[BURNISH_LABEL_SIZE];
+    burnish_number_text(e->value, number);
+    const burnish_annotation_label label =
+        burnish_annotation_label_at(view, number, e->p, BURNISH_LAYER_LINES);
+    const double depth = (magnitude(e->n.x) * (label.area.right - label.area.left) +
+                          magnitude(e->n.y) * view->text) /
+                         2;
+    const double clear = depth + CLEAR * view->text * 1.2, least = LEAST_OFFSET * view->text;
+    for (int tier = 0; tier < TIERS; ++tier) {
+        for (int at = 0; at < PLACES; ++at) {
+            dimension made;
+            const double offset =
+                (clear > least && at == 0 ? clear : least) + tier * TIER * view->text;
+            make_dimension(view, e, offset, at, &made);
+            if (has_room(view, list, &made)) {
+                take(list, &made);
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+/* The edges along an axis that a dimension may stand beside, the best first. */
+static int list_edges(const burnish_annotation_view *view, int axis, edge edges[4]) {
+    int count = 0;
+    for (int i = 0; i < 8; ++i) {
+        edge made;
+        if ((i >> axis & 1) || !make_edge(view, i, i | 1 << axis, &made)) {
+            continue;
+        }
+        made.value = burnish_axis(view->high, axis) - burnish_axis(view->low, axis);
+        int at = count++;
+        for (; at > 0 && edges[at - 1].preference < made.preference - 1e-9; --at) {
+            edges[at] = edges[at - 1];
+        }
+        edges[at] = made;
+    }
+    return count;
+}
+
+static int is_measured(const burnish_annotation_view *view, int axis) {
+    const double x = burnish_axis(view->right, axis), y = burnish_axis(view->up, axis);
+    return x * x + y * y > LEAST_SINE * LEAST_SINE &&
+           burnish_axis(view->high, axis) > burnish_axis(view->low, axis);
+}
+
+/* Longest edges first: they need their middle. */
+void burnish_annotate_dimensions(const burnish_annotation_view *view,
+                                 burnish_annotation_list *list) {
+    edge edges[3][4];
+    int counts[3] = {0}, order[3] = {0, 1, 2};
+    double lengths[3] = {0};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (is_measured(view, axis)) {
+            counts[axis] = view->corners_seen ? list_edges(view, axis, edges[axis]) : 0;
+            lengths[axis] = counts[axis] > 0 ? edges[axis][0].length : 0;
+            list->left_out += counts[axis] == 0;
+        }
+    }
+    for (int i = 1; i < 3; ++i) {
+        for (int k = i; k > 0 && lengths[order[k - 1]] < lengths[order[k]] - 1e-6; --k) {
+            const int swapped = order[k];
+            order[k] = order[k - 1];
+            order[k - 1] = swapped;
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int axis = order[i];
+        int placed = counts[axis] == 0;
+        for (int k = 0; k < counts[axis] && !placed; ++k) {
+            placed = place(view, &edges[axis][k], list);
+        }
+        list->left_out += !placed;
+    }
+}

@@ -1,0 +1,400 @@
+/* Annotations: numbers, lengths on the screen, and that nothing overlaps. */
+#include <locale.h>
+#include <math.h>
+
+#include "annotate/annotate.h"
+#include "burnish/render.h"
+#include "decimal_comma.h"
+#include "mesh_arrays.h"
+#include "support.h"
+
+/* The surface of an axis-aligned block. */
+static burnish_mesh *block(const float low[3], const float high[3], const float up[3]) {
+    static const uint32_t indices[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                         2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    const burnish_load_options options = burnish_load_options_default();
+    float positions[24];
+    burnish_mesh *mesh = NULL;
+    for (int i = 0; i < 24; ++i) {
+        positions[i] = (i / 3) >> (i % 3) & 1 ? high[i % 3] : low[i % 3];
+    }
+    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 12);
+    memcpy(arrays.up_axis, up, sizeof arrays.up_axis);
+    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, NULL) == BURNISH_STATUS_OK);
+    return mesh;
+}
+
+static burnish_mesh *block_of(float x, float y, float z) {
+    return block((const float[3]){0, 0, 0}, (const float[3]){x, y, z}, (const float[3]){0, 0, 1});
+}
+
+static void test_numbers(void) {
+    static const struct {
+        double value;
+        const char *text;
+    } cases[] = {{0, "0"},
+                 {1, "1"},
+                 {10, "10"},
+                 {0.1F, "0.1"},
+                 {12.5, "12.5"},
+                 {304.79999, "304.8"},
+                 {123.449, "123.4"},
+                 {1234.4, "1234"},
+                 {9999.7, "10000"},
+                 {12345.6, "12346"},
+                 {12345678, "12345678"},
+                 {123456789, "1.235e+08"},
+                 {1e9, "1e+09"},
+                 {0.0123456, "0.01235"},
+                 {0.0001, "0.0001"},
+                 {0.00001234, "1.234e-05"},
+                 {3e38, "3e+38"},
+                 {1e-30, "1e-30"}};
+    char text[BURNISH_LABEL_SIZE];
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_number_text(cases[i].value, text);
+        CHECK_TEXT(text, cases[i].text);
+    }
+    if (test_decimal_comma_begin()) {
+        burnish_number_text(12.5, text);
+        CHECK_TEXT(text, "12.5");
+        test_decimal_comma_end();
+    }
+}
+
+static void test_round_numbers(void) {
+    uint64_t random = test_seed(1);
+    for (int i = 0; i < 2000; ++i) {
+        const double limit = pow(10, 60 * test_uniform(&random, 0, 1) - 30);
+        const burnish_round_number below = burnish_round_number_below(limit);
+        const burnish_round_number above = burnish_round_number_above(limit);
+        CHECK(below.value <= limit && below.value * 2.5 > limit * (1 - 1e-12), "%g below %g",
+              below.value, limit);
+        CHECK(above.value >= limit && above.value < limit * 2.5 * (1 + 1e-12), "%g above %g",
+              above.value, limit);
+        CHECK1(below.digit == 1 || below.digit == 2 || below.digit == 5);
+    }
+    CHECK1(burnish_round_number_below(0.2).value == 0.2 &&
+           burnish_round_number_above(0.2).value == 0.2);
+    CHECK1(burnish_round_number_below(1000).value == 1000 &&
+           burnish_round_number_above(501).value == 1000);
+}
+
+/* A layout to look at. */
+typedef struct laid_out {
+    burnish_annotation_view view;
+    burnish_annotation_list list;
+    burnish_memory memory;
+    burnish_camera camera;
+} laid_out;
+
+static void lay_out(const burnish_mesh *mesh, burnish_framing framing, unsigned kinds, int width,
+                    int height, laid_out *made) {
+    const burnish_annotation_depth nothing = {NULL, 0};
+    burnish_annotations annotations = burnish_annotations_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    annotations.kinds = kinds;
+    framing.aspect = (double)width / height;
+    CHECK(burnish_annotate_inset(mesh, &annotations, &framing, width, height, framing.inset,
+                                 &error) == BURNISH_STATUS_OK,
+          "%s", error.text);
+    CHECK(burnish_camera_frame(mesh, &framing, &made->camera, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    CHECK1(burnish_annotation_view_make(mesh, &annotations, &made->camera, width, height,
+                                        &made->view, &error) == BURNISH_STATUS_OK);
+    made->memory = burnish_memory_of(NULL, &error);
+    CHECK1(burnish_annotation_lay_out(&made->view, kinds, &nothing, 1, &made->memory,
+                                      &made->list) == BURNISH_STATUS_OK);
+}
+
+static void drop(laid_out *made) {
+    burnish_release(NULL, made->list.lines);
+}
+
+static const burnish_annotation_label *find_label(const laid_out *made, const char *text) {
+    for (size_t i = 0; i < made->list.label_count; ++i) {
+        if (strcmp(made->list.labels[i].text, text) == 0) {
+            return &made->list.labels[i];
+        }
+    }
+    return NULL;
+}
+
+/* The bar's length in pixels is its number times pixels per unit. */
+static void test_scale_bar(void) {
+    static const double heights[] = {0.37, 1, 12, 55, 1234, 4e6, 3e-4};
+    burnish_mesh *mesh = block_of(10, 5, 3);
+    for (size_t i = 0; i < sizeof heights / sizeof *heights; ++i) {
+        for (int width = 60; width < 2000; width = width * 7 / 3) {
+            laid_out made;
+            burnish_framing framing = burnish_framing_default();
+            double longest = 0, widest = 0;
+            framing.orthographic_height = heights[i];
+            lay_out(mesh, framing, BURNISH_ANNOTATION_SCALE, width, 500, &made);
+            for (size_t k = 0; k < made.list.line_count; ++k) {
+                const burnish_stroke *s = &made.list.lines[k].stroke;
+                if ((double)s->radius > widest) {
+                    widest = (double)s->radius;
+                    longest = (double)s->x1 - (double)s->x0;
+                }
+            }
+            if (CHECK1(made.list.label_count == 1)) {
+                const double number = strtod(made.list.labels[0].text, NULL);
+                CHECK(fabs(longest - number * 500 / heights[i]) < 1e-3, "%g pixels for %g of %g",
+                      longest, number, heights[i]);
+                CHECK(longest <= 0.22 * width + 1e-3 && longest > 0.08 * width,
+                      "%g pixels of a picture of %d", longest, width);
+            }
+            drop(&made);
+        }
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+static int has_line(const laid_out *made, double x0, double y0, double x1, double y1) {
+    for (size_t i = 0; i < made->list.line_count; ++i) {
+        const burnish_stroke *s = &made->list.lines[i].stroke;
+        if (fabs((double)s->x0 - x0) < 0.01 && fabs((double)s->y0 - y0) < 0.01 &&
+            fabs((double)s->x1 - x1) < 0.01 && fabs((double)s->y1 - y1) < 0.01) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Numbers are the box's lengths; a dimension line ends exactly beyond the box's projected corners,
+ * and extension lines lead there. */
+static void test_dimensions(void) {
+    static const struct {
+        double direction[3];
+        const char *texts[3];
+    } cases[] = {{{0, 1, 0}, {"40", "10.12", NULL}},
+                 {{-1, 0, 0}, {"20.5", "10.12", NULL}},
+                 {{0, 0, -1}, {"40", "20.5", NULL}},
+                 {{-1, 1, -1}, {"40", "20.5", "10.12"}},
+                 {{-0.3, 1, -0.4}, {"40", "20.5", "10.12"}}};
+    burnish_mesh *mesh = block((const float[3]){-3, 7, 100}, (const float[3]){37, 27.5F, 110.125F},
+                               (const float[3]){0, 0, 1});
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        laid_out made;
+        burnish_framing framing = burnish_framing_default();
+        memcpy(framing.direction, cases[i].direction, sizeof framing.direction);
+        framing.orthographic = 1;
+        lay_out(mesh, framing, BURNISH_ANNOTATION_DIMENSIONS, 640, 480, &made);
+        size_t expected = 0;
+        for (; expected < 3 && cases[i].texts[expected]; ++expected) {
+            CHECK(find_label(&made, cases[i].texts[expected]) != NULL, "case %zu: no %s", i,
+                  cases[i].texts[expected]);
+        }
+        CHECK1(made.list.label_count == expected && made.list.left_out == 0);
+        drop(&made);
+    }
+    laid_out made;
+    burnish_framing framing = burnish_framing_default();
+    framing.direction[1] = 1;
+    framing.orthographic_height = 60; /* 10 pixels a unit */
+    lay_out(mesh, framing, BURNISH_ANNOTATION_DIMENSIONS, 800, 600, &made);
+    const double left = made.view.corners[0].x, right = made.view.corners[1].x;
+    const double bottom = made.view.corners[0].y, text = made.view.text;
+    CHECK(fabs(right - left - 400) < 1e-9, "40 units are %g pixels", right - left);
+    CHECK1(has_line(&made, left, bottom + 0.35 * text, left, bottom + (1.7 + 0.45) * text));
+    CHECK1(has_line(&made, right, bottom + 0.35 * text, right, bottom + (1.7 + 0.45) * text));
+    const burnish_annotation_label *label = find_label(&made, "40");
+    CHECK1(label && fabs((label->area.left + label->area.right) / 2 - (left + right) / 2) <= 1);
+    drop(&made);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Labels keep clear of each other, of all lines but the grid's and the box's, of the object and of
+ * the picture's edge. */
+static void check_apart(const laid_out *made, const char *what, int in_perspective) {
+    const burnish_annotation_list *list = &made->list;
+    for (size_t i = 0; i < list->label_count; ++i) {
+        const burnish_annotation_label *label = &list->labels[i];
+        const burnish_area area = burnish_area_grown(label->area, -0.01);
+        CHECK(area.left >= 0 && area.top >= 0 && area.right <= made->view.width &&
+                  area.bottom <= made->view.height,
+              "%s: %s leaves the picture", what, label->text);
+        for (size_t k = 0; k < i; ++k) {
+            CHECK(!burnish_areas_touch(&area, &list->labels[k].area), "%s: %s on %s", what,
+                  label->text, list->labels[k].text);
+        }
+        for (size_t k = 0; k < list->line_count; ++k) {
+            const burnish_stroke *s = &list->lines[k].stroke;
+            const burnish_point a = {(double)s->x0, (double)s->y0};
+            const burnish_point b = {(double)s->x1, (double)s->y1};
+            CHECK(list->lines[k].layer < BURNISH_LAYER_LINES || !burnish_segment_hits(a, b, &area),
+                  "%s: a line through %s", what, label->text);
+        }
+        CHECK(list->crowded || !burnish_annotation_hits_hull(&made->view, &area),
+              "%s: %s lies on the object (perspective: %d)", what, label->text, in_perspective);
+    }
+}
+
+static void test_nothing_overlaps(void) {
+    uint64_t random = test_seed(7);
+    size_t left_out = 0, shown = 0;
+    for (int i = 0; i < 400; ++i) {
+        float low[3], high[3];
+        const float up[3] = {i % 3 == 0, i % 3 == 1, i % 3 == 2};
+        for (int k = 0; k < 3; ++k) {
+            const double middle = 100 * test_uniform(&random, 0, 1) - 50;
+            const double extent = pow(10, 3 * test_uniform(&random, 0, 1) - 1.5);
+            low[k] = (float)(middle - extent);
+            high[k] = (float)(middle + extent);
+        }
+        burnish_mesh *mesh = block(low, high, up);
+        burnish_framing framing = burnish_framing_default();
+        laid_out made;
+        char what[80];
+        const int width = 150 + (int)(900 * test_uniform(&random, 0, 1));
+        const int height = 150 + (int)(900 * test_uniform(&random, 0, 1));
+        framing.orthographic = i % 4 != 0;
+        if (i % 5 == 0) {
+            framing.direction[i / 5 % 3] = i / 15 % 2 ? 1 : -1;
+        } else {
+            framing.azimuth = 360 * test_uniform(&random, 0, 1);
+            framing.elevation = 180 * test_uniform(&random, 0, 1) - 110;
+        }
+        lay_out(mesh, framing, i % 2 ? BURNISH_ANNOTATION_ALL : BURNISH_ANNOTATION_DIMENSIONS,
+                width, height, &made);
+        snprintf(what, sizeof what, "scene %d, %d x %d", i, width, height);
+        check_apart(&made, what, !framing.orthographic);
+        left_out += made.list.left_out;
+        shown += made.list.label_count;
+        drop(&made);
+        burnish_mesh_destroy(mesh);
+    }
+    CHECK(left_out * 50 < shown, "%zu left out, %zu shown", left_out, shown);
+}
+
+/* A wall in front of everything hides the box and the grid; nothing in front hides nothing. */
+static void test_depth(void) {
+    enum { WIDTH = 200, HEIGHT = 150 };
+    static float wall[WIDTH * HEIGHT];
+    burnish_mesh *mesh = block_of(4, 3, 2);
+    laid_out made;
+    lay_out(mesh, burnish_framing_default(), BURNISH_ANNOTATION_BOX, WIDTH, HEIGHT, &made);
+    CHECK1(made.list.line_count == 12);
+    drop(&made);
+    for (int wanted = 0; wanted < 2; ++wanted) {
+        for (int i = 0; i < WIDTH * HEIGHT; ++i) {
+            wall[i] = wanted ? 0.01F : 1e6F;
+        }
+        const burnish_annotation_depth depth = {wall, WIDTH * sizeof *wall};
+        CHECK1(burnish_annotation_lay_out(&made.view,
+                                          BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID, &depth,
+                                          1, &made.memory, &made.list) == BURNISH_STATUS_OK);
+        size_t hidden = 0, seen = 0, grid = 0;
+        for (size_t i = 0; i < made.list.line_count; ++i) {
+            hidden += made.list.lines[i].layer == BURNISH_LAYER_HIDDEN;
+            seen += made.list.lines[i].layer == BURNISH_LAYER_BOX;
+            grid += made.list.lines[i].layer == BURNISH_LAYER_GRID;
+        }
+        CHECK(wanted ? hidden > 24 && seen == 0 && grid == 0
+                     : hidden == 0 && seen == 12 && grid > 8,
+              "wall %d: %zu hidden, %zu seen, %zu of the grid", wanted, hidden, seen, grid);
+        drop(&made);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* Far from the origin, at the ends of single precision, next to the camera: nothing crashes, and
+ * what is drawn has finite coordinates. */
+static void test_extremes(void) {
+    static const float sizes[] = {1e-20F, 1e-3F, 1e12F, 1e18F},
+                       offsets[] = {0, 1e6F, 1e15F, -1e18F};
+    for (int i = 0; i < 16; ++i) {
+        const float s = sizes[i / 4], o = offsets[i % 4];
+        const float low[3] = {o, 0, -s}, high[3] = {o + s, s * 2, s};
+        const float up[3] = {0, 1, 0};
+        if (!(high[0] > low[0])) {
+            continue;
+        }
+        burnish_mesh *mesh = block(low, high, up);
+        laid_out made;
+        for (int orthographic = 0; orthographic < 2; ++orthographic) {
+            burnish_framing framing = burnish_framing_default();
+            framing.orthographic = orthographic;
+            lay_out(mesh, framing, BURNISH_ANNOTATION_ALL, 320, 240, &made);
+            check_apart(&made, "extreme", !orthographic);
+            for (size_t k = 0; k < made.list.line_count; ++k) {
+                CHECK1(isfinite(made.list.lines[k].stroke.x0) &&
+                       isfinite(made.list.lines[k].stroke.y1));
+            }
+            drop(&made);
+        }
+        burnish_annotations annotations = burnish_annotations_default();
+        annotations.kinds = BURNISH_ANNOTATION_ALL;
+        burnish_camera inside = made.camera;
+        for (int k = 0; k < 3; ++k) {
+            inside.position[k] = ((double)low[k] + (double)high[k]) / 2;
+        }
+        inside.orthographic_height = 0;
+        burnish_image image;
+        CHECK1(burnish_image_create(&image, 320, 240, 4, NULL) == BURNISH_STATUS_OK);
+        const burnish_pixels pixels = burnish_image_pixels(&image);
+        CHECK1(burnish_annotate(mesh, &annotations, &inside, &pixels, NULL, 0, NULL, NULL) ==
+               BURNISH_STATUS_OK);
+        burnish_image_destroy(&image);
+        burnish_mesh_destroy(mesh);
+    }
+}
+
+static void test_refusals(void) {
+    burnish_mesh *mesh = block_of(1, 2, 3);
+    burnish_annotations good = burnish_annotations_default(), bad = good;
+    burnish_framing framing = burnish_framing_default();
+    burnish_camera camera;
+    burnish_image image;
+    burnish_error error;
+    double inset[4];
+    float depth[64 * 64];
+    size_t left_out;
+    CHECK1(burnish_image_create(&image, 64, 64, 3, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_camera_frame(mesh, &framing, &camera, NULL) == BURNISH_STATUS_OK);
+    const burnish_pixels pixels = burnish_image_pixels(&image);
+#define REFUSED(...)                                                                               \
+    CHECK(burnish_annotate(__VA_ARGS__, &left_out, &error) == BURNISH_STATUS_ARGUMENT &&           \
+              strlen(error.text) > 10,                                                             \
+          "\"%s\"", error.text)
+    REFUSED(NULL, &good, &camera, &pixels, NULL, 0);
+    REFUSED(mesh, NULL, &camera, &pixels, NULL, 0);
+    REFUSED(mesh, &good, NULL, &pixels, NULL, 0);
+    REFUSED(mesh, &good, &camera, NULL, NULL, 0);
+    REFUSED(mesh, &good, &camera, &pixels, depth, 63 * 4);
+    REFUSED(mesh, &good, &camera, &pixels, depth, 64 * 4 + 1);
+    bad.cookie = 0;
+    REFUSED(mesh, &bad, &camera, &pixels, NULL, 0);
+    bad = good;
+    bad.kinds = 32;
+    REFUSED(mesh, &bad, &camera, &pixels, NULL, 0);
+    bad = good;
+    bad.text_height = 4;
+    REFUSED(mesh, &bad, &camera, &pixels, NULL, 0);
+    bad.text_height = NAN;
+    REFUSED(mesh, &bad, &camera, &pixels, NULL, 0);
+    camera.focal_point[0] = camera.position[0];
+    camera.focal_point[1] = camera.position[1];
+    camera.focal_point[2] = camera.position[2];
+    REFUSED(mesh, &good, &camera, &pixels, NULL, 0);
+    CHECK1(burnish_annotate_inset(mesh, &good, NULL, 64, 64, inset, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_annotate_inset(mesh, &good, &framing, 0, 64, inset, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+    burnish_image_destroy(&image);
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_numbers());
+    RUN(test_round_numbers());
+    RUN(test_scale_bar());
+    RUN(test_dimensions());
+    RUN(test_nothing_overlaps());
+    RUN(test_depth());
+    RUN(test_extremes());
+    RUN(test_refusals());
+    return test_end("annotate");
+}
