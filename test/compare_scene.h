@@ -331,8 +331,8 @@ static void make_shading(scene_shading *made, const random_scene *scene,
 
 /* Draws a scene both ways with a random instruction set. wanted: which tiles are compared, one item
  * per tile, row after row; NULL for all of them. *points counts what is seen. */
-static void compare_scene(const random_scene *scene, const burnish_raster_view *view, int number,
-                          const uint8_t *wanted, uint64_t *state, int *points) {
+static inline void compare_scene(const random_scene *scene, const burnish_raster_view *view,
+                                 int number, const uint8_t *wanted, uint64_t *state, int *points) {
     const int samples = view->samples;
     static burnish_geometry geometry; /* kept, as a renderer keeps them */
     static scene_shading shading;

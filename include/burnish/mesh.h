@@ -188,6 +188,7 @@ typedef struct burnish_mesh_view {
     const float *positions;           /* 3 per vertex, finite */
     const float *normals;             /* 3 per vertex, unit length */
     const uint8_t *colors;            /* 4 per vertex, sRGB and alpha; NULL: none */
+    int has_transparent_colors;       /* 1: an alpha is below 255 */
     const float *texture_coordinates; /* 2 per vertex; NULL: none, or not asked for */
     const uint32_t *indices;          /* 3 per triangle, counter-clockwise seen from its normals */
     const uint16_t *triangle_materials; /* 1 per triangle; NULL: every triangle has material 0 */

@@ -4,7 +4,12 @@
  *   I = Ia ka + sum over lights Il (kd max(0, N.L) + ks S(c)),  S = 0 where N.L <= 0,
  * with c = N.H (Blinn) or R.V (Phong) and S any lobe that burnish knows.
  *
- * What it does not do: shadows, reflections, transparency, textures.
+ * Transparent surfaces (burnish_material.transparency, alpha of vertex colours) are laid over what
+ * is behind them at every sample, in linear light and in the order of their depths: a C + (1 - a) L
+ * for a surface of opacity a and colour C, highlights included, before the light L. Both sides of
+ * them show; they cast no ambient occlusion.
+ *
+ * What it does not do: reflections, refraction, textures.
  *
  * How to use it.
  *   1. Options: burnish_render_options options = burnish_render_options_default();
@@ -52,6 +57,10 @@ typedef enum burnish_counts {
  * for up to 8,192 to 16 for more than a million. */
 #define BURNISH_OCCLUSION_MAX 256
 #define BURNISH_OCCLUSION_AUTO (-1)
+
+/* Transparent surfaces that a sample shows at most: the nearest ones; those behind them are left
+ * out, and counted in the report. */
+#define BURNISH_TRANSPARENT_LAYERS_MAX 32
 
 /* As many threads as the process may use, or as the context's task runner has. */
 #define BURNISH_THREADS_AUTO 0
@@ -116,6 +125,8 @@ typedef struct burnish_render_report {
     int threads;           /* used */
     burnish_isa isa;       /* used */
     int occlusion_directions; /* that ambient occlusion was found from; 0: none */
+    size_t layers_dropped; /* transparent layers of samples that were left out because nearer ones
+                              are too many */
     size_t lobe_fallbacks; /* materials whose exponent is too low for the lobe's order: drawn with
                               the highest order that it allows */
     double seconds_transform; /* materials, vertices, clipping, culling */
@@ -130,6 +141,7 @@ typedef struct burnish_render_report {
  * tiles needs more; and for each thread 0.2 MB, with several samples 0.2 MB more and 0.7 MB per
  * sample, of which only what is needed is touched. Ambient occlusion takes 130 KiB per direction
  * (33 for pictures of less than 384 pixels), and vertices, triangles and tile lists once more.
+ * Transparent triangles take 1 bit per triangle of the mesh, and for each thread 1.1 MB per sample.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (also a mesh so small, below about 1e-33 across, or so
  * much enlarged that single precision can't hold it); the image is then empty. */
 BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,
@@ -146,14 +158,16 @@ BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,
  * the next. What lies between rows is not touched. A plane that is NULL is not drawn and costs
  * nothing.
  *
- * Alpha is straight: 255 (1 in floats) where options.transparent is 0, else the part of a pixel's
- * samples that show something. RGBA_FLOAT is linear light, not clamped above; for the other formats
- * light is clamped to 1 before a pixel's samples are mixed.
+ * Alpha is straight: 255 (1 in floats) where options.transparent is 0, else the mean over a pixel's
+ * samples of 1 - the product of the transparencies of what they show, 0 for nothing. RGBA_FLOAT is
+ * linear light, not clamped above; for the other formats light is clamped to 1 before a pixel's
+ * samples are mixed.
  *
  * In its planes a pixel shows one triangle: of those in its samples the one in most of them, of
  * equals the one in the first of them. Depth and normal are those at the pixel's centre where one
  * triangle shows in all samples, else at the mean of the samples that show it, which lies inside
- * it: where the triangle is shaded. Nothing is mixed. */
+ * it: where the triangle is shaded. Nothing is mixed: a transparent triangle counts as an opaque
+ * one. */
 typedef struct burnish_target {
     uint32_t cookie;        /* set by burnish_target_default() */
     burnish_pixels pixels;  /* of options.width x options.height; pixels.pixels NULL: nothing is

@@ -124,12 +124,13 @@ BURNISH_API const char *burnish_lobe_spec_example(size_t index);
 /* Coefficients of the Phong equation. Colours are linear light, [0, 1] in a mesh, [0, 1e6] in
  * kernels.h. */
 typedef struct burnish_material {
-    float ambient[3];  /* ka: reflects the ambient light */
-    float diffuse[3];  /* kd: times max(0, N.L) */
-    float specular[3]; /* ks: times the specular lobe; all 0: no lobe is computed */
-    float exponent;    /* n of the specular lobe, [1, 65536] */
-    int has_diffuse;   /* 1: vertex colours multiply ambient and diffuse; 0: they take their place.
-                          kernels.h does not read it */
+    float ambient[3];   /* ka: reflects the ambient light */
+    float diffuse[3];   /* kd: times max(0, N.L) */
+    float specular[3];  /* ks: times the specular lobe; all 0: no lobe is computed */
+    float exponent;     /* n of the specular lobe, [1, 65536] */
+    int has_diffuse;    /* 1: vertex colours multiply ambient and diffuse; 0: they take their place.
+                           kernels.h does not read it */
+    float transparency; /* 1 - opacity, [0, 1]: 0 is opaque. kernels.h does not read it */
 } burnish_material;
 
 /* ---- Lights ---- */

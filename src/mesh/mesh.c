@@ -235,6 +235,10 @@ burnish_status burnish_check_material(const burnish_material *material, const ch
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: exponent is %g, not in [1, 65536]",
                             name, (double)material->exponent);
     }
+    if (!(material->transparency >= 0 && material->transparency <= 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: transparency is %g, not in [0, 1]",
+                            name, (double)material->transparency);
+    }
     return BURNISH_STATUS_OK;
 }
 

@@ -15,8 +15,9 @@ _Static_assert(BURNISH_BLOCK_PIXELS *BURNISH_MAX_SAMPLES <= BURNISH_FRAGMENT_BAT
 
 typedef struct burnish_fragments {
     int count;
-    uint16_t pixels[BURNISH_FRAGMENT_BATCH]; /* index in the tile */
-    uint8_t weight[BURNISH_FRAGMENT_BATCH];  /* samples */
+    uint16_t pixels[BURNISH_FRAGMENT_BATCH];  /* index in the tile */
+    uint8_t weight[BURNISH_FRAGMENT_BATCH];   /* samples */
+    uint16_t samples[BURNISH_FRAGMENT_BATCH]; /* bit s: sample s is one of them */
     burnish_primitive primitives[BURNISH_FRAGMENT_BATCH];
     float x[BURNISH_FRAGMENT_BATCH]; /* pixels from the image's centre, right */
     float y[BURNISH_FRAGMENT_BATCH]; /* up */

@@ -180,6 +180,7 @@ static void append_groups(const burnish_tile *tile, int block, const sample_grou
         points->y[at] = burnish_pixel_y(pixel) * BURNISH_SUBPIXELS + HALF_PIXEL + mean.y;
         fragments->pixels[at] = (uint16_t)pixel;
         fragments->weight[at] = (uint8_t)mean.count;
+        fragments->samples[at] = (uint16_t)bits;
         fragments->primitives[at] = tile->primitives.primitives[groups->id[i]];
     }
 }

@@ -141,9 +141,10 @@ static burnish_status reserve_clipped(burnish_geometry *geometry, size_t vertice
     geometry->clipped_count = triangles;
     geometry->batch_count = geometry->mesh_batches + batches;
     screen->count = screen->mesh_count + vertices;
-    if (screen->count >= UINT32_MAX || geometry->batch_count >= UINT32_MAX / BURNISH_BATCH_SIZE) {
-        return burnish_fail(error, BURNISH_STATUS_LIMIT,
-                            "clipping makes more than 2^32 vertices; split the mesh");
+    if (screen->count >= UINT32_MAX || geometry->batch_count > INT32_MAX / BURNISH_BATCH_SIZE) {
+        return burnish_fail(
+            error, BURNISH_STATUS_LIMIT,
+            "clipping makes more than 2^32 vertices or 2^31 triangles; split the mesh");
     }
     geometry->batches =
         burnish_reserve(&memory, geometry->batches, &geometry->batch_capacity,

@@ -14,7 +14,7 @@
 #ifndef BURNISH_RASTER_LARGE_SIMD_H
 #define BURNISH_RASTER_LARGE_SIMD_H
 
-#include "raster/setup_simd.h"
+#include "raster/stamps_simd.h"
 
 enum {
     /* cells that are classified at once */
@@ -193,9 +193,10 @@ BURNISH_INLINE void compute_depth_bounds(large_triangle *large, int samples) {
 }
 
 /* Of CELL_ROWS x CELL_COLUMNS cells from (x, y) on: bits of those that the triangle may be seen
- * in; *inside gets those of which it covers all samples. HiZ learns of these. */
-BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle *large, int x,
-                                       int y, unsigned *inside) {
+ * in; *inside gets those of which it covers all samples. HiZ learns of these unless the triangle
+ * becomes a layer. */
+BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle *large, int keep,
+                                       int x, int y, unsigned *inside) {
     vi outside = vi_set(0), partly = vi_set(0);
     for (int i = 0; i < 3; ++i) {
         const large_edge *edge = &large->edges[i];
@@ -212,7 +213,10 @@ BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle 
     const vm may_show =
         vm_and(vi_not_negative(outside), vf_greater(vf_add(depth, vf_set(large->nearest)), before));
     const vm full = vm_and(may_show, vi_not_negative(partly));
-    vf_store(cells, vf_blend(full, vf_max(vf_add(depth, vf_set(large->farthest)), before), before));
+    if (keep != KEEP_LAYER) {
+        vf_store(cells,
+                 vf_blend(full, vf_max(vf_add(depth, vf_set(large->farthest)), before), before));
+    }
     *inside = vm_bits(full);
     return vm_bits(may_show);
 }
@@ -258,7 +262,7 @@ BURNISH_INLINE vf clamp_number(const large_triangle *large, int i, vf value) {
 
 /* Stores what of LANES pixels is nearer; returns the pixels whose samples all are. */
 BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *large, int is_inside,
-                            int samples, int ids, int32_t id, const vi at[3], vm covered, vf depth,
+                            int samples, int keep, int32_t id, const vi at[3], vm covered, vf depth,
                             int sample, unsigned *drawn) {
     vm simple = covered;
     for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
@@ -269,12 +273,17 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
         if (!is_inside) {
             nearer = vm_and(nearer, samples == 1 ? covered : cover_sample(large, at, s));
         }
+        *drawn |= vm_bits(nearer);
+        if (keep == KEEP_LAYER) {
+            keep_layers(tile, vm_bits(nearer), after, vi_set(id), sample);
+            simple = vm_and(simple, vm_not(simple));
+            continue;
+        }
         vf_store(tile->buffer.depths + sample, vf_blend(nearer, after, before));
-        if (ids) {
+        if (keep) {
             vi_store_where(nearer, tile->buffer.ids + sample, vi_set(id));
         }
         simple = vm_and(simple, nearer);
-        *drawn |= vm_bits(nearer);
     }
     return simple;
 }
@@ -282,11 +291,11 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
 /* Draws LANES pixels of a cell, from its pixel k on, which is the tile's `pixel`; `numbers` are the
  * planes at its first pixel. */
 BURNISH_INLINE void draw_cell_part(burnish_tile *tile, const large_triangle *large, int is_inside,
-                                   int samples, int planes, int ids, int32_t id, const vi at[3],
+                                   int samples, int planes, int keep, int32_t id, const vi at[3],
                                    vm covered, const float numbers[NUMBERS], int k, int pixel) {
     unsigned drawn = 0;
     const vf depth = vf_add(vf_set(numbers[0]), vf_load(large->pixels[0] + k));
-    const vm simple = draw_part(tile, large, is_inside, samples, ids, id, at, covered, depth,
+    const vm simple = draw_part(tile, large, is_inside, samples, keep, id, at, covered, depth,
                                 burnish_sample_index(samples, pixel, 0), &drawn);
     mark_dirty(tile, pixel, drawn != 0);
     if (!vm_any(simple)) {
@@ -314,12 +323,12 @@ BURNISH_INLINE int pixel_of_cell(int x, int y, int k) {
 
 /* Draws a cell that the triangle covers, whose first pixel is (x, y). */
 BURNISH_INLINE void draw_whole_cell(burnish_tile *tile, const large_triangle *large, int samples,
-                                    int planes, int ids, int32_t id, int x, int y) {
+                                    int planes, int keep, int32_t id, int x, int y) {
     const vi none[3] = {vi_set(0), vi_set(0), vi_set(0)};
     float numbers[NUMBERS];
     start_planes(large, planes, x, y, numbers);
     for (int k = 0; k < CELL_PIXELS; k += LANES) {
-        draw_cell_part(tile, large, 1, samples, planes, ids, id, none, vi_not_negative(none[0]),
+        draw_cell_part(tile, large, 1, samples, planes, keep, id, none, vi_not_negative(none[0]),
                        numbers, k, pixel_of_cell(x, y, k));
     }
 }
@@ -327,7 +336,7 @@ BURNISH_INLINE void draw_whole_cell(burnish_tile *tile, const large_triangle *la
 /* Draws a cell that the triangle may cover in part. Which pixels it covers is unpredictable, so
  * they are found first, without a branch. */
 BURNISH_INLINE void draw_part_of_cell(burnish_tile *tile, const large_triangle *large, int samples,
-                                      int planes, int ids, int32_t id, int x, int y) {
+                                      int planes, int keep, int32_t id, int x, int y) {
     int32_t first[3];
     vm covered[CELL_PIXELS / LANES];
     vi at[3];
@@ -348,14 +357,14 @@ BURNISH_INLINE void draw_part_of_cell(burnish_tile *tile, const large_triangle *
     for (; hit; hit &= hit - 1) {
         const int part = __builtin_ctzll(hit), k = part * LANES;
         find_edges(large, first, samples, k, at);
-        draw_cell_part(tile, large, 0, samples, planes, ids, id, at, covered[part], numbers, k,
+        draw_cell_part(tile, large, 0, samples, planes, keep, id, at, covered[part], numbers, k,
                        pixel_of_cell(x, y, k));
     }
 }
 
-/* Draws a triangle of any size. ids: 1 where they are requested. */
+/* Draws a triangle of any size. */
 BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, size_t lane,
-                               int samples, int planes, int ids, int32_t id) {
+                               int samples, int planes, int keep, int32_t id) {
     large_triangle large;
     for (int i = 0; i < 3; ++i) {
         if (!compute_large_edge(setup, lane, i, samples, &large.edges[i])) {
@@ -369,7 +378,7 @@ BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, 
     for (int y = y0 & ~(CELL_ROWS - 1); y <= y1; y += CELL_ROWS) {
         for (int x = x0 & ~(CELL_COLUMNS - 1); x <= x1; x += CELL_COLUMNS) {
             unsigned inside;
-            unsigned rest = classify_cells(tile, &large, x, y, &inside);
+            unsigned rest = classify_cells(tile, &large, keep, x, y, &inside);
             for (; rest; rest &= rest - 1) {
                 const int cell = __builtin_ctz(rest);
                 const int column = x + cell % CELL_COLUMNS, row = y + cell / CELL_COLUMNS;
@@ -378,9 +387,9 @@ BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, 
                 }
                 const int u = column * BURNISH_HIZ_PIXELS, v = row * BURNISH_HIZ_PIXELS;
                 if (inside >> cell & 1) {
-                    draw_whole_cell(tile, &large, samples, planes, ids, id, u, v);
+                    draw_whole_cell(tile, &large, samples, planes, keep, id, u, v);
                 } else {
-                    draw_part_of_cell(tile, &large, samples, planes, ids, id, u, v);
+                    draw_part_of_cell(tile, &large, samples, planes, keep, id, u, v);
                 }
             }
         }

@@ -68,11 +68,34 @@ BURNISH_INLINE void compute_steps(const triangle_setup *setup, int samples, samp
     }
 }
 
+/* What is kept of a sample that is nearer than what is there. */
+enum {
+    KEEP_DEPTH,
+    KEEP_ID,   /* and depth */
+    KEEP_LAYER /* one more of its layers: depths and ids stay */
+};
+
+/* Keeps layers of `id` at the samples `lanes` from `sample` on. */
+BURNISH_INLINE void keep_layers(const burnish_tile *tile, unsigned lanes, vf depth, vi id,
+                                int sample) {
+    float depths[LANES];
+    int32_t ids[LANES];
+    if (!lanes) {
+        return;
+    }
+    vf_store(depths, depth);
+    vi_store(ids, id);
+    for (; lanes; lanes &= lanes - 1) {
+        const int lane = __builtin_ctz(lanes);
+        burnish_layers_insert(tile->layers, sample + lane, depths[lane], (uint32_t)ids[lane]);
+    }
+}
+
 /* Draws a stamp with several samples per pixel; e are the edge functions at the pixels' centres.
- * Returns whether a sample was nearer. */
+ * keep: KEEP_ID or KEEP_LAYER. Returns whether a sample was nearer. */
 BURNISH_INLINE int draw_samples(const burnish_tile *tile, const stamp_constants *constants,
-                                int samples, int planes, const vi e[3], const sample_steps *steps,
-                                size_t lane, int pixel) {
+                                int samples, int planes, int keep, const vi e[3],
+                                const sample_steps *steps, size_t lane, int pixel) {
     vm simple = vi_not_negative(vi_set(0));
     unsigned drawn = 0;
     int sample = burnish_sample_index(samples, pixel, 0);
@@ -85,12 +108,16 @@ BURNISH_INLINE int draw_samples(const burnish_tile *tile, const stamp_constants 
         vf depth = depth_from(constants->depth, weight_from(constants, at, 1),
                               weight_from(constants, at, 2));
         vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->buffer.depths + sample)));
+        drawn |= vm_bits(nearer);
+        if (keep == KEEP_LAYER) {
+            keep_layers(tile, vm_bits(nearer), depth, constants->id, sample);
+            continue;
+        }
         simple = vm_and(simple, nearer);
         vf_store_where(nearer, tile->buffer.depths + sample, depth);
         vi_store_where(nearer, tile->buffer.ids + sample, constants->id);
-        drawn |= vm_bits(nearer);
     }
-    if (vm_any(simple)) {
+    if (keep != KEEP_LAYER && vm_any(simple)) {
         vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
         if (tile->options.needs_position) {
             vf_store_where(simple, tile->buffer.center_depths + pixel,
@@ -121,13 +148,18 @@ BURNISH_INLINE vi edge_of_stamp(const triangle_setup *setup, size_t lane, int i,
 /* Draws a stamp, one sample per pixel, where `covered` holds. Whether it is nearer is
  * unpredictable, so there is no branch. */
 BURNISH_INLINE void draw_stamp(burnish_tile *tile, const stamp_constants *constants, int planes,
-                               int ids, vm covered, const vi e[3], int pixel) {
+                               int keep, vm covered, const vi e[3], int pixel) {
     vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
     vf depth = depth_from(constants->depth, weight1, weight2);
     vf before = vf_load(tile->buffer.depths + pixel);
     vm nearer = vm_and(covered, vf_greater(depth, before));
+    if (keep == KEEP_LAYER) {
+        keep_layers(tile, vm_bits(nearer), depth, constants->id, pixel);
+        mark_dirty(tile, pixel, vm_any(nearer));
+        return;
+    }
     vf_store(tile->buffer.depths + pixel, vf_blend(nearer, depth, before));
-    if (ids) {
+    if (keep) {
         vi_store_where(nearer, tile->buffer.ids + pixel, constants->id);
     }
     interpolate_stamp(tile, constants, planes, nearer, weight1, weight2, pixel);
@@ -223,10 +255,10 @@ BURNISH_INLINE int may_cover(const sample_steps *steps, size_t lane, const vi e[
     return vm_any(vi_not_negative(inside));
 }
 
-/* Draws a small triangle. ids: 1 where they are requested; steps: with several samples. */
+/* Draws a small triangle. steps: with several samples. */
 BURNISH_INLINE void draw_small(burnish_tile *tile, const triangle_setup *setup,
                                const sample_steps *steps, size_t lane, int samples, int planes,
-                               int ids, int32_t id) {
+                               int keep, int32_t id) {
     const int x0 = setup->x0[lane] & ~(STAMP_WIDTH - 1), x1 = setup->x1[lane];
     const int y0 = setup->y0[lane] & ~(STAMP_HEIGHT - 1), y1 = setup->y1[lane];
     stamp_constants constants;
@@ -242,11 +274,12 @@ BURNISH_INLINE void draw_small(burnish_tile *tile, const triangle_setup *setup,
             if (samples == 1) {
                 const vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
                 if (vm_any(covered)) {
-                    draw_stamp(tile, &constants, planes, ids, covered, e, pixel);
+                    draw_stamp(tile, &constants, planes, keep, covered, e, pixel);
                 }
             } else if (may_cover(steps, lane, e)) {
-                mark_dirty(tile, pixel,
-                           draw_samples(tile, &constants, samples, planes, e, steps, lane, pixel));
+                mark_dirty(
+                    tile, pixel,
+                    draw_samples(tile, &constants, samples, planes, keep, e, steps, lane, pixel));
             }
             for (int i = 0; i < 3; ++i) {
                 e[i] = vi_add(e[i], across[i]);
@@ -299,8 +332,9 @@ BURNISH_INLINE void draw_queued(burnish_tile *tile, const triangle_setup *setup,
         if (samples == 1) {
             draw_stamp(tile, &constants, planes, ids != NULL, queue->covered[i], e, pixel);
         } else {
-            mark_dirty(tile, pixel,
-                       draw_samples(tile, &constants, samples, planes, e, steps, lane, pixel));
+            mark_dirty(
+                tile, pixel,
+                draw_samples(tile, &constants, samples, planes, KEEP_ID, e, steps, lane, pixel));
         }
     }
 }

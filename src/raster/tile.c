@@ -19,6 +19,24 @@ static void create_primitives(burnish_tile_primitives *primitives, size_t capaci
     primitives->capacity = capacity;
 }
 
+static burnish_tile_layers *create_layers(size_t samples, burnish_memory *memory) {
+    burnish_tile_layers *layers = burnish_allocate_zeroed(memory, 1, sizeof *layers, "layers");
+    if (layers) {
+        layers->items =
+            burnish_allocate(memory, samples * BURNISH_LAYERS_MAX, sizeof *layers->items, "layers");
+        layers->counts = burnish_allocate(memory, samples, sizeof *layers->counts, "layers");
+    }
+    return layers;
+}
+
+static void destroy_layers(burnish_tile_layers *layers, const burnish_context *context) {
+    if (layers) {
+        burnish_release(context, layers->items);
+        burnish_release(context, layers->counts);
+        burnish_release(context, layers);
+    }
+}
+
 burnish_status burnish_tile_create(burnish_tile *tile, const burnish_tile_options *options,
                                    const burnish_context *context, burnish_error *error) {
     const int samples = options->samples;
@@ -46,6 +64,9 @@ burnish_status burnish_tile_create(burnish_tile *tile, const burnish_tile_option
         create_primitives(&tile->primitives, (size_t)BURNISH_TILE_PRIMITIVES * (size_t)samples,
                           &memory);
     }
+    if (options->has_layers) {
+        tile->layers = create_layers(count, &memory);
+    }
     return memory.status;
 }
 
@@ -66,6 +87,7 @@ void burnish_tile_destroy(burnish_tile *tile) {
     burnish_release(context, tile->primitives.primitives);
     burnish_release(context, tile->primitives.constants);
     burnish_release(context, tile->primitives.moved);
+    destroy_layers(tile->layers, context);
     memset(tile, 0, sizeof *tile);
 }
 
@@ -98,6 +120,9 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
     const int right = view->width - tile->x, below = view->height - tile->y;
     tile->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
     tile->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
+    if (tile->layers) {
+        tile->layers->has_some = 0;
+    }
     if (burnish_list_is_empty(burnish_list_begin(bins, column, row, 0)) &&
         burnish_list_is_empty(burnish_list_begin(bins, column, row, 1))) {
         return 0;
@@ -105,6 +130,9 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
     const size_t count = (size_t)BURNISH_TILE_PIXELS * (size_t)tile->options.samples;
     for (size_t i = 0; i < count; ++i) {
         tile->buffer.depths[i] = BURNISH_FARTHEST;
+    }
+    if (tile->layers && tile->transparent) {
+        memset(tile->layers->counts, 0, count * sizeof *tile->layers->counts);
     }
     if (tile->options.samples > 1) {
         memset(tile->buffer.ids, 0xff, count * sizeof *tile->buffer.ids);

@@ -6,6 +6,9 @@
  * then the first. Attributes of simple pixels (fragments.h) are interpolated at their centre while
  * the triangle is drawn.
  *
+ * Transparent triangles, where there are any, are no part of that: they become layers in front of
+ * the opaque ones (layers.h).
+ *
  * A tile has three parts: the buffer (depth, ids, planes per pixel), HiZ (coarse depth, against
  * which triangles are tested before they are set up) and, with several samples, the primitives that
  * its samples show. */
@@ -37,6 +40,7 @@ typedef struct burnish_tile_options {
     int keep_ids;       /* 1: ids are requested, also with one sample */
     int needs_position; /* 1: fragments get x, y and depth, simple pixels the depth at their centre
                          */
+    int has_layers;     /* 1: transparent triangles are kept as layers; 0: they are left out */
 } burnish_tile_options;
 
 /* No triangle is that far away, or that near. */
@@ -97,6 +101,41 @@ enum {
     BURNISH_TILE_PRIMITIVES_EXTRA = 16 /* that a vector may write past the last one */
 };
 
+/* Layers of a sample that are kept: the nearest ones (render.h: BURNISH_TRANSPARENT_LAYERS_MAX). */
+enum { BURNISH_LAYERS_MAX = 32 };
+
+typedef struct burnish_layer {
+    float depth;
+    uint32_t index_and_facing; /* the primitive's index * 2, + 1 when it is back-facing */
+} burnish_layer;
+
+typedef struct burnish_tile_layers {
+    burnish_layer *items; /* BURNISH_LAYERS_MAX per sample, in the order of burnish_sample_index */
+    uint8_t *counts;      /* per sample; of the current tile where it has some */
+    int has_some;         /* 1: the current tile lists a transparent triangle */
+    size_t dropped;       /* since the tile was created, or since it was set to 0 */
+} burnish_tile_layers;
+
+/* Puts a layer behind those that are as near or nearer; where there are too many the farthest one
+ * is dropped. */
+static inline void burnish_layers_insert(burnish_tile_layers *layers, int sample, float depth,
+                                         uint32_t index_and_facing) {
+    burnish_layer *items = layers->items + (size_t)sample * BURNISH_LAYERS_MAX;
+    int i = layers->counts[sample];
+    if (i == BURNISH_LAYERS_MAX) {
+        layers->dropped += 1;
+        if (!(depth > items[--i].depth)) {
+            return;
+        }
+    } else {
+        layers->counts[sample] = (uint8_t)(i + 1);
+    }
+    for (; i > 0 && depth > items[i - 1].depth; --i) {
+        items[i] = items[i - 1];
+    }
+    items[i] = (burnish_layer){depth, index_and_facing};
+}
+
 typedef struct burnish_tile {
     int x, y, width, height; /* pixels; narrower at the image's right and lower edge */
     burnish_tile_options options;
@@ -105,7 +144,10 @@ typedef struct burnish_tile {
     burnish_tile_buffer buffer;
     burnish_hiz hiz;
     burnish_tile_primitives primitives; /* with several samples */
-    burnish_sample_mean means[256];     /* by the bits of up to eight samples */
+    /* per batch, the caller's to set; bit i: triangle i is transparent. NULL: none is */
+    const uint16_t *transparent;
+    burnish_tile_layers *layers;    /* NULL where the options do not ask for them */
+    burnish_sample_mean means[256]; /* by the bits of up to eight samples */
 } burnish_tile;
 
 /* Attributes are the caller's to set. Errors: MEMORY; destroy it all the same. */

@@ -208,11 +208,11 @@ static void evict_hidden(burnish_tile *tile) {
 /* Draws one triangle. */
 BURNISH_INLINE void draw_alone(burnish_tile *tile, const triangle_setup *setup,
                                const sample_steps *steps, size_t lane, int samples, int planes,
-                               int ids, int32_t id) {
+                               int keep, int32_t id) {
     if (setup->small >> lane & 1) {
-        draw_small(tile, setup, steps, lane, samples, planes, ids, id);
+        draw_small(tile, setup, steps, lane, samples, planes, keep, id);
     } else {
-        draw_large(tile, setup, lane, samples, planes, ids, id);
+        draw_large(tile, setup, lane, samples, planes, keep, id);
     }
 }
 
@@ -288,9 +288,25 @@ BURNISH_INLINE void draw_multisampled(burnish_tile *tile, const triangle_setup *
     }
 }
 
-/* Draws primitives in their order; all are front- or all back-facing. */
+/* Adds a group of triangles, whose primitives have some indices, to the layers. */
+BURNISH_INLINE void draw_layers(burnish_tile *tile, const triangle_setup *setup,
+                                const uint32_t *indices, unsigned back) {
+    const int samples = tile->options.samples;
+    sample_steps steps;
+    if (samples > 1) {
+        compute_steps(setup, samples, &steps);
+    }
+    for (unsigned rest = setup->live; rest; rest &= rest - 1) {
+        const size_t lane = (size_t)__builtin_ctz(rest);
+        const int32_t id = (int32_t)(indices[lane] * 2 + back);
+        draw_alone(tile, setup, &steps, lane, samples, 0, KEEP_LAYER, id);
+    }
+}
+
+/* Draws primitives in their order; all are front- or all back-facing, and are to become layers or
+ * not. */
 static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry,
-                            const uint32_t *indices, size_t count, unsigned back) {
+                            const uint32_t *indices, size_t count, unsigned back, int are_layers) {
     const burnish_tile_options *options = &tile->options;
     triangle_setup setup;
     tiny_pixels pixels = {0};
@@ -306,7 +322,9 @@ static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry
         fetch_group(tile, geometry, indices + after, ahead, back, &next);
         load_group(tile, geometry, &setup, x, y, depth);
         compute_setup(tile, lanes, x, y, depth, &setup);
-        if (options->samples == 4 && options->planes == 3) {
+        if (are_layers) {
+            draw_layers(tile, &setup, indices + first, back);
+        } else if (options->samples == 4 && options->planes == 3) {
             draw_multisampled(tile, &setup, 4, 3, &queue);
         } else if (options->samples > 1) {
             draw_multisampled(tile, &setup, options->samples, options->planes, &queue);
@@ -340,16 +358,37 @@ static size_t expand_entries(const burnish_bin_entry *entries, size_t count, uin
     return found;
 }
 
+/* Removes the triangles that are transparent, or for layers those that are not; returns how many
+ * entries are left. */
+static size_t select_opaque(burnish_tile *tile, int are_layers, burnish_bin_entry *entries,
+                            size_t count) {
+    size_t kept = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const burnish_bin_entry entry = entries[i];
+        const uint32_t transparent = entry.mask & tile->transparent[entry.batch];
+        const uint32_t mask = are_layers ? transparent : entry.mask ^ transparent;
+        if (tile->layers) {
+            tile->layers->has_some |= transparent != 0;
+        }
+        entries[kept] = (burnish_bin_entry){entry.batch, mask};
+        kept += mask != 0;
+    }
+    return kept;
+}
+
 /* Draws a list. Triangles that HiZ hides are left out: it is built every HIZ_AGE triangles, and at
  * once where others have been drawn before. */
 static void draw_list(burnish_tile *tile, const burnish_geometry *geometry,
-                      burnish_list_reader reader, unsigned back, int is_second) {
+                      burnish_list_reader reader, unsigned back, int is_second, int are_layers) {
     burnish_bin_entry part[LIST_PART];
     uint32_t indices[LIST_PART * BURNISH_BATCH_SIZE];
     burnish_tile_primitives *primitives = &tile->primitives;
     size_t age = is_second ? HIZ_AGE : 0, count;
     int has_hiz = 0;
     while ((count = burnish_list_read(&reader, part, LIST_PART)) > 0) {
+        if (tile->transparent) {
+            count = select_opaque(tile, are_layers, part, count);
+        }
         if (age >= HIZ_AGE) {
             hiz_build(tile);
             has_hiz = 1;
@@ -359,21 +398,25 @@ static void draw_list(burnish_tile *tile, const burnish_geometry *geometry,
             count = hiz_cull(tile, geometry, part, count);
         }
         count = expand_entries(part, count, indices);
-        if (tile->options.samples > 1 &&
+        if (tile->options.samples > 1 && !are_layers &&
             primitives->count + count + BURNISH_TILE_PRIMITIVES_EXTRA > primitives->capacity) {
             evict_hidden(tile);
         }
-        draw_primitives(tile, geometry, indices, count, back);
-        age += count;
+        draw_primitives(tile, geometry, indices, count, back, are_layers);
+        age += are_layers ? 0 : count;
     }
 }
 
 static void draw_tile(burnish_tile *tile, const burnish_geometry *geometry,
                       const burnish_bins *bins, int column, int row) {
     const burnish_list_reader front = burnish_list_begin(bins, column, row, 0);
-    draw_list(tile, geometry, front, 0, 0);
-    draw_list(tile, geometry, burnish_list_begin(bins, column, row, 1), 1,
-              !burnish_list_is_empty(front));
+    const burnish_list_reader back = burnish_list_begin(bins, column, row, 1);
+    draw_list(tile, geometry, front, 0, 0, 0);
+    draw_list(tile, geometry, back, 1, !burnish_list_is_empty(front), 0);
+    if (tile->layers && tile->layers->has_some) {
+        draw_list(tile, geometry, front, 0, 1, 1);
+        draw_list(tile, geometry, back, 1, 1, 1);
+    }
 }
 
 #endif

@@ -140,6 +140,9 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_op
     const burnish_raster_view raster = raster_view(view, mesh);
     map_context map = {drawer, ops, &raster, depths};
     burnish_status status = prepare_tiles(drawer, burnish_tasks_threads(tasks), memory);
+    for (int i = 0; i < drawer->tile_count; ++i) {
+        drawer->tiles[i].transparent = drawer->transparent;
+    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_geometry_update(&drawer->geometry, ops, &raster, &triangles, tasks,
                                          memory->error);

@@ -32,6 +32,10 @@ typedef struct burnish_map_drawer {
     burnish_bins bins;
     burnish_tile *tiles; /* one per thread */
     int tile_count;
+    /* triangles that are left out, the caller's to set: burnish_transparency's masks and key, or
+     * NULL and 0 */
+    const uint16_t *transparent;
+    uint64_t transparent_key;
 } burnish_map_drawer;
 
 /* The view along a direction in which the unit sphere fills the map but for two texels at each

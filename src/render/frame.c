@@ -14,15 +14,19 @@ struct burnish_tile_worker {
     float light[3][BURNISH_SHADE_BATCH]; /* of fragments */
     burnish_row_light row;
     burnish_tile_sums sums;
+    burnish_layer_light *layers; /* NULL where nothing is transparent */
     size_t covered_pixels;
     int bounds[4];
 };
 
 /* ---- A tile ---- */
 
-/* Visibility: which triangle every sample shows. Returns 0 where none comes near the tile. */
+/* Visibility: which triangle every sample shows, and the layers in front of it. Returns 0 where
+ * none comes near the tile. */
 static int rasterize(const burnish_frame *frame, const burnish_bins *bins,
                      burnish_tile_worker *worker, int column, int row) {
+    const burnish_transparency *transparency = frame->surface.transparency;
+    worker->tile.transparent = transparency ? transparency->masks : NULL;
     return burnish_tile_draw(&worker->tile, frame->ops, frame->surface.view, frame->geometry, bins,
                              column, row);
 }
@@ -41,6 +45,33 @@ static void shade_complex_pixels(const burnish_frame *frame, burnish_tile_worker
             burnish_shade_fragments(&frame->surface, fragments, &worker->scratch, wanted);
         burnish_output_add_fragments(&frame->output, &worker->tile, fragments, &batch, shaded,
                                      &worker->sums);
+    }
+}
+
+/* The light of the tile's layers, to which the sums then refer. */
+static void shade_layers(const burnish_frame *frame, burnish_tile_worker *worker) {
+    const burnish_surface *surface = &frame->surface;
+    const burnish_tile *tile = &worker->tile;
+    burnish_fragments *fragments = &worker->fragments;
+    float *const light[3] = {worker->light[0], worker->light[1], worker->light[2]};
+    const float *const shaded[3] = {light[0], light[1], light[2]};
+    const int wanted = frame->output.target.pixels.pixels != NULL;
+    const int samples = frame->output.samples;
+    burnish_layer_cursor cursor = {0};
+    worker->sums.layers = NULL;
+    if (!surface->transparency || !tile->layers->has_some) {
+        return;
+    }
+    worker->sums.layers = worker->layers;
+    burnish_layer_light_clear(worker->layers, samples);
+    while (burnish_layers_next(tile, surface->view, frame->geometry, &cursor, fragments)) {
+        burnish_shade_fragments(surface, fragments, &worker->scratch, wanted ? light : NULL);
+        burnish_layer_light_add(worker->layers, surface, fragments, wanted ? shaded : NULL, samples,
+                                frame->output.limit);
+        for (int i = 0; i < fragments->count && frame->drawn; ++i) {
+            __atomic_store_n(&frame->drawn[fragments->primitives[i].id_and_facing >> 1], 1,
+                             __ATOMIC_RELAXED);
+        }
     }
 }
 
@@ -87,6 +118,9 @@ static void draw_block_row(const burnish_frame *frame, burnish_tile_worker *work
         burnish_shade_block_row(&frame->surface, tile, number, &worker->scratch, row);
     }
     burnish_output_store_row(&frame->output, tile, &worker->sums, number, row);
+    for (int x = 0; worker->sums.layers && x < BURNISH_TILE_BLOCKS; ++x) {
+        row->pixels.covered[x] |= worker->sums.layers->covered[number * BURNISH_TILE_BLOCKS + x];
+    }
     if (frame->counts_pixels) {
         count_block_row(worker, number);
     }
@@ -96,6 +130,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
                       burnish_tile_worker *worker, int column, int row) {
     const burnish_tile *tile = &worker->tile;
     const int is_covered = rasterize(frame, bins, worker, column, row);
+    shade_layers(frame, worker);
     if (frame->output.has_planes) {
         burnish_output_clear_planes(&frame->output, tile, &worker->sums);
     }
@@ -112,6 +147,23 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     if (is_covered && frame->drawn) {
         frame->ops->mark_drawn(tile, frame->drawn);
     }
+}
+
+/* Planes show the nearest triangle whether it is transparent or not, so where there is transparency
+ * they are drawn for themselves, as if there were none. */
+static void draw_transparent_tile(const burnish_frame *frame, const burnish_bins *bins,
+                                  burnish_tile_worker *worker, int column, int row) {
+    burnish_frame part = *frame;
+    if (frame->output.has_planes) {
+        part.surface.transparency = NULL;
+        part.output.target.pixels.pixels = NULL;
+        part.counts_pixels = 0;
+        part.drawn = NULL;
+        draw_tile(&part, bins, worker, column, row);
+        part = *frame;
+        part.output.has_planes = 0;
+    }
+    draw_tile(&part, bins, worker, column, row);
 }
 
 /* ---- Tiles ---- */
@@ -137,7 +189,8 @@ static void report_progress(frame_context *context, int thread) {
 
 static void draw_task(void *from, int column, int row, int thread) {
     frame_context *context = from;
-    draw_tile(context->frame, context->bins, &context->workers[thread], column, row);
+    (context->frame->surface.transparency ? draw_transparent_tile : draw_tile)(
+        context->frame, context->bins, &context->workers[thread], column, row);
     report_progress(context, thread);
 }
 
@@ -153,8 +206,10 @@ static burnish_status draw_tiles(const burnish_frame *frame, burnish_tiles *tile
 /* Counts are sums and bounds extremes: their order does not matter. */
 static void merge_counts(const burnish_tiles *tiles, burnish_render_report *report) {
     for (int i = 0; i < tiles->worker_count; ++i) {
+        const burnish_tile_layers *layers = tiles->workers[i].tile.layers;
         const int *from = tiles->workers[i].bounds;
         int *to = report->bounds;
+        report->layers_dropped += layers ? layers->dropped : 0;
         if (tiles->workers[i].covered_pixels == 0) {
             continue;
         }
@@ -174,6 +229,7 @@ static void merge_counts(const burnish_tiles *tiles, burnish_render_report *repo
 static void destroy_workers(burnish_tiles *tiles, const burnish_context *context) {
     for (int i = 0; i < tiles->worker_count; ++i) {
         burnish_tile_destroy(&tiles->workers[i].tile);
+        burnish_release(context, tiles->workers[i].layers);
     }
     burnish_release(context, tiles->workers);
     tiles->workers = NULL;
@@ -192,7 +248,12 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
     burnish_status status = BURNISH_STATUS_OK;
     tiles->worker_count = count;
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        status = burnish_tile_create(&tiles->workers[i].tile, options, context, error);
+        burnish_tile_worker *worker = &tiles->workers[i];
+        status = burnish_tile_create(&worker->tile, options, context, error);
+        if (status == BURNISH_STATUS_OK && options->has_layers) {
+            worker->layers = burnish_layer_light_create(options->samples, &memory);
+            status = memory.status;
+        }
     }
     if (status != BURNISH_STATUS_OK) {
         destroy_workers(tiles, context); /* no later frame takes a half-made one for its own */
@@ -217,7 +278,8 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
         .samples = frame->output.samples,
         .planes = burnish_surface_planes(surface),
         .keep_ids = surface->triangle_materials || frame->drawn || target->triangles,
-        .needs_position = surface->shading->needs_position || target->depth};
+        .needs_position = surface->shading->needs_position || target->depth,
+        .has_layers = surface->transparency != NULL};
     burnish_status status = BURNISH_STATUS_OK;
     const int threads = worker_count(frame);
     if (tiles->worker_count != threads ||
@@ -228,6 +290,9 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
     for (int i = 0; i < tiles->worker_count; ++i) {
         burnish_tile_worker *worker = &tiles->workers[i];
         worker->covered_pixels = 0;
+        if (worker->tile.layers) {
+            worker->tile.layers->dropped = 0;
+        }
         memset(worker->bounds, 0, sizeof worker->bounds);
         worker->tile.attributes[0] = surface->attributes->normals;
         worker->tile.attributes[1] = surface->attributes->colors;

@@ -8,6 +8,7 @@
 #include "core/srgb.h"
 #include "render/occlusion.h"
 #include "render/surface.h"
+#include "render/transparency.h"
 
 /* ---- View: camera, lights and materials, as raster and shading work with them ---- */
 
@@ -81,6 +82,7 @@ typedef struct burnish_tile_sums {
     float light[3][BURNISH_TILE_PIXELS];  /* times samples */
     uint8_t covered[BURNISH_TILE_PIXELS]; /* samples */
     uint8_t weights[BURNISH_TILE_PIXELS]; /* samples of the fragment that planes show so far */
+    burnish_layer_light *layers;          /* in front of all that; NULL: none in this tile */
 } burnish_tile_sums;
 
 /* Writes what planes hold where nothing is to all of the tile; weights become 0. */

@@ -57,6 +57,7 @@ static burnish_status set_materials(burnish_mesh *mesh, const look *wanted, burn
             material.ambient[k] = material.diffuse[k] = wanted->grey[k];
             material.specular[k] = wanted->specular;
         }
+        material.transparency = wanted->is_uniform ? 0 : material.transparency;
         status = burnish_mesh_set_material(mesh, i, &material, error);
     }
     return status;

@@ -35,7 +35,8 @@ typedef struct burnish_occlusion_lookup {
 
 /* Depth maps of a mesh, kept from frame to frame. All zero before the first. */
 typedef struct burnish_occlusion {
-    uint64_t mesh; /* whose maps they are, burnish_mesh_view.serial; 0: nobody's */
+    uint64_t mesh;            /* whose maps they are, burnish_mesh_view.serial; 0: nobody's */
+    uint64_t transparent_key; /* the drawer's then */
     int count, size;
     burnish_occlusion_direction directions[BURNISH_OCCLUSION_MAX];
     uint16_t *depths; /* and each map's blockers after it */
@@ -43,7 +44,8 @@ typedef struct burnish_occlusion {
     burnish_map_drawer drawer;
 } burnish_occlusion;
 
-/* Draws the maps unless they are there, and readies the look-up.
+/* Draws the maps unless they are there, and readies the look-up. The drawer's transparent triangles
+ * are the caller's to set.
  *   count  directions, [1, BURNISH_OCCLUSION_MAX], or BURNISH_OCCLUSION_AUTO
  *   size   of a map
  *   eye    the camera, in the raster's space

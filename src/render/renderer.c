@@ -162,6 +162,7 @@ struct burnish_renderer {
     burnish_shaders shaders;
     burnish_geometry geometry;
     burnish_attributes attributes;
+    burnish_transparency transparency;
     burnish_tiles tiles;
     burnish_occlusion occlusion;
     burnish_output_row background;
@@ -191,6 +192,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_tiles_destroy(&renderer->tiles, context);
         burnish_occlusion_destroy(&renderer->occlusion, context);
         burnish_attributes_destroy(&renderer->attributes, context);
+        burnish_transparency_destroy(&renderer->transparency, context);
         burnish_geometry_destroy(&renderer->geometry);
         burnish_release(context, renderer->shaders.items);
         burnish_release(context, renderer->shaders.lights);
@@ -214,6 +216,11 @@ typedef struct drawing {
     burnish_view view;
 } drawing;
 
+/* NULL where every triangle is opaque. */
+static const burnish_transparency *transparency_of(const drawing *d) {
+    return d->renderer->transparency.has_some ? &d->renderer->transparency : NULL;
+}
+
 /* Vertices to the screen, triangles to batches. */
 static burnish_status transform(drawing *d) {
     burnish_renderer *renderer = d->renderer;
@@ -226,6 +233,10 @@ static burnish_status transform(drawing *d) {
     if (status == BURNISH_STATUS_OK) {
         status = burnish_attributes_update(&renderer->attributes, &renderer->geometry, mesh,
                                            d->options->ignore_colors, &renderer->tasks, &d->memory);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_transparency_add_clipped(&renderer->transparency, &renderer->geometry,
+                                                  &d->memory);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_tasks_check(&renderer->tasks, d->memory.error);
@@ -244,6 +255,9 @@ static burnish_status update_occlusion(drawing *d) {
         return BURNISH_STATUS_OK;
     }
     burnish_vec3_store(burnish_vec3_loadf(mesh->up_axis), up);
+    renderer->occlusion.drawer.transparent =
+        transparency_of(d) ? renderer->transparency.masks : NULL;
+    renderer->occlusion.drawer.transparent_key = renderer->transparency.key;
     d->view.occlusion.strength = d->options->occlusion_strength;
     d->view.shading.occlusion = &d->view.occlusion;
     const int side =
@@ -307,7 +321,8 @@ static burnish_status draw_tiles(drawing *d) {
     burnish_frame frame = {.ops = ops,
                            .geometry = &renderer->geometry,
                            .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
-                                       burnish_mesh_get_view(d->mesh)->triangle_materials},
+                                       burnish_mesh_get_view(d->mesh)->triangle_materials,
+                                       transparency_of(d)},
                            .output = {.ops = ops, .encoder = &renderer->encoder, .view = &d->view},
                            .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
                            .drawn = clear_drawn(d),
@@ -345,6 +360,11 @@ static burnish_status draw(drawing *d) {
     burnish_status status =
         burnish_view_create(d->mesh, d->options, &renderer->shaders, &d->view, &d->memory);
     d->report.lobe_fallbacks = d->view.lobe_fallbacks;
+    if (status == BURNISH_STATUS_OK) {
+        status =
+            burnish_transparency_update(&renderer->transparency, d->mesh, d->options->ignore_colors,
+                                        &renderer->tasks, &d->memory);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = update_occlusion(d);
     }

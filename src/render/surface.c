@@ -14,7 +14,7 @@ static burnish_float4 scaled_normal(const float *normals, uint32_t vertex, float
 static burnish_float4 scaled_color(const uint8_t *colors, uint32_t vertex, float scale) {
     const uint8_t *codes = colors + 4 * (size_t)vertex;
     burnish_float4 color = {burnish_srgb_to_linear[codes[0]], burnish_srgb_to_linear[codes[1]],
-                            burnish_srgb_to_linear[codes[2]], 0.0f};
+                            burnish_srgb_to_linear[codes[2]], (float)codes[3] * (1.0f / 255)};
     return color * scale;
 }
 
@@ -395,4 +395,13 @@ burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
         shade_batch(surface->shading, &batch, scratch, rgb);
     }
     return batch;
+}
+
+float burnish_fragment_alpha(const burnish_attributes *attributes,
+                             const burnish_fragments *fragments, int i) {
+    const uint32_t *v = fragments->primitives[i].vertices;
+    const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
+    const burnish_float4 color = interpolate(attributes->colors, v, weight1, weight2);
+    const burnish_float4 normal = interpolate(attributes->normals, v, weight1, weight2);
+    return color[3] / normal[3];
 }

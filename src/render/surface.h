@@ -20,7 +20,7 @@
  * first frame, a later frame uses the arrays again. */
 typedef struct burnish_attributes {
     burnish_float4 *normals; /* (x, y, z, 1) / w */
-    burnish_float4 *colors;  /* linear (r, g, b, 0) / w */
+    burnish_float4 *colors;  /* linear (r, g, b, alpha) / w */
     int has_colors;
     size_t normal_capacity, color_capacity;
 } burnish_attributes;
@@ -65,12 +65,15 @@ typedef struct burnish_shading {
     int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
 } burnish_shading;
 
+struct burnish_transparency; /* transparency.h */
+
 /* What visible points are shaded from. */
 typedef struct burnish_surface {
     const burnish_raster_view *view;
     const burnish_shading *shading;
     const burnish_attributes *attributes;
-    const uint16_t *triangle_materials; /* NULL: all have material 0 */
+    const uint16_t *triangle_materials;              /* NULL: all have material 0 */
+    const struct burnish_transparency *transparency; /* NULL: every triangle is opaque */
 } burnish_surface;
 
 /* The vectors of a batch in which a material is shown, and their light. */
@@ -114,5 +117,9 @@ burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
                                                const burnish_fragments *fragments,
                                                burnish_fragment_scratch *scratch,
                                                float *const *rgb);
+
+/* Alpha of the colours of fragment i. */
+float burnish_fragment_alpha(const burnish_attributes *attributes,
+                             const burnish_fragments *fragments, int i);
 
 #endif

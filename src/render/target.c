@@ -84,10 +84,12 @@ burnish_status burnish_target_check(const burnish_target *target,
 /* ---- Resolve ---- */
 
 static void add_light(burnish_tile_sums *sums, const burnish_fragments *fragments,
-                      const float *const rgb[3], float limit) {
+                      const float *const rgb[3], int samples, float limit) {
     for (int i = 0; i < fragments->count; ++i) {
         const int pixel = fragments->pixels[i];
-        const float weight = (float)fragments->weight[i];
+        const float weight = sums->layers ? burnish_layers_through(sums->layers, samples, pixel,
+                                                                   fragments->samples[i])
+                                          : (float)fragments->weight[i];
         for (int k = 0; k < 3; ++k) {
             const float value = rgb[k][i];
             sums->light[k][pixel] += weight * (value < limit ? value : limit);
@@ -127,6 +129,52 @@ static void resolve_row(const burnish_output *output, const burnish_tile_sums *s
             }
             const float value = light[i] < limit ? light[i] : limit;
             light[i] = pick(row->pixels.simple[i], value, mixed);
+        }
+    }
+}
+
+/* One sample at least of pixel i of a row shows a layer: what the row has there so far is the light
+ * of opaque triangles, and their light and the background's pass through the layers. */
+static void resolve_layered_pixel(const burnish_output *output, const burnish_tile *tile,
+                                  const burnish_tile_sums *sums, int number, int i,
+                                  burnish_row_light *row) {
+    const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i, samples = output->samples;
+    const unsigned all = (1u << samples) - 1;
+    const int is_simple = row->pixels.simple[i] >= 0;
+    unsigned empty = 0;
+    for (int s = 0; s < samples && !is_simple; ++s) {
+        const float depth = tile->buffer.depths[burnish_sample_index(samples, pixel, s)];
+        empty |= (unsigned)(depth == BURNISH_FARTHEST) << s;
+    }
+    const float passed =
+        is_simple ? burnish_layers_through(sums->layers, samples, pixel, all) : 0.0f;
+    const float missing = burnish_layers_through(sums->layers, samples, pixel, empty);
+    const float alpha = (float)samples - missing;
+    for (int k = 0; k < 3; ++k) {
+        const float value = row->rgb[k][i] < output->limit ? row->rgb[k][i] : output->limit;
+        float sum = sums->layers->light[k][pixel];
+        sum += is_simple ? passed * value : samples > 1 ? sums->light[k][pixel] : 0.0f;
+        if (output->transparent) {
+            row->rgb[k][i] = alpha > 0 ? sum / alpha : 0.0f;
+        } else {
+            row->rgb[k][i] = (sum + missing * output->background_light[k]) / (float)samples;
+        }
+    }
+    sums->layers->alpha[pixel] = alpha / (float)samples;
+    row->pixels.simple[i] = is_simple ? row->pixels.simple[i] : 0; /* it shows something */
+}
+
+/* The bits of a row's block whose pixels show layers. */
+static unsigned layered_pixels(const burnish_tile_sums *sums, int number, int block) {
+    return sums->layers ? sums->layers->covered[number * BURNISH_TILE_BLOCKS + block] : 0;
+}
+
+static void resolve_layers(const burnish_output *output, const burnish_tile *tile,
+                           const burnish_tile_sums *sums, int number, burnish_row_light *row) {
+    for (int block = 0; block < BURNISH_TILE_BLOCKS; ++block) {
+        for (unsigned rest = layered_pixels(sums, number, block); rest; rest &= rest - 1) {
+            const int i = block * BURNISH_BLOCK_PIXELS + __builtin_ctz(rest);
+            resolve_layered_pixel(output, tile, sums, number, i, row);
         }
     }
 }
@@ -210,11 +258,24 @@ static void encode_row(const burnish_output *output, const burnish_tile_sums *su
     }
 }
 
+/* Puts the alpha of pixels that show layers into a row's codes. */
+static void encode_layered_alpha(const burnish_output *output, const burnish_tile_sums *sums,
+                                 int number, uint32_t *codes) {
+    for (int block = 0; block < BURNISH_TILE_BLOCKS && output->transparent; ++block) {
+        for (unsigned rest = layered_pixels(sums, number, block); rest; rest &= rest - 1) {
+            const int i = block * BURNISH_BLOCK_PIXELS + __builtin_ctz(rest);
+            const float alpha = sums->layers->alpha[number * BURNISH_BLOCK_ROW_PIXELS + i];
+            codes[i] = (codes[i] & 0xffffffu) | (uint32_t)(255 * alpha + 0.5f) << 24;
+        }
+    }
+}
+
 /* ---- Linear light ---- */
 
 /* `width` pixels of row y of the blocks, as floats. */
-static void store_light(const burnish_output *output, const uint8_t *covered,
+static void store_light(const burnish_output *output, const burnish_tile_sums *sums, int number,
                         const burnish_row_light *row, int y, int width, uint8_t *out) {
+    const uint8_t *covered = sums->covered + number * BURNISH_BLOCK_ROW_PIXELS;
     for (int x = 0; x < width; ++x, out += sizeof output->background_light) {
         const int i = x / 4 * BURNISH_BLOCK_PIXELS + y * BURNISH_BLOCK_SIZE + x % 4;
         float pixel[4] = {row->rgb[0][i], row->rgb[1][i], row->rgb[2][i], 1.0f};
@@ -222,6 +283,10 @@ static void store_light(const burnish_output *output, const uint8_t *covered,
             memcpy(pixel, output->background_light, sizeof pixel);
         } else if (output->samples > 1 && output->transparent) {
             pixel[3] = (float)covered_samples(output, covered, row, i) / (float)output->samples;
+        }
+        if (layered_pixels(sums, number, x / 4) >> i % BURNISH_BLOCK_PIXELS & 1 &&
+            output->transparent) {
+            pixel[3] = sums->layers->alpha[number * BURNISH_BLOCK_ROW_PIXELS + i];
         }
         memcpy(out, pixel, sizeof pixel);
     }
@@ -371,7 +436,7 @@ void burnish_output_add_fragments(const burnish_output *output, const burnish_ti
                                   const burnish_fragments *fragments,
                                   const burnish_fragment_batch *batch, const float *const rgb[3],
                                   burnish_tile_sums *sums) {
-    add_light(sums, fragments, rgb, output->limit);
+    add_light(sums, fragments, rgb, output->samples, output->limit);
     if (output->has_planes) {
         store_fragments(output, tile, fragments, batch, sums->weights);
     }
@@ -385,8 +450,7 @@ static void store_pixels(const burnish_output *output, const burnish_tile *tile,
     uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
     if (format == BURNISH_PIXELS_RGBA_FLOAT) {
         for (int y = 0; y < rows; ++y) {
-            store_light(output, sums->covered + number * BURNISH_BLOCK_ROW_PIXELS, row, y,
-                        tile->width, row_at(output, tile, top + y));
+            store_light(output, sums, number, row, y, tile->width, row_at(output, tile, top + y));
         }
         return;
     }
@@ -395,6 +459,7 @@ static void store_pixels(const burnish_output *output, const burnish_tile *tile,
     } else {
         encode_row(output, sums, number, row, codes);
     }
+    encode_layered_alpha(output, sums, number, codes);
     for (int y = 0; y < rows; ++y) {
         (format == BURNISH_PIXELS_RGB8 ? pack_codes : store_codes)(
             output, codes + y * BURNISH_BLOCK_SIZE, tile->width, row_at(output, tile, top + y));
@@ -407,6 +472,7 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
         if (output->samples > 1) {
             resolve_row(output, sums, number, row);
         }
+        resolve_layers(output, tile, sums, number, row);
         store_pixels(output, tile, sums, number, row);
     }
     if (output->has_planes) {

@@ -127,12 +127,21 @@ cd ..
 check "a closed pipe ends with 7 and a line, not a signal: $(cat ../code)" [ "$(cat ../code)" = 7 ]
 cd ..
 
+# Opacity.
+same "opacity 1" "$(hash :knot --size=64 --opacity=1)" "$(hash :knot --size=64)"
+check "opacity 0.5 shows" [ "$(hash :knot --size=64 --opacity=0.5)" != "$(hash :knot --size=64)" ]
+for value in 1.1 -0.1 x nan ''; do
+    run render :knot --size=64 "--opacity=$value" -o opacity.png
+    check "--opacity=$value: code $code" [ "$code" = 2 ]
+    check "--opacity=$value: one line" [ "$(wc -l <"$err")" = 1 ]
+done
+
 # The report.
 run render :teapot --size=64 --occlusion=8 --json -o t.png
 check "JSON is valid" valid_json
 check "JSON alone: nothing on standard error" [ ! -s "$err" ]
 for key in burnish input format output width height triangles vertices materials exponents bounding_box up \
-    triangles_drawn hidden covered_pixels pixel_bounds near_white near_black like_ground contrast camera pixels_per_unit lobe equation viewer lights samples threads seconds hash \
+    triangles_drawn hidden covered_pixels layers_dropped pixel_bounds near_white near_black like_ground contrast camera pixels_per_unit lobe equation viewer lights samples threads seconds hash \
     hash_algorithm blank warnings; do
     check "JSON lacks $key" grep -q "\"$key\":" "$out"
 done

@@ -38,6 +38,15 @@ static void take_warnings(burnish_builder *b) {
     b->data->warning_count = b->data->warning_capacity = 0;
 }
 
+/* Whether an alpha is below 255. */
+static int has_alpha(const uint8_t *colors, size_t count) {
+    unsigned all = 255;
+    for (size_t i = 0; colors && i < count; ++i) {
+        all &= colors[4 * i + 3];
+    }
+    return all < 255;
+}
+
 static void describe_mesh(burnish_builder *b) {
     burnish_mesh *mesh = b->mesh;
     burnish_mesh_view *view = &mesh->view;
@@ -50,6 +59,7 @@ static void describe_mesh(burnish_builder *b) {
     view->texture_coordinates = mesh->attributes[BURNISH_TEXCOORD];
     view->indices = mesh->indices;
     view->triangle_materials = mesh->triangle_materials;
+    view->has_transparent_colors = has_alpha(view->colors, b->vertex_count);
     memcpy(view->bounds_min, positions, sizeof view->bounds_min);
     memcpy(view->bounds_max, positions, sizeof view->bounds_max);
     for (size_t i = 0; i < b->vertex_count; ++i) {

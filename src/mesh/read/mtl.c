@@ -1,9 +1,13 @@
 /* MTL: the material library of an OBJ (Wavefront, "MTL material format", 1995).
  *
- * Read: newmtl, Ka, Kd, Ks (sRGB values, made linear; outside [0, 1] clamped), Ns, illum. All else,
- * is passed over; maps and transparency are remembered, for a warning. Ka is unreliable: exporters
- * write 1 1 1 or 0 0 0 whatever the material is. So the ambient colour is Kd when Ka is absent, all
- * 0 or all 1. */
+ * Read: newmtl, Ka, Kd, Ks (sRGB values, made linear; outside [0, 1] clamped), Ns, illum, d, Tr.
+ * All else is passed over; maps are remembered, for a warning. Ka is unreliable: exporters write
+ * 1 1 1 or 0 0 0 whatever the material is. So the ambient colour is Kd when Ka is absent, all 0 or
+ * all 1.
+ *
+ * d is opacity, Tr mostly 1 - d, but older exporters (3ds Max) write d 1 and Tr 1 for what is
+ * opaque: where both are given, d counts. What would be wholly transparent would not have been
+ * exported to be seen so: it is opaque. */
 #include <string.h>
 
 #include "core/srgb.h"
@@ -19,6 +23,8 @@ typedef struct mtl_state {
     int has_ambient, has_diffuse, has_specular, has_exponent;
     int matt; /* illum 0 or 1: no highlight */
     burnish_warning_group unsupported, exponents;
+    float opacity, transparency; /* d and Tr as written */
+    int has_opacity, has_transparency;
 } mtl_state;
 
 /* A malformed statement. */
@@ -58,6 +64,12 @@ static void finish(mtl_state *mtl) {
     if (mtl->matt) {
         memset(material->specular, 0, sizeof material->specular);
     }
+    float value = mtl->has_opacity        ? 1 - mtl->opacity
+                  : mtl->has_transparency ? mtl->transparency
+                                          : 0;
+    value = value > 0 ? value : 0;
+    mtl->library->entries[mtl->library->count - 1].is_invisible = value >= 1;
+    material->transparency = value < 1 ? value : 0;
 }
 
 /* NULL: out of memory. */
@@ -87,6 +99,7 @@ static burnish_status begin(mtl_state *mtl) {
     library->entries[library->count++] =
         (burnish_mtl_entry){.name = copy, .material = burnish_material_default()};
     mtl->has_ambient = mtl->has_diffuse = mtl->has_specular = mtl->has_exponent = mtl->matt = 0;
+    mtl->has_opacity = mtl->has_transparency = 0;
     return BURNISH_STATUS_OK;
 }
 
@@ -154,14 +167,16 @@ static burnish_status read_illumination(mtl_state *mtl) {
     return status;
 }
 
-/* d (opacity) or Tr (transparency): what is not opaque is drawn as if it were. */
-static void read_opacity(mtl_state *mtl, float opaque) {
+/* d FACTOR, d -halo FACTOR, or Tr FACTOR. A factor that is no number is passed over. */
+static void read_opacity(mtl_state *mtl, float *value, int *has) {
     burnish_token token;
-    float value;
-    if (burnish_lexer_token(&mtl->lexer, &token) &&
-        burnish_parse_float(token, &value) == BURNISH_NUMBER_OK && value != opaque) {
-        mtl->library->entries[mtl->library->count - 1].is_transparent = 1;
+    int found = burnish_lexer_token(&mtl->lexer, &token);
+    if (found && burnish_token_is(token, "-halo")) {
+        burnish_reader_note(mtl->reader, &mtl->unsupported, mtl->lexer.next,
+                            "d -halo is not drawn: the opacity is the same from all sides");
+        found = burnish_lexer_token(&mtl->lexer, &token);
     }
+    *has |= found && burnish_parse_float(token, value) == BURNISH_NUMBER_OK;
 }
 
 static int is_map(burnish_token keyword) {
@@ -218,8 +233,10 @@ static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
     if (mtl->library->count == mtl->first) {
         return BURNISH_STATUS_OK;
     }
-    if (burnish_token_is(keyword, "d") || burnish_token_is(keyword, "Tr")) {
-        read_opacity(mtl, *keyword.bytes == 'd' ? 1 : 0);
+    if (burnish_token_is(keyword, "d")) {
+        read_opacity(mtl, &mtl->opacity, &mtl->has_opacity);
+    } else if (burnish_token_is(keyword, "Tr")) {
+        read_opacity(mtl, &mtl->transparency, &mtl->has_transparency);
     }
     return is_map(keyword) ? read_map(mtl) : BURNISH_STATUS_OK;
 }

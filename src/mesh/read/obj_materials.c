@@ -300,14 +300,14 @@ static burnish_status add_material(burnish_obj_materials *materials,
 static void warn_undrawn(burnish_obj_materials *materials) {
     enum { SHOWN = 3, REMEMBERED = 64 };
     const char *textures[REMEMBERED];
-    size_t texture_count = 0, transparent = 0;
+    size_t texture_count = 0, invisible = 0;
     char names[160] = "", line[300];
     for (size_t i = 0; i < materials->run_count; ++i) {
         const burnish_obj_run *run = &materials->runs[i];
         if (run->head != run || !run->entry) {
             continue;
         }
-        transparent += (size_t)run->entry->is_transparent;
+        invisible += (size_t)run->entry->is_invisible;
         size_t k = 0;
         while (run->entry->texture && k < texture_count && k < REMEMBERED &&
                strcmp(textures[k], run->entry->texture) != 0) {
@@ -322,19 +322,19 @@ static void warn_undrawn(burnish_obj_materials *materials) {
         used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", k > 0 ? ", " : "",
                                  burnish_token_quote(name).text);
     }
-    int used = 0;
     if (texture_count > 0) {
-        used = snprintf(line, sizeof line, "%zu%s texture%s (%s%s)", texture_count,
-                        texture_count == REMEMBERED ? " or more" : "",
-                        texture_count == 1 ? "" : "s", names, texture_count > SHOWN ? ", ..." : "");
+        snprintf(line, sizeof line, "%zu%s texture%s (%s%s)", texture_count,
+                 texture_count == REMEMBERED ? " or more" : "", texture_count == 1 ? "" : "s",
+                 names, texture_count > SHOWN ? ", ..." : "");
     }
-    if (transparent > 0) {
-        snprintf(line + used, sizeof line - (size_t)used, "%sthe transparency of %zu material%s",
-                 used > 0 ? " and " : "", transparent, transparent == 1 ? "" : "s");
-    }
-    if (texture_count > 0 || transparent > 0) {
+    if (texture_count > 0) {
         burnish_reader_warn(materials->reader, NULL, "%s %s not drawn", line,
-                            texture_count + (transparent > 0) > 1 ? "are" : "is");
+                            texture_count > 1 ? "are" : "is");
+    }
+    if (invisible > 0) {
+        burnish_reader_warn(materials->reader, NULL,
+                            "%zu material%s wholly transparent (d 0 or Tr 1) and drawn opaque",
+                            invisible, invisible == 1 ? " is" : "s are");
     }
 }
 

@@ -8,8 +8,8 @@
 
 typedef struct burnish_mtl_entry {
     char *name;
-    char *texture; /* the file of its first map, which is not drawn; NULL: none */
-    int is_transparent;
+    char *texture;    /* the file of its first map, which is not drawn; NULL: none */
+    int is_invisible; /* 1: wholly transparent in the file, and therefore opaque here */
     burnish_material material;
 } burnish_mtl_entry;
 

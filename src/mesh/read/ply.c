@@ -535,23 +535,30 @@ static burnish_status read_body(ply_state *ply) {
     return status;
 }
 
+/* Alpha 0 everywhere comes from programs that do not fill it. */
+static void check_alpha(const ply_state *ply) {
+    const burnish_mesh_data *mesh = ply->reader->mesh;
+    const size_t count = mesh->streams[BURNISH_COLOR].count;
+    uint8_t *rgba = burnish_colors(mesh);
+    unsigned any = ply->types[BURNISH_PLY_ALPHA] == BURNISH_PLY_NONE;
+    for (size_t i = 0; i < count && !any; ++i) {
+        any = rgba[4 * i + 3];
+    }
+    if (any || count == 0) {
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        rgba[4 * i + 3] = 255;
+    }
+    burnish_reader_warn(ply->reader, NULL, "alpha is 0 at every vertex: drawn opaque");
+}
+
 /* Says what of the file is not drawn or kept. */
 static void warn_undrawn(const ply_state *ply) {
-    const burnish_mesh_data *mesh = ply->reader->mesh;
     burnish_reader_warn_group(ply->reader, &ply->few_corners);
-    const uint8_t *rgba = burnish_colors(mesh);
-    int transparent = 0;
-    if (rgba && ply->types[BURNISH_PLY_ALPHA] != BURNISH_PLY_NONE) {
-        for (size_t i = 0; i < mesh->streams[BURNISH_COLOR].count && !transparent; ++i) {
-            transparent = rgba[4 * i + 3] < 255;
-        }
-    }
     if (ply->header.texture.size > 0) {
-        burnish_reader_warn(ply->reader, NULL, "1 texture (%s)%s not drawn",
-                            burnish_token_quote(ply->header.texture).text,
-                            transparent ? " and transparency (alpha) are" : " is");
-    } else if (transparent) {
-        burnish_reader_warn(ply->reader, NULL, "transparency (alpha) is not drawn");
+        burnish_reader_warn(ply->reader, NULL, "1 texture (%s) is not drawn",
+                            burnish_token_quote(ply->header.texture).text);
     }
     if (ply->header.has_face_colors) {
         burnish_reader_warn(ply->reader, NULL, "colours of faces are not drawn");
@@ -569,6 +576,7 @@ burnish_status burnish_read_ply(burnish_reader *reader) {
         status = read_body(&ply);
     }
     if (status == BURNISH_STATUS_OK) {
+        check_alpha(&ply);
         warn_undrawn(&ply);
         status = burnish_cut_polygons(reader);
     }

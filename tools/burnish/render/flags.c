@@ -403,6 +403,18 @@ static const cli_flag flags[] = {
      .handler = cli_flag_word,
      .words = render_preset_words,
      TARGET(material)},
+    {.name = "opacity",
+     .value = "F",
+     .help = "of the whole object",
+     .default_label = "the input's",
+     .low = 0,
+     .high = 1,
+     .manual =
+         "Opacity of the whole object, from 0 to 1, times that of the input's materials (*d*, "
+         "*Tr*) and colours (alpha). Transparent surfaces are drawn in the order of their "
+         "depths at every sample, both sides of them, and cast no shadows.",
+     .handler = cli_flag_real,
+     TARGET(opacity)},
     {.name = "specular",
      .value = "F",
      .help = "strength of the highlight, ks",
@@ -623,6 +635,7 @@ static const cli_term json_terms[] = {
     {"*hidden*", "share of the object's area that belongs to the other triangles"},
     {"*covered_pixels, pixel_bounds*",
      "pixels that show the object; x0, y0, x1, y1, ends excluded"},
+    {"*layers_dropped*", "transparent layers of samples that were left out: beyond 32"},
     {"*near_white, near_black*",
      "shares of those pixels whose channels are all at least 250, or at most 5"},
     {"*like_ground*", "share of those pixels whose channels all are within 5 of the background's; "

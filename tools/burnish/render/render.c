@@ -84,6 +84,13 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
                            input, cell->report.lobe_fallbacks,
                            burnish_mesh_material_count(result->mesh), lobe);
     }
+    if (cell->report.layers_dropped > 0) {
+        render_result_warn(
+            result, 1,
+            "%.300s: some samples show more than %d transparent layers; the farthest "
+            "ones are left out",
+            input, BURNISH_TRANSPARENT_LAYERS_MAX);
+    }
     if (cell->report.covered_pixels == 0) {
         ++result->blank_cells;
         render_result_warn(result, !result->settings->fail_on_blank,

@@ -101,6 +101,7 @@ static void add_picture(cJSON *object, const render_cell *cell, int *failed) {
     cli_json_add(object, "triangles_drawn", cli_json_count(cell->report.triangles_drawn), failed);
     cli_json_add(object, "hidden", cli_json_real(cell->report.hidden_share), failed);
     cli_json_add(object, "covered_pixels", cli_json_count(cell->report.covered_pixels), failed);
+    cli_json_add(object, "layers_dropped", cli_json_count(cell->report.layers_dropped), failed);
     cli_json_add(object, "pixel_bounds", cli_json_array(4, integer_at, cell->report.bounds),
                  failed);
     cli_json_add(object, "near_white", cli_json_real(cell->tones.near_white), failed);

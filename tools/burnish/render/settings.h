@@ -102,7 +102,7 @@ typedef struct render_settings {
 
     cli_color color;
     int material; /* 1 + index into render_presets; 0: the input's own */
-    cli_real specular, exponent;
+    cli_real specular, exponent, opacity;
     render_lobes lobes;
     int equation, viewer;
     render_lights lights;
@@ -128,7 +128,8 @@ burnish_status render_finish(render_settings *settings, burnish_error *error);
 burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
                            burnish_error *error);
 
-/* Changes every material as --color, --material, --specular and --exponent say. */
+/* Changes every material as --color, --material, --specular, --exponent and
+ * --opacity say. */
 burnish_status render_adjust_materials(const render_settings *settings, burnish_mesh *mesh,
                                        burnish_error *error);
 

@@ -255,7 +255,7 @@ burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
     return burnish_mesh_load(settings->input, &options, mesh, error);
 }
 
-/* One material as --color, --material, --specular and --exponent want it. */
+/* One material as the flags want it. */
 static burnish_material adjusted_material(const render_settings *settings,
                                           burnish_material material) {
     if (settings->color.given) {
@@ -282,6 +282,9 @@ static burnish_material adjusted_material(const render_settings *settings,
     }
     if (settings->exponent.given) {
         material.exponent = (float)settings->exponent.value;
+    }
+    if (settings->opacity.given) {
+        material.transparency = 1 - (float)settings->opacity.value * (1 - material.transparency);
     }
     return material;
 }

@@ -1,0 +1,159 @@
+#include "render/transparency.h"
+
+#include <string.h>
+
+#include "burnish/render.h"
+
+_Static_assert((int)BURNISH_LAYERS_MAX == BURNISH_TRANSPARENT_LAYERS_MAX, "what render.h says");
+
+/* ---- Triangles ---- */
+
+/* What the tasks of find_range share. */
+typedef struct find_context {
+    const burnish_transparency *transparency;
+    const burnish_mesh_view *mesh;
+} find_context;
+
+static int is_transparent(const find_context *find, size_t triangle) {
+    const burnish_mesh_view *mesh = find->mesh;
+    const size_t material = mesh->triangle_materials ? mesh->triangle_materials[triangle] : 0;
+    int alpha = 255;
+    for (size_t k = 0; find->transparency->has_alpha && k < 3; ++k) {
+        alpha &= mesh->colors[4 * (size_t)mesh->indices[3 * triangle + k] + 3];
+    }
+    return find->transparency->opacities[material] < 1 || alpha < 255;
+}
+
+/* The masks of some batches. */
+static void find_range(void *context, size_t first, size_t end) {
+    const find_context *find = context;
+    const size_t count = find->mesh->triangle_count;
+    for (size_t batch = first; batch < end; ++batch) {
+        unsigned mask = 0;
+        for (size_t i = 0; i < BURNISH_BATCH_SIZE && batch * BURNISH_BATCH_SIZE + i < count; ++i) {
+            mask |= (unsigned)is_transparent(find, batch * BURNISH_BATCH_SIZE + i) << i;
+        }
+        find->transparency->masks[batch] = (uint16_t)mask;
+    }
+}
+
+/* Materials that are transparent, and whether alpha counts, as a number (FNV-1a). */
+static uint64_t key_of(const burnish_transparency *transparency, size_t material_count) {
+    uint64_t key = 0xcbf29ce484222325u ^ (uint64_t)transparency->has_alpha;
+    for (size_t i = 0; i < material_count; ++i) {
+        key = (key ^ (uint64_t)(transparency->opacities[i] < 1)) * 0x100000001b3u;
+    }
+    return key ? key : 1;
+}
+
+burnish_status burnish_transparency_update(burnish_transparency *transparency,
+                                           const burnish_mesh *mesh, int ignore_colors,
+                                           burnish_tasks *tasks, burnish_memory *memory) {
+    enum { GRAIN = 1024 /* batches */ };
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const size_t materials = burnish_mesh_material_count(mesh);
+    const size_t batches = (view->triangle_count + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
+    transparency->has_alpha = view->has_transparent_colors && !ignore_colors;
+    transparency->has_some = transparency->has_alpha;
+    transparency->key = 0;
+    transparency->opacities =
+        burnish_reserve_discard(memory, transparency->opacities, &transparency->opacity_capacity,
+                                materials, sizeof *transparency->opacities, "opacities");
+    for (size_t i = 0; memory->status == BURNISH_STATUS_OK && i < materials; ++i) {
+        transparency->opacities[i] = 1 - burnish_mesh_material(mesh, i)->transparency;
+        transparency->has_some |= transparency->opacities[i] < 1;
+    }
+    if (memory->status != BURNISH_STATUS_OK || !transparency->has_some) {
+        return memory->status;
+    }
+    transparency->masks =
+        burnish_reserve_discard(memory, transparency->masks, &transparency->mask_capacity, batches,
+                                sizeof *transparency->masks, "transparent triangles");
+    if (transparency->masks) {
+        find_context find = {transparency, view};
+        burnish_tasks_ranges(tasks, batches, GRAIN, find_range, &find);
+        transparency->key = key_of(transparency, materials);
+    }
+    return memory->status;
+}
+
+burnish_status burnish_transparency_add_clipped(burnish_transparency *transparency,
+                                                const burnish_geometry *geometry,
+                                                burnish_memory *memory) {
+    const size_t first = geometry->mesh_batches;
+    if (!transparency->has_some || geometry->batch_count == first) {
+        return BURNISH_STATUS_OK;
+    }
+    transparency->masks = burnish_reserve(memory, transparency->masks, &transparency->mask_capacity,
+                                          geometry->batch_count, sizeof *transparency->masks,
+                                          "transparent triangles");
+    if (memory->status != BURNISH_STATUS_OK) {
+        return memory->status;
+    }
+    memset(transparency->masks + first, 0,
+           (geometry->batch_count - first) * sizeof *transparency->masks);
+    for (size_t i = 0; i < geometry->clipped_count; ++i) {
+        const uint32_t id = geometry->clipped_ids[i];
+        const unsigned bit =
+            transparency->masks[id / BURNISH_BATCH_SIZE] >> id % BURNISH_BATCH_SIZE & 1;
+        transparency->masks[first + i / BURNISH_BATCH_SIZE] |=
+            (uint16_t)(bit << i % BURNISH_BATCH_SIZE);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+void burnish_transparency_destroy(burnish_transparency *transparency,
+                                  const burnish_context *context) {
+    burnish_release(context, transparency->opacities);
+    burnish_release(context, transparency->masks);
+    memset(transparency, 0, sizeof *transparency);
+}
+
+/* ---- Light ---- */
+
+burnish_layer_light *burnish_layer_light_create(int samples, burnish_memory *memory) {
+    const size_t size =
+        sizeof(burnish_layer_light) + (size_t)samples * BURNISH_TILE_PIXELS * sizeof(float);
+    return burnish_allocate(memory, size, 1, "layers");
+}
+
+void burnish_layer_light_clear(burnish_layer_light *layers, int samples) {
+    memset(layers->light, 0, sizeof layers->light);
+    memset(layers->covered, 0, sizeof layers->covered);
+    for (size_t i = 0; i < (size_t)samples * BURNISH_TILE_PIXELS; ++i) {
+        layers->through[i] = 1.0f;
+    }
+}
+
+static float opacity_of(const burnish_surface *surface, const burnish_fragments *fragments, int i) {
+    const burnish_primitive *primitive = &fragments->primitives[i];
+    const size_t material = surface->triangle_materials
+                                ? surface->triangle_materials[primitive->id_and_facing >> 1]
+                                : 0;
+    float opacity = surface->transparency->opacities[material];
+    if (surface->transparency->has_alpha) {
+        opacity *= burnish_fragment_alpha(surface->attributes, fragments, i);
+    }
+    return opacity < 0 ? 0 : opacity > 1 ? 1 : opacity;
+}
+
+void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface *surface,
+                             const burnish_fragments *fragments, const float *const *rgb,
+                             int samples, float limit) {
+    for (int i = 0; i < fragments->count; ++i) {
+        const int pixel = fragments->pixels[i];
+        const unsigned bits = fragments->samples[i];
+        const float opacity = opacity_of(surface, fragments, i);
+        const float seen = opacity * burnish_layers_through(layers, samples, pixel, bits);
+        for (int k = 0; rgb && k < 3; ++k) {
+            const float value = rgb[k][i];
+            layers->light[k][pixel] += seen * (value < limit ? value : limit);
+        }
+        for (unsigned rest = bits; rest; rest &= rest - 1) {
+            layers->through[burnish_sample_index(samples, pixel, __builtin_ctz(rest))] *=
+                1.0f - opacity;
+        }
+        layers->covered[pixel / BURNISH_BLOCK_PIXELS] |=
+            (uint16_t)(1u << pixel % BURNISH_BLOCK_PIXELS);
+    }
+}

@@ -1,0 +1,543 @@
+/* Transparency: overlapping squares against the closed form of compositing, layers of random scenes
+ * against triangles drawn one by one, planes and counts against those of an opaque mesh. */
+#include <math.h>
+
+#include "burnish/render.h"
+#include "compare_scene.h"
+#include "mesh_arrays.h"
+#include "raster/layers.h"
+
+/* ---- Closed form ---- */
+
+enum { SQUARES = 40, SIZE = 24 };
+
+typedef struct stack {
+    int count;
+    float heights[SQUARES], transparency[SQUARES], color[SQUARES][3]; /* colours linear */
+} stack;
+
+static stack make_stack(int count, uint64_t *state) {
+    stack s = {.count = count};
+    for (int i = 0; i < count; ++i) {
+        s.heights[i] = (float)i * 0.25f; /* the first one is the farthest */
+        s.transparency[i] = test_uniform_float(state, 0.05f, 0.95f);
+        for (int k = 0; k < 3; ++k) {
+            s.color[i][k] = test_uniform_float(state, 0, 1);
+        }
+    }
+    return s;
+}
+
+/* Squares of 2 x 2, a material each, in any order and wound either way. */
+static burnish_mesh *make_squares(const stack *s, uint64_t *state) {
+    static float positions[12 * SQUARES];
+    static uint32_t faces[6 * SQUARES];
+    static uint16_t triangle_materials[2 * SQUARES];
+    burnish_material materials[SQUARES];
+    int order[SQUARES];
+    for (int i = 0; i < s->count; ++i) {
+        const int other = (int)(test_random32(state) % (uint32_t)(i + 1));
+        order[i] = order[other];
+        order[other] = i;
+    }
+    for (int i = 0; i < s->count; ++i) {
+        const int at = order[i];
+        const float z = s->heights[at];
+        const float corners[12] = {-1, -1, z, 1, -1, z, 1, 1, z, -1, 1, z};
+        const uint32_t v = 4 * (uint32_t)i, turn = test_random32(state) % 2;
+        const uint32_t face[6] = {v, v + 1 + turn, v + 2 - turn, v, v + 2 + turn, v + 3 - turn};
+        memcpy(positions + 12 * i, corners, sizeof corners);
+        memcpy(faces + 6 * i, face, sizeof face);
+        triangle_materials[2 * i] = triangle_materials[2 * i + 1] = (uint16_t)i;
+        materials[i] = (burnish_material){.exponent = 1, .transparency = s->transparency[at]};
+        memcpy(materials[i].ambient, s->color[at], sizeof materials[i].ambient);
+    }
+    burnish_mesh_description arrays =
+        describe_arrays(positions, NULL, NULL, 4 * (size_t)s->count, faces, 2 * (size_t)s->count);
+    arrays.triangle_materials =
+        (burnish_array){triangle_materials, 2 * (size_t)s->count, sizeof *triangle_materials};
+    arrays.materials = materials;
+    arrays.material_count = (size_t)s->count;
+    const burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error;
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
+}
+
+/* Ambient light of 1 and nothing else: every surface has its material's colour. Half of the picture
+ * shows squares, whose edges lie on edges of pixels or in their middle. */
+static burnish_render_options square_options(int samples, int is_odd) {
+    burnish_render_options options = burnish_render_options_default();
+    options.width = options.height = SIZE + is_odd;
+    options.samples = samples;
+    options.light_count = 0;
+    options.camera.position[2] = 30;
+    options.camera.orthographic_height = 4.0 * (SIZE + is_odd) / SIZE;
+    for (int k = 0; k < 3; ++k) {
+        options.ambient_light[k] = 1;
+        options.background[k] = (uint8_t)(60 * k + 100);
+    }
+    return options;
+}
+
+/* Front to back, in double precision: (r, g, b, alpha), premultiplied. */
+static void composite(const stack *s, double sum[4]) {
+    double through = 1;
+    memset(sum, 0, 4 * sizeof *sum);
+    for (int i = s->count - 1; i >= 0; --i) {
+        const double opacity = 1 - (double)s->transparency[i];
+        for (int k = 0; k < 3; ++k) {
+            sum[k] += through * opacity * (double)s->color[i][k];
+        }
+        through *= 1 - opacity;
+    }
+    sum[3] = 1 - through;
+}
+
+static void draw_floats(const burnish_mesh *mesh, const burnish_render_options *options,
+                        float *pixels, burnish_render_report *report) {
+    burnish_target target = burnish_target_default();
+    burnish_renderer *renderer;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    target.pixels = (burnish_pixels){options->width, options->height, BURNISH_PIXELS_RGBA_FLOAT,
+                                     16 * (size_t)options->width, (uint8_t *)pixels};
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &target, report, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    burnish_renderer_destroy(renderer);
+}
+
+static void check_squares(int count, int samples, int transparent, int is_odd, uint64_t *state) {
+    static float pixels[(SIZE + 1) * (SIZE + 1)][4];
+    const stack s = make_stack(count, state);
+    burnish_mesh *mesh = make_squares(&s, state);
+    burnish_render_options options = square_options(samples, is_odd);
+    burnish_render_report report;
+    double sum[4];
+    options.transparent = transparent;
+    draw_floats(mesh, &options, pixels[0], &report);
+    composite(&s, sum);
+    for (int y = 0; y < options.height; ++y) {
+        for (int x = 0; x < options.width; ++x) {
+            const double u = fabs(x + 0.5 - options.width / 2.0);
+            const double v = fabs(y + 0.5 - options.height / 2.0), half = SIZE / 4.0;
+            const double inside = half - (u > v ? u : v); /* pixels from the edge */
+            const float *pixel = pixels[y * options.width + x];
+            if (fabs(inside) < 0.6 && (samples > 1 || is_odd)) {
+                continue; /* in part, or on an edge */
+            }
+            double expected[4] = {0, 0, 0, transparent ? 0 : 1};
+            for (int k = 0; k < 3; ++k) {
+                const double light =
+                    (double)burnish_srgb_decode((float)options.background[k] / 255);
+                expected[k] = inside > 0 ? sum[k] : 0;
+                expected[k] = transparent ? (inside > 0 ? sum[k] / sum[3] : 0)
+                                          : expected[k] + (inside > 0 ? 1 - sum[3] : 1) * light;
+            }
+            expected[3] = transparent && inside > 0 ? sum[3] : expected[3];
+            for (int k = 0; k < 4; ++k) {
+                CHECK(fabs((double)pixel[k] - expected[k]) < 2e-6,
+                      "%d squares, %d samples, transparent %d, pixel %d,%d[%d]: %.8f, not %.8f",
+                      count, samples, transparent, x, y, k, (double)pixel[k], expected[k]);
+            }
+        }
+    }
+    CHECK(report.triangles_drawn == 2 * (size_t)count && report.layers_dropped == 0,
+          "%zu triangles, %zu dropped", report.triangles_drawn, report.layers_dropped);
+    CHECK(is_odd || report.covered_pixels == SIZE * SIZE / 4, "%zu pixels", report.covered_pixels);
+    burnish_mesh_destroy(mesh);
+}
+
+static void test_squares(void) {
+    uint64_t state = test_seed(1);
+    for (int round = 0; round < 24; ++round) {
+        static const int counts[] = {1, 4, 8, 16};
+        check_squares(1 + round % 12 * 2, counts[round % 4], round / 4 % 2, round / 8 % 2, &state);
+    }
+    check_squares(BURNISH_LAYERS_MAX, 4, 1, 0, &state);
+}
+
+/* Of more layers than are kept the nearest stay, and the others are counted. */
+static void test_limit(void) {
+    static float more[SIZE * SIZE][4], kept[SIZE * SIZE][4];
+    uint64_t state = test_seed(2);
+    const int extra = SQUARES - BURNISH_LAYERS_MAX;
+    stack s = make_stack(SQUARES, &state), nearest = {.count = BURNISH_LAYERS_MAX};
+    for (int i = 0; i < nearest.count; ++i) {
+        nearest.heights[i] = s.heights[i + extra];
+        nearest.transparency[i] = s.transparency[i + extra];
+        memcpy(nearest.color[i], s.color[i + extra], sizeof s.color[i]);
+    }
+    const burnish_render_options options = square_options(4, 0);
+    burnish_mesh *first = make_squares(&s, &state), *second = make_squares(&nearest, &state);
+    burnish_render_report report;
+    draw_floats(first, &options, more[0], &report);
+    CHECK(report.layers_dropped == (size_t)extra * 4 * SIZE * SIZE / 4, "%zu",
+          report.layers_dropped);
+    draw_floats(second, &options, kept[0], &report);
+    CHECK1(report.layers_dropped == 0);
+    CHECK1(memcmp(more, kept, sizeof more) == 0);
+    burnish_mesh_destroy(first);
+    burnish_mesh_destroy(second);
+}
+
+/* ---- Layers against triangles drawn one by one ---- */
+
+/* Small, large and piercing triangles, some exactly on one another. */
+static void make_triangles(random_scene *scene, uint64_t *state) {
+    static const float sizes[] = {1.5f, 6, 20, 60, 300};
+    const size_t count = 1 + test_random32(state) % 50;
+    scene->vertex_count = scene->triangle_count = 0;
+    while (scene->triangle_count < count) {
+        uint32_t *corners = scene->indices + 3 * scene->triangle_count++;
+        const float size = sizes[test_random32(state) % 5];
+        const float center[3] = {test_uniform_float(state, -40, 40),
+                                 test_uniform_float(state, -40, 40),
+                                 test_uniform_float(state, -40, 40)};
+        for (uint32_t i = 0; i < 3; ++i) {
+            float p[3];
+            for (int k = 0; k < 3; ++k) {
+                p[k] = center[k] + test_uniform_float(state, -size, size);
+            }
+            corners[i] = (uint32_t)scene->vertex_count;
+            add_vertex(scene, p, state);
+        }
+        if (scene->triangle_count > 1 && test_random32(state) % 4 == 0) {
+            memcpy(corners, corners - 3, 3 * sizeof *corners);
+            if (test_random32(state) % 2) {
+                corners[0] = corners[-2];
+                corners[1] = corners[-3];
+            }
+        }
+    }
+}
+
+typedef struct expected_layers {
+    int counts[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
+    burnish_layer items[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES][64];
+} expected_layers;
+
+/* Every transparent triangle alone: where it is nearer than the opaque ones it is a layer. */
+static void draw_layers(const reference_tile *opaque, const burnish_raster_view *view,
+                        const burnish_geometry *geometry, const uint32_t *indices, size_t count,
+                        int column, int row, expected_layers *layers) {
+    reference_tile alone;
+    CHECK1(reference_tile_create(&alone, opaque->samples, NULL) == BURNISH_STATUS_OK);
+    memset(layers->counts, 0, sizeof layers->counts);
+    for (size_t t = 0; t < count; ++t) {
+        reference_draw_indices(&alone, view, geometry, column, row, &indices[t], 1);
+        const uint32_t back = reference_side(geometry, indices[t]) == 1;
+        for (int i = 0; i < BURNISH_TILE_PIXELS * opaque->samples; ++i) {
+            const float depth = alone.depths[i];
+            if (alone.triangles[i] == REFERENCE_NO_TRIANGLE || !(depth > opaque->depths[i])) {
+                continue;
+            }
+            int at = layers->counts[i]++;
+            for (; at > 0 && depth > layers->items[i][at - 1].depth; --at) {
+                layers->items[i][at] = layers->items[i][at - 1];
+            }
+            layers->items[i][at] = (burnish_layer){depth, indices[t] * 2 + back};
+        }
+    }
+    reference_tile_destroy(&alone);
+}
+
+/* Samples whose layers differ. */
+static int compare_layers(const burnish_tile *fast, const expected_layers *expected, int *seen) {
+    const int samples = fast->options.samples;
+    int wrong = 0;
+    for (int i = 0; i < BURNISH_TILE_PIXELS * samples; ++i) {
+        const int pixel = i / samples, x = pixel % BURNISH_TILE_SIZE, y = pixel / BURNISH_TILE_SIZE;
+        if (x >= fast->width || y >= fast->height) {
+            continue;
+        }
+        const int at = burnish_sample_index(samples, burnish_pixel_index(x, y), i % samples);
+        const int count = fast->layers->has_some ? fast->layers->counts[at] : 0;
+        const int wanted =
+            expected->counts[i] < BURNISH_LAYERS_MAX ? expected->counts[i] : BURNISH_LAYERS_MAX;
+        *seen += count;
+        wrong += count != wanted ||
+                 memcmp(fast->layers->items + (size_t)at * BURNISH_LAYERS_MAX, expected->items[i],
+                        (size_t)count * sizeof(burnish_layer)) != 0;
+    }
+    return wrong;
+}
+
+/* Weights of fragments lie in their triangles, and all samples are handed over once. */
+static void check_fragments(const burnish_tile *fast, const burnish_raster_view *view,
+                            const burnish_geometry *geometry) {
+    static burnish_fragments fragments;
+    burnish_layer_cursor cursor = {0};
+    int expected = 0, samples = 0, wrong = 0;
+    for (int i = 0; fast->layers->has_some && i < BURNISH_TILE_PIXELS * fast->options.samples;
+         ++i) {
+        expected += fast->layers->counts[i];
+    }
+    while (burnish_layers_next(fast, view, geometry, &cursor, &fragments)) {
+        for (int i = 0; i < fragments.count; ++i) {
+            const float weight1 = fragments.weight1[i], weight2 = fragments.weight2[i];
+            samples += fragments.weight[i];
+            wrong += fragments.weight[i] != __builtin_popcount(fragments.samples[i]);
+            wrong += !(weight1 >= -1e-5f && weight2 >= -1e-5f && weight1 + weight2 <= 1 + 1e-5f);
+        }
+        if (!fast->layers->has_some) {
+            break;
+        }
+    }
+    CHECK(wrong == 0 && (samples == expected || !fast->layers->has_some),
+          "%d fragments wrong, %d samples of %d", wrong, samples, expected);
+}
+
+static void check_layers(const random_scene *scene, const burnish_raster_view *view, int number,
+                         uint64_t *state, int *seen) {
+    static burnish_geometry geometry;
+    static burnish_bins bins;
+    static expected_layers layers;
+    static uint16_t masks[2 * MOST_TRIANGLES];
+    const burnish_isa_ops *ops = burnish_isa_ops_for(pick_isa(state));
+    const burnish_triangles triangles = {scene->positions, scene->vertex_count, scene->indices,
+                                         scene->triangle_count};
+    const burnish_tile_options options = {.samples = view->samples, .keep_ids = 1, .has_layers = 1};
+    reference_tile tile;
+    burnish_tile fast;
+    burnish_geometry_update(&geometry, ops, view, &triangles, NULL, NULL);
+    uint32_t *indices = malloc((reference_primitive_count(&geometry) + 1) * sizeof *indices);
+    uint32_t *parts[2] = {malloc((reference_primitive_count(&geometry) + 1) * sizeof *indices),
+                          malloc((reference_primitive_count(&geometry) + 1) * sizeof *indices)};
+    for (size_t i = 0; i < geometry.batch_count; ++i) {
+        masks[i] = (uint16_t)(test_random32(state) | test_random32(state));
+    }
+    reference_tile_create(&tile, view->samples, NULL);
+    burnish_tile_create(&fast, &options, NULL, NULL);
+    fast.transparent = masks;
+    burnish_bins_begin(&bins, NULL);
+    burnish_bin_tiles(&bins, ops, &geometry, view, NULL, NULL);
+    for (int i = 0; i < bins.columns * bins.end_row; ++i) {
+        const int column = i % bins.columns, row = i / bins.columns;
+        size_t counts[2] = {0, 0};
+        const size_t count = reference_read_lists(&bins, column, row, indices);
+        for (size_t k = 0; k < count; ++k) {
+            const unsigned part =
+                masks[indices[k] / BURNISH_BATCH_SIZE] >> indices[k] % BURNISH_BATCH_SIZE & 1;
+            parts[part][counts[part]++] = indices[k];
+        }
+        reference_draw_indices(&tile, view, &geometry, column, row, indices, 0);
+        for (int k = 0; k < BURNISH_TILE_PIXELS * view->samples; ++k) {
+            tile.depths[k] = -1e30f;
+            tile.triangles[k] = REFERENCE_NO_TRIANGLE;
+        }
+        reference_draw_indices(&tile, view, &geometry, column, row, parts[0], counts[0]);
+        draw_layers(&tile, view, &geometry, parts[1], counts[1], column, row, &layers);
+        if (burnish_tile_draw(&fast, ops, view, &geometry, &bins, column, row)) {
+            CHECK(compare_owners(&tile, &fast, &geometry) == 0, "scene %d: opaque triangles",
+                  number);
+            CHECK(compare_layers(&fast, &layers, seen) == 0, "scene %d: layers", number);
+            check_fragments(&fast, view, &geometry);
+        }
+    }
+    free(indices);
+    free(parts[0]);
+    free(parts[1]);
+    burnish_tile_destroy(&fast);
+    reference_tile_destroy(&tile);
+}
+
+static void test_layers(int scenes) {
+    static random_scene scene;
+    uint64_t state = test_seed(3);
+    int seen = 0;
+    for (int i = 0; i < scenes; ++i) {
+        static const int counts[] = {4, 1, 8, 1, 16, 1};
+        burnish_raster_view view = {.width = 80, .height = 70, .samples = counts[i % 6]};
+        if (i % 2) {
+            view.rows[0][0] = view.rows[1][1] = 100;
+            view.rows[2][3] = 0x1p-14f;
+            view.rows[3][2] = -1;
+            view.rows[3][3] = 60; /* the eye is among them: some are clipped */
+        } else {
+            view.rows[0][0] = view.rows[1][1] = view.rows[3][3] = 1;
+            view.rows[2][2] = 0.002f;
+            view.rows[2][3] = 0.5f;
+        }
+        make_triangles(&scene, &state);
+        check_layers(&scene, &view, i, &state, &seen);
+    }
+    CHECK(seen > 1000 * scenes, "%d layers", seen);
+}
+
+/* ---- Pictures ---- */
+
+static burnish_mesh *load(const char *name) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error;
+    options.tessellation = 6;
+    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    return mesh;
+}
+
+static void set_transparency(burnish_mesh *mesh, float value) {
+    burnish_material material = *burnish_mesh_material(mesh, 0);
+    material.transparency = value;
+    CHECK1(burnish_mesh_set_material(mesh, 0, &material, NULL) == BURNISH_STATUS_OK);
+}
+
+static burnish_render_options options_for(const burnish_mesh *mesh, int samples) {
+    burnish_render_options options = burnish_render_options_default();
+    const burnish_framing framing = burnish_framing_default();
+    options.width = 97;
+    options.height = 83;
+    options.samples = samples;
+    burnish_camera_frame(mesh, &framing, &options.camera, NULL);
+    return options;
+}
+
+typedef struct drawn_planes {
+    uint8_t pixels[83][97 * 4], coverage[83][97];
+    float depth[83][97], normals[83][97 * 3];
+    uint32_t triangles[83][97];
+} drawn_planes;
+
+static void draw_planes(burnish_renderer *renderer, const burnish_mesh *mesh,
+                        const burnish_render_options *options, drawn_planes *to,
+                        burnish_render_report *report) {
+    burnish_target target = burnish_target_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    memset(to, 0, sizeof *to);
+    target.pixels =
+        (burnish_pixels){97, 83, BURNISH_PIXELS_RGBA8, sizeof to->pixels[0], to->pixels[0]};
+    target.depth = to->depth[0];
+    target.depth_stride = sizeof to->depth[0];
+    target.normals = to->normals[0];
+    target.normal_stride = sizeof to->normals[0];
+    target.triangles = to->triangles[0];
+    target.triangle_stride = sizeof to->triangles[0];
+    target.coverage = to->coverage[0];
+    target.coverage_stride = sizeof to->coverage[0];
+    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &target, report, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+}
+
+/* Planes show the nearest triangle, transparent or not; the pixels with planes are those without.
+ * A renderer draws glass, stone and glass again as a fresh one does. */
+static void test_planes(int samples) {
+    static drawn_planes stone, glass, again;
+    burnish_mesh *mesh = load(":knot");
+    burnish_render_options options = options_for(mesh, samples);
+    burnish_render_report opaque, transparent;
+    burnish_renderer *renderer, *fresh;
+    burnish_image image = {0};
+    options.transparent = 1;
+    options.occlusion = 4;
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_create(NULL, &fresh, NULL) == BURNISH_STATUS_OK);
+    draw_planes(renderer, mesh, &options, &stone, &opaque);
+    set_transparency(mesh, 0.5f);
+    draw_planes(renderer, mesh, &options, &glass, &transparent);
+    draw_planes(fresh, mesh, &options, &again, &transparent);
+    CHECK1(memcmp(&glass, &again, sizeof glass) == 0);
+    CHECK1(memcmp(stone.depth, glass.depth, sizeof stone.depth) == 0);
+    CHECK1(memcmp(stone.normals, glass.normals, sizeof stone.normals) == 0);
+    CHECK1(memcmp(stone.triangles, glass.triangles, sizeof stone.triangles) == 0);
+    CHECK1(memcmp(stone.coverage, glass.coverage, sizeof stone.coverage) == 0);
+    CHECK1(memcmp(stone.pixels, glass.pixels, sizeof stone.pixels) != 0);
+    CHECK1(opaque.covered_pixels == transparent.covered_pixels);
+    CHECK1(memcmp(opaque.bounds, transparent.bounds, sizeof opaque.bounds) == 0);
+    CHECK(opaque.triangles_drawn < transparent.triangles_drawn, "%zu, then %zu",
+          opaque.triangles_drawn, transparent.triangles_drawn);
+    CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
+    CHECK1(memcmp(image.pixels, glass.pixels, sizeof glass.pixels) == 0);
+    set_transparency(mesh, 0);
+    draw_planes(renderer, mesh, &options, &again, &opaque);
+    CHECK1(memcmp(&stone, &again, sizeof stone) == 0);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_renderer_destroy(fresh);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Neither threads nor the instruction set change a bit. */
+static void test_bits(int samples) {
+    static const burnish_isa isas[] = {BURNISH_ISA_SCALAR, BURNISH_ISA_SSE2, BURNISH_ISA_AVX2,
+                                       BURNISH_ISA_AVX512, BURNISH_ISA_NEON};
+    burnish_mesh *mesh = load(":knot");
+    burnish_render_options options = options_for(mesh, samples);
+    uint64_t expected = 0;
+    set_transparency(mesh, 0.7f);
+    options.occlusion = 2;
+    for (size_t i = 0; i < sizeof isas / sizeof *isas; ++i) {
+        for (int threads = 1; threads <= 7; threads += 3) {
+            burnish_image image = {0};
+            options.kernels = burnish_kernels_for(isas[i]);
+            options.threads = threads;
+            if (!options.kernels) {
+                continue;
+            }
+            CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
+            expected = expected ? expected : burnish_image_hash(&image);
+            CHECK(burnish_image_hash(&image) == expected, "%s, %d threads",
+                  burnish_isa_name(isas[i]), threads);
+            burnish_image_destroy(&image);
+        }
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* Alpha of vertices is interpolated, and ignored with their colours. */
+static void test_vertex_alpha(void) {
+    static const float positions[12] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    static const uint32_t faces[6] = {0, 1, 2, 0, 2, 3};
+    static float pixels[SIZE * SIZE][4];
+    const uint8_t colors[16] = {255, 255, 255, 0,   255, 255, 255, 255,
+                                255, 255, 255, 255, 255, 255, 255, 0};
+    const burnish_load_options load_options = burnish_load_options_default();
+    const burnish_mesh_description arrays = describe_arrays(positions, NULL, colors, 4, faces, 2);
+    burnish_render_options options = square_options(4, 0);
+    burnish_mesh *mesh;
+    CHECK1(burnish_mesh_create(&arrays, &load_options, &mesh, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_get_view(mesh)->has_transparent_colors);
+    options.transparent = 1;
+    draw_floats(mesh, &options, pixels[0], NULL);
+    for (int x = SIZE / 4; x < SIZE * 3 / 4; ++x) {
+        const double expected = (x + 0.5 - SIZE / 4.0) / (SIZE / 2.0);
+        CHECK(fabs((double)pixels[SIZE / 2 * SIZE + x][3] - expected) < 1e-5, "column %d: %g", x,
+              (double)pixels[SIZE / 2 * SIZE + x][3]);
+    }
+    options.ignore_colors = 1;
+    draw_floats(mesh, &options, pixels[0], NULL);
+    CHECK1(pixels[SIZE / 2 * SIZE + SIZE / 4][3] == 1);
+    burnish_mesh_destroy(mesh);
+}
+
+static void test_material_check(void) {
+    burnish_mesh *mesh = load(":sphere");
+    burnish_material material = *burnish_mesh_material(mesh, 0);
+    burnish_error error;
+    static const float wrong[] = {-0.1f, 1.1f, NAN, INFINITY};
+    for (int i = 0; i < 4; ++i) {
+        material.transparency = wrong[i];
+        CHECK1(burnish_mesh_set_material(mesh, 0, &material, &error) == BURNISH_STATUS_ARGUMENT);
+        CHECK(strstr(error.text, "transparency"), "%s", error.text);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, "--scenes");
+    const int scenes = test_option() ? atoi(test_option()) : 150;
+    RUN(test_squares());
+    RUN(test_limit());
+    RUN(test_layers(scenes));
+    RUN(test_planes(1));
+    RUN(test_planes(4));
+    RUN(test_planes(16));
+    RUN(test_bits(1));
+    RUN(test_bits(8));
+    RUN(test_vertex_alpha());
+    RUN(test_material_check());
+    return test_end("transparency");
+}
