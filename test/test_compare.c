@@ -1,0 +1,367 @@
+/* Comparing pictures: closed forms, SSIM by its definition, FLIP by its authors' program. */
+#include <math.h>
+
+#include "burnish/image.h"
+#include "counting_context.h"
+#include "support.h"
+
+#define CHECK_NEAR(actual, expected, most)                                                         \
+    CHECK(fabs((actual) - (expected)) <= (most), "got %.17g, expected %.17g", (double)(actual),    \
+          (double)(expected))
+
+static burnish_image make(int width, int height, int channels) {
+    burnish_image image;
+    if (burnish_image_create(&image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
+        exit(EXIT_FAILURE);
+    }
+    return image;
+}
+
+static burnish_image make_flat(int width, int height, const int rgb[3]) {
+    burnish_image image = make(width, height, 3);
+    for (size_t i = 0; i < 3 * (size_t)width * (size_t)height; ++i) {
+        image.pixels[i] = (uint8_t)rgb[i % 3];
+    }
+    return image;
+}
+
+/* Gradients, a disc and bars of many colours; `shift` moves them. */
+static burnish_image make_scene(int width, int height, int shift) {
+    burnish_image image = make(width, height, 3);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            uint8_t *rgb = image.pixels + 3 * ((size_t)y * (size_t)width + (size_t)x);
+            const int at = x + shift, dx = at - 24, dy = y - 20;
+            const int disc = dx * dx + dy * dy < 200, bar = (at / 5 + y / 9) % 4;
+            rgb[0] = (uint8_t)(disc ? 210 - 3 * y : 40 + 50 * bar);
+            rgb[1] = (uint8_t)(disc ? 90 + 2 * x : 200 - 30 * bar);
+            rgb[2] = (uint8_t)(disc ? 30 : 60 + x + y);
+        }
+    }
+    return image;
+}
+
+static burnish_comparison compare(const burnish_image *a, const burnish_image *b,
+                                  const burnish_compare_options *options) {
+    const burnish_pixels pa = burnish_image_pixels(a), pb = burnish_image_pixels(b);
+    burnish_comparison found;
+    burnish_error error = {0};
+    CHECK(burnish_pixels_compare(&pa, &pb, options, &found, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return found;
+}
+
+static void test_same(void) {
+    burnish_image image = make_scene(70, 150, 0);
+    const burnish_comparison same = compare(&image, &image, NULL);
+    CHECK1(same.pixels == 70 * 150 && same.different_pixels == 0);
+    CHECK1(same.bounds[2] == 0 && same.bounds[3] == 0 && same.largest[0] == 0);
+    CHECK1(same.mean_squared_error == 0 && isinf(same.psnr) && same.psnr > 0);
+    CHECK(same.ssim == 1 && same.flip == 0, "SSIM %.17g, FLIP %.17g", same.ssim, same.flip);
+    burnish_image_destroy(&image);
+}
+
+/* FLIP of two flat greys: HyAB is the difference of L*, and nothing has edges. */
+static double flat_flip(double a, double b) {
+    double linear[2] = {a / 255, b / 255}, lightness[2];
+    for (int i = 0; i < 2; ++i) {
+        const double c = linear[i];
+        const double y = c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+        lightness[i] = y > 216.0 / 24389 ? 116 * cbrt(y) - 16 : 24389.0 / 27 * y;
+    }
+    /* Green and blue have L* 87.7347 and 32.2970, a* -86.1827 and 79.1875, b* 83.1793 and
+     * -107.8602; FLIP takes a* and b* times L* / 100. */
+    const double da = 0.877347 * -86.1827 - 0.322970 * 79.1875;
+    const double db = 0.877347 * 83.1793 + 0.322970 * 107.8602;
+    const double largest = pow(87.7347 - 32.2970 + hypot(da, db), 0.7);
+    const double distance = pow(fabs(lightness[0] - lightness[1]), 0.7), knee = 0.4 * largest;
+    return distance < knee ? 0.95 / knee * distance
+                           : 0.95 + (distance - knee) / (largest - knee) * 0.05;
+}
+
+static void test_flat(void) {
+    static const int greys[][2] = {{100, 103}, {0, 255}, {255, 0}, {17, 18}, {200, 90}};
+    for (size_t i = 0; i < sizeof greys / sizeof *greys; ++i) {
+        const int a = greys[i][0], b = greys[i][1], d = abs(a - b);
+        burnish_image first = make_flat(31, 75, (int[]){a, a, a});
+        burnish_image second = make_flat(31, 75, (int[]){b, b, b});
+        const burnish_comparison found = compare(&first, &second, NULL);
+        const double c1 = 6.5025;
+        CHECK1(found.different_pixels == 31 * 75 && found.largest[2] == d && found.largest[3] == 0);
+        CHECK1(found.bounds[0] == 0 && found.bounds[1] == 0 && found.bounds[2] == 31 &&
+               found.bounds[3] == 75);
+        CHECK1(found.mean[0] == d && found.mean[3] == 0 && found.mean_squared_error == d * d);
+        CHECK_NEAR(found.psnr, 20 * log10(255.0 / d), 1e-12);
+        CHECK_NEAR(found.ssim, (2.0 * a * b + c1) / ((double)a * a + (double)b * b + c1), 1e-12);
+        CHECK_NEAR(found.flip, flat_flip(a, b), 2e-5);
+        CHECK(isnan(found.silhouette_iou), "flat pictures have no object");
+        burnish_image_destroy(&first);
+        burnish_image_destroy(&second);
+    }
+}
+
+/* Values of FLIP's authors' program (github.com/NVlabs/flip, C++, its mean summed in double
+ * precision), for PNG files of the same pictures. */
+static void test_flip(void) {
+    static const struct {
+        int width, height, shift;
+        double value;
+    } cases[] = {
+        {64, 48, 0, 0}, {64, 48, 1, 0.198363}, {64, 48, 7, 0.617012}, {100, 130, 2, 0.369176}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_image a = make_scene(cases[i].width, cases[i].height, 0);
+        burnish_image b = make_scene(cases[i].width, cases[i].height, cases[i].shift);
+        CHECK_NEAR(compare(&a, &b, NULL).flip, cases[i].value, 1e-6);
+        burnish_image_destroy(&a);
+        burnish_image_destroy(&b);
+    }
+}
+
+/* The map's mean is the value, and it is 0 far from a dot that differs. */
+static void test_map(void) {
+    static float map[90 * 140];
+    burnish_compare_options options = burnish_compare_options_default();
+    burnish_image a = make_flat(90, 140, (int[]){120, 130, 140}),
+                  b = make_flat(90, 140, (int[]){120, 130, 140});
+    double sum = 0;
+    memset(b.pixels + 3 * (70 * 90 + 45), 255, 3);
+    options.flip_map = map;
+    const burnish_comparison found = compare(&a, &b, &options);
+    for (int y = 0; y < 140; ++y) {
+        for (int x = 0; x < 90; ++x) {
+            const int away = abs(x - 45) > 10 || abs(y - 70) > 10;
+            sum += map[90 * y + x];
+            CHECK((map[90 * y + x] == 0) == away, "at %d, %d: %g", x, y, (double)map[90 * y + x]);
+        }
+    }
+    CHECK_NEAR(found.flip, sum / (90 * 140), 1e-9);
+    CHECK_NEAR((double)map[90 * 70 + 44], (double)map[90 * 70 + 46], 1e-6);
+    CHECK_NEAR((double)map[90 * 69 + 45], (double)map[90 * 70 + 44], 1e-6);
+    CHECK1(found.different_pixels == 1 && found.bounds[0] == 45 && found.bounds[1] == 70 &&
+           found.bounds[2] == 46 && found.bounds[3] == 71);
+    burnish_image_destroy(&a);
+    burnish_image_destroy(&b);
+}
+
+/* SSIM as its paper has it: every window by itself. */
+static double slow_ssim(const burnish_image *a, const burnish_image *b) {
+    double weights[11][11], all = 0, sum = 0;
+    for (int i = 0; i < 121; ++i) {
+        const int x = i % 11 - 5, y = i / 11 - 5;
+        all += weights[i / 11][i % 11] = exp(-(x * x + y * y) / 4.5);
+    }
+    for (int top = 0; top + 11 <= a->height; ++top) {
+        for (int left = 0; left + 11 <= a->width; ++left) {
+            double m[5] = {0};
+            for (int i = 0; i < 121; ++i) {
+                const size_t at = 3 * (size_t)((top + i / 11) * a->width + left + i % 11);
+                const uint8_t *p = a->pixels + at, *q = b->pixels + at;
+                const double u = 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
+                const double v = 0.299 * q[0] + 0.587 * q[1] + 0.114 * q[2];
+                const double w = weights[i / 11][i % 11] / all,
+                             terms[5] = {u, v, u * u, v * v, u * v};
+                for (int k = 0; k < 5; ++k) {
+                    m[k] += w * terms[k];
+                }
+            }
+            sum += (2 * m[0] * m[1] + 6.5025) * (2 * (m[4] - m[0] * m[1]) + 58.5225) /
+                   ((m[0] * m[0] + m[1] * m[1] + 6.5025) *
+                    (m[2] - m[0] * m[0] + m[3] - m[1] * m[1] + 58.5225));
+        }
+    }
+    return sum / ((a->width - 10) * (a->height - 10));
+}
+
+static void test_ssim(void) {
+    static const int sizes[][2] = {{11, 11}, {12, 11}, {11, 70}, {37, 64},
+                                   {20, 69}, {15, 74}, {15, 75}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        burnish_image a = make_scene(sizes[i][0], sizes[i][1], 0);
+        burnish_image b = make_scene(sizes[i][0], sizes[i][1], 3);
+        CHECK_NEAR(compare(&a, &b, NULL).ssim, slow_ssim(&a, &b), 1e-12);
+        burnish_image_destroy(&a);
+        burnish_image_destroy(&b);
+    }
+    burnish_image a = make_scene(10, 40, 0), b = make_scene(40, 10, 0);
+    CHECK(isnan(compare(&a, &a, NULL).ssim), "a side below the window's");
+    CHECK(isnan(compare(&b, &b, NULL).ssim), "a side below the window's");
+    burnish_image_destroy(&a);
+    burnish_image_destroy(&b);
+}
+
+/* A bar 10 wide that moves by 4: 2 * 4 columns differ; a tolerance of its contrast hides them. */
+static void test_bars(void) {
+    burnish_image a = make_flat(40, 100, (int[]){200, 200, 200}),
+                  b = make_flat(40, 100, (int[]){200, 200, 200});
+    burnish_compare_options options = burnish_compare_options_default();
+    for (int y = 60; y < 90; ++y) {
+        for (int x = 0; x < 10; ++x) {
+            a.pixels[3 * (40 * y + 12 + x) + 1] = 150;
+            b.pixels[3 * (40 * y + 16 + x) + 1] = 150;
+        }
+    }
+    burnish_comparison found = compare(&a, &b, &options);
+    CHECK1(found.different_pixels == 8 * 30 && found.largest[1] == 50 && found.largest[0] == 0);
+    CHECK1(found.bounds[0] == 12 && found.bounds[1] == 60 && found.bounds[2] == 26 &&
+           found.bounds[3] == 90);
+    CHECK_NEAR(found.mean[1], 50.0 * 8 * 30 / 4000, 1e-15);
+    CHECK_NEAR(found.silhouette_iou, 6.0 / 14, 1e-15);
+    options.tolerance = 49;
+    CHECK1(compare(&a, &b, &options).different_pixels == 8 * 30);
+    options.tolerance = 50;
+    found = compare(&a, &b, &options);
+    CHECK1(found.different_pixels == 0 && found.bounds[2] == 0 && found.largest[1] == 50);
+    options.metrics = 0;
+    found = compare(&a, &b, &options);
+    CHECK1(isnan(found.ssim) && isnan(found.flip) && found.mean_squared_error > 0);
+    a.pixels[0] = 190; /* corners of two colours: no telling the ground */
+    CHECK1(isnan(compare(&a, &b, &options).silhouette_iou));
+    burnish_image_destroy(&a);
+    burnish_image_destroy(&b);
+}
+
+/* Soft coverage, given and in alpha; and what lies under transparent pixels. */
+static void test_alpha(void) {
+    static const uint8_t one[4] = {255, 128, 0, 0}, two[4] = {255, 64, 10, 0};
+    burnish_image a = make(2, 2, 4), b = make(2, 2, 4), plain = make(2, 2, 3);
+    burnish_compare_options options = burnish_compare_options_default();
+    for (int i = 0; i < 4; ++i) {
+        memset(a.pixels + 4 * i, 40 * i, 3); /* different colours, which the last pixel hides */
+        memset(b.pixels + 4 * i, i < 3 ? 40 * i : 7, 3);
+        a.pixels[4 * i + 3] = one[i];
+        b.pixels[4 * i + 3] = two[i];
+        memset(plain.pixels + 3 * i,
+               i == 0   ? 0
+               : i == 1 ? (128 * 40 + 127 * 255 + 127) / 255
+                        : 255,
+               3);
+    }
+    burnish_comparison found = compare(&a, &b, NULL);
+    CHECK_NEAR(found.silhouette_iou, (255.0 + 64) / (255 + 128 + 10), 1e-15);
+    CHECK1(found.largest[3] == 64 && found.different_pixels == 2);
+    found = compare(&a, &plain, NULL);
+    CHECK1(found.largest[0] == 0 && found.largest[3] == 255);
+    options.coverage[0] = one;
+    options.coverage[1] = one;
+    CHECK1(compare(&a, &plain, &options).silhouette_iou == 1);
+    options.background[0] = 0;
+    CHECK1(compare(&a, &plain, &options).largest[0] == 255);
+    burnish_image_destroy(&a);
+    burnish_image_destroy(&b);
+    burnish_image_destroy(&plain);
+}
+
+/* The same pixels in another order and with gaps between rows. */
+static void test_formats(void) {
+    burnish_image a = make_scene(33, 20, 0), b = make(41, 20, 4);
+    burnish_comparison found;
+    for (size_t i = 0; i < 33 * 20; ++i) {
+        uint8_t *to = b.pixels + 4 * (i / 33 * 41 + i % 33);
+        to[0] = a.pixels[3 * i + 2];
+        to[1] = a.pixels[3 * i + 1];
+        to[2] = a.pixels[3 * i];
+        to[3] = 255;
+    }
+    const burnish_pixels first = burnish_image_pixels(&a),
+                         second = {33, 20, BURNISH_PIXELS_BGRA8, 4 * 41, b.pixels};
+    CHECK1(burnish_pixels_compare(&first, &second, NULL, &found, NULL) == BURNISH_STATUS_OK);
+    CHECK1(found.different_pixels == 0 && found.largest[3] == 0 && found.flip == 0);
+    CHECK1(burnish_pixels_compare(&second, &first, NULL, &found, NULL) == BURNISH_STATUS_OK);
+    CHECK1(found.different_pixels == 0 && found.mean_squared_error == 0);
+    burnish_image_destroy(&a);
+    burnish_image_destroy(&b);
+}
+
+static void test_threads(void) {
+    burnish_image a = make_scene(90, 300, 0), b = make_scene(90, 300, 5);
+    burnish_compare_options options = burnish_compare_options_default();
+    burnish_comparison first = {0};
+    for (int threads = 1; threads <= 7; threads += 3) {
+        options.threads = threads;
+        const burnish_comparison found = compare(&a, &b, &options);
+        first = threads == 1 ? found : first;
+        CHECK(memcmp(&found, &first, sizeof found) == 0, "%d threads", threads);
+    }
+    const unsigned before = control_bits();
+    set_mode(1);
+    const burnish_comparison found = compare(&a, &b, NULL);
+    set_mode(0);
+    CHECK(memcmp(&found, &first, sizeof found) == 0, "the caller's rounding changes it");
+    CHECK1(control_bits() == before);
+    burnish_image_destroy(&a);
+    burnish_image_destroy(&b);
+}
+
+static void test_context(void) {
+    burnish_image a = make_scene(20, 200, 0);
+    const burnish_pixels pixels = burnish_image_pixels(&a);
+    burnish_compare_options options = burnish_compare_options_default();
+    burnish_comparison found;
+    burnish_error error;
+    counts c;
+    options.context = make_context(&c);
+    for (int left = 0; left < 2; ++left) {
+        atomic_store(&c.left, left);
+        CHECK1(burnish_pixels_compare(&pixels, &pixels, &options, &found, &error) ==
+               BURNISH_STATUS_MEMORY);
+        CHECK1(found.pixels == 0 && strncmp(error.text, "out of memory", 13) == 0);
+    }
+    atomic_store(&c.left, -1);
+    c.questions = 0;
+    CHECK1(burnish_pixels_compare(&pixels, &pixels, &options, &found, &error) ==
+           BURNISH_STATUS_CANCELLED);
+    c.questions = -1;
+    CHECK1(burnish_pixels_compare(&pixels, &pixels, &options, &found, &error) == BURNISH_STATUS_OK);
+    burnish_context_destroy(options.context);
+    CHECK1(atomic_load(&c.live) == 0);
+    burnish_image_destroy(&a);
+}
+
+static void refuse(const burnish_pixels *a, const burnish_pixels *b,
+                   const burnish_compare_options *options, const char *line) {
+    burnish_comparison found;
+    burnish_error error;
+    CHECK1(burnish_pixels_compare(a, b, options, &found, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, line);
+    CHECK1(found.pixels == 0);
+}
+
+static void test_errors(void) {
+    burnish_image a = make(4, 4, 3), b = make(4, 5, 3);
+    const burnish_pixels first = burnish_image_pixels(&a), second = burnish_image_pixels(&b);
+    burnish_pixels none = {0};
+    burnish_compare_options options = {0};
+    refuse(&first, &second, NULL,
+           "compare: 4 x 4 and 4 x 5 pixels; pictures of one size are compared");
+    refuse(&first, &first, &options,
+           "compare options: not initialised; start from burnish_compare_options_default()");
+    refuse(&none, &first, NULL,
+           "compare: first picture: the image is empty; create or render it first");
+    refuse(&first, NULL, NULL,
+           "compare: second picture: the image is empty; create or render it first");
+    options = burnish_compare_options_default();
+    options.tolerance = 256;
+    refuse(&first, &first, &options,
+           "compare options: a tolerance of 256; expected 0 to 255 codes");
+    options.tolerance = 0;
+    options.threads = -1;
+    refuse(&first, &first, &options, "compare options: -1 threads; expected 0 to 1024");
+    burnish_image_destroy(&a);
+    burnish_image_destroy(&b);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_same());
+    RUN(test_flat());
+    RUN(test_flip());
+    RUN(test_map());
+    RUN(test_ssim());
+    RUN(test_bars());
+    RUN(test_alpha());
+    RUN(test_formats());
+    RUN(test_threads());
+    RUN(test_context());
+    RUN(test_errors());
+    return test_end("compare");
+}
