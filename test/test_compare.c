@@ -244,6 +244,16 @@ static void test_alpha(void) {
     options.coverage[0] = one;
     options.coverage[1] = one;
     CHECK1(compare(&a, &plain, &options).silhouette_iou == 1);
+    options.coverage[1] = NULL; /* colours tell no part of a pixel */
+    burnish_image ground = make_flat(3, 3, (int[]){9, 9, 9});
+    static const uint8_t middle[9] = {0, 0, 0, 7, 200, 0, 0, 0, 0};
+    ground.pixels[3 * 4] = 14;
+    options.coverage[0] = middle;
+    CHECK_NEAR(compare(&ground, &ground, &options).silhouette_iou, 0.5, 0);
+    ground.pixels[3 * 4] = 13;
+    CHECK_NEAR(compare(&ground, &ground, &options).silhouette_iou, 0, 0);
+    burnish_image_destroy(&ground);
+    options.coverage[0] = options.coverage[1] = one;
     options.background[0] = 0;
     CHECK1(compare(&a, &plain, &options).largest[0] == 255);
     burnish_image_destroy(&a);
@@ -339,6 +349,8 @@ static void test_errors(void) {
            "compare: first picture: the image is empty; create or render it first");
     refuse(&first, NULL, NULL,
            "compare: second picture: the image is empty; create or render it first");
+    const burnish_pixels deep = {2, 2, BURNISH_PIXELS_RGB16, 12, a.pixels};
+    refuse(&deep, &deep, NULL, "compare: pictures of 16 bits; RGB8, RGBA8 and BGRA8 are compared");
     options = burnish_compare_options_default();
     options.tolerance = 256;
     refuse(&first, &first, &options,

@@ -26,10 +26,11 @@ static const struct layer {
     {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/mesh.h "
                    "burnish/render.h"},
     {"tools/burnish/cli", "burnish"},
+    {"tools/burnish/compare", "cli render picture burnish"},
     {"tools/burnish/info", "cli burnish"},
     {"tools/burnish/lobe", "cli plot burnish"},
-    {"tools/burnish/plot", "cli lobe burnish"},
     {"tools/burnish/picture", "cli burnish"},
+    {"tools/burnish/plot", "cli lobe picture burnish"},
     {"tools/burnish/render", "cli lobe picture burnish"},
     {"tools/generate", ""},
     {"bench", "simd shading cli burnish"},

@@ -125,7 +125,8 @@ typedef struct burnish_compare_options {
     const uint8_t *coverage[2]; /* of each picture, for its silhouette: width * height bytes, how
                                    much of a pixel the object covers, 0 to 255. NULL: its alpha; of
                                    a picture without alpha, what differs by more than 4 codes from
-                                   the colour of the corners */
+                                   the colour of the corners: then of both pictures a pixel counts
+                                   whole or not at all */
     float *flip_map; /* receives FLIP of each pixel: width * height floats; NULL: not wanted */
 } burnish_compare_options;
 
@@ -151,7 +152,7 @@ typedef struct burnish_comparison {
 } burnish_comparison;
 
 /* Compares two pictures of one size.
- *   a, b        only read; formats may differ
+ *   a, b        only read; RGB8, RGBA8 or BGRA8, which may differ
  *   options     NULL for the defaults
  *   comparison  receives the result; all 0 on error
  *   error       receives the one line of an error; may be NULL

@@ -61,7 +61,7 @@ void burnish_pair_row(const burnish_picture_pair *pair, int which, int y, uint8_
     const burnish_pixels *picture = pair->pictures[which];
     const uint8_t *from = picture->pixels + picture->stride * (size_t)y, *b = pair->background;
     const int red = picture->format == BURNISH_PIXELS_BGRA8 ? 2 : 0;
-    const int step = burnish_pixel_channels(picture->format);
+    const int step = (int)burnish_pixel_size(picture->format);
     for (int x = 0; x < pair->width; ++x, from += step, rgb += 3) {
         const int alpha = step == 4 ? from[3] : 255;
         rgb[0] = over(from[red], alpha, b[0]);
@@ -109,6 +109,11 @@ static void add_codes(const comparer *c, int y, const uint8_t *a, const uint8_t 
 
 /* ---- Silhouettes ---- */
 
+/* Colours tell only whether a pixel shows any of the object. */
+static int is_soft(const silhouette *s) {
+    return s->coverage || s->by_alpha;
+}
+
 static int covered(const comparer *c, int which, int x, int y, const uint8_t *rgb) {
     const silhouette *s = &c->silhouettes[which];
     if (s->coverage) {
@@ -126,8 +131,10 @@ static int covered(const comparer *c, int which, int x, int y, const uint8_t *rg
 
 static void add_silhouettes(const comparer *c, int y, const uint8_t *a, const uint8_t *b,
                             band_sums *sums) {
+    const int soft = is_soft(&c->silhouettes[0]) && is_soft(&c->silhouettes[1]);
     for (int x = 0; x < c->pair.width; ++x, a += 3, b += 3) {
-        const int in_a = covered(c, 0, x, y, a), in_b = covered(c, 1, x, y, b);
+        const int of_a = covered(c, 0, x, y, a), of_b = covered(c, 1, x, y, b);
+        const int in_a = soft ? of_a : 255 * (of_a > 0), in_b = soft ? of_b : 255 * (of_b > 0);
         sums->overlap += (unsigned)(in_a < in_b ? in_a : in_b);
         sums->unions += (unsigned)(in_a < in_b ? in_b : in_a);
     }
@@ -293,6 +300,11 @@ static burnish_status check(const burnish_pixels *a, const burnish_pixels *b,
     burnish_status status = burnish_pixels_check(a, "compare: first picture", error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_pixels_check(b, "compare: second picture", error);
+    }
+    if (status == BURNISH_STATUS_OK &&
+        (a->format > BURNISH_PIXELS_BGRA8 || b->format > BURNISH_PIXELS_BGRA8)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "compare: pictures of 16 bits; RGB8, RGBA8 and BGRA8 are compared");
     }
     if (status == BURNISH_STATUS_OK && (a->width != b->width || a->height != b->height)) {
         return burnish_fail(

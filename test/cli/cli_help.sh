@@ -7,7 +7,7 @@
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
 
 lobe="table claims choose fit boundary sample plot"
-screens="--help;-h;help;render --help;render -h;help render;info --help;help info;help --help;lobe --help;lobe -h;help lobe"
+screens="--help;-h;help;render --help;render -h;help render;info --help;help info;compare --help;compare -h;help compare;help --help;lobe --help;lobe -h;help lobe"
 for part in $lobe; do
     screens="$screens;lobe $part --help;help lobe $part"
 done
@@ -27,10 +27,15 @@ for part in $lobe; do
 done
 run info --help
 cat "$out" >>lobe.txt
+for topic in comparing picture camera light report; do
+    run compare --help=$topic
+    check "burnish compare --help=$topic does not fit 40 lines of 100 columns" fits "$out"
+    cat "$out" >>lobe.txt
+done
 run --help
 cp "$out" main.txt
 check "exit codes are not in order" sh -c "grep -o '^  [0-9] ' main.txt | sort -nc"
-for code_text in '0  success' '8  the picture is blank (--fail-on-blank)' 'render INPUT' 'help \[COMMAND\]'; do
+for code_text in '0  success' '8  a blank picture' '10  pictures differ' 'compare A B' 'render INPUT' 'help \[COMMAND\]'; do
     check "burnish --help lacks '$code_text'" grep -q -- "  $code_text" main.txt
 done
 run render --help
@@ -47,7 +52,7 @@ sed -n 's/^  \(-[a-z],\|   \) \(--[a-z-]*\).*/\2/p' "$out" | sort >all.txt
 sed -n 's/^  \(-[a-z],\|   \) \(--[a-z-]*\).*/\2/p' topics.txt | sort >by_topic.txt
 check "the topics show all flags, each once: $(diff all.txt by_topic.txt | head -3 | tr '\n' ' ')" cmp all.txt by_topic.txt
 check "fewer than 40 flags of render" [ "$(wc -l <all.txt)" -ge 40 ]
-for word in 'an input is malformed' 'an output' 'the picture is blank (--fail-on-blank)'; do
+for word in 'an input is malformed' 'an output' 'a blank picture'; do
     check "burnish render --help lacks the exit code of '$word'" sh -c "tr '\n' ' ' <render.txt | grep -qF '$word'"
 done
 check "lobe table --help=all differs" sh -c "'$burnish' lobe table --help=all | grep -q -- --metrics"

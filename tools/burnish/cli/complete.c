@@ -54,13 +54,12 @@ static void print_quoted(const char *text, const char *escaped) {
 
 static void print_bash_command(const cli_command *command) {
     printf("    '%s')\n        flags='", command->name);
-    for (size_t i = 0; i < command->flag_count; ++i) {
-        const cli_flag *flag = &command->flags[i];
+    const cli_flag *flag;
+    for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
         printf("--%s%s ", flag->name, flag->value && !flag->optional ? "=" : "");
     }
     printf("--help'\n        case $previous in\n");
-    for (size_t i = 0; i < command->flag_count; ++i) {
-        const cli_flag *flag = &command->flags[i];
+    for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
         if (flag->words) {
             printf("        --%s) words='", flag->name);
             print_words(flag->words, " ");
@@ -122,8 +121,8 @@ static void print_bash(void) {
 
 static void print_zsh_command(const cli_command *command) {
     printf("    '%s')\n        _arguments -S \\\n", command->name);
-    for (size_t i = 0; i < command->flag_count; ++i) {
-        const cli_flag *flag = &command->flags[i];
+    const cli_flag *flag;
+    for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
         printf("            '*--%s%s[", flag->name, flag->optional ? "=-" : flag->value ? "=" : "");
         print_quoted(flag->help, "[]:\\");
         printf("]");
@@ -187,8 +186,8 @@ static void print_fish_condition(const cli_command *command) {
 }
 
 static void print_fish_command(const cli_command *command) {
-    for (size_t i = 0; i < command->flag_count; ++i) {
-        const cli_flag *flag = &command->flags[i];
+    const cli_flag *flag;
+    for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
         print_fish_condition(command);
         printf(" -l %s", flag->name);
         if (flag->letter) {

@@ -61,8 +61,8 @@ typedef struct screen {
     int all;
 } screen;
 
-static int shows(const screen *s, const cli_flag *flag, const char *topic) {
-    return s->all || (s->topic ? strcmp(s->topic, topic) == 0 : flag->common);
+static int shows(const screen *s, const cli_flag *flag, int is_own, const char *topic) {
+    return s->all || (s->topic ? strcmp(s->topic, topic) == 0 : flag->common && is_own);
 }
 
 /* Prints the groups, or, where print is 0, only measures the names. */
@@ -70,11 +70,11 @@ static int print_groups(const screen *s, int width, int print) {
     const char *topic = "", *group = NULL;
     char names[ROW_MAX];
     int widest = flag_names(&help_row, names);
-    for (size_t i = 0; i < s->command->flag_count; ++i) {
-        const cli_flag *flag = &s->command->flags[i];
+    const cli_flag *flag;
+    for (size_t i = 0; (flag = cli_flag_at(s->command, i)) != NULL; ++i) {
         group = flag->group ? flag->group : group;
         topic = flag->group && flag->topic ? flag->topic : topic;
-        if (!shows(s, flag, topic)) {
+        if (!shows(s, flag, i < s->command->flag_count, topic)) {
             continue;
         }
         int length = flag_names(flag, names);
@@ -118,9 +118,10 @@ const char *cli_topic_at(const cli_command *command, size_t index) {
     if (!has_topics(command)) {
         return NULL;
     }
-    for (size_t i = 0; i < command->flag_count; ++i) {
-        if (command->flags[i].topic && index-- == 0) {
-            return command->flags[i].topic;
+    const cli_flag *flag;
+    for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
+        if (flag->topic && index-- == 0) {
+            return flag->topic;
         }
     }
     return index == 0 ? "all" : NULL;

@@ -105,20 +105,50 @@ burnish_status cli_fail_unknown(burnish_error *error, const char *where, const c
                     where, typed, kind, lister);
 }
 
+/* Whether the name is an item of a list with commas, which may be NULL. */
+static int in_list(const char *list, const char *name, size_t length) {
+    for (; list; list = strchr(list, ',') ? strchr(list, ',') + 1 : NULL) {
+        if (strcspn(list, ",") == length && memcmp(list, name, length) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+const cli_flag *cli_flag_at(const cli_command *command, size_t index) {
+    const cli_command *base = command->base;
+    const char *topic = "";
+    if (index < command->flag_count) {
+        return &command->flags[index];
+    }
+    index -= command->flag_count;
+    for (size_t i = 0; base && i < base->flag_count; ++i) {
+        const cli_flag *flag = &base->flags[i];
+        topic = flag->topic ? flag->topic : topic;
+        const int taken = in_list(command->base_topics, topic, strlen(topic)) ||
+                          in_list(command->base_flags, flag->name, strlen(flag->name));
+        if (taken && index-- == 0) {
+            return flag;
+        }
+    }
+    return NULL;
+}
+
 static const cli_flag *find_flag(const cli_command *command, const char *name, size_t length) {
-    for (size_t i = 0; i < command->flag_count; ++i) {
-        const char *known = command->flags[i].name;
-        if (strlen(known) == length && memcmp(known, name, length) == 0) {
-            return &command->flags[i];
+    const cli_flag *flag;
+    for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
+        if (strlen(flag->name) == length && memcmp(flag->name, name, length) == 0) {
+            return flag;
         }
     }
     return NULL;
 }
 
 static const cli_flag *find_letter(const cli_command *command, char letter) {
-    for (size_t i = 0; i < command->flag_count; ++i) {
-        if (command->flags[i].letter == letter) {
-            return &command->flags[i];
+    const cli_flag *flag;
+    for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
+        if (flag->letter == letter) {
+            return flag;
         }
     }
     return NULL;
@@ -134,19 +164,17 @@ static const cli_flag *flag_of_argument(const cli_command *command, const char *
 
 static const char *flag_name_at(const void *list, size_t index) {
     const cli_command *command = list;
-    return index < command->flag_count ? command->flags[index].name
-                                       : (index == command->flag_count ? "help" : NULL);
+    const cli_flag *flag = cli_flag_at(command, index);
+    const int ended = !flag && (index == 0 || cli_flag_at(command, index - 1));
+    return flag ? flag->name : ended ? "help" : NULL;
 }
 
 /* The flag that another program calls so, or NULL. */
 static const char *flag_of_alias(const cli_command *command, const char *name) {
-    size_t length = strlen(name);
-    for (size_t i = 0; i < command->flag_count; ++i) {
-        const char *at = command->flags[i].aliases;
-        for (; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
-            if (strcspn(at, ",") == length && memcmp(at, name, length) == 0) {
-                return command->flags[i].name;
-            }
+    const cli_flag *flag;
+    for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
+        if (in_list(flag->aliases, name, strlen(name))) {
+            return flag->name;
         }
     }
     return NULL;
@@ -175,6 +203,11 @@ static burnish_status apply(const cli_flag *flag, const char *text, void *settin
 }
 
 burnish_status cli_defaults(const cli_command *command, void *settings, burnish_error *error) {
+    burnish_status begun =
+        command->base ? cli_defaults(command->base, settings, error) : BURNISH_STATUS_OK;
+    if (begun != BURNISH_STATUS_OK) {
+        return begun;
+    }
     for (size_t i = 0; i < command->flag_count; ++i) {
         const cli_flag *flag = &command->flags[i];
         if (flag->default_text) {

@@ -8,9 +8,11 @@
 #include "burnish/core.h"
 
 /* X(code, text) of every exit code that is no burnish_status. */
-#define CLI_EXIT_LIST(X) X(8, "the picture is blank (--fail-on-blank)")
+#define CLI_EXIT_LIST(X)                                                                           \
+    X(8, "a blank picture")                                                                        \
+    X(10, "pictures differ")
 
-enum { CLI_EXIT_BLANK = 8 };
+enum { CLI_EXIT_BLANK = 8, CLI_EXIT_DIFFERENT = 10 };
 
 /* Longest name of a flag or command, without dashes. */
 #define CLI_NAME_MAX 48
@@ -94,12 +96,19 @@ struct cli_command {
     size_t operands_max;
     const cli_flag *flags;
     size_t flag_count;
+    const cli_command *base; /* one whose flags it takes too, its settings beginning with that
+                                one's; or NULL */
+    const char *base_topics; /* which: those of these topics, between commas ... */
+    const char *base_flags; /* ... and these; a flag of its own comes before one of the same name */
     const cli_example *examples;     /* the last has a NULL command; may be NULL */
     const cli_section *sections;     /* the last has a NULL heading; may be NULL */
     const cli_command *const *parts; /* its subcommands, NULL ends them; or NULL */
     size_t settings_size;            /* bytes, zero before the defaults of the flags */
     cli_work *work;
 };
+
+/* The flags of a command, its own first and then its base's; NULL past the last. */
+const cli_flag *cli_flag_at(const cli_command *command, size_t index);
 
 /* "burnish lobe table" */
 typedef struct cli_command_name {

@@ -1,11 +1,11 @@
 /* The figure `object`: the teapot shaded with several lobes, and how each differs from the first.
  */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "burnish/core.h"
 #include "burnish/render.h"
+#include "picture/difference.h"
 #include "plot/plot.h"
 
 enum {
@@ -50,110 +50,50 @@ static burnish_status load(double exponent, double aspect, burnish_mesh **mesh,
     return status == BURNISH_STATUS_OK ? burnish_camera_frame(*mesh, &fit, camera, error) : status;
 }
 
-/* The colour of a difference: blue below, orange above, both darker the larger it is. */
-static void difference_color(int difference, uint8_t color[3]) {
-    static const uint8_t inks[2][3][3] = {{{241, 243, 245}, {74, 159, 208}, {8, 54, 97}},
-                                          {{241, 243, 245}, {240, 138, 60}, {122, 42, 0}}};
-    const uint8_t(*ink)[3] = inks[difference > 0];
-    int size = difference < 0 ? -difference : difference;
-    size = 2 * (size < SCALE_END ? size : SCALE_END);
-    int from = size >= SCALE_END ? 1 : 0, rest = size - from * SCALE_END;
-    const uint8_t *low = ink[from], *high = ink[from + 1];
-    for (int k = 0; k < 3; ++k) {
-        color[k] =
-            (uint8_t)((low[k] * (SCALE_END - rest) + high[k] * rest + SCALE_END / 2) / SCALE_END);
-    }
-}
-
-static burnish_status create_like(const burnish_image *like, burnish_image *image,
-                                  burnish_error *error) {
-    return burnish_image_create(image, like->width, like->height, like->channels, error);
-}
-
 static void write_code(int difference, char *text, size_t size) {
     snprintf(text, size, difference ? "%+d" : "%d", difference);
 }
 
-/* Of each pixel the difference to the first picture in the channel where it is largest. */
+/* The second row's cell of a lobe: its difference from the first, and its numbers. */
 static burnish_status subtract(gallery *g, size_t i, burnish_error *error) {
     const burnish_image *reference = &g->images[0][0], *image = &g->images[0][i];
-    burnish_image *result = &g->images[1][i];
-    burnish_status status = create_like(image, result, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    size_t pixels = (size_t)image->width * (size_t)image->height;
-    size_t channels = (size_t)image->channels;
+    const size_t bytes = (size_t)image->width * (size_t)image->height * 3;
     double sum = 0;
-    for (size_t p = 0; p < pixels; ++p) {
-        int extreme = 0;
-        for (size_t k = channels * p; k < channels * p + 3; ++k) {
-            int difference = image->pixels[k] - reference->pixels[k];
-            extreme = abs(difference) > abs(extreme) ? difference : extreme;
-            g->low[i] = difference < g->low[i] ? difference : g->low[i];
-            g->high[i] = difference > g->high[i] ? difference : g->high[i];
-            sum += difference;
-        }
-        difference_color(extreme, result->pixels + channels * p);
-        if (channels == 4) {
-            result->pixels[4 * p + 3] = 255;
-        }
+    for (size_t k = 0; k < bytes; ++k) {
+        const int difference = image->pixels[k] - reference->pixels[k];
+        g->low[i] = difference < g->low[i] ? difference : g->low[i];
+        g->high[i] = difference > g->high[i] ? difference : g->high[i];
+        sum += difference;
     }
-    g->mean[i] = sum / (3 * (double)pixels);
+    g->mean[i] = sum / (double)bytes;
     char low[16], high[16];
     write_code(g->low[i], low, sizeof low);
     write_code(g->high[i], high, sizeof high);
     snprintf(g->labels[i], LABEL_SIZE, "%s minus %s: %s to %s", g->names[i], g->names[0], low,
              high);
-    return BURNISH_STATUS_OK;
-}
-
-static void draw_centered(burnish_image *image, float x, float y, float height, const char *text) {
-    static const uint8_t ink[3] = {47, 54, 63};
-    float width = burnish_image_draw_text(NULL, 0, 0, height, ink, text);
-    burnish_image_draw_text(image, x - width / 2, y, height, ink, text);
-}
-
-/* The bar of colours with its numbers; top, left: of the bar. */
-static void draw_scale(burnish_image *card, int left, int top, int width, int thickness,
-                       float height) {
-    static const int marks[] = {-SCALE_END, -SCALE_END / 2, 0, SCALE_END / 2, SCALE_END};
-    for (int x = 0; x < width; ++x) {
-        uint8_t color[3];
-        difference_color((2 * x - width) * SCALE_END / width, color);
-        for (int y = 0; y < thickness; ++y) {
-            size_t pixel = (size_t)(top + y) * (size_t)card->width + (size_t)(left + x);
-            memcpy(card->pixels + (size_t)card->channels * pixel, color, 3);
-        }
-    }
-    for (size_t i = 0; i < sizeof marks / sizeof *marks; ++i) {
-        char text[16];
-        write_code(marks[i], text, sizeof text);
-        float share = (float)(marks[i] + SCALE_END) / (2 * SCALE_END);
-        draw_centered(card, (float)left + share * (float)width,
-                      (float)(top + thickness) + 2 * height, height, text);
-    }
+    return picture_subtract(reference, image, SCALE_END, &g->images[1][i], error);
 }
 
 /* The cell under the reference: the scale of the second row. */
 static burnish_status draw_legend(gallery *g, double exponent, burnish_error *error) {
     burnish_image *card = &g->images[1][0];
-    burnish_status status = create_like(&g->images[0][0], card, error);
+    const burnish_image *like = &g->images[0][0];
+    burnish_status status = burnish_image_create(card, like->width, like->height, 3, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    memset(card->pixels, 255, (size_t)card->width * (size_t)card->height * (size_t)card->channels);
+    memset(card->pixels, 255, 3 * (size_t)card->width * (size_t)card->height);
     char line[LABEL_SIZE];
     int size = card->width < card->height ? card->width : card->height;
     float height = (float)size / 28, middle = (float)card->width / 2;
     float y = (float)card->height * 0.3F;
     height = height < 5 ? 5 : height;
     snprintf(line, sizeof line, "Difference from %s, exponent %.6g", g->names[0], exponent);
-    draw_centered(card, middle, y, height, line);
-    draw_centered(card, middle, y + 2.2F * height, height, "in 8-bit codes of the channel");
-    draw_centered(card, middle, y + 4.4F * height, height, "that differs most");
-    draw_scale(card, card->width / 8, (int)(y + 6.6F * height), card->width * 3 / 4,
-               (int)(1.6F * height), height);
+    picture_draw_centered(card, middle, y, height, line);
+    picture_draw_centered(card, middle, y + 2.2F * height, height, "in 8-bit codes of the channel");
+    picture_draw_centered(card, middle, y + 4.4F * height, height, "that differs most");
+    picture_draw_scale(card, card->width / 8, (int)(y + 6.6F * height), card->width * 3 / 4,
+                       (int)(1.6F * height), height, -SCALE_END, SCALE_END);
     return BURNISH_STATUS_OK;
 }
 

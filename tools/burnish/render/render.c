@@ -127,7 +127,7 @@ static void report_blank(const render_result *result) {
     fprintf(stderr, "burnish: %s\n", error.text);
 }
 
-static burnish_status draw_cell(render_result *result, burnish_renderer *renderer,
+burnish_status render_draw_cell(render_result *result, burnish_renderer *renderer,
                                 burnish_render_options *options, render_cell *cell,
                                 burnish_error *error) {
     options->lobe = cell->lobe;
@@ -235,7 +235,7 @@ static burnish_status draw_cells(render_result *result, burnish_render_options *
             fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
                     cell->label);
         }
-        status = draw_cell(result, renderer, options, cell, error);
+        status = render_draw_cell(result, renderer, options, cell, error);
     }
     if (progress) {
         fprintf(stderr, "\r\033[K");

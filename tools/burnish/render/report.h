@@ -43,6 +43,11 @@ typedef struct render_result {
     size_t warning_count;
 } render_result;
 
+/* Draws a cell whose view, lobe and camera are set, and warns about it. */
+burnish_status render_draw_cell(render_result *result, burnish_renderer *renderer,
+                                burnish_render_options *options, render_cell *cell,
+                                burnish_error *error);
+
 /* 1: nothing of the object is in the picture, or it can't be told from the background. */
 int render_is_blank(const render_cell *cell);
 

@@ -121,10 +121,14 @@ typedef struct render_settings {
 /* What the subcommand does once its flags are read. */
 cli_work render_work;
 
-/* Checks what no single flag can: flags that exclude each other, the output's name. */
+/* Checks flags that exclude each other, and chooses the instruction set. */
+burnish_status render_check(render_settings *settings, burnish_error *error);
+
+/* The same, and the output's name and what depends on it. */
 burnish_status render_finish(render_settings *settings, burnish_error *error);
 
-/* Loads the input as the flags say. */
+/* The library's options for loading as the flags say, and loading by them. */
+burnish_load_options render_load_options(const render_settings *settings);
 burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
                            burnish_error *error);
 

@@ -225,11 +225,13 @@ static burnish_status check_labels(const render_settings *settings, burnish_erro
                     texts, cells);
 }
 
+burnish_status render_check(render_settings *settings, burnish_error *error) {
+    const burnish_status status = cli_choose_isa(settings->isa_name, &settings->isa, error);
+    return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
+}
+
 burnish_status render_finish(render_settings *settings, burnish_error *error) {
-    burnish_status status = cli_choose_isa(settings->isa_name, &settings->isa, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = check_camera_flags(settings, error);
-    }
+    burnish_status status = render_check(settings, error);
     if (status == BURNISH_STATUS_OK) {
         status = check_labels(settings, error);
     }
@@ -245,13 +247,18 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
     return status == BURNISH_STATUS_OK ? check_report(settings, error) : status;
 }
 
-burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
-                           burnish_error *error) {
+burnish_load_options render_load_options(const render_settings *settings) {
     burnish_load_options options = cli_load_options(&settings->load);
     if (settings->crease.given) {
         options.crease_angle = settings->crease.value;
     }
     options.threads = settings->threads;
+    return options;
+}
+
+burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
+                           burnish_error *error) {
+    const burnish_load_options options = render_load_options(settings);
     return burnish_mesh_load(settings->input, &options, mesh, error);
 }
 

@@ -1,0 +1,114 @@
+#!/bin/sh
+# burnish compare: exit codes, numbers, both kinds of inputs, one camera, the picture.
+# usage: cli_compare.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+
+away='--camera-position=100,0,0 --camera-focal-point=200,0,0 --quiet'
+flat() { "$burnish" render :sphere $away --size=64 --background-color="$1" -o "$2" || fail "render $2"; }
+flat '#646464' a.png
+flat '#676767' b.png
+run compare a.png a.png
+if grep -q 'built without libpng' "$err"; then
+    echo "cli_compare: this burnish reads no pictures"
+    exit 77
+fi
+check "the same picture: exit code $code, $(cat "$out" "$err")" [ "$code" = 0 ]
+check "it says so" grep -q '^a.png and a.png, 64 x 64 pixels: the same$' "$out"
+
+# Two greys: all numbers are known.
+run compare a.png b.png --json
+check "greys: exit code $code" [ "$code" = 10 ]
+check "the JSON is valid" valid_json
+check "nothing on standard error" [ ! -s "$err" ]
+for pair in passes:false different_pixels:4096 different_share:1 different_bounds:0,0,64,64 largest_difference:3,3,3,0 \
+    mean_difference:3,3,3,0 mean_squared_error:9 tolerance:0 threshold:null metric:ssim silhouette_iou:null output:null; do
+    [ "$(json "${pair%%:*}")" = "${pair#*:}" ] || fail "${pair%%:*} is $(json "${pair%%:*}")"
+done
+check "PSNR is 20 log10(255 / 3): $(json psnr)" sh -c "echo $(json psnr) | grep -q '^38\.58837'"
+check "SSIM of two greys: $(json ssim)" sh -c "echo $(json ssim) | grep -q '^0\.99956'"
+passes() {
+    run compare a.png b.png "$@"
+    check "compare a.png b.png $*: exit code $code" [ "$code" = 0 ]
+}
+fails() {
+    run compare a.png b.png "$@"
+    check "compare a.png b.png $*: exit code $code" [ "$code" = 10 ]
+}
+passes --tolerance=3
+fails --tolerance=2
+passes --threshold=0.001
+fails --threshold=0.0001
+fails --threshold=0.5 --metric=pixels
+passes --threshold=1 --metric=pixels
+fails --threshold=0.01 --metric=flip
+passes --threshold=0.1 --metric=flip
+
+# Meshes: the camera frames both, what is told of them differs, a picture of the mesh is the mesh.
+"$burnish" render :teapot --size=48 -o teapot.png
+run compare :teapot teapot.png --json
+check "a mesh and its picture: exit code $code" [ "$code" = 0 ]
+check "a mesh and its picture have one silhouette: $(json silhouette_iou)" [ "$(json silhouette_iou)" = 1 ]
+run compare :sphere :torus --size=64 --json=both.json -o both.png
+check "two meshes: exit code $code" [ "$code" = 10 ]
+check "no text beside JSON" [ ! -s "$out" ]
+cp both.json "$out"
+check "JSON in a file is valid" valid_json
+check "one camera" [ "$(tr -d '\n\t ' <both.json | grep -o '"camera":{[^}]*}' | sort -u | wc -l)" = 1 ]
+check "the torus is whole: $(json different_bounds)" sh -c "echo $(json different_bounds) | awk -F, '{exit !(\$1 > 1 && \$3 < 63)}'"
+check "facts" grep -q '"volume":.*3.15' both.json
+check "the picture is a PNG" [ "$(od -An -tx1 -N8 both.png | tr -d ' ')" = 89504e470d0a1a0a ]
+run compare :sphere :torus --size=64 --look=plain
+check "text names what differs in the meshes" grep -q '^  triangles  *12288 and 16384$' "$out"
+run compare :sphere :sphere --size=32
+check "the same mesh: exit code $code" [ "$code" = 0 ]
+check "the same mesh: facts" grep -q 'the meshes have the same size' "$out"
+run compare :sphere :sphere --tessellation=8 --size=32
+for isa in scalar auto; do
+    "$burnish" compare :sphere :knot --size=40 --isa=$isa --threads=3 --json=$isa.json
+done
+check "every instruction set has the same numbers" cmp scalar.json auto.json
+
+# One mesh, two lobes.
+run compare :teapot --lobe=power,energy:2 --size=64 --specular=0.9 --json
+check "lobes: exit code $code" [ "$code" = 10 ]
+check "lobes are named" grep -q '"lobe":.*"power"' "$out"
+check "lobes: the silhouettes are one: $(json silhouette_iou)" [ "$(json silhouette_iou)" = 1 ]
+run compare :teapot --lobe=power,power --size=64
+check "the same lobe: exit code $code" [ "$code" = 0 ]
+
+# The panels: three of them, enlarged; the map of FLIP is another picture.
+width() { od -An -tu1 -j16 -N4 "$1" | awk '{print $1 * 16777216 + $2 * 65536 + $3 * 256 + $4}'; }
+run compare a.png b.png -o codes.png
+check "three panels of 320 pixels: $(width codes.png)" [ "$(width codes.png)" -gt 960 ]
+run compare a.png b.png -o flip.png --map=flip
+check "the maps differ" sh -c "! cmp -s codes.png flip.png"
+"$burnish" compare a.png b.png -o - >piped.png
+check "a picture on standard output" cmp piped.png codes.png
+
+# Pipes tell what they carry.
+"$burnish" render :teapot --size=48 -o - | "$burnish" compare teapot.png - >"$out" 2>&1
+check "a picture from a pipe: $(cat "$out")" grep -q 'teapot.png and -, 48 x 48 pixels: the same' "$out"
+printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid x\n' >part.stl
+"$burnish" compare part.stl - --size=32 <part.stl >"$out" 2>&1
+check "a mesh from a pipe: $(cat "$out")" grep -q 'the same' "$out"
+
+# What is wrong is said in a line.
+expect 10 'burnish: a.png has 64 x 64 pixels, teapot.png 48 x 48: nothing else was compared' compare a.png teapot.png
+expect 2 'burnish: compare: no A and B; try "burnish compare before.png after.png" or "burnish compare --help"' compare
+expect 2 'burnish: compare: nothing to compare "a.png" with; name another input, or two lobes as --lobe=power,energy:2' compare a.png
+expect 2 'burnish: compare: a.png is a picture, which has no lobes; name another one or a mesh to compare it with' compare a.png --lobe=power,lyon:2
+expect 2 'burnish: --lobe: 2 lobes for two inputs; give one lobe, or two lobes and one input' compare :torus :sphere --lobe=power,energy:2
+expect 2 'burnish: --views: 2 views; two pictures of one view are compared' compare :torus :sphere --views=front,top
+expect 2 'burnish: --resolution: teapot.png has 48 x 48 pixels; leave the flag out' compare :teapot teapot.png --size=50
+expect 2 'burnish: --output: "a.png" is an input; name another file' compare a.png b.png -o a.png
+expect 2 'burnish: --json: "both.png" is the picture; name another file' compare a.png b.png -o both.png --json=both.png
+expect 2 'burnish: compare: both are standard input; name a file for one of them' compare - -
+expect 3 "burnish: none.png: can't be opened: No such file or directory" compare none.png a.png
+printf 'not a picture' >text.png
+expect 4 'burnish: text.png: not a PNG file; convert the picture to PNG' compare text.png a.png
+run compare a.png b.png --columns=2
+check "flags of sheets are none of compare: exit code $code" [ "$code" = 2 ]
+run compare a.png b.png --threshold=2
+check "a threshold above 1: exit code $code" [ "$code" = 2 ]
+
+finish

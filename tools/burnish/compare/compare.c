@@ -1,0 +1,358 @@
+/* `burnish compare`: two pictures, two meshes under one camera, or two lobes on one mesh. */
+#include "compare/compare.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "cli/platform.h"
+#include "cli/run.h"
+#include "picture/panels.h"
+
+static cli_work work;
+
+#define TARGET(member) .offset = offsetof(compare_settings, member)
+
+static const cli_word map_words[] = {{"codes", COMPARE_CODES}, {"flip", COMPARE_FLIP}, {NULL, 0}};
+
+static const cli_flag flags[] = {
+    {.group = "Comparing",
+     .topic = "comparing",
+     .name = "threshold",
+     .common = 1,
+     .value = "X",
+     .help = "largest error that passes",
+     .default_label = "no pixel may differ",
+     .low = 0,
+     .high = 1,
+     .manual = "The pictures pass where their error is at most _X_, from 0 to 1; *--metric* says "
+               "which error. Without this flag, and besides it, they pass where no pixel differs "
+               "by more than *--tolerance*. What does not pass ends with exit code 10.",
+     .handler = cli_flag_real,
+     TARGET(rule.threshold)},
+    {.name = "tolerance",
+     .common = 1,
+     .value = "N",
+     .help = "8-bit codes that a channel may differ by",
+     .default_text = "0",
+     .low = 0,
+     .high = 255,
+     .manual = "A pixel differs where one of its channels, alpha included, differs by more than "
+               "_N_ codes.",
+     .handler = cli_flag_integer,
+     TARGET(rule.tolerance)},
+    {.name = "metric",
+     .value = "NAME",
+     .help = "the error",
+     .default_text = "ssim",
+     .manual = "Which error *--threshold* limits: *ssim*, 1 less the structural similarity; "
+               "*flip*, the mean of FLIP; *pixels*, the share of pixels that differ. See "
+               "*NUMBERS OF A COMPARISON*.",
+     .handler = cli_flag_word,
+     .words = picture_metric_words,
+     TARGET(rule.metric)},
+    {.name = "map",
+     .value = "NAME",
+     .help = "what the third panel shows",
+     .default_text = "codes",
+     .manual = "What the third panel of the picture shows: *codes*, the difference of the channel "
+               "that differs most; *flip*, FLIP of each pixel.",
+     .handler = cli_flag_word,
+     .words = map_words,
+     TARGET(map)},
+    {CLI_JSON_FLAG(compare_settings, json, "one JSON object instead of text, in FILE too",
+                   "NUMBERS OF A COMPARISON")},
+    {.group = "Picture",
+     .topic = "picture",
+     .name = "output",
+     .common = 1,
+     .letter = 'o',
+     .value = "FILE",
+     .help = "before, after and difference side by side",
+     .manual = "Writes both pictures and their difference side by side, with a legend: blue where "
+               "_B_ is darker, orange where it is lighter. A frame holds all pixels that differ. "
+               "Small pictures are enlarged. The name's ending chooses the format, as in *burnish "
+               "render*; *-* is standard output, which then carries no text.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(output)},
+    {.name = "resolution",
+     .aliases = "width,height,res",
+     .common = 1,
+     .value = "W,H",
+     .help = "of meshes that are drawn",
+     .default_label = "the picture's, else 1024,768",
+     .low = 1,
+     .high = BURNISH_IMAGE_MAX_SIZE,
+     .manual = "Width and height in which meshes are drawn. With a picture as _A_ or _B_ they are "
+               "the picture's.",
+     .handler = cli_flag_size,
+     TARGET(size)},
+    {.name = "size",
+     .value = "N",
+     .help = "a square: --resolution=N,N",
+     .low = 1,
+     .high = BURNISH_IMAGE_MAX_SIZE,
+     .manual = "The same as *--resolution=*_N_*,*_N_.",
+     .handler = cli_flag_square,
+     TARGET(size)},
+};
+
+static const cli_example examples[] = {
+    {"burnish compare before.png after.png", "numbers and an exit code"},
+    {"burnish compare before.stl after.stl -o changes.png", "two meshes by one camera"},
+    {"burnish compare part.stl reference.png --threshold=0.02", "a mesh drawn like a picture"},
+    {"burnish compare part.stl --lobe=power,energy:2 -o lobes.png", "two lobes on one mesh"},
+    {NULL, NULL},
+};
+
+static const cli_term number_terms[] = {
+    {"*burnish, output*", "the version; the picture's name or null"},
+    {"*a, b*",
+     "*input*, *kind* (*picture* or *mesh*), *width*, *height*; of a mesh *lobe*, *camera*, "
+     "*facts* "
+     "(*triangles*, *vertices*, *shells*, *open_edges*, *size_x*, *size_y*, *size_z*, *area*, and "
+     "*volume*, null for what is not closed) and *warnings*"},
+    {"*passes*", "true where the exit code is 0"},
+    {"*metric, error, threshold, tolerance*",
+     "the error by the metric; of pictures that are too small for SSIM the share of pixels that "
+     "differ. *threshold* is null where none was given"},
+    {"*pixels, different_pixels, different_share, different_bounds*",
+     "all pixels; those that differ by more than the tolerance; their share; x0, y0, x1, y1 of "
+     "them, ends excluded, or null"},
+    {"*largest_difference, mean_difference*",
+     "of red, green, blue and alpha, in 8-bit codes; means over all pixels. Transparent pixels lie "
+     "on white"},
+    {"*mean_squared_error, psnr*",
+     "over red, green and blue; 10 log10(255^2 / mean squared error) in dB, null where the "
+     "pictures are the same"},
+    {"*ssim*",
+     "mean structural similarity (Wang and others, 2004) of 0.299 R + 0.587 G + 0.114 B, in "
+     "windows "
+     "of 11 x 11 pixels weighted by a Gaussian of deviation 1.5, K1 = 0.01, K2 = 0.03; 1 for the "
+     "same pictures; null where a side is below 11 pixels"},
+    {"*flip*", "mean FLIP (Andersson and others, 2020), at 67 pixels per degree; 0 for the same "
+               "pictures, 1 for the most different"},
+    {"*silhouette_iou*",
+     "what both objects cover by what either covers. Of a mesh the covered part of each pixel "
+     "counts; of a picture alpha or, without it, what differs by more than 4 codes from the colour "
+     "of all four corners. Null where there is no telling"},
+    {NULL, NULL},
+};
+
+static const cli_section sections[] = {
+    {.heading = "NUMBERS OF A COMPARISON",
+     .text = "What *burnish compare --json* prints: one object. Numbers are the same on every "
+             "machine and for any number of threads.",
+     .terms = number_terms},
+    {.heading = NULL},
+};
+
+const cli_command compare_command = {
+    .name = "compare",
+    .operand = "A B",
+    .summary = "what differs between two pictures or meshes",
+    .operand_help = "PNG files, or what burnish render draws, with its flags of camera and light",
+    .manual =
+        "Compares _A_ with _B_, the reference with what is judged or before with after, and ends "
+        "with exit code 0 where they are alike enough and 10 where they are not. Each is a PNG "
+        "file or a mesh as *burnish render* takes it; *-* is standard input and may be either. "
+        "Two meshes are drawn by one camera, which frames both, and what differs in their sizes "
+        "and counts is said; a mesh beside a picture is drawn in the picture's size. One mesh "
+        "with two lobes, *--lobe=*_A_*,*_B_, is drawn with each.\n"
+        "Pictures of different sizes are different. Besides the flags below, those of *burnish "
+        "render* that say where the camera stands, how the surface and its light look and how "
+        "_INPUT_ is read have the same meaning here, and so have *--samples*, "
+        "*--background-color*, *--no-background*, *--cull-back-faces*, *--views* with one view, "
+        "*--threads*, *--isa* and *--quiet*.",
+    .operands_max = 2,
+    .flags = flags,
+    .flag_count = sizeof flags / sizeof *flags,
+    .base = &render_command,
+    .base_topics = "camera,light",
+    .base_flags = "samples,background-color,no-background,cull-back-faces,views,input-format,"
+                  "crease-angle,tessellation,max-triangles,max-input-bytes,quiet,threads,isa",
+    .examples = examples,
+    .sections = sections,
+    .settings_size = sizeof(compare_settings),
+    .work = work,
+};
+
+/* ---- Work ---- */
+
+static burnish_status check_operands(const compare_settings *settings, const cli_call *call,
+                                     burnish_error *error) {
+    const size_t lobes = settings->render.lobes.count;
+    if (call->operand_count == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "compare: no A and B; try \"burnish compare before.png after.png\" or "
+                        "\"burnish compare --help\"");
+    }
+    if (call->operand_count == 1 && lobes != 2) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "compare: nothing to compare \"%.100s\" with; name another input, or two "
+                        "lobes as --lobe=power,energy:2",
+                        call->operands[0]);
+    }
+    if (call->operand_count == 2 && lobes > 1) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--lobe: %zu lobes for two inputs; give one lobe, or two lobes and one "
+                        "input",
+                        lobes);
+    }
+    if (settings->render.views.count > 1) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--views: %zu views; two pictures of one view are compared",
+                        settings->render.views.count);
+    }
+    if (call->operand_count == 2 && strcmp(call->operands[0], "-") == 0 &&
+        strcmp(call->operands[1], "-") == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "compare: both are standard input; name a file for one of them");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* Neither the picture nor the report replaces what is compared. */
+static burnish_status check_file(const char *flag, const char *path, const cli_call *call,
+                                 burnish_error *error) {
+    for (size_t i = 0; path && i < call->operand_count; ++i) {
+        if (strcmp(path, "-") != 0 && cli_same_file(path, call->operands[i])) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: \"%.200s\" is an input; name another file", flag, path);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_output(compare_settings *settings, const cli_call *call,
+                                   burnish_error *error) {
+    picture_format format = PICTURE_PNG;
+    burnish_status status = check_file("json", settings->json, call, error);
+    if (status != BURNISH_STATUS_OK || !settings->output) {
+        return status;
+    }
+    status = check_file("output", settings->output, call, error);
+    if (status == BURNISH_STATUS_OK && settings->json &&
+        strcmp(settings->output, settings->json) == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--json: \"%.200s\" is the picture; name another file", settings->json);
+    }
+    if (status == BURNISH_STATUS_OK && strcmp(settings->output, "-") == 0 &&
+        isatty(STDOUT_FILENO)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: standard output is a terminal, which can't show a picture; "
+                        "redirect it, or name a file with --output=FILE");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status =
+            picture_choose("output", settings->output, PICTURE_STILL, PICTURE_AUTO, &format, error);
+    }
+    settings->format = format;
+    return status;
+}
+
+/* Pictures of different sizes have no numbers. */
+static burnish_status report_sizes(const comparison *c, cli_call *call, burnish_error *error) {
+    const burnish_image *a = compare_image(&c->sides[0]), *b = compare_image(&c->sides[1]);
+    fprintf(stderr, "burnish: %s has %d x %d pixels, %s %d x %d: nothing else was compared\n",
+            c->sides[0].label, a->width, a->height, c->sides[1].label, b->width, b->height);
+    (void)error;
+    call->exit_code = CLI_EXIT_DIFFERENT;
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status write_panels(const comparison *c, burnish_error *error) {
+    const compare_settings *settings = c->settings;
+    const picture_panels panels = {
+        .pictures = {compare_image(&c->sides[0]), compare_image(&c->sides[1])},
+        .labels = {c->sides[0].label, c->sides[1].label},
+        .numbers = &c->verdict.numbers,
+        .flip_map = c->flip_map};
+    const picture_options options = {.threads = settings->render.threads};
+    burnish_image image;
+    picture_file file = {0};
+    burnish_status status = picture_compose(&panels, &image, error);
+    if (status == BURNISH_STATUS_OK) {
+        const burnish_pixels pixels = burnish_image_pixels(&image);
+        status = picture_encode((picture_format)settings->format, &pixels, &options, &file, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_file_write(settings->output, file.bytes, file.size, error);
+    }
+    picture_release(&file);
+    burnish_image_destroy(&image);
+    return status;
+}
+
+static burnish_status measure(comparison *c, burnish_error *error) {
+    burnish_compare_options options = burnish_compare_options_default();
+    const burnish_image *images[2] = {compare_image(&c->sides[0]), compare_image(&c->sides[1])};
+    const burnish_pixels a = burnish_image_pixels(images[0]), b = burnish_image_pixels(images[1]);
+    burnish_comparison numbers;
+    options.threads = c->settings->render.threads;
+    options.tolerance = c->settings->rule.tolerance;
+    options.coverage[0] = c->sides[0].coverage;
+    options.coverage[1] = c->sides[1].coverage;
+    if (c->settings->output && c->settings->map == COMPARE_FLIP) {
+        c->flip_map = calloc((size_t)a.width * (size_t)a.height, sizeof *c->flip_map);
+        if (!c->flip_map) {
+            return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the map");
+        }
+        options.flip_map = c->flip_map;
+    }
+    const burnish_status status = burnish_pixels_compare(&a, &b, &options, &numbers, error);
+    if (status == BURNISH_STATUS_OK) {
+        c->verdict = picture_judge(&c->settings->rule, &numbers);
+    }
+    return status;
+}
+
+static burnish_status compare(comparison *c, cli_call *call, burnish_error *error) {
+    burnish_status status = compare_draw_sides(c, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    const burnish_image *a = compare_image(&c->sides[0]), *b = compare_image(&c->sides[1]);
+    if (a->width != b->width || a->height != b->height) {
+        return report_sizes(c, call, error);
+    }
+    status = measure(c, error);
+    if (status == BURNISH_STATUS_OK && c->settings->output) {
+        status = write_panels(c, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = compare_write_report(c, error);
+        call->exit_code = c->verdict.passes ? 0 : CLI_EXIT_DIFFERENT;
+    }
+    return status;
+}
+
+static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+    compare_settings *settings = from;
+    burnish_status status = check_operands(settings, call, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_output(settings, call, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_check(&settings->render, error);
+    }
+    comparison *c = status == BURNISH_STATUS_OK ? calloc(1, sizeof *c) : NULL;
+    if (!c) {
+        return status == BURNISH_STATUS_OK
+                   ? cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the comparison")
+                   : status;
+    }
+    cli_prepare_memory();
+    c->settings = settings;
+    c->lobes = call->operand_count == 1;
+    c->sides[0].input = call->operands[0];
+    c->sides[1].input = call->operands[c->lobes ? 0 : 1];
+    status = compare(c, call, error);
+    compare_release_sides(c);
+    free(c->flip_map);
+    free(c);
+    return status;
+}

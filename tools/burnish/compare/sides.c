@@ -1,0 +1,267 @@
+/* The two sides of a comparison: reading pictures, drawing meshes. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/compare.h"
+#include "picture/read_png.h"
+#include "render/camera.h"
+
+/* ---- Reading ---- */
+
+static const char *base_name(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash && slash[1] ? slash + 1 : path;
+}
+
+static int ends_in_png(const char *path) {
+    const char *dot = strrchr(path, '.');
+    return dot && (strcmp(dot, ".png") == 0 || strcmp(dot, ".PNG") == 0);
+}
+
+/* A file of any name that begins as a PNG does, and any file of such a name. */
+static int is_picture(const char *path) {
+    uint8_t head[8];
+    FILE *file = path[0] == ':' ? NULL : fopen(path, "rb");
+    const size_t size = file ? fread(head, 1, sizeof head, file) : 0;
+    if (file) {
+        fclose(file);
+    }
+    return picture_is_png(head, size) || (path[0] != ':' && ends_in_png(path));
+}
+
+static burnish_load_options load_options(const compare_side *side) {
+    burnish_load_options options = render_load_options(&side->settings);
+    options.measure = 1;
+    return options;
+}
+
+static burnish_status take_mesh(compare_side *side, burnish_status loaded, burnish_error *error) {
+    side->result.mesh = side->owned;
+    for (size_t i = 0; i < burnish_mesh_warning_count(side->owned); ++i) {
+        render_result_warn(&side->result, 1, "%s", burnish_mesh_warning(side->owned, i));
+    }
+    return loaded == BURNISH_STATUS_OK
+               ? render_adjust_materials(&side->settings, side->owned, error)
+               : loaded;
+}
+
+/* Standard input holds either: its bytes tell. */
+static burnish_status read_standard(compare_side *side, burnish_error *error) {
+    const burnish_load_options options = load_options(side);
+    uint8_t *bytes;
+    size_t size;
+    burnish_status status = picture_read_bytes("-", options.max_input_bytes, &bytes, &size, error);
+    if (status == BURNISH_STATUS_OK && picture_is_png(bytes, size)) {
+        status = picture_decode_png("standard input", bytes, size, &side->picture, error);
+    } else if (status == BURNISH_STATUS_OK) {
+        status =
+            burnish_mesh_load_memory(bytes, size, "standard input", &options, &side->owned, error);
+        status = take_mesh(side, status, error);
+    }
+    free(bytes);
+    return status;
+}
+
+static burnish_status read_side(compare_side *side, burnish_error *error) {
+    const burnish_load_options options = load_options(side);
+    if (strcmp(side->input, "-") == 0) {
+        return read_standard(side, error);
+    }
+    if (is_picture(side->input)) {
+        return picture_read_png(side->input, options.max_input_bytes, &side->picture, error);
+    }
+    return take_mesh(side, burnish_mesh_load(side->input, &options, &side->owned, error), error);
+}
+
+/* ---- Drawing ---- */
+
+/* The size of what is drawn: a picture's, else the flags'. */
+static burnish_status choose_size(comparison *c, burnish_error *error) {
+    const int *given = c->settings->size;
+    int size[2];
+    memcpy(size, given[0] ? given : c->settings->render.size, sizeof size);
+    for (int i = 0; i < 2; ++i) {
+        const burnish_image *picture = &c->sides[i].picture;
+        if (!picture->pixels) {
+            continue;
+        }
+        if (given[0] && (given[0] != picture->width || given[1] != picture->height)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--resolution: %.200s has %d x %d pixels; leave the flag out",
+                            c->sides[i].input, picture->width, picture->height);
+        }
+        size[0] = picture->width;
+        size[1] = picture->height;
+    }
+    for (int i = 0; i < 2; ++i) {
+        memcpy(c->sides[i].settings.size, size, sizeof size); /* which framing asks for */
+        c->sides[i].options.width = size[0];
+        c->sides[i].options.height = size[1];
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* All triangles of both meshes as one mesh, for the camera to frame. Positions count; normals are
+ * there so that none are generated. */
+static burnish_status join(const burnish_mesh *const meshes[2], burnish_mesh **joined,
+                           burnish_error *error) {
+    const burnish_mesh_view *views[2] = {burnish_mesh_get_view(meshes[0]),
+                                         burnish_mesh_get_view(meshes[1])};
+    const size_t first = views[0]->vertex_count, vertices = first + views[1]->vertex_count;
+    const size_t corners = 3 * (views[0]->triangle_count + views[1]->triangle_count);
+    burnish_mesh_description all = burnish_mesh_description_default();
+    burnish_load_options options = burnish_load_options_default();
+    float *positions = calloc(vertices, 2 * 3 * sizeof *positions); /* and normals */
+    uint32_t *indices = calloc(corners, sizeof *indices);
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!positions || !indices) {
+        status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for framing both meshes");
+    }
+    for (size_t side = 0, v = 0, k = 0; side < 2 && status == BURNISH_STATUS_OK; ++side) {
+        const burnish_mesh_view *view = views[side];
+        const uint32_t before = side == 0 ? 0 : (uint32_t)first;
+        for (size_t i = 0; i < view->vertex_count; ++i, ++v) {
+            memcpy(positions + 6 * v, view->positions + 3 * i, 3 * sizeof *positions);
+            memcpy(positions + 6 * v + 3, view->normals + 3 * i, 3 * sizeof *positions);
+        }
+        for (size_t i = 0; i < 3 * view->triangle_count; ++i, ++k) {
+            indices[k] = before + view->indices[i];
+        }
+    }
+    if (status == BURNISH_STATUS_OK) {
+        const size_t stride = 6 * sizeof *positions;
+        all.name = "both meshes";
+        all.positions = (burnish_array){positions, vertices, stride};
+        all.normals = (burnish_array){positions + 3, vertices, stride};
+        all.indices = (burnish_array){indices, corners, 0};
+        memcpy(all.up_axis, views[0]->up_axis, sizeof all.up_axis);
+        status = burnish_mesh_create(&all, &options, joined, error);
+    }
+    free(positions);
+    free(indices);
+    return status;
+}
+
+static burnish_status aim(comparison *c, burnish_error *error) {
+    const burnish_mesh *meshes[2] = {c->sides[0].result.mesh, c->sides[1].result.mesh};
+    const render_view view =
+        c->settings->render.views.count > 0 ? c->settings->render.views.items[0] : VIEW_FREE;
+    burnish_camera camera;
+    render_room room = {0};
+    burnish_mesh *joined = NULL;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (meshes[0] && meshes[1] && meshes[0] != meshes[1]) {
+        status = join(meshes, &joined, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        const compare_side *drawn = &c->sides[meshes[0] ? 0 : 1];
+        status = render_camera(joined ? joined : drawn->result.mesh, &drawn->settings, view, &room,
+                               &camera, error);
+    }
+    for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
+        c->sides[i].cell.camera = camera;
+    }
+    burnish_mesh_destroy(joined);
+    return status;
+}
+
+/* The picture, and once more which part of each pixel the object covers. */
+static burnish_status draw_side(compare_side *side, burnish_renderer *renderer,
+                                burnish_error *error) {
+    burnish_render_options *options = &side->options;
+    burnish_target target = burnish_target_default();
+    const size_t pixels = (size_t)options->width * (size_t)options->height;
+    burnish_status status = render_draw_cell(&side->result, renderer, options, &side->cell, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    side->coverage = malloc(pixels);
+    if (!side->coverage) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for silhouettes");
+    }
+    target.coverage = side->coverage;
+    target.coverage_stride = (size_t)options->width;
+    options->counts = BURNISH_COUNTS_NONE;
+    options->occlusion = 0;
+    return burnish_renderer_draw_into(renderer, side->result.mesh, options, &target, NULL, error);
+}
+
+static burnish_status draw(comparison *c, burnish_error *error) {
+    burnish_renderer *renderer = NULL;
+    burnish_status status = choose_size(c, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = aim(c, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renderer_create(NULL, &renderer, error);
+    }
+    for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
+        compare_side *side = &c->sides[i];
+        if (compare_is_mesh(side)) {
+            status = draw_side(side, renderer, error);
+        }
+    }
+    burnish_renderer_destroy(renderer);
+    return status;
+}
+
+/* ---- Both ---- */
+
+static void describe(comparison *c, int i) {
+    compare_side *side = &c->sides[i];
+    char lobe[32];
+    side->settings = c->settings->render;
+    side->settings.input = side->input;
+    side->settings.lobes.count = 1;
+    side->settings.lobes.items[0] = c->settings->render.lobes.items[c->lobes ? i : 0];
+    side->options = render_make_options(&side->settings);
+    side->cell.lobe = side->settings.lobes.items[0];
+    side->result.settings = &side->settings;
+    side->result.options = &side->options;
+    side->result.cells = &side->cell;
+    side->result.cell_count = 1;
+    burnish_lobe_spec_name(&side->cell.lobe, lobe, sizeof lobe);
+    snprintf(side->label, sizeof side->label, "%.120s%s%s", base_name(side->input),
+             c->lobes ? ", " : "", c->lobes ? lobe : "");
+    snprintf(side->cell.label, sizeof side->cell.label, "%s", "the picture");
+}
+
+burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    for (int i = 0; i < 2; ++i) {
+        describe(c, i);
+    }
+    for (int i = 0; i < (c->lobes ? 1 : 2) && status == BURNISH_STATUS_OK; ++i) {
+        status = read_side(&c->sides[i], error);
+    }
+    if (status == BURNISH_STATUS_OK && c->lobes) {
+        if (!c->sides[0].result.mesh) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "compare: %.200s is a picture, which has no lobes; name another one "
+                            "or a mesh to compare it with",
+                            c->sides[0].input);
+        }
+        c->sides[1].result.mesh = c->sides[0].result.mesh;
+    }
+    if (status == BURNISH_STATUS_OK &&
+        (compare_is_mesh(&c->sides[0]) || compare_is_mesh(&c->sides[1]))) {
+        status = draw(c, error);
+    }
+    return status;
+}
+
+void compare_release_sides(comparison *c) {
+    for (int i = 0; i < 2; ++i) {
+        compare_side *side = &c->sides[i];
+        burnish_image_destroy(&side->picture);
+        burnish_image_destroy(&side->cell.image);
+        free(side->coverage);
+        for (size_t k = 0; k < side->result.warning_count; ++k) {
+            free(side->result.warnings[k]);
+        }
+        free(side->result.warnings);
+        burnish_mesh_destroy(side->owned);
+    }
+}

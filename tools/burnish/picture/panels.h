@@ -1,0 +1,19 @@
+/* Before, after and their difference side by side, with a legend. */
+#ifndef TOOL_PICTURE_PANELS_H
+#define TOOL_PICTURE_PANELS_H
+
+#include "burnish/image.h"
+
+typedef struct picture_panels {
+    const burnish_image *pictures[2]; /* of one size */
+    const char *labels[2];
+    const burnish_comparison *numbers;
+    const float *flip_map; /* FLIP of each pixel, shown instead of differences of codes; or NULL */
+} picture_panels;
+
+/* A new picture. Small ones are enlarged by a whole factor; the panels stand below each other where
+ * they are too wide. Errors: LIMIT (too large a picture), MEMORY. */
+burnish_status picture_compose(const picture_panels *panels, burnish_image *made,
+                               burnish_error *error);
+
+#endif
