@@ -92,6 +92,24 @@ printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nver
 "$burnish" compare part.stl - --size=32 <part.stl >"$out" 2>&1
 check "a mesh from a pipe: $(cat "$out")" grep -q 'the same' "$out"
 
+# render --reference.
+expect 0 '' render :teapot --size=48 --reference=teapot.png -o again.png
+expect 10 'burnish: teapot.png: the picture has 47 x 47 pixels, the reference 48 x 48' render :teapot --size=47 --reference=teapot.png -o again.png
+run render :teapot --size=48 --color=red --reference=teapot.png --reference-difference=panels.png --json -o red.png
+check "a red teapot: exit code $code" [ "$code" = 10 ]
+check "one line says how it differs: $(cat "$err")" grep -qx 'burnish: teapot.png: the picture differs: error 0\.[0-9]*, allowed 0; [0-9]* of 2304 pixels in [0-9, to]*, SSIM 0\.[0-9]*, FLIP 0\.[0-9]*' "$err"
+check "the report is valid" valid_json
+check "the report has the numbers" grep -q '"passes":.*false' "$out"
+check "the picture is written" [ -s red.png -a -s panels.png ]
+error=$(json error)
+"$burnish" compare teapot.png red.png --json >"$out"
+check "compare has the same error: $(json error), $error" [ "$(json error)" = "$error" ]
+expect 0 '' render :teapot --size=48 --color=red --reference=teapot.png --reference-threshold="$error" -o again.png
+expect 2 'burnish: --reference-threshold: there is nothing to compare with; name it with --reference=FILE' render :teapot --reference-threshold=0.1 -o again.png
+expect 2 'burnish: --output: "teapot.png" is the reference; name another file' render :teapot --reference=teapot.png -o teapot.png
+expect 2 'burnish: --reference-difference: "again.png" is another of this call'"'"'s files; name one of its own' render :teapot --reference=teapot.png --reference-difference=again.png -o again.png
+expect 3 "burnish: none.png: can't be opened: No such file or directory" render :teapot --reference=none.png -o again.png
+
 # What is wrong is said in a line.
 expect 10 'burnish: a.png has 64 x 64 pixels, teapot.png 48 x 48: nothing else was compared' compare a.png teapot.png
 expect 2 'burnish: compare: no A and B; try "burnish compare before.png after.png" or "burnish compare --help"' compare

@@ -92,6 +92,8 @@ run render :sphere --size=16 --views=front,top --json -o p.png
 json_keys >>keys.txt
 run render :sphere --size=16 --plane=depth:d.npy --json -o p.png
 json_keys >>keys.txt
+run render :sphere --size=17 --reference=p.png --json -o q.png # of another size: no numbers
+json_keys >>keys.txt
 sort -u keys.txt >written.txt
 awk '/^.SH/ { on = /JSON OUTPUT/ } on' page.txt >section.txt
 grep -o 'fB[a-z_, ]*fR' section.txt | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort -u >told.txt

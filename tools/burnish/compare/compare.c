@@ -272,19 +272,8 @@ static burnish_status write_panels(const comparison *c, burnish_error *error) {
         .numbers = &c->verdict.numbers,
         .flip_map = c->flip_map};
     const picture_options options = {.threads = settings->render.threads};
-    burnish_image image;
-    picture_file file = {0};
-    burnish_status status = picture_compose(&panels, &image, error);
-    if (status == BURNISH_STATUS_OK) {
-        const burnish_pixels pixels = burnish_image_pixels(&image);
-        status = picture_encode((picture_format)settings->format, &pixels, &options, &file, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_file_write(settings->output, file.bytes, file.size, error);
-    }
-    picture_release(&file);
-    burnish_image_destroy(&image);
-    return status;
+    return picture_write_panels(&panels, settings->output, (picture_format)settings->format,
+                                &options, error);
 }
 
 static burnish_status measure(comparison *c, burnish_error *error) {

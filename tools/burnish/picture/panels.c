@@ -213,3 +213,21 @@ burnish_status picture_compose(const picture_panels *panels, burnish_image *made
     burnish_image_destroy(&difference);
     return status;
 }
+
+burnish_status picture_write_panels(const picture_panels *panels, const char *path,
+                                    picture_format format, const picture_options *options,
+                                    burnish_error *error) {
+    burnish_image image;
+    picture_file file = {0};
+    burnish_status status = picture_compose(panels, &image, error);
+    if (status == BURNISH_STATUS_OK) {
+        const burnish_pixels pixels = burnish_image_pixels(&image);
+        status = picture_encode(format, &pixels, options, &file, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_file_write(path, file.bytes, file.size, error);
+    }
+    picture_release(&file);
+    burnish_image_destroy(&image);
+    return status;
+}

@@ -2,7 +2,7 @@
 #ifndef TOOL_PICTURE_PANELS_H
 #define TOOL_PICTURE_PANELS_H
 
-#include "burnish/image.h"
+#include "picture/picture.h"
 
 typedef struct picture_panels {
     const burnish_image *pictures[2]; /* of one size */
@@ -15,5 +15,10 @@ typedef struct picture_panels {
  * they are too wide. Errors: LIMIT (too large a picture), MEMORY. */
 burnish_status picture_compose(const picture_panels *panels, burnish_image *made,
                                burnish_error *error);
+
+/* The same into a file. Errors: as picture_compose, picture_encode and burnish_file_write. */
+burnish_status picture_write_panels(const picture_panels *panels, const char *path,
+                                    picture_format format, const picture_options *options,
+                                    burnish_error *error);
 
 #endif

@@ -559,6 +559,35 @@ static const cli_flag flags[] = {
                "code 8 and writes no picture. Otherwise a blank picture only gives a warning.",
      .handler = cli_flag_switch,
      TARGET(fail_on_blank)},
+    {.name = "reference",
+     .aliases = "ref",
+     .value = "FILE",
+     .help = "a PNG; exit code 10 where the picture differs",
+     .manual = "Compares the picture, or the sheet, with a PNG of the same size. Where it differs, "
+               "the picture is written all the same, one line tells how, and the exit code is 10. "
+               "*--json* has the numbers under *reference*; they are those of *burnish compare*.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(reference)},
+    {.name = "reference-threshold",
+     .aliases = "ref-threshold",
+     .value = "X",
+     .help = "largest error that passes",
+     .default_label = "no pixel may differ",
+     .low = 0,
+     .high = 1,
+     .manual = "The picture passes where its error, 1 less the structural similarity to the "
+               "reference, is at most _X_, from 0 to 1. The same pictures always pass.",
+     .handler = cli_flag_real,
+     TARGET(reference_threshold)},
+    {.name = "reference-difference",
+     .value = "FILE",
+     .help = "reference, picture and difference side by side",
+     .manual = "Writes the reference, the picture and their difference side by side into _FILE_, "
+               "as *burnish compare --output* does, where the sizes are the same.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(reference_difference)},
 };
 
 static const cli_example examples[] = {
@@ -652,6 +681,8 @@ static const cli_term json_terms[] = {
     {"*hash, hash_algorithm*",
      "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
     {"*blank*", "true when the picture, or a cell, shows nothing or is of one colour"},
+    {"*reference*", "with *--reference*: *input*, *width*, *height*, *passes*, and where the sizes "
+                    "are the same the other numbers of *burnish compare --json*"},
     {"*warnings*", "lines, also with *--quiet*"},
     {"*planes*", "of each *--plane*: *plane*, *output*; of depth also *low* and *high*"},
     {"*cells*", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and "

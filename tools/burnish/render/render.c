@@ -10,6 +10,7 @@
 #include "cli/run.h"
 #include "render/annotate.h"
 #include "render/camera.h"
+#include "render/reference.h"
 #include "render/report.h"
 #include "render/settings.h"
 
@@ -327,9 +328,12 @@ static burnish_status encode(const render_result *result, picture_file *file,
 }
 
 static burnish_status write_picture(render_result *result, burnish_error *error) {
-    picture_file file;
+    picture_file file = {0};
+    burnish_status status = render_judge(result, error);
     double start = seconds_now();
-    burnish_status status = encode(result, &file, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = encode(result, &file, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = write_planes(result, error);
     }
@@ -388,6 +392,9 @@ static burnish_status render(render_result *result, burnish_render_options *opti
     describe_cells(result);
     burnish_status status = check_sheet(result, error);
     if (status == BURNISH_STATUS_OK) {
+        status = render_read_reference(result, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = load(result, error);
     }
     if (status == BURNISH_STATUS_OK) {
@@ -405,6 +412,7 @@ static void release(render_result *result) {
         burnish_image_destroy(&result->cells[i].image);
     }
     free(result->cells);
+    burnish_image_destroy(&result->reference.image);
     render_release_planes(&result->planes);
     for (size_t i = 0; i < result->warning_count; ++i) {
         free(result->warnings[i]);
@@ -441,6 +449,8 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     if (status == BURNISH_STATUS_OK && result.blank_cells > 0 && settings->fail_on_blank) {
         report_blank(&result);
         call->exit_code = CLI_EXIT_BLANK;
+    } else if (status == BURNISH_STATUS_OK && render_report_difference(&result)) {
+        call->exit_code = CLI_EXIT_DIFFERENT;
     }
     release(&result);
     return status;

@@ -12,6 +12,7 @@
 #include "cli/output.h"
 #include "cli/run.h"
 #include "render/camera.h"
+#include "render/reference.h"
 
 void render_result_warn(render_result *result, int printed, const char *format, ...) {
     burnish_error line;
@@ -224,6 +225,7 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "hash", hash_text(result->hash), failed);
     cli_json_add(root, "hash_algorithm", cJSON_CreateString("xxh64"), failed);
     cli_json_add(root, "blank", cJSON_CreateBool(result->blank_cells > 0), failed);
+    render_add_reference(root, result, failed);
     cli_json_add(root, "warnings", cli_json_array(result->warning_count, text_at, result->warnings),
                  failed);
 }

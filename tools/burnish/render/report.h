@@ -2,6 +2,7 @@
 #ifndef TOOL_RENDER_REPORT_H
 #define TOOL_RENDER_REPORT_H
 
+#include "picture/verdict.h"
 #include "render/settings.h"
 #include "render/tones.h"
 
@@ -39,6 +40,10 @@ typedef struct render_result {
     int written;           /* 1: the output is written, but for its name */
     double start, encoded; /* clock, in seconds: before loading, after encoding */
     render_seconds seconds;
+    struct {
+        burnish_image image;     /* empty without --reference */
+        picture_verdict verdict; /* of no pixels where the sizes differ */
+    } reference;
     char **warnings; /* warning_count lines, owned */
     size_t warning_count;
 } render_result;

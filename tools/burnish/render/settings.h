@@ -114,6 +114,8 @@ typedef struct render_settings {
     cli_real crease;
     const char *json; /* where the report goes; NULL: nowhere */
     int timing, quiet, fail_on_blank;
+    const char *reference, *reference_difference; /* files; NULL: none */
+    cli_real reference_threshold;
 
     char default_output[512]; /* what output points to when the name is made from the input's */
 } render_settings;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "cli/platform.h"
+#include "render/reference.h"
 #include "render/settings.h"
 
 static int is_standard(const char *path) {
@@ -243,6 +244,9 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_planes(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_check_reference(settings, error);
     }
     return status == BURNISH_STATUS_OK ? check_report(settings, error) : status;
 }

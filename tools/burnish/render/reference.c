@@ -1,0 +1,145 @@
+#include "render/reference.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/output.h"
+#include "cli/platform.h"
+#include "picture/panels.h"
+#include "picture/read_png.h"
+
+static picture_rule rule_of(const render_settings *settings) {
+    return (picture_rule){.threshold = settings->reference_threshold, .metric = PICTURE_SSIM};
+}
+
+/* Whether two names stand for one file; standard input and output for none. */
+static int is_same(const char *a, const char *b) {
+    return a && b && strcmp(a, "-") != 0 && strcmp(b, "-") != 0 &&
+           (strcmp(a, b) == 0 || cli_same_file(a, b));
+}
+
+burnish_status render_check_reference(const render_settings *settings, burnish_error *error) {
+    const char *reference = settings->reference, *difference = settings->reference_difference;
+    const char *alone = settings->reference_threshold.given ? "reference-threshold"
+                        : difference                        ? "reference-difference"
+                                                            : NULL;
+    if (!reference && alone) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: there is nothing to compare with; name it with --reference=FILE",
+                        alone);
+    }
+    if (reference && (settings->format == PICTURE_EXR || settings->format == PICTURE_NPY)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--reference: --output=%.200s holds planes; name a picture",
+                        settings->output);
+    }
+    if (is_same(reference, settings->output)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: \"%.200s\" is the reference; name another file",
+                        settings->output);
+    }
+    const char *others[] = {settings->input, settings->output, reference, settings->json};
+    for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
+        if (is_same(difference, others[i])) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--reference-difference: \"%.200s\" is another of this call's files; "
+                            "name one of its own",
+                            difference);
+        }
+    }
+    picture_format unused;
+    return difference ? picture_choose("reference-difference", difference, PICTURE_STILL,
+                                       PICTURE_AUTO, &unused, error)
+                      : BURNISH_STATUS_OK;
+}
+
+burnish_status render_read_reference(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    return settings->reference
+               ? picture_read_png(settings->reference, settings->load.max_input_bytes,
+                                  &result->reference.image, error)
+               : BURNISH_STATUS_OK;
+}
+
+static burnish_status write_difference(const render_result *result,
+                                       const burnish_comparison *numbers, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    const picture_panels panels = {.pictures = {&result->reference.image, result->picture},
+                                   .labels = {"the reference", "the picture"},
+                                   .numbers = numbers};
+    const picture_options options = {.threads = settings->threads};
+    picture_format format;
+    burnish_status status = picture_choose("reference-difference", settings->reference_difference,
+                                           PICTURE_STILL, PICTURE_AUTO, &format, error);
+    return status == BURNISH_STATUS_OK
+               ? picture_write_panels(&panels, settings->reference_difference, format, &options,
+                                      error)
+               : status;
+}
+
+burnish_status render_judge(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    const burnish_image *reference = &result->reference.image, *picture = result->picture;
+    burnish_comparison numbers;
+    if (!settings->reference || reference->width != picture->width ||
+        reference->height != picture->height) {
+        return BURNISH_STATUS_OK;
+    }
+    const picture_rule rule = rule_of(settings);
+    const burnish_pixels a = burnish_image_pixels(reference), b = burnish_image_pixels(picture);
+    burnish_compare_options options = burnish_compare_options_default();
+    options.threads = settings->threads;
+    burnish_status status = burnish_pixels_compare(&a, &b, &options, &numbers, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    result->reference.verdict = picture_judge(&rule, &numbers);
+    return settings->reference_difference ? write_difference(result, &numbers, error)
+                                          : BURNISH_STATUS_OK;
+}
+
+void render_add_reference(cJSON *root, const render_result *result, int *failed) {
+    const burnish_image *image = &result->reference.image;
+    const picture_verdict *verdict = &result->reference.verdict;
+    const picture_rule rule = rule_of(result->settings);
+    if (!image->pixels) {
+        return;
+    }
+    cJSON *object = cJSON_CreateObject();
+    cli_json_add(object, "input", cli_json_text(result->settings->reference), failed);
+    cli_json_add(object, "width", cJSON_CreateNumber(image->width), failed);
+    cli_json_add(object, "height", cJSON_CreateNumber(image->height), failed);
+    if (verdict->numbers.pixels > 0) {
+        picture_add_verdict(object, &rule, verdict, failed);
+    } else {
+        cli_json_add(object, "passes", cJSON_CreateBool(0), failed);
+    }
+    cli_json_add(root, "reference", object, failed);
+}
+
+int render_report_difference(const render_result *result) {
+    const render_settings *settings = result->settings;
+    const burnish_image *reference = &result->reference.image;
+    const picture_verdict *verdict = &result->reference.verdict;
+    const burnish_comparison *n = &verdict->numbers;
+    burnish_error line;
+    if (!reference->pixels || verdict->passes) {
+        return 0;
+    }
+    if (n->pixels == 0) {
+        cli_fail(&line, BURNISH_STATUS_OK,
+                 "%.300s: the picture has %d x %d pixels, the reference %d x %d",
+                 settings->reference, result->picture->width, result->picture->height,
+                 reference->width, reference->height);
+    } else {
+        cli_fail(&line, BURNISH_STATUS_OK,
+                 "%.300s: the picture differs: error %.3g, allowed %.3g; %llu of %llu pixels in "
+                 "%d, %d to %d, %d, SSIM %.4f, FLIP %.4f",
+                 settings->reference, verdict->error,
+                 settings->reference_threshold.given ? settings->reference_threshold.value : 0.0,
+                 (unsigned long long)n->different_pixels, (unsigned long long)n->pixels,
+                 n->bounds[0], n->bounds[1], n->bounds[2], n->bounds[3], n->ssim, n->flip);
+    }
+    fprintf(stderr, "burnish: %s\n", line.text);
+    return 1;
+}
