@@ -23,8 +23,8 @@ static const struct layer {
     {"src/raster", "core simd burnish/core.h"},
     {"src/image", "core burnish/core.h burnish/image.h"},
     {"src/annotate", "core image burnish/annotate.h burnish/core.h burnish/image.h burnish/mesh.h"},
-    {"src/render", "core simd raster shading burnish/core.h burnish/kernels.h burnish/mesh.h "
-                   "burnish/render.h"},
+    {"src/render", "core simd raster shading mesh/edges.h image/strokes.h burnish/core.h "
+                   "burnish/kernels.h burnish/mesh.h burnish/render.h"},
     {"tools/burnish/cli", "burnish"},
     {"tools/burnish/compare", "cli render picture burnish"},
     {"tools/burnish/info", "cli burnish"},

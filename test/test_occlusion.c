@@ -159,8 +159,9 @@ static void test_exposure(void) {
     int brightest = 0;
     burnish_mesh_load(":sphere", &load, &mesh, &error);
     burnish_material material = *burnish_mesh_material(mesh, 0);
-    CHECK(burnish_render_options_set_look(&options, BURNISH_LOOK_STUDIO, mesh, &error) ==
-              BURNISH_STATUS_OK,
+    CHECK(burnish_render_options_set_look(&options, BURNISH_LOOK_STUDIO, &error) ==
+                  BURNISH_STATUS_OK &&
+              burnish_look_set_materials(BURNISH_LOOK_STUDIO, mesh, &error) == BURNISH_STATUS_OK,
           "%s", error.text);
     for (int k = 0; k < 3; ++k) {
         material.diffuse[k] = material.ambient[k] = 1;
@@ -199,10 +200,12 @@ static void test_refusals(void) {
     options.occlusion_strength = NAN;
     CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
           "a strength that is no number is accepted");
-    CHECK(burnish_render_options_set_look(&options, BURNISH_LOOK_COUNT, mesh, &error) ==
-              BURNISH_STATUS_ARGUMENT,
+    CHECK(burnish_render_options_set_look(&options, BURNISH_LOOK_COUNT, &error) ==
+                  BURNISH_STATUS_ARGUMENT &&
+              burnish_look_set_materials(BURNISH_LOOK_COUNT, mesh, &error) ==
+                  BURNISH_STATUS_ARGUMENT,
           "a look that does not exist is accepted");
-    CHECK(burnish_render_options_set_look(NULL, BURNISH_LOOK_CLAY, mesh, &error) ==
+    CHECK(burnish_render_options_set_look(NULL, BURNISH_LOOK_CLAY, &error) ==
               BURNISH_STATUS_ARGUMENT,
           "no options are accepted");
     burnish_mesh_destroy(mesh);

@@ -61,6 +61,19 @@ typedef enum burnish_counts {
 /* Transparent surfaces that a sample shows at most: the nearest ones; those behind them are left
  * out, and counted in the report. */
 #define BURNISH_TRANSPARENT_LAYERS_MAX 32
+/* Edges that are drawn as lines, hidden ones removed. */
+enum {
+    BURNISH_EDGES_SILHOUETTES = 1, /* where the surface turns away, and what is behind it is
+                                      further away */
+    BURNISH_EDGES_CREASES = 2,     /* where it is shaded with two normals */
+    BURNISH_EDGES_BOUNDARIES = 4,  /* of one triangle */
+    BURNISH_EDGES_MATERIALS = 8,   /* between two materials */
+    BURNISH_EDGES_FEATURES = 15,   /* all of these */
+    BURNISH_EDGES_ALL = 16         /* of every triangle: a wireframe */
+};
+
+/* The widest line, in pixels. */
+#define BURNISH_EDGE_WIDTH_MAX 100
 
 /* As many threads as the process may use, or as the context's task runner has. */
 #define BURNISH_THREADS_AUTO 0
@@ -84,6 +97,11 @@ typedef struct burnish_render_options {
     float occlusion_strength; /* [0, 1]: what a point that sees no sky loses of its light */
     burnish_light lights[BURNISH_LIGHT_MAX];
     int light_count;       /* [0, BURNISH_LIGHT_MAX] */
+    int edges;             /* a sum of BURNISH_EDGES_...; 0: none */
+    float edge_width;      /* pixels, (0, BURNISH_EDGE_WIDTH_MAX], of outlines: where there is a
+                              step in depth. Other lines have 3/5 of it */
+    uint8_t edge_color[3]; /* sRGB */
+    float edge_opacity;    /* [0, 1] */
     uint8_t background[3]; /* sRGB */
     int transparent;       /* 1: the image has alpha and no background */
     int ignore_colors;     /* 1: the mesh's vertex colours are not used */
@@ -103,17 +121,24 @@ typedef enum burnish_look {
     /* The same rig, so weak that a white surface comes out near 0.9 of white and no surface's own
      * colour is cut off, on a ground a little darker than white, with ambient occlusion. */
     BURNISH_LOOK_STUDIO,
-    BURNISH_LOOK_CLAY, /* studio without highlights: every surface one matt warm colour */
+    BURNISH_LOOK_CLAY,      /* studio without highlights: every surface one matt warm colour */
+    BURNISH_LOOK_TECHNICAL, /* edges over light, matt surfaces; one light, white ground */
+    BURNISH_LOOK_DRAWING,   /* edges alone: surfaces as white as the ground */
+    BURNISH_LOOK_LOBES,     /* one light on dark surfaces, white ground: highlights stand out */
     BURNISH_LOOK_COUNT
 } burnish_look;
 
-/* Sets the options' lights, ambient light, background, occlusion and ignore_colors as the look has
- * them, and those of the mesh's materials that have no colour of their own (has_diffuse 0), or for
- * CLAY all, to the look's grey; call it before flags or settings of your own. mesh may be NULL.
+/* Sets the options' lights, ambient light, background, occlusion, edges, edge_width and
+ * ignore_colors as the look has them; call it before settings of your own.
  * Errors: ARGUMENT (options not from burnish_render_options_default(), no such look). */
 BURNISH_API burnish_status burnish_render_options_set_look(burnish_render_options *options,
-                                                           burnish_look look, burnish_mesh *mesh,
-                                                           burnish_error *error);
+                                                           burnish_look look, burnish_error *error);
+
+/* Gives the look's colours, without a highlight's exponent, to those of a mesh's materials that
+ * have none of their own (has_diffuse 0); with CLAY and DRAWING to all, with PLAIN to none. Errors:
+ * ARGUMENT (no such look), MEMORY. */
+BURNISH_API burnish_status burnish_look_set_materials(burnish_look look, burnish_mesh *mesh,
+                                                      burnish_error *error);
 
 /* What was drawn. */
 typedef struct burnish_render_report {
@@ -220,6 +245,36 @@ BURNISH_API burnish_status burnish_renderer_draw_into(
 
 /* NULL is allowed. */
 BURNISH_API void burnish_renderer_destroy(burnish_renderer *renderer);
+
+/* ---- Lines ---- */
+
+/* The edges that a frame showed, as polylines in pixels from the top left corner of the picture. */
+typedef struct burnish_lines {
+    int width, height;      /* of the picture */
+    uint8_t color[3];       /* sRGB */
+    float opacity;          /* [0, 1] */
+    size_t line_count;      /* 0: the frame had no lines */
+    const uint32_t *starts; /* line_count + 1: the first point of each line */
+    const float *points;    /* x, y of each point */
+    size_t point_count;
+    const float *widths; /* pixels, of each line */
+} burnish_lines;
+
+/* Those of the last frame, valid until the next one. NULL for NULL. */
+BURNISH_API const burnish_lines *burnish_renderer_get_lines(const burnish_renderer *renderer);
+
+/* Writes lines as an SVG, the same bytes everywhere: lines of one width are one path, coordinates
+ * have two decimals.
+ *   title       UTF-8; NULL: none
+ *   background  sRGB of a ground; NULL: none
+ *   context     whose memory is used; NULL: the default
+ *   text        receives the file, with a 0 at its end; give it to burnish_release()
+ *   size        receives its bytes, without that 0
+ * Errors: ARGUMENT, MEMORY, LIMIT; *text is then NULL. */
+BURNISH_API burnish_status burnish_lines_svg(const burnish_lines *lines, const char *title,
+                                             const uint8_t background[3],
+                                             const burnish_context *context, char **text,
+                                             size_t *size, burnish_error *error);
 
 #ifdef __cplusplus
 }

@@ -10,6 +10,15 @@
 #include "render/surface.h"
 #include "render/transparency.h"
 
+/* ---- Options ---- */
+
+/* ARGUMENT unless burnish_render_options_default() made them. */
+burnish_status burnish_render_options_check_cookie(const burnish_render_options *options,
+                                                   burnish_error *error);
+
+/* What the look, one of the list, says of options. */
+void burnish_look_apply(burnish_look look, burnish_render_options *options);
+
 /* ---- View: camera, lights and materials, as raster and shading work with them ---- */
 
 /* From a depth of the raster to the distance along the view axis, in the mesh's units:

@@ -8,19 +8,12 @@
 #include "core/tasks.h"
 #include "core/vector.h"
 #include "render/frame.h"
+#include "render/lines.h"
 
 /* Marks options that burnish_render_options_default() made. */
 #define RENDER_COOKIE 0x62726e64u
 
 /* ---- Options ---- */
-
-/* A key light from the upper left, a cooler and weaker fill from the right, a rim light from
- * behind: the photographer's three points. Directions in camera space. */
-static const burnish_light DEFAULT_RIG[] = {
-    {BURNISH_LIGHT_DIRECTIONAL, 1, {-0.55, 0.75, 0.85}, {1.22f, 1.19f, 1.13f}},
-    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.90, 0.15, 0.55}, {0.24f, 0.28f, 0.34f}},
-    {BURNISH_LIGHT_DIRECTIONAL, 1, {0.35, 0.60, -0.80}, {0.68f, 0.68f, 0.72f}},
-};
 
 burnish_render_options burnish_render_options_default(void) {
     burnish_render_options options;
@@ -34,14 +27,18 @@ burnish_render_options burnish_render_options_default(void) {
     options.lobe.fit = BURNISH_FIT_ENERGY;
     options.lobe.order = 2;
     options.local_viewer = 1;
-    options.occlusion_strength = 0.75f;
-    for (int i = 0; i < 3; ++i) {
-        options.ambient_light[i] = 0.08f;
-        options.background[i] = 255;
-    }
-    memcpy(options.lights, DEFAULT_RIG, sizeof DEFAULT_RIG);
-    options.light_count = sizeof DEFAULT_RIG / sizeof DEFAULT_RIG[0];
+    options.edge_opacity = 1;
+    memset(options.edge_color, 20, sizeof options.edge_color);
+    burnish_look_apply(BURNISH_LOOK_PLAIN, &options);
     return options;
+}
+
+burnish_status burnish_render_options_check_cookie(const burnish_render_options *options,
+                                                   burnish_error *error) {
+    return options && options->cookie == RENDER_COOKIE
+               ? BURNISH_STATUS_OK
+               : burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "options: start from burnish_render_options_default()");
 }
 
 static int finite(const double *values, int count) {
@@ -123,10 +120,29 @@ static burnish_status check_occlusion(const burnish_render_options *options, bur
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status check_options(const burnish_render_options *options, burnish_error *error) {
-    if (!options || options->cookie != RENDER_COOKIE) {
+static burnish_status check_edges(const burnish_render_options *options, burnish_error *error) {
+    const int all = BURNISH_EDGES_FEATURES | BURNISH_EDGES_ALL;
+    if (options->edges < 0 || options->edges > all) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: start from burnish_render_options_default()");
+                            "edges: %d is no sum of BURNISH_EDGES_...", options->edges);
+    }
+    if (!(options->edge_width > 0 && options->edge_width <= BURNISH_EDGE_WIDTH_MAX)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "edges: a width of %g pixels is not in (0, %d]",
+                            (double)options->edge_width, BURNISH_EDGE_WIDTH_MAX);
+    }
+    if (!(options->edge_opacity >= 0 && options->edge_opacity <= 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "edges: an opacity of %g is not in [0, 1]",
+                            (double)options->edge_opacity);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_options(const burnish_render_options *options, burnish_error *error) {
+    burnish_status status = burnish_render_options_check_cookie(options, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     if (options->width < 1 || options->width > BURNISH_IMAGE_MAX_SIZE || options->height < 1 ||
         options->height > BURNISH_IMAGE_MAX_SIZE) {
@@ -143,12 +159,15 @@ static burnish_status check_options(const burnish_render_options *options, burni
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "threads: %d is not in [0, %d]",
                             options->threads, BURNISH_THREADS_MAX);
     }
-    burnish_status status = burnish_lobe_spec_check(&options->lobe, error);
+    status = burnish_lobe_spec_check(&options->lobe, error);
     if (status == BURNISH_STATUS_OK) {
         status = check_camera(&options->camera, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_occlusion(options, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_edges(options, error);
     }
     return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
 }
@@ -165,6 +184,7 @@ struct burnish_renderer {
     burnish_transparency transparency;
     burnish_tiles tiles;
     burnish_occlusion occlusion;
+    burnish_line_art line_art;
     burnish_output_row background;
     burnish_srgb_encoder encoder;
     const burnish_kernels *best; /* asking the processor takes as long as drawing a tile */
@@ -191,6 +211,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         const burnish_context *context = renderer->context;
         burnish_tiles_destroy(&renderer->tiles, context);
         burnish_occlusion_destroy(&renderer->occlusion, context);
+        burnish_line_art_destroy(&renderer->line_art, context);
         burnish_attributes_destroy(&renderer->attributes, context);
         burnish_transparency_destroy(&renderer->transparency, context);
         burnish_geometry_destroy(&renderer->geometry);
@@ -209,7 +230,7 @@ typedef struct drawing {
     burnish_renderer *renderer;
     const burnish_mesh *mesh;
     const burnish_render_options *options;
-    const burnish_target *target;
+    burnish_target target;
     burnish_counts counts;
     burnish_render_report report;
     burnish_memory memory;
@@ -251,7 +272,7 @@ static burnish_status update_occlusion(drawing *d) {
     const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
     double up[3];
     d->view.shading.occlusion = NULL;
-    if (d->options->occlusion == 0 || !d->target->pixels.pixels) {
+    if (d->options->occlusion == 0 || !d->target.pixels.pixels) {
         return BURNISH_STATUS_OK;
     }
     burnish_vec3_store(burnish_vec3_loadf(mesh->up_axis), up);
@@ -328,7 +349,7 @@ static burnish_status draw_tiles(drawing *d) {
                            .drawn = clear_drawn(d),
                            .tasks = &renderer->tasks,
                            .context = renderer->context};
-    burnish_status status = burnish_output_begin(&frame.output, d->target, d->options,
+    burnish_status status = burnish_output_begin(&frame.output, &d->target, d->options,
                                                  &renderer->background, &d->memory);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_frame_draw(&frame, &renderer->tiles, &d->report, d->memory.error);
@@ -336,6 +357,20 @@ static burnish_status draw_tiles(drawing *d) {
     if (status == BURNISH_STATUS_OK) {
         count_drawn(d);
         measure_hidden(d);
+    }
+    return status;
+}
+
+/* Edges over what is drawn. */
+static burnish_status draw_lines(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    burnish_line_art *art = &renderer->line_art;
+    burnish_status status =
+        burnish_line_art_update(art, burnish_mesh_get_view(d->mesh), &d->view, d->options,
+                                &d->target, &renderer->tasks, &d->memory);
+    if (status == BURNISH_STATUS_OK && d->target.pixels.pixels && art->lines.line_count > 0) {
+        status =
+            burnish_line_art_draw(art, d->options, &d->target.pixels, &renderer->tasks, &d->memory);
     }
     return status;
 }
@@ -372,14 +407,27 @@ static burnish_status draw(drawing *d) {
         status = transform(d);
         d->report.seconds_transform = burnish_seconds_now() - start;
     }
+    if (status == BURNISH_STATUS_OK && d->options->edges) {
+        status = burnish_line_art_planes(&renderer->line_art, d->options, &d->target, &d->memory);
+    }
+    memset(&renderer->line_art.lines, 0, sizeof renderer->line_art.lines);
     if (status == BURNISH_STATUS_OK) {
         status = draw_tiles(d);
+    }
+    if (status == BURNISH_STATUS_OK && d->options->edges) {
+        status = draw_lines(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
         d->report.seconds_draw = burnish_seconds_now() - start - d->report.seconds_transform;
     }
     return status;
 }
 
 /* ---- Entries ---- */
+
+const burnish_lines *burnish_renderer_get_lines(const burnish_renderer *renderer) {
+    return renderer ? &renderer->line_art.lines : NULL;
+}
 
 static burnish_status check_call(const burnish_renderer *renderer, const burnish_mesh *mesh,
                                  const burnish_render_options *options, burnish_error *error) {
@@ -411,7 +459,7 @@ burnish_status burnish_renderer_draw_into(burnish_renderer *renderer, const burn
     drawing d = {.renderer = renderer,
                  .mesh = mesh,
                  .options = options,
-                 .target = target,
+                 .target = *target,
                  .counts = report ? options->counts : BURNISH_COUNTS_NONE,
                  .memory = burnish_memory_of(renderer->context, error)};
     status = draw(&d);

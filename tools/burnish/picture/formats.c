@@ -21,12 +21,13 @@ static const format_row rows[PICTURE_COUNT] = {
     [PICTURE_EXR] = {"EXR", "exr", NULL, PICTURE_STILL | PICTURE_PLANE,
                      WITH(BURNISH_HAS_EXR, "OpenEXR")},
     [PICTURE_NPY] = {"NPY", "npy", NULL, PICTURE_STILL | PICTURE_PLANE, NULL},
+    [PICTURE_SVG] = {"SVG", "svg", NULL, PICTURE_LINES, NULL},
 };
 
 /* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
-static const char *const foreign[] = {"svg", "tif",  "tiff", "bmp", "ppm", "pgm", "pnm",  "avif",
-                                      "pdf", "ico",  "tga",  "hdr", "jxl", "eps", "heic", "jp2",
-                                      "mp4", "webm", "mov",  "avi", "mkv", "qoi", "gif"};
+static const char *const foreign[] = {"tif",  "tiff", "bmp", "ppm", "pgm", "pnm",  "avif", "pdf",
+                                      "ico",  "tga",  "hdr", "jxl", "eps", "heic", "jp2",  "mp4",
+                                      "webm", "mov",  "avi", "mkv", "qoi", "gif"};
 
 const char *picture_ending(picture_format format) {
     return rows[format].ending;

@@ -13,13 +13,15 @@ typedef enum picture_format {
     PICTURE_WEBP,
     PICTURE_EXR,
     PICTURE_NPY,
+    PICTURE_SVG, /* of lines: picture_encode does not make it */
     PICTURE_COUNT
 } picture_format;
 
 /* What a file is for; a set of bits says what a format serves. */
 typedef enum picture_use {
     PICTURE_STILL = 1,
-    PICTURE_PLANE = 2 /* numbers per pixel */
+    PICTURE_PLANE = 2, /* numbers per pixel */
+    PICTURE_LINES = 4
 } picture_use;
 
 /* What comes after the dot in names of that format: "jpg". */

@@ -5,13 +5,9 @@
 #include "cli/output.h"
 #include "render/settings.h"
 
-static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
-                                        {"png", PICTURE_PNG},
-                                        {"jpeg", PICTURE_JPEG},
-                                        {"webp", PICTURE_WEBP},
-                                        {"exr", PICTURE_EXR},
-                                        {"npy", PICTURE_NPY},
-                                        {NULL, 0}};
+static const cli_word format_words[] = {
+    {"auto", PICTURE_AUTO}, {"png", PICTURE_PNG}, {"jpeg", PICTURE_JPEG}, {"webp", PICTURE_WEBP},
+    {"svg", PICTURE_SVG},   {"exr", PICTURE_EXR}, {"npy", PICTURE_NPY},   {NULL, 0}};
 const cli_word render_plane_words[] = {
     {"depth", PLANE_DEPTH},
     {"normal", PLANE_NORMAL},
@@ -38,6 +34,15 @@ static const cli_word view_words[] = {
 const cli_word render_look_words[] = {{"studio", BURNISH_LOOK_STUDIO},
                                       {"plain", BURNISH_LOOK_PLAIN},
                                       {"clay", BURNISH_LOOK_CLAY},
+                                      {"technical", BURNISH_LOOK_TECHNICAL},
+                                      {"drawing", BURNISH_LOOK_DRAWING},
+                                      {"lobes", BURNISH_LOOK_LOBES},
+                                      {NULL, 0}};
+static const cli_word edge_words[] = {{"silhouettes", BURNISH_EDGES_SILHOUETTES},
+                                      {"creases", BURNISH_EDGES_CREASES},
+                                      {"boundaries", BURNISH_EDGES_BOUNDARIES},
+                                      {"materials", BURNISH_EDGES_MATERIALS},
+                                      {"none", 0},
                                       {NULL, 0}};
 
 static const cli_word annotation_words[] = {{"axes", BURNISH_ANNOTATION_AXES},
@@ -495,6 +500,50 @@ static const cli_flag flags[] = {
      .handler = render_flag_occlusion,
      TARGET(occlusion)},
 
+    {.group = "Lines",
+     .topic = "lines",
+     .name = "edges",
+     .aliases = "outline,outlines,feature-edges",
+     .common = 1,
+     .value = "LIST",
+     .optional = 1,
+     .help = "draw edges, hidden ones left out:",
+     .default_label = "the look's",
+     .manual =
+         "Draws edges as lines, hidden ones left out: *silhouettes*, where a step in depth is; "
+         "*creases*, where the surface is shaded with an edge; *boundaries* of open surfaces; "
+         "borders between *materials*; or *none*. Without _LIST_ all of them. Lines at a step in "
+         "depth are *--edge-width* wide, the others have 3/5 of that.",
+     .handler = render_flag_edges,
+     .words = edge_words,
+     TARGET(edges)},
+    {.name = "wireframe",
+     .aliases = "wire,mesh-lines",
+     .common = 1,
+     .help = "draw the edges of all triangles",
+     .manual = "Draws the edges of all triangles as lines, hidden ones left out.",
+     .handler = cli_flag_switch,
+     TARGET(wireframe)},
+    {.name = "edge-width",
+     .aliases = "line-width",
+     .value = "PIXELS",
+     .help = "of outlines; other lines have 3/5 of it",
+     .default_label = "1.8",
+     .low = 0.1,
+     .high = BURNISH_EDGE_WIDTH_MAX,
+     .manual = "Width of lines at a step in depth, in pixels, from 0.1 to 100. The others have 3/5 "
+               "of it.",
+     .handler = cli_flag_real,
+     TARGET(edge_width)},
+    {.name = "edge-color",
+     .aliases = "edge-colour,line-color",
+     .value = "COLOR",
+     .help = "of lines",
+     .default_label = "near black",
+     .manual = "Colour of lines; see *COLOURS*.",
+     .handler = cli_flag_color,
+     TARGET(edge_color)},
+
     {.group = "Input and report", .topic = "report", CLI_INPUT_FORMAT_FLAG(render_settings, load)},
     {.name = "crease-angle",
      .value = "DEG",
@@ -614,6 +663,13 @@ static const cli_term look_terms[] = {
                  "and thumbnails."},
     {"*plain*", "the same lights, brighter, on white, without occlusion: the fastest."},
     {"*clay*", "every surface matt and warm, strong occlusion: for shapes."},
+    {"*technical*", "*--edges* over light, matt surfaces under one light, on white, without "
+                    "occlusion."},
+    {"*drawing*",
+     "*--edges* alone: surfaces as white as the ground. As SVG where the output ends in "
+     "*.svg*."},
+    {"*lobes*", "one light on dark surfaces, on white, without occlusion: for highlights, which "
+                "*--exponent*, *--specular* and *--lobe* change."},
     {NULL, NULL},
 };
 

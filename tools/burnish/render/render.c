@@ -221,6 +221,28 @@ static burnish_status draw_planes(render_result *result, burnish_renderer *rende
                : render_draw_planes(renderer, result->mesh, options, kinds, &result->planes, error);
 }
 
+static void release_svg(void *bytes) {
+    burnish_release(NULL, bytes);
+}
+
+/* The lines of the only cell. */
+static burnish_status encode_lines(render_result *result, const burnish_renderer *renderer,
+                                   burnish_error *error) {
+    const burnish_render_options *options = result->options;
+    const char *slash = strrchr(result->settings->input, '/');
+    char title[256], *text;
+    snprintf(title, sizeof title, "%s", slash ? slash + 1 : result->settings->input);
+    for (char *c = title; *c; ++c) {
+        *c = (signed char)*c < 0 ? '?' : *c; /* names may hold bytes that are not UTF-8 */
+    }
+    burnish_status status = burnish_lines_svg(burnish_renderer_get_lines(renderer), title,
+                                              options->transparent ? NULL : options->background,
+                                              NULL, &text, &result->svg.size, error);
+    result->svg.bytes = (uint8_t *)text;
+    result->svg.release = release_svg;
+    return status;
+}
+
 static burnish_status draw_cells(render_result *result, burnish_render_options *options,
                                  burnish_error *error) {
     const render_settings *settings = result->settings;
@@ -240,6 +262,9 @@ static burnish_status draw_cells(render_result *result, burnish_render_options *
     }
     if (progress) {
         fprintf(stderr, "\r\033[K");
+    }
+    if (status == BURNISH_STATUS_OK && settings->format == PICTURE_SVG) {
+        status = encode_lines(result, renderer, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = draw_planes(result, renderer, options, error);
@@ -313,12 +338,16 @@ static burnish_status write_planes(const render_result *result, burnish_error *e
     return status;
 }
 
-static burnish_status encode(const render_result *result, picture_file *file,
-                             burnish_error *error) {
+static burnish_status encode(render_result *result, picture_file *file, burnish_error *error) {
     const render_settings *settings = result->settings;
     const picture_format format = (picture_format)settings->format;
     if (format == PICTURE_EXR || format == PICTURE_NPY) {
         return render_encode_planes(&result->planes, format, file, error);
+    }
+    if (format == PICTURE_SVG) {
+        *file = result->svg;
+        result->svg = (picture_file){0};
+        return BURNISH_STATUS_OK;
     }
     const burnish_pixels pixels = burnish_image_pixels(result->picture);
     const picture_options options = {.threads = settings->threads,
@@ -408,6 +437,7 @@ static burnish_status render(render_result *result, burnish_render_options *opti
 }
 
 static void release(render_result *result) {
+    picture_release(&result->svg);
     for (size_t i = 0; result->cells && i < result->cell_count; ++i) {
         burnish_image_destroy(&result->cells[i].image);
     }

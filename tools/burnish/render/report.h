@@ -33,6 +33,7 @@ typedef struct render_result {
     render_cell *cells;
     size_t cell_count;
     const burnish_image *picture; /* the only cell's image or the sheet */
+    picture_file svg;             /* its lines, where they are the output */
     render_plane_data planes;     /* of the only cell */
     uint64_t hash;
     int columns;

@@ -65,6 +65,11 @@ typedef struct render_occlusion {
     int directions;
 } render_occlusion;
 
+typedef struct render_edges {
+    int given;
+    int kinds; /* a sum of BURNISH_EDGES_... */
+} render_edges;
+
 typedef struct render_background {
     int given; /* 1: color counts */
     int transparent;
@@ -109,6 +114,10 @@ typedef struct render_settings {
     render_ambient ambient;
     int look; /* burnish_look */
     render_occlusion occlusion;
+    render_edges edges;
+    int wireframe;
+    cli_real edge_width;
+    cli_color edge_color;
 
     cli_input load;
     cli_real crease;
@@ -166,6 +175,7 @@ cli_handler render_flag_light;         /* render_lights */
 cli_handler render_flag_ambient;       /* render_ambient */
 cli_handler render_flag_occlusion;     /* render_occlusion */
 cli_handler render_flag_plane;         /* render_planes */
+cli_handler render_flag_edges;         /* render_edges */
 cli_handler render_flag_projection;    /* int: render_projection */
 cli_handler render_flag_annotate;      /* unsigned: sum of burnish_annotation */
 

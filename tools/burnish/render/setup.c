@@ -2,6 +2,7 @@
  * options. */
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "cli/platform.h"
@@ -91,9 +92,36 @@ static burnish_status check_planes(render_settings *settings, burnish_error *err
     return BURNISH_STATUS_OK;
 }
 
+static int is_svg(const render_settings *settings) {
+    const char *dot = strrchr(settings->output, '.');
+    return settings->format == PICTURE_SVG ||
+           (settings->format == PICTURE_AUTO && dot && strcasecmp(dot, ".svg") == 0);
+}
+
+/* An SVG holds the lines of one picture. */
+static burnish_status choose_svg(render_settings *settings, burnish_error *error) {
+    if (settings->look != BURNISH_LOOK_DRAWING) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: \"%.200s\": an SVG holds lines alone; draw them with "
+                        "--look=drawing, or end the name in .png",
+                        settings->output);
+    }
+    if (settings->views.count > 1 || settings->lobes.count > 1) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: \"%.200s\": an SVG holds one picture; ask for one view, or end "
+                        "the name in .png",
+                        settings->output);
+    }
+    settings->format = PICTURE_SVG;
+    return BURNISH_STATUS_OK;
+}
+
 /* The output's format, and flags that ask of it what it can't hold. */
 static burnish_status choose_format(render_settings *settings, burnish_error *error) {
     picture_format format;
+    if (is_svg(settings)) {
+        return choose_svg(settings, error);
+    }
     burnish_status status = picture_choose("output", settings->output, PICTURE_STILL,
                                            (picture_format)settings->format, &format, error);
     settings->format = format;
@@ -303,9 +331,7 @@ static burnish_material adjusted_material(const render_settings *settings,
 burnish_status render_adjust_materials(const render_settings *settings, burnish_mesh *mesh,
                                        burnish_error *error) {
     const size_t count = burnish_mesh_material_count(mesh);
-    burnish_render_options unused = burnish_render_options_default();
-    burnish_status status =
-        burnish_render_options_set_look(&unused, (burnish_look)settings->look, mesh, error);
+    burnish_status status = burnish_look_set_materials((burnish_look)settings->look, mesh, error);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         burnish_material material = adjusted_material(settings, *burnish_mesh_material(mesh, i));
         status = burnish_mesh_set_material(mesh, i, &material, error);
@@ -315,8 +341,7 @@ burnish_status render_adjust_materials(const render_settings *settings, burnish_
 
 burnish_render_options render_make_options(const render_settings *settings) {
     burnish_render_options options = burnish_render_options_default();
-    burnish_error unused;
-    burnish_render_options_set_look(&options, (burnish_look)settings->look, NULL, &unused);
+    burnish_render_options_set_look(&options, (burnish_look)settings->look, NULL);
     options.width = settings->size[0];
     options.height = settings->size[1];
     options.samples = settings->samples;
@@ -332,6 +357,18 @@ burnish_render_options render_make_options(const render_settings *settings) {
     }
     if (settings->occlusion.given) {
         options.occlusion = settings->occlusion.directions;
+    }
+    if (settings->edges.given) {
+        options.edges = settings->edges.kinds;
+    }
+    if (settings->wireframe) {
+        options.edges |= BURNISH_EDGES_ALL;
+    }
+    if (settings->edge_width.given) {
+        options.edge_width = (float)settings->edge_width.value;
+    }
+    for (int k = 0; k < 3 && settings->edge_color.given; ++k) {
+        options.edge_color[k] = cli_color_code(settings->edge_color.srgb[k]);
     }
     if (settings->lights.given) {
         memcpy(options.lights, settings->lights.items, sizeof options.lights);

@@ -237,6 +237,24 @@ burnish_status render_flag_occlusion(const cli_flag *flag, const char *text, voi
     return BURNISH_STATUS_OK;
 }
 
+burnish_status render_flag_edges(const cli_flag *flag, const char *text, void *target,
+                                 burnish_error *error) {
+    render_edges *edges = target;
+    int kinds = text ? 0 : BURNISH_EDGES_FEATURES;
+    while (text) {
+        char item[CLI_NAME_MAX];
+        int kind = 0;
+        copy_item(&text, item, sizeof item);
+        burnish_status status = cli_flag_word(flag, item, &kind, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        kinds |= kind;
+    }
+    *edges = (render_edges){1, kinds};
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status render_flag_projection(const cli_flag *flag, const char *text, void *target,
                                       burnish_error *error) {
     static const cli_word words[] = {{"yes", PROJECTION_PARALLEL},

@@ -1,0 +1,45 @@
+/* Edges of a mesh and the triangles at them, over welded positions: what line drawing starts from.
+ */
+#ifndef BURNISH_MESH_EDGES_H
+#define BURNISH_MESH_EDGES_H
+
+#include "burnish/mesh.h"
+#include "core/memory.h"
+#include "core/tasks.h"
+
+/* No second triangle. */
+#define BURNISH_EDGE_OPEN UINT32_MAX
+
+enum {
+    BURNISH_EDGE_SHARP = 1,    /* the surface has a crease here, and is shaded so */
+    BURNISH_EDGE_MATERIAL = 2, /* the triangles differ in material */
+    BURNISH_EDGE_ALIKE = 4     /* both triangles run along it in the same direction */
+};
+
+typedef struct burnish_edge {
+    uint32_t ends[2];      /* vertices; of those at one position the first */
+    uint32_t triangles[2]; /* the first runs from ends[0] to ends[1]; the second may be
+                              BURNISH_EDGE_OPEN */
+    uint32_t flags;
+} burnish_edge;
+
+/* Edges in the order of their lesser end. */
+typedef struct burnish_edges {
+    burnish_edge *items;
+    size_t count;
+} burnish_edges;
+
+/* Finds the edges of a mesh.
+ *
+ * An edge is sharp where the normals of its two triangles differ by more than 8 degrees at a corner
+ * of theirs there, as the crease rule or the file wants it, and the triangles themselves do. Of
+ * more than two triangles the first stands for all together with that which is bent most against
+ * it.
+ *
+ * O(n log n) for any input; 20 bytes per edge remain, and 24 per triangle and 12 per vertex are
+ * used meanwhile. The result does not depend on the number of threads. Errors: MEMORY, CANCELLED;
+ * the edges are then empty. Release items with burnish_release. */
+burnish_status burnish_edges_find(const burnish_mesh_view *mesh, burnish_tasks *tasks,
+                                  burnish_memory *memory, burnish_edges *edges);
+
+#endif
