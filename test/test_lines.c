@@ -583,7 +583,7 @@ static void test_refusals(void) {
     burnish_image image;
     for (int i = 0; i < 6; ++i) {
         burnish_render_options options = make_options(position, 3, BURNISH_EDGES_FEATURES);
-        options.edges = i == 0 ? -1 : i == 1 ? 32 : options.edges;
+        options.edges = i == 0 ? -1 : i == 1 ? 64 : options.edges;
         options.edge_width = i == 2 ? 0 : i == 3 ? NAN : i == 4 ? 101 : options.edge_width;
         options.edge_opacity = i == 5 ? 1.5f : 1;
         CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT &&

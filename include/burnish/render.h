@@ -69,7 +69,10 @@ enum {
     BURNISH_EDGES_BOUNDARIES = 4,  /* of one triangle */
     BURNISH_EDGES_MATERIALS = 8,   /* between two materials */
     BURNISH_EDGES_FEATURES = 15,   /* all of these */
-    BURNISH_EDGES_ALL = 16         /* of every triangle: a wireframe */
+    BURNISH_EDGES_ALL = 16,        /* of every triangle: a wireframe */
+    /* FEATURES, thin and soft, in a parallel projection along an axis of the mesh's coordinates: a
+     * step is of one colour with what is behind it. In other views nothing. */
+    BURNISH_EDGES_AXIS_VIEWS = 32
 };
 
 /* The widest line, in pixels. */

@@ -51,6 +51,7 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                              .background = {238, 239, 241},
                              .occlusion = BURNISH_OCCLUSION_AUTO,
                              .occlusion_strength = 0.8f,
+                             .edges = BURNISH_EDGES_AXIS_VIEWS,
                              .edge_width = EDGE_WIDTH},
     [BURNISH_LOOK_CLAY] = {.lights = {{LIGHT, KEY, {0.60f, 0.59f, 0.57f}},
                                       {LIGHT, FILL, {0.14f, 0.16f, 0.19f}},
@@ -63,6 +64,7 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                            .background = {238, 239, 241},
                            .occlusion = BURNISH_OCCLUSION_AUTO,
                            .occlusion_strength = 0.95f,
+                           .edges = BURNISH_EDGES_AXIS_VIEWS,
                            .edge_width = EDGE_WIDTH},
     /* Light enough everywhere that black lines stand out. */
     [BURNISH_LOOK_TECHNICAL] = {.lights = {{LIGHT, {-0.45, 0.75, 0.85}, {0.50f, 0.50f, 0.50f}}},

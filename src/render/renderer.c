@@ -121,7 +121,7 @@ static burnish_status check_occlusion(const burnish_render_options *options, bur
 }
 
 static burnish_status check_edges(const burnish_render_options *options, burnish_error *error) {
-    const int all = BURNISH_EDGES_FEATURES | BURNISH_EDGES_ALL;
+    const int all = BURNISH_EDGES_FEATURES | BURNISH_EDGES_ALL | BURNISH_EDGES_AXIS_VIEWS;
     if (options->edges < 0 || options->edges > all) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "edges: %d is no sum of BURNISH_EDGES_...", options->edges);
@@ -456,9 +456,10 @@ burnish_status burnish_renderer_draw_into(burnish_renderer *renderer, const burn
         return status;
     }
     const burnish_environment environment = burnish_environment_enter();
+    const burnish_render_options resolved = burnish_line_art_resolve(options);
     drawing d = {.renderer = renderer,
                  .mesh = mesh,
-                 .options = options,
+                 .options = &resolved,
                  .target = *target,
                  .counts = report ? options->counts : BURNISH_COUNTS_NONE,
                  .memory = burnish_memory_of(renderer->context, error)};

@@ -660,9 +660,10 @@ static void each_material(cli_take_term *take) {
 
 static const cli_term look_terms[] = {
     {"*studio*", "key, fill and rim light on a light grey ground, ambient occlusion: for web pages "
-                 "and thumbnails."},
+                 "and thumbnails. In standard views along an axis, *--edges*, thin and soft: there "
+                 "a step has the colour of what is behind it."},
     {"*plain*", "the same lights, brighter, on white, without occlusion: the fastest."},
-    {"*clay*", "every surface matt and warm, strong occlusion: for shapes."},
+    {"*clay*", "every surface matt and warm, strong occlusion: for shapes. Edges as *studio*."},
     {"*technical*", "*--edges* over light, matt surfaces under one light, on white, without "
                     "occlusion."},
     {"*drawing*",

@@ -362,7 +362,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
         options.edges = settings->edges.kinds;
     }
     if (settings->wireframe) {
-        options.edges |= BURNISH_EDGES_ALL;
+        options.edges = (options.edges & BURNISH_EDGES_FEATURES) | BURNISH_EDGES_ALL;
     }
     if (settings->edge_width.given) {
         options.edge_width = (float)settings->edge_width.value;
