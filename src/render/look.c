@@ -145,7 +145,7 @@ burnish_status burnish_look_set_materials(burnish_look name, burnish_mesh *mesh,
             material.ambient[k] = material.diffuse[k] = wanted->grey[k];
             material.specular[k] = wanted->specular;
         }
-        material.transparency = wanted->is_uniform ? 0 : material.transparency;
+        material.transparency = wanted->recolors == ALL ? 0 : material.transparency;
         status = burnish_mesh_set_material(mesh, i, &material, error);
     }
     return status;
