@@ -122,7 +122,6 @@ static const cli_flag flags[] = {
      TARGET(cull_back_faces)},
     {.name = "samples",
      .aliases = "antialiasing,anti-aliasing,aa,msaa",
-     .common = 1,
      .help = "per pixel, along edges",
      .value = "N",
      .default_text = "4",
@@ -385,10 +384,11 @@ static const cli_flag flags[] = {
      .name = "look",
      .common = 1,
      .value = "NAME",
-     .help = "lights and ground by name",
+     .help = "style",
      .default_text = "studio",
-     .manual = "Lights, ground, burnish's grey and ambient occlusion by one name; see *LOOKS*. "
-               "Other flags change parts of it.",
+     .manual =
+         "Lights, ground, burnish's grey, ambient occlusion and edges by one name; see *LOOKS*. "
+         "Other flags change parts of it.",
      .handler = cli_flag_word,
      .words = render_look_words,
      TARGET(look)},
@@ -500,26 +500,24 @@ static const cli_flag flags[] = {
      .handler = render_flag_occlusion,
      TARGET(occlusion)},
 
-    {.group = "Lines",
-     .topic = "lines",
-     .name = "edges",
+    {.name = "edges",
      .aliases = "outline,outlines,feature-edges",
      .common = 1,
      .value = "LIST",
      .optional = 1,
-     .help = "draw edges, hidden ones left out:",
-     .default_label = "the look's",
+     .help = "lines",
      .manual =
          "Draws edges as lines, hidden ones left out: *silhouettes*, where a step in depth is; "
          "*creases*, where the surface is shaded with an edge; *boundaries* of open surfaces; "
-         "borders between *materials*; or *none*. Without _LIST_ all of them. Lines at a step in "
-         "depth are *--edge-width* wide, the others have 3/5 of that.",
+         "borders between *materials*; or *none*. Without _LIST_ all of them, without the flag "
+         "those "
+         "of the look. Lines at a step in depth are *--edge-width* wide, the others have 3/5 of "
+         "that.",
      .handler = render_flag_edges,
      .words = edge_words,
      TARGET(edges)},
     {.name = "wireframe",
      .aliases = "wire,mesh-lines",
-     .common = 1,
      .help = "draw the edges of all triangles",
      .manual = "Draws the edges of all triangles as lines, hidden ones left out.",
      .handler = cli_flag_switch,
