@@ -334,6 +334,26 @@ static void test_many_warnings(void) {
     burnish_mesh_data_destroy(&s);
 }
 
+/* The first error of the file is told: that of a library where mtllib stands before the other. */
+static void test_first_error(void) {
+    static const struct {
+        const char *mesh, *error;
+    } cases[] = {{"mtllib my parts/a b.mtl\nv 0\n",
+                  "my parts/a b.mtl:2: Kd \"red\" is not a number; write it like 1.5 or -2e-3"},
+                 {"v 0 0 0\nv 0\nmtllib my parts/a b.mtl\n",
+                  "mesh.obj:2: vertex has 1 number; write v x y z or v x y z r g b"},
+                 {"mtllib none.mtl\nv 0 0 0\nf 1 1 9 x\n",
+                  "mesh.obj:3: face corner \"x\" is not an index; write v, v/t, v//n or v/t/n"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh_data s;
+        burnish_error e;
+        CHECK1(read_with_library(cases[i].mesh, "newmtl a\nKd red\n", &s, &e) ==
+               BURNISH_STATUS_FORMAT);
+        CHECK_TEXT(e.text, cases[i].error);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
 static void test_missing_libraries(void) {
     static const char mesh[] = "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     static const struct {
@@ -554,6 +574,7 @@ int main(int count, char **arguments) {
     RUN(test_mtl());
     RUN(test_obj_materials());
     RUN(test_many_warnings());
+    RUN(test_first_error());
     RUN(test_missing_libraries());
     RUN(test_library_names());
     RUN(test_library_line());

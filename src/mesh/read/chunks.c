@@ -260,6 +260,20 @@ static burnish_status note_forward(chunk_driver *driver, const burnish_chunk *ch
     return BURNISH_STATUS_OK;
 }
 
+/* What stands before the error of a chunk comes first: one in a material library is the file's
+ * first error, wherever chunks end. */
+static burnish_status accept_before_error(chunk_driver *driver, const burnish_chunk *chunk,
+                                          burnish_status status) {
+    burnish_error *error = driver->reader->error;
+    const burnish_error found = error ? *error : (burnish_error){0};
+    const burnish_status before =
+        driver->grammar->accept ? driver->grammar->accept(driver->state, chunk) : BURNISH_STATUS_OK;
+    if (before == BURNISH_STATUS_OK && error) {
+        *error = found;
+    }
+    return before == BURNISH_STATUS_OK ? status : before;
+}
+
 /* Takes over what was read, but for copying it; *more becomes 0 where the wave ends with it. */
 static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *more) {
     burnish_mesh_data *mesh = driver->reader->mesh;
@@ -272,6 +286,9 @@ static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *mo
         status = parse_exactly(driver, chunk, &known, NULL);
         driver->alone = 1; /* no error, so a statement that crosses the end */
         *more = 0;
+        if (status != BURNISH_STATUS_OK) {
+            return accept_before_error(driver, chunk, status);
+        }
     }
     if (status == BURNISH_STATUS_OK) {
         status = note_forward(driver, chunk, &known);

@@ -3,7 +3,8 @@
  * Each chunk is parsed into arrays of its own, as if nothing stood before it, and then appended to
  * the whole in the order of the file. A chunk that holds an error is parsed once more, with all
  * that stands before it known: that gives the message. So the first error of the file is the one
- * that is reported, whatever the number of threads. */
+ * that is reported, be it of a statement or of what grammar->accept does, whatever the number of
+ * threads. */
 #ifndef BURNISH_MESH_READ_CHUNKS_H
 #define BURNISH_MESH_READ_CHUNKS_H
 
