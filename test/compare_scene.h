@@ -229,7 +229,7 @@ static void shade_reference(const reference_tile *tile, const burnish_geometry *
             own.weight1[i] = own.weight2[i] = 0;
         }
     }
-    burnish_shade_fragments(&with_own, &own, scratch, rgb);
+    burnish_shade_fragments(&with_own, NULL, &own, scratch, rgb);
 }
 
 /* All points of a tile by both paths; *points counts them. */
@@ -263,7 +263,7 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
     int got_count = 0;
     int next_block = 0;
     while (ops->next_fragments(fast, view, &next_block, &fragments)) {
-        burnish_shade_fragments(surface, &fragments, &scratch, rgb);
+        burnish_shade_fragments(surface, fast, &fragments, &scratch, rgb);
         for (int i = 0; i < fragments.count; ++i) {
             got[got_count] = take_point(&fragments, (const float *const *)rgb, i);
             got[got_count].number = got_count;

@@ -181,6 +181,22 @@ BURNISH_API void burnish_mesh_destroy(burnish_mesh *mesh);
 
 /* ---- What a mesh holds ---- */
 
+/* What is on the near side of a plane stays: the points p with normal . p <= offset. */
+typedef struct burnish_clip_plane {
+    double normal[3]; /* toward what is cut away; any length but 0 */
+    double offset;    /* in the mesh's units where the normal's length is 1 */
+} burnish_clip_plane;
+
+/* Planes that a mesh may be cut by. */
+#define BURNISH_CUTS_MAX 6
+
+/* Where the inside of a cut mesh shows its triangles. */
+typedef enum burnish_inside {
+    BURNISH_INSIDE_UNKNOWN, /* not cut, not measured, or not a solid */
+    BURNISH_INSIDE_BACK,    /* from their back: drawing fills the cut */
+    BURNISH_INSIDE_FRONT    /* from their front, since the mesh is inside out: it fills it too */
+} burnish_inside;
+
 /* The arrays of a mesh, to be read; they live as long as the mesh. */
 typedef struct burnish_mesh_view {
     size_t vertex_count;              /* [3, 2^32 - 2] */
@@ -194,7 +210,11 @@ typedef struct burnish_mesh_view {
     const uint16_t *triangle_materials; /* 1 per triangle; NULL: every triangle has material 0 */
     float bounds_min[3], bounds_max[3]; /* of the positions that triangles use */
     float up_axis[3];                   /* the direction in which the object stands, unit length */
-    uint64_t serial;                    /* of this process' meshes no other one has it; never 0 */
+    uint64_t serial; /* of this process' meshes no other one has it, nor this one before a cut;
+                        never 0 */
+    burnish_clip_plane cuts[BURNISH_CUTS_MAX]; /* cut_count of them: burnish_mesh_clip's */
+    int cut_count;
+    burnish_inside inside; /* of the mesh before its first cut */
 } burnish_mesh_view;
 
 /* NULL for NULL. */
@@ -260,6 +280,22 @@ BURNISH_API const burnish_material *burnish_mesh_material(const burnish_mesh *me
 BURNISH_API burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,
                                                      const burnish_material *material,
                                                      burnish_error *error);
+
+/* ---- Cuts ---- */
+
+/* Cuts away what is beyond a plane. Triangles across it are cut where their edges meet it, at the
+ * same points on both sides of an edge; their normals, colours and texture coordinates are
+ * interpolated. Facts stay those of the whole mesh. May be called again for further planes; one
+ * that nothing is beyond changes nothing.
+ *
+ * A solid (burnish_mesh_facts.is_solid, so the mesh must have been loaded with measure 1) is drawn
+ * filled: where its inside would show, the plane does, hatched (burnish/render.h).
+ *   mesh   as it was on error
+ *   plane  a finite one
+ * Errors: ARGUMENT (NULL, no plane, nothing is left, more than BURNISH_CUTS_MAX planes), MEMORY,
+ * LIMIT. */
+BURNISH_API burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *plane,
+                                             burnish_error *error);
 
 /* ---- Cameras ---- */
 

@@ -9,6 +9,11 @@
  * for a surface of opacity a and colour C, highlights included, before the light L. Both sides of
  * them show; they cast no ambient occlusion.
  *
+ * Cuts (burnish_mesh_clip of mesh.h) of solids are filled: where the nearest triangle is seen from
+ * inside, the plane of the cut shows, in the triangle's material a little warmer, with lines at 45
+ * degrees; depth and normal are the plane's, the triangle's number is the triangle's. Transparent
+ * triangles are cut and not filled.
+ *
  * What it does not do: reflections, refraction, textures.
  *
  * How to use it.

@@ -2,6 +2,7 @@
 #include "mesh/mesh.h"
 
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -160,6 +161,41 @@ burnish_status burnish_check_triangle_count(const burnish_load_options *options,
                         options->max_triangles < BURNISH_TRIANGLES_MAX
                             ? "raise the limit or simplify the mesh"
                             : "split or simplify the mesh");
+}
+
+/* ---- view ---- */
+
+/* Whether an alpha is below 255. */
+static int has_alpha(const uint8_t *colors, size_t count) {
+    unsigned all = 255;
+    for (size_t i = 0; colors && i < count; ++i) {
+        all &= colors[4 * i + 3];
+    }
+    return all < 255;
+}
+
+void burnish_mesh_update_view(burnish_mesh *mesh) {
+    static atomic_uint_fast64_t last_serial;
+    burnish_mesh_view *view = &mesh->view;
+    const float *positions = mesh->attributes[BURNISH_POSITION];
+    view->positions = positions;
+    view->normals = mesh->attributes[BURNISH_NORMAL];
+    view->colors = mesh->attributes[BURNISH_COLOR];
+    view->texture_coordinates = mesh->attributes[BURNISH_TEXCOORD];
+    view->indices = mesh->indices;
+    view->triangle_materials = mesh->triangle_materials;
+    view->has_transparent_colors = has_alpha(view->colors, view->vertex_count);
+    view->serial = atomic_fetch_add_explicit(&last_serial, 1, memory_order_relaxed) + 1;
+    memcpy(view->bounds_min, positions, sizeof view->bounds_min);
+    memcpy(view->bounds_max, positions, sizeof view->bounds_max);
+    for (size_t i = 0; i < view->vertex_count; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const float value = positions[3 * i + (size_t)axis];
+            float *low = &view->bounds_min[axis], *high = &view->bounds_max[axis];
+            *low = value < *low ? value : *low;
+            *high = value > *high ? value : *high;
+        }
+    }
 }
 
 /* ---- access ---- */

@@ -133,6 +133,9 @@ struct burnish_mesh {
     size_t warning_count;
 };
 
+/* The view of the mesh's arrays, whose counts are set in it; a new serial. */
+void burnish_mesh_update_view(burnish_mesh *mesh);
+
 /* Welds positions, turns and orders triangles, drops those without area, generates normals. Takes
  * arrays out of the data; the caller still destroys it. *mesh is NULL on error.
  *   name     of the input, for messages, which go to the data's memory.error

@@ -41,8 +41,8 @@ static void shade_complex_pixels(const burnish_frame *frame, burnish_tile_worker
     memset(worker->sums.light, 0, sizeof worker->sums.light);
     memset(worker->sums.covered, 0, sizeof worker->sums.covered);
     while (frame->ops->next_fragments(&worker->tile, frame->surface.view, &next_block, fragments)) {
-        const burnish_fragment_batch batch =
-            burnish_shade_fragments(&frame->surface, fragments, &worker->scratch, wanted);
+        const burnish_fragment_batch batch = burnish_shade_fragments(
+            &frame->surface, &worker->tile, fragments, &worker->scratch, wanted);
         burnish_output_add_fragments(&frame->output, &worker->tile, fragments, &batch, shaded,
                                      &worker->sums);
     }
@@ -50,7 +50,7 @@ static void shade_complex_pixels(const burnish_frame *frame, burnish_tile_worker
 
 /* The light of the tile's layers, to which the sums then refer. */
 static void shade_layers(const burnish_frame *frame, burnish_tile_worker *worker) {
-    const burnish_surface *surface = &frame->surface;
+    burnish_surface surface = frame->surface;
     const burnish_tile *tile = &worker->tile;
     burnish_fragments *fragments = &worker->fragments;
     float *const light[3] = {worker->light[0], worker->light[1], worker->light[2]};
@@ -59,15 +59,16 @@ static void shade_layers(const burnish_frame *frame, burnish_tile_worker *worker
     const int samples = frame->output.samples;
     burnish_layer_cursor cursor = {0};
     worker->sums.layers = NULL;
-    if (!surface->transparency || !tile->layers->has_some) {
+    surface.caps = NULL; /* one looks into a transparent solid anyway */
+    if (!surface.transparency || !tile->layers->has_some) {
         return;
     }
     worker->sums.layers = worker->layers;
     burnish_layer_light_clear(worker->layers, samples);
-    while (burnish_layers_next(tile, surface->view, frame->geometry, &cursor, fragments)) {
-        burnish_shade_fragments(surface, fragments, &worker->scratch, wanted ? light : NULL);
-        burnish_layer_light_add(worker->layers, surface, fragments, wanted ? shaded : NULL, samples,
-                                frame->output.limit);
+    while (burnish_layers_next(tile, surface.view, frame->geometry, &cursor, fragments)) {
+        burnish_shade_fragments(&surface, tile, fragments, &worker->scratch, wanted ? light : NULL);
+        burnish_layer_light_add(worker->layers, &surface, fragments, wanted ? shaded : NULL,
+                                samples, frame->output.limit);
         for (int i = 0; i < fragments->count && frame->drawn; ++i) {
             __atomic_store_n(&frame->drawn[fragments->primitives[i].id_and_facing >> 1], 1,
                              __ATOMIC_RELAXED);
@@ -114,6 +115,9 @@ static void draw_block_row(const burnish_frame *frame, burnish_tile_worker *work
     const burnish_tile *tile = &worker->tile;
     burnish_row_light *row = &worker->row;
     frame->ops->classify_block_row(tile, number, &row->pixels);
+    if (frame->surface.caps) {
+        burnish_cap_block_row(&frame->surface, tile, number, row);
+    }
     if (frame->output.target.pixels.pixels) {
         burnish_shade_block_row(&frame->surface, tile, number, &worker->scratch, row);
     }
@@ -274,12 +278,13 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
                                       burnish_error *error) {
     const burnish_surface *surface = &frame->surface;
     const burnish_target *target = &frame->output.target;
-    const burnish_tile_options needed = {
-        .samples = frame->output.samples,
-        .planes = burnish_surface_planes(surface),
-        .keep_ids = surface->triangle_materials || frame->drawn || target->triangles,
-        .needs_position = surface->shading->needs_position || target->depth,
-        .has_layers = surface->transparency != NULL};
+    const burnish_tile_options needed = {.samples = frame->output.samples,
+                                         .planes = burnish_surface_planes(surface),
+                                         .keep_ids = surface->triangle_materials || frame->drawn ||
+                                                     target->triangles || surface->caps,
+                                         .needs_position = surface->shading->needs_position ||
+                                                           target->depth || surface->caps,
+                                         .has_layers = surface->transparency != NULL};
     burnish_status status = BURNISH_STATUS_OK;
     const int threads = worker_count(frame);
     if (tiles->worker_count != threads ||

@@ -339,11 +339,12 @@ static void measure_hidden(drawing *d) {
 static burnish_status draw_tiles(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_isa_ops *ops = d->view.shading.ops;
+    const burnish_caps caps = burnish_caps_create(burnish_mesh_get_view(d->mesh), &d->view.raster);
     burnish_frame frame = {.ops = ops,
                            .geometry = &renderer->geometry,
                            .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
                                        burnish_mesh_get_view(d->mesh)->triangle_materials,
-                                       transparency_of(d)},
+                                       transparency_of(d), caps.count > 0 ? &caps : NULL},
                            .output = {.ops = ops, .encoder = &renderer->encoder, .view = &d->view},
                            .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
                            .drawn = clear_drawn(d),

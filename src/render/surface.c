@@ -247,6 +247,15 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     }
 }
 
+/* ---- Caps ---- */
+
+/* Instead of the colours of vertices, which a cap has none of. */
+#define CAP_COLOR 0.5f
+
+static int material_of(const burnish_surface *surface, uint32_t id_and_facing) {
+    return surface->triangle_materials ? surface->triangle_materials[id_and_facing >> 1] : 0;
+}
+
 /* ---- Simple pixels: attributes lie in the tile's planes ---- */
 
 /* The pixels of a row of blocks from its first one. */
@@ -322,6 +331,38 @@ static void shade_run(const burnish_surface *surface, const burnish_tile *tile, 
     shade_batch(surface->shading, &batch, scratch, rgb);
 }
 
+void burnish_cap_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
+                           burnish_row_light *row) {
+    const burnish_raster_view *view = surface->view;
+    float *const *planes = tile->buffer.planes;
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
+        const int x = tile->x + burnish_pixel_x(pixel), y = tile->y + burnish_pixel_y(pixel);
+        const int simple = row->pixels.simple[i];
+        row->hatch[i] = BURNISH_NO_CAP;
+        if (simple < 0) {
+            continue;
+        }
+        const uint32_t id = burnish_tile_id_and_facing(tile, number, i, simple);
+        const burnish_cap *cap = (id & 1) == surface->caps->inside
+                                     ? burnish_caps_find(surface->caps, x + 0.5 - view->width * 0.5,
+                                                         view->height * 0.5 - y - 0.5,
+                                                         &tile->buffer.center_depths[pixel])
+                                     : NULL;
+        if (!cap) {
+            continue;
+        }
+        const float inverse_w = needs_division(surface) ? planes[BURNISH_PLANE_W][pixel] : 1;
+        for (int k = 0; k < 3; ++k) {
+            planes[BURNISH_PLANE_X + k][pixel] = cap->normal[k] * inverse_w;
+            if (surface->attributes->has_colors) {
+                planes[BURNISH_PLANE_R + k][pixel] = CAP_COLOR * inverse_w;
+            }
+        }
+        row->hatch[i] = burnish_cap_hatch(cap->number + material_of(surface, id), x, y);
+    }
+}
+
 void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
                              burnish_fragment_scratch *scratch, burnish_row_light *row) {
     const unsigned dirty = tile->buffer.dirty_blocks[number];
@@ -333,6 +374,10 @@ void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile 
                                    end * BURNISH_BLOCK_PIXELS};
             shade_run(surface, tile, run, scratch, row);
         }
+    }
+    for (int i = 0; surface->caps && i < 3 * BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const int k = i / BURNISH_BLOCK_ROW_PIXELS, at = i % BURNISH_BLOCK_ROW_PIXELS;
+        row->rgb[k][at] *= burnish_cap_light(row->hatch[at], k);
     }
 }
 
@@ -376,8 +421,31 @@ static void gather(const burnish_surface *surface, const burnish_fragments *frag
     }
 }
 
+/* Puts caps in the place of gathered fragments that are seen from inside. */
+static void cap_fragments(const burnish_surface *surface, const burnish_tile *tile,
+                          burnish_fragments *fragments, burnish_fragment_scratch *scratch) {
+    for (int i = 0; i < fragments->count; ++i) {
+        const uint32_t id = fragments->primitives[i].id_and_facing;
+        const int pixel = fragments->pixels[i];
+        const burnish_cap *cap =
+            (id & 1) == surface->caps->inside
+                ? burnish_caps_find(surface->caps, (double)fragments->x[i], (double)fragments->y[i],
+                                    &fragments->depth[i])
+                : NULL;
+        for (int k = 0; cap && k < 3; ++k) {
+            scratch->normal[k][i] = cap->normal[k] * scratch->inverse_w[i];
+            scratch->color[k][i] = CAP_COLOR * scratch->inverse_w[i];
+        }
+        scratch->hatch[i] = cap ? burnish_cap_hatch(cap->number + material_of(surface, id),
+                                                    tile->x + burnish_pixel_x(pixel),
+                                                    tile->y + burnish_pixel_y(pixel))
+                                : BURNISH_NO_CAP;
+    }
+}
+
 burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
-                                               const burnish_fragments *fragments,
+                                               const burnish_tile *tile,
+                                               burnish_fragments *fragments,
                                                burnish_fragment_scratch *scratch,
                                                float *const *rgb) {
     burnish_fragment_batch batch = {.count = fragments->count,
@@ -391,8 +459,16 @@ burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
         batch.color[k] = surface->attributes->has_colors ? scratch->color[k] : NULL;
     }
     gather(surface, fragments, scratch);
+    if (surface->caps) {
+        cap_fragments(surface, tile, fragments, scratch);
+    }
     if (rgb) {
         shade_batch(surface->shading, &batch, scratch, rgb);
+    }
+    for (int k = 0; surface->caps && rgb && k < 3; ++k) {
+        for (int i = 0; i < batch.count; ++i) {
+            rgb[k][i] *= burnish_cap_light(scratch->hatch[i], k);
+        }
     }
     return batch;
 }

@@ -12,6 +12,7 @@
 #include "burnish/mesh.h"
 #include "core/memory.h"
 #include "raster/fragments.h"
+#include "render/caps.h"
 #include "render/occlusion_share.h"
 #include "simd/isa_ops.h"
 
@@ -74,6 +75,7 @@ typedef struct burnish_surface {
     const burnish_attributes *attributes;
     const uint16_t *triangle_materials;              /* NULL: all have material 0 */
     const struct burnish_transparency *transparency; /* NULL: every triangle is opaque */
+    const burnish_caps *caps;                        /* NULL: none */
 } burnish_surface;
 
 /* The vectors of a batch in which a material is shown, and their light. */
@@ -94,17 +96,24 @@ typedef struct burnish_fragment_scratch {
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
     burnish_material_group group;
     burnish_share_scratch share;
+    float hatch[BURNISH_SHADE_BATCH]; /* of fragments: burnish_cap_hatch */
 } burnish_fragment_scratch;
 
 /* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are
  * some numbers. All zero before the first use. */
 typedef struct burnish_row_light {
     burnish_block_row pixels;
+    float hatch[BURNISH_BLOCK_ROW_PIXELS];  /* where there are caps: burnish_cap_hatch */
     float rgb[3][BURNISH_BLOCK_ROW_PIXELS]; /* linear light, >= 0 */
 } burnish_row_light;
 
 /* The planes that shading needs of a tile. */
 int burnish_surface_planes(const burnish_surface *surface);
+
+/* Puts caps in the place of the simple pixels of row `number` that are seen from inside: into the
+ * tile's planes, before they are shaded. */
+void burnish_cap_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
+                           burnish_row_light *row);
 
 /* Shades the simple pixels of row `number`, whose attributes are read where they lie. row->pixels
  * must hold what the row's pixels show. */
@@ -112,9 +121,10 @@ void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile 
                              burnish_fragment_scratch *scratch, burnish_row_light *row);
 
 /* Gathers what the fragments of complex pixels are shaded from, in scratch, and shades them: rgb
- * receives their light; NULL: they are only gathered. */
+ * receives their light; NULL: they are only gathered. Fragments of caps get the cap's depth. */
 burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
-                                               const burnish_fragments *fragments,
+                                               const burnish_tile *tile,
+                                               burnish_fragments *fragments,
                                                burnish_fragment_scratch *scratch,
                                                float *const *rgb);
 

@@ -321,7 +321,8 @@ static burnish_status make_raster(const burnish_mesh_view *mesh,
     raster->width = options->width;
     raster->height = options->height;
     raster->samples = options->samples;
-    raster->cull_back_faces = options->cull_back_faces;
+    /* caps take the place of what is seen from inside */
+    raster->cull_back_faces = options->cull_back_faces && mesh->inside == BURNISH_INSIDE_UNKNOWN;
     burnish_space_store(burnish_space_center(mesh), raster->origin);
     if (camera->orthographic_height > 0) {
         make_orthographic(frame, camera->orthographic_height, options->height, view);

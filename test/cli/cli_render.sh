@@ -136,12 +136,28 @@ for value in 1.1 -0.1 x nan ''; do
     check "--opacity=$value: one line" [ "$(wc -l <"$err")" = 1 ]
 done
 
+# Cuts.
+run render :sphere --size=64 --clip=0,1,0,0.5 --clip=1,0,0,9 --json -o cut.png
+check "a cut: code $code" [ "$code" = 0 ]
+same "cuts" "$(tr -d '\n\t ' <"$out" | grep -o '"cuts":[^a-z]*')" '"cuts":[[0,1,0,0.5]],"'
+same "filled" "$(json filled)" true
+check "a plane beyond the mesh gives a line" grep -q 'nothing of the mesh is beyond' "$err"
+run render :teapot --size=64 --clip=0,0,1,0 -o cut.png
+check "an open mesh gives a line: $(cat "$err")" grep -q 'cut but not filled' "$err"
+for value in 0,0,1 0,0,0,1 0,0,1,1,1 a,b,c,d 0,0,1,nan 0,0,1,-9 ''; do
+    run render :sphere --size=64 "--clip=$value" -o cut.png
+    check "--clip=$value: code $code" [ "$code" = 2 ]
+    check "--clip=$value: one line" [ "$(wc -l <"$err")" = 1 ]
+done
+run render :sphere --size=64 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 -o cut.png
+check "seven planes: code $code" [ "$code" = 2 ]
+
 # The report.
 run render :teapot --size=64 --occlusion=8 --json -o t.png
 check "JSON is valid" valid_json
 check "JSON alone: nothing on standard error" [ ! -s "$err" ]
 for key in burnish input format output width height triangles vertices materials exponents bounding_box up \
-    triangles_drawn hidden covered_pixels layers_dropped pixel_bounds near_white near_black like_ground contrast camera pixels_per_unit lobe equation viewer lights samples threads seconds hash \
+    triangles_drawn hidden cuts filled covered_pixels layers_dropped pixel_bounds near_white near_black like_ground contrast camera pixels_per_unit lobe equation viewer lights samples threads seconds hash \
     hash_algorithm blank warnings; do
     check "JSON lacks $key" grep -q "\"$key\":" "$out"
 done

@@ -3,7 +3,6 @@
 #include "core/clock.h"
 
 #include "mesh/build/builder.h"
-#include <stdatomic.h>
 
 /* Moves the materials to the mesh, and their numbers where there is more than one. */
 static burnish_status take_materials(burnish_builder *b) {
@@ -38,38 +37,10 @@ static void take_warnings(burnish_builder *b) {
     b->data->warning_count = b->data->warning_capacity = 0;
 }
 
-/* Whether an alpha is below 255. */
-static int has_alpha(const uint8_t *colors, size_t count) {
-    unsigned all = 255;
-    for (size_t i = 0; colors && i < count; ++i) {
-        all &= colors[4 * i + 3];
-    }
-    return all < 255;
-}
-
 static void describe_mesh(burnish_builder *b) {
-    burnish_mesh *mesh = b->mesh;
-    burnish_mesh_view *view = &mesh->view;
-    const float *positions = mesh->attributes[BURNISH_POSITION];
-    view->vertex_count = b->vertex_count;
-    view->triangle_count = b->triangle_count;
-    view->positions = positions;
-    view->normals = mesh->attributes[BURNISH_NORMAL];
-    view->colors = mesh->attributes[BURNISH_COLOR];
-    view->texture_coordinates = mesh->attributes[BURNISH_TEXCOORD];
-    view->indices = mesh->indices;
-    view->triangle_materials = mesh->triangle_materials;
-    view->has_transparent_colors = has_alpha(view->colors, b->vertex_count);
-    memcpy(view->bounds_min, positions, sizeof view->bounds_min);
-    memcpy(view->bounds_max, positions, sizeof view->bounds_max);
-    for (size_t i = 0; i < b->vertex_count; ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const float value = positions[3 * i + (size_t)axis];
-            float *low = &view->bounds_min[axis], *high = &view->bounds_max[axis];
-            *low = value < *low ? value : *low;
-            *high = value > *high ? value : *high;
-        }
-    }
+    b->mesh->view.vertex_count = b->vertex_count;
+    b->mesh->view.triangle_count = b->triangle_count;
+    burnish_mesh_update_view(b->mesh);
 }
 
 /* The steps in order, each with its share of the time; on failure what was made so far stays in b
@@ -99,8 +70,6 @@ static burnish_mesh *allocate_mesh(burnish_memory *memory, burnish_format format
     if (mesh) {
         mesh->context = memory->context;
         mesh->info.format = format;
-        static atomic_uint_fast64_t last_serial;
-        mesh->view.serial = atomic_fetch_add_explicit(&last_serial, 1, memory_order_relaxed) + 1;
         memcpy(mesh->view.up_axis, burnish_format_get_info(format)->up_axis,
                sizeof mesh->view.up_axis);
     }

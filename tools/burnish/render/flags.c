@@ -543,6 +543,18 @@ static const cli_flag flags[] = {
      TARGET(edge_color)},
 
     {.group = "Input and report", .topic = "report", CLI_INPUT_FORMAT_FLAG(render_settings, load)},
+    {.name = "clip",
+     .aliases = "clipping,clip-plane,cut,section",
+     .value = "X,Y,Z,D",
+     .help = "cut away where X x + Y y + Z z > D; may be repeated",
+     .manual =
+         "Cuts away what is beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in the units "
+         "and axes of the input. *--clip=0,0,1,5* takes off all above z = 5. May be repeated up to "
+         "6 times. What the cut opens of a solid, a closed mesh that is wound consistently, is "
+         "filled and hatched; other meshes, and transparent surfaces, are cut and not filled. The "
+         "camera frames what is left.",
+     .handler = render_flag_clip,
+     TARGET(clip)},
     {.name = "crease-angle",
      .value = "DEG",
      .help = "smooth edges below this angle",
@@ -720,6 +732,8 @@ static const cli_term json_terms[] = {
     {"*covered_pixels, pixel_bounds*",
      "pixels that show the object; x0, y0, x1, y1, ends excluded"},
     {"*layers_dropped*", "transparent layers of samples that were left out: beyond 32"},
+    {"*cuts*", "the planes of *--clip* that cut something off, _X_,_Y_,_Z_,_D_ each"},
+    {"*filled*", "true when the cuts are filled"},
     {"*near_white, near_black*",
      "shares of those pixels whose channels are all at least 250, or at most 5"},
     {"*like_ground*", "share of those pixels whose channels all are within 5 of the background's; "

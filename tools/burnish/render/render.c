@@ -411,6 +411,10 @@ static burnish_status load(render_result *result, burnish_error *error) {
     for (size_t i = 0; i < burnish_mesh_warning_count(mesh); ++i) {
         render_result_warn(result, 1, "%s", burnish_mesh_warning(mesh, i));
     }
+    status = render_cut(result, mesh, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
     return render_adjust_materials(result->settings, mesh, error);
 }
 

@@ -139,6 +139,24 @@ static void add_cells(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "cells", cells, failed);
 }
 
+static void add_cuts(cJSON *root, const burnish_mesh_view *view, int *failed) {
+    cJSON *cuts = cJSON_CreateArray();
+    for (int i = 0; i < view->cut_count; ++i) {
+        const burnish_clip_plane *plane = &view->cuts[i];
+        const double values[4] = {plane->normal[0], plane->normal[1], plane->normal[2],
+                                  plane->offset};
+        cJSON *cut = cli_json_array(4, real_at, values);
+        if (!cut || !cJSON_AddItemToArray(cuts, cut)) {
+            cJSON_Delete(cut);
+            *failed = 1;
+        }
+    }
+    cli_json_add(root, "cuts", cuts, failed);
+    cli_json_add(root, "filled",
+                 cJSON_CreateBool(view->cut_count > 0 && view->inside != BURNISH_INSIDE_UNKNOWN),
+                 failed);
+}
+
 static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     const burnish_format_info *format =
         burnish_format_get_info(burnish_mesh_get_info(result->mesh)->format);
@@ -159,6 +177,7 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(box, "min", cli_json_array(3, single_at, view->bounds_min), failed);
     cli_json_add(box, "max", cli_json_array(3, single_at, view->bounds_max), failed);
     cli_json_add(root, "bounding_box", box, failed);
+    add_cuts(root, view, failed);
     cli_json_add(root, "up", cJSON_CreateString(render_up_name(result->mesh, result->settings)),
                  failed);
 }

@@ -62,6 +62,10 @@ int render_is_blank(const render_cell *cell);
 __attribute__((format(printf, 3, 4))) void render_result_warn(render_result *result, int printed,
                                                               const char *format, ...);
 
+/* Cuts the mesh as --clip says, and warns where that has no effect or can't be filled. Errors:
+ * those of burnish_mesh_clip. */
+burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_error *error);
+
 /* Writes the JSON object where --json says. Errors: MEMORY, WRITE. */
 burnish_status render_write_json(const render_result *result, burnish_error *error);
 

@@ -55,6 +55,11 @@ typedef struct render_lights {
     int count;
 } render_lights;
 
+typedef struct render_clip {
+    burnish_clip_plane items[BURNISH_CUTS_MAX];
+    int count;
+} render_clip;
+
 typedef struct render_ambient {
     int given;
     float linear[3];
@@ -120,6 +125,7 @@ typedef struct render_settings {
     cli_color edge_color;
 
     cli_input load;
+    render_clip clip;
     cli_real crease;
     const char *json; /* where the report goes; NULL: nowhere */
     int timing, quiet, fail_on_blank;
@@ -172,6 +178,7 @@ cli_handler render_flag_no_background; /* render_background */
 cli_handler render_flag_views;         /* render_views */
 cli_handler render_flag_lobes;         /* render_lobes */
 cli_handler render_flag_light;         /* render_lights */
+cli_handler render_flag_clip;          /* render_clip */
 cli_handler render_flag_ambient;       /* render_ambient */
 cli_handler render_flag_occlusion;     /* render_occlusion */
 cli_handler render_flag_plane;         /* render_planes */

@@ -285,6 +285,7 @@ burnish_load_options render_load_options(const render_settings *settings) {
         options.crease_angle = settings->crease.value;
     }
     options.threads = settings->threads;
+    options.measure = settings->clip.count > 0; /* whether it is a solid, to be filled */
     return options;
 }
 

@@ -203,6 +203,30 @@ burnish_status render_flag_light(const cli_flag *flag, const char *text, void *t
     return BURNISH_STATUS_OK;
 }
 
+burnish_status render_flag_clip(const cli_flag *flag, const char *text, void *target,
+                                burnish_error *error) {
+    render_clip *clip = target;
+    double values[4];
+    if (!cli_read_reals(text, strlen(text), values, 4)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not four numbers X,Y,Z,D, such as 0,0,1,5", flag->name,
+                        text);
+    }
+    if (values[0] == 0 && values[1] == 0 && values[2] == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\": 0,0,0 has no direction; expected for example 0,0,1,5",
+                        flag->name, text);
+    }
+    if (clip->count == BURNISH_CUTS_MAX) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d planes; leave some out",
+                        flag->name, BURNISH_CUTS_MAX);
+    }
+    burnish_clip_plane *plane = &clip->items[clip->count++];
+    memcpy(plane->normal, values, sizeof plane->normal);
+    plane->offset = values[3];
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status render_flag_ambient(const cli_flag *flag, const char *text, void *target,
                                    burnish_error *error) {
     render_ambient *ambient = target;

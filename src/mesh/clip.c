@@ -1,0 +1,337 @@
+/* Cutting a mesh by a plane.
+ *
+ * A triangle is cut where its edges are: a cut point depends on the two ends of its edge alone,
+ * taken from the one that is kept, so that both triangles of an edge get the same bits and no gap
+ * opens between them. What a cut opens is not closed by triangles: drawing fills it
+ * (render/caps.h). */
+#include <string.h>
+
+#include "core/srgb.h"
+#include "core/vector.h"
+#include "mesh/mesh.h"
+
+/* What is made of the mesh. */
+typedef struct cutter {
+    const burnish_mesh *mesh;
+    burnish_clip_plane plane;
+    uint32_t *numbers; /* of the vertices that are kept, then of where they go */
+    void *attributes[BURNISH_ATTRIBUTE_COUNT];
+    uint32_t *indices;
+    uint16_t *triangle_materials;
+    size_t vertex_count, triangle_count;
+    int cuts_something; /* 1: a corner is beyond the plane */
+} cutter;
+
+/* > 0 beyond the plane, times the length of its normal. */
+static double distance_of(const cutter *cut, uint32_t vertex) {
+    const float *p = cut->mesh->view.positions + 3 * (size_t)vertex;
+    const double *n = cut->plane.normal;
+    return (n[0] * (double)p[0] + n[1] * (double)p[1] + n[2] * (double)p[2]) - cut->plane.offset;
+}
+
+/* Bit k: corner k stays. Of a triangle that only touches the plane from beyond, none does. */
+static unsigned kept_corners(const cutter *cut, const uint32_t v[3]) {
+    unsigned kept = 0, inside = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double distance = distance_of(cut, v[k]);
+        kept |= (unsigned)(distance <= 0) << k;
+        inside |= distance < 0;
+    }
+    return inside || kept == 7 ? kept : 0;
+}
+
+/* At most so many triangles and vertices come out; marks the vertices that stay. */
+static void count_parts(cutter *cut, size_t *triangles, size_t *vertices) {
+    const burnish_mesh_view *view = &cut->mesh->view;
+    *triangles = *vertices = 0;
+    for (size_t i = 0; i < view->triangle_count; ++i) {
+        const uint32_t *v = view->indices + 3 * i;
+        const unsigned kept = kept_corners(cut, v);
+        *triangles += kept == 0 ? 0 : (size_t)(__builtin_popcount(kept) == 2) + 1;
+        *vertices += kept == 0 || kept == 7 ? 0 : 2;
+        cut->cuts_something |= kept != 7;
+        for (int k = 0; k < 3; ++k) {
+            cut->numbers[v[k]] |= kept >> k & 1;
+        }
+    }
+    for (size_t i = 0; i < view->vertex_count; ++i) {
+        *vertices += cut->numbers[i];
+    }
+}
+
+/* ---- Vertices ---- */
+
+static void copy_vertices(cutter *cut) {
+    const burnish_mesh *mesh = cut->mesh;
+    for (size_t i = 0; i < mesh->view.vertex_count; ++i) {
+        if (!cut->numbers[i]) {
+            continue;
+        }
+        const size_t to = cut->vertex_count++;
+        for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
+            const size_t size = burnish_attribute_size((burnish_attribute)a);
+            if (mesh->attributes[a]) {
+                memcpy((char *)cut->attributes[a] + to * size,
+                       (const char *)mesh->attributes[a] + i * size, size);
+            }
+        }
+        cut->numbers[i] = (uint32_t)to;
+    }
+}
+
+/* count numbers from a to b. */
+static void mix(const float *a, const float *b, double t, int count, float *out) {
+    for (int k = 0; k < count; ++k) {
+        out[k] = (float)((double)a[k] + ((double)b[k] - (double)a[k]) * t);
+    }
+}
+
+static void mix_colors(const uint8_t *a, const uint8_t *b, double t, uint8_t *out) {
+    for (int k = 0; k < 3; ++k) {
+        const double from = (double)burnish_srgb_to_linear[a[k]];
+        const double to = (double)burnish_srgb_to_linear[b[k]];
+        out[k] = burnish_linear_to_srgb((float)(from + (to - from) * t));
+    }
+    out[3] = (uint8_t)((double)a[3] + ((double)b[3] - (double)a[3]) * t + 0.5);
+}
+
+/* Normals that point against each other have no middle: the kept end's stays. */
+static void mix_normals(const float *a, const float *b, double t, float *out) {
+    mix(a, b, t, 3, out);
+    const burnish_vec3 sum = burnish_vec3_loadf(out);
+    const double length = burnish_vec3_length(sum);
+    const burnish_vec3 unit =
+        length > 1e-6 ? burnish_vec3_scale(sum, 1 / length) : burnish_vec3_loadf(a);
+    out[0] = (float)unit.x;
+    out[1] = (float)unit.y;
+    out[2] = (float)unit.z;
+}
+
+/* The point where the edge from a kept vertex leaves. */
+static uint32_t add_cut_point(cutter *cut, uint32_t kept, uint32_t beyond) {
+    const burnish_mesh_view *view = &cut->mesh->view;
+    const double from = distance_of(cut, kept), to = distance_of(cut, beyond);
+    const double t = from / (from - to); /* [0, 1) */
+    const size_t a = kept, b = beyond, at = cut->vertex_count++;
+    mix(view->positions + 3 * a, view->positions + 3 * b, t, 3,
+        (float *)cut->attributes[BURNISH_POSITION] + 3 * at);
+    mix_normals(view->normals + 3 * a, view->normals + 3 * b, t,
+                (float *)cut->attributes[BURNISH_NORMAL] + 3 * at);
+    if (view->colors) {
+        mix_colors(view->colors + 4 * a, view->colors + 4 * b, t,
+                   (uint8_t *)cut->attributes[BURNISH_COLOR] + 4 * at);
+    }
+    if (view->texture_coordinates) {
+        mix(view->texture_coordinates + 2 * a, view->texture_coordinates + 2 * b, t, 2,
+            (float *)cut->attributes[BURNISH_TEXCOORD] + 2 * at);
+    }
+    return (uint32_t)at;
+}
+
+/* ---- Triangles ---- */
+
+static int same_position(const cutter *cut, uint32_t a, uint32_t b) {
+    const float *p = (const float *)cut->attributes[BURNISH_POSITION] + 3 * (size_t)a;
+    const float *q = (const float *)cut->attributes[BURNISH_POSITION] + 3 * (size_t)b;
+    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+}
+
+/* Part of triangle `source`, unless two corners meet: where a corner lies in the plane. */
+static void add_triangle(cutter *cut, size_t source, uint32_t a, uint32_t b, uint32_t c) {
+    if (same_position(cut, a, b) || same_position(cut, b, c) || same_position(cut, c, a)) {
+        return;
+    }
+    const size_t at = cut->triangle_count++;
+    cut->indices[3 * at] = a;
+    cut->indices[3 * at + 1] = b;
+    cut->indices[3 * at + 2] = c;
+    if (cut->triangle_materials) {
+        cut->triangle_materials[at] = cut->mesh->view.triangle_materials[source];
+    }
+}
+
+static void cut_triangle(cutter *cut, size_t source, unsigned kept) {
+    const uint32_t *v = cut->mesh->view.indices + 3 * source;
+    const uint32_t *numbers = cut->numbers;
+    const int is_pair = __builtin_popcount(kept) == 2;
+    /* the corner that is alone on its side, and those after it */
+    const int first = __builtin_ctz(is_pair ? ~kept : kept);
+    const uint32_t alone = v[first], second = v[(first + 1) % 3], third = v[(first + 2) % 3];
+    if (is_pair) {
+        const uint32_t p = add_cut_point(cut, second, alone), q = add_cut_point(cut, third, alone);
+        add_triangle(cut, source, p, numbers[second], numbers[third]);
+        add_triangle(cut, source, p, numbers[third], q);
+    } else {
+        const uint32_t p = add_cut_point(cut, alone, second), q = add_cut_point(cut, alone, third);
+        add_triangle(cut, source, numbers[alone], p, q);
+    }
+}
+
+static void cut_triangles(cutter *cut) {
+    const burnish_mesh_view *view = &cut->mesh->view;
+    for (size_t i = 0; i < view->triangle_count; ++i) {
+        const uint32_t *v = view->indices + 3 * i;
+        const unsigned kept = kept_corners(cut, v);
+        if (kept == 7) {
+            const size_t at = cut->triangle_count++;
+            for (size_t k = 0; k < 3; ++k) {
+                cut->indices[3 * at + k] = cut->numbers[v[k]];
+            }
+            if (cut->triangle_materials) {
+                cut->triangle_materials[at] = view->triangle_materials[i];
+            }
+        } else if (kept) {
+            cut_triangle(cut, i, kept);
+        }
+    }
+}
+
+/* ---- The whole ---- */
+
+static void release(cutter *cut) {
+    const burnish_context *context = cut->mesh->context;
+    for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
+        burnish_release(context, cut->attributes[a]);
+    }
+    burnish_release(context, cut->indices);
+    burnish_release(context, cut->triangle_materials);
+    burnish_release(context, cut->numbers);
+}
+
+/* Room for what comes out. Errors: MEMORY, LIMIT. */
+static burnish_status reserve(cutter *cut, size_t triangles, size_t vertices,
+                              burnish_memory *memory) {
+    if (triangles > BURNISH_TRIANGLES_MAX || vertices > BURNISH_VALUE_LIMIT) {
+        return burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
+                            "clip: more than %u triangles come out; simplify the mesh",
+                            BURNISH_TRIANGLES_MAX);
+    }
+    for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
+        if (cut->mesh->attributes[a]) {
+            cut->attributes[a] = burnish_allocate(
+                memory, vertices, burnish_attribute_size((burnish_attribute)a), "cut vertices");
+        }
+    }
+    cut->indices = burnish_allocate(memory, triangles, 3 * sizeof *cut->indices, "cut triangles");
+    if (cut->mesh->triangle_materials) {
+        cut->triangle_materials =
+            burnish_allocate(memory, triangles, sizeof *cut->triangle_materials, "materials");
+    }
+    return memory->status;
+}
+
+/* The mesh takes what was made; the cutter keeps what the mesh had, to be released. */
+static void exchange(burnish_mesh *mesh, cutter *cut) {
+    burnish_mesh_view *view = &mesh->view;
+    for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
+        void *old = mesh->attributes[a];
+        mesh->attributes[a] = cut->attributes[a];
+        cut->attributes[a] = old;
+    }
+    uint32_t *indices = mesh->indices;
+    uint16_t *materials = mesh->triangle_materials;
+    mesh->indices = cut->indices;
+    mesh->triangle_materials = cut->triangle_materials;
+    cut->indices = indices;
+    cut->triangle_materials = materials;
+    view->vertex_count = cut->vertex_count;
+    view->triangle_count = cut->triangle_count;
+    burnish_mesh_update_view(mesh);
+}
+
+/* Sum of a . (b x c) / 6, measured from the middle of the bounds. */
+static double volume_of(const burnish_mesh_view *view) {
+    double sum = 0, middle[3];
+    for (int k = 0; k < 3; ++k) {
+        middle[k] = ((double)view->bounds_min[k] + (double)view->bounds_max[k]) * 0.5;
+    }
+    for (size_t i = 0; i < view->triangle_count; ++i) {
+        burnish_vec3 p[3];
+        for (int k = 0; k < 3; ++k) {
+            const float *from = view->positions + 3 * (size_t)view->indices[3 * i + (size_t)k];
+            p[k] = burnish_vec3_sub(burnish_vec3_loadf(from), burnish_vec3_load(middle));
+        }
+        sum += burnish_vec3_dot(p[0], burnish_vec3_cross(p[1], p[2]));
+    }
+    return sum / 6;
+}
+
+/* The side of its triangles that an uncut mesh's inside sees: known where it is closed, wound
+ * consistently, and no triangle was turned to its normals, which the volume tells. */
+static burnish_inside find_inside(const burnish_mesh *mesh) {
+    const burnish_mesh_facts *facts = mesh->has_facts ? &mesh->facts : NULL;
+    const double volume = facts && facts->is_solid ? volume_of(&mesh->view) : 0;
+    const double size = volume < 0 ? -volume : volume;
+    const double expected = facts && facts->volume < 0 ? -facts->volume : facts ? facts->volume : 0;
+    const double difference = size > expected ? size - expected : expected - size;
+    if (volume == 0 || difference > 1e-4 * expected) {
+        return BURNISH_INSIDE_UNKNOWN;
+    }
+    return volume > 0 ? BURNISH_INSIDE_BACK : BURNISH_INSIDE_FRONT;
+}
+
+static burnish_status check(const burnish_mesh *mesh, const burnish_clip_plane *plane,
+                            burnish_error *error) {
+    if (!mesh || !plane) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "clip: the %s is NULL; pass one",
+                            !mesh ? "mesh" : "plane");
+    }
+    const double *n = plane->normal;
+    const double sum = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    if (!(sum > 0 && sum < __builtin_inf()) || !(plane->offset - plane->offset == 0)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "clip: %g,%g,%g,%g is no plane; expected finite numbers, and a normal "
+                            "that is not 0",
+                            n[0], n[1], n[2], plane->offset);
+    }
+    if (mesh->view.cut_count == BURNISH_CUTS_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "clip: more than %d planes; leave some out", BURNISH_CUTS_MAX);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *plane,
+                                 burnish_error *error) {
+    burnish_status status = check(mesh, plane, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    burnish_memory memory = burnish_memory_of(mesh->context, error);
+    burnish_mesh_view *view = &mesh->view;
+    cutter cut = {.mesh = mesh, .plane = *plane};
+    size_t triangles = 0, vertices = 0;
+    cut.numbers =
+        burnish_allocate_zeroed(&memory, view->vertex_count, sizeof *cut.numbers, "cut vertices");
+    status = memory.status;
+    if (status == BURNISH_STATUS_OK) {
+        count_parts(&cut, &triangles, &vertices);
+        if (triangles == 0) {
+            status =
+                burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                             "clip: all of the mesh is beyond the plane %g,%g,%g,%g; turn the "
+                             "signs of all four round, or change the last one",
+                             plane->normal[0], plane->normal[1], plane->normal[2], plane->offset);
+        }
+    }
+    if (status != BURNISH_STATUS_OK || !cut.cuts_something) {
+        release(&cut);
+        return status;
+    }
+    status = reserve(&cut, triangles, vertices, &memory);
+    if (status == BURNISH_STATUS_OK) {
+        copy_vertices(&cut);
+        cut_triangles(&cut);
+        if (cut.triangle_count == 0) {
+            status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                  "clip: the mesh only touches the plane; change its last number");
+        }
+    }
+    if (status == BURNISH_STATUS_OK) {
+        view->inside = view->cut_count == 0 ? find_inside(mesh) : view->inside;
+        view->cuts[view->cut_count++] = *plane;
+        exchange(mesh, &cut);
+    }
+    release(&cut);
+    return status;
+}

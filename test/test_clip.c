@@ -1,0 +1,497 @@
+/* Cuts: volumes against closed forms and against each other, edges that stay closed, attributes;
+ * caps: where they are drawn, their depth and normal, their area. */
+#include <math.h>
+
+#include "burnish/render.h"
+#include "counting_context.h"
+#include "mesh_arrays.h"
+#include "support.h"
+
+static const double PI = 3.14159265358979323846;
+
+static burnish_mesh *load_with(const char *name, int tessellation, int measure,
+                               const burnish_context *context) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error error;
+    options.tessellation = tessellation;
+    options.measure = measure;
+    options.context = context;
+    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    return mesh;
+}
+
+static burnish_mesh *load(const char *name) {
+    return load_with(name, 12, 1, NULL);
+}
+
+static burnish_clip_plane plane_of(double x, double y, double z, double offset) {
+    return (burnish_clip_plane){{x, y, z}, offset};
+}
+
+static void cut(burnish_mesh *mesh, double x, double y, double z, double offset) {
+    const burnish_clip_plane plane = plane_of(x, y, z, offset);
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    CHECK(burnish_mesh_clip(mesh, &plane, &error) == BURNISH_STATUS_OK, "%s", error.text);
+}
+
+/* ---- Volumes ---- */
+
+/* The volume of what a cut left: seen from a point of the planes a cap adds nothing. */
+static double volume_from(const burnish_mesh *mesh, const double from[3]) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    double sum = 0;
+    for (size_t i = 0; i < view->triangle_count; ++i) {
+        double p[3][3];
+        for (size_t k = 0; k < 9; ++k) {
+            p[k / 3][k % 3] =
+                (double)view->positions[3 * (size_t)view->indices[3 * i + k / 3] + k % 3] -
+                from[k % 3];
+        }
+        sum += p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) +
+               p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
+               p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+    }
+    return sum / 6;
+}
+
+static burnish_mesh *make_box(int is_inside_out, const uint8_t *colors,
+                              const burnish_context *context) {
+    static const float POSITIONS[24] = {-1, -2, -3, 1, -2, -3, -1, 2, -3, 1, 2, -3,
+                                        -1, -2, 3,  1, -2, 3,  -1, 2, 3,  1, 2, 3};
+    static const uint32_t FACES[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                       2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+    uint32_t faces[36];
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error error;
+    for (int i = 0; i < 36; ++i) {
+        faces[i] = FACES[i % 3 && is_inside_out ? i / 3 * 3 + 3 - i % 3 : i];
+    }
+    const burnish_mesh_description arrays = describe_arrays(POSITIONS, NULL, colors, 8, faces, 12);
+    options.measure = 1;
+    options.context = context;
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
+}
+
+/* A box of 2 x 4 x 6, cut by its own axes and by a corner. */
+static void test_box(void) {
+    burnish_mesh *mesh = make_box(0, NULL, NULL);
+    cut(mesh, 0, 0, 1, 0.5);
+    CHECK1(fabs(volume_from(mesh, (double[3]){9, 9, 0.5}) - 2 * 4 * 3.5) < 1e-5);
+    CHECK1(burnish_mesh_get_view(mesh)->bounds_max[2] == 0.5f);
+    cut(mesh, 0, 2, 0, 1); /* y <= 1/2 */
+    CHECK1(fabs(volume_from(mesh, (double[3]){9, 0.5, 0.5}) - 2 * 2.5 * 3.5) < 1e-5);
+    cut(mesh, -1, 0, 0, 0.25);
+    CHECK1(fabs(volume_from(mesh, (double[3]){-0.25, 0.5, 0.5}) - 1.25 * 2.5 * 3.5) < 1e-5);
+    CHECK1(burnish_mesh_get_view(mesh)->cut_count == 3);
+    burnish_mesh_destroy(mesh);
+    mesh = make_box(0, NULL, NULL);
+    cut(mesh, 1, 1, 1, 5); /* a corner whose legs are 1: 1/6 */
+    CHECK1(fabs(volume_from(mesh, (double[3]){0, 2, 3}) - (48 - 1.0 / 6)) < 1e-5);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Half-spaces on both sides of any plane share a solid: their parts add up. A ball's is known. */
+static void test_halves(void) {
+    static const char *const names[] = {":sphere", ":torus", ":knot"};
+    uint64_t state = test_seed(1);
+    for (int i = 0; i < 30; ++i) {
+        burnish_mesh *whole = load(names[i % 3]), *other = load(names[i % 3]);
+        const double volume = burnish_mesh_get_facts(whole)->volume;
+        double n[3], offset = test_uniform(&state, -0.2, 0.2), length = 0, from[3];
+        for (int k = 0; k < 3; ++k) {
+            n[k] = i < 9 ? k == i / 3 : test_uniform(&state, -1, 1);
+            length += n[k] * n[k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            from[k] = n[k] * offset / length;
+        }
+        cut(whole, n[0], n[1], n[2], offset);
+        cut(other, -n[0], -n[1], -n[2], -offset);
+        const double first = volume_from(whole, from), second = volume_from(other, from);
+        CHECK(fabs(first + second - volume) < 1e-5 * volume && first > 0.05 * volume &&
+                  second > 0.05 * volume,
+              "%s: %g + %g, not %g", names[i % 3], first, second, volume);
+        burnish_mesh_destroy(whole);
+        burnish_mesh_destroy(other);
+    }
+    burnish_mesh *ball = load_with(":sphere", 64, 1, NULL);
+    cut(ball, 0, 0, 3, 1.5); /* without the cap of height 1/2: pi h^2 (3 - h) / 3 */
+    const double expected = 4 * PI / 3 - PI * 0.25 * 2.5 / 3;
+    CHECK(fabs(volume_from(ball, (double[3]){0, 0, 0.5}) - expected) < 2e-3 * expected,
+          "%g, not %g", volume_from(ball, (double[3]){0, 0, 0.5}), expected);
+    burnish_mesh_destroy(ball);
+}
+
+/* ---- Edges ---- */
+
+typedef struct edge {
+    float ends[6]; /* the lesser end first */
+    int direction;
+} edge;
+
+static int compare_edges(const void *a, const void *b) {
+    const edge *first = a, *second = b;
+    for (int k = 0; k < 6; ++k) {
+        if (first->ends[k] != second->ends[k]) {
+            return first->ends[k] < second->ends[k] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+static edge edge_of(const burnish_mesh_view *view, uint32_t a, uint32_t b) {
+    const float *p = view->positions + 3 * (size_t)a, *q = view->positions + 3 * (size_t)b;
+    edge e = {.direction = 1};
+    int order = 0;
+    for (int k = 0; k < 3 && order == 0; ++k) {
+        order = (p[k] > q[k]) - (p[k] < q[k]);
+    }
+    e.direction = order < 0 ? 1 : -1;
+    for (int k = 0; k < 3; ++k) { /* + 0: no signed zeros */
+        e.ends[k] = (order < 0 ? p : q)[k] + 0.0f;
+        e.ends[3 + k] = (order < 0 ? q : p)[k] + 0.0f;
+    }
+    return e;
+}
+
+/* Edges between equal positions that are not run along once in each direction, but for those in the
+ * planes. */
+static size_t open_edges(const burnish_mesh *mesh) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const size_t count = 3 * view->triangle_count;
+    edge *edges = malloc(count * sizeof *edges);
+    size_t open = 0;
+    for (size_t i = 0; i < count; ++i) {
+        edges[i] = edge_of(view, view->indices[i], view->indices[i % 3 == 2 ? i - 2 : i + 1]);
+    }
+    qsort(edges, count, sizeof *edges, compare_edges);
+    for (size_t i = 0, end; i < count; i = end) {
+        int sum = 0, in_plane = 0;
+        for (end = i; end < count && compare_edges(&edges[i], &edges[end]) == 0; ++end) {
+            sum += edges[end].direction;
+        }
+        for (int k = 0; k < view->cut_count; ++k) {
+            const double *n = view->cuts[k].normal;
+            const float *p = edges[i].ends;
+            const double a = n[0] * p[0] + n[1] * p[1] + n[2] * p[2] - view->cuts[k].offset;
+            const double b = n[0] * p[3] + n[1] * p[4] + n[2] * p[5] - view->cuts[k].offset;
+            in_plane |= fabs(a) < 1e-6 && fabs(b) < 1e-6;
+        }
+        open += sum != 0 && !in_plane;
+    }
+    free(edges);
+    return open;
+}
+
+static void test_edges(void) {
+    static const char *const names[] = {":sphere", ":torus", ":knot"};
+    uint64_t state = test_seed(2);
+    for (int i = 0; i < 12; ++i) {
+        burnish_mesh *mesh = load(names[i % 3]);
+        CHECK1(open_edges(mesh) == 0);
+        for (int k = 0; k <= i % 3; ++k) {
+            cut(mesh, test_uniform(&state, -1, 1), test_uniform(&state, -1, 1),
+                test_uniform(&state, -1, 1), i < 3 ? 0 : test_uniform(&state, 0, 0.2));
+        }
+        CHECK(open_edges(mesh) == 0, "%s: %zu edges opened", names[i % 3], open_edges(mesh));
+        burnish_mesh_destroy(mesh);
+    }
+}
+
+/* ---- Attributes ---- */
+
+static void test_attributes(void) {
+    static const float positions[9] = {0, 0, 0, 4, 0, 0, 0, 4, 0};
+    static const float normals[9] = {0, 0, 1, 1, 0, 0, 0, 0, 1};
+    static const float coordinates[6] = {0, 0, 1, 0, 0, 1};
+    static const uint8_t colors[12] = {0, 0, 0, 255, 255, 255, 255, 55, 0, 0, 0, 255};
+    static const uint16_t triangle_materials[1] = {1};
+    static const uint32_t faces[3] = {0, 1, 2};
+    const burnish_material materials[2] = {{.exponent = 1}, {.exponent = 2}};
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh_description arrays = describe_arrays(positions, normals, colors, 3, faces, 1);
+    burnish_mesh *mesh;
+    arrays.texture_coordinates = (burnish_array){coordinates, 3, 0};
+    arrays.triangle_materials = (burnish_array){triangle_materials, 1, 0};
+    arrays.materials = materials;
+    arrays.material_count = 2;
+    options.keep_texture_coordinates = 1;
+    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, NULL) == BURNISH_STATUS_OK);
+    cut(mesh, 1, 0, 0, 1);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    CHECK(view->triangle_count == 2 && view->vertex_count == 4, "%zu, %zu", view->triangle_count,
+          view->vertex_count);
+    for (size_t i = 0; i < view->triangle_count; ++i) {
+        CHECK1(!view->triangle_materials || view->triangle_materials[i] == 1);
+    }
+    for (size_t i = 0; i < view->vertex_count; ++i) {
+        const float *n = view->normals + 3 * i, *p = view->positions + 3 * i;
+        const double length = sqrt((double)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
+        CHECK(fabs(length - 1) < 1e-6, "normal %g", length);
+        CHECK1(fabsf(view->texture_coordinates[2 * i] - p[0] / 4) < 1e-6f);
+        CHECK1(fabsf(view->texture_coordinates[2 * i + 1] - p[1] / 4) < 1e-6f);
+        if (p[0] == 1 && p[1] == 0) { /* a quarter of white in linear light, and of alpha */
+            CHECK(view->colors[4 * i] == 137 && view->colors[4 * i + 3] == 205, "%d, %d",
+                  view->colors[4 * i], view->colors[4 * i + 3]);
+            CHECK1(fabsf(n[0] / n[2] - 1.0f / 3) < 1e-6f);
+        }
+    }
+    CHECK1(view->inside == BURNISH_INSIDE_UNKNOWN); /* no solid */
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Caps ---- */
+
+enum { SIZE = 160 };
+
+typedef struct capped_picture {
+    uint8_t pixels[SIZE][SIZE * 4];
+    float depth[SIZE][SIZE], normals[SIZE][SIZE][3];
+} capped_picture;
+
+/* The camera looks along `direction` in parallel projection, `height` high. */
+static burnish_render_options options_for(const double direction[3], double height, int samples) {
+    burnish_render_options options = burnish_render_options_default();
+    options.width = options.height = SIZE;
+    options.samples = samples;
+    options.camera.orthographic_height = height;
+    options.camera.view_up[1] = direction[0] == 0 && direction[2] == 0 ? 0 : 1;
+    options.camera.view_up[2] = options.camera.view_up[1] == 0;
+    for (int k = 0; k < 3; ++k) {
+        options.camera.position[k] = -10 * direction[k];
+    }
+    return options;
+}
+
+static void draw(const burnish_mesh *mesh, const burnish_render_options *options,
+                 capped_picture *to) {
+    burnish_target target = burnish_target_default();
+    burnish_renderer *renderer;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    target.pixels =
+        (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA8, sizeof to->pixels[0], to->pixels[0]};
+    target.depth = to->depth[0];
+    target.depth_stride = sizeof to->depth[0];
+    target.normals = to->normals[0][0];
+    target.normal_stride = sizeof to->normals[0];
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &target, NULL, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    burnish_renderer_destroy(renderer);
+}
+
+static int has_normal(const float n[3], const double wanted[3]) {
+    return fabs(n[0] - wanted[0]) < 1e-5 && fabs(n[1] - wanted[1]) < 1e-5 &&
+           fabs(n[2] - wanted[2]) < 1e-5;
+}
+
+/* Pixels that show a normal; those that do not have the depth fail. */
+static int count_cap(const capped_picture *picture, const double normal[3], double depth) {
+    int count = 0;
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        if (has_normal(picture->normals[i / SIZE][i % SIZE], normal)) {
+            const double got = (double)picture->depth[i / SIZE][i % SIZE];
+            ++count;
+            CHECK(fabs(got - depth) < 1e-4, "pixel %d,%d: %g, not %g", i % SIZE, i / SIZE, got,
+                  depth);
+        }
+    }
+    return count;
+}
+
+/* A cut ball, from above, shows a disc; the ring shows two. */
+static void test_discs(int samples) {
+    static capped_picture picture;
+    const double unit = 2.4 / SIZE; /* of a pixel */
+    burnish_mesh *ball = load_with(":sphere", 32, 1, NULL);
+    burnish_render_options options = options_for((double[3]){0, 0, -1}, 2.4, samples);
+    cut(ball, 0, 0, 1, 0.6);
+    CHECK1(burnish_mesh_get_view(ball)->inside == BURNISH_INSIDE_BACK);
+    draw(ball, &options, &picture);
+    const double disc = PI * 0.64 / (unit * unit);
+    int count = count_cap(&picture, (double[3]){0, 0, 1}, 9.4);
+    CHECK(fabs(count - disc) < 0.02 * disc, "%d pixels, not %g", count, disc);
+    options = options_for((double[3]){0, 0, 1}, 2.4, samples); /* from below there is none */
+    draw(ball, &options, &picture);
+    CHECK1(count_cap(&picture, (double[3]){0, 0, 1}, 9.4) == 0);
+    burnish_mesh_destroy(ball);
+
+    burnish_mesh *ring = load_with(":torus", 32, 1, NULL);
+    const burnish_mesh_view *view = burnish_mesh_get_view(ring);
+    const double outer = (double)view->bounds_max[0];
+    const double minor = (double)(view->bounds_max[1] < view->bounds_max[2] ? view->bounds_max[1]
+                                                                            : view->bounds_max[2]);
+    const double height = 2.4 * outer, pixel = height / SIZE;
+    cut(ring, 1, 0, 0, 0);
+    options = options_for((double[3]){-1, 0, 0}, height, samples);
+    draw(ring, &options, &picture);
+    count = count_cap(&picture, (double[3]){1, 0, 0}, 10);
+    const double discs = 2 * PI * minor * minor / (pixel * pixel);
+    CHECK(fabs(count - discs) < 0.02 * discs, "%d pixels, not %g", count, discs);
+    burnish_mesh_destroy(ring);
+}
+
+/* Three caps meet in a corner of a box: each pixel of a cap lies in its plane, in perspective too.
+ * Hatching darkens caps; what is no cap is as without. An inside-out box looks the same. */
+static void test_corner(int samples, int is_parallel) {
+    static capped_picture picture, other;
+    static const double normals[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double offsets[3] = {0.5, 1, 1.5};
+    burnish_mesh *mesh = make_box(0, NULL, NULL), *turned = make_box(1, NULL, NULL);
+    burnish_render_options options = options_for((double[3]){-0.5, -0.6, -0.7}, 10, samples);
+    int shown[3] = {0, 0, 0};
+    double forward[3], length = 0;
+    options.camera.orthographic_height = is_parallel ? 10 : 0;
+    options.camera.view_angle = 45;
+    for (int i = 0; i < 3; ++i) {
+        cut(mesh, normals[i][0], normals[i][1], normals[i][2], offsets[i]);
+        cut(turned, normals[i][0], normals[i][1], normals[i][2], offsets[i]);
+        length += options.camera.position[i] * options.camera.position[i];
+    }
+    CHECK1(burnish_mesh_get_view(turned)->inside == BURNISH_INSIDE_FRONT);
+    draw(mesh, &options, &picture);
+    draw(turned, &options, &other);
+    int different = 0; /* but for ties along edges, which front faces win */
+    for (int i = 0; i < SIZE * SIZE * 4; ++i) {
+        different += abs(picture.pixels[i / (4 * SIZE)][i % (4 * SIZE)] -
+                         other.pixels[i / (4 * SIZE)][i % (4 * SIZE)]) > 1;
+    }
+    CHECK(different < 40, "%d bytes", different);
+    for (int k = 0; k < 3; ++k) {
+        forward[k] = -options.camera.position[k] / sqrt(length);
+    }
+    /* right = forward x (0, 1, 0), up = right x forward */
+    const double across = sqrt(forward[0] * forward[0] + forward[2] * forward[2]);
+    const double right[3] = {-forward[2] / across, 0, forward[0] / across};
+    const double up[3] = {right[1] * forward[2] - right[2] * forward[1],
+                          right[2] * forward[0] - right[0] * forward[2],
+                          right[0] * forward[1] - right[1] * forward[0]};
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        const double depth = (double)picture.depth[i / SIZE][i % SIZE];
+        const double reach = is_parallel ? 10 : 2 * depth * tan(PI / 8);
+        const double x = ((i % SIZE) + 0.5 - SIZE / 2) / SIZE * reach;
+        const double y = (SIZE / 2 - (i / SIZE) - 0.5) / SIZE * reach;
+        for (int n = 0; n < 3 && depth < 1e6; ++n) {
+            if (!has_normal(picture.normals[i / SIZE][i % SIZE], normals[n])) {
+                continue;
+            }
+            const double p =
+                options.camera.position[n] + forward[n] * depth + right[n] * x + up[n] * y;
+            shown[n] += 1;
+            /* at borders the point is up to half a pixel from the centre */
+            CHECK(fabs(p - offsets[n]) < 0.06, "pixel %d,%d: %g, not %g", i % SIZE, i / SIZE, p,
+                  offsets[n]);
+        }
+    }
+    CHECK(shown[0] > 500 && shown[1] > 500 && shown[2] > 500, "%d %d %d", shown[0], shown[1],
+          shown[2]);
+    burnish_mesh_destroy(mesh);
+    burnish_mesh_destroy(turned);
+}
+
+/* Neither threads nor the instruction set change a bit; back-face culling leaves caps. */
+static void test_bits(int samples) {
+    static const burnish_isa isas[] = {BURNISH_ISA_SCALAR, BURNISH_ISA_SSE2, BURNISH_ISA_AVX2,
+                                       BURNISH_ISA_AVX512, BURNISH_ISA_NEON};
+    static capped_picture expected, picture;
+    uint8_t colors[32];
+    for (int i = 0; i < 32; ++i) {
+        colors[i] = (uint8_t)(i % 4 == 3 ? 255 : 8 * i);
+    }
+    burnish_mesh *mesh = make_box(0, colors, NULL);
+    burnish_render_options options = options_for((double[3]){-0.5, -0.6, -0.7}, 10, samples);
+    options.occlusion = 2;
+    cut(mesh, 1, 2, 3, 1);
+    draw(mesh, &options, &expected);
+    for (size_t i = 0; i < sizeof isas / sizeof *isas; ++i) {
+        options.kernels = burnish_kernels_for(isas[i]);
+        options.threads = 1 + (int)i;
+        options.cull_back_faces = i % 2;
+        if (options.kernels) {
+            draw(mesh, &options, &picture);
+            CHECK(memcmp(&picture, &expected, sizeof picture) == 0, "%s",
+                  burnish_isa_name(isas[i]));
+        }
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Errors ---- */
+
+static void test_errors(void) {
+    burnish_mesh *mesh = load(":sphere");
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const uint64_t serial = view->serial;
+    const burnish_clip_plane wrong[] = {plane_of(0, 0, 0, 1),        plane_of(NAN, 0, 0, 1),
+                                        plane_of(0, INFINITY, 0, 1), plane_of(0, 0, 1, NAN),
+                                        plane_of(0, 0, 1, INFINITY), plane_of(1e200, 0, 0, 1),
+                                        plane_of(0, 0, 1, -2)};
+    burnish_error error;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+        CHECK(burnish_mesh_clip(mesh, &wrong[i], &error) == BURNISH_STATUS_ARGUMENT, "%zu", i);
+        CHECK(strncmp(error.text, "clip: ", 6) == 0 && !strchr(error.text, '\n'), "%s", error.text);
+    }
+    CHECK1(burnish_mesh_clip(NULL, &wrong[0], &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_mesh_clip(mesh, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    cut(mesh, 0, 0, 1, 2); /* nothing is there */
+    CHECK1(view->serial == serial && view->cut_count == 0);
+    for (int i = 0; i < BURNISH_CUTS_MAX; ++i) {
+        cut(mesh, 0, 0, 1, 0.9 - 0.1 * i);
+    }
+    CHECK1(view->serial != serial && view->cut_count == BURNISH_CUTS_MAX);
+    const burnish_clip_plane more = plane_of(0, 0, 1, 0);
+    CHECK1(burnish_mesh_clip(mesh, &more, &error) == BURNISH_STATUS_ARGUMENT);
+    burnish_mesh_destroy(mesh);
+    mesh = load_with(":sphere", 4, 0, NULL);
+    cut(mesh, 0, 0, 1, 0);
+    CHECK1(burnish_mesh_get_view(mesh)->inside == BURNISH_INSIDE_UNKNOWN); /* not measured */
+    burnish_mesh_destroy(mesh);
+}
+
+/* Every allocation fails once: the mesh stays as it was. */
+static void test_memory(void) {
+    counts own;
+    burnish_context *context = make_context(&own);
+    uint8_t colors[32] = {0};
+    burnish_mesh *mesh = make_box(0, colors, context);
+    const burnish_mesh_view before = *burnish_mesh_get_view(mesh);
+    const burnish_clip_plane plane = plane_of(1, 1, 1, 1);
+    const long live = atomic_load(&own.live);
+    burnish_status status = BURNISH_STATUS_MEMORY;
+    int failed = 0;
+    for (long k = 0; status == BURNISH_STATUS_MEMORY; ++k) {
+        atomic_store(&own.left, k);
+        status = burnish_mesh_clip(mesh, &plane, NULL);
+        atomic_store(&own.left, -1);
+        failed += status == BURNISH_STATUS_MEMORY;
+        CHECK1(atomic_load(&own.live) == live);
+        CHECK1(status == BURNISH_STATUS_OK ||
+               memcmp(&before, burnish_mesh_get_view(mesh), sizeof before) == 0);
+    }
+    CHECK(status == BURNISH_STATUS_OK && failed >= 5, "%d failures, then %d", failed, (int)status);
+    burnish_mesh_destroy(mesh);
+    burnish_context_destroy(context);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_box());
+    RUN(test_halves());
+    RUN(test_edges());
+    RUN(test_attributes());
+    RUN(test_discs(1));
+    RUN(test_discs(4));
+    RUN(test_corner(1, 0));
+    RUN(test_corner(4, 1));
+    RUN(test_corner(16, 0));
+    RUN(test_bits(1));
+    RUN(test_bits(4));
+    RUN(test_errors());
+    RUN(test_memory());
+    return test_end("clip");
+}
