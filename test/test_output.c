@@ -400,6 +400,44 @@ static void test_last_step(void) {
     has_no_proc = 0;
 }
 
+typedef struct broken_stream {
+    int calls;
+    burnish_status status; /* of the last step */
+} broken_stream;
+
+static size_t three_bytes(void *context, char *buffer, size_t size) {
+    broken_stream *stream = context;
+    memcpy(buffer, "new", size < 3 ? size : 3);
+    return stream->calls++ == 0 ? 3 : 0;
+}
+
+static burnish_status last_status(void *context, burnish_error *error) {
+    broken_stream *stream = context;
+    error->status = stream->status;
+    return stream->status;
+}
+
+/* A source that breaks off and says so in the last step leaves what was there. */
+static void test_last_step_of_stream(void) {
+    burnish_error error;
+    for (has_no_proc = 0; has_no_proc <= 1; ++has_no_proc) {
+        broken_stream stream = {0, BURNISH_STATUS_LIMIT};
+        CHECK_STATUS(burnish_file_write(path_of("s"), "old", 3, NULL), BURNISH_STATUS_OK);
+        CHECK_STATUS(
+            burnish_file_write_stream_then(path_of("s"), three_bytes, &stream, last_status, &error),
+            BURNISH_STATUS_LIMIT);
+        CHECK(stream.calls == 2 && holds(path_of("s"), "old") && entry_count() == 1, "%d entries",
+              entry_count());
+        stream = (broken_stream){0, BURNISH_STATUS_OK};
+        CHECK_STATUS(
+            burnish_file_write_stream_then(path_of("s"), three_bytes, &stream, last_status, &error),
+            BURNISH_STATUS_OK);
+        CHECK(holds(path_of("s"), "new") && entry_count() == 1, "%d entries", entry_count());
+        unlink(path_of("s"));
+    }
+    has_no_proc = 0;
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     if (!mkdtemp(folder)) {
@@ -420,6 +458,7 @@ int main(int count, char **arguments) {
     RUN(test_renames());
     RUN(test_remove_temporaries());
     RUN(test_last_step());
+    RUN(test_last_step_of_stream());
     CHECK(rmdir(folder) == 0, "something was left in %s", folder);
     return test_end("output");
 }

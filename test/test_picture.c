@@ -177,6 +177,7 @@ static void test_choice(void) {
         {"x.bmp", PICTURE_AUTO, PICTURE_COUNT},
         {"X.TIFF", PICTURE_AUTO, PICTURE_COUNT},
         {"x.svg", PICTURE_AUTO, PICTURE_COUNT},
+        {"x.gif", PICTURE_AUTO, PICTURE_COUNT},
         {"x.bmp", PICTURE_PNG, PICTURE_PNG},
 #if BURNISH_HAS_JPEG
         {"x.JpG", PICTURE_AUTO, PICTURE_JPEG},

@@ -244,6 +244,15 @@ typedef size_t burnish_file_source(void *context, char *buffer, size_t size);
 BURNISH_API burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
                                                      void *context, burnish_error *error);
 
+/* The same with a last step, as burnish_file_write_then has one. A source that can't go on returns
+ * 0 and leaves its error to ready, and no file appears. context  handed to source and to ready
+ *   ready    NULL: none
+ * Errors: as burnish_file_write, and those of ready. */
+BURNISH_API burnish_status burnish_file_write_stream_then(const char *path,
+                                                          burnish_file_source *source,
+                                                          void *context, burnish_file_ready *ready,
+                                                          burnish_error *error);
+
 /* Removes the temporaries of calls that are writing at this moment. For a handler of signals that
  * ends the process: async-signal-safe, and those calls fail if they go on. */
 BURNISH_API void burnish_file_remove_temporaries(void);

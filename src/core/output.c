@@ -408,12 +408,22 @@ burnish_status burnish_file_write_then(const char *path, const void *bytes, size
 
 burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
                                          void *context, burnish_error *error) {
+    return burnish_file_write_stream_then(path, source, context, NULL, error);
+}
+
+burnish_status burnish_file_write_stream_then(const char *path, burnish_file_source *source,
+                                              void *context, burnish_file_ready *ready,
+                                              burnish_error *error) {
     burnish_memory memory = burnish_memory_of(NULL, error);
     char *buffer = burnish_allocate(&memory, PIECE, 1, "output buffer");
     if (!buffer) {
         return memory.status;
     }
-    content what = {.source = source, .context = context, .buffer = buffer};
+    content what = {.source = source,
+                    .context = context,
+                    .buffer = buffer,
+                    .ready = ready,
+                    .ready_context = context};
     burnish_status status = write_content(path, &what, error);
     burnish_release(NULL, buffer);
     return status;

@@ -94,12 +94,14 @@ run render :sphere --size=16 --plane=depth:d.npy --json -o p.png
 json_keys >>keys.txt
 run render :sphere --size=17 --reference=p.png --json -o q.png # of another size: no numbers
 json_keys >>keys.txt
+run render :sphere --size=16 --frames=2 --turntable=t.gif --json
+json_keys >>keys.txt
 sort -u keys.txt >written.txt
 awk '/^.SH/ { on = /JSON OUTPUT/ } on' page.txt >section.txt
 grep -o 'fB[a-z_, ]*fR' section.txt | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort -u >told.txt
 check "JSON keys and the manual differ: $(diff written.txt told.txt | grep '^[<>]' | tr '\n' ' ')" cmp written.txt told.txt
 check "fewer than 40 JSON keys" [ "$(wc -l <written.txt)" -ge 40 ]
-rm -f p.png d.npy
+rm -f p.png d.npy t.gif
 for variable in BURNISH_ISA PATH; do
     check "the manual's ENVIRONMENT lacks $variable" sh -c "sed -n '/^.SH ENVIRONMENT/,/^.SH EXAMPLES/p' page.txt | grep -q $variable"
 done

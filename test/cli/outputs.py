@@ -1,4 +1,4 @@
-"""Readers of what burnish writes for other programs, from the formats' specifications alone: NPY, PNG, EXR. Nothing but
+"""Readers of what burnish writes for other programs, from the formats' specifications alone: NPY, PNG, EXR, GIF, APNG, Y4M. Nothing but
 Python's own modules, so that no library can share a mistake with the one that wrote."""
 import ast
 import struct
@@ -106,3 +106,125 @@ def exr(path):
                 start = 4 * width * (row * len(names) + k)
                 planes[name] += struct.unpack("<%d%s" % (width, kind), raw[start:start + 4 * width])
     return width, height, planes
+
+
+def apng(path):
+    """(width, height, channels, [(delay in seconds, samples)], plays) of an animated PNG; frames as they are shown."""
+    found = list(chunks(open(path, "rb").read()))
+    names = [name for name, _ in found]
+    assert names[0] == "IHDR" and names[-1] == "IEND" and names.count("acTL") == 1
+    assert names.index("acTL") < names.index("IDAT")
+    width, height, depth, kind = struct.unpack(">IIBB", found[0][1][:10])
+    channels = {2: 3, 6: 4}[kind]
+    count, plays = struct.unpack(">II", dict(found)["acTL"])
+    shown, frames, control, packed, sequence = [0] * (width * height * channels), [], None, b"", 0
+
+    def show():
+        w, h, x, y, up, down, dispose, blend = control
+        assert (dispose, blend) == (0, 0) and x + w <= width and y + h <= height
+        part = unfilter(packed, w, h, channels, depth)
+        for row in range(h):
+            start = ((y + row) * width + x) * channels
+            shown[start:start + w * channels] = part[row * w * channels:(row + 1) * w * channels]
+        frames.append((up / down, list(shown)))
+
+    for name, body in found:
+        if name in ("fcTL", "fdAT"):
+            assert struct.unpack(">I", body[:4])[0] == sequence, "sequence"
+            sequence += 1
+        if name == "fcTL":
+            if control:
+                show()
+            control, packed = struct.unpack(">IIIIHHBB", body[4:]), b""
+        elif name in ("IDAT", "fdAT"):
+            packed += body[4 * (name == "fdAT"):]
+    show()
+    assert len(frames) == count, "%d frames, not %d" % (len(frames), count)
+    return width, height, channels, frames, plays
+
+
+def unpack_lzw(data, size):
+    """Indices of GIF's variable-length codes."""
+    clear, out, bits, have, width = 1 << size, [], 0, 0, size + 1
+    table, before = None, None
+    for byte in data:
+        bits |= byte << have
+        have += 8
+        while have >= width:
+            code, bits, have = bits & ((1 << width) - 1), bits >> width, have - width
+            if code == clear:
+                table = [bytes([i]) for i in range(clear)] + [b"", b""]
+                width, before = size + 1, None
+                continue
+            if code == clear + 1:
+                return out
+            entry = table[code] if code < len(table) else before + before[:1]
+            assert code <= len(table), "a code from the future"
+            if before is not None and len(table) < 4096:
+                table.append(before + entry[:1])
+            if len(table) == 1 << width and width < 12:
+                width += 1
+            out += entry
+            before = entry
+    raise AssertionError("no end code")
+
+
+def gif(path):
+    """(width, height, [(delay in seconds, samples as RGB or None)], plays) of a GIF; frames as they are shown."""
+    data = open(path, "rb").read()
+    assert data[:6] == b"GIF89a" and data[10] == 0xf7
+    width, height = struct.unpack("<HH", data[6:10])
+    palette = [tuple(data[13 + 3 * i:16 + 3 * i]) for i in range(256)]
+    at, frames, plays, shown, control = 13 + 768, [], None, [None] * (width * height), None
+
+    def blocks():
+        nonlocal at
+        body = b""
+        while data[at]:
+            body += data[at + 1:at + 1 + data[at]]
+            at += 1 + data[at]
+        at += 1
+        return body
+
+    while data[at] != 0x3b:
+        kind, at = data[at], at + 1
+        if kind == 0x21:
+            label, at = data[at], at + 1
+            body = blocks()
+            if label == 0xf9:
+                control = struct.unpack("<BHB", body)
+            elif label == 0xff:
+                assert body[:12] == b"NETSCAPE2.0\1"
+                plays = struct.unpack("<H", body[12:14])[0]
+            continue
+        assert kind == 0x2c
+        x, y, w, h, flags = struct.unpack("<HHHHB", data[at:at + 9])
+        size, at = data[at + 9], at + 10
+        assert flags == 0 and x + w <= width and y + h <= height
+        indices = unpack_lzw(blocks(), size)
+        assert len(indices) == w * h, "%d indices of %d" % (len(indices), w * h)
+        for i, index in enumerate(indices):
+            if not (control[0] & 1 and index == control[2]):
+                shown[(y + i // w) * width + x + i % w] = palette[index]
+        frames.append((control[1] / 100, list(shown)))
+        if control[0] >> 2 & 7 == 2:
+            for i in range(w * h):
+                shown[(y + i // w) * width + x + i % w] = None
+    assert at == len(data) - 1, "bytes after the end"
+    return width, height, frames, plays
+
+
+def y4m(data):
+    """(words of the header, width, height, [(Y, U, V)])."""
+    head, data = data.split(b"\n", 1)
+    words = head.decode().split()
+    assert words[0] == "YUV4MPEG2"
+    width, height = (int(next(w[1:] for w in words if w[0] == letter)) for letter in "WH")
+    luma, chroma, frames = width * height, ((width + 1) // 2) * ((height + 1) // 2), []
+    size = luma + 2 * chroma + 6
+    assert len(data) % size == 0, "size"
+    for at in range(0, len(data), size):
+        assert data[at:at + 6] == b"FRAME\n"
+        body = data[at + 6:at + size]
+        frames.append((body[:luma], body[luma:luma + chroma], body[luma + chroma:]))
+    return words, width, height, frames

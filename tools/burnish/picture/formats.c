@@ -15,19 +15,22 @@ typedef struct format_row {
 #define WITH(has, package) ((has) ? NULL : (package))
 
 static const format_row rows[PICTURE_COUNT] = {
-    [PICTURE_PNG] = {"PNG", "png", NULL, PICTURE_STILL | PICTURE_PLANE, NULL},
+    [PICTURE_PNG] = {"PNG", "png", NULL, PICTURE_STILL | PICTURE_PLANE | PICTURE_ANIMATION, NULL},
     [PICTURE_JPEG] = {"JPEG", "jpg", "jpeg", PICTURE_STILL, WITH(BURNISH_HAS_JPEG, "libjpeg")},
-    [PICTURE_WEBP] = {"WebP", "webp", NULL, PICTURE_STILL, WITH(BURNISH_HAS_WEBP, "libwebp")},
+    [PICTURE_WEBP] = {"WebP", "webp", NULL, PICTURE_STILL | PICTURE_ANIMATION,
+                      WITH(BURNISH_HAS_WEBP, "libwebp")},
     [PICTURE_EXR] = {"EXR", "exr", NULL, PICTURE_STILL | PICTURE_PLANE,
                      WITH(BURNISH_HAS_EXR, "OpenEXR")},
     [PICTURE_NPY] = {"NPY", "npy", NULL, PICTURE_STILL | PICTURE_PLANE, NULL},
     [PICTURE_SVG] = {"SVG", "svg", NULL, PICTURE_LINES, NULL},
+    [PICTURE_GIF] = {"GIF", "gif", NULL, PICTURE_ANIMATION, NULL},
+    [PICTURE_Y4M] = {"Y4M", "y4m", NULL, PICTURE_ANIMATION, NULL},
 };
 
 /* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
 static const char *const foreign[] = {"tif",  "tiff", "bmp", "ppm", "pgm", "pnm",  "avif", "pdf",
                                       "ico",  "tga",  "hdr", "jxl", "eps", "heic", "jp2",  "mp4",
-                                      "webm", "mov",  "avi", "mkv", "qoi", "gif"};
+                                      "webm", "mov",  "avi", "mkv", "qoi", "ogv"};
 
 const char *picture_ending(picture_format format) {
     return rows[format].ending;
@@ -61,8 +64,9 @@ picture_names picture_list_names(picture_use use) {
 
 static burnish_status fail_format(const char *flag, const char *path, picture_use use,
                                   burnish_error *error) {
-    static const char *const whats[] = {
-        [PICTURE_STILL] = "pictures are", [PICTURE_PLANE] = "planes are"};
+    static const char *const whats[] = {[PICTURE_STILL] = "pictures are",
+                                        [PICTURE_PLANE] = "planes are",
+                                        [PICTURE_ANIMATION] = "turntables are"};
     char endings[96];
     list(use, 1, endings, sizeof endings);
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -93,6 +97,8 @@ burnish_status picture_choose(const char *flag, const char *path, picture_use us
     *format = wanted != PICTURE_AUTO ? wanted : find_ending(path);
     if (*format == PICTURE_AUTO && use == PICTURE_STILL) {
         *format = PICTURE_PNG;
+    } else if (*format == PICTURE_AUTO && use == PICTURE_ANIMATION && strcmp(path, "-") == 0) {
+        *format = PICTURE_Y4M;
     }
     if (*format == PICTURE_AUTO || *format == PICTURE_COUNT || !(rows[*format].uses & use)) {
         return fail_format(flag, path, use, error);

@@ -14,6 +14,8 @@ typedef enum picture_format {
     PICTURE_EXR,
     PICTURE_NPY,
     PICTURE_SVG, /* of lines: picture_encode does not make it */
+    PICTURE_GIF,
+    PICTURE_Y4M,
     PICTURE_COUNT
 } picture_format;
 
@@ -21,7 +23,8 @@ typedef enum picture_format {
 typedef enum picture_use {
     PICTURE_STILL = 1,
     PICTURE_PLANE = 2, /* numbers per pixel */
-    PICTURE_LINES = 4
+    PICTURE_LINES = 4,
+    PICTURE_ANIMATION = 8 /* PNG is APNG */
 } picture_use;
 
 /* What comes after the dot in names of that format: "jpg". */
@@ -37,7 +40,8 @@ picture_names picture_list_names(picture_use use);
  *   flag    names the output in messages: "output"
  *   path    of the file; "-" is standard output
  *   wanted  a format whatever the name says, or PICTURE_AUTO: by the ending; still pictures whose
- *           name has none, or one that no format of pictures has, are PNG
+ *           name has none, or one that no format of pictures has, are PNG, animations on standard
+ *           output Y4M
  * Errors: ARGUMENT for a format that does not serve the use, or that this build lacks. */
 burnish_status picture_choose(const char *flag, const char *path, picture_use use,
                               picture_format wanted, picture_format *format, burnish_error *error);

@@ -1,21 +1,33 @@
 /* WebP by libwebp: without loss, or with the quality that is asked for. */
-#include "picture/picture.h"
+#include "picture/animation.h"
 
 #if BURNISH_HAS_WEBP
+#include <stdlib.h>
 #include <webp/encode.h>
+#include <webp/mux.h>
 
 /* Where loss is allowed, alpha keeps all its values. */
-static int configure(WebPConfig *config, const picture_options *options) {
+static int configure(WebPConfig *config, int quality, int threads) {
     if (!WebPConfigInit(config)) {
         return 0;
     }
-    config->lossless = options->quality == 0;
-    config->quality = options->quality > 0 ? (float)options->quality : 20; /* lossless: effort */
+    config->lossless = quality == 0;
+    config->quality = quality > 0 ? (float)quality : 20; /* lossless: effort */
     config->method = config->lossless ? 2 : 4;
     config->exact = 1; /* colours below alpha 0 too: all that was drawn */
     config->use_sharp_yuv = 1;
-    config->thread_level = options->threads != 1;
+    config->thread_level = threads != 1;
     return WebPValidateConfig(config);
+}
+
+static int import(WebPPicture *picture, const burnish_pixels *pixels) {
+    const int stride = (int)pixels->stride;
+    picture->use_argb = 1;
+    picture->width = pixels->width;
+    picture->height = pixels->height;
+    return pixels->format == BURNISH_PIXELS_RGBA8
+               ? WebPPictureImportRGBA(picture, pixels->pixels, stride)
+               : WebPPictureImportRGB(picture, pixels->pixels, stride);
 }
 
 burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_options *options,
@@ -28,20 +40,13 @@ burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_o
                         "WebP holds at most %d x %d pixels, not %d x %d; write PNG",
                         WEBP_MAX_DIMENSION, WEBP_MAX_DIMENSION, pixels->width, pixels->height);
     }
-    if (!configure(&config, options) || !WebPPictureInit(&picture)) {
+    if (!configure(&config, options->quality, options->threads) || !WebPPictureInit(&picture)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "WebP: another version of libwebp");
     }
     WebPMemoryWriterInit(&writer);
-    picture.use_argb = config.lossless || config.use_sharp_yuv;
-    picture.width = pixels->width;
-    picture.height = pixels->height;
     picture.writer = WebPMemoryWrite;
     picture.custom_ptr = &writer;
-    const int stride = (int)pixels->stride;
-    const int imported = pixels->format == BURNISH_PIXELS_RGBA8
-                             ? WebPPictureImportRGBA(&picture, pixels->pixels, stride)
-                             : WebPPictureImportRGB(&picture, pixels->pixels, stride);
-    const int encoded = imported && WebPEncode(&config, &picture);
+    const int encoded = import(&picture, pixels) && WebPEncode(&config, &picture);
     const int code = picture.error_code;
     WebPPictureFree(&picture);
     if (!encoded) {
@@ -55,7 +60,71 @@ burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_o
     return BURNISH_STATUS_OK;
 }
 
+/* ---- Animations: libwebpmux keeps the compressed frames and hands them over at the end ---- */
+
+static burnish_status fail_animation(const WebPAnimEncoder *encoder, burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_MEMORY, "WebP: %.200s",
+                    encoder ? WebPAnimEncoderGetError((WebPAnimEncoder *)encoder)
+                            : "no encoder; the frames are too large, or memory is short");
+}
+
+static burnish_status begin(picture_animation *animation, burnish_error *error) {
+    WebPAnimEncoderOptions options;
+    const picture_animation_options *o = &animation->options;
+    if (o->width > WEBP_MAX_DIMENSION || o->height > WEBP_MAX_DIMENSION) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "WebP holds at most %d x %d pixels, not %d x %d; write PNG",
+                        WEBP_MAX_DIMENSION, WEBP_MAX_DIMENSION, o->width, o->height);
+    }
+    if (WebPAnimEncoderOptionsInit(&options)) {
+        animation->state = WebPAnimEncoderNew(o->width, o->height, &options);
+    }
+    return animation->state ? BURNISH_STATUS_OK : fail_animation(NULL, error);
+}
+
+static burnish_status add(picture_animation *animation, const burnish_image *frame,
+                          burnish_error *error) {
+    WebPConfig config;
+    WebPPicture picture;
+    const picture_animation_options *o = &animation->options;
+    const burnish_pixels pixels = burnish_image_pixels(frame);
+    if (!configure(&config, o->quality, o->threads) || !WebPPictureInit(&picture)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "WebP: another version of libwebp");
+    }
+    const int added = import(&picture, &pixels) &&
+                      WebPAnimEncoderAdd(animation->state, &picture,
+                                         picture_time(animation, animation->index, 1000), &config);
+    WebPPictureFree(&picture);
+    return added ? BURNISH_STATUS_OK : fail_animation(animation->state, error);
+}
+
+static burnish_status end(picture_animation *animation, burnish_error *error) {
+    WebPData data;
+    WebPDataInit(&data);
+    if (!WebPAnimEncoderAdd(animation->state, NULL,
+                            picture_time(animation, animation->options.frames, 1000), NULL) ||
+        !WebPAnimEncoderAssemble(animation->state, &data)) {
+        return fail_animation(animation->state, error);
+    }
+    picture_put(&animation->out, data.bytes, data.size);
+    WebPDataClear(&data);
+    return BURNISH_STATUS_OK;
+}
+
+static void destroy(void *state) {
+    WebPAnimEncoderDelete(state);
+}
+
+const picture_animator picture_webp = {begin, add, end, destroy};
+
 #else
+
+static burnish_status begin(picture_animation *animation, burnish_error *error) {
+    (void)animation;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "WebP: this build has no libwebp");
+}
+
+const picture_animator picture_webp = {begin, NULL, NULL, NULL};
 
 burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_options *options,
                                    picture_file *file, burnish_error *error) {

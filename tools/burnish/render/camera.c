@@ -58,6 +58,13 @@ static const frame *frame_in_use(const burnish_mesh *mesh, const render_settings
     return &frames[nearest];
 }
 
+render_up render_up_in_use(const burnish_mesh *mesh, const render_settings *settings,
+                           double direction[3]) {
+    const frame *axes = frame_in_use(mesh, settings);
+    memcpy(direction, axes->up, sizeof axes->up);
+    return (render_up)(axes - frames);
+}
+
 const char *render_up_name(const burnish_mesh *mesh, const render_settings *settings) {
     return frame_in_use(mesh, settings)->name;
 }

@@ -23,6 +23,10 @@ burnish_annotations render_make_annotations(const burnish_mesh *mesh,
 /* "front", "right" ...; "view" for VIEW_FREE. */
 const char *render_view_name(render_view view);
 
+/* The up axis in use, never UP_AUTO, and its direction, along one of the coordinates' axes. */
+render_up render_up_in_use(const burnish_mesh *mesh, const render_settings *settings,
+                           double direction[3]);
+
 /* The up axis in use, as --up names it. */
 const char *render_up_name(const burnish_mesh *mesh, const render_settings *settings);
 

@@ -5,9 +5,11 @@
 #include "cli/output.h"
 #include "render/settings.h"
 
-static const cli_word format_words[] = {
-    {"auto", PICTURE_AUTO}, {"png", PICTURE_PNG}, {"jpeg", PICTURE_JPEG}, {"webp", PICTURE_WEBP},
-    {"svg", PICTURE_SVG},   {"exr", PICTURE_EXR}, {"npy", PICTURE_NPY},   {NULL, 0}};
+static const cli_word format_words[] = {{"auto", PICTURE_AUTO}, {"png", PICTURE_PNG},
+                                        {"jpeg", PICTURE_JPEG}, {"webp", PICTURE_WEBP},
+                                        {"svg", PICTURE_SVG},   {"exr", PICTURE_EXR},
+                                        {"npy", PICTURE_NPY},   {"gif", PICTURE_GIF},
+                                        {"y4m", PICTURE_Y4M},   {NULL, 0}};
 const cli_word render_plane_words[] = {
     {"depth", PLANE_DEPTH},
     {"normal", PLANE_NORMAL},
@@ -238,6 +240,38 @@ static const cli_flag flags[] = {
                "*coverage* and *color*. See *PLANES*.",
      .handler = render_flag_plane,
      TARGET(planes)},
+    {.name = "turntable",
+     .value = "FILE",
+     .help = ".gif .png .webp .y4m; - is Y4M on standard output",
+     .manual = "Instead of a picture a turn of the camera around the object, to the right around "
+               "the up axis through the focal point; the last frame continues into the first. All "
+               "frames have one framing, in which nothing is cut off. *.gif* has one palette for "
+               "all frames; *.png* is an animated PNG; *.webp* is without loss unless *--quality* "
+               "is given; *.y4m* is for video encoders: 4:2:0, limited range, BT.709. For "
+               "example *burnish render part.stl --turntable=- | ffmpeg -i - -colorspace bt709 "
+               "part.mp4*.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(turntable)},
+    {.name = "frames",
+     .value = "N",
+     .low = 2,
+     .high = 3600,
+     .help = "of a turntable",
+     .default_text = "60",
+     .manual = "Frames of a turn, from 2 to 3600.",
+     .handler = cli_flag_integer,
+     TARGET(frames)},
+    {.name = "fps",
+     .aliases = "frame-rate",
+     .value = "N",
+     .low = 1,
+     .high = 120,
+     .help = "frames per second of a turntable",
+     .default_text = "20",
+     .manual = "Frames per second of a turntable, from 1 to 120; of a GIF at most 50.",
+     .handler = cli_flag_integer,
+     TARGET(fps)},
     {.name = "overwrite",
      .help = "replace a file with INPUT's name and .png, whoever wrote it",
      .manual = "Replaces a file that has the name made from _INPUT_'s, whoever wrote it. Without "
@@ -650,8 +684,8 @@ static const cli_flag flags[] = {
 };
 
 static const cli_example examples[] = {
-    {"burnish render part.stl --size=256 -o part.png", "a thumbnail"},
     {"burnish render part.stl --views=front,right,top,iso -o sheet.png", "a sheet of views"},
+    {"burnish render part.stl --size=256 --turntable=part.gif", "a turntable"},
     {NULL, NULL},
 };
 
@@ -753,6 +787,7 @@ static const cli_term json_terms[] = {
     {"*reference*", "with *--reference*: *input*, *width*, *height*, *passes*, and where the sizes "
                     "are the same the other numbers of *burnish compare --json*"},
     {"*warnings*", "lines, also with *--quiet*"},
+    {"*frames, fps*", "of a turntable; the other facts and the hash are the first frame's"},
     {"*planes*", "of each *--plane*: *plane*, *output*; of depth also *low* and *high*"},
     {"*cells*", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and "
                 "what depends on view or lobe"},

@@ -13,6 +13,7 @@
 #include "render/reference.h"
 #include "render/report.h"
 #include "render/settings.h"
+#include "render/turntable.h"
 
 static double seconds_now(void) {
     struct timespec now;
@@ -128,19 +129,38 @@ static void report_blank(const render_result *result) {
     fprintf(stderr, "burnish: %s\n", error.text);
 }
 
-burnish_status render_draw_cell(render_result *result, burnish_renderer *renderer,
-                                burnish_render_options *options, render_cell *cell,
-                                burnish_error *error) {
+/* The pixels of a cell, or of a frame of a turntable, without annotations; *depth as render_draw.
+ */
+static burnish_status draw_pixels(render_result *result, burnish_renderer *renderer,
+                                  burnish_render_options *options, render_cell *cell, float **depth,
+                                  burnish_error *error) {
     options->lobe = cell->lobe;
     options->camera = cell->camera;
     options->counts = result->settings->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
+    burnish_status status = render_draw(result, renderer, options, cell, depth, error);
+    result->seconds.transform += cell->report.seconds_transform;
+    result->seconds.draw += cell->report.seconds_draw;
+    return status;
+}
+
+/* What a turntable draws its frames by: it has no annotations, so that no depth is wanted. */
+static burnish_status draw_frame(render_result *result, burnish_renderer *renderer,
+                                 burnish_render_options *options, render_cell *cell,
+                                 burnish_error *error) {
     float *depth = NULL;
-    burnish_status status = render_draw(result, renderer, options, cell, &depth, error);
+    burnish_status status = draw_pixels(result, renderer, options, cell, &depth, error);
+    free(depth);
+    return status;
+}
+
+burnish_status render_draw_cell(render_result *result, burnish_renderer *renderer,
+                                burnish_render_options *options, render_cell *cell,
+                                burnish_error *error) {
+    float *depth = NULL;
+    burnish_status status = draw_pixels(result, renderer, options, cell, &depth, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    result->seconds.transform += cell->report.seconds_transform;
-    result->seconds.draw += cell->report.seconds_draw;
     if (result->settings->json) {
         cell->tones = render_measure_tones(&cell->image, cell->report.covered_pixels, options);
     }
@@ -193,8 +213,8 @@ static burnish_status aim_cells(render_result *result, burnish_error *error) {
         for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
             burnish_camera *camera = &result->cells[i].camera;
             render_room room = shared;
-            status =
-                render_camera(result->mesh, settings, result->cells[i].view, &room, camera, error);
+            status = (settings->turntable ? render_turntable_camera : render_camera)(
+                result->mesh, settings, result->cells[i].view, &room, camera, error);
             widen(&widest, &room, camera->orthographic_height * settings->zoom.value);
         }
         if (pass == AIM_ROOM) {
@@ -243,15 +263,11 @@ static burnish_status encode_lines(render_result *result, const burnish_renderer
     return status;
 }
 
-static burnish_status draw_cells(render_result *result, burnish_render_options *options,
-                                 burnish_error *error) {
+static burnish_status draw_cells(render_result *result, burnish_renderer *renderer,
+                                 burnish_render_options *options, burnish_error *error) {
     const render_settings *settings = result->settings;
     int progress = result->cell_count > 1 && !settings->quiet && isatty(STDERR_FILENO);
-    burnish_renderer *renderer = NULL;
     burnish_status status = aim_cells(result, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_renderer_create(NULL, &renderer, error);
-    }
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
         render_cell *cell = &result->cells[i];
         if (progress) {
@@ -269,7 +285,6 @@ static burnish_status draw_cells(render_result *result, burnish_render_options *
     if (status == BURNISH_STATUS_OK) {
         status = draw_planes(result, renderer, options, error);
     }
-    burnish_renderer_destroy(renderer);
     return status;
 }
 
@@ -378,9 +393,10 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
 }
 
 /* Draws, composes and writes; leaves in result what there is to report. */
-static burnish_status make_picture(render_result *result, burnish_render_options *options,
-                                   burnish_image *sheet, burnish_error *error) {
-    burnish_status status = draw_cells(result, options, error);
+static burnish_status make_picture(render_result *result, burnish_renderer *renderer,
+                                   burnish_render_options *options, burnish_image *sheet,
+                                   burnish_error *error) {
+    burnish_status status = draw_cells(result, renderer, options, error);
     result->picture = &result->cells[0].image;
     result->hash = result->cells[0].hash;
     if (status == BURNISH_STATUS_OK && result->cell_count > 1) {
@@ -392,9 +408,12 @@ static burnish_status make_picture(render_result *result, burnish_render_options
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    return result->blank_cells > 0 && result->settings->fail_on_blank
-               ? report(result, error)
-               : write_picture(result, error);
+    if (result->blank_cells > 0 && result->settings->fail_on_blank) {
+        return report(result, error);
+    }
+    const render_turntable turntable = {result, renderer, options, draw_frame, report};
+    return result->settings->turntable ? render_write_turntable(&turntable, error)
+                                       : write_picture(result, error);
 }
 
 /* Loads the mesh and prints its warnings. */
@@ -422,6 +441,7 @@ static burnish_status render(render_result *result, burnish_render_options *opti
                              burnish_error *error) {
     const render_settings *settings = result->settings;
     burnish_image sheet = {0};
+    burnish_renderer *renderer = NULL;
     describe_cells(result);
     burnish_status status = check_sheet(result, error);
     if (status == BURNISH_STATUS_OK) {
@@ -431,11 +451,15 @@ static burnish_status render(render_result *result, burnish_render_options *opti
         status = load(result, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = make_picture(result, options, &sheet, error);
+        status = burnish_renderer_create(NULL, &renderer, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = make_picture(result, renderer, options, &sheet, error);
     }
     if (status == BURNISH_STATUS_OK && settings->timing) {
         render_print_timing(&result->seconds);
     }
+    burnish_renderer_destroy(renderer);
     burnish_image_destroy(&sheet);
     return status;
 }

@@ -263,6 +263,10 @@ static burnish_status print_json(FILE *stream, const render_result *result, burn
         }
         add_picture(root, &result->cells[0], &failed);
     }
+    if (result->settings->turntable) {
+        cli_json_add(root, "frames", cJSON_CreateNumber(result->settings->frames), &failed);
+        cli_json_add(root, "fps", cJSON_CreateNumber(result->settings->fps), &failed);
+    }
     if (result->settings->planes.count > 0) {
         add_planes(root, result, &failed);
     }

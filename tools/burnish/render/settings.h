@@ -89,6 +89,8 @@ typedef struct render_settings {
     int quality;        /* 0: not given */
     cli_real dots_per_inch;
     render_planes planes;
+    const char *turntable; /* NULL: a picture */
+    int frames, fps;
 
     int size[2];
     int samples;

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "cli/platform.h"
+#include "picture/animation.h"
 #include "render/reference.h"
 #include "render/settings.h"
 
@@ -119,24 +120,33 @@ static burnish_status choose_svg(render_settings *settings, burnish_error *error
 /* The output's format, and flags that ask of it what it can't hold. */
 static burnish_status choose_format(render_settings *settings, burnish_error *error) {
     picture_format format;
-    if (is_svg(settings)) {
+    if (!settings->turntable && is_svg(settings)) {
         return choose_svg(settings, error);
     }
-    burnish_status status = picture_choose("output", settings->output, PICTURE_STILL,
-                                           (picture_format)settings->format, &format, error);
+    burnish_status status =
+        picture_choose(settings->turntable ? "turntable" : "output", settings->output,
+                       settings->turntable ? PICTURE_ANIMATION : PICTURE_STILL,
+                       (picture_format)settings->format, &format, error);
     settings->format = format;
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (settings->background.transparent && format == PICTURE_JPEG) {
+    if (settings->background.transparent && (format == PICTURE_JPEG || format == PICTURE_Y4M)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--no-background: JPEG has no alpha; write PNG or WebP");
+                        "--no-background: %s has no alpha; write PNG or WebP",
+                        format == PICTURE_JPEG ? "JPEG" : "Y4M");
+    }
+    if (format == PICTURE_GIF && settings->fps > PICTURE_GIF_FPS_MAX) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--fps: a GIF has at most %d frames per second; write PNG, WebP or Y4M",
+                        PICTURE_GIF_FPS_MAX);
     }
     if (settings->quality > 0 && format != PICTURE_JPEG && format != PICTURE_WEBP) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--quality: only JPEG and WebP lose any; leave it out");
     }
-    if (settings->dots_per_inch.given && format != PICTURE_PNG && format != PICTURE_JPEG) {
+    if (settings->dots_per_inch.given &&
+        (settings->turntable || (format != PICTURE_PNG && format != PICTURE_JPEG))) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--dpi: only PNG and JPEG hold it; leave it out");
     }
@@ -254,6 +264,27 @@ static burnish_status check_labels(const render_settings *settings, burnish_erro
                     texts, cells);
 }
 
+/* A turntable takes the place of the picture. */
+static burnish_status check_turntable(render_settings *settings, burnish_error *error) {
+    const char *extra = settings->output             ? "output"
+                        : settings->planes.count > 0 ? "plane"
+                        : settings->annotations      ? "annotate"
+                        : settings->reference        ? "reference"
+                        : settings->views.count > 1  ? "views"
+                        : settings->lobes.count > 1  ? "lobe"
+                                                     : NULL;
+    if (extra) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            settings->output
+                ? "--%s: --turntable already names a file; leave one out"
+                : "--%s: a turntable shows one view and one lobe and nothing besides; leave it out",
+            extra);
+    }
+    settings->output = settings->turntable;
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status render_check(render_settings *settings, burnish_error *error) {
     const burnish_status status = cli_choose_isa(settings->isa_name, &settings->isa, error);
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
@@ -263,6 +294,9 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
     burnish_status status = render_check(settings, error);
     if (status == BURNISH_STATUS_OK) {
         status = check_labels(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK && settings->turntable) {
+        status = check_turntable(settings, error);
     }
     if (status == BURNISH_STATUS_OK && !settings->output) {
         status = derive_output(settings, error);

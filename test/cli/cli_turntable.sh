@@ -1,0 +1,77 @@
+#!/bin/sh
+# Turntables: refusals and files here, frames in turntable.py.
+# usage: cli_turntable.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+here=$(dirname "$(realpath "$0")")
+
+expect 2 'burnish: --turntable: "t.mp4": turntables are written as PNG, WebP, GIF or Y4M; end the name in .png, .webp, .gif or .y4m' render :sphere --turntable=t.mp4
+expect 2 'burnish: --turntable: "t.jpg": turntables are written as PNG, WebP, GIF or Y4M; end the name in .png, .webp, .gif or .y4m' render :sphere --turntable=t.jpg
+expect 2 'burnish: --turntable: "t": turntables are written as PNG, WebP, GIF or Y4M; end the name in .png, .webp, .gif or .y4m' render :sphere --turntable=t
+expect 2 'burnish: --frames: "1" is not a whole number from 2 to 3600' render :sphere --turntable=t.gif --frames=1
+expect 2 'burnish: --fps: "0" is not a whole number from 1 to 120' render :sphere --turntable=t.gif --fps=0
+expect 2 'burnish: --fps: a GIF has at most 50 frames per second; write PNG, WebP or Y4M' render :sphere --turntable=t.gif --fps=51
+expect 2 'burnish: --output: --turntable already names a file; leave one out' render :sphere --turntable=t.gif -o t.png
+expect 2 'burnish: --views: a turntable shows one view and one lobe and nothing besides; leave it out' render :sphere --turntable=t.gif --views=top,front
+expect 2 'burnish: --plane: a turntable shows one view and one lobe and nothing besides; leave it out' render :sphere --turntable=t.gif --plane=depth:d.npy
+expect 2 'burnish: --annotate: a turntable shows one view and one lobe and nothing besides; leave it out' render :sphere --turntable=t.gif --annotate=box
+expect 2 'burnish: --no-background: Y4M has no alpha; write PNG or WebP' render :sphere --turntable=t.y4m --no-background
+expect 2 'burnish: --dpi: only PNG and JPEG hold it; leave it out' render :sphere --turntable=t.png --dpi=100
+expect 2 'burnish: --quality: only JPEG and WebP lose any; leave it out' render :sphere --turntable=t.gif --quality=50
+expect 2 'burnish: --output: "t.gif": pictures are written as PNG, JPEG, WebP, EXR or NPY; end the name in .png, .jpg, .webp, .exr or .npy' render :sphere -o t.gif
+nothing_left "wrong usage"
+
+# Nothing is left of a file that can't be completed, and an older one stays.
+few="--size=16 --look=plain --frames=3"
+expect 7 "burnish: /dev/full: can't be written: No space left on device; free some space" render :sphere $few --output-format=gif --turntable=/dev/full
+printf mine >kept.gif
+(
+    ulimit -f 1
+    "$burnish" render :teapot --size=200 --look=plain --frames=4 --turntable=kept.gif 2>"$err"
+    echo $? >../code
+)
+check "a file over the limit of the shell: exit code $(cat ../code)" [ "$(cat ../code)" = 7 ]
+check "a file over the limit replaces a turntable" [ "$(cat kept.gif)" = mine ]
+away='--camera-position=100,0,0 --camera-focal-point=200,0,0'
+run render :sphere $few $away --turntable=kept.gif --fail-on-blank
+check "a blank turntable: exit code $code" [ "$code" = 8 ]
+check "a blank turntable replaces another" [ "$(cat kept.gif)" = mine ]
+rm -f kept.gif
+nothing_left "failed turntables"
+
+# The report tells of the first frame.
+run render :sphere $few --turntable=t.gif --fps=7 --json
+check "frames" [ "$(json frames)" = 3 ]
+check "fps" [ "$(json fps)" = 7 ]
+first=$(json hash)
+check "the report is JSON" valid_json
+run render :sphere $few --turntable=t.gif --frames=5 --json
+check "the hash is not that of the first frame" [ "$(json hash)" = "$first" ]
+
+# The same bytes from every instruction set and number of threads, where no library compresses.
+for isa in scalar sse2 avx2 avx512; do
+    for threads in 1 2 7; do
+        "$burnish" render :knot $few --isa=$isa --threads=$threads --turntable=s.gif 2>"$err" &&
+            "$burnish" render :knot $few --isa=$isa --threads=$threads --turntable=s.y4m 2>"$err" || {
+            check "$isa: $(cat "$err")" grep -q 'lacks\|has no\|not in this' "$err"
+            continue
+        }
+        cat s.gif s.y4m | cksum >>sums
+    done
+done
+check "turntables differ: $(cat sums)" [ "$(sort -u sums | wc -l)" = 1 ]
+
+# WebP: as many frames, and their time.
+if "$burnish" render :knot $few --fps=10 --turntable=t.webp 2>/dev/null; then
+    check "WebP: no animation" sh -c "[ \"\$(head -c 4 t.webp)\" = RIFF ] && grep -qa ANIM t.webp"
+    check "WebP: frames" [ "$(grep -ao ANMF t.webp | wc -l)" = 3 ]
+else
+    echo "cli_turntable: SKIPPED: WebP, which this build does not write"
+fi
+
+if command -v python3 >/dev/null; then
+    check "$(PYTHONDONTWRITEBYTECODE=1 python3 "$here/turntable.py" "$burnish" 2>&1 | tail -1)" \
+        env PYTHONDONTWRITEBYTECODE=1 python3 "$here/turntable.py" "$burnish"
+else
+    echo "cli_turntable: SKIPPED: frames, since python3 is missing"
+fi
+finish

@@ -1,0 +1,136 @@
+/* What all animations share: growing bytes, the changed part of a frame, times. */
+#include "picture/animation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void picture_put(picture_bytes *bytes, const void *data, size_t size) {
+    if (size == 0) {
+        return;
+    }
+    if (size > bytes->capacity - bytes->size) {
+        const size_t capacity =
+            size > SIZE_MAX / 4 - bytes->size ? 0 : 2 * (bytes->size + size) + 256;
+        uint8_t *grown = capacity > 0 ? realloc(bytes->data, capacity) : NULL;
+        if (!grown) {
+            bytes->failed = 1;
+            return;
+        }
+        bytes->data = grown;
+        bytes->capacity = capacity;
+    }
+    memcpy(bytes->data + bytes->size, data, size);
+    bytes->size += size;
+}
+
+void picture_put_byte(picture_bytes *bytes, int value) {
+    const uint8_t byte = (uint8_t)value;
+    picture_put(bytes, &byte, 1);
+}
+
+int picture_time(const picture_animation *animation, int frame, int units_per_second) {
+    const int fps = animation->options.fps;
+    return (2 * frame * units_per_second + fps) / (2 * fps);
+}
+
+/* Whether the rows of a column or the columns of a row differ is asked by memcmp of pixels. */
+void picture_changed(const picture_animation *animation, const burnish_image *frame, int box[4]) {
+    const size_t pixel = (size_t)frame->channels, row = pixel * (size_t)frame->width;
+    const uint8_t *a = frame->pixels, *b = animation->previous.pixels;
+    int left = frame->width, right = -1, top = -1, bottom = -1;
+    if (!b) {
+        memcpy(box, (int[]){0, 0, frame->width, frame->height}, 4 * sizeof *box);
+        return;
+    }
+    for (int y = 0; y < frame->height; ++y, a += row, b += row) {
+        if (memcmp(a, b, row) == 0) {
+            continue;
+        }
+        int first = 0, last = frame->width - 1;
+        while (memcmp(a + pixel * (size_t)first, b + pixel * (size_t)first, pixel) == 0) {
+            ++first;
+        }
+        while (memcmp(a + pixel * (size_t)last, b + pixel * (size_t)last, pixel) == 0) {
+            --last;
+        }
+        left = first < left ? first : left;
+        right = last > right ? last : right;
+        top = top < 0 ? y : top;
+        bottom = y;
+    }
+    const int none = right < 0; /* a frame like the one before still takes its time */
+    memcpy(box,
+           (int[]){none ? 0 : left, none ? 0 : top, none ? 1 : right - left + 1,
+                   none ? 1 : bottom - top + 1},
+           4 * sizeof *box);
+}
+
+static burnish_status check_memory(const picture_animation *animation, burnish_error *error) {
+    return animation->out.failed ? cli_fail(error, BURNISH_STATUS_MEMORY,
+                                            "out of memory: the animation; free memory, or draw "
+                                            "smaller frames")
+                                 : BURNISH_STATUS_OK;
+}
+
+static const picture_animator *animator_of(picture_format format) {
+    return format == PICTURE_GIF    ? &picture_gif
+           : format == PICTURE_PNG  ? &picture_apng
+           : format == PICTURE_WEBP ? &picture_webp
+                                    : &picture_y4m;
+}
+
+burnish_status picture_animation_create(const picture_animation_options *options,
+                                        picture_animation **animation, burnish_error *error) {
+    *animation = calloc(1, sizeof **animation);
+    if (!*animation) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory: the animation");
+    }
+    (*animation)->options = *options;
+    (*animation)->animator = animator_of(options->format);
+    burnish_status status = (*animation)->animator->begin(*animation, error);
+    status = status == BURNISH_STATUS_OK ? check_memory(*animation, error) : status;
+    if (status != BURNISH_STATUS_OK) {
+        picture_animation_destroy(*animation);
+        *animation = NULL;
+    }
+    return status;
+}
+
+void picture_animation_destroy(picture_animation *animation) {
+    if (animation) {
+        if (animation->state) {
+            animation->animator->destroy(animation->state);
+        }
+        burnish_image_destroy(&animation->previous);
+        free(animation->out.data);
+        free(animation);
+    }
+}
+
+/* Keeps the frame, for the next one to be compared with. */
+static burnish_status keep(picture_animation *animation, const burnish_image *frame,
+                           burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!animation->previous.pixels) {
+        status = burnish_image_create(&animation->previous, frame->width, frame->height,
+                                      frame->channels, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        burnish_image_copy(&animation->previous, 0, 0, frame);
+    }
+    return status;
+}
+
+burnish_status picture_animation_add(picture_animation *animation, const burnish_image *frame,
+                                     burnish_error *error) {
+    if (animation->index > 0) {
+        animation->out.size = 0; /* the first frame comes behind what begin has left */
+    }
+    burnish_status status = frame ? animation->animator->add(animation, frame, error)
+                                  : animation->animator->end(animation, error);
+    if (status == BURNISH_STATUS_OK && frame) {
+        status = keep(animation, frame, error);
+    }
+    ++animation->index;
+    return status == BURNISH_STATUS_OK ? check_memory(animation, error) : status;
+}

@@ -1,0 +1,70 @@
+/* Animations: GIF, APNG, WebP and Y4M, a frame at a time. */
+#ifndef TOOL_PICTURE_ANIMATION_H
+#define TOOL_PICTURE_ANIMATION_H
+
+#include "picture/palette.h"
+#include "picture/picture.h"
+
+typedef struct picture_animation_options {
+    picture_format format; /* GIF, PNG, WEBP or Y4M */
+    int width, height;
+    int channels; /* of the frames; Y4M takes 3 */
+    int frames;   /* how many will come */
+    int fps;      /* frames per second; GIF at most 50 */
+    int quality;  /* of WebP, [1, 100]; 0: without loss */
+    int threads;
+    const picture_palette *palette; /* of GIF, which keeps it; NULL for the others */
+} picture_animation_options;
+
+enum { PICTURE_GIF_FPS_MAX = 50 }; /* browsers show shorter times as a tenth of a second */
+
+/* Bytes that grow. Empty: {0}; free data. */
+typedef struct picture_bytes {
+    uint8_t *data;
+    size_t size, capacity;
+    int failed; /* 1: out of memory; what came after is lost */
+} picture_bytes;
+
+void picture_put(picture_bytes *bytes, const void *data, size_t size);
+void picture_put_byte(picture_bytes *bytes, int value);
+
+typedef struct picture_animation picture_animation;
+
+/* How a format is written; `state` is its own, NULL before begin. All append to the bytes. */
+typedef struct picture_animator {
+    burnish_status (*begin)(picture_animation *animation, burnish_error *error);
+    burnish_status (*add)(picture_animation *animation, const burnish_image *frame,
+                          burnish_error *error);
+    burnish_status (*end)(picture_animation *animation, burnish_error *error);
+    void (*destroy)(void *state);
+} picture_animator;
+
+struct picture_animation {
+    picture_animation_options options;
+    const picture_animator *animator;
+    void *state;
+    burnish_image previous; /* the frame before; empty at the first one */
+    int index;              /* of the frame that comes */
+    picture_bytes out;      /* what comes next in the file */
+};
+
+extern const picture_animator picture_gif, picture_apng, picture_webp, picture_y4m;
+
+/* *animation is NULL on error. Errors: ARGUMENT, MEMORY. */
+burnish_status picture_animation_create(const picture_animation_options *options,
+                                        picture_animation **animation, burnish_error *error);
+void picture_animation_destroy(picture_animation *animation); /* NULL is allowed */
+
+/* Encodes the next frame, or after all of them (NULL) the end. What is to be written is then
+ * animation->out, until the next call. Errors: MEMORY, and those of the format. */
+burnish_status picture_animation_add(picture_animation *animation, const burnish_image *frame,
+                                     burnish_error *error);
+
+/* Where the frame differs from the one before: x, y, width, height; at least one pixel; all of the
+ * first frame. */
+void picture_changed(const picture_animation *animation, const burnish_image *frame, int box[4]);
+
+/* Frames times a unit of time, rounded: when frame i begins. */
+int picture_time(const picture_animation *animation, int frame, int units_per_second);
+
+#endif

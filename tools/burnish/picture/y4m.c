@@ -1,0 +1,81 @@
+/* YUV4MPEG2: frames as they are, for video encoders. 4:2:0 with chroma in the middle of each 2 x 2
+ * pixels (C420jpeg), limited range, BT.709's matrix on sRGB codes. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "picture/animation.h"
+
+static burnish_status begin(picture_animation *animation, burnish_error *error) {
+    char head[120];
+    const picture_animation_options *o = &animation->options;
+    if (o->channels != 3) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "Y4M has no alpha; write PNG or WebP");
+    }
+    const int size =
+        snprintf(head, sizeof head,
+                 "YUV4MPEG2 W%d H%d F%d:1 Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED\n",
+                 o->width, o->height, o->fps);
+    picture_put(&animation->out, head, (size_t)size);
+    return BURNISH_STATUS_OK;
+}
+
+/* Coefficients in 2^16: luma 219 (0.2126, 0.7152, 0.0722) / 255; chroma 112 (B - Y) / 0.9278 /
+ * 127.5 and 112 (R - Y) / 0.7874 / 127.5. */
+static uint8_t luma(const uint8_t *p) {
+    return (uint8_t)((11966 * p[0] + 40254 * p[1] + 4064 * p[2] + (16 << 16) + 32768) >> 16);
+}
+
+/* Of the sum of four pixels. */
+static uint8_t blue_of(const int s[3]) {
+    return (uint8_t)((-6596 * s[0] - 22189 * s[1] + 28785 * s[2] + (512 << 16) + 131072) >> 18);
+}
+static uint8_t red_of(const int s[3]) {
+    return (uint8_t)((28785 * s[0] - 26145 * s[1] - 2640 * s[2] + (512 << 16) + 131072) >> 18);
+}
+
+/* The chroma planes; pixels at odd ends count twice. */
+static void put_chroma(const burnish_image *frame, uint8_t *u, uint8_t *v) {
+    for (int y = 0; y < frame->height; y += 2) {
+        for (int x = 0; x < frame->width; x += 2) {
+            const int x1 = x + (x + 1 < frame->width), y1 = y + (y + 1 < frame->height);
+            const int at[4][2] = {{x, y}, {x1, y}, {x, y1}, {x1, y1}};
+            int sum[3] = {0};
+            for (int i = 0; i < 4; ++i) {
+                const uint8_t *p = frame->pixels +
+                                   3 * ((size_t)at[i][1] * (size_t)frame->width + (size_t)at[i][0]);
+                for (int k = 0; k < 3; ++k) {
+                    sum[k] += p[k];
+                }
+            }
+            *u++ = blue_of(sum);
+            *v++ = red_of(sum);
+        }
+    }
+}
+
+static burnish_status add(picture_animation *animation, const burnish_image *frame,
+                          burnish_error *error) {
+    const size_t count = (size_t)frame->width * (size_t)frame->height;
+    const size_t chroma = (size_t)((frame->width + 1) / 2) * (size_t)((frame->height + 1) / 2);
+    uint8_t *planes = malloc(count + 2 * chroma);
+    (void)error;
+    if (!planes) {
+        animation->out.failed = 1;
+        return BURNISH_STATUS_OK;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        planes[i] = luma(frame->pixels + 3 * i);
+    }
+    put_chroma(frame, planes + count, planes + count + chroma);
+    picture_put(&animation->out, "FRAME\n", 6);
+    picture_put(&animation->out, planes, count + 2 * chroma);
+    free(planes);
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status end(picture_animation *animation, burnish_error *error) {
+    (void)animation, (void)error;
+    return BURNISH_STATUS_OK;
+}
+
+const picture_animator picture_y4m = {begin, add, end, NULL};
