@@ -198,7 +198,7 @@ static void check_sheet(int channels, int count, int columns, int labels) {
     burnish_sheet_cell cells[7];
     for (int i = 0; i < count; ++i) {
         images[i] = make(96, 72, channels, (unsigned)i);
-        cells[i] = (burnish_sheet_cell){&images[i], labels ? "energy:2" : NULL};
+        cells[i] = (burnish_sheet_cell){&images[i], labels ? "energy:2" : NULL, NULL};
     }
     burnish_image sheet;
     burnish_error error;
@@ -236,7 +236,7 @@ static void test_long_label(void) {
     burnish_image image = make(60, 40, 3, 1);
     static char text[5000];
     memset(text, 'W', sizeof text - 1);
-    burnish_sheet_cell cells[2] = {{&image, ""}, {&image, text}};
+    burnish_sheet_cell cells[2] = {{&image, "", NULL}, {&image, text, NULL}};
     burnish_image sheet;
     CHECK_STATUS(burnish_image_sheet(&sheet, cells, 2, 2, background, ink, NULL),
                  BURNISH_STATUS_OK);
@@ -253,7 +253,7 @@ static void test_long_label(void) {
     burnish_image_destroy(&image);
 
     image = make(3, 3, 4, 1);
-    burnish_sheet_cell tiny = {&image, "label"};
+    burnish_sheet_cell tiny = {&image, "label", NULL};
     CHECK(burnish_image_sheet(&sheet, &tiny, 1, 1, background, ink, NULL) == BURNISH_STATUS_OK,
           "a cell too narrow for its label");
     CHECK(sheet.width == 11, "%d", sheet.width);
@@ -266,7 +266,8 @@ static void test_smaller_labels(void) {
     burnish_image image = make(100, 280, 3, 1);
     int heights[2];
     for (int i = 0; i < 2; ++i) {
-        burnish_sheet_cell cells[2] = {{&image, "front"}, {&image, i ? "from the left front" : ""}};
+        burnish_sheet_cell cells[2] = {{&image, "front", NULL},
+                                       {&image, i ? "from the left front" : "", NULL}};
         burnish_image sheet;
         CHECK_STATUS(burnish_image_sheet(&sheet, cells, 2, 2, background, ink, NULL),
                      BURNISH_STATUS_OK);
@@ -284,7 +285,7 @@ static void test_sheet_errors(void) {
     burnish_image empty = {0};
     burnish_image sheet;
     burnish_error error;
-    burnish_sheet_cell cells[2] = {{&a, NULL}, {&b, NULL}};
+    burnish_sheet_cell cells[2] = {{&a, NULL, NULL}, {&b, NULL, NULL}};
     CHECK_STATUS(burnish_image_sheet(&sheet, cells, 2, 1, background, ink, &error),
                  BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "sheet: picture 2 is 8 x 9 with 3 channels, the first is 8 x 8 with 3; "

@@ -179,10 +179,36 @@ BURNISH_API float burnish_srgb_decode(float value);
 BURNISH_API void burnish_image_copy(burnish_image *target, int x, int y,
                                     const burnish_image *source);
 
+/* Steps of an outline: the points that follow the current one. */
+typedef enum burnish_outline_verb {
+    BURNISH_OUTLINE_MOVE,  /* 1: begins a contour; the one before is closed */
+    BURNISH_OUTLINE_LINE,  /* 1 */
+    BURNISH_OUTLINE_CONIC, /* 2: control, end */
+    BURNISH_OUTLINE_CUBIC  /* 3: control, control, end */
+} burnish_outline_verb;
+
+/* Takes a step: x, y of each point in 1/256 pixels, y upward. */
+typedef void burnish_take_outline(void *context, burnish_outline_verb verb, const int32_t *points);
+
+/* Who sets text that burnish's stroke font has no letters for. Outlines are filled with exact area
+ * coverage in integers, so that only the font decides what comes out.
+ *   set_line   sets one line of UTF-8 from its left end: hands the outlines to take, unless that is
+ *              NULL, and returns the advance in 1/256 pixels
+ *     text     length bytes
+ *     height   of a capital letter, in pixels
+ *     context  of take
+ *   user_data  of set_line */
+typedef struct burnish_font {
+    int32_t (*set_line)(void *user_data, const char *text, size_t length, int height,
+                        burnish_take_outline *take, void *context);
+    void *user_data;
+} burnish_font;
+
 /* One cell of a contact sheet. */
 typedef struct burnish_sheet_cell {
     const burnish_image *image; /* all cells have the same size and channels */
     const char *label;          /* one line under the picture; NULL or "" for none */
+    const burnish_font *font;   /* of the label; NULL: burnish's stroke font */
 } burnish_sheet_cell;
 
 /* The size of the sheet that burnish_image_sheet makes, before any picture is drawn: of the cells'

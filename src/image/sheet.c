@@ -3,6 +3,7 @@
 
 #include "core/environment.h"
 #include "core/error.h"
+#include "image/outline.h"
 #include "image/text.h"
 
 enum {
@@ -57,9 +58,10 @@ static burnish_status check_cells(const burnish_sheet_cell *cells, size_t count,
     return BURNISH_STATUS_OK;
 }
 
-static float measure(const char *text, size_t length, int height) {
+static float measure(const burnish_font *font, const char *text, size_t length, int height) {
     static const uint8_t unused[3] = {0};
-    return burnish_text_draw(NULL, 0, 0, (float)height, unused, text, length);
+    return font ? (float)font->set_line(font->user_data, text, length, height, NULL, NULL) / 256
+                : burnish_text_draw(NULL, 0, 0, (float)height, unused, text, length);
 }
 
 /* The label height at which every label fits its cell, or the smallest. */
@@ -69,7 +71,8 @@ static int fit_labels(const burnish_sheet_cell *cells, size_t count, int width, 
             continue;
         }
         size_t length = strlen(cells[i].label);
-        while (height > SMALLEST_LABEL && measure(cells[i].label, length, height) > (float)width) {
+        while (height > SMALLEST_LABEL &&
+               measure(cells[i].font, cells[i].label, length, height) > (float)width) {
             --height;
         }
     }
@@ -108,40 +111,89 @@ static void fill(burnish_image *image, const uint8_t color[3]) {
     }
 }
 
+/* The bytes of text up to length without the first ones of a UTF-8 character that length cuts. */
+static size_t whole_characters(const char *text, size_t length) {
+    size_t end = length;
+    while (end > 0 && ((unsigned char)text[end] & 0xC0) == 0x80) {
+        --end;
+    }
+    return end;
+}
+
 /* Length of the longest beginning of text that fits width together with an ellipsis. */
-static size_t cut_length(const char *text, size_t length, int height, float width) {
-    float room = width - measure(ellipsis, sizeof ellipsis - 1, height);
+static size_t cut_length(const burnish_font *font, const char *text, size_t length, int height,
+                         float width) {
+    float room = width - measure(font, ellipsis, sizeof ellipsis - 1, height);
     size_t fits = 0;
     size_t fails = length + 1;
     while (fails - fits > 1) {
         size_t middle = fits + (fails - fits) / 2;
-        if (measure(text, middle, height) <= room) {
+        if (measure(font, text, whole_characters(text, middle), height) <= room) {
             fits = middle;
         } else {
             fails = middle;
         }
     }
-    return fits;
+    return whole_characters(text, fits);
+}
+
+/* A label of the font's, in the middle of the cell. */
+static burnish_status fill_label(burnish_image *sheet, const layout *made, int x, int baseline,
+                                 const uint8_t color[3], const burnish_sheet_cell *cell,
+                                 const char *text, size_t length, burnish_memory *memory) {
+    const burnish_font *font = cell->font;
+    const burnish_ink ink = burnish_ink_of(color, 1);
+    const burnish_pixels pixels = burnish_image_pixels(sheet);
+    const int32_t advance = font->set_line(font->user_data, text, length, made->label, NULL, NULL);
+    burnish_outline outline = {
+        .x = x * 256 + (made->width * 256 - advance) / 2, .y = baseline * 256, .memory = memory};
+    outline.at[0] = outline.start[0] = outline.x;
+    outline.at[1] = outline.start[1] = outline.y;
+    font->set_line(font->user_data, text, length, made->label, burnish_outline_add, &outline);
+    return burnish_outline_fill(&outline, &pixels, &ink);
+}
+
+/* The same cut: the ellipsis is part of the text, which may run to the left. */
+static burnish_status fill_cut_label(burnish_image *sheet, const layout *made, int x, int baseline,
+                                     const uint8_t color[3], const burnish_sheet_cell *cell,
+                                     size_t length, burnish_memory *memory) {
+    char *text = burnish_allocate(memory, length + sizeof ellipsis, 1, "a label");
+    if (!text) {
+        return memory->status;
+    }
+    memcpy(text, cell->label, length);
+    memcpy(text + length, ellipsis, sizeof ellipsis);
+    const burnish_status status = fill_label(sheet, made, x, baseline, color, cell, text,
+                                             length + sizeof ellipsis - 1, memory);
+    burnish_release(memory->context, text);
+    return status;
 }
 
 /* x: the cell's left edge; cells too narrow for an ellipsis keep no label. */
-static void draw_label(burnish_image *sheet, const layout *made, int x, int baseline,
-                       const uint8_t ink[3], const char *text) {
+static burnish_status draw_label(burnish_image *sheet, const layout *made, int x, int baseline,
+                                 const uint8_t ink[3], const burnish_sheet_cell *cell,
+                                 burnish_memory *memory) {
+    const char *text = cell->label;
     float width = (float)made->width;
     float height = (float)made->label;
     size_t length = strlen(text);
-    float advance = measure(text, length, made->label);
-    if (advance <= width) {
-        float left = (float)x + (width - advance) * 0.5F;
-        burnish_text_draw(sheet, left, (float)baseline, height, ink, text, length);
-        return;
+    float advance = measure(cell->font, text, length, made->label);
+    const size_t kept =
+        advance <= width ? length : cut_length(cell->font, text, length, made->label, width);
+    if (kept == 0) {
+        return BURNISH_STATUS_OK;
     }
-    length = cut_length(text, length, made->label, width);
-    if (length > 0) {
-        float left = (float)x;
-        left += burnish_text_draw(sheet, left, (float)baseline, height, ink, text, length);
+    if (cell->font) {
+        return kept == length
+                   ? fill_label(sheet, made, x, baseline, ink, cell, text, length, memory)
+                   : fill_cut_label(sheet, made, x, baseline, ink, cell, kept, memory);
+    }
+    float left = kept == length ? (float)x + (width - advance) * 0.5F : (float)x;
+    left += burnish_text_draw(sheet, left, (float)baseline, height, ink, text, kept);
+    if (kept < length) {
         burnish_text_draw(sheet, left, (float)baseline, height, ink, ellipsis, sizeof ellipsis - 1);
     }
+    return BURNISH_STATUS_OK;
 }
 
 /* The layout and the size of the sheet. */
@@ -201,16 +253,21 @@ static burnish_status make_sheet(burnish_image *sheet, const burnish_sheet_cell 
         return status;
     }
     int step_x = made.width + made.gap, step_y = made.height + made.below + made.gap;
+    burnish_memory memory = burnish_memory_of(NULL, error);
     fill(sheet, background);
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         int x = made.gap + step_x * (int)(i % (size_t)columns);
         int y = made.gap + step_y * (int)(i / (size_t)columns);
         burnish_image_copy(sheet, x, y, cells[i].image);
         if (has_label(&cells[i])) {
-            draw_label(sheet, &made, x, y + made.height + made.baseline, ink, cells[i].label);
+            status = draw_label(sheet, &made, x, y + made.height + made.baseline, ink, &cells[i],
+                                &memory);
         }
     }
-    return BURNISH_STATUS_OK;
+    if (status != BURNISH_STATUS_OK) {
+        burnish_image_destroy(sheet);
+    }
+    return status;
 }
 
 burnish_status burnish_image_sheet(burnish_image *sheet, const burnish_sheet_cell *cells,

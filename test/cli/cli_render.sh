@@ -299,6 +299,22 @@ expect 2 'burnish: --same-scale: a perspective has no scale; leave out --camera-
 expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; leave out --camera-orthographic=no' render block.obj --camera-orthographic=0 --camera-orthographic-height=3
 expect 2 'burnish: --camera-zoom-factor: --camera-orthographic-height already says how large the object is; leave one out' render block.obj --camera-orthographic-height=3 --camera-zoom-factor=2
 
+# Labels beyond ASCII.
+expect 2 'burnish: --labels: byte 4, 0xff, is not UTF-8; give the texts in UTF-8' render :torus --views=front,top --labels="a,b$(printf '\377')" -o s.png
+expect 2 'burnish: --labels: byte 3, 0xc3, is not UTF-8; give the texts in UTF-8' render :torus --views=front,top --labels="a,$(printf '\303')" -o s.png
+run render :torus --views=front,top --size=60 --font=none.ttf -o s.png
+check "a font that is none: exit code $code" [ "$code" = 2 -o "$code" = 3 ]
+check "a font that is none: one line" [ "$(wc -l <"$err")" = 1 ]
+umlaut=$(printf 'K\303\266rper')
+run render :torus --views=front,top --size=60 --occlusion=none --labels="$umlaut,b" --json -o s.png
+check "labels beyond ASCII: exit code $code" [ "$code" = 0 ]
+if [ ! -s "$err" ]; then # where there is a font
+    differs "a font has the letter" "$(json hash)" "$(hash :torus --views=front,top --size=60 --occlusion=none --labels="K?rper,b")"
+else
+    check "without a font: one warning" [ "$(wc -l <"$err")" = 1 ]
+    same "without a font: ?" "$(json hash)" "$(hash :torus --views=front,top --size=60 --occlusion=none --labels="K?rper,b")"
+fi
+
 # Annotations: each changes the picture, none what the report says of the object's light.
 bare=$(hash block.obj --size=200 --camera-orthographic)
 for kind in axes box dimensions scale grid axes,grid,scale; do

@@ -143,8 +143,8 @@ static burnish_status write_sheet(const gallery *g, const char *path, burnish_er
     burnish_image sheet;
     for (size_t row = 0; row < 2; ++row) {
         for (size_t i = 0; i < g->count; ++i) {
-            cells[row * g->count + i] =
-                (burnish_sheet_cell){&g->images[row][i], row == 0 ? g->names[i] : g->labels[i]};
+            cells[row * g->count + i] = (burnish_sheet_cell){
+                .image = &g->images[row][i], .label = row == 0 ? g->names[i] : g->labels[i]};
         }
     }
     burnish_status status =

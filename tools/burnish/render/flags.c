@@ -192,9 +192,21 @@ static const cli_flag flags[] = {
      .help = "of a sheet, one text per cell, between commas",
      .value = "LIST",
      .manual = "What stands below the cells of a sheet instead of the views' and lobes' names: one "
-               "text per cell, between commas.",
+               "text per cell, between commas, in UTF-8.",
      .handler = cli_flag_text,
      TARGET(labels)},
+    {.name = "font",
+     .value = "FILE",
+     .help = "of all labels",
+     .default_label = "burnish's own; the system's beyond ASCII",
+     .manual =
+         "TrueType or OpenType font of all labels. Without this flag labels are drawn in burnish's "
+         "own letters, which are the same everywhere, as long as all are ASCII, and else in the "
+         "system's sans-serif, with other fonts for scripts that it lacks. Scripts that run to the "
+         "left and letters that join or combine are set as they are written.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(font)},
     {.name = "no-labels",
      .help = "a sheet without labels",
      .manual = "Leaves out the names below the cells of a sheet.",

@@ -8,6 +8,7 @@
 #include "burnish/core.h"
 #include "burnish/render.h"
 #include "cli/run.h"
+#include "font/utf8.h"
 #include "render/annotate.h"
 #include "render/camera.h"
 #include "render/reference.h"
@@ -56,7 +57,10 @@ static void copy_item(const char *list, size_t index, char *text, size_t size) {
     for (; index > 0; --index) {
         list = strchr(list, ',') + 1;
     }
-    snprintf(text, size, "%.*s", (int)strcspn(list, ","), list);
+    const size_t length = strcspn(list, ",");
+    const size_t kept = length < size ? length : utf8_cut(list, size - 1);
+    memcpy(text, list, kept);
+    text[kept] = 0;
 }
 
 static void label_cell(const render_settings *settings, size_t index, render_cell *cell) {
@@ -304,6 +308,44 @@ static void list_cells(const render_result *result, sheet_cells *cells) {
     for (size_t i = 0; i < result->cell_count; ++i) {
         cells->items[i].image = &result->cells[i].image;
         cells->items[i].label = result->settings->no_labels ? NULL : result->cells[i].label;
+        cells->items[i].font = font_setter(result->font);
+    }
+}
+
+/* Opens a font where --font asks for it, or a label has letters beyond ASCII: then all labels are
+ * in one font. */
+static burnish_status open_font(render_result *result, burnish_error *error) {
+    const char *foreign = NULL, *file = result->settings->font;
+    for (size_t i = 0; i < result->cell_count && !foreign; ++i) {
+        for (const char *c = result->cells[i].label; *c && !foreign; ++c) {
+            foreign = (unsigned char)*c >= 0x80 ? c : NULL;
+        }
+    }
+    if (result->cell_count < 2 || result->settings->no_labels || (!foreign && !file)) {
+        return BURNISH_STATUS_OK;
+    }
+    if (!file && !font_is_available) {
+        render_result_warn(result, 1,
+                           "--labels: this program was built without HarfBuzz, FriBidi and "
+                           "fontconfig; letters beyond ASCII are drawn as ?");
+        return BURNISH_STATUS_OK;
+    }
+    const burnish_status status = font_open(file, &result->font, error);
+    if (status != BURNISH_STATUS_OK && !file) {
+        render_result_warn(result, 1, "--labels: %.300s; letters beyond ASCII are drawn as ?",
+                           error->text);
+        return BURNISH_STATUS_OK;
+    }
+    return status;
+}
+
+static void warn_about_font(render_result *result) {
+    const unsigned missing = (unsigned)font_missing(result->font);
+    if (missing > 0) {
+        render_result_warn(result, 1,
+                           "--labels: no font has U+%04X; a box stands for it and others that are "
+                           "missing",
+                           missing);
     }
 }
 
@@ -443,7 +485,11 @@ static burnish_status render(render_result *result, burnish_render_options *opti
     burnish_image sheet = {0};
     burnish_renderer *renderer = NULL;
     describe_cells(result);
-    burnish_status status = check_sheet(result, error);
+    burnish_status status = open_font(result, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_sheet(result, error);
+        warn_about_font(result);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = render_read_reference(result, error);
     }
@@ -471,6 +517,7 @@ static void release(render_result *result) {
     }
     free(result->cells);
     burnish_image_destroy(&result->reference.image);
+    font_close(result->font);
     render_release_planes(&result->planes);
     for (size_t i = 0; i < result->warning_count; ++i) {
         free(result->warnings[i]);

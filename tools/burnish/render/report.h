@@ -2,6 +2,7 @@
 #ifndef TOOL_RENDER_REPORT_H
 #define TOOL_RENDER_REPORT_H
 
+#include "font/font.h"
 #include "picture/verdict.h"
 #include "render/settings.h"
 #include "render/tones.h"
@@ -16,7 +17,7 @@ typedef struct render_cell {
     uint64_t hash;
     render_tones tones; /* with --json */
     int has_one_color;  /* with --json and --fail-on-blank */
-    char label[96];
+    char label[256];    /* UTF-8 */
 } render_cell;
 
 /* Wall time of the phases, but for start: the processor time of the program before it loads. Load
@@ -37,6 +38,7 @@ typedef struct render_result {
     render_plane_data planes;     /* of the only cell */
     uint64_t hash;
     int columns;
+    font *font;            /* of labels; NULL: burnish's own */
     size_t blank_cells;    /* that show nothing */
     int written;           /* 1: the output is written, but for its name */
     double start, encoded; /* clock, in seconds: before loading, after encoding */

@@ -102,6 +102,7 @@ typedef struct render_settings {
     int columns;        /* 0: chosen by the number of cells */
     const char *labels; /* NULL: the views' and lobes' names */
     int no_labels;
+    const char *font; /* file; NULL: the system's, where a label needs one */
     int cull_back_faces;
 
     int up; /* render_up */

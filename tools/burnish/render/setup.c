@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "cli/platform.h"
+#include "font/utf8.h"
 #include "picture/animation.h"
 #include "render/reference.h"
 #include "render/settings.h"
@@ -254,6 +255,13 @@ static burnish_status check_labels(const render_settings *settings, burnish_erro
     size_t cells = views * settings->lobes.count;
     for (const char *c = settings->labels; c && *c; ++c) {
         texts += *c == ',';
+    }
+    const size_t length = settings->labels ? strlen(settings->labels) : 0;
+    const size_t valid = length > 0 ? utf8_valid_length(settings->labels, length) : 0;
+    if (valid < length) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--labels: byte %zu, 0x%02x, is not UTF-8; give the texts in UTF-8",
+                        valid + 1, (unsigned)(unsigned char)settings->labels[valid]);
     }
     if (!settings->labels || texts == cells) {
         return BURNISH_STATUS_OK;
