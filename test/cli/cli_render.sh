@@ -299,6 +299,19 @@ expect 2 'burnish: --same-scale: a perspective has no scale; leave out --camera-
 expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; leave out --camera-orthographic=no' render block.obj --camera-orthographic=0 --camera-orthographic-height=3
 expect 2 'burnish: --camera-zoom-factor: --camera-orthographic-height already says how large the object is; leave one out' render block.obj --camera-orthographic-height=3 --camera-zoom-factor=2
 
+# A block that lies flat in x and z stands on +Y; a sheet on its edge does not.
+printf 'v 0 0 0\nv 9 0 0\nv 9 7 0\nv 0 7 0\nv 0 0 .1\nv 9 0 .1\nv 9 7 .1\nv 0 7 .1\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 4 3 7 8\nf 1 4 8 5\nf 2 3 7 6\n' >sheet.obj
+up() {
+    run render "$@" --size=16 --occlusion=none --json -o s.png
+    echo "$(json up) $(json up_source)"
+}
+same "the format's axis" "$(up sheet.obj)" "+Y format"
+same "a flag's axis" "$(up sheet.obj --up=-X)" "-X flag"
+same "a sheet lies down" "$(up sheet.obj --up=auto)" "+Z auto"
+same "a block stands" "$(up block.obj --up=auto)" "+Y auto"
+same "a sphere has no reason to roll" "$(up :sphere --up=auto)" "+Y auto"
+same "the guess draws what its axis draws" "$(hash sheet.obj --size=32 --up=auto)" "$(hash sheet.obj --size=32 --up=+Z)"
+
 # Labels beyond ASCII.
 expect 2 'burnish: --labels: byte 4, 0xff, is not UTF-8; give the texts in UTF-8' render :torus --views=front,top --labels="a,b$(printf '\377')" -o s.png
 expect 2 'burnish: --labels: byte 3, 0xc3, is not UTF-8; give the texts in UTF-8' render :torus --views=front,top --labels="a,$(printf '\303')" -o s.png

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "render/up.h"
+
 /* A right-handed frame for every up axis: right x up = front, front is toward the viewer. */
 typedef struct frame {
     const char *name;
@@ -44,9 +46,9 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* That of --up, or the one nearest to the mesh's own up axis. */
+/* That of --up, or the one nearest to the mesh's own up axis, or guessed. */
 static const frame *frame_in_use(const burnish_mesh *mesh, const render_settings *settings) {
-    if (settings->up != UP_AUTO) {
+    if (settings->up != UP_FORMAT && settings->up != UP_AUTO) {
         return &frames[settings->up];
     }
     const float *axis = burnish_mesh_get_view(mesh)->up_axis;
@@ -54,6 +56,9 @@ static const frame *frame_in_use(const burnish_mesh *mesh, const render_settings
     int nearest = UP_POSITIVE_Y;
     for (int i = UP_POSITIVE_X; i <= UP_NEGATIVE_Z; ++i) {
         nearest = dot(frames[i].up, up) > dot(frames[nearest].up, up) ? i : nearest;
+    }
+    if (settings->up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh))) {
+        nearest = nearest == UP_POSITIVE_Y ? UP_POSITIVE_Z : UP_POSITIVE_Y;
     }
     return &frames[nearest];
 }

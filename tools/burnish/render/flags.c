@@ -21,13 +21,8 @@ const cli_word render_plane_words[] = {
 };
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
 static const cli_word up_words[] = {
-    {"+Y", UP_POSITIVE_Y},
-    {"-Y", UP_NEGATIVE_Y},
-    {"+Z", UP_POSITIVE_Z},
-    {"-Z", UP_NEGATIVE_Z},
-    {"+X", UP_POSITIVE_X},
-    {"-X", UP_NEGATIVE_X},
-    {NULL, 0},
+    {"+Y", UP_POSITIVE_Y}, {"-Y", UP_NEGATIVE_Y}, {"+Z", UP_POSITIVE_Z}, {"-Z", UP_NEGATIVE_Z},
+    {"+X", UP_POSITIVE_X}, {"-X", UP_NEGATIVE_X}, {"auto", UP_AUTO},     {NULL, 0},
 };
 static const cli_word view_words[] = {
     {"front", VIEW_FRONT}, {"right", VIEW_RIGHT}, {"top", VIEW_TOP},       {"iso", VIEW_ISO},
@@ -297,9 +292,12 @@ static const cli_flag flags[] = {
      .aliases = "up-axis,up-direction",
      .common = 1,
      .value = "AXIS",
-     .help = "upward axis",
+     .help = "upward",
      .default_label = format_axes + 2,
-     .manual = "The axis of the object that points up.",
+     .manual =
+         "The axis of the object that points up. *auto* is a guess: of +Y and +Z the one that the "
+         "input's format says, unless the object would fall over that way and stands well the "
+         "other way.",
      .handler = cli_flag_word,
      .words = up_words,
      TARGET(up)},
@@ -772,7 +770,9 @@ static const cli_term json_terms[] = {
     {"*width, height*", "of the picture, in pixels"},
     {"*triangles, vertices, materials, exponents*", "of the mesh after loading"},
     {"*bounding_box*", "*min* and *max* of the object in the units of the input"},
-    {"*up, view*", "the up axis; the standard view where one was asked for"},
+    {"*up, up_source, view*",
+     "the up axis; who says so: flag, format or auto; the standard view where one was asked "
+     "for"},
     {"*triangles_drawn*", "triangles that own at least one sample"},
     {"*hidden*", "share of the object's area that belongs to the other triangles"},
     {"*covered_pixels, pixel_bounds*",

@@ -180,6 +180,11 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     add_cuts(root, view, failed);
     cli_json_add(root, "up", cJSON_CreateString(render_up_name(result->mesh, result->settings)),
                  failed);
+    cli_json_add(root, "up_source",
+                 cJSON_CreateString(result->settings->up == UP_AUTO     ? "auto"
+                                    : result->settings->up == UP_FORMAT ? "format"
+                                                                        : "flag"),
+                 failed);
 }
 
 static const char *word_of(const cli_word *words, int value) {

@@ -24,13 +24,14 @@ typedef enum render_view {
 } render_view;
 
 typedef enum render_up {
-    UP_AUTO, /* the mesh's, told by its format */
+    UP_FORMAT, /* the mesh's, told by its format */
     UP_POSITIVE_X,
     UP_NEGATIVE_X,
     UP_POSITIVE_Y,
     UP_NEGATIVE_Y,
     UP_POSITIVE_Z,
-    UP_NEGATIVE_Z
+    UP_NEGATIVE_Z,
+    UP_AUTO /* a guess, made when the mesh is loaded */
 } render_up;
 
 typedef enum render_projection {
