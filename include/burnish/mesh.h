@@ -325,8 +325,8 @@ typedef struct burnish_framing {
     double aspect;       /* width / height of the picture, [1e-5, 1e5] */
     double margin;       /* share of the smaller side left free on each side, [0, 0.45] */
     double inset[4];     /* left, right, bottom, top: shares of the smaller side left free besides
-                            the margin, for what is drawn around the object, [0, 0.45]. In
-                            perspective the larger of two opposite ones counts for both */
+                            the margin, for what is drawn around the object, [0, 0.45]; in
+                            perspective the picture's middle stays free of them */
     int orthographic;    /* 1: parallel projection */
     double orthographic_height; /* > 0: the picture's height in world units, instead of the one
                                    that fits, and a parallel projection; 0: what fits */

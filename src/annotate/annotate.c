@@ -15,7 +15,7 @@
 /* Of the space that margins leave, at most so much is taken on one side. */
 #define LARGEST_INSET 0.3
 
-enum { FITTING_STEPS = 8 };
+enum { FITTING_STEPS = 12 };
 
 burnish_annotations burnish_annotations_default(void) {
     return (burnish_annotations){.cookie = COOKIE, .background = {255, 255, 255}};
@@ -95,63 +95,90 @@ static void measure_overflow(const burnish_annotation_view *view,
     overflow[3] = border - all.top;
 }
 
-/* Widens the insets by what is missing. Returns 0 where nothing is, or no more can be given. */
-static int widen(const burnish_annotation_view *view, const burnish_annotation_list *list,
-                 const double limit[4], double inset[4]) {
+/* Insets on their way to what is needed. */
+typedef struct fitting {
+    double inset[4], limit[4];
+    double floor;  /* of the bottom, where corners were crowded */
+    int crowded;   /* the last layout had marks over the object */
+    int for_marks; /* 1: the bottom is widened for them */
+} fitting;
+
+/* Adds what is missing and, until the last steps, takes off what is left over: a smaller object
+ * needs less. Returns 0 where nothing changes. */
+static int adjust(const burnish_annotation_view *view, const burnish_annotation_list *list,
+                  int step, fitting *fit) {
     const double smaller = view->width < view->height ? view->width : view->height;
     double missing[4];
     int changed = 0;
     measure_overflow(view, list, missing);
-    if (list->crowded > 0) { /* a corner at the bottom becomes free */
-        const double more = 1.5 * view->text;
-        missing[2] = missing[2] > more ? missing[2] : more;
+    fit->crowded = list->crowded > 0;
+    if (fit->crowded && fit->for_marks) { /* a corner at the bottom becomes free */
+        fit->floor = fit->inset[2] + 1.5 * view->text / smaller;
     }
     for (int k = 0; k < 4; ++k) {
-        double wanted = missing[k] > 0.25 ? inset[k] + missing[k] / smaller : inset[k];
-        wanted = wanted < limit[k] ? wanted : limit[k];
-        changed |= wanted > inset[k];
-        inset[k] = wanted;
+        const double low = k == 2 ? fit->floor : 0;
+        double wanted = fit->inset[k];
+        if (missing[k] > 0.25 || (missing[k] < -1 && step < FITTING_STEPS - 3)) {
+            wanted += (missing[k] > 0 ? 1 : 0.8) * missing[k] / smaller;
+        }
+        wanted = wanted > low ? wanted : low;
+        wanted = wanted < fit->limit[k] ? wanted : fit->limit[k];
+        changed |= wanted != fit->inset[k];
+        fit->inset[k] = wanted;
     }
     return changed;
 }
 
+/* One step: frames with the insets so far and looks what leaves the picture. */
+static burnish_status try_inset(const burnish_mesh *mesh, const burnish_annotations *annotations,
+                                const burnish_framing *framing, const int size[2], int step,
+                                fitting *fit, int *changed, burnish_error *error) {
+    const burnish_annotation_depth nothing_hides = {NULL, 0};
+    burnish_memory memory = burnish_memory_of(annotations->context, error);
+    burnish_framing tried = *framing;
+    burnish_annotation_view view;
+    burnish_annotation_list list;
+    burnish_camera camera;
+    memcpy(tried.inset, fit->inset, sizeof tried.inset);
+    burnish_status status = burnish_camera_frame(mesh, &tried, &camera, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_annotation_view_make(mesh, annotations, &camera, size[0], size[1], &view,
+                                              error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    status =
+        burnish_annotation_lay_out(&view, annotations->kinds, &nothing_hides, 0, &memory, &list);
+    *changed = status == BURNISH_STATUS_OK && adjust(&view, &list, step, fit);
+    burnish_release(annotations->context, list.lines);
+    return status;
+}
+
+/* Where the bottom can't be widened so far that marks find a corner, it is not widened for them. */
 static burnish_status find_inset(const burnish_mesh *mesh, const burnish_annotations *annotations,
                                  const burnish_framing *framing, int width, int height,
                                  double inset[4], burnish_error *error) {
-    burnish_memory memory = burnish_memory_of(annotations->context, error);
-    burnish_framing tried = *framing;
     const double smaller = framing->aspect < 1 ? framing->aspect : 1;
-    double limit[4];
-    int missing = 1;
-    memset(inset, 0, 4 * sizeof *inset);
+    const int size[2] = {width, height};
+    fitting fit = {.crowded = 1};
+    burnish_status status = BURNISH_STATUS_OK;
     for (int k = 0; k < 4; ++k) {
         const double side = (k < 2 ? framing->aspect : 1) / smaller;
-        limit[k] = LARGEST_INSET * (side - 2 * framing->margin);
-        limit[k] = limit[k] < 0.45 ? limit[k] : 0.45;
+        fit.limit[k] = LARGEST_INSET * (side - 2 * framing->margin);
+        fit.limit[k] = fit.limit[k] < 0.45 ? fit.limit[k] : 0.45;
     }
-    for (int step = 0; step < FITTING_STEPS && missing; ++step) {
-        const burnish_annotation_depth nothing_hides = {NULL, 0};
-        burnish_annotation_view view;
-        burnish_annotation_list list;
-        burnish_camera camera;
-        memcpy(tried.inset, inset, sizeof tried.inset);
-        burnish_status status = burnish_camera_frame(mesh, &tried, &camera, error);
-        if (status == BURNISH_STATUS_OK) {
-            status = burnish_annotation_view_make(mesh, annotations, &camera, width, height, &view,
-                                                  error);
-        }
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-        status = burnish_annotation_lay_out(&view, annotations->kinds, &nothing_hides, 0, &memory,
-                                            &list);
-        missing = status == BURNISH_STATUS_OK && widen(&view, &list, limit, inset);
-        burnish_release(annotations->context, list.lines);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
+    for (int for_marks = 1; for_marks >= 0 && fit.crowded; --for_marks) {
+        int changed = 1;
+        memset(fit.inset, 0, sizeof fit.inset);
+        fit.floor = 0;
+        fit.for_marks = for_marks;
+        for (int step = 0; step < FITTING_STEPS && changed && status == BURNISH_STATUS_OK; ++step) {
+            status = try_inset(mesh, annotations, framing, size, step, &fit, &changed, error);
         }
     }
-    return BURNISH_STATUS_OK;
+    memcpy(inset, fit.inset, sizeof fit.inset);
+    return status;
 }
 
 burnish_status burnish_annotate_inset(const burnish_mesh *mesh,

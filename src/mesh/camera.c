@@ -57,23 +57,26 @@ static double smaller_side(const burnish_framing *options) {
     return options->aspect < 1 ? options->aspect : 1;
 }
 
-/* What margin and insets leave, across and up, in halves of the picture's height: in perspective
- * the object stays in the middle of the picture. */
-static void picture_slopes(const burnish_framing *options, int centered, double slope[2]) {
+/* What margin and insets leave right, left, above and below the picture's middle, in halves of its
+ * height: the order of push_sides. */
+static void picture_rooms(const burnish_framing *options, double room[4]) {
     const double smaller = smaller_side(options);
-    for (int axis = 0; axis < 2; ++axis) {
-        const double *inset = options->inset + 2 * axis;
-        const double larger = inset[0] > inset[1] ? inset[0] : inset[1];
-        const double taken = centered ? 2 * larger : inset[0] + inset[1];
-        slope[axis] = (axis == 0 ? options->aspect : 1) - 2 * options->margin * smaller;
-        slope[axis] -= taken * smaller;
+    for (int k = 0; k < 4; ++k) {
+        room[k] = (k < 2 ? options->aspect : 1) - 2 * options->margin * smaller;
+        room[k] -= 2 * options->inset[k ^ 1] * smaller;
     }
 }
 
+/* In perspective the picture's middle stays in what is left. */
 static burnish_status check_room(const burnish_framing *options, burnish_error *error) {
-    double slope[2];
-    picture_slopes(options, !options->orthographic && !(options->orthographic_height > 0), slope);
-    return slope[0] > 0 && slope[1] > 0
+    const int parallel = options->orthographic || options->orthographic_height > 0;
+    double room[4];
+    int enough = 1;
+    picture_rooms(options, room);
+    for (int k = 0; k < 4; ++k) {
+        enough &= parallel ? room[k] + room[k ^ 1] > 0 : room[k] > 0;
+    }
+    return enough
                ? BURNISH_STATUS_OK
                : burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                               "options: margin and inset leave no room for the object; make them "
@@ -250,12 +253,12 @@ static burnish_status measure_groups(view_mesh *view, burnish_memory *memory) {
     return memory->status;
 }
 
-static void push_group(const view_mesh *view, size_t group, double tx, double ty, extreme side[4]) {
+static void push_group(const view_mesh *view, size_t group, const double t[4], extreme side[4]) {
     const size_t first = group * GROUP, count = view->mesh->vertex_count;
     const size_t end = first + GROUP < count ? first + GROUP : count;
     for (size_t i = first; i < end; ++i) {
         burnish_vec3 p = view_vertex(view, i);
-        double value[4] = {p.x + tx * p.z, tx * p.z - p.x, p.y + ty * p.z, ty * p.z - p.y};
+        double value[4] = {p.x + t[0] * p.z, t[1] * p.z - p.x, p.y + t[2] * p.z, t[3] * p.z - p.y};
         for (int k = 0; k < 4; ++k) {
             if (value[k] > side[k].value) {
                 side[k] = (extreme){value[k], p.z};
@@ -264,18 +267,18 @@ static void push_group(const view_mesh *view, size_t group, double tx, double ty
     }
 }
 
-/* side[0] = max(x + tx z), side[1] = max(-x + tx z), side[2], side[3] the same in y with ty: the
- * planes of the four sides of a pyramid of view with these slopes >= 0, pushed against the mesh.
+/* side[0] = max(x + t[0] z), side[1] = max(-x + t[1] z), side[2], side[3] the same in y: the planes
+ * of the four sides of a pyramid of view with these slopes >= 0, pushed against the mesh.
  * Rounding is monotone, so that no vertex is beyond what the bounds of its group give. */
-static void push_sides(const view_mesh *view, double tx, double ty, extreme side[4]) {
+static void push_sides(const view_mesh *view, const double t[4], extreme side[4]) {
     for (int k = 0; k < 4; ++k) {
         side[k] = (extreme){-DBL_MAX, 0};
     }
     for (size_t i = 0; i < view->group_count; ++i) {
         const burnish_vec3 low = view->groups[i].low, high = view->groups[i].high;
-        if (high.x + tx * high.z > side[0].value || tx * high.z - low.x > side[1].value ||
-            high.y + ty * high.z > side[2].value || ty * high.z - low.y > side[3].value) {
-            push_group(view, i, tx, ty, side);
+        if (high.x + t[0] * high.z > side[0].value || t[1] * high.z - low.x > side[1].value ||
+            high.y + t[2] * high.z > side[2].value || t[3] * high.z - low.y > side[3].value) {
+            push_group(view, i, t, side);
         }
     }
 }
@@ -290,24 +293,29 @@ static void measure_depth(const view_mesh *view, double *near_depth, double *far
     }
 }
 
-/* The position across the view, at distance cz, with equal room on both sides in both axes.
+/* The position across the view, at distance cz, with room on both sides in the proportion of the
+ * weights, in both axes.
  *
- * In x: with slope s the sides touch the mesh at cz = (a(s) + b(s)) / 2s, a and b the maxima of
- * push_sides. g(s) = a(s) + b(s) - 2 s cz is convex, falls strictly because cz is larger than every
- * z, and is not negative at 0; its zero is the slope that fits this cz, and (a - b) / 2 the
- * position. Newton's steps from 0 never overshoot and end on the zero, since g is piecewise linear.
- */
-static void center_axes(const view_mesh *view, double cz, double center[2]) {
+ * In x, with the weights v and w of right and left: with slope s the sides touch the mesh at cz =
+ * (a(v s) + b(w s)) / (v + w) s, a and b the maxima of push_sides. g(s) = a(v s) + b(w s) -
+ * (v + w) s cz is convex, falls strictly because cz is larger than every z, and is not negative at
+ * 0; its zero is the slope that fits this cz, and (w a - v b) / (v + w) the position. Newton's
+ * steps from 0 never overshoot and end on the zero, since g is piecewise linear. */
+static void center_axes(const view_mesh *view, double cz, const double weight[4],
+                        double center[2]) {
     double slope[2] = {0, 0};
     for (int step = 0, moved = 1; moved && step < CENTER_STEPS; ++step) {
         extreme side[4];
-        push_sides(view, slope[0], slope[1], side);
+        const double t[4] = {weight[0] * slope[0], weight[1] * slope[0], weight[2] * slope[1],
+                             weight[3] * slope[1]};
+        push_sides(view, t, side);
         moved = 0;
         for (int axis = 0; axis < 2; ++axis) {
             const extreme *high = &side[2 * axis], *low = &side[2 * axis + 1];
-            double value = high->value + low->value - 2 * slope[axis] * cz;
-            double next = slope[axis] + value / ((cz - high->depth) + (cz - low->depth));
-            center[axis] = (high->value - low->value) / 2;
+            const double v = weight[2 * axis], w = weight[2 * axis + 1];
+            double value = high->value + low->value - (v + w) * slope[axis] * cz;
+            double next = slope[axis] + value / (v * (cz - high->depth) + w * (cz - low->depth));
+            center[axis] = (w * high->value - v * low->value) / (v + w);
             moved |= next > slope[axis];
             slope[axis] = next > slope[axis] ? next : slope[axis];
         }
@@ -316,32 +324,36 @@ static void center_axes(const view_mesh *view, double cz, double center[2]) {
 
 static void frame_perspective(const view_mesh *view, const burnish_framing *options,
                               burnish_vec3 *position, double *focus) {
-    double sine, cosine, slope[2], near_depth, far_depth, center[2];
+    double sine, cosine, room[4], t[4], weight[4], near_depth, far_depth, center[2];
     extreme side[4];
     burnish_sincos(options->view_angle * DEGREE / 2, &sine, &cosine);
-    picture_slopes(options, 1, slope);
-    double tx = sine / cosine * slope[0], ty = sine / cosine * slope[1];
+    picture_rooms(options, room);
+    for (int k = 0; k < 4; ++k) {
+        t[k] = sine / cosine * room[k];
+        weight[k] = 2 * room[k] / (room[k] + room[k ^ 1]);
+    }
     measure_depth(view, &near_depth, &far_depth);
-    push_sides(view, tx, ty, side);
+    push_sides(view, t, side);
     double cz = near_depth + CLEARANCE * view->diagonal;
-    double needed_x = (side[0].value + side[1].value) / (2 * tx);
-    double needed_y = (side[2].value + side[3].value) / (2 * ty);
+    double needed_x = (side[0].value + side[1].value) / (t[0] + t[1]);
+    double needed_y = (side[2].value + side[3].value) / (t[2] + t[3]);
     cz = needed_x > cz ? needed_x : cz;
     cz = needed_y > cz ? needed_y : cz;
-    center_axes(view, cz, center);
+    center_axes(view, cz, weight, center);
     *position = (burnish_vec3){center[0], center[1], cz};
     *focus = (near_depth + far_depth) / 2;
 }
 
 static double frame_orthographic(const view_mesh *view, const burnish_framing *options,
                                  burnish_vec3 *position, double *focus) {
-    double slope[2], near_depth, far_depth;
+    static const double straight[4] = {0, 0, 0, 0};
+    double room[4], near_depth, far_depth;
     extreme side[4];
-    picture_slopes(options, 0, slope);
+    picture_rooms(options, room);
     measure_depth(view, &near_depth, &far_depth);
-    push_sides(view, 0, 0, side);
-    double height_x = (side[0].value + side[1].value) / slope[0];
-    double height_y = (side[2].value + side[3].value) / slope[1];
+    push_sides(view, straight, side);
+    double height_x = (side[0].value + side[1].value) / ((room[0] + room[1]) / 2);
+    double height_y = (side[2].value + side[3].value) / ((room[2] + room[3]) / 2);
     double height = height_x > height_y ? height_x : height_y;
     height = height > 0 ? height : view->diagonal;
     height = options->orthographic_height > 0 ? options->orthographic_height : height;
