@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is; ./make does the same where make itself is missing.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo pictures test test-all check asan tsan msan clang scalar fuzz fuzz-briefly build-fuzz sweep bench \
+.PHONY: help deps build demo gallery test test-all check asan tsan msan clang scalar fuzz fuzz-briefly build-fuzz sweep bench \
 	bench-peers bench-scale format format-check golden abi figures mcu operations prove-q15 rtl rtl-prove cross install check-targets short-docs clean
 
 PRESET ?= release
@@ -38,10 +38,12 @@ demo: ## render the teapot with four lobes and a scanned object, and say where t
 	@$(MAKE) --no-print-directory build
 	@./scripts/demo $(BUILD)/burnish $(OUT)
 
-pictures: short-docs ## render the README's pictures again
+gallery: short-docs ## render the pictures of README.md and docs/gallery.md again, and build/gallery/index.html with 40 shapes (minutes)
 	@$(DEPS) build demo
+	@$(if $(SHORT),,$(DEPS) gallery)
 	@$(MAKE) --no-print-directory build
 	@./scripts/demo $(BUILD)/burnish $(DOCS)/images 1280,720 480,334
+	@./scripts/gallery $(BUILD)/burnish $(if $(SHORT),build/short,build)/gallery $(DOCS)/gallery $(if $(SHORT),short)
 
 # ---- Tests: one label each (test/CMakeLists.txt) ----
 

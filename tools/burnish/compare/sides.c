@@ -185,6 +185,7 @@ static burnish_status draw_side(compare_side *side, burnish_renderer *renderer,
     target.coverage_stride = (size_t)options->width;
     options->counts = BURNISH_COUNTS_NONE;
     options->occlusion = 0;
+    options->edges = 0; /* lines stand out over the silhouette */
     return burnish_renderer_draw_into(renderer, side->result.mesh, options, &target, NULL, error);
 }
 
