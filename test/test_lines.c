@@ -9,6 +9,7 @@
 #include "counting_context.h"
 #include "mesh/edges.h"
 #include "mesh_arrays.h"
+#include "render/lines.h"
 #include "shapes.h"
 
 enum { SIZE = 400 };
@@ -325,6 +326,79 @@ static void test_grid(void) {
     free(s);
 }
 
+/* Along an axis and in parallel projection AXIS_VIEWS are features, elsewhere nothing. */
+static void test_axis_views(void) {
+    static const double along[3] = {0, -9, 0}, aslant[3] = {1, -9, 0};
+    shape s = {.point_count = 0};
+    add_box(&s, (double[]){-1, -1, -1}, (double[]){1, 1, 1});
+    burnish_mesh *mesh = mesh_of(&s);
+    for (int i = 0; i < 3; ++i) {
+        burnish_render_options options =
+            make_options(i == 1 ? aslant : along, i == 2 ? 0 : 4, BURNISH_EDGES_AXIS_VIEWS);
+        burnish_renderer *renderer;
+        burnish_image image = {0};
+        const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+        CHECK(fabs(length_of_lines(lines) - (i == 0 ? 4 * SIZE / 2.0 : 0)) < 0.5,
+              "view %d: %g pixels", i, length_of_lines(lines));
+        CHECK1(i > 0 || (lines->widths[0] < options.edge_width && lines->opacity < 1));
+        burnish_image_destroy(&image);
+        burnish_renderer_destroy(renderer);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Noise ---- */
+
+/* Which of some lines of two points stay; those below 20 pixels with a loose end go. */
+static void test_loose(void) {
+    static const struct {
+        float x0, y0, x1, y1;
+        int is_rim, stays;
+    } rows[] = {
+        {10, 10, 15, 10, 0, 0}, /* alone */
+        {50, 10, 75, 10, 0, 1}, /* alone, but long */
+        {10, 30, 13, 30, 1, 1}, /* at a rim */
+        {40, 40, 48, 40, 0, 1},    {48, 40, 48, 47, 0, 1},
+        {48, 47, 40.5f, 47, 0, 1}, {40.5f, 47, 40, 40, 0, 1},    /* a ring */
+        {10, 60, 19, 60, 0, 0},    {19.5f, 60.5f, 26, 60, 0, 0}, /* 15 pixels */
+        {60, 60, 72, 60, 0, 1},    {72, 60.9f, 84, 61, 0, 1},    /* 24 pixels */
+        {10, 80, 35, 80, 0, 1},    {36, 80, 38, 82, 0, 1},       /* at a long one */
+        {60, 80, 66, 80, 0, 0},    {72, 80, 78, 80, 0, 0},
+        {84, 80, 90, 80, 0, 0}, /* too far apart */
+    };
+    enum { COUNT = sizeof rows / sizeof *rows };
+    float points[4 * COUNT], widths[COUNT];
+    uint32_t starts[COUNT + 1];
+    uint8_t is_rim[COUNT];
+    for (size_t i = 0; i < COUNT; ++i) {
+        memcpy(points + 4 * i, &rows[i].x0, 4 * sizeof *points);
+        widths[i] = (float)i;
+        starts[i] = (uint32_t)(2 * i);
+        is_rim[i] = (uint8_t)rows[i].is_rim;
+    }
+    starts[COUNT] = 2 * COUNT;
+    burnish_line_art art = {.points = points, .starts = starts, .widths = widths, .is_rim = is_rim};
+    art.lines = (burnish_lines){.width = 100,
+                                .height = 100,
+                                .line_count = COUNT,
+                                .starts = starts,
+                                .points = points,
+                                .point_count = 2 * COUNT,
+                                .widths = widths};
+    burnish_memory memory = burnish_memory_of(NULL, &error);
+    burnish_line_art_drop_loose(&art, 20, &memory);
+    size_t at = 0;
+    for (size_t i = 0; i < COUNT; ++i) {
+        const int stays = at < art.lines.line_count && widths[at] == (float)i;
+        CHECK(stays == rows[i].stays, "line %zu", i);
+        if (stays) {
+            CHECK1(memcmp(points + 2 * starts[at], &rows[i].x0, 4 * sizeof *points) == 0);
+            ++at;
+        }
+    }
+    CHECK1(at == art.lines.line_count && art.lines.point_count == 2 * at && starts[at] == 2 * at);
+}
+
 /* ---- Ink ---- */
 
 /* Of the cube's picture in linear light the missing light is the ink: length times width. */
@@ -601,6 +675,8 @@ int main(int count, char **arguments) {
     RUN(test_step());
     RUN(test_sphere());
     RUN(test_grid());
+    RUN(test_axis_views());
+    RUN(test_loose());
     RUN(test_ink());
     RUN(test_svg());
     RUN(test_edges(load(":teapot", 4)));

@@ -333,17 +333,28 @@ static float distance_of(const burnish_view *view, float depth) {
     return (view->distance.constant + (1.0f - depth) * view->distance.slope) / q;
 }
 
+/* Row by row and plane by plane: pixel by pixel it took a tenth of a frame. */
 void burnish_output_clear_planes(const burnish_output *output, const burnish_tile *tile,
                                  burnish_tile_sums *sums) {
-    const burnish_target *target = &output->target;
-    const plane_pixel nothing = {__builtin_inff(), BURNISH_TRIANGLE_NONE, {0, 0, 0}};
+    const burnish_target *t = &output->target;
+    const size_t width = (size_t)tile->width;
     for (int y = tile->y; y < tile->y + tile->height; ++y) {
-        for (int x = tile->x; x < tile->x + tile->width; ++x) {
-            store_pixel(target, x, y, &nothing);
+        float *depths = plane_at(t->depth, t->depth_stride, tile->x, y, sizeof *depths);
+        uint32_t *triangles =
+            plane_at(t->triangles, t->triangle_stride, tile->x, y, sizeof *triangles);
+        float *normals = plane_at(t->normals, t->normal_stride, tile->x, y, 3 * sizeof *normals);
+        uint8_t *coverage = plane_at(t->coverage, t->coverage_stride, tile->x, y, 1);
+        for (size_t x = 0; depths && x < width; ++x) {
+            depths[x] = __builtin_inff();
         }
-        if (target->coverage) {
-            memset(plane_at(target->coverage, target->coverage_stride, tile->x, y, 1), 0,
-                   (size_t)tile->width);
+        for (size_t x = 0; triangles && x < width; ++x) {
+            triangles[x] = BURNISH_TRIANGLE_NONE;
+        }
+        if (normals) {
+            memset(normals, 0, 3 * width * sizeof *normals);
+        }
+        if (coverage) {
+            memset(coverage, 0, width);
         }
     }
     memset(sums->weights, 0, sizeof sums->weights);
