@@ -424,7 +424,8 @@ static double mean_length(const burnish_line_art *art) {
     return count > 0 ? sum / (double)count : 0;
 }
 
-static burnish_line_scene make_scene(const burnish_line_art *art, const burnish_view *view,
+static burnish_line_scene make_scene(const burnish_line_art *art, const burnish_mesh_view *mesh,
+                                     const burnish_view *view,
                                      const burnish_render_options *options,
                                      const burnish_target *target) {
     const float *right = view->raster.rows[0], *forward = view->raster.rows[3];
@@ -432,6 +433,9 @@ static burnish_line_scene make_scene(const burnish_line_art *art, const burnish_
     const double units = burnish_vec3_length(burnish_vec3_loadf(forward));
     burnish_line_scene scene = {.target = target,
                                 .facing = art->facing,
+                                .cap_facing = mesh->inside == BURNISH_INSIDE_BACK    ? -1
+                                              : mesh->inside == BURNISH_INSIDE_FRONT ? 1
+                                                                                     : 0,
                                 .width = options->width,
                                 .height = options->height,
                                 .is_parallel = options->camera.orthographic_height > 0,
@@ -492,7 +496,7 @@ burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh
         status = link_segments(art, mesh, tasks, memory);
     }
     if (status == BURNISH_STATUS_OK) {
-        const burnish_line_scene scene = make_scene(art, view, options, target);
+        const burnish_line_scene scene = make_scene(art, mesh, view, options, target);
         trace_chains(art, &scene, tasks, memory);
         status = memory->status != BURNISH_STATUS_OK ? memory->status
                                                      : burnish_tasks_check(tasks, memory->error);

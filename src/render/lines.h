@@ -84,6 +84,7 @@ void burnish_line_art_destroy(burnish_line_art *art, const burnish_context *cont
 typedef struct burnish_line_scene {
     const burnish_target *target; /* its depth and triangles */
     const int8_t *facing;         /* of triangles */
+    int cap_facing; /* of triangles that are seen from inside, where a cap is drawn; 0: no caps */
     int width, height;
     int is_parallel;
     double footprint;      /* a pixel's width in the mesh's units: at distance 1, or everywhere */

@@ -71,10 +71,10 @@ static uint32_t triangle_at(const burnish_target *target, int x, int y) {
     return ((const uint32_t *)row)[x];
 }
 
-/* Whether what a pixel near the edge shows is the edge's own triangle, or nothing nearer than the
- * edge. The latter tells nothing of an edge without a front-facing triangle, unless triangles are
- * seen from their back here: a part seen along an axis hides the edges of its other side, which lie
- * just where its own do. */
+/* Whether what a pixel near the edge shows is the edge's own triangle, not behind a cap, or nothing
+ * nearer than the edge. The latter tells nothing of an edge without a front-facing triangle, unless
+ * triangles are seen from their back here: a part seen along an axis hides the edges of its other
+ * side, which lie just where its own do. */
 static int is_seen(const burnish_line_scene *scene, const burnish_line_segment *s,
                    const sample *at) {
     const double limit = at->distance * (1 - DISTANCE_PRECISION) - SURFACE_SLACK * at->pixel;
@@ -88,7 +88,9 @@ static int is_seen(const burnish_line_scene *scene, const burnish_line_segment *
         }
         const uint32_t triangle = triangle_at(scene->target, x, y);
         const int shows = triangle != BURNISH_TRIANGLE_NONE;
-        if (shows && (triangle == s->triangles[0] || triangle == s->triangles[1])) {
+        const int is_cap =
+            shows && scene->cap_facing && scene->facing[triangle] == scene->cap_facing;
+        if (shows && !is_cap && (triangle == s->triangles[0] || triangle == s->triangles[1])) {
             return 1;
         }
         is_free |= (double)depth_at(scene->target, x, y) >= limit;
