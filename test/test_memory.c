@@ -219,6 +219,7 @@ static burnish_render_options box_options(int samples, int threads) {
     options.camera.position[2] = 0.7;
     options.camera.view_angle = 90;
     options.occlusion = 3;
+    options.ground = 1;
     return options;
 }
 

@@ -103,6 +103,11 @@ typedef struct burnish_render_options {
     int occlusion; /* directions that ambient occlusion is found from, [0, BURNISH_OCCLUSION_MAX];
                       0: none; or BURNISH_OCCLUSION_AUTO */
     float occlusion_strength; /* [0, 1]: what a point that sees no sky loses of its light */
+    double up[3]; /* the direction in which the object stands, of any length, for occlusion's sky
+                     and the ground; 0, 0, 0: the mesh's up_axis */
+    int ground; /* 1: the object casts the sky's shadow on the plane across `up` through its lowest
+                   point. The background is darkened where it shows the plane from above; where
+                   transparent, it is black, alpha the shadow */
     burnish_light lights[BURNISH_LIGHT_MAX];
     int light_count;       /* [0, BURNISH_LIGHT_MAX] */
     int edges;             /* a sum of BURNISH_EDGES_...; 0: none */
@@ -160,6 +165,7 @@ typedef struct burnish_render_report {
     int occlusion_directions; /* that ambient occlusion was found from; 0: none */
     size_t layers_dropped; /* transparent layers of samples that were left out because nearer ones
                               are too many */
+    int ground; /* 1: its shadow was drawn; 0: not asked for, or the camera is below it */
     size_t lobe_fallbacks; /* materials whose exponent is too low for the lobe's order: drawn with
                               the highest order that it allows */
     double seconds_transform; /* materials, vertices, clipping, culling */
@@ -173,7 +179,8 @@ typedef struct burnish_render_report {
  * stands for up to 16 neighbouring triangles, about 128 MiB of them at most unless a single row of
  * tiles needs more; and for each thread 0.2 MB, with several samples 0.2 MB more and 0.7 MB per
  * sample, of which only what is needed is touched. Ambient occlusion takes 130 KiB per direction
- * (33 for pictures of less than 384 pixels), and vertices, triangles and tile lists once more.
+ * (33 for pictures of less than 384 pixels), and vertices, triangles and tile lists once more; the
+ * ground the same, of at least 16 directions, and 2.2 MB.
  * Transparent triangles take 1 bit per triangle of the mesh, and for each thread 1.1 MB per sample.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (also a mesh so small, below about 1e-33 across, or so
  * much enlarged that single precision can't hold it); the image is then empty. */

@@ -23,7 +23,8 @@ BURNISH_INLINE map_point map_locate(const burnish_map_rows *rows, const vf p[3],
     map_point point;
     point.x = vf_add(map_dot(rows->column, p), vf_set(rows->column[3]));
     point.y = vf_add(map_dot(rows->row, p), vf_set(rows->row[3]));
-    point.depth = vf_add(map_dot(rows->depth, p), vf_set(rows->depth[3]));
+    /* above the code of nothing, however far below the map's range */
+    point.depth = vf_max(vf_add(map_dot(rows->depth, p), vf_set(rows->depth[3])), vf_set(1.0f));
     point.slope_x = vf_mul(map_dot(rows->column, normal), factor);
     point.slope_y = vf_mul(map_dot(rows->row, normal), factor);
     return point;
@@ -36,6 +37,12 @@ BURNISH_INLINE vf texel_before(vf x, int size) {
     vf at = vf_max(vf_sub(x, vf_set(0.5f)), vf_set(0.0f));
     at = vf_min(at, vf_set((float)(size - 2)));
     return vf_sub(vf_add(at, rounder), rounder);
+}
+
+/* Where the texel (x, y) lies in a map; exact below 2^22. */
+BURNISH_INLINE vi texel_index(vf x, vf y, int size) {
+    const vf at = vf_add(vf_add(vf_mul(y, vf_set((float)size)), x), vf_set(BURNISH_ROUNDER));
+    return vi_sub(vf_bits(at), vf_bits(vf_set(BURNISH_ROUNDER)));
 }
 
 /* How far a texel is above a depth, times factor, in [0, most]. */
@@ -60,8 +67,7 @@ BURNISH_INLINE vf map_over(const uint16_t *depths, int size, const map_point *po
     const vf x0 = texel_before(point->x, size), y0 = texel_before(point->y, size);
     const vf zero = vf_set(0.0f), one = vf_set(1.0f);
     const vf u = vf_sub(point->x, x0), v = vf_sub(point->y, y0);
-    const vf at = vf_add(vf_add(vf_mul(y0, vf_set((float)size)), x0), vf_set(BURNISH_ROUNDER));
-    const vi index = vi_sub(vf_bits(at), vf_bits(vf_set(BURNISH_ROUNDER))); /* < 2^22: exact */
+    const vi index = texel_index(x0, y0, size);
     const vf depth =
         vf_sub(point->depth, vf_add(vf_mul(u, point->slope_x), vf_mul(v, point->slope_y)));
     const vf inside_u = vf_min(vf_max(u, zero), one), inside_v = vf_min(vf_max(v, zero), one);

@@ -6,6 +6,7 @@
 #include "burnish/render.h"
 #include "core/memory.h"
 #include "core/srgb.h"
+#include "render/ground.h"
 #include "render/occlusion.h"
 #include "render/surface.h"
 #include "render/transparency.h"
@@ -34,6 +35,7 @@ typedef struct burnish_view {
     double eye[3]; /* in the raster's space */
     double pixel;  /* what one is wide there, about, in the middle of the mesh */
     burnish_occlusion_lookup occlusion;
+    burnish_ground_view ground;
     size_t lobe_fallbacks; /* materials with a lower order than the lobe's: their exponent allows no
                               more */
 } burnish_view;
@@ -67,8 +69,9 @@ typedef struct burnish_output {
     uint32_t alpha;            /* the bits of an opaque pixel's alpha; 0 where there is none */
     uint32_t background_code;  /* red lowest */
     float background_light[4]; /* linear; alpha last */
-    const uint8_t *background; /* a row of the target where nothing is */
-    size_t pixel_size;         /* bytes */
+    const burnish_ground_view *ground; /* NULL: none is seen */
+    const uint8_t *background;         /* a row of the target where nothing is */
+    size_t pixel_size;                 /* bytes */
 } burnish_output;
 
 /* What is kept from frame to frame: the row of background. All zero before the first. */
@@ -81,7 +84,7 @@ typedef struct burnish_output_row {
 burnish_status burnish_target_check(const burnish_target *target,
                                     const burnish_render_options *options, burnish_error *error);
 
-/* ops, encoder and view are the caller's to set. Errors: MEMORY. */
+/* ops, encoder, view and ground are the caller's to set. Errors: MEMORY. */
 burnish_status burnish_output_begin(burnish_output *output, const burnish_target *target,
                                     const burnish_render_options *options, burnish_output_row *row,
                                     burnish_memory *memory);

@@ -23,7 +23,7 @@
 #define DARK_SKY 0.35
 
 /* Point i of a spherical Fibonacci set. */
-static burnish_map_view map_view(int i, int count, int size) {
+burnish_map_view burnish_occlusion_view(int i, int count, int size) {
     const double golden_angle = 2.39996322972865332;
     const double z = 1 - (2.0 * i + 1) / count, radius = burnish_sqrt(1 - z * z);
     double sine, cosine;
@@ -70,6 +70,10 @@ static void find_blockers(const uint16_t *depths, size_t size, uint16_t *blocker
     }
 }
 
+const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int i) {
+    return occlusion->depths + (size_t)i * map_texels(occlusion->size);
+}
+
 static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
                                 const burnish_mesh_view *mesh, int count, int size,
                                 burnish_tasks *tasks, burnish_memory *memory) {
@@ -80,7 +84,7 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_
                                 (size_t)count * texels, sizeof *occlusion->depths, "depth maps");
     burnish_status status = memory->status;
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        const burnish_map_view view = map_view(i, count, size);
+        const burnish_map_view view = burnish_occlusion_view(i, count, size);
         uint16_t *depths = occlusion->depths + (size_t)i * texels;
         status = burnish_map_draw(&occlusion->drawer, ops, mesh, &view, depths, tasks, memory);
         if (status == BURNISH_STATUS_OK) {
@@ -111,7 +115,7 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
         }
     }
     for (int i = 0; i < count; ++i) {
-        const burnish_map_view view = map_view(i, count, size);
+        const burnish_map_view view = burnish_occlusion_view(i, count, size);
         burnish_occlusion_direction *direction = &occlusion->directions[i];
         texels = view.texels;
         plane = burnish_map_plane(&view);
@@ -120,7 +124,7 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
         const double height =
             burnish_vec3_dot(burnish_vec3_loadf(direction->toward), burnish_vec3_load(up));
         direction->weight = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 + 0.5 * height));
-        direction->depths = occlusion->depths + (size_t)i * map_texels(size);
+        direction->depths = burnish_occlusion_depths(occlusion, i);
         direction->blockers = direction->depths + (size_t)size * (size_t)size;
     }
     lookup->count = count;

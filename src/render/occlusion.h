@@ -44,6 +44,12 @@ typedef struct burnish_occlusion {
     burnish_map_drawer drawer;
 } burnish_occlusion;
 
+/* What map i of `count` shows. */
+burnish_map_view burnish_occlusion_view(int i, int count, int size);
+
+/* Depth map i. */
+const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int i);
+
 /* Draws the maps unless they are there, and readies the look-up. The drawer's transparent triangles
  * are the caller's to set.
  *   count  directions, [1, BURNISH_OCCLUSION_MAX], or BURNISH_OCCLUSION_AUTO

@@ -120,6 +120,17 @@ static burnish_status check_occlusion(const burnish_render_options *options, bur
     return BURNISH_STATUS_OK;
 }
 
+static burnish_status check_ground(const burnish_render_options *options, burnish_error *error) {
+    if (!finite(options->up, 3)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "up: needs three finite numbers");
+    }
+    if (options->ground != 0 && options->ground != 1) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "ground: %d is neither 0 nor 1",
+                            options->ground);
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status check_edges(const burnish_render_options *options, burnish_error *error) {
     const int all = BURNISH_EDGES_FEATURES | BURNISH_EDGES_ALL | BURNISH_EDGES_AXIS_VIEWS;
     if (options->edges < 0 || options->edges > all) {
@@ -169,6 +180,9 @@ static burnish_status check_options(const burnish_render_options *options, burni
     if (status == BURNISH_STATUS_OK) {
         status = check_edges(options, error);
     }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_ground(options, error);
+    }
     return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
 }
 
@@ -185,6 +199,7 @@ struct burnish_renderer {
     burnish_tiles tiles;
     burnish_occlusion occlusion;
     burnish_line_art line_art;
+    burnish_ground ground;
     burnish_output_row background;
     burnish_srgb_encoder encoder;
     const burnish_kernels *best; /* asking the processor takes as long as drawing a tile */
@@ -212,6 +227,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_tiles_destroy(&renderer->tiles, context);
         burnish_occlusion_destroy(&renderer->occlusion, context);
         burnish_line_art_destroy(&renderer->line_art, context);
+        burnish_ground_destroy(&renderer->ground, context);
         burnish_attributes_destroy(&renderer->attributes, context);
         burnish_transparency_destroy(&renderer->transparency, context);
         burnish_geometry_destroy(&renderer->geometry);
@@ -266,28 +282,69 @@ static burnish_status transform(drawing *d) {
     return status;
 }
 
+/* The direction in which the object stands. */
+static burnish_vec3 up_of(const drawing *d) {
+    const double *up = d->options->up;
+    return up[0] == 0 && up[1] == 0 && up[2] == 0
+               ? burnish_vec3_loadf(burnish_mesh_get_view(d->mesh)->up_axis)
+               : burnish_vec3_normalize(burnish_vec3_load(up));
+}
+
+/* The depth maps, for points that count from `eye`. */
+static burnish_status update_maps(drawing *d, const double eye[3],
+                                  burnish_occlusion_lookup *lookup) {
+    burnish_renderer *renderer = d->renderer;
+    const burnish_render_options *options = d->options;
+    const int side = options->width < options->height ? options->width : options->height;
+    double up[3];
+    burnish_vec3_store(up_of(d), up);
+    renderer->occlusion.drawer.transparent =
+        transparency_of(d) ? renderer->transparency.masks : NULL;
+    renderer->occlusion.drawer.transparent_key = renderer->transparency.key;
+    return burnish_occlusion_update(
+        &renderer->occlusion, d->view.shading.ops, burnish_mesh_get_view(d->mesh),
+        options->occlusion ? options->occlusion : BURNISH_OCCLUSION_AUTO,
+        side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE, eye, up, d->view.pixel,
+        &renderer->tasks, &d->memory, lookup);
+}
+
 /* What ambient occlusion needs of the mesh. */
 static burnish_status update_occlusion(drawing *d) {
-    burnish_renderer *renderer = d->renderer;
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
-    double up[3];
     d->view.shading.occlusion = NULL;
     if (d->options->occlusion == 0 || !d->target.pixels.pixels) {
         return BURNISH_STATUS_OK;
     }
-    burnish_vec3_store(burnish_vec3_loadf(mesh->up_axis), up);
-    renderer->occlusion.drawer.transparent =
-        transparency_of(d) ? renderer->transparency.masks : NULL;
-    renderer->occlusion.drawer.transparent_key = renderer->transparency.key;
     d->view.occlusion.strength = d->options->occlusion_strength;
     d->view.shading.occlusion = &d->view.occlusion;
-    const int side =
-        d->options->width < d->options->height ? d->options->width : d->options->height;
-    const burnish_status status = burnish_occlusion_update(
-        &renderer->occlusion, d->view.shading.ops, mesh, d->options->occlusion,
-        side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE, d->view.eye, up,
-        d->view.pixel, &renderer->tasks, &d->memory, &d->view.occlusion);
+    const burnish_status status = update_maps(d, d->view.eye, &d->view.occlusion);
     d->report.occlusion_directions = d->view.occlusion.count;
+    return status;
+}
+
+/* The ground's shadow, where the camera sees it; before what occlusion needs, whose maps it takes.
+ */
+static burnish_status update_ground(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    burnish_ground *ground = &renderer->ground;
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    const burnish_vec3 eye = burnish_vec3_load(d->view.eye);
+    const double origin[3] = {0, 0, 0};
+    burnish_occlusion_lookup lookup;
+    if (!d->options->ground || !d->target.pixels.pixels || mesh->triangle_count == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_ground_place(ground, mesh, up_of(d));
+    d->report.ground = burnish_ground_is_seen(ground, &d->view.shading.rays, eye);
+    if (!d->report.ground) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_status status = update_maps(d, origin, &lookup);
+    if (status == BURNISH_STATUS_OK &&
+        !burnish_ground_is_drawn(ground, mesh, &renderer->occlusion)) {
+        status = burnish_ground_draw(ground, d->view.shading.ops, mesh, &renderer->occlusion,
+                                     &renderer->tasks, &d->memory);
+    }
+    d->view.ground = burnish_ground_look(ground, &d->view.shading.rays, eye);
     return status;
 }
 
@@ -345,7 +402,10 @@ static burnish_status draw_tiles(drawing *d) {
                            .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
                                        burnish_mesh_get_view(d->mesh)->triangle_materials,
                                        transparency_of(d), caps.count > 0 ? &caps : NULL},
-                           .output = {.ops = ops, .encoder = &renderer->encoder, .view = &d->view},
+                           .output = {.ops = ops,
+                                      .encoder = &renderer->encoder,
+                                      .view = &d->view,
+                                      .ground = d->report.ground ? &d->view.ground : NULL},
                            .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
                            .drawn = clear_drawn(d),
                            .tasks = &renderer->tasks,
@@ -400,6 +460,9 @@ static burnish_status draw(drawing *d) {
         status =
             burnish_transparency_update(&renderer->transparency, d->mesh, d->options->ignore_colors,
                                         &renderer->tasks, &d->memory);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = update_ground(d);
     }
     if (status == BURNISH_STATUS_OK) {
         status = update_occlusion(d);

@@ -294,19 +294,25 @@ static void find_materials(const burnish_surface *surface, const burnish_tile *t
     }
 }
 
+burnish_screen_points burnish_row_points(const burnish_raster_view *view, const burnish_tile *tile,
+                                         int number) {
+    const int y = tile->y + number * BURNISH_BLOCK_SIZE;
+    return (burnish_screen_points){.x = (float)(2 * tile->x + 1 - view->width) * 0.5f,
+                                   .y = (float)(view->height - 2 * y - 1) * 0.5f,
+                                   .x_offset = PIXEL_X,
+                                   .y_offset = PIXEL_Y};
+}
+
 /* The pixels of a run, which lie in the tile's planes. */
 static burnish_fragment_batch run_batch(const burnish_surface *surface, const burnish_tile *tile,
                                         block_run run) {
     const int start = run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;
-    const int y = tile->y + run.row * BURNISH_BLOCK_SIZE;
     const int has_colors = surface->attributes->has_colors;
-    burnish_fragment_batch batch = {
-        .count = run.end - run.first,
-        .points = {.x = (float)(2 * tile->x + 1 - surface->view->width) * 0.5f,
-                   .y = (float)(surface->view->height - 2 * y - 1) * 0.5f,
-                   .x_offset = PIXEL_X + run.first,
-                   .y_offset = PIXEL_Y + run.first,
-                   .depth = tile->buffer.center_depths + start}};
+    burnish_fragment_batch batch = {.count = run.end - run.first,
+                                    .points = burnish_row_points(surface->view, tile, run.row)};
+    batch.points.x_offset += run.first;
+    batch.points.y_offset += run.first;
+    batch.points.depth = tile->buffer.center_depths + start;
     for (int k = 0; k < 3; ++k) {
         batch.normal[k] = tile->buffer.planes[BURNISH_PLANE_X + k] + start;
         batch.color[k] = has_colors ? tile->buffer.planes[BURNISH_PLANE_R + k] + start : NULL;

@@ -115,6 +115,10 @@ int burnish_surface_planes(const burnish_surface *surface);
 void burnish_cap_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
                            burnish_row_light *row);
 
+/* The pixels of row `number`, in the order of its blocks, without depths. */
+burnish_screen_points burnish_row_points(const burnish_raster_view *view, const burnish_tile *tile,
+                                         int number);
+
 /* Shades the simple pixels of row `number`, whose attributes are read where they lie. row->pixels
  * must hold what the row's pixels show. */
 void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,

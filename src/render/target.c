@@ -453,14 +453,26 @@ void burnish_output_add_fragments(const burnish_output *output, const burnish_ti
     }
 }
 
+/* Rows of pixels in a row of blocks: fewer at the image's lower edge. */
+static int rows_of(const burnish_tile *tile, int number) {
+    const int rest = tile->height - number * BURNISH_BLOCK_SIZE;
+    return rest < BURNISH_BLOCK_SIZE ? rest : BURNISH_BLOCK_SIZE;
+}
+
+static void store_coded(const burnish_output *output, const burnish_tile *tile, int number,
+                        const uint32_t *codes) {
+    const int is_packed = output->target.pixels.format == BURNISH_PIXELS_RGB8;
+    for (int y = 0, top = number * BURNISH_BLOCK_SIZE; y < rows_of(tile, number); ++y) {
+        (is_packed ? pack_codes : store_codes)(output, codes + y * BURNISH_BLOCK_SIZE, tile->width,
+                                               row_at(output, tile, top + y));
+    }
+}
+
 static void store_pixels(const burnish_output *output, const burnish_tile *tile,
                          const burnish_tile_sums *sums, int number, const burnish_row_light *row) {
-    const int top = number * BURNISH_BLOCK_SIZE, rest = tile->height - top;
-    const int rows = rest < BURNISH_BLOCK_SIZE ? rest : BURNISH_BLOCK_SIZE;
-    const burnish_pixel_format format = output->target.pixels.format;
     uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
-    if (format == BURNISH_PIXELS_RGBA_FLOAT) {
-        for (int y = 0; y < rows; ++y) {
+    if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
+        for (int y = 0, top = number * BURNISH_BLOCK_SIZE; y < rows_of(tile, number); ++y) {
             store_light(output, sums, number, row, y, tile->width, row_at(output, tile, top + y));
         }
         return;
@@ -471,20 +483,104 @@ static void store_pixels(const burnish_output *output, const burnish_tile *tile,
         encode_row(output, sums, number, row, codes);
     }
     encode_layered_alpha(output, sums, number, codes);
-    for (int y = 0; y < rows; ++y) {
-        (format == BURNISH_PIXELS_RGB8 ? pack_codes : store_codes)(
-            output, codes + y * BURNISH_BLOCK_SIZE, tile->width, row_at(output, tile, top + y));
+    store_coded(output, tile, number, codes);
+}
+
+/* ---- Ground ---- */
+
+/* Whether the ground is dark somewhere in a row of blocks. */
+static int find_shadow(const burnish_output *output, const burnish_tile *tile, int number,
+                       float *shadow) {
+    const burnish_screen_points points = burnish_row_points(&output->view->raster, tile, number);
+    int is_dark = 0;
+    output->ops->shadow_ground(output->ground, &points, BURNISH_BLOCK_ROW_PIXELS, shadow);
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        is_dark |= shadow[i] > 0;
     }
+    return is_dark;
+}
+
+/* The part of a pixel that shows background. sums: NULL where nothing else is. */
+static float background_share(const burnish_output *output, const burnish_tile_sums *sums,
+                              int number, const burnish_row_light *row, int i) {
+    const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
+    const unsigned block = (unsigned)i / BURNISH_BLOCK_PIXELS;
+    if (!sums) {
+        return 1.0f;
+    }
+    if (layered_pixels(sums, number, (int)block) >> i % BURNISH_BLOCK_PIXELS & 1) {
+        return 1.0f - sums->layers->alpha[pixel];
+    }
+    if (row->pixels.simple[i] >= 0 || output->samples == 1) {
+        return row->pixels.simple[i] >= 0 ? 0.0f : 1.0f;
+    }
+    return (float)(output->samples - sums->covered[pixel]) / (float)output->samples;
+}
+
+/* Darkens the background that a resolved row shows or, where there is none, puts black below what
+ * it shows; alpha receives the row's. */
+static void darken_background(const burnish_output *output, const burnish_tile_sums *sums,
+                              int number, const float *shadow, burnish_row_light *row,
+                              float *alpha) {
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const float share = background_share(output, sums, number, row, i);
+        const float dark = share * shadow[i], before = 1.0f - share;
+        alpha[i] = output->transparent ? before + dark : 1.0f;
+        for (int k = 0; k < 3; ++k) {
+            float *light = &row->rgb[k][i];
+            const float background = output->background_light[k];
+            if (output->transparent) {
+                *light = before > 0 ? *light * (before / alpha[i]) : 0.0f;
+            } else {
+                *light = (before > 0 ? *light : background) - dark * background;
+            }
+        }
+    }
+}
+
+/* `width` pixels of row y of the blocks, as floats. */
+static void store_resolved(const burnish_row_light *row, const float *alpha, int y, int width,
+                           uint8_t *out) {
+    for (int x = 0; x < width; ++x) {
+        const int i = x / 4 * BURNISH_BLOCK_PIXELS + y * BURNISH_BLOCK_SIZE + x % 4;
+        const float pixel[4] = {row->rgb[0][i], row->rgb[1][i], row->rgb[2][i], alpha[i]};
+        memcpy(out + (size_t)x * sizeof pixel, pixel, sizeof pixel);
+    }
+}
+
+static void store_on_ground(const burnish_output *output, const burnish_tile *tile,
+                            const burnish_tile_sums *sums, int number, const float *shadow,
+                            burnish_row_light *row) {
+    const float *const rgb[3] = {row->rgb[0], row->rgb[1], row->rgb[2]};
+    float alpha[BURNISH_BLOCK_ROW_PIXELS];
+    uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
+    darken_background(output, sums, number, shadow, row, alpha);
+    if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
+        for (int y = 0, top = number * BURNISH_BLOCK_SIZE; y < rows_of(tile, number); ++y) {
+            store_resolved(row, alpha, y, tile->width, row_at(output, tile, top + y));
+        }
+        return;
+    }
+    output->ops->encode_pixels(output->encoder, BURNISH_BLOCK_ROW_PIXELS, rgb, NULL, 0, 0, codes);
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && output->alpha; ++i) {
+        codes[i] |= (uint32_t)(alpha[i] * 255.0f + 0.5f) << 24;
+    }
+    store_coded(output, tile, number, codes);
 }
 
 void burnish_output_store_row(const burnish_output *output, const burnish_tile *tile,
                               const burnish_tile_sums *sums, int number, burnish_row_light *row) {
+    float shadow[BURNISH_BLOCK_ROW_PIXELS];
     if (output->target.pixels.pixels) {
         if (output->samples > 1) {
             resolve_row(output, sums, number, row);
         }
         resolve_layers(output, tile, sums, number, row);
-        store_pixels(output, tile, sums, number, row);
+        if (output->ground && find_shadow(output, tile, number, shadow)) {
+            store_on_ground(output, tile, sums, number, shadow, row);
+        } else {
+            store_pixels(output, tile, sums, number, row);
+        }
     }
     if (output->has_planes) {
         store_planes(output, tile, sums, number, &row->pixels);
@@ -494,6 +590,13 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
 void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
                                      int number) {
     const int first = number * BURNISH_BLOCK_SIZE, end = first + BURNISH_BLOCK_SIZE;
+    float shadow[BURNISH_BLOCK_ROW_PIXELS];
+    if (output->ground && output->target.pixels.pixels &&
+        find_shadow(output, tile, number, shadow)) {
+        burnish_row_light row;
+        store_on_ground(output, tile, NULL, number, shadow, &row);
+        return;
+    }
     for (int y = first; output->target.pixels.pixels && y < end && y < tile->height; ++y) {
         memcpy(row_at(output, tile, y), output->background,
                (size_t)tile->width * output->pixel_size);

@@ -19,9 +19,11 @@ struct burnish_bins;
 struct burnish_block_row;
 struct burnish_fragments;
 struct burnish_geometry;
+struct burnish_ground_view;
 struct burnish_occlusion_lookup;
 struct burnish_raster_view;
 struct burnish_screen_vertices;
+struct burnish_silhouette;
 struct burnish_srgb_encoder;
 struct burnish_tile;
 struct burnish_triangle_batch;
@@ -112,6 +114,16 @@ typedef struct burnish_isa_ops {
      * whole vectors. */
     void (*occlude)(const struct burnish_occlusion_lookup *lookup, const float *const position[3],
                     const float *const normal[3], size_t count, float *open);
+
+    /* Adds a silhouette to `count` texels, a multiple of 16, of row `row` of the ground's texture:
+     * its weight, shared out to the two layers whose widths are next to the blur's. */
+    void (*add_silhouette)(const struct burnish_silhouette *silhouette, float row, size_t count,
+                           float *const *layers);
+
+    /* How dark the ground is at count points of the screen, [0, 1], 0 where it is not seen; depths
+     * are not read. Reads and writes whole vectors. */
+    void (*shadow_ground)(const struct burnish_ground_view *view,
+                          const burnish_screen_points *points, size_t count, float *shadow);
 
     /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel,
      * then green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and

@@ -5,6 +5,7 @@
 #include "raster/geometry_simd.h"
 #include "raster/tile_simd.h"
 #include "render/encode_simd.h"
+#include "render/ground_simd.h"
 #include "render/materials_simd.h"
 #include "render/occlusion_simd.h"
 #include "shading/lobe_simd.h"
@@ -95,6 +96,8 @@ static const burnish_isa_ops OPS = {
     OP(collect_material),
     OP(scatter_material),
     OP(occlude),
+    OP(add_silhouette),
+    OP(shadow_ground),
     OP(encode_pixels),
     OP(pack_groups),
 };

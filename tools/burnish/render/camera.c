@@ -242,6 +242,10 @@ static burnish_status framed_camera(const burnish_mesh *mesh, const render_setti
                : status;
 }
 
+void render_upward(const burnish_mesh *mesh, const render_settings *settings, double up[3]) {
+    memcpy(up, frame_in_use(mesh, settings)->up, 3 * sizeof *up);
+}
+
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, render_room *room, burnish_camera *camera,
                              burnish_error *error) {

@@ -20,6 +20,9 @@ burnish_status render_camera(const burnish_mesh *mesh, const render_settings *se
 burnish_annotations render_make_annotations(const burnish_mesh *mesh,
                                             const render_settings *settings);
 
+/* The up axis in use, a unit vector. */
+void render_upward(const burnish_mesh *mesh, const render_settings *settings, double up[3]);
+
 /* "front", "right" ...; "view" for VIEW_FREE. */
 const char *render_view_name(render_view view);
 

@@ -543,6 +543,15 @@ static const cli_flag flags[] = {
                "are smoother and take longer.",
      .handler = render_flag_occlusion,
      TARGET(occlusion)},
+    {.name = "ground",
+     .aliases = "contact-shadow,ground-shadow",
+     .common = 1,
+     .help = "a soft shadow below the object",
+     .manual = "A soft shadow on the plane through the object's lowest point, across the up axis, "
+               "where the camera is above it. The plane itself is not seen: the background is "
+               "darkened, and a transparent one becomes black with the shadow as its alpha.",
+     .handler = cli_flag_switch,
+     TARGET(ground)},
 
     {.name = "edges",
      .aliases = "outline,outlines,feature-edges",
@@ -790,7 +799,7 @@ static const cli_term json_terms[] = {
     {"*camera*", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* "
                  "(0: perspective)"},
     {"*pixels_per_unit*", "scale of a parallel projection; null in perspective"},
-    {"*lobe, equation, viewer, look, occlusion, lights, samples, threads, isa*", "as used"},
+    {"*lobe, equation, viewer, look, occlusion, ground, lights, samples, threads, isa*", "as used"},
     {"*seconds*", "*start* (processor time before loading), *load* (of which *read* and "
                   "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
     {"*hash, hash_algorithm*",

@@ -140,6 +140,7 @@ static burnish_status draw_pixels(render_result *result, burnish_renderer *rende
                                   burnish_error *error) {
     options->lobe = cell->lobe;
     options->camera = cell->camera;
+    render_upward(result->mesh, result->settings, options->up);
     options->counts = result->settings->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
     burnish_status status = render_draw(result, renderer, options, cell, depth, error);
     result->seconds.transform += cell->report.seconds_transform;

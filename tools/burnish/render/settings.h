@@ -127,6 +127,7 @@ typedef struct render_settings {
     int wireframe;
     cli_real edge_width;
     cli_color edge_color;
+    int ground;
 
     cli_input load;
     render_clip clip;

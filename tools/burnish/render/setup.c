@@ -413,6 +413,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
     for (int k = 0; k < 3 && settings->edge_color.given; ++k) {
         options.edge_color[k] = cli_color_code(settings->edge_color.srgb[k]);
     }
+    options.ground = settings->ground;
     if (settings->lights.given) {
         memcpy(options.lights, settings->lights.items, sizeof options.lights);
         options.light_count = settings->lights.count;

@@ -1,0 +1,239 @@
+/* The shadow on the ground against integrals over the part of the sky that is hidden. */
+#include <math.h>
+
+#include "burnish/render.h"
+#include "mesh_arrays.h"
+#include "support.h"
+
+enum { SIZE = 201 };
+
+/* As render/ground.c has it: what is left of the background where no sky is seen. */
+#define STRENGTH 0.85
+
+/* Straight from above, `height` high and wide, red, green, blue and alpha of every pixel. */
+static float *draw(const burnish_mesh *mesh, double height, int transparent, int samples,
+                   burnish_render_report *report) {
+    float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
+    burnish_render_options options = burnish_render_options_default();
+    burnish_target target = burnish_target_default();
+    burnish_renderer *renderer;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    options.camera.position[1] = 10;
+    options.camera.view_up[1] = 0;
+    options.camera.view_up[2] = -1;
+    options.camera.orthographic_height = height;
+    options.width = options.height = SIZE;
+    options.samples = samples;
+    options.transparent = transparent;
+    options.ground = 1;
+    options.occlusion = BURNISH_OCCLUSION_MAX;
+    options.up[1] = 2;
+    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
+                                     (size_t)SIZE * 4 * sizeof *pixels, (uint8_t *)pixels};
+    burnish_renderer_create(NULL, &renderer, &error);
+    CHECK(burnish_renderer_draw_into(renderer, mesh, &options, &target, report, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    burnish_renderer_destroy(renderer);
+    return pixels;
+}
+
+static const float *pixel_at(const float *pixels, int x, int y) {
+    return pixels + 4 * ((size_t)y * SIZE + (size_t)x);
+}
+
+static burnish_mesh *load(const char *name) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh;
+    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    return mesh;
+}
+
+/* A ball on the ground hides (R/d)^2 cos of the sky, d from its centre: R^3 / d^3. */
+static void test_ball(void) {
+    burnish_mesh *mesh = load(":sphere");
+    burnish_render_report report;
+    const double height = 6;
+    float *pixels = draw(mesh, height, 0, 1, &report);
+    double worst = 0;
+    CHECK(report.ground == 1, "no ground");
+    for (int i = 0; i < SIZE; ++i) { /* on a diagonal; nearer it is hidden, further away fades */
+        const double x = (i - SIZE / 2) * height / SIZE, distance = sqrt(2) * fabs(x);
+        const double hidden = pow(1 / (1 + distance * distance), 1.5);
+        const float *pixel = pixel_at(pixels, i, i);
+        if (distance > 1.05 && distance < 2.1) {
+            const double found = (1 - (double)pixel[0]) / STRENGTH;
+            worst = fabs(found - hidden) > worst ? fabs(found - hidden) : worst;
+        }
+    }
+    CHECK(worst < 0.02, "a ball hides up to %g more or less than its share of the sky", worst);
+    printf("ball: at most %.3f from the formula\n", worst);
+    for (int i = 0; i < SIZE; ++i) {
+        CHECK(pixel_at(pixels, i, 0)[0] <= 1 && pixel_at(pixels, i, 0)[3] == 1, "pixel %d", i);
+    }
+    free(pixels);
+    burnish_mesh_destroy(mesh);
+}
+
+/* The share that a plate 2 x 2 at height 1 hides from (x, 0, z): cos cos dA / (pi d^2). */
+static double hidden_by_plate(double x, double z) {
+    enum { STEPS = 200 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; ++i) {
+        for (int j = 0; j < STEPS; ++j) {
+            const double u = 2 * (i + 0.5) / STEPS - 1 - x, v = 2 * (j + 0.5) / STEPS - 1 - z;
+            const double squared = 1 + u * u + v * v;
+            sum += 1 / (squared * squared);
+        }
+    }
+    return sum * (2.0 / STEPS) * (2.0 / STEPS) / acos(-1);
+}
+
+static void test_plate(void) {
+    /* a splinter under the plate says where the ground is */
+    static const float positions[] = {-1, 1, -1, 1, 1,     -1, 1, 1, 1, -1,   1,
+                                      1,  0, 0,  0, 0.05f, 0,  0, 0, 0, 0.05f};
+    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6};
+    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 7, indices, 3);
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh;
+    const double height = 5;
+    double worst = 0;
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    float *pixels = draw(mesh, height, 1, 1, NULL);
+    for (int i = 0; i < SIZE; ++i) {
+        const double x = (i - SIZE / 2) * height / SIZE;
+        const float *pixel = pixel_at(pixels, i, SIZE / 2);
+        if (fabs(x) > 1.05 && fabs(x) < 1.5) {
+            const double difference = fabs((double)pixel[3] / STRENGTH - hidden_by_plate(x, 0));
+            worst = difference > worst ? difference : worst;
+            CHECK(pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0, "the shadow is not black");
+        }
+    }
+    CHECK(worst < 0.02, "a plate hides up to %g more or less than its share of the sky", worst);
+    printf("plate: at most %.3f from the integral\n", worst);
+    free(pixels);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Over white, a transparent picture is the opaque one. */
+static void test_transparent(void) {
+    burnish_mesh *mesh = load(":teapot");
+    float *opaque = draw(mesh, 9, 0, 4, NULL), *clear = draw(mesh, 9, 1, 4, NULL);
+    double worst = 0;
+    int partly = 0;
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        const double alpha = (double)clear[4 * i + 3];
+        partly += alpha > 0 && alpha < 1;
+        for (int k = 0; k < 3; ++k) {
+            const double over = (double)clear[4 * i + k] * alpha + (1 - alpha);
+            const double difference = fabs(over - (double)opaque[4 * i + k]);
+            worst = difference > worst ? difference : worst;
+        }
+    }
+    CHECK(worst < 1e-5, "over white %g off", worst);
+    CHECK(partly > SIZE * SIZE / 10, "%d pixels are partly transparent", partly);
+    free(opaque);
+    free(clear);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Bytes of an object seen along `direction`. */
+static burnish_image draw_along(const burnish_mesh *mesh, const double direction[3], int parallel,
+                                int ground, burnish_render_report *report) {
+    burnish_framing framing = burnish_framing_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_image image;
+    memcpy(framing.direction, direction, sizeof framing.direction);
+    framing.orthographic = parallel;
+    framing.margin = 0.2;
+    burnish_camera_frame(mesh, &framing, &options.camera, &error);
+    options.width = options.height = 64;
+    options.ground = ground;
+    options.occlusion = 8;
+    CHECK(burnish_render(mesh, &options, &image, report, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return image;
+}
+
+/* From below, and in parallel projection from the side, there is no ground. */
+static void test_directions(void) {
+    static const struct {
+        double direction[3];
+        int parallel, is_seen;
+    } cases[] = {{{0, -1, -2}, 0, 1}, {{0, 1, -2}, 0, 0}, {{0, 0, -1}, 0, 1},
+                 {{0, -1, -2}, 1, 1}, {{0, 1, -2}, 1, 0}, {{0, 0, -1}, 1, 0}};
+    burnish_mesh *mesh = load(":torus");
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_render_report report;
+        burnish_image with = draw_along(mesh, cases[i].direction, cases[i].parallel, 1, &report);
+        burnish_image without = draw_along(mesh, cases[i].direction, cases[i].parallel, 0, NULL);
+        CHECK(report.ground == cases[i].is_seen, "case %zu: ground %d", i, report.ground);
+        CHECK((memcmp(with.pixels, without.pixels, 3 * 64 * 64) != 0) == cases[i].is_seen,
+              "case %zu: shadow", i);
+        burnish_image_destroy(&with);
+        burnish_image_destroy(&without);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* A renderer that drew another mesh, or up axis, draws what a new one does. */
+static void test_renderer_again(void) {
+    static const char *const names[] = {":knot", ":torus", ":torus", ":knot"};
+    burnish_render_options options = burnish_render_options_default();
+    burnish_framing framing = burnish_framing_default();
+    burnish_renderer *kept;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_image image = {0};
+    options.width = options.height = 100;
+    options.occlusion = 6;
+    options.ground = 1;
+    burnish_renderer_create(NULL, &kept, &error);
+    for (int i = 0; i < 4; ++i) {
+        burnish_mesh *mesh = load(names[i]);
+        burnish_image fresh;
+        options.up[2] = i > 1;
+        burnish_camera_frame(mesh, &framing, &options.camera, &error);
+        CHECK(burnish_renderer_draw(kept, mesh, &options, &image, NULL, &error) ==
+                      BURNISH_STATUS_OK &&
+                  burnish_render(mesh, &options, &fresh, NULL, &error) == BURNISH_STATUS_OK,
+              "%s", error.text);
+        CHECK(memcmp(image.pixels, fresh.pixels, 3 * 100 * 100) == 0,
+              "%s: another picture from a renderer that drew before", names[i]);
+        burnish_image_destroy(&fresh);
+        burnish_mesh_destroy(mesh);
+    }
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(kept);
+}
+
+static void test_refusals(void) {
+    burnish_render_options options = burnish_render_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh = load(":sphere");
+    burnish_image image;
+    options.camera.position[2] = 5;
+    options.ground = 2;
+    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
+          "ground 2 is accepted");
+    options.ground = 1;
+    options.up[1] = INFINITY;
+    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
+          "an infinite up is accepted");
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_ball());
+    RUN(test_plate());
+    RUN(test_transparent());
+    RUN(test_directions());
+    RUN(test_renderer_again());
+    RUN(test_refusals());
+    return test_end("ground");
+}
