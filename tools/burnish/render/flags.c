@@ -513,7 +513,6 @@ static const cli_flag flags[] = {
      .words = viewer_words,
      TARGET(viewer)},
     {.name = "light",
-     .common = 1,
      .value = "SPEC",
      .help = "KIND:X,Y,Z[:INTENSITY[:COLOR]]; repeatable",
      .default_label = "key, fill, rim",
