@@ -220,6 +220,7 @@ static burnish_render_options box_options(int samples, int threads) {
     options.camera.view_angle = 90;
     options.occlusion = 3;
     options.ground = 1;
+    options.shadow = 1;
     return options;
 }
 

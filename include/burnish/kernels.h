@@ -155,6 +155,7 @@ typedef struct burnish_kernels_points {
     const float *diffuse[3];  /* d, >= 0; all NULL: 1 */
     const float *position[3]; /* times w; read where a light is a point or the viewer local */
     const float *w;           /* > 0: the point lies at position / w; NULL: 1 */
+    const float *first_light; /* [0, 1]: what of the first light reaches the point; NULL: all */
 } burnish_kernels_points;
 
 /* Shades points into pixels: channel = 255 min(1, value), halves to even; alpha 255.

@@ -108,6 +108,8 @@ typedef struct burnish_render_options {
     int ground; /* 1: the object casts the sky's shadow on the plane across `up` through its lowest
                    point. The background is darkened where it shows the plane from above; where
                    transparent, it is black, alpha the shadow */
+    int shadow; /* 1: the object casts the first light's shadow on itself; that light must be
+                   directional */
     burnish_light lights[BURNISH_LIGHT_MAX];
     int light_count;       /* [0, BURNISH_LIGHT_MAX] */
     int edges;             /* a sum of BURNISH_EDGES_...; 0: none */
@@ -165,6 +167,7 @@ typedef struct burnish_render_report {
     int occlusion_directions; /* that ambient occlusion was found from; 0: none */
     size_t layers_dropped; /* transparent layers of samples that were left out because nearer ones
                               are too many */
+    int shadow;            /* 1: the first light's was drawn */
     int ground; /* 1: its shadow was drawn; 0: not asked for, or the camera is below it */
     size_t lobe_fallbacks; /* materials whose exponent is too low for the lobe's order: drawn with
                               the highest order that it allows */
@@ -180,7 +183,8 @@ typedef struct burnish_render_report {
  * tiles needs more; and for each thread 0.2 MB, with several samples 0.2 MB more and 0.7 MB per
  * sample, of which only what is needed is touched. Ambient occlusion takes 130 KiB per direction
  * (33 for pictures of less than 384 pixels), and vertices, triangles and tile lists once more; the
- * ground the same, of at least 16 directions, and 2.2 MB.
+ * ground the same, of at least 16 directions, and 2.2 MB; a shadow 2 MB, 8 in pictures of more than
+ * 1024 pixels.
  * Transparent triangles take 1 bit per triangle of the mesh, and for each thread 1.1 MB per sample.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (also a mesh so small, below about 1e-33 across, or so
  * much enlarged that single precision can't hold it); the image is then empty. */

@@ -8,6 +8,7 @@
 #include "core/srgb.h"
 #include "render/ground.h"
 #include "render/occlusion.h"
+#include "render/shadow.h"
 #include "render/surface.h"
 #include "render/transparency.h"
 
@@ -36,6 +37,8 @@ typedef struct burnish_view {
     double pixel;  /* what one is wide there, about, in the middle of the mesh */
     burnish_occlusion_lookup occlusion;
     burnish_ground_view ground;
+    burnish_vec3 key; /* toward the first light, a unit vector; 0, 0, 0: it is not directional */
+    burnish_shadow_lookup shadow;
     size_t lobe_fallbacks; /* materials with a lower order than the lobe's: their exponent allows no
                               more */
 } burnish_view;

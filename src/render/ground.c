@@ -52,11 +52,9 @@ void burnish_ground_place(burnish_ground *ground, const burnish_mesh_view *mesh,
     if (ground->mesh == mesh->serial && burnish_vec3_length(difference) == 0) {
         return;
     }
-    const int x_is_least = up.x * up.x <= up.y * up.y && up.x * up.x <= up.z * up.z;
-    const burnish_vec3 other = x_is_least ? (burnish_vec3){1, 0, 0} : (burnish_vec3){0, 1, 0};
     ground->mesh = 0;
     ground->up = up;
-    ground->across[0] = burnish_vec3_normalize(burnish_vec3_cross(other, up));
+    ground->across[0] = burnish_space_across(up);
     ground->across[1] = burnish_vec3_cross(up, ground->across[0]);
     const mesh_extent extent = extent_of(mesh, up);
     const double reach = 0.1 + extent.radius + REACH * (extent.high - extent.low);

@@ -128,6 +128,16 @@ static burnish_status check_ground(const burnish_render_options *options, burnis
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "ground: %d is neither 0 nor 1",
                             options->ground);
     }
+    if (options->shadow != 0 && options->shadow != 1) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "shadow: %d is neither 0 nor 1",
+                            options->shadow);
+    }
+    if (options->shadow &&
+        (options->light_count < 1 || options->lights[0].kind != BURNISH_LIGHT_DIRECTIONAL)) {
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT, "shadow: %s; put a directional light first",
+            options->light_count < 1 ? "there is no light" : "the first light is a point light");
+    }
     return BURNISH_STATUS_OK;
 }
 
@@ -200,6 +210,7 @@ struct burnish_renderer {
     burnish_occlusion occlusion;
     burnish_line_art line_art;
     burnish_ground ground;
+    burnish_shadow shadow;
     burnish_output_row background;
     burnish_srgb_encoder encoder;
     const burnish_kernels *best; /* asking the processor takes as long as drawing a tile */
@@ -228,6 +239,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_occlusion_destroy(&renderer->occlusion, context);
         burnish_line_art_destroy(&renderer->line_art, context);
         burnish_ground_destroy(&renderer->ground, context);
+        burnish_shadow_destroy(&renderer->shadow, context);
         burnish_attributes_destroy(&renderer->attributes, context);
         burnish_transparency_destroy(&renderer->transparency, context);
         burnish_geometry_destroy(&renderer->geometry);
@@ -290,6 +302,14 @@ static burnish_vec3 up_of(const drawing *d) {
                : burnish_vec3_normalize(burnish_vec3_load(up));
 }
 
+/* Transparent triangles cast no shadow. */
+static void set_transparent(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    renderer->occlusion.drawer.transparent =
+        transparency_of(d) ? renderer->transparency.masks : NULL;
+    renderer->occlusion.drawer.transparent_key = renderer->transparency.key;
+}
+
 /* The depth maps, for points that count from `eye`. */
 static burnish_status update_maps(drawing *d, const double eye[3],
                                   burnish_occlusion_lookup *lookup) {
@@ -298,9 +318,7 @@ static burnish_status update_maps(drawing *d, const double eye[3],
     const int side = options->width < options->height ? options->width : options->height;
     double up[3];
     burnish_vec3_store(up_of(d), up);
-    renderer->occlusion.drawer.transparent =
-        transparency_of(d) ? renderer->transparency.masks : NULL;
-    renderer->occlusion.drawer.transparent_key = renderer->transparency.key;
+    set_transparent(d);
     return burnish_occlusion_update(
         &renderer->occlusion, d->view.shading.ops, burnish_mesh_get_view(d->mesh),
         options->occlusion ? options->occlusion : BURNISH_OCCLUSION_AUTO,
@@ -346,6 +364,25 @@ static burnish_status update_ground(drawing *d) {
     }
     d->view.ground = burnish_ground_look(ground, &d->view.shading.rays, eye);
     return status;
+}
+
+/* The first light's depth map. */
+static burnish_status update_shadow(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    const burnish_render_options *options = d->options;
+    const int side = options->width > options->height ? options->width : options->height;
+    d->view.shading.shadow = NULL;
+    if (!options->shadow || !d->target.pixels.pixels) {
+        return BURNISH_STATUS_OK;
+    }
+    set_transparent(d);
+    d->view.shading.shadow = &d->view.shadow;
+    d->report.shadow = 1;
+    return burnish_shadow_update(&renderer->shadow, &renderer->occlusion.drawer,
+                                 d->view.shading.ops, burnish_mesh_get_view(d->mesh), d->view.key,
+                                 side <= BURNISH_SHADOW_SMALL ? BURNISH_SHADOW_SMALL
+                                                              : BURNISH_SHADOW_LARGE,
+                                 d->view.eye, &renderer->tasks, &d->memory, &d->view.shadow);
 }
 
 static int marks_drawn(const drawing *d) {
@@ -466,6 +503,9 @@ static burnish_status draw(drawing *d) {
     }
     if (status == BURNISH_STATUS_OK) {
         status = update_occlusion(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = update_shadow(d);
     }
     if (status == BURNISH_STATUS_OK) {
         status = transform(d);

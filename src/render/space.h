@@ -23,6 +23,13 @@ static inline double burnish_space_scale(const burnish_mesh_view *mesh) {
     return half_diagonal > 0 ? 1 / half_diagonal : 1;
 }
 
+/* A unit vector across v. */
+static inline burnish_vec3 burnish_space_across(burnish_vec3 v) {
+    const int x_is_least = v.x * v.x <= v.y * v.y && v.x * v.x <= v.z * v.z;
+    const burnish_vec3 other = x_is_least ? (burnish_vec3){1, 0, 0} : (burnish_vec3){0, 1, 0};
+    return burnish_vec3_normalize(burnish_vec3_cross(other, v));
+}
+
 static inline void burnish_space_store(burnish_vec3 v, float out[3]) {
     out[0] = (float)v.x;
     out[1] = (float)v.y;

@@ -184,6 +184,10 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
     if (shading->needs_position) {
         add_stream(&streams, points->w, group->w);
     }
+    if (points->first_light) {
+        brought.first_light = group->lit;
+        add_stream(&streams, points->first_light, group->lit);
+    }
     memcpy(group->left, batch->material, (size_t)padded(batch->count) * sizeof *group->left);
     for (int i = 0; i < batch->count; ++i) {
         const int32_t material = group->left[i];
@@ -235,6 +239,10 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
             clear_tail(position[k], batch->count);
         }
         clear_tail(scratch->w, batch->count);
+    }
+    if (shading->shadow) {
+        shading->ops->cast_shadow(shading->shadow, &points, (size_t)batch->count, scratch->lit);
+        points.first_light = scratch->lit;
     }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;

@@ -38,7 +38,7 @@ void burnish_attributes_destroy(burnish_attributes *attributes, const burnish_co
 enum {
     BURNISH_SHADE_BATCH = 256,
     BURNISH_SHADE_PAD = 16,    /* lanes of the longest vector */
-    BURNISH_SHADE_STREAMS = 10 /* normal, colour, position, w */
+    BURNISH_SHADE_STREAMS = 11 /* normal, colour, position, w, first light */
 };
 
 /* Fragments to be shaded: arrays of `count` <= BURNISH_SHADE_BATCH, readable up to the next
@@ -63,6 +63,7 @@ typedef struct burnish_shading {
     burnish_rays rays;                                /* from the eye */
     int needs_position;                               /* 1: a point light or a local viewer */
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
+    const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
     int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
 } burnish_shading;
 
@@ -82,6 +83,7 @@ typedef struct burnish_surface {
 typedef struct burnish_material_group {
     float normal[3][BURNISH_SHADE_BATCH], diffuse[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
+    float lit[BURNISH_SHADE_BATCH];
     float light[3][BURNISH_SHADE_BATCH];
     int32_t left[BURNISH_SHADE_BATCH];   /* materials not shaded yet, -1 for the others */
     uint8_t places[BURNISH_SHADE_BATCH]; /* of vectors in the batch */
@@ -94,6 +96,7 @@ typedef struct burnish_fragment_scratch {
     int32_t material[BURNISH_SHADE_BATCH];
     float divided_normal[3][BURNISH_SHADE_BATCH], divided_color[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
+    float lit[BURNISH_SHADE_BATCH]; /* what of the first light reaches a point */
     burnish_material_group group;
     burnish_share_scratch share;
     float hatch[BURNISH_SHADE_BATCH]; /* of fragments: burnish_cap_hatch */

@@ -305,7 +305,7 @@ static void make_shading(const burnish_kernels_lighting *lighting,
                          const burnish_render_options *options, const burnish_shaders *shaders,
                          burnish_shading *shading) {
     shading->shaders = shaders->items;
-    shading->needs_position = lighting->local_viewer || options->occlusion != 0;
+    shading->needs_position = lighting->local_viewer || options->occlusion != 0 || options->shadow;
     for (int i = 0; i < lighting->light_count; ++i) {
         shading->needs_position |= lighting->lights[i].kind == BURNISH_LIGHT_POINT;
     }
@@ -346,6 +346,10 @@ burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_rende
     if (status == BURNISH_STATUS_OK) {
         burnish_vec3_store(frame.eye, view->eye);
         make_lighting(&frame, shape, options, &lighting);
+        view->key = (burnish_vec3){0, 0, 0};
+        if (lighting.light_count > 0 && lighting.lights[0].kind == BURNISH_LIGHT_DIRECTIONAL) {
+            view->key = burnish_vec3_load(lighting.lights[0].vector);
+        }
         status = fold_materials(mesh, options, &lighting, shaders, view, memory);
     }
     if (status == BURNISH_STATUS_OK) {

@@ -207,6 +207,17 @@ BURNISH_INLINE void shade_load(int geometry, const burnish_kernels_shader *shade
     }
 }
 
+/* Of the first light's part of the sums, `lit` stays. */
+BURNISH_INLINE void shade_lessen_first(const burnish_kernels_shader *shader, int output, vf lit,
+                                       shade_sums *sums) {
+    for (int k = 0; k < 3; ++k) {
+        const vf ambient = vf_set(shader->ambient[output][k]);
+        const vf diffuse = vf_sub(sums->diffuse[k], ambient);
+        sums->diffuse[k] = vf_add(ambient, vf_mul(diffuse, lit));
+        sums->specular[k] = vf_mul(sums->specular[k], lit);
+    }
+}
+
 /* One vector of points: the colours, in [0, 255] for RGBA8, not yet clamped. */
 BURNISH_INLINE void shade_points(shade_kernel kernel, const burnish_kernels_shader *shader,
                                  const burnish_kernels_points *points, size_t i, vf color[3]) {
@@ -227,6 +238,9 @@ BURNISH_INLINE void shade_points(shade_kernel kernel, const burnish_kernels_shad
             shade_general_light(kernel, shader, &shader->lights[l], &at, &sums);
         } else {
             shade_distant_light(kernel, shader, &shader->lights[l], &at, &sums);
+        }
+        if (l == 0 && points->first_light) {
+            shade_lessen_first(shader, kernel.output, vf_load(points->first_light + i), &sums);
         }
     }
     for (int k = 0; k < 3; ++k) {
@@ -255,15 +269,15 @@ BURNISH_INLINE vi shade_pack(const vf color[3]) {
 BURNISH_INLINE void shade_rest(shade_kernel kernel, const burnish_kernels_shader *shader,
                                const burnish_kernels_points *points, size_t first, size_t count,
                                shade_colors colors) {
-    enum { ARRAYS = 10 };
+    enum { ARRAYS = 11 };
     float block[ARRAYS][LANES];
     const float *from[ARRAYS];
     uint8_t bytes[4 * LANES];
     burnish_kernels_points padded = *points;
-    const float **to[ARRAYS] = {
-        &padded.normal[0],   &padded.normal[1],  &padded.normal[2],   &padded.diffuse[0],
-        &padded.diffuse[1],  &padded.diffuse[2], &padded.position[0], &padded.position[1],
-        &padded.position[2], &padded.w};
+    const float **to[ARRAYS] = {&padded.normal[0],   &padded.normal[1],   &padded.normal[2],
+                                &padded.diffuse[0],  &padded.diffuse[1],  &padded.diffuse[2],
+                                &padded.position[0], &padded.position[1], &padded.position[2],
+                                &padded.w,           &padded.first_light};
     memset(block, 0, sizeof block);
     for (int k = 0; k < ARRAYS; ++k) {
         from[k] = *to[k];

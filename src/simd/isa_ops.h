@@ -23,6 +23,7 @@ struct burnish_ground_view;
 struct burnish_occlusion_lookup;
 struct burnish_raster_view;
 struct burnish_screen_vertices;
+struct burnish_shadow_lookup;
 struct burnish_silhouette;
 struct burnish_srgb_encoder;
 struct burnish_tile;
@@ -114,6 +115,10 @@ typedef struct burnish_isa_ops {
      * whole vectors. */
     void (*occlude)(const struct burnish_occlusion_lookup *lookup, const float *const position[3],
                     const float *const normal[3], size_t count, float *open);
+
+    /* What of the light reaches count points, [0, 1]. Reads and writes whole vectors. */
+    void (*cast_shadow)(const struct burnish_shadow_lookup *lookup,
+                        const struct burnish_kernels_points *points, size_t count, float *lit);
 
     /* Adds a silhouette to `count` texels, a multiple of 16, of row `row` of the ground's texture:
      * its weight, shared out to the two layers whose widths are next to the blur's. */

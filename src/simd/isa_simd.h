@@ -8,6 +8,7 @@
 #include "render/ground_simd.h"
 #include "render/materials_simd.h"
 #include "render/occlusion_simd.h"
+#include "render/shadow_simd.h"
 #include "shading/lobe_simd.h"
 #include "shading/shade_simd.h"
 #include "simd/isa_ops.h"
@@ -96,6 +97,7 @@ static const burnish_isa_ops OPS = {
     OP(collect_material),
     OP(scatter_material),
     OP(occlude),
+    OP(cast_shadow),
     OP(add_silhouette),
     OP(shadow_ground),
     OP(encode_pixels),

@@ -551,6 +551,13 @@ static const cli_flag flags[] = {
                "darkened, and a transparent one becomes black with the shadow as its alpha.",
      .handler = cli_flag_switch,
      TARGET(ground)},
+    {.name = "shadow",
+     .aliases = "shadows,cast-shadows",
+     .help = "the first light's, on the object itself",
+     .manual = "The first light casts a shadow with a soft edge on the object itself. The light "
+               "must be directional, as the looks' key light is.",
+     .handler = cli_flag_switch,
+     TARGET(shadow)},
 
     {.name = "edges",
      .aliases = "outline,outlines,feature-edges",
@@ -798,7 +805,8 @@ static const cli_term json_terms[] = {
     {"*camera*", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* "
                  "(0: perspective)"},
     {"*pixels_per_unit*", "scale of a parallel projection; null in perspective"},
-    {"*lobe, equation, viewer, look, occlusion, ground, lights, samples, threads, isa*", "as used"},
+    {"*lobe, equation, viewer, look, occlusion, ground, shadow, lights, samples, threads, isa*",
+     "as used"},
     {"*seconds*", "*start* (processor time before loading), *load* (of which *read* and "
                   "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
     {"*hash, hash_algorithm*",

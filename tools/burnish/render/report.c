@@ -231,6 +231,7 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
                  failed);
     cli_json_add(root, "occlusion",
                  cJSON_CreateNumber(result->cells[0].report.occlusion_directions), failed);
+    cli_json_add(root, "shadow", cJSON_CreateBool(result->cells[0].report.shadow), failed);
     cli_json_add(root, "ground", cJSON_CreateBool(result->cells[0].report.ground), failed);
     cli_json_add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
     cli_json_add(root, "samples", cJSON_CreateNumber(options->samples), failed);

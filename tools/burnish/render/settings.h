@@ -128,6 +128,7 @@ typedef struct render_settings {
     cli_real edge_width;
     cli_color edge_color;
     int ground;
+    int shadow;
 
     cli_input load;
     render_clip clip;

@@ -414,6 +414,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
         options.edge_color[k] = cli_color_code(settings->edge_color.srgb[k]);
     }
     options.ground = settings->ground;
+    options.shadow = settings->shadow;
     if (settings->lights.given) {
         memcpy(options.lights, settings->lights.items, sizeof options.lights);
         options.light_count = settings->lights.count;

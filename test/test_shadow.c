@@ -1,0 +1,165 @@
+/* The shadow of the first light: where its edge must be, and that convex shapes cast none. */
+#include <math.h>
+
+#include "burnish/render.h"
+#include "mesh_arrays.h"
+#include "support.h"
+
+enum { SIZE = 256 };
+
+/* Straight from above, 4 high and wide, red of every pixel; one light, no specular part. */
+static float *draw(burnish_mesh *mesh, const double light[3], int shadow) {
+    float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
+    burnish_render_options options = burnish_render_options_default();
+    burnish_target target = burnish_target_default();
+    burnish_render_report report;
+    burnish_renderer *renderer;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_material material = *burnish_mesh_material(mesh, 0);
+    for (int k = 0; k < 3; ++k) {
+        material.ambient[k] = material.diffuse[k] = 1;
+        material.specular[k] = 0;
+        options.lights[0].vector[k] = light[k];
+        options.lights[0].color[k] = 1;
+    }
+    burnish_mesh_set_material(mesh, 0, &material, &error);
+    options.light_count = 1;
+    options.lights[0].follows_camera = 0;
+    options.camera.position[1] = 10;
+    options.camera.view_up[1] = 0;
+    options.camera.view_up[2] = -1;
+    options.camera.orthographic_height = 4;
+    options.width = options.height = SIZE;
+    options.samples = 1;
+    options.shadow = shadow;
+    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
+                                     (size_t)SIZE * 4 * sizeof *pixels, (uint8_t *)pixels};
+    burnish_renderer_create(NULL, &renderer, &error);
+    CHECK(burnish_renderer_draw_into(renderer, mesh, &options, &target, &report, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    CHECK(report.shadow == shadow, "shadow %d", report.shadow);
+    burnish_renderer_destroy(renderer);
+    return pixels;
+}
+
+/* A wall x = 0, 0 < y < 1, on a floor: under a light of 45 degrees from -x its shadow ends at x =
+ * 1, where only the ambient light stays. */
+static void test_edge(void) {
+    static const float positions[] = {-2, 0, -2, 2, 0, -2, 2, 0, 2, -2, 0, 2,
+                                      0,  0, -2, 0, 0, 2,  0, 1, 2, 0,  1, -2};
+    static const uint32_t indices[] = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7};
+    static const double light[] = {-1, 1, 0};
+    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 4);
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh;
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    float *lit = draw(mesh, light, 0), *shaded = draw(mesh, light, 1);
+    const float *row = shaded + 4 * SIZE * (SIZE / 2), *open = lit + 4 * SIZE * (SIZE / 2);
+    double edge = 0;
+    for (int i = 0; i < SIZE; ++i) {
+        const double x = (i + 0.5) * 4 / SIZE - 2, found = (double)row[4 * i];
+        const double all = (double)open[4 * i], ambient = 0.08;
+        if (fabs(x) < 0.04) {
+            edge += x > 0 ? 4.0 / SIZE : 0; /* the wall's foot */
+            continue;
+        }
+        if (x < 0 || x > 1.05) {
+            CHECK(fabs(found - all) < 1e-5, "x %g: %g, lit %g", x, found, all);
+        } else if (x < 0.95) {
+            CHECK(fabs(found - ambient) < 1e-5, "x %g: %g, not dark", x, found);
+        }
+        edge += x > 0 ? (all - found) / (all - ambient) * 4 / SIZE : 0;
+    }
+    CHECK(fabs(edge - 1) < 0.05, "the shadow ends at %g", edge);
+    printf("shadow: ends at %.3f, expected 1\n", edge);
+    free(lit);
+    free(shaded);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Convex shapes hide no light from themselves: no acne. */
+static void test_convex(void) {
+    static const double lights[][3] = {{0.3, 1, 0.2}, {-1, 0.5, 0.3}, {1, 0.1, 0}};
+    burnish_load_options load = burnish_load_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh;
+    CHECK(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    for (int l = 0; l < 3; ++l) {
+        float *lit = draw(mesh, lights[l], 0), *shaded = draw(mesh, lights[l], 1);
+        double worst = 0;
+        for (int i = 0; i < SIZE * SIZE; ++i) {
+            const double difference = (double)(lit[4 * i] - shaded[4 * i]);
+            worst = difference > worst ? difference : worst;
+        }
+        CHECK(worst < 0.01, "light %d: a sphere loses up to %g of its light", l, worst);
+        free(lit);
+        free(shaded);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* A renderer that drew another mesh or light draws what a new one does. */
+static void test_renderer_again(void) {
+    static const char *const names[] = {":knot", ":torus", ":torus", ":knot"};
+    burnish_load_options load = burnish_load_options_default();
+    burnish_framing framing = burnish_framing_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_renderer *kept;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_image image = {0};
+    options.width = options.height = 100;
+    options.shadow = 1;
+    burnish_renderer_create(NULL, &kept, &error);
+    for (int i = 0; i < 4; ++i) {
+        burnish_mesh *mesh;
+        burnish_image fresh;
+        burnish_mesh_load(names[i], &load, &mesh, &error);
+        options.lights[0].vector[0] = i > 1 ? 1 : -1;
+        burnish_camera_frame(mesh, &framing, &options.camera, &error);
+        CHECK(burnish_renderer_draw(kept, mesh, &options, &image, NULL, &error) ==
+                      BURNISH_STATUS_OK &&
+                  burnish_render(mesh, &options, &fresh, NULL, &error) == BURNISH_STATUS_OK,
+              "%s", error.text);
+        CHECK(memcmp(image.pixels, fresh.pixels, 3 * 100 * 100) == 0,
+              "%s: another picture from a renderer that drew before", names[i]);
+        burnish_image_destroy(&fresh);
+        burnish_mesh_destroy(mesh);
+    }
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(kept);
+}
+
+static void test_refusals(void) {
+    burnish_load_options load = burnish_load_options_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh;
+    burnish_image image;
+    burnish_mesh_load(":sphere", &load, &mesh, &error);
+    options.camera.position[2] = 5;
+    options.shadow = 2;
+    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
+          "shadow 2 is accepted");
+    options.shadow = 1;
+    options.lights[0].kind = BURNISH_LIGHT_POINT;
+    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT &&
+              strstr(error.text, "point light"),
+          "a point light's shadow: %s", error.text);
+    options.light_count = 0;
+    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
+          "a shadow without light is accepted");
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_edge());
+    RUN(test_convex());
+    RUN(test_renderer_again());
+    RUN(test_refusals());
+    return test_end("shadow");
+}
