@@ -259,9 +259,13 @@ static int compare_layers(const burnish_tile *fast, const expected_layers *expec
         const int wanted =
             expected->counts[i] < BURNISH_LAYERS_MAX ? expected->counts[i] : BURNISH_LAYERS_MAX;
         *seen += count;
-        wrong += count != wanted ||
-                 memcmp(fast->layers->items + (size_t)at * BURNISH_LAYERS_MAX, expected->items[i],
-                        (size_t)count * sizeof(burnish_layer)) != 0;
+        wrong += count != wanted;
+        for (int k = 0; k < count && k < wanted; ++k) {
+            const size_t item =
+                burnish_layer_index(fast->layers, at) + (size_t)(k * fast->layers->block_samples);
+            wrong += memcmp(&fast->layers->items[item], &expected->items[i][k],
+                            sizeof(burnish_layer)) != 0;
+        }
     }
     return wrong;
 }

@@ -69,14 +69,16 @@ static void append_fragment(const burnish_tile *tile, const burnish_raster_view 
 static void append_pixel(const burnish_tile *tile, const burnish_raster_view *view,
                          const burnish_geometry *geometry, int layer, int pixel,
                          burnish_fragments *fragments) {
+    const burnish_tile_layers *layers = tile->layers;
     const int samples = tile->options.samples;
     const int first = burnish_sample_index(samples, pixel, 0);
     uint32_t shown[BURNISH_MAX_SAMPLES];
     unsigned left = 0;
     for (int s = 0, at = first; s < samples; ++s, at += BURNISH_BLOCK_PIXELS) {
-        if (tile->layers->counts[at] > layer) {
-            shown[s] = tile->layers->items[(size_t)at * BURNISH_LAYERS_MAX + (size_t)layer]
-                           .index_and_facing;
+        if (layers->counts[at] > layer) {
+            const size_t nearest = burnish_layer_index(layers, at);
+            shown[s] =
+                layers->items[nearest + (size_t)(layer * layers->block_samples)].index_and_facing;
             left |= 1u << s;
         }
     }

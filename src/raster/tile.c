@@ -22,6 +22,8 @@ static void create_primitives(burnish_tile_primitives *primitives, size_t capaci
 static burnish_tile_layers *create_layers(size_t samples, burnish_memory *memory) {
     burnish_tile_layers *layers = burnish_allocate_zeroed(memory, 1, sizeof *layers, "layers");
     if (layers) {
+        layers->block_samples =
+            (int)(samples / (BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS)); /* a power of two */
         layers->items =
             burnish_allocate(memory, samples * BURNISH_LAYERS_MAX, sizeof *layers->items, "layers");
         layers->counts = burnish_allocate(memory, samples, sizeof *layers->counts, "layers");
