@@ -157,7 +157,7 @@ typedef struct burnish_comparison {
  *   comparison  receives the result; all 0 on error
  *   error       receives the one line of an error; may be NULL
  * The same digits on every machine, for any number of threads. Memory: 2.4 kB per pixel of a row
- * and thread.
+ * and thread, and no more threads than 128 MiB are enough for.
  * Errors: ARGUMENT (options, sizes that differ, a view that can't be read), MEMORY, CANCELLED. */
 BURNISH_API burnish_status burnish_pixels_compare(const burnish_pixels *a, const burnish_pixels *b,
                                                   const burnish_compare_options *options,

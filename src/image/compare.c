@@ -13,7 +13,8 @@
 
 enum {
     BAND_ROWS = 64,
-    OBJECT_DIFFERENCE = 4 /* codes: what differs more from the background is of the object */
+    MOST_SCRATCH = 128 << 20, /* bytes: fewer threads take part where more would need more */
+    OBJECT_DIFFERENCE = 4     /* codes: what differs more from the background is of the object */
 };
 
 /* What a band adds to the whole. */
@@ -257,12 +258,14 @@ static burnish_status run(comparer *c, burnish_comparison *found, burnish_error 
     burnish_memory memory = burnish_memory_of(c->options->context, error);
     int threads = burnish_tasks_threads(&c->tasks);
     c->band_count = (c->pair.height + BAND_ROWS - 1) / BAND_ROWS;
-    threads = threads < c->band_count ? threads : c->band_count;
     c->scratch_size =
         larger(6 * (size_t)c->pair.width,
                larger(burnish_ssim_scratch(c->pair.width), burnish_flip_scratch(c->pair.width)));
     c->scratch_size =
         (c->scratch_size + BURNISH_ALIGNMENT - 1) / BURNISH_ALIGNMENT * BURNISH_ALIGNMENT;
+    const size_t most = MOST_SCRATCH / c->scratch_size + 1;
+    threads = threads < c->band_count ? threads : c->band_count;
+    threads = (size_t)threads < most ? threads : (int)most;
     c->bands = burnish_allocate_zeroed(&memory, (size_t)c->band_count, sizeof *c->bands,
                                        "the comparison's bands");
     c->scratch =
