@@ -74,14 +74,14 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                                 .grey = {0.72f, 0.74f, 0.77f},
                                 .specular = 0.0f,
                                 .background = {255, 255, 255},
-                                .occlusion_strength = 0.8f,
+                                .occlusion_strength = 0.75f,
                                 .edges = BURNISH_EDGES_FEATURES,
                                 .edge_width = EDGE_WIDTH},
     [BURNISH_LOOK_DRAWING] = {.ambient = 1,
                               .recolors = ALL,
                               .grey = {1, 1, 1},
                               .background = {255, 255, 255},
-                              .occlusion_strength = 0.8f,
+                              .occlusion_strength = 0.75f,
                               .edges = BURNISH_EDGES_FEATURES,
                               .edge_width = EDGE_WIDTH},
     /* Dark, so that the highlight is most of what is seen. */
@@ -92,7 +92,7 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                             .grey = {0.10f, 0.10f, 0.10f},
                             .specular = 0.9f,
                             .background = {255, 255, 255},
-                            .occlusion_strength = 0.8f,
+                            .occlusion_strength = 0.75f,
                             .edge_width = EDGE_WIDTH},
 };
 

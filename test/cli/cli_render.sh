@@ -128,6 +128,13 @@ check "a closed pipe ends with 7 and a line, not a signal: $(cat ../code)" [ "$(
 cd ..
 
 # Opacity.
+# The sets of flags that the manual gives for these looks.
+same "look technical" "$(hash :knot --size=64 --look=technical --color=red)" \
+    "$(hash :knot --size=64 --look=plain --edges --light=directional:-0.45,0.75,0.85:0.5 --ambient=0.36 --specular=0 --color=red)"
+same "look drawing" "$(hash :knot --size=64 --look=drawing)" \
+    "$(hash :knot --size=64 --look=plain --edges --color=white --specular=0 --light=none --ambient=1)"
+same "look lobes" "$(hash :knot --size=64 --look=lobes --color=red)" \
+    "$(hash :knot --size=64 --look=plain --light=directional:-0.55,0.75,0.85 --specular=0.9 --color=red)"
 same "opacity 1" "$(hash :knot --size=64 --opacity=1)" "$(hash :knot --size=64)"
 check "opacity 0.5 shows" [ "$(hash :knot --size=64 --opacity=0.5)" != "$(hash :knot --size=64)" ]
 for value in 1.1 -0.1 x nan ''; do

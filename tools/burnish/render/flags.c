@@ -733,13 +733,15 @@ static const cli_term look_terms[] = {
                  "a step has the colour of what is behind it."},
     {"*plain*", "the same lights, brighter, on white, without occlusion: the fastest."},
     {"*clay*", "every surface matt and warm, strong occlusion: for shapes. Edges as *studio*."},
-    {"*technical*", "*--edges* over light, matt surfaces under one light, on white, without "
-                    "occlusion."},
-    {"*drawing*",
-     "*--edges* alone: surfaces as white as the ground. As SVG where the output ends in "
-     "*.svg*."},
-    {"*lobes*", "one light on dark surfaces, on white, without occlusion: for highlights, which "
-                "*--exponent*, *--specular* and *--lobe* change."},
+    {"*technical*", "edges over light, matt surfaces: *--look=plain --edges "
+                    "--light=directional:-0.45,0.75,0.85:0.5 --ambient=0.36 --specular=0*, on a "
+                    "light grey."},
+    {"*drawing*", "edges alone, as SVG where the output ends in *.svg*: *--look=plain --edges "
+                  "--color=white --specular=0 --light=none --ambient=1*."},
+    {"*lobes*",
+     "highlights on dark surfaces, which *--exponent*, *--lobe* and *--equation* change: "
+     "*--look=plain --light=directional:-0.55,0.75,0.85 --specular=0.9*, on a dark "
+     "grey."},
     {NULL, NULL},
 };
 
