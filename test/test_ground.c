@@ -9,6 +9,11 @@ enum { SIZE = 201 };
 
 /* As render/ground.c has it: what is left of the background where no sky is seen. */
 #define STRENGTH 0.85
+/* And what the first light adds to the rest. */
+#define LIGHT_STRENGTH 0.4
+
+/* 1: the first light, from (1, 1, 0), casts a shadow. */
+static int casts_shadow;
 
 /* Straight from above, `height` high and wide, red, green, blue and alpha of every pixel. */
 static float *draw(const burnish_mesh *mesh, double height, int transparent, int samples,
@@ -26,6 +31,8 @@ static float *draw(const burnish_mesh *mesh, double height, int transparent, int
     options.samples = samples;
     options.transparent = transparent;
     options.ground = 1;
+    options.shadow = casts_shadow;
+    options.lights[0] = (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {1, 1, 0}, {1, 1, 1}};
     options.occlusion = BURNISH_OCCLUSION_MAX;
     options.up[1] = 2;
     target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
@@ -119,6 +126,49 @@ static void test_plate(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* Of a plate 1 x 1 at height 1 the light from (1, 1, 0) makes a shadow as large around (-1, 0, 0).
+ */
+static void test_light(void) {
+    static const float positions[] = {-.5f, 1, -.5f, .5f, 1,      -.5f, .5f, 1, .5f, -.5f,  1,
+                                      .5f,  0, 0,    0,   0.001f, 0,    0,   0, 0,   0.001f};
+    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6};
+    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 7, indices, 3);
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh;
+    const double height = 4;
+    double edges[2] = {0, 0}, before = 1;
+    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    float *sky = draw(mesh, height, 0, 1, NULL);
+    casts_shadow = 1;
+    float *both = draw(mesh, height, 0, 1, NULL);
+    casts_shadow = 0;
+    for (int i = 0; i < SIZE; ++i) {
+        const double at = (i - SIZE / 2) * height / SIZE;
+        const int column = SIZE / 2 - (int)(SIZE / height + 0.5); /* x = -1 */
+        const double along =
+            (double)pixel_at(both, i, SIZE / 2)[0] / (double)pixel_at(sky, i, SIZE / 2)[0];
+        const double across =
+            (double)pixel_at(both, column, i)[0] / (double)pixel_at(sky, column, i)[0];
+        if (at > -1.05 && at < -0.65) {
+            CHECK(fabs(along - (1 - LIGHT_STRENGTH)) < 1e-3, "in the shadow %g is left", along);
+        }
+        if (at > 0.55 || at < -1.6) {
+            CHECK(fabs(along - 1) < 1e-4, "beside it %g is left", along);
+        }
+        if ((across < 0.8) != (before < 0.8)) {
+            edges[across > 0.8] = at;
+        }
+        before = across;
+    }
+    CHECK(fabs(edges[0] + 0.5) < 0.03 && fabs(edges[1] - 0.5) < 0.03, "edges at %g and %g",
+          edges[0], edges[1]);
+    free(sky);
+    free(both);
+    burnish_mesh_destroy(mesh);
+}
+
 /* Over white, a transparent picture is the opaque one. */
 static void test_transparent(void) {
     burnish_mesh *mesh = load(":teapot");
@@ -181,32 +231,43 @@ static void test_directions(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* A renderer that drew another mesh, or up axis, draws what a new one does. */
+/* A renderer that drew another mesh, up axis, shadow or width draws what a new one does. */
 static void test_renderer_again(void) {
-    static const char *const names[] = {":knot", ":torus", ":torus", ":knot"};
+    static const struct {
+        const char *name;
+        int is_turned, shadow, width;
+    } frames[] = {{":knot", 0, 0, 100},  {":torus", 0, 0, 100},  {":torus", 1, 0, 100},
+                  {":torus", 1, 1, 100}, {":torus", 1, 1, 1100}, {":torus", 1, 0, 1100},
+                  {":knot", 1, 1, 1100}};
     burnish_render_options options = burnish_render_options_default();
     burnish_framing framing = burnish_framing_default();
     burnish_renderer *kept;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_image image = {0};
-    options.width = options.height = 100;
+    options.height = 100;
     options.occlusion = 6;
     options.ground = 1;
+    burnish_mesh *mesh = load(frames[0].name);
     burnish_renderer_create(NULL, &kept, &error);
-    for (int i = 0; i < 4; ++i) {
-        burnish_mesh *mesh = load(names[i]);
+    for (size_t i = 0; i < sizeof frames / sizeof *frames; ++i) {
         burnish_image fresh;
-        options.up[2] = i > 1;
+        if (i > 0 && strcmp(frames[i].name, frames[i - 1].name) != 0) {
+            burnish_mesh_destroy(mesh);
+            mesh = load(frames[i].name);
+        }
+        options.up[2] = frames[i].is_turned;
+        options.shadow = frames[i].shadow;
+        options.width = frames[i].width;
         burnish_camera_frame(mesh, &framing, &options.camera, &error);
         CHECK(burnish_renderer_draw(kept, mesh, &options, &image, NULL, &error) ==
                       BURNISH_STATUS_OK &&
                   burnish_render(mesh, &options, &fresh, NULL, &error) == BURNISH_STATUS_OK,
               "%s", error.text);
-        CHECK(memcmp(image.pixels, fresh.pixels, 3 * 100 * 100) == 0,
-              "%s: another picture from a renderer that drew before", names[i]);
+        CHECK(memcmp(image.pixels, fresh.pixels, (size_t)(3 * 100 * options.width)) == 0,
+              "frame %zu: another picture from a renderer that drew before", i);
         burnish_image_destroy(&fresh);
-        burnish_mesh_destroy(mesh);
     }
+    burnish_mesh_destroy(mesh);
     burnish_image_destroy(&image);
     burnish_renderer_destroy(kept);
 }
@@ -231,6 +292,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_ball());
     RUN(test_plate());
+    RUN(test_light());
     RUN(test_transparent());
     RUN(test_directions());
     RUN(test_renderer_again());

@@ -108,8 +108,8 @@ typedef struct burnish_render_options {
     int ground; /* 1: the object casts the sky's shadow on the plane across `up` through its lowest
                    point. The background is darkened where it shows the plane from above; where
                    transparent, it is black, alpha the shadow */
-    int shadow; /* 1: the object casts the first light's shadow on itself; that light must be
-                   directional */
+    int shadow; /* 1: the object casts the first light's shadow on itself and the ground; that light
+                   must be directional */
     burnish_light lights[BURNISH_LIGHT_MAX];
     int light_count;       /* [0, BURNISH_LIGHT_MAX] */
     int edges;             /* a sum of BURNISH_EDGES_...; 0: none */

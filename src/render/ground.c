@@ -15,6 +15,9 @@
 /* What is left of the background where nothing of the sky is seen: 1 - STRENGTH. */
 #define STRENGTH 0.85
 
+/* What the first light adds to the ground's, as a share of what is left in its shadow. */
+#define LIGHT_STRENGTH 0.4
+
 /* Half the width of a silhouette's blur, in radii of a direction's cone: less shows silhouettes,
  * more lets light in at contacts. */
 #define CONE 1.2
@@ -75,9 +78,15 @@ int burnish_ground_is_seen(const burnish_ground *ground, const burnish_rays *ray
 
 /* ---- The texture ---- */
 
+static burnish_vec3 light_of(const burnish_shadow *shadow) {
+    return shadow ? shadow->toward : (burnish_vec3){0, 0, 0};
+}
+
 int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_mesh_view *mesh,
-                            const burnish_occlusion *occlusion) {
-    return ground->mesh == mesh->serial && ground->count == occlusion->count &&
+                            const burnish_occlusion *occlusion, const burnish_shadow *shadow) {
+    const burnish_vec3 turned = burnish_vec3_sub(ground->light, light_of(shadow));
+    return burnish_vec3_length(turned) == 0 && ground->light_size == (shadow ? shadow->size : 0) &&
+           ground->mesh == mesh->serial && ground->count == occlusion->count &&
            ground->size == occlusion->size && ground->transparent_key == occlusion->transparent_key;
 }
 
@@ -95,9 +104,10 @@ typedef struct ground_context {
     const burnish_isa_ops *ops;
     burnish_silhouette silhouettes[BURNISH_OCCLUSION_MAX];
     int count;
-    double sky;   /* sum of the silhouettes' weights */
-    float *layer; /* that is blurred */
-    int radius;   /* of the blur */
+    double sky;      /* sum of the silhouettes' weights */
+    double strength; /* what is left where all of it is hidden: 1 - strength */
+    float *layer;    /* that is blurred */
+    int radius;      /* of the blur */
 } ground_context;
 
 /* A map's row for texels of the texture. */
@@ -208,8 +218,8 @@ static double fade(double x, double y) {
     return t * t * (3 - 2 * t);
 }
 
-/* Layers to darkness. */
-static void store_rows(void *from, size_t first, size_t end) {
+/* Layers to darkness, over what is stored. */
+static void darken_rows(void *from, size_t first, size_t end) {
     const ground_context *context = from;
     const size_t texels = (size_t)SIZE * SIZE;
     for (size_t i = first * SIZE; i < end * SIZE; ++i) {
@@ -220,26 +230,56 @@ static void store_rows(void *from, size_t first, size_t end) {
         hidden /= context->sky;
         hidden = hidden < 0 ? 0 : hidden > 1 ? 1 : hidden;
         const double x = (double)(i % SIZE) - MIDDLE, y = (double)(i / SIZE) - MIDDLE;
-        context->ground->texels[i] = (uint16_t)(STRENGTH * hidden * fade(x, y) * 65535 + 0.5);
+        const double before = (double)context->ground->texels[i];
+        const double more = context->strength * hidden * fade(x, y) * (65535 - before);
+        context->ground->texels[i] = (uint16_t)(before + more + 0.5);
     }
 }
 
-static void draw_texture(ground_context *context, burnish_tasks *tasks) {
-    enum { GRAIN = 16 };
+enum { GRAIN = 16 /* rows that are worth a thread */ };
+
+static void blur(ground_context *context, int layer, int radius, burnish_tasks *tasks) {
+    context->layer = context->ground->layers + (size_t)layer * SIZE * SIZE;
+    context->radius = radius;
+    burnish_tasks_ranges(tasks, SIZE, GRAIN, blur_rows, context);
+    burnish_tasks_ranges(tasks, SIZE, GRAIN, blur_columns, context);
+}
+
+static void add_sky(ground_context *context, const burnish_occlusion *occlusion,
+                    burnish_tasks *tasks) {
+    find_silhouettes(occlusion, context);
+    context->strength = STRENGTH;
     burnish_tasks_ranges(tasks, SIZE, GRAIN, add_rows, context);
     for (int k = 1; k < BURNISH_GROUND_LAYERS; ++k) {
-        context->layer = context->ground->layers + (size_t)k * SIZE * SIZE;
-        context->radius = 1 << (k - 1);
-        burnish_tasks_ranges(tasks, SIZE, GRAIN, blur_rows, context);
-        burnish_tasks_ranges(tasks, SIZE, GRAIN, blur_columns, context);
+        blur(context, k, 1 << (k - 1), tasks);
     }
-    burnish_tasks_ranges(tasks, SIZE, GRAIN, store_rows, context);
+    burnish_tasks_ranges(tasks, SIZE, GRAIN, darken_rows, context);
+}
+
+/* Where the light stands above the plane: its silhouette, with an edge of a few texels. */
+static void add_light(ground_context *context, const burnish_shadow *shadow, burnish_tasks *tasks) {
+    const burnish_vec3 toward = shadow->toward;
+    const double origin[3] = {0, 0, 0};
+    const burnish_map_view view =
+        burnish_map_view_make(toward, burnish_space_across(toward), shadow->size);
+    const burnish_map_rows map = burnish_map_rows_make(&view, origin);
+    if (burnish_vec3_dot(toward, context->ground->up) <= LOWEST) {
+        return;
+    }
+    context->count = 1;
+    context->silhouettes[0] = silhouette_of(context->ground, &map, shadow->depths, shadow->size, 0);
+    context->silhouettes[0].weight = 1;
+    context->sky = 1;
+    context->strength = LIGHT_STRENGTH;
+    burnish_tasks_ranges(tasks, SIZE, GRAIN, add_rows, context);
+    blur(context, 0, 1, tasks);
+    burnish_tasks_ranges(tasks, SIZE, GRAIN, darken_rows, context);
 }
 
 burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops *ops,
                                    const burnish_mesh_view *mesh,
-                                   const burnish_occlusion *occlusion, burnish_tasks *tasks,
-                                   burnish_memory *memory) {
+                                   const burnish_occlusion *occlusion, const burnish_shadow *shadow,
+                                   burnish_tasks *tasks, burnish_memory *memory) {
     const size_t texels = (size_t)SIZE * SIZE;
     ground_context context = {.ground = ground, .ops = ops};
     ground->mesh = 0;
@@ -250,8 +290,11 @@ burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops
                                              "the ground's shadow");
     burnish_status status = memory->status;
     if (status == BURNISH_STATUS_OK) {
-        find_silhouettes(occlusion, &context);
-        draw_texture(&context, tasks);
+        memset(ground->texels, 0, texels * sizeof *ground->texels);
+        add_sky(&context, occlusion, tasks);
+        if (shadow) {
+            add_light(&context, shadow, tasks);
+        }
         status = burnish_tasks_check(tasks, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
@@ -259,6 +302,8 @@ burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops
         ground->count = occlusion->count;
         ground->size = occlusion->size;
         ground->transparent_key = occlusion->transparent_key;
+        ground->light = light_of(shadow);
+        ground->light_size = shadow ? shadow->size : 0;
     }
     return status;
 }

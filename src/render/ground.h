@@ -5,12 +5,14 @@
  * The shadow is the share of the sky that is hidden from points of the plane, a texture. Each of
  * the depth maps that see the mesh from below has a silhouette on the plane, which stands for a
  * cone of the sky: its edge is blurred by as much as the cone is wide where the blocker is.
- * Silhouettes are added up by width of blur, so that few blurs serve all. */
+ * Silhouettes are added up by width of blur, so that few blurs serve all. The first light's shadow,
+ * where there is one, is one more silhouette, against that light. */
 #ifndef BURNISH_RENDER_GROUND_H
 #define BURNISH_RENDER_GROUND_H
 
 #include "core/tasks.h"
 #include "render/occlusion.h"
+#include "render/shadow.h"
 #include "shading/shader.h"
 
 enum {
@@ -33,6 +35,8 @@ typedef struct burnish_ground {
     uint64_t mesh;   /* whose shadow it is, burnish_mesh_view.serial; 0: nobody's */
     int count, size; /* of the depth maps, which left out triangles as transparent_key says */
     uint64_t transparent_key;
+    burnish_vec3 light;         /* that casts a shadow; 0: none does */
+    int light_size;             /* of its depth map */
     burnish_vec3 up, across[2]; /* unit vectors; the texture's axes */
     double height;              /* of the plane: p . up, in the raster's space */
     double reach;               /* half an edge of the texture */
@@ -56,16 +60,17 @@ void burnish_ground_place(burnish_ground *ground, const burnish_mesh_view *mesh,
 int burnish_ground_is_seen(const burnish_ground *ground, const burnish_rays *rays,
                            burnish_vec3 eye);
 
-/* Whether the texture is that of the mesh, the plane and the maps. */
+/* Whether the texture is that of the mesh, the plane and the maps. shadow may be NULL. */
 int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_mesh_view *mesh,
-                            const burnish_occlusion *occlusion);
+                            const burnish_occlusion *occlusion, const burnish_shadow *shadow);
 
 /* Draws the texture of a ground that was placed.
+ *   shadow  of the first light, or NULL
  * Errors: MEMORY, CANCELLED; the texture is then nobody's. */
 burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops *ops,
                                    const burnish_mesh_view *mesh,
-                                   const burnish_occlusion *occlusion, burnish_tasks *tasks,
-                                   burnish_memory *memory);
+                                   const burnish_occlusion *occlusion, const burnish_shadow *shadow,
+                                   burnish_tasks *tasks, burnish_memory *memory);
 
 burnish_ground_view burnish_ground_look(const burnish_ground *ground, const burnish_rays *rays,
                                         burnish_vec3 eye);

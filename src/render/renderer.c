@@ -339,33 +339,6 @@ static burnish_status update_occlusion(drawing *d) {
     return status;
 }
 
-/* The ground's shadow, where the camera sees it; before what occlusion needs, whose maps it takes.
- */
-static burnish_status update_ground(drawing *d) {
-    burnish_renderer *renderer = d->renderer;
-    burnish_ground *ground = &renderer->ground;
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
-    const burnish_vec3 eye = burnish_vec3_load(d->view.eye);
-    const double origin[3] = {0, 0, 0};
-    burnish_occlusion_lookup lookup;
-    if (!d->options->ground || !d->target.pixels.pixels || mesh->triangle_count == 0) {
-        return BURNISH_STATUS_OK;
-    }
-    burnish_ground_place(ground, mesh, up_of(d));
-    d->report.ground = burnish_ground_is_seen(ground, &d->view.shading.rays, eye);
-    if (!d->report.ground) {
-        return BURNISH_STATUS_OK;
-    }
-    burnish_status status = update_maps(d, origin, &lookup);
-    if (status == BURNISH_STATUS_OK &&
-        !burnish_ground_is_drawn(ground, mesh, &renderer->occlusion)) {
-        status = burnish_ground_draw(ground, d->view.shading.ops, mesh, &renderer->occlusion,
-                                     &renderer->tasks, &d->memory);
-    }
-    d->view.ground = burnish_ground_look(ground, &d->view.shading.rays, eye);
-    return status;
-}
-
 /* The first light's depth map. */
 static burnish_status update_shadow(drawing *d) {
     burnish_renderer *renderer = d->renderer;
@@ -383,6 +356,34 @@ static burnish_status update_shadow(drawing *d) {
                                  side <= BURNISH_SHADOW_SMALL ? BURNISH_SHADOW_SMALL
                                                               : BURNISH_SHADOW_LARGE,
                                  d->view.eye, &renderer->tasks, &d->memory, &d->view.shadow);
+}
+
+/* The ground's shadow, where the camera sees it; before what occlusion needs, whose maps it takes.
+ */
+static burnish_status update_ground(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    burnish_ground *ground = &renderer->ground;
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    const burnish_vec3 eye = burnish_vec3_load(d->view.eye);
+    const double origin[3] = {0, 0, 0};
+    const burnish_shadow *shadow = d->report.shadow ? &renderer->shadow : NULL;
+    burnish_occlusion_lookup lookup;
+    if (!d->options->ground || !d->target.pixels.pixels || mesh->triangle_count == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_ground_place(ground, mesh, up_of(d));
+    d->report.ground = burnish_ground_is_seen(ground, &d->view.shading.rays, eye);
+    if (!d->report.ground) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_status status = update_maps(d, origin, &lookup);
+    if (status == BURNISH_STATUS_OK &&
+        !burnish_ground_is_drawn(ground, mesh, &renderer->occlusion, shadow)) {
+        status = burnish_ground_draw(ground, d->view.shading.ops, mesh, &renderer->occlusion,
+                                     shadow, &renderer->tasks, &d->memory);
+    }
+    d->view.ground = burnish_ground_look(ground, &d->view.shading.rays, eye);
+    return status;
 }
 
 static int marks_drawn(const drawing *d) {
@@ -499,13 +500,13 @@ static burnish_status draw(drawing *d) {
                                         &renderer->tasks, &d->memory);
     }
     if (status == BURNISH_STATUS_OK) {
+        status = update_shadow(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = update_ground(d);
     }
     if (status == BURNISH_STATUS_OK) {
         status = update_occlusion(d);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = update_shadow(d);
     }
     if (status == BURNISH_STATUS_OK) {
         status = transform(d);

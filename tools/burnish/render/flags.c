@@ -554,7 +554,8 @@ static const cli_flag flags[] = {
     {.name = "shadow",
      .aliases = "shadows,cast-shadows",
      .help = "the first light's, on the object itself",
-     .manual = "The first light casts a shadow with a soft edge on the object itself. The light "
+     .manual = "The first light casts a shadow with a soft edge on the object itself, and on the "
+               "ground of *--ground*. The light "
                "must be directional, as the looks' key light is.",
      .handler = cli_flag_switch,
      TARGET(shadow)},
