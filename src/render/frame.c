@@ -136,7 +136,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     const int is_covered = rasterize(frame, bins, worker, column, row);
     shade_layers(frame, worker);
     if (frame->output.has_planes) {
-        burnish_output_clear_planes(&frame->output, tile, &worker->sums);
+        burnish_planes_clear(&frame->output, tile, &worker->sums);
     }
     if (is_covered && frame->output.samples > 1) {
         shade_complex_pixels(frame, worker);

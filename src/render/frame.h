@@ -18,6 +18,10 @@
 burnish_status burnish_render_options_check_cookie(const burnish_render_options *options,
                                                    burnish_error *error);
 
+/* ARGUMENT, with what is wrong, for options that can't be drawn. */
+burnish_status burnish_render_options_check(const burnish_render_options *options,
+                                            burnish_error *error);
+
 /* What the look, one of the list, says of options. */
 void burnish_look_apply(burnish_look look, burnish_render_options *options);
 
@@ -100,10 +104,6 @@ typedef struct burnish_tile_sums {
     burnish_layer_light *layers;          /* in front of all that; NULL: none in this tile */
 } burnish_tile_sums;
 
-/* Writes what planes hold where nothing is to all of the tile; weights become 0. */
-void burnish_output_clear_planes(const burnish_output *output, const burnish_tile *tile,
-                                 burnish_tile_sums *sums);
-
 /* Adds the light of fragments to their pixels' sums, and writes what planes show of them: of a
  * pixel's fragments the one with most samples, of equals the first. batch: of the fragments. */
 void burnish_output_add_fragments(const burnish_output *output, const burnish_tile *tile,
@@ -120,6 +120,26 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
 /* Writes background to row `number`, which shows nothing. */
 void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
                                      int number);
+
+/* ---- Planes: depth, triangles, normals and coverage ---- */
+
+/* Whether a target has some. */
+int burnish_planes_are_wanted(const burnish_target *target);
+
+/* Writes what planes hold where nothing is to all of the tile; weights become 0. */
+void burnish_planes_clear(const burnish_output *output, const burnish_tile *tile,
+                          burnish_tile_sums *sums);
+
+/* What fragments show: of a pixel's the one with most samples, of equals the first.
+ *   weights  per pixel of the tile, samples of the fragment that planes show so far */
+void burnish_planes_store_fragments(const burnish_output *output, const burnish_tile *tile,
+                                    const burnish_fragments *fragments,
+                                    const burnish_fragment_batch *batch, uint8_t *weights);
+
+/* What the simple pixels of row `number` show, and the coverage of all. */
+void burnish_planes_store_row(const burnish_output *output, const burnish_tile *tile,
+                              const burnish_tile_sums *sums, int number,
+                              const burnish_block_row *pixels);
 
 /* ---- Frame: bands of tiles, each from visibility to pixels while it is in cache ---- */
 

@@ -835,9 +835,10 @@ static const cli_section sections[] = {
      .text = "The names of *--look*. Surfaces without a colour of their own get the look's grey.",
      .terms = look_terms},
     {.heading = "LIGHTS",
-     .text = "_SPEC_ is _KIND_:_X_,_Y_,_Z_[:_INTENSITY_[:_COLOR_]] with an intensity from 0 to "
-             "1000, 1 when left out, and a colour, white when left out. Lights have no falloff and "
-             "cast no shadows.",
+     .text =
+         "_SPEC_ is _KIND_:_X_,_Y_,_Z_[:_INTENSITY_[:_COLOR_]] with an intensity from 0 to "
+         "1000, 1 when left out, and a colour, white when left out. Lights have no falloff, and "
+         "only the first casts a shadow, with *--shadow*.",
      .terms = light_terms,
      .closing = "For example *--light=directional:-1,1,2:0.8:#fff2e0*."},
     {.heading = "FORMATS",
