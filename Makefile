@@ -68,9 +68,9 @@ asan: ## tests with the address and undefined behaviour sanitizers
 	@$(DEPS) build test check
 	@$(MAKE) --no-print-directory ctest-asan
 
-# What runs in one thread and shares nothing is left out.
+# What runs in one thread and shares nothing is left out, and so are scripts that draw what unit tests draw.
 one_thread = theory|lobe|shade_q15|kernel|elementary|srgb|numbers|layers|options|text|camera|visibility|large_triangles
-one_thread_cli = headers|abi|exports|tables|shell|sheet|cli_(figures|lobe|help|complete|bench)
+one_thread_cli = headers|abi|exports|tables|shell|sheet|cli_(figures|lobe|help|complete|bench|render|turntable|planes|info)
 tsan: ## tests with the thread sanitizer
 	@$(DEPS) build test check
 	@$(MAKE) --no-print-directory ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'"
