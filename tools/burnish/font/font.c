@@ -4,13 +4,10 @@
 
 #if BURNISH_HAS_FONTS
 
-#include <fontconfig/fontconfig.h>
-#include <fribidi.h>
-#include <hb-ot.h>
-#include <hb.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "font/libraries.h"
 #include "font/utf8.h"
 
 const int font_is_available = 1;
@@ -53,12 +50,13 @@ static int capital_height(hb_font_t *shaper, int units) {
     hb_position_t position = 0;
     hb_codepoint_t glyph;
     hb_glyph_extents_t extents;
-    if (hb_ot_metrics_get_position(shaper, HB_OT_METRICS_TAG_CAP_HEIGHT, &position) &&
+    if (font_calls.hb_ot_metrics_get_position(shaper, HB_OT_METRICS_TAG_CAP_HEIGHT, &position) &&
         position > units / 4 && position < units) {
         return position;
     }
-    if (hb_font_get_nominal_glyph(shaper, 'H', &glyph) &&
-        hb_font_get_glyph_extents(shaper, glyph, &extents) && extents.y_bearing > units / 4) {
+    if (font_calls.hb_font_get_nominal_glyph(shaper, 'H', &glyph) &&
+        font_calls.hb_font_get_glyph_extents(shaper, glyph, &extents) &&
+        extents.y_bearing > units / 4) {
         return extents.y_bearing;
     }
     return units * 7 / 10;
@@ -66,28 +64,28 @@ static int capital_height(hb_font_t *shaper, int units) {
 
 /* Adds the font of a file. Returns its index, -1 where it can't be used. */
 static int add_face(font *to, const char *path, unsigned index, int entry) {
-    hb_blob_t *blob = hb_blob_create_from_file_or_fail(path);
+    hb_blob_t *blob = font_calls.hb_blob_create_from_file_or_fail(path);
     if (!blob || to->face_count == FACES_MAX) {
-        hb_blob_destroy(blob);
+        font_calls.hb_blob_destroy(blob);
         return -1;
     }
-    hb_face_t *opened = hb_face_create(blob, index);
-    hb_blob_destroy(blob);
-    const int units = (int)hb_face_get_upem(opened);
-    if (hb_face_get_glyph_count(opened) == 0 || units < 16) {
-        hb_face_destroy(opened);
+    hb_face_t *opened = font_calls.hb_face_create(blob, index);
+    font_calls.hb_blob_destroy(blob);
+    const int units = (int)font_calls.hb_face_get_upem(opened);
+    if (font_calls.hb_face_get_glyph_count(opened) == 0 || units < 16) {
+        font_calls.hb_face_destroy(opened);
         return -1;
     }
-    hb_font_t *shaper = hb_font_create(opened);
-    hb_face_destroy(opened);
-    hb_font_set_scale(shaper, units, units);
+    hb_font_t *shaper = font_calls.hb_font_create(opened);
+    font_calls.hb_face_destroy(opened);
+    font_calls.hb_font_set_scale(shaper, units, units);
     to->faces[to->face_count] = (face){shaper, capital_height(shaper, units), entry};
     return to->face_count++;
 }
 
 static int has_glyph(const face *in, uint32_t code) {
     hb_codepoint_t glyph;
-    return hb_font_get_nominal_glyph(in->shaper, code, &glyph);
+    return font_calls.hb_font_get_nominal_glyph(in->shaper, code, &glyph);
 }
 
 /* The face of an entry of the list, opened when it is first wanted; -1 where it can't be used. */
@@ -100,10 +98,10 @@ static int face_of_entry(font *from, int entry) {
         }
     }
     FcPattern *pattern = from->list->fonts[entry];
-    if (FcPatternGetString(pattern, FC_FILE, 0, &path) != FcResultMatch) {
+    if (font_calls.FcPatternGetString(pattern, FC_FILE, 0, &path) != FcResultMatch) {
         return -1;
     }
-    FcPatternGetInteger(pattern, FC_INDEX, 0, &index);
+    font_calls.FcPatternGetInteger(pattern, FC_INDEX, 0, &index);
     return add_face(from, (const char *)path, (unsigned)index & 0xFFFF, entry);
 }
 
@@ -111,9 +109,9 @@ static int face_of_entry(font *from, int entry) {
 static int choose_face(font *from, uint32_t code) {
     for (int i = 0; from->list && i < from->list->nfont; ++i) {
         FcCharSet *characters;
-        if (FcPatternGetCharSet(from->list->fonts[i], FC_CHARSET, 0, &characters) ==
+        if (font_calls.FcPatternGetCharSet(from->list->fonts[i], FC_CHARSET, 0, &characters) ==
                 FcResultMatch &&
-            FcCharSetHasChar(characters, code)) {
+            font_calls.FcCharSetHasChar(characters, code)) {
             const int index = face_of_entry(from, i);
             if (index >= 0 && has_glyph(&from->faces[index], code)) {
                 return index;
@@ -130,7 +128,8 @@ static int choose_face(font *from, uint32_t code) {
 
 /* What follows the character before it into its run: marks, joiners, blanks. */
 static int is_follower(uint32_t code) {
-    switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), code)) {
+    switch (
+        font_calls.hb_unicode_general_category(font_calls.hb_unicode_funcs_get_default(), code)) {
     case HB_UNICODE_GENERAL_CATEGORY_FORMAT:
     case HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK:
     case HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK:
@@ -159,10 +158,10 @@ static void find_levels(line *made) {
     FriBidiCharType types[CODES_MAX];
     FriBidiBracketType brackets[CODES_MAX];
     FriBidiParType direction = FRIBIDI_PAR_ON;
-    fribidi_get_bidi_types(made->codes, made->count, types);
-    fribidi_get_bracket_types(made->codes, made->count, types, brackets);
-    if (fribidi_get_par_embedding_levels_ex(types, brackets, made->count, &direction,
-                                            made->levels) == 0) {
+    font_calls.fribidi_get_bidi_types(made->codes, made->count, types);
+    font_calls.fribidi_get_bracket_types(made->codes, made->count, types, brackets);
+    if (font_calls.fribidi_get_par_embedding_levels_ex(types, brackets, made->count, &direction,
+                                                       made->levels) == 0) {
         memset(made->levels, 0, sizeof made->levels);
     }
 }
@@ -173,7 +172,8 @@ static void find_runs(font *from, line *made) {
     for (int i = 0; i < made->count; ++i) {
         run *last = made->run_count > 0 ? &made->runs[made->run_count - 1] : NULL;
         const uint32_t code = made->codes[i];
-        const hb_script_t own = hb_unicode_script(hb_unicode_funcs_get_default(), code);
+        const hb_script_t own =
+            font_calls.hb_unicode_script(font_calls.hb_unicode_funcs_get_default(), code);
         const int is_shared =
             own == HB_SCRIPT_COMMON || own == HB_SCRIPT_INHERITED || own == HB_SCRIPT_UNKNOWN;
         const int follows =
@@ -258,11 +258,11 @@ static void cubic_to(hb_draw_funcs_t *functions, void *with, hb_draw_state_t *st
 }
 
 static hb_draw_funcs_t *make_draw_functions(void) {
-    hb_draw_funcs_t *made = hb_draw_funcs_create();
-    hb_draw_funcs_set_move_to_func(made, move_to, NULL, NULL);
-    hb_draw_funcs_set_line_to_func(made, line_to, NULL, NULL);
-    hb_draw_funcs_set_quadratic_to_func(made, conic_to, NULL, NULL);
-    hb_draw_funcs_set_cubic_to_func(made, cubic_to, NULL, NULL);
+    hb_draw_funcs_t *made = font_calls.hb_draw_funcs_create();
+    font_calls.hb_draw_funcs_set_move_to_func(made, move_to, NULL, NULL);
+    font_calls.hb_draw_funcs_set_line_to_func(made, line_to, NULL, NULL);
+    font_calls.hb_draw_funcs_set_quadratic_to_func(made, conic_to, NULL, NULL);
+    font_calls.hb_draw_funcs_set_cubic_to_func(made, cubic_to, NULL, NULL);
     return made;
 }
 
@@ -272,18 +272,20 @@ static double set_run(const face *in, const line *of, const run *which, pen *wit
     unsigned count = 0;
     double x = 0, y = 0;
     const double start = with->x;
-    hb_buffer_clear_contents(buffer);
-    hb_buffer_add_utf32(buffer, of->codes, of->count, (unsigned)which->start, which->count);
-    hb_buffer_set_direction(buffer, which->level % 2 ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
-    hb_buffer_set_script(buffer, which->script);
-    hb_shape(in->shaper, buffer, NULL, 0);
-    const hb_glyph_info_t *glyphs = hb_buffer_get_glyph_infos(buffer, &count);
-    const hb_glyph_position_t *positions = hb_buffer_get_glyph_positions(buffer, &count);
+    font_calls.hb_buffer_clear_contents(buffer);
+    font_calls.hb_buffer_add_utf32(buffer, of->codes, of->count, (unsigned)which->start,
+                                   which->count);
+    font_calls.hb_buffer_set_direction(buffer,
+                                       which->level % 2 ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
+    font_calls.hb_buffer_set_script(buffer, which->script);
+    font_calls.hb_shape(in->shaper, buffer, NULL, 0);
+    const hb_glyph_info_t *glyphs = font_calls.hb_buffer_get_glyph_infos(buffer, &count);
+    const hb_glyph_position_t *positions = font_calls.hb_buffer_get_glyph_positions(buffer, &count);
     for (unsigned i = 0; i < count; ++i) {
         with->x = start + x + positions[i].x_offset;
         with->y = y + positions[i].y_offset;
         if (with->take) {
-            hb_font_get_glyph_shape(in->shaper, glyphs[i].codepoint, functions, with);
+            font_calls.hb_font_get_glyph_shape(in->shaper, glyphs[i].codepoint, functions, with);
         }
         x += positions[i].x_advance;
         y += positions[i].y_advance;
@@ -295,7 +297,7 @@ static int32_t set_line(void *user_data, const char *text, size_t length, int he
                         burnish_take_outline *take, void *context) {
     font *from = user_data;
     line *made = malloc(sizeof *made);
-    hb_buffer_t *buffer = hb_buffer_create();
+    hb_buffer_t *buffer = font_calls.hb_buffer_create();
     hb_draw_funcs_t *functions = make_draw_functions();
     double pixels = 0; /* in 1/256 */
     if (made) {
@@ -311,8 +313,8 @@ static int32_t set_line(void *user_data, const char *text, size_t length, int he
         with.x = pixels / with.scale;
         pixels += set_run(in, made, &made->runs[i], &with, functions, buffer) * with.scale;
     }
-    hb_draw_funcs_destroy(functions);
-    hb_buffer_destroy(buffer);
+    font_calls.hb_draw_funcs_destroy(functions);
+    font_calls.hb_buffer_destroy(buffer);
     free(made);
     return (int32_t)(pixels + 0.5);
 }
@@ -322,15 +324,16 @@ static int32_t set_line(void *user_data, const char *text, size_t length, int he
 /* The system's fonts with outlines, sans-serif first, each that adds characters. */
 static void list_fonts(font *to) {
     FcResult result;
-    FcPattern *wanted = FcNameParse((const FcChar8 *)"sans-serif:outline=true:scalable=true");
-    to->config = FcInitLoadConfigAndFonts();
+    FcPattern *wanted =
+        font_calls.FcNameParse((const FcChar8 *)"sans-serif:outline=true:scalable=true");
+    to->config = font_calls.FcInitLoadConfigAndFonts();
     if (to->config && wanted) {
-        FcConfigSubstitute(to->config, wanted, FcMatchPattern);
-        FcDefaultSubstitute(wanted);
-        to->list = FcFontSort(to->config, wanted, FcTrue, NULL, &result);
+        font_calls.FcConfigSubstitute(to->config, wanted, FcMatchPattern);
+        font_calls.FcDefaultSubstitute(wanted);
+        to->list = font_calls.FcFontSort(to->config, wanted, FcTrue, NULL, &result);
     }
     if (wanted) {
-        FcPatternDestroy(wanted);
+        font_calls.FcPatternDestroy(wanted);
     }
     for (int i = 0; to->list && i < to->list->nfont && to->face_count == 0; ++i) {
         face_of_entry(to, i);
@@ -338,8 +341,12 @@ static void list_fonts(font *to) {
 }
 
 burnish_status font_open(const char *file, font **opened, burnish_error *error) {
-    font *made = calloc(1, sizeof *made);
     *opened = NULL;
+    const burnish_status status = font_load_libraries(error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    font *made = calloc(1, sizeof *made);
     if (!made) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for a font");
     }
@@ -367,13 +374,13 @@ void font_close(font *opened) {
         return;
     }
     for (int i = 0; i < opened->face_count; ++i) {
-        hb_font_destroy(opened->faces[i].shaper);
+        font_calls.hb_font_destroy(opened->faces[i].shaper);
     }
     if (opened->list) {
-        FcFontSetDestroy(opened->list);
+        font_calls.FcFontSetDestroy(opened->list);
     }
     if (opened->config) {
-        FcConfigDestroy(opened->config);
+        font_calls.FcConfigDestroy(opened->config);
     }
     free(opened);
 }

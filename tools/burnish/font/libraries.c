@@ -1,0 +1,59 @@
+#if BURNISH_HAS_FONTS
+
+#include "font/libraries.h"
+
+#include <dlfcn.h>
+#include <string.h>
+
+#include "cli/options.h"
+
+font_library_calls font_calls;
+
+/* By the name of their binary interface, which the headers are of. */
+#define HARFBUZZ_FILE "libharfbuzz.so.0"
+#define FRIBIDI_FILE "libfribidi.so.0"
+#define FONTCONFIG_FILE "libfontconfig.so.1"
+
+static burnish_status load(const char *library, void **handle, burnish_error *error) {
+    *handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
+    return *handle ? BURNISH_STATUS_OK
+                   : cli_fail(error, BURNISH_STATUS_READ,
+                              "%s, which fonts need, can't be loaded; install it", library);
+}
+
+/* C has no conversion from an object's address to a function's; POSIX has their bytes alike. */
+static burnish_status find(void *handle, const char *library, const char *name, void *call,
+                           burnish_error *error) {
+    void *const address = dlsym(handle, name);
+    memcpy(call, &address, sizeof address);
+    return address ? BURNISH_STATUS_OK
+                   : cli_fail(error, BURNISH_STATUS_READ, "%s has no %s; install a newer version",
+                              library, name);
+}
+
+burnish_status font_load_libraries(burnish_error *error) {
+    font_library_calls found;
+    void *handle;
+    burnish_status status = load(HARFBUZZ_FILE, &handle, error);
+#define FIND(library, name)                                                                        \
+    status =                                                                                       \
+        status == BURNISH_STATUS_OK ? find(handle, library, #name, &found.name, error) : status;
+#define FIND_HARFBUZZ(name) FIND(HARFBUZZ_FILE, name)
+#define FIND_FRIBIDI(name) FIND(FRIBIDI_FILE, name)
+#define FIND_FONTCONFIG(name) FIND(FONTCONFIG_FILE, name)
+    FONT_HARFBUZZ_CALLS(FIND_HARFBUZZ)
+    status = status == BURNISH_STATUS_OK ? load(FRIBIDI_FILE, &handle, error) : status;
+    FONT_FRIBIDI_CALLS(FIND_FRIBIDI)
+    status = status == BURNISH_STATUS_OK ? load(FONTCONFIG_FILE, &handle, error) : status;
+    FONT_FONTCONFIG_CALLS(FIND_FONTCONFIG)
+    if (status == BURNISH_STATUS_OK) {
+        font_calls = found;
+    }
+    return status;
+}
+
+#else
+
+typedef int font_libraries_are_left_out; /* a file may not be empty */
+
+#endif
