@@ -381,6 +381,32 @@ cJSON *cli_json_array(size_t size, cJSON *(*make)(const void *values, size_t ind
     return array;
 }
 
+static cJSON *real_at(const void *values, size_t i) {
+    return cli_json_real(((const double *)values)[i]);
+}
+static cJSON *float_at(const void *values, size_t i) {
+    return cli_json_float(((const float *)values)[i]);
+}
+static cJSON *integer_at(const void *values, size_t i) {
+    return cJSON_CreateNumber(((const int *)values)[i]);
+}
+static cJSON *text_at(const void *values, size_t i) {
+    return cli_json_text(((char *const *)values)[i]);
+}
+
+cJSON *cli_json_reals(size_t size, const double *values) {
+    return cli_json_array(size, real_at, values);
+}
+cJSON *cli_json_floats(size_t size, const float *values) {
+    return cli_json_array(size, float_at, values);
+}
+cJSON *cli_json_integers(size_t size, const int *values) {
+    return cli_json_array(size, integer_at, values);
+}
+cJSON *cli_json_texts(size_t size, char *const *values) {
+    return cli_json_array(size, text_at, values);
+}
+
 static cJSON *cell_json(const cli_column *column, const cli_value *cell) {
     return column->is_text     ? cli_json_text(cell->text)
            : column->is_yes_no ? cJSON_CreateBool(cell->number != 0)

@@ -103,6 +103,10 @@ cJSON *cli_json_text(const char *text);
 /* An array of the `size` items that make(values, i) gives; NULL when out of memory. */
 cJSON *cli_json_array(size_t size, cJSON *(*make)(const void *values, size_t index),
                       const void *values);
+cJSON *cli_json_reals(size_t size, const double *values);
+cJSON *cli_json_floats(size_t size, const float *values);
+cJSON *cli_json_integers(size_t size, const int *values);
+cJSON *cli_json_texts(size_t size, char *const *values);
 
 /* Prints and deletes the object. Errors: MEMORY, also where `failed` is set. */
 burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error);

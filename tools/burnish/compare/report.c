@@ -5,6 +5,7 @@
 #include "cli/output.h"
 #include "compare/compare.h"
 #include "render/camera.h"
+#include "render/report.h"
 
 /* ---- Facts of meshes ---- */
 
@@ -71,13 +72,6 @@ static void print_facts(FILE *stream, const comparison *c) {
 
 /* ---- JSON ---- */
 
-static cJSON *real_at(const void *values, size_t i) {
-    return cli_json_real(((const double *)values)[i]);
-}
-static cJSON *text_at(const void *values, size_t i) {
-    return cli_json_text(((char *const *)values)[i]);
-}
-
 static cJSON *facts_object(const compare_side *side, int *failed) {
     cJSON *object = cJSON_CreateObject();
     fact facts[FACTS];
@@ -85,16 +79,6 @@ static cJSON *facts_object(const compare_side *side, int *failed) {
     for (int i = 0; i < FACTS; ++i) {
         cli_json_add(object, facts[i].key, cli_json_real(facts[i].value), failed);
     }
-    return object;
-}
-
-static cJSON *camera_object(const burnish_camera *camera, int *failed) {
-    cJSON *object = cJSON_CreateObject();
-    cli_json_add(object, "position", cli_json_array(3, real_at, camera->position), failed);
-    cli_json_add(object, "focal_point", cli_json_array(3, real_at, camera->focal_point), failed);
-    cli_json_add(object, "view_up", cli_json_array(3, real_at, camera->view_up), failed);
-    cli_json_add(object, "view_angle", cli_json_real(camera->view_angle), failed);
-    cli_json_add(object, "orthographic_height", cli_json_real(camera->orthographic_height), failed);
     return object;
 }
 
@@ -110,11 +94,10 @@ static void add_side(cJSON *root, const comparison *c, int i, int *failed) {
         char lobe[32];
         burnish_lobe_spec_name(&side->cell.lobe, lobe, sizeof lobe);
         cli_json_add(object, "lobe", cJSON_CreateString(lobe), failed);
-        cli_json_add(object, "camera", camera_object(&side->cell.camera, failed), failed);
+        cli_json_add(object, "camera", render_camera_object(&side->cell.camera, failed), failed);
         cli_json_add(object, "facts", facts_object(side, failed), failed);
         cli_json_add(object, "warnings",
-                     cli_json_array(side->result.warning_count, text_at, side->result.warnings),
-                     failed);
+                     cli_json_texts(side->result.warning_count, side->result.warnings), failed);
     }
     cli_json_add(root, i == 0 ? "a" : "b", object, failed);
 }

@@ -127,12 +127,6 @@ static const char *format_name(const report *r) {
 
 /* ---- JSON ---- */
 
-static cJSON *real_at(const void *values, size_t i) {
-    return cli_json_real(((const double *)values)[i]);
-}
-static cJSON *single_at(const void *values, size_t i) {
-    return cli_json_float(((const float *)values)[i]);
-}
 static cJSON *warning_at(const void *mesh, size_t i) {
     return cli_json_text(burnish_mesh_warning(mesh, i));
 }
@@ -140,13 +134,13 @@ static cJSON *warning_at(const void *mesh, size_t i) {
 static void add_sizes(cJSON *root, const report *r, int *failed) {
     const burnish_mesh_facts *f = r->facts;
     cJSON *box = cJSON_CreateObject();
-    cli_json_add(box, "min", cli_json_array(3, single_at, r->view->bounds_min), failed);
-    cli_json_add(box, "max", cli_json_array(3, single_at, r->view->bounds_max), failed);
-    cli_json_add(box, "size", cli_json_array(3, single_at, r->size), failed);
+    cli_json_add(box, "min", cli_json_floats(3, r->view->bounds_min), failed);
+    cli_json_add(box, "max", cli_json_floats(3, r->view->bounds_max), failed);
+    cli_json_add(box, "size", cli_json_floats(3, r->size), failed);
     cli_json_add(root, "bounding_box", box, failed);
     cli_json_add(root, "area", cli_json_real(f->area), failed);
     cli_json_add(root, "volume", cli_json_real(f->volume), failed);
-    cli_json_add(root, "center_of_mass", cli_json_array(3, real_at, f->center_of_mass), failed);
+    cli_json_add(root, "center_of_mass", cli_json_reals(3, f->center_of_mass), failed);
 }
 
 static void add_counts(cJSON *root, const burnish_mesh_facts *f, int *failed) {

@@ -27,13 +27,6 @@ picture_verdict picture_judge(const picture_rule *rule, const burnish_comparison
 
 /* ---- JSON ---- */
 
-static cJSON *integer_at(const void *values, size_t i) {
-    return cJSON_CreateNumber(((const int *)values)[i]);
-}
-static cJSON *real_at(const void *values, size_t i) {
-    return cli_json_real(((const double *)values)[i]);
-}
-
 void picture_add_verdict(cJSON *object, const picture_rule *rule, const picture_verdict *verdict,
                          int *failed) {
     const burnish_comparison *n = &verdict->numbers;
@@ -49,11 +42,10 @@ void picture_add_verdict(cJSON *object, const picture_rule *rule, const picture_
     cli_json_add(object, "different_pixels", cli_json_count((size_t)n->different_pixels), failed);
     cli_json_add(object, "different_share", cli_json_real(share_of_pixels(n)), failed);
     cli_json_add(object, "different_bounds",
-                 n->different_pixels > 0 ? cli_json_array(4, integer_at, n->bounds)
-                                         : cJSON_CreateNull(),
+                 n->different_pixels > 0 ? cli_json_integers(4, n->bounds) : cJSON_CreateNull(),
                  failed);
-    cli_json_add(object, "largest_difference", cli_json_array(4, integer_at, n->largest), failed);
-    cli_json_add(object, "mean_difference", cli_json_array(4, real_at, n->mean), failed);
+    cli_json_add(object, "largest_difference", cli_json_integers(4, n->largest), failed);
+    cli_json_add(object, "mean_difference", cli_json_reals(4, n->mean), failed);
     cli_json_add(object, "mean_squared_error", cli_json_real(n->mean_squared_error), failed);
     cli_json_add(object, "psnr", cli_json_real(n->psnr), failed);
     cli_json_add(object, "ssim", cli_json_real(n->ssim), failed);

@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-#include "render/up.h"
-
 /* A right-handed frame for every up axis: right x up = front, front is toward the viewer. */
 typedef struct frame {
     const char *name;
@@ -57,7 +55,7 @@ static const frame *frame_in_use(const burnish_mesh *mesh, const render_settings
     for (int i = UP_POSITIVE_X; i <= UP_NEGATIVE_Z; ++i) {
         nearest = dot(frames[i].up, up) > dot(frames[nearest].up, up) ? i : nearest;
     }
-    if (settings->up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh))) {
+    if (settings->up == UP_AUTO && settings->stands_otherwise) {
         nearest = nearest == UP_POSITIVE_Y ? UP_POSITIVE_Z : UP_POSITIVE_Y;
     }
     return &frames[nearest];

@@ -15,6 +15,7 @@
 #include "render/report.h"
 #include "render/settings.h"
 #include "render/turntable.h"
+#include "render/up.h"
 
 static double seconds_now(void) {
     struct timespec now;
@@ -141,18 +142,19 @@ static burnish_status draw_pixels(render_result *result, burnish_renderer *rende
     options->lobe = cell->lobe;
     options->camera = cell->camera;
     render_upward(result->mesh, result->settings, options->up);
-    options->counts = result->settings->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
     burnish_status status = render_draw(result, renderer, options, cell, depth, error);
     result->seconds.transform += cell->report.seconds_transform;
     result->seconds.draw += cell->report.seconds_draw;
     return status;
 }
 
-/* What a turntable draws its frames by: it has no annotations, so that no depth is wanted. */
+/* What a turntable draws its frames by: without annotations, so that no depth is wanted, and for
+ * no report. */
 static burnish_status draw_frame(render_result *result, burnish_renderer *renderer,
                                  burnish_render_options *options, render_cell *cell,
                                  burnish_error *error) {
     float *depth = NULL;
+    options->counts = BURNISH_COUNTS_PIXELS;
     burnish_status status = draw_pixels(result, renderer, options, cell, &depth, error);
     free(depth);
     return status;
@@ -162,6 +164,7 @@ burnish_status render_draw_cell(render_result *result, burnish_renderer *rendere
                                 burnish_render_options *options, render_cell *cell,
                                 burnish_error *error) {
     float *depth = NULL;
+    options->counts = result->settings->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
     burnish_status status = draw_pixels(result, renderer, options, cell, &depth, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -459,10 +462,10 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
                                        : write_picture(result, error);
 }
 
-/* Loads the mesh and prints its warnings. */
-static burnish_status load(render_result *result, burnish_error *error) {
+/* Loads the mesh, prints its warnings and settles which way is up. */
+static burnish_status load(render_result *result, render_settings *settings, burnish_error *error) {
     burnish_mesh *mesh = NULL;
-    burnish_status status = render_load(result->settings, &mesh, error);
+    burnish_status status = render_load(settings, &mesh, error);
     result->mesh = mesh;
     result->seconds.load = seconds_now() - result->start;
     if (status != BURNISH_STATUS_OK) {
@@ -477,12 +480,13 @@ static burnish_status load(render_result *result, burnish_error *error) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    return render_adjust_materials(result->settings, mesh, error);
+    settings->stands_otherwise =
+        settings->up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh));
+    return render_adjust_materials(settings, mesh, error);
 }
 
-static burnish_status render(render_result *result, burnish_render_options *options,
-                             burnish_error *error) {
-    const render_settings *settings = result->settings;
+static burnish_status render(render_result *result, render_settings *settings,
+                             burnish_render_options *options, burnish_error *error) {
     burnish_image sheet = {0};
     burnish_renderer *renderer = NULL;
     describe_cells(result);
@@ -495,7 +499,7 @@ static burnish_status render(render_result *result, burnish_render_options *opti
         status = render_read_reference(result, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = load(result, error);
+        status = load(result, settings, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_create(NULL, &renderer, error);
@@ -549,7 +553,7 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
         (settings->views.count > 0 ? settings->views.count : 1) * settings->lobes.count;
     result.columns = choose_columns(settings, result.cell_count);
     result.cells = calloc(result.cell_count, sizeof *result.cells);
-    status = result.cells ? render(&result, &options, error)
+    status = result.cells ? render(&result, settings, &options, error)
                           : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu pictures",
                                      result.cell_count);
     if (status == BURNISH_STATUS_OK && result.blank_cells > 0 && settings->fail_on_blank) {

@@ -42,24 +42,11 @@ static cJSON *hash_text(uint64_t hash) {
     return cJSON_CreateString(text);
 }
 
-static cJSON *real_at(const void *values, size_t i) {
-    return cli_json_real(((const double *)values)[i]);
-}
-static cJSON *single_at(const void *values, size_t i) {
-    return cli_json_float(((const float *)values)[i]);
-}
-static cJSON *integer_at(const void *values, size_t i) {
-    return cJSON_CreateNumber(((const int *)values)[i]);
-}
-static cJSON *text_at(const void *values, size_t i) {
-    return cli_json_text(((char *const *)values)[i]);
-}
-
-static cJSON *camera_object(const burnish_camera *camera, int *failed) {
+cJSON *render_camera_object(const burnish_camera *camera, int *failed) {
     cJSON *object = cJSON_CreateObject();
-    cli_json_add(object, "position", cli_json_array(3, real_at, camera->position), failed);
-    cli_json_add(object, "focal_point", cli_json_array(3, real_at, camera->focal_point), failed);
-    cli_json_add(object, "view_up", cli_json_array(3, real_at, camera->view_up), failed);
+    cli_json_add(object, "position", cli_json_reals(3, camera->position), failed);
+    cli_json_add(object, "focal_point", cli_json_reals(3, camera->focal_point), failed);
+    cli_json_add(object, "view_up", cli_json_reals(3, camera->view_up), failed);
     cli_json_add(object, "view_angle", cli_json_real(camera->view_angle), failed);
     cli_json_add(object, "orthographic_height", cli_json_real(camera->orthographic_height), failed);
     return object;
@@ -86,7 +73,7 @@ static cJSON *exponents_array(const burnish_mesh *mesh) {
             values[kept++] = values[i];
         }
     }
-    cJSON *array = cli_json_array(kept, single_at, values);
+    cJSON *array = cli_json_floats(kept, values);
     free(values);
     return array;
 }
@@ -103,13 +90,12 @@ static void add_picture(cJSON *object, const render_cell *cell, int *failed) {
     cli_json_add(object, "hidden", cli_json_real(cell->report.hidden_share), failed);
     cli_json_add(object, "covered_pixels", cli_json_count(cell->report.covered_pixels), failed);
     cli_json_add(object, "layers_dropped", cli_json_count(cell->report.layers_dropped), failed);
-    cli_json_add(object, "pixel_bounds", cli_json_array(4, integer_at, cell->report.bounds),
-                 failed);
+    cli_json_add(object, "pixel_bounds", cli_json_integers(4, cell->report.bounds), failed);
     cli_json_add(object, "near_white", cli_json_real(cell->tones.near_white), failed);
     cli_json_add(object, "near_black", cli_json_real(cell->tones.near_black), failed);
     cli_json_add(object, "like_ground", cli_json_real(cell->tones.like_ground), failed);
     cli_json_add(object, "contrast", cli_json_real(cell->tones.contrast), failed);
-    cli_json_add(object, "camera", camera_object(&cell->camera, failed), failed);
+    cli_json_add(object, "camera", render_camera_object(&cell->camera, failed), failed);
     const double height = cell->camera.orthographic_height;
     cli_json_add(object, "pixels_per_unit",
                  cli_json_real(height > 0 ? cell->image.height / height : (double)NAN), failed);
@@ -145,7 +131,7 @@ static void add_cuts(cJSON *root, const burnish_mesh_view *view, int *failed) {
         const burnish_clip_plane *plane = &view->cuts[i];
         const double values[4] = {plane->normal[0], plane->normal[1], plane->normal[2],
                                   plane->offset};
-        cJSON *cut = cli_json_array(4, real_at, values);
+        cJSON *cut = cli_json_reals(4, values);
         if (!cut || !cJSON_AddItemToArray(cuts, cut)) {
             cJSON_Delete(cut);
             *failed = 1;
@@ -174,8 +160,8 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(result->mesh)),
                  failed);
     cli_json_add(root, "exponents", exponents_array(result->mesh), failed);
-    cli_json_add(box, "min", cli_json_array(3, single_at, view->bounds_min), failed);
-    cli_json_add(box, "max", cli_json_array(3, single_at, view->bounds_max), failed);
+    cli_json_add(box, "min", cli_json_floats(3, view->bounds_min), failed);
+    cli_json_add(box, "max", cli_json_floats(3, view->bounds_max), failed);
     cli_json_add(root, "bounding_box", box, failed);
     add_cuts(root, view, failed);
     cli_json_add(root, "up", cJSON_CreateString(render_up_name(result->mesh, result->settings)),
@@ -252,8 +238,7 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "hash_algorithm", cJSON_CreateString("xxh64"), failed);
     cli_json_add(root, "blank", cJSON_CreateBool(result->blank_cells > 0), failed);
     render_add_reference(root, result, failed);
-    cli_json_add(root, "warnings", cli_json_array(result->warning_count, text_at, result->warnings),
-                 failed);
+    cli_json_add(root, "warnings", cli_json_texts(result->warning_count, result->warnings), failed);
 }
 
 static burnish_status print_json(FILE *stream, const render_result *result, burnish_error *error) {

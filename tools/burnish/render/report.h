@@ -68,6 +68,9 @@ __attribute__((format(printf, 3, 4))) void render_result_warn(render_result *res
  * those of burnish_mesh_clip. */
 burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_error *error);
 
+/* A camera in JSON; NULL when out of memory. *failed becomes 1 where a part of it is missing. */
+cJSON *render_camera_object(const burnish_camera *camera, int *failed);
+
 /* Writes the JSON object where --json says. Errors: MEMORY, WRITE. */
 burnish_status render_write_json(const render_result *result, burnish_error *error);
 

@@ -106,7 +106,8 @@ typedef struct render_settings {
     const char *font; /* file; NULL: the system's, where a label needs one */
     int cull_back_faces;
 
-    int up; /* render_up */
+    int up;               /* render_up */
+    int stands_otherwise; /* what UP_AUTO guessed, once the mesh is loaded */
     cli_vector direction, position, focal_point, view_up;
     cli_real azimuth, elevation, view_angle, zoom, margin;
     int projection; /* render_projection */

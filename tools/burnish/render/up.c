@@ -69,9 +69,8 @@ static void measure_reach(const burnish_mesh_view *view, int axis, const double 
     }
 }
 
-double render_tipping(const burnish_mesh_view *view, int axis) {
-    double center[3], reach[DIRECTIONS], least = DBL_MAX;
-    find_center(view, center);
+static double tipping(const burnish_mesh_view *view, int axis, const double center[3]) {
+    double reach[DIRECTIONS], least = DBL_MAX;
     measure_reach(view, axis, center, reach);
     for (int i = 0; i < DIRECTIONS; ++i) {
         least = reach[i] < least ? reach[i] : least;
@@ -80,8 +79,16 @@ double render_tipping(const burnish_mesh_view *view, int axis) {
     return rise > 0 ? least / rise : least > 0 ? DBL_MAX : -1;
 }
 
+double render_tipping(const burnish_mesh_view *view, int axis) {
+    double center[3];
+    find_center(view, center);
+    return tipping(view, axis, center);
+}
+
 int render_stands_otherwise(const burnish_mesh_view *view) {
     const int usual = view->up_axis[1] > 0.5F ? 1 : view->up_axis[2] > 0.5F ? 2 : 0;
-    return usual != 0 && render_tipping(view, usual) < DOUBTED &&
-           render_tipping(view, 3 - usual) >= BELIEVED;
+    double center[3];
+    find_center(view, center);
+    return usual != 0 && tipping(view, usual, center) < DOUBTED &&
+           tipping(view, 3 - usual, center) >= BELIEVED;
 }
