@@ -146,7 +146,19 @@ burnish_annotations render_make_annotations(const burnish_mesh *mesh,
     return annotations;
 }
 
-/* burnish_camera_frame with room for annotations. */
+/* What the shadows on the ground need: the sky's falls on all sides, the key light's to the right.
+ * Wide enough for a cube; of what stands higher the shadow's end is left out. */
+static const double ground_inset[4] = {0.08, 0.08, 0.1, 0};
+#define KEY_SHADOW_INSET 0.16
+
+static void add_ground_inset(const render_settings *settings, double inset[4]) {
+    for (int k = 0; k < 4 && settings->ground; ++k) {
+        const double room = k == 1 && settings->shadow ? KEY_SHADOW_INSET : ground_inset[k];
+        inset[k] = inset[k] > room ? inset[k] : room;
+    }
+}
+
+/* burnish_camera_frame with room for annotations and shadows. */
 static burnish_status frame_with_room(const burnish_mesh *mesh, const render_settings *settings,
                                       const burnish_framing *options, render_room *room,
                                       burnish_camera *camera, burnish_error *error) {
@@ -156,6 +168,9 @@ static burnish_status frame_with_room(const burnish_mesh *mesh, const render_set
         const burnish_annotations annotations = render_make_annotations(mesh, settings);
         status = burnish_annotate_inset(mesh, &annotations, options, settings->size[0],
                                         settings->size[1], room->inset, error);
+    }
+    if (!room->is_given) {
+        add_ground_inset(settings, room->inset);
     }
     memcpy(framing.inset, room->inset, sizeof framing.inset);
     return status == BURNISH_STATUS_OK ? burnish_camera_frame(mesh, &framing, camera, error)

@@ -546,9 +546,11 @@ static const cli_flag flags[] = {
      .aliases = "contact-shadow,ground-shadow",
      .common = 1,
      .help = "a soft shadow below the object",
-     .manual = "A soft shadow on the plane through the object's lowest point, across the up axis, "
-               "where the camera is above it. The plane itself is not seen: the background is "
-               "darkened, and a transparent one becomes black with the shadow as its alpha.",
+     .manual =
+         "A soft shadow on the plane through the object's lowest point, across the up axis, "
+         "where the camera is above it. The plane itself is not seen: the background is "
+         "darkened, and a transparent one becomes black with the shadow as its alpha. Framing "
+         "leaves room for it, and more on the right with *--shadow*.",
      .handler = cli_flag_switch,
      TARGET(ground)},
     {.name = "shadow",
