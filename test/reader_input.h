@@ -51,13 +51,17 @@ static inline burnish_status read_text(burnish_format format, const char *text,
     return run_reader(format, text, strlen(text), &options, NULL, mesh, error);
 }
 
-static inline burnish_status read_mtl(const char *text, burnish_mtl *library,
+/* warning: receives the first one, 300 bytes; NULL: not wanted. */
+static inline burnish_status read_mtl(const char *text, burnish_mtl *library, char *warning,
                                       burnish_error *error) {
     const burnish_reader_input input = {
         .bytes = (const uint8_t *)text, .size = strlen(text), .name = "a.mtl"};
     burnish_mesh_data mesh = burnish_mesh_data_begin(NULL, NULL, error);
     burnish_reader reader = {.input = &input, .mesh = &mesh, .error = error};
     burnish_status status = burnish_read_mtl(&reader, library);
+    if (warning) {
+        snprintf(warning, 300, "%s", mesh.warning_count > 0 ? mesh.warnings[0] : "");
+    }
     burnish_mesh_data_destroy(&mesh);
     return status;
 }

@@ -111,6 +111,8 @@ typedef struct burnish_load_options {
     int tessellation;    /* built-in objects: segments along a patch edge, [1, 256] */
     int keep_texture_coordinates; /* 1: vertices carry them, and differ where they do; 0: dropped */
     int measure;                  /* 1: the mesh has facts, see burnish_mesh_get_facts; 0: none */
+    int strict; /* 1: what would be a warning is an error, FORMAT; 0: what is wrong and does no harm
+                   is passed over or mended */
     int threads; /* [0, 1024]: at most so many; 0: one per processor. The mesh does not depend on
                     it. */
     uint64_t max_input_bytes;       /* a larger file is refused with LIMIT */
@@ -119,8 +121,8 @@ typedef struct burnish_load_options {
                                        folder, none for standard input and memory */
 } burnish_load_options;
 
-/* Crease auto, tessellation 16, no texture coordinates, no facts, one thread per processor, 16 GiB,
- * BURNISH_TRIANGLES_MAX triangles, the default context and loader. */
+/* Crease auto, tessellation 16, no texture coordinates, no facts, not strict, one thread per
+ * processor, 16 GiB, BURNISH_TRIANGLES_MAX triangles, the default context and loader. */
 BURNISH_API burnish_load_options burnish_load_options_default(void);
 
 typedef struct burnish_mesh burnish_mesh;

@@ -164,6 +164,21 @@ static void release_beside(void *user_data, const void *bytes, size_t size) {
 
 /* ---- Loading ---- */
 
+/* What is strict takes no mesh that there was something to say about. */
+static burnish_status refuse_warnings(burnish_mesh **mesh, burnish_error *error) {
+    const size_t count = burnish_mesh_warning_count(*mesh);
+    if (count == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_status status = burnish_fail(error, BURNISH_STATUS_FORMAT,
+                                         "%s: refused, as loading is strict; mend it, or load it "
+                                         "with a warning",
+                                         burnish_mesh_warning(*mesh, 0));
+    burnish_mesh_destroy(*mesh);
+    *mesh = NULL;
+    return status;
+}
+
 /* Reads and builds; releases *owned, the bytes of a file, as soon as it has been read. start: when
  * it was opened. */
 static burnish_status load(const burnish_reader_input *input, uint8_t *owned, double start,
@@ -181,7 +196,8 @@ static burnish_status load(const burnish_reader_input *input, uint8_t *owned, do
         status = burnish_mesh_build(&data, input->name, input->options, format, mesh);
     }
     burnish_mesh_data_destroy(&data);
-    return status;
+    return status == BURNISH_STATUS_OK && input->options->strict ? refuse_warnings(mesh, error)
+                                                                 : status;
 }
 
 static burnish_status load_builtin(const char *name, const burnish_load_options *options,

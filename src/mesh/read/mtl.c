@@ -1,9 +1,11 @@
 /* MTL: the material library of an OBJ (Wavefront, "MTL material format", 1995).
  *
  * Read: newmtl, Ka, Kd, Ks (sRGB values, made linear; outside [0, 1] clamped), Ns, illum, d, Tr.
- * All else is passed over; maps are remembered, for a warning. Ka is unreliable: exporters write
- * 1 1 1 or 0 0 0 whatever the material is. So the ambient colour is Kd when Ka is absent, all 0 or
- * all 1.
+ * All else is passed over; maps are remembered, for a warning. A faulty statement is passed over as
+ * well, with one warning for all of them: a wrong colour is no reason not to draw a mesh.
+ *
+ * Ka is unreliable: exporters write 1 1 1 or 0 0 0 whatever the material is. So the ambient colour
+ * is Kd when Ka is absent, all 0 or all 1.
  *
  * d is opacity, Tr mostly 1 - d, but older exporters (3ds Max) write d 1 and Tr 1 for what is
  * opaque: where both are given, d counts. What would be wholly transparent would not have been
@@ -22,14 +24,14 @@ typedef struct mtl_state {
     float ambient[3], diffuse[3], specular[3], exponent; /* colours as written */
     int has_ambient, has_diffuse, has_specular, has_exponent;
     int matt; /* illum 0 or 1: no highlight */
-    burnish_warning_group unsupported, exponents;
+    burnish_warning_group unsupported, exponents, faults;
     float opacity, transparency; /* d and Tr as written */
     int has_opacity, has_transparency;
 } mtl_state;
 
 /* A malformed statement. */
-#define FAIL(mtl, ...)                                                                             \
-    burnish_reader_fail((mtl)->reader, BURNISH_STATUS_FORMAT, (mtl)->lexer.next, __VA_ARGS__)
+#define NOTE_FAULT(mtl, ...)                                                                       \
+    burnish_reader_note((mtl)->reader, &(mtl)->faults, (mtl)->lexer.next, __VA_ARGS__)
 
 static int all_are(const float color[3], float value) {
     return color[0] == value && color[1] == value && color[2] == value;
@@ -86,7 +88,8 @@ static burnish_status begin(mtl_state *mtl) {
     burnish_token name = burnish_lexer_rest(&mtl->lexer);
     burnish_mtl *library = mtl->library;
     if (name.size == 0) {
-        return FAIL(mtl, "newmtl without a name; write newmtl NAME");
+        /* Blender writes a material without a name so, and then "usemtl" alone. */
+        NOTE_FAULT(mtl, "newmtl has no name; faces without a material have this one");
     }
     burnish_memory *memory = &mtl->reader->mesh->memory;
     library->entries = burnish_reserve(memory, library->entries, &library->capacity,
@@ -104,48 +107,54 @@ static burnish_status begin(mtl_state *mtl) {
 }
 
 /* One colour: "r g b", or "r" for a grey. */
-static burnish_status read_color(mtl_state *mtl, const char *what, float color[3], int *has) {
+static void read_color(mtl_state *mtl, const char *what, float color[3], int *has) {
     burnish_token token;
+    float values[3];
     int count = 0;
     while (count < 3 && burnish_lexer_token(&mtl->lexer, &token)) {
         if (count == 0 && (burnish_token_is(token, "spectral") || burnish_token_is(token, "xyz"))) {
             burnish_reader_note(mtl->reader, &mtl->unsupported, mtl->lexer.next,
                                 "%s %s is not supported and was ignored", what,
                                 burnish_token_quote(token).text);
-            return BURNISH_STATUS_OK;
+            return;
         }
-        burnish_number_status number = burnish_parse_float(token, &color[count]);
+        burnish_number_status number = burnish_parse_float(token, &values[count]);
         if (number != BURNISH_NUMBER_OK) {
-            return FAIL(mtl, "%s", burnish_describe_number(what, token, number).text);
+            NOTE_FAULT(mtl, "%s; the statement was ignored",
+                       burnish_describe_number(what, token, number).text);
+            return;
         }
         ++count;
     }
     if (count != 1 && count != 3) {
-        return FAIL(mtl, "%s has %d numbers; write %s r g b", what, count, what);
+        NOTE_FAULT(mtl, "%s has %d numbers, not 3; the statement was ignored", what, count);
+        return;
     }
-    if (count == 1) {
-        color[1] = color[2] = color[0];
+    for (int i = 0; i < 3; ++i) {
+        color[i] = values[count == 1 ? 0 : i];
     }
     *has = 1;
-    return BURNISH_STATUS_OK;
 }
 
-static burnish_status read_number(mtl_state *mtl, const char *what, float *value) {
+/* Returns 0 where there is none. */
+static int read_number(mtl_state *mtl, const char *what, float *value) {
     burnish_token token;
     if (!burnish_lexer_token(&mtl->lexer, &token)) {
-        return FAIL(mtl, "%s has no number; write %s and its value", what, what);
+        NOTE_FAULT(mtl, "%s has no number; the statement was ignored", what);
+        return 0;
     }
     burnish_number_status number = burnish_parse_float(token, value);
-    return number == BURNISH_NUMBER_OK
-               ? BURNISH_STATUS_OK
-               : FAIL(mtl, "%s", burnish_describe_number(what, token, number).text);
+    if (number != BURNISH_NUMBER_OK) {
+        NOTE_FAULT(mtl, "%s; the statement was ignored",
+                   burnish_describe_number(what, token, number).text);
+    }
+    return number == BURNISH_NUMBER_OK;
 }
 
-static burnish_status read_exponent(mtl_state *mtl) {
+static void read_exponent(mtl_state *mtl) {
     float written;
-    burnish_status status = read_number(mtl, "Ns", &written);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    if (!read_number(mtl, "Ns", &written)) {
+        return;
     }
     mtl->exponent = written < 1 ? 1 : written > 65536 ? 65536 : written;
     mtl->has_exponent = 1;
@@ -155,16 +164,13 @@ static burnish_status read_exponent(mtl_state *mtl) {
                             "Ns %g is not in [1, 65536] and was taken as %g", (double)written,
                             (double)mtl->exponent);
     }
-    return BURNISH_STATUS_OK;
 }
 
-static burnish_status read_illumination(mtl_state *mtl) {
+static void read_illumination(mtl_state *mtl) {
     float model;
-    burnish_status status = read_number(mtl, "illum", &model);
-    if (status == BURNISH_STATUS_OK) {
+    if (read_number(mtl, "illum", &model)) {
         mtl->matt = model == 0 || model == 1;
     }
-    return status;
 }
 
 /* d FACTOR, d -halo FACTOR, or Tr FACTOR. A factor that is no number is passed over. */
@@ -214,19 +220,25 @@ static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
         ++which;
     }
     if (which < 5 && mtl->library->count == mtl->first) {
-        return FAIL(mtl, "%s stands before the first newmtl; name a material first", known[which]);
+        NOTE_FAULT(mtl, "%s stands before the first newmtl and was ignored", known[which]);
+        return BURNISH_STATUS_OK;
     }
     switch (which) {
     case 0:
-        return read_color(mtl, "Ka", mtl->ambient, &mtl->has_ambient);
+        read_color(mtl, "Ka", mtl->ambient, &mtl->has_ambient);
+        break;
     case 1:
-        return read_color(mtl, "Kd", mtl->diffuse, &mtl->has_diffuse);
+        read_color(mtl, "Kd", mtl->diffuse, &mtl->has_diffuse);
+        break;
     case 2:
-        return read_color(mtl, "Ks", mtl->specular, &mtl->has_specular);
+        read_color(mtl, "Ks", mtl->specular, &mtl->has_specular);
+        break;
     case 3:
-        return read_exponent(mtl);
+        read_exponent(mtl);
+        break;
     case 4:
-        return read_illumination(mtl);
+        read_illumination(mtl);
+        break;
     default:
         break;
     }
@@ -257,6 +269,7 @@ burnish_status burnish_read_mtl(burnish_reader *library_file, burnish_mtl *libra
     finish(&mtl);
     burnish_reader_warn_group(library_file, &mtl.unsupported);
     burnish_reader_warn_group(library_file, &mtl.exponents);
+    burnish_reader_warn_group(library_file, &mtl.faults);
     return status;
 }
 

@@ -19,7 +19,7 @@ typedef struct burnish_mtl {
 } burnish_mtl;
 
 /* Appends the materials of a file to library. library_file: reads the MTL, its mesh takes the
- * warnings. Errors: FORMAT, MEMORY. */
+ * warnings. Errors: MEMORY. */
 burnish_status burnish_read_mtl(burnish_reader *library_file, burnish_mtl *library);
 
 void burnish_mtl_destroy(const burnish_context *context, burnish_mtl *library);
@@ -63,7 +63,7 @@ void burnish_obj_use_material(burnish_obj_materials *materials, burnish_token na
 burnish_status burnish_obj_begin_run(burnish_obj_materials *materials, size_t first_triangle);
 
 /* mtllib FILE, where FILE may hold blanks, or mtllib FILE FILE ...; lexer: after the keyword.
- * Errors: those of a library's text, MEMORY. */
+ * Errors: MEMORY. */
 burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burnish_lexer *lexer);
 
 /* At the end: the mesh's materials and those of its triangles. Errors: LIMIT, MEMORY. */

@@ -15,6 +15,7 @@ burnish_load_options cli_load_options(const cli_input *input) {
     burnish_load_options options = burnish_load_options_default();
     options.format = (burnish_format)input->format;
     options.tessellation = input->tessellation;
+    options.strict = input->strict;
     options.max_triangles = input->max_triangles;
     options.max_input_bytes = input->max_input_bytes;
     return options;

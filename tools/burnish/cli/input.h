@@ -6,7 +6,7 @@
 #include "cli/values.h"
 
 typedef struct cli_input {
-    int format, tessellation;
+    int format, tessellation, strict;
     uint64_t max_triangles, max_input_bytes;
 } cli_input;
 
@@ -33,6 +33,13 @@ extern const char cli_input_format_manual[];
     .default_text = "16", .low = 1, .high = 256,                                                   \
     .manual = "Segments along a patch edge of a built-in object.", .handler = cli_flag_integer,    \
     .offset = offsetof(type, member.tessellation)
+
+#define CLI_STRICT_FLAG(type, member)                                                              \
+    .name = "strict", .help = "refuse what would only be a warning about INPUT",                   \
+    .manual =                                                                                      \
+        "A fault of _INPUT_ that is otherwise mended or passed over with a warning ends the "      \
+        "run with exit code 4.",                                                                   \
+    .handler = cli_flag_switch, .offset = offsetof(type, member.strict)
 
 #define CLI_MAX_TRIANGLES_FLAG(type, member)                                                       \
     .name = "max-triangles", .value = "N", .help = "refuse larger meshes",                         \

@@ -632,6 +632,7 @@ static const cli_flag flags[] = {
      .handler = cli_flag_real,
      TARGET(crease)},
     {CLI_TESSELLATION_FLAG(render_settings, load)},
+    {CLI_STRICT_FLAG(render_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(render_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, load)},
     {CLI_JSON_FLAG(render_settings, json, "report on standard output, or in FILE", "JSON OUTPUT")},
@@ -672,7 +673,6 @@ static const cli_flag flags[] = {
      .handler = cli_flag_text,
      TARGET(isa_name)},
     {.name = "fail-on-blank",
-     .aliases = "strict",
      .common = 1,
      .help = "a blank picture ends with exit code 8 and no file",
      .manual = "When the picture, or a cell of a sheet, shows nothing or is of one colour, ends "
