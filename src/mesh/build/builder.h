@@ -22,12 +22,19 @@ typedef struct burnish_extra {
     const uint8_t *items;
 } burnish_extra;
 
-/* The welded mesh, to look beyond a face. */
+/* A triangle's unit normal, and twice its area. */
+typedef struct burnish_face {
+    burnish_vec3 normal;
+    double length;
+} burnish_face;
+
+/* The welded mesh, to measure the faces around a vertex and to look beyond them. */
 typedef struct burnish_surface {
     const float *positions;
     const uint32_t *corner_positions; /* 3 per triangle, every triangle with area */
     const uint32_t *first_corner;     /* as the builder has them */
     const uint32_t *corners;
+    burnish_face *faces; /* 1 per triangle; NULL: too many, each is computed where it is needed */
 } burnish_surface;
 
 typedef struct burnish_builder {
@@ -159,12 +166,13 @@ typedef struct burnish_face_set {
 /* The one-rings of some vertices: what is known of the faces at their corners, in arrays of
  * `capacity`. */
 typedef struct burnish_rings {
-    double sharp_cosine;            /* an edge is smooth above it, ... */
-    double smooth_cosine;           /* ... and above this one whatever is around */
-    const burnish_surface *surface; /* tells the edges in between; NULL: there are none */
-    const uint32_t *corners;        /* those measured */
-    int flat;                       /* crease angle 0: no edge is smooth */
-    int wide;                       /* eight faces are compared at once: the processor has AVX2 */
+    double sharp_cosine;  /* an edge is smooth above it, ... */
+    double smooth_cosine; /* ... and above this one whatever is around */
+    const burnish_surface *surface;
+    int asks;                /* 1: edges in between ask the surface; 0: there are none */
+    const uint32_t *corners; /* those measured */
+    int flat;                /* crease angle 0: no edge is smooth */
+    int wide;                /* eight faces are compared at once: the processor has AVX2 */
     size_t capacity;
     /* arrays of `capacity` and eight more, so that eight can be read from anywhere */
     double *x, *y, *z;         /* unit normals of the corners' faces */
@@ -174,13 +182,15 @@ typedef struct burnish_rings {
     uint32_t *parents;         /* sets of joined faces of the vertex at hand, and ... */
     burnish_face_set *sets;    /* ... what is known of them */
     uint64_t *edges;           /* 2 per corner: other end and face */
+    struct burnish_answer
+        *answers; /* what the surface said last: an edge is asked from both ends */
 } burnish_rings;
 
 /* Scratch for one thread and `capacity` corners at a time.
- *   surface       decides where crease_angle is BURNISH_CREASE_AUTO; stays until the rings go
- *   crease_angle  degrees, [0, 180], or BURNISH_CREASE_AUTO
- *   wide          1: the processor has AVX2; the results have the same bits
- * Errors: memory->status; the arrays are then incomplete. */
+ *   surface       measured; decides where crease_angle is BURNISH_CREASE_AUTO. Stays until the
+ * rings go crease_angle  degrees, [0, 180], or BURNISH_CREASE_AUTO wide          1: the processor
+ * has AVX2; the results have the same bits Errors: memory->status; the arrays are then incomplete.
+ */
 void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle,
                           const burnish_surface *surface, int wide, burnish_memory *memory);
 
@@ -189,13 +199,13 @@ void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context)
 
 /* Measures the faces at corners of any number of vertices.
  *
- * positions:        3 per vertex
- * corner_positions: 3 per triangle, every triangle with area
- * corners:          count corners (3 * triangle + 0..2), those of a vertex together; stay until the
- *                   next call
- * count:            at most the rings' capacity */
-void burnish_rings_measure(burnish_rings *rings, const float *positions,
-                           const uint32_t *corner_positions, const uint32_t *corners, size_t count);
+ * corners: count corners (3 * triangle + 0..2), those of a vertex together; stay until the next
+ * call count:   at most the rings' capacity */
+void burnish_rings_measure(burnish_rings *rings, const uint32_t *corners, size_t count);
+
+/* The faces [first, end) of a surface, for its array. */
+void burnish_measure_faces(const burnish_surface *surface, size_t first, size_t end,
+                           burnish_face *faces);
 
 /* Unit normals of the corners that meet in one vertex, O(count log count).
  *

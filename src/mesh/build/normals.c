@@ -2,6 +2,7 @@
  */
 
 #include <float.h>
+#include <stddef.h>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -20,6 +21,15 @@ enum { PAIRWISE_MAX = 8 };
 
 /* A flat face with so many times the area of the other faces gives its normal to all of them. */
 #define FLAT_SHARE 4
+
+/* Answers that are kept: a power of two. No triangle is its own neighbour, so that zeros are none.
+ */
+enum { ANSWERS = 1024 };
+
+typedef struct burnish_answer {
+    uint32_t triangles[2], edge[2]; /* ascending */
+    int is_smooth;
+} burnish_answer;
 
 /* Shorter vectors, sums weighted by the tip of a needle, have squares that lose bits to underflow;
  * a power of two lengthens them. */
@@ -46,9 +56,10 @@ void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_a
                           const burnish_surface *surface, int wide, burnish_memory *memory) {
     const char *what = "generating normals";
     const size_t padded = capacity + PAIRWISE_MAX;
-    *rings = (burnish_rings){.wide = wide, .capacity = capacity};
+    *rings = (burnish_rings){.surface = surface, .wide = wide, .capacity = capacity};
     if (crease_angle == BURNISH_CREASE_AUTO) {
-        rings->surface = surface;
+        rings->asks = 1;
+        rings->answers = burnish_allocate_zeroed(memory, ANSWERS, sizeof *rings->answers, what);
         rings->sharp_cosine = BURNISH_SHARP_COSINE;
         rings->smooth_cosine = BURNISH_SMOOTH_COSINE;
     } else {
@@ -71,9 +82,9 @@ void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_a
 }
 
 void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context) {
-    void *arrays[] = {rings->x,       rings->y,      rings->z,    rings->lengths,
-                      rings->dots,    rings->angles, rings->next, rings->previous,
-                      rings->parents, rings->sets,   rings->edges};
+    void *arrays[] = {rings->x,       rings->y,      rings->z,     rings->lengths,
+                      rings->dots,    rings->angles, rings->next,  rings->previous,
+                      rings->parents, rings->sets,   rings->edges, rings->answers};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
         burnish_release(context, arrays[i]);
     }
@@ -102,36 +113,53 @@ __attribute__((target("avx2"))) static void normalize_faces_avx2(const burnish_r
 }
 #endif
 
-void burnish_rings_measure(burnish_rings *rings, const float *positions,
-                           const uint32_t *corner_positions, const uint32_t *corners,
-                           size_t count) {
+/* a x b of the edges from the first corner, and its square. */
+static burnish_face cross_of(const burnish_surface *surface, const uint32_t *corners) {
+    const burnish_vec3 cross = burnish_face_cross(surface->positions, corners);
+    return (burnish_face){cross, burnish_vec3_dot(cross, cross)};
+}
+
+void burnish_measure_faces(const burnish_surface *surface, size_t first, size_t end,
+                           burnish_face *faces) {
+    for (size_t i = first; i < end; ++i) {
+        const burnish_face face = cross_of(surface, surface->corner_positions + 3 * i);
+        const double length = __builtin_sqrt(face.length);
+        faces[i] = (burnish_face){burnish_vec3_scale(face.normal, 1 / length), length};
+    }
+}
+
+void burnish_rings_measure(burnish_rings *rings, const uint32_t *corners, size_t count) {
     static const uint8_t after[5] = {0, 1, 2, 0, 1};
+    const burnish_surface *surface = rings->surface;
     rings->corners = corners;
     for (size_t i = 0; i < count; ++i) {
-        const uint32_t *face = corner_positions + corners[i] / 3 * (size_t)3;
-        uint32_t at = corners[i] % 3, second = after[at + 1], third = after[at + 2];
-        const burnish_vec3 points[3] = {burnish_vec3_loadf(positions + 3 * (size_t)face[0]),
-                                        burnish_vec3_loadf(positions + 3 * (size_t)face[1]),
-                                        burnish_vec3_loadf(positions + 3 * (size_t)face[2])};
-        burnish_vec3 a = burnish_vec3_sub(points[second], points[at]);
-        burnish_vec3 b = burnish_vec3_sub(points[third], points[at]);
-        burnish_vec3 cross = burnish_vec3_cross(burnish_vec3_sub(points[1], points[0]),
-                                                burnish_vec3_sub(points[2], points[0]));
-        rings->x[i] = cross.x;
-        rings->y[i] = cross.y;
-        rings->z[i] = cross.z;
-        rings->lengths[i] = burnish_vec3_dot(cross, cross);
+        const uint32_t triangle = corners[i] / 3, at = corners[i] % 3;
+        const uint32_t *numbers = surface->corner_positions + 3 * (size_t)triangle;
+        const uint32_t next = numbers[after[at + 1]], previous = numbers[after[at + 2]];
+        const burnish_vec3 here = burnish_vec3_loadf(surface->positions + 3 * (size_t)numbers[at]);
+        const burnish_vec3 a =
+            burnish_vec3_sub(burnish_vec3_loadf(surface->positions + 3 * (size_t)next), here);
+        const burnish_vec3 b =
+            burnish_vec3_sub(burnish_vec3_loadf(surface->positions + 3 * (size_t)previous), here);
+        const burnish_face face =
+            surface->faces ? surface->faces[triangle] : cross_of(surface, numbers);
+        rings->x[i] = face.normal.x;
+        rings->y[i] = face.normal.y;
+        rings->z[i] = face.normal.z;
+        rings->lengths[i] = face.length;
         rings->dots[i] = burnish_vec3_dot(a, b);
-        rings->next[i] = face[second];
-        rings->previous[i] = face[third];
+        rings->next[i] = next;
+        rings->previous[i] = previous;
     }
+    if (!surface->faces) {
 #if defined(__x86_64__)
-    if (rings->wide) {
-        normalize_faces_avx2(rings, count);
-    } else
+        if (rings->wide) {
+            normalize_faces_avx2(rings, count);
+        } else
 #endif
-    {
-        normalize_faces(rings->lengths, rings->x, rings->y, rings->z, count);
+        {
+            normalize_faces(rings->lengths, rings->x, rings->y, rings->z, count);
+        }
     }
     if (!rings->flat) {
         burnish_atan2_array(rings->lengths, rings->dots, rings->angles, count, rings->wide);
@@ -161,9 +189,16 @@ static uint32_t other_end(const burnish_rings *rings, size_t i, size_t j) {
 /* Whether the edge from the vertex to position `end` is smooth; its faces do not tell. */
 static int ask_surface(const burnish_rings *rings, size_t i, size_t j, uint32_t end) {
     const burnish_surface *surface = rings->surface;
-    const uint32_t triangles[2] = {rings->corners[i] / 3, rings->corners[j] / 3};
-    const uint32_t edge[2] = {surface->corner_positions[rings->corners[i]], end};
-    return burnish_surface_is_smooth(surface, triangles, edge);
+    const uint32_t here = surface->corner_positions[rings->corners[i]];
+    const uint32_t from = rings->corners[i] / 3, to = rings->corners[j] / 3;
+    const burnish_answer asked = {.triangles = {from < to ? from : to, from < to ? to : from},
+                                  .edge = {here < end ? here : end, here < end ? end : here}};
+    burnish_answer *kept = &rings->answers[(asked.triangles[0] * 5 + asked.triangles[1]) % ANSWERS];
+    if (memcmp(kept, &asked, offsetof(burnish_answer, is_smooth)) != 0) {
+        *kept = asked;
+        kept->is_smooth = burnish_surface_is_smooth(surface, asked.triangles, asked.edge);
+    }
+    return kept->is_smooth;
 }
 
 /* Joins faces i and j of the vertex; the smaller root stays one. Returns 1 when two sets became
@@ -275,10 +310,13 @@ static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count
     }
 }
 
-/* Sets of joined faces among a few; returns 1 when they are one, and leaves parents alone then. */
-static int join_few(burnish_rings *rings, size_t first, size_t count) {
+/* Sets of joined faces among a few, as bits, in the order of their first faces; returns how many.
+ */
+static size_t join_few(burnish_rings *rings, size_t first, size_t count,
+                       uint32_t sets[PAIRWISE_MAX]) {
     const uint32_t all = (1U << count) - 1;
     uint32_t left = all;
+    size_t found = 0;
     neighbors n;
 #if defined(__x86_64__)
     if (rings->wide) {
@@ -288,28 +326,18 @@ static int join_few(burnish_rings *rings, size_t first, size_t count) {
     {
         find_neighbors(rings, first, count, &n);
     }
-    if (grow_set(&n, count, 1) == all) {
+    sets[0] = grow_set(&n, count, 1);
+    if (sets[0] == all) {
         return 1;
     }
     if (n.any_doubtful) {
         ask_neighbors(rings, first, count, &n);
     }
-    for (uint32_t root = 0; left != 0; ++root) {
-        if (!(left >> root & 1)) {
-            continue;
-        }
-        const uint32_t set = grow_set(&n, count, 1U << root);
-        if (set == all) {
-            return 1;
-        }
-        for (size_t i = 0; i < count; ++i) {
-            if (set >> i & 1) {
-                rings->parents[i] = root;
-            }
-        }
-        left &= ~set;
+    while (left != 0) {
+        sets[found] = grow_set(&n, count, left & (0U - left));
+        left &= ~sets[found++];
     }
-    return 0;
+    return found;
 }
 
 #define SORT_TYPE uint64_t
@@ -351,7 +379,7 @@ static int join_many(burnish_rings *rings, size_t first, size_t count) {
         edges[2 * i + 1] = (uint64_t)rings->previous[first + i] << 32 | i;
     }
     sort_edge_array(edges, 2 * count);
-    for (int doubtful = 0; doubtful <= (rings->surface != NULL) && sets > 1; ++doubtful) {
+    for (int doubtful = 0; doubtful <= rings->asks && sets > 1; ++doubtful) {
         for (size_t start = 0, end; start < 2 * count; start = end) {
             for (end = start + 1; end < 2 * count && edges[end] >> 32 == edges[start] >> 32;
                  ++end) {
@@ -473,7 +501,7 @@ __attribute__((target("avx2"))) static uint32_t choose_faces_avx2(const burnish_
 static burnish_vec3 sum_few(const burnish_rings *rings, size_t first, size_t count) {
     uint32_t chosen = (1U << count) - 1;
     burnish_vec3 sum = {0, 0, 0};
-    if (rings->surface) {
+    if (rings->asks) {
 #if defined(__x86_64__)
         chosen = rings->wide ? choose_faces_avx2(rings, first, count)
                              : choose_faces(rings, first, count);
@@ -495,10 +523,10 @@ static burnish_vec3 sum_many(const burnish_rings *rings, size_t first, size_t co
     for (size_t i = first; i < first + count; ++i) {
         add_face(&set, rings, i);
     }
-    for (size_t i = first; i < first + count && rings->surface; ++i) {
+    for (size_t i = first; i < first + count && rings->asks; ++i) {
         add_flat_area(&set, rings, i);
     }
-    if (rings->surface && is_dominated(&set)) {
+    if (rings->asks && is_dominated(&set)) {
         for (size_t i = first; i < first + count; ++i) {
             add_if_flat(&set, rings, i);
         }
@@ -533,7 +561,7 @@ static void sum_sets(burnish_rings *rings, size_t first, size_t count) {
     for (size_t i = 0; i < count; ++i) {
         add_face(set_of(rings, i), rings, first + i);
     }
-    if (!rings->surface) {
+    if (!rings->asks) {
         return;
     }
     for (size_t i = 0; i < count; ++i) {
@@ -550,26 +578,74 @@ static void sum_sets(burnish_rings *rings, size_t first, size_t count) {
     }
 }
 
-int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, float *normals) {
-    if (rings->flat) {
-        for (size_t i = 0; i < count; ++i) {
-            burnish_store_unit(face_normal(rings, first + i), normals + 3 * i);
-        }
-        return 0;
-    }
-    int one =
-        count <= PAIRWISE_MAX ? join_few(rings, first, count) : join_many(rings, first, count);
-    if (one && store_common(rings, first, count, normals)) {
-        return 1;
-    }
-    for (size_t i = 0; i < count && one; ++i) {
-        rings->parents[i] = 0;
-    }
+/* The normals of the faces in some sets of many. */
+static void store_sets(burnish_rings *rings, size_t first, size_t count, float *normals) {
     sum_sets(rings, first, count);
     for (size_t i = 0; i < count; ++i) {
         const burnish_vec3 sum = set_of(rings, i)->sum;
         int cancelled = is_cancelled(burnish_vec3_length(sum), rings->angles[first + i]);
         burnish_store_unit(cancelled ? face_normal(rings, first + i) : sum, normals + 3 * i);
     }
+}
+
+/* The sum of some faces of a few, as bits. */
+static burnish_vec3 sum_set(const burnish_rings *rings, size_t first, uint32_t faces) {
+    burnish_face_set set = {.largest = first + (size_t)__builtin_ctz(faces)};
+    if ((faces & (faces - 1)) == 0) {
+        return burnish_vec3_add(set.sum, weighted_normal(rings, set.largest));
+    }
+    for (uint32_t left = faces; left != 0; left &= left - 1) {
+        add_face(&set, rings, first + (size_t)__builtin_ctz(left));
+    }
+    for (uint32_t left = rings->asks ? faces : 0; left != 0; left &= left - 1) {
+        add_flat_area(&set, rings, first + (size_t)__builtin_ctz(left));
+    }
+    if (rings->asks && is_dominated(&set)) {
+        for (uint32_t left = faces; left != 0; left &= left - 1) {
+            add_if_flat(&set, rings, first + (size_t)__builtin_ctz(left));
+        }
+    }
+    return set.sum;
+}
+
+/* The same for sets of a few. */
+static void store_few(const burnish_rings *rings, size_t first, const uint32_t *sets, size_t count,
+                      float *normals) {
+    for (size_t k = 0; k < count; ++k) {
+        const burnish_vec3 sum = sum_set(rings, first, sets[k]);
+        const double length = burnish_vec3_length(sum);
+        float unit[3];
+        burnish_store_unit(sum, unit);
+        for (uint32_t left = sets[k]; left != 0; left &= left - 1) {
+            const size_t i = (size_t)__builtin_ctz(left);
+            memcpy(normals + 3 * i, unit, sizeof unit);
+            if (is_cancelled(length, rings->angles[first + i])) {
+                burnish_store_unit(face_normal(rings, first + i), normals + 3 * i);
+            }
+        }
+    }
+}
+
+int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, float *normals) {
+    uint32_t sets[PAIRWISE_MAX];
+    if (rings->flat) {
+        for (size_t i = 0; i < count; ++i) {
+            burnish_store_unit(face_normal(rings, first + i), normals + 3 * i);
+        }
+        return 0;
+    }
+    const size_t few = count <= PAIRWISE_MAX ? join_few(rings, first, count, sets) : 0;
+    const int one = few == 0 ? join_many(rings, first, count) : few == 1;
+    if (one && store_common(rings, first, count, normals)) {
+        return 1;
+    }
+    if (few > 0) {
+        store_few(rings, first, sets, few, normals);
+        return 0;
+    }
+    for (size_t i = 0; i < count && one; ++i) {
+        rings->parents[i] = 0;
+    }
+    store_sets(rings, first, count, normals);
     return 0;
 }

@@ -7,7 +7,9 @@
 enum {
     POSITIONS_PER_THREAD = BURNISH_BUILD_GRAIN / 2, /* worth a thread */
     POSITIONS_PER_TASK = 512,
-    CORNERS_PER_BATCH = 512 /* measured together; the rings stay in the first-level cache */
+    CORNERS_PER_BATCH = 512, /* measured together; the rings stay in the first-level cache */
+    FEW = 16,                /* corners that are compared one by one */
+    FACES_MAX = 1 << 18      /* triangles whose faces are kept: more would fill no cache */
 };
 
 /* The mesh's arrays of vertex_count vertices. Errors: MEMORY. */
@@ -252,15 +254,39 @@ static void append_vertex(vertex_maker *maker, uint32_t position, uint32_t first
     memcpy(vertex->normal, normal, sizeof vertex->normal);
 }
 
+/* The same of few corners that have nothing but a normal. */
+static void number_by_normal(vertex_maker *maker, uint32_t position, const uint32_t *corners,
+                             size_t count) {
+    uint32_t *indices = maker->b->mesh->indices;
+    uint32_t heads[FEW];
+    size_t found = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const float *normal = maker->normals + 3 * i;
+        size_t k = 0;
+        while (k < found &&
+               memcmp(maker->normals + 3 * heads[k], normal, 3 * sizeof *normal) != 0) {
+            ++k;
+        }
+        if (k == found) {
+            heads[found++] = (uint32_t)i;
+            append_vertex(maker, position, corners[i], normal);
+        }
+        indices[corners[i]] = corners[heads[k]];
+    }
+}
+
 /* Gives each corner of one position its vertex: corners that have the same share one. In the mesh's
  * indices stands the first corner of that vertex for now. */
 static void number_corners(vertex_maker *maker, uint32_t position) {
-    enum { FEW = 16 };
     const burnish_builder *b = maker->b;
     const uint32_t *corners = b->corners + b->first_corner[position];
     const size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
     burnish_weld_record *records = maker->records;
     uint32_t *indices = b->mesh->indices;
+    if (count <= FEW && !b->has_extras) {
+        number_by_normal(maker, position, corners, count);
+        return;
+    }
     for (size_t i = 0; i < count; ++i) {
         describe_corner(b, corners[i], maker->normals + 3 * i, &records[i]);
     }
@@ -345,8 +371,7 @@ static void make_batch(vertex_maker *maker, size_t first, size_t end) {
     const size_t count = b->first_corner[end] - start;
     const int measured = needs_normal(b, b->corners + start, count);
     if (measured) {
-        burnish_rings_measure(&maker->rings, burnish_positions(b->data), b->corner_positions,
-                              b->corners + start, count);
+        burnish_rings_measure(&maker->rings, b->corners + start, count);
     }
     for (size_t i = first; i < end && maker->memory.status == BURNISH_STATUS_OK; ++i) {
         if (b->first_corner[i + 1] > b->first_corner[i]) {
@@ -375,6 +400,23 @@ static void make_task(void *context, size_t task, int thread) {
 }
 
 /* ---- makers ---- */
+
+static void measure_faces(void *context, size_t first, size_t end) {
+    const burnish_surface *surface = context;
+    burnish_measure_faces(surface, first, end, surface->faces);
+}
+
+/* Every face once, where the mesh lacks normals and is not too large. */
+static void keep_faces(burnish_builder *b) {
+    if (!b->normals_complete && b->triangle_count <= FACES_MAX) {
+        b->surface.faces =
+            burnish_allocate(b->memory, b->triangle_count, sizeof *b->surface.faces, "vertices");
+    }
+    if (b->surface.faces) {
+        burnish_tasks_ranges(b->data->tasks, b->triangle_count, BURNISH_BUILD_GRAIN, measure_faces,
+                             &b->surface);
+    }
+}
 
 static void destroy_scratch(vertex_maker *maker) {
     const burnish_context *context = maker->memory.context;
@@ -486,12 +528,14 @@ static burnish_status build_any(burnish_builder *b) {
     }
     find_extras(b);
     b->surface = (burnish_surface){burnish_positions(b->data), b->corner_positions, b->first_corner,
-                                   b->corners};
+                                   b->corners, NULL};
+    keep_faces(b);
     vertex_maker *makers = create_makers(b, count);
     status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
         status = make_vertices(b, makers, count);
     }
+    burnish_release(b->memory->context, b->surface.faces);
     if (status == BURNISH_STATUS_OK) {
         burnish_build_release_corners(b, b->has_extras);
         status = allocate_vertices(b);
