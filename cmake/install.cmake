@@ -16,6 +16,14 @@ install(EXPORT burnish-static NAMESPACE burnish:: DESTINATION ${package})
 if(BURNISH_SHARED)
   install(EXPORT burnish-shared NAMESPACE burnish:: DESTINATION ${package})
 endif()
+# The static library names its decoders' targets: they are looked for as this build did.
+set(BURNISH_CONFIG_DECODERS "")
+foreach(name PNG JPEG WEBP)
+  if(PICTURE_${name}_FOUND)
+    string(APPEND BURNISH_CONFIG_DECODERS
+           "  pkg_check_modules(PICTURE_${name} QUIET IMPORTED_TARGET GLOBAL ${BURNISH_MODULES_${name}})\n")
+  endif()
+endforeach()
 configure_file(cmake/burnish-config.cmake.in burnish-config.cmake @ONLY)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/burnish-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)

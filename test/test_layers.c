@@ -19,7 +19,7 @@ static const struct layer {
                     "burnish/shading.h"},
     {"src/mesh", "core mesh/read mesh/build burnish/core.h burnish/mesh.h"},
     {"src/mesh/build", "core mesh mesh/read burnish/core.h burnish/mesh.h"},
-    {"src/mesh/read", "core mesh mesh/build burnish/core.h burnish/mesh.h"},
+    {"src/mesh/read", "core image/decode.h mesh mesh/build burnish/core.h burnish/mesh.h"},
     {"src/raster", "core simd burnish/core.h"},
     {"src/image", "core burnish/core.h burnish/image.h"},
     {"src/annotate", "core image burnish/annotate.h burnish/core.h burnish/image.h burnish/mesh.h"},

@@ -1,7 +1,8 @@
 /* burnish/image.h: keep a picture: 8-bit pixels, PNG (also of 16 bits), hash, labels, contact
  * sheets; compare two.
  *
- * What it does not do: read pictures, or resample them.
+ * It reads PNG, JPEG and WebP where it was built with their libraries. What it does not do:
+ * resample pictures.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -33,6 +34,17 @@ typedef struct burnish_image {
  * image becomes empty), MEMORY. Release it with burnish_image_destroy. */
 BURNISH_API burnish_status burnish_image_create(burnish_image *image, int width, int height,
                                                 int channels, burnish_error *error);
+
+/* Decodes a PNG, JPEG or WebP, told by its first bytes: codes of 8 bits, taken as sRGB whatever
+ * gamma or profile the file states; 16 bits become the nearest 8. RGBA where the file has any
+ * transparency, else RGB. Safe for untrusted input: sides are checked before memory is asked for.
+ *   bytes  size of them: the whole file
+ *   name   stands in messages; NULL: "picture"
+ *   image  receives the picture, to be destroyed; empty on error
+ * Errors: FORMAT, LIMIT (sides over BURNISH_IMAGE_MAX_SIZE), MEMORY; ARGUMENT (NULL, or this build
+ * has no library for the format). */
+BURNISH_API burnish_status burnish_image_decode(const void *bytes, size_t size, const char *name,
+                                                burnish_image *image, burnish_error *error);
 
 /* Releases the pixels and makes the image empty. An empty image and NULL are allowed. */
 BURNISH_API void burnish_image_destroy(burnish_image *image);

@@ -1,8 +1,9 @@
 /* burnish/mesh.h: a mesh from a file, from memory or built in, ready to be drawn.
  *
  * A mesh is one list of indexed triangles with unit normals, optional vertex colours and texture
- * coordinates, and a table of materials. Loading welds equal positions, generates missing normals,
- * and turns every triangle so that its winding agrees with its normals.
+ * coordinates, a table of materials, and the textures that these use. Loading welds equal
+ * positions, generates missing normals, and turns every triangle so that its winding agrees with
+ * its normals.
  *
  *     burnish_load_options options = burnish_load_options_default();
  *     burnish_mesh *mesh;
@@ -13,7 +14,7 @@
  *         burnish_mesh_destroy(mesh);
  *     }
  *
- * What it does not do: textures, animation, hierarchies.
+ * What it does not do: animation, hierarchies.
  *
  * Every reader is safe for untrusted input: memory stays in proportion to the bytes given, all
  * counts are checked, and a malformed file gives one line that names the location. A mesh depends
@@ -109,7 +110,9 @@ typedef struct burnish_load_options {
                             faces differ by less, weighted by the faces' angles at the vertex; 0
                             shades every face flat; BURNISH_CREASE_AUTO */
     int tessellation;    /* built-in objects: segments along a patch edge, [1, 256] */
-    int keep_texture_coordinates; /* 1: vertices carry them, and differ where they do; 0: dropped */
+    int keep_texture_coordinates; /* 1: vertices carry them, and differ where they do; 0: only
+                                     where a material uses a texture */
+    int ignore_textures;          /* 1: none is loaded, and materials use none */
     int measure;                  /* 1: the mesh has facts, see burnish_mesh_get_facts; 0: none */
     int strict; /* 1: what would be a warning is an error, FORMAT; 0: what is wrong and does no harm
                    is passed over or mended */
@@ -117,12 +120,15 @@ typedef struct burnish_load_options {
                     it. */
     uint64_t max_input_bytes;       /* a larger file is refused with LIMIT */
     uint64_t max_triangles;         /* more are refused with LIMIT; at most BURNISH_TRIANGLES_MAX */
+    uint64_t max_texture_pixels;    /* of all textures together: those beyond are left out, with a
+                                       warning */
     burnish_file_loader companions; /* files that the input names; load NULL: those of the input's
                                        folder, none for standard input and memory */
 } burnish_load_options;
 
 /* Crease auto, tessellation 16, no texture coordinates, no facts, not strict, one thread per
- * processor, 16 GiB, BURNISH_TRIANGLES_MAX triangles, the default context and loader. */
+ * processor, 16 GiB, BURNISH_TRIANGLES_MAX triangles, 2^28 texels, the default context and loader.
+ */
 BURNISH_API burnish_load_options burnish_load_options_default(void);
 
 typedef struct burnish_mesh burnish_mesh;
@@ -149,6 +155,18 @@ typedef struct burnish_array {
     size_t stride; /* bytes from item to item, at least an item's size; 0: packed */
 } burnish_array;
 
+/* An image that materials use. Texture coordinates: u to the right, v up, (0, 0) the lower left
+ * corner. */
+typedef struct burnish_texture {
+    const char *name;      /* for messages; NULL: none */
+    int width, height;     /* texels, [1, BURNISH_TEXTURE_SIZE_MAX] */
+    const uint8_t *pixels; /* 4 per texel: red, green, blue, straight alpha; rows from the top */
+    int is_color;          /* 1: sRGB; 0: numbers, c / 255 */
+} burnish_texture;
+
+#define BURNISH_TEXTURE_SIZE_MAX 16384
+#define BURNISH_TEXTURES_MAX 65536
+
 /* Arrays of the caller's that make a mesh. Start from burnish_mesh_description_default(). */
 typedef struct burnish_mesh_description {
     uint32_t cookie;                   /* set by burnish_mesh_description_default() */
@@ -158,12 +176,15 @@ typedef struct burnish_mesh_description {
                                           generated */
     burnish_array colors;              /* 4 bytes per vertex: sRGB and alpha */
     burnish_array texture_coordinates; /* 2 floats per vertex, finite */
+    burnish_array tangents;            /* 4 floats per vertex, finite: burnish_mesh_view */
     burnish_array indices; /* 3 numbers of vertices per triangle, one after another; not there:
                               every three vertices are a triangle */
     int index_size;        /* bytes per index: 4 (uint32_t), 2 (uint16_t) or 1 (uint8_t) */
     burnish_array triangle_materials;  /* 1 uint16_t per triangle; not there: material 0 */
     const burnish_material *materials; /* material_count of them; NULL: burnish's grey */
     size_t material_count;             /* [0, 65536] */
+    const burnish_texture *textures;   /* texture_count of them, which are copied */
+    size_t texture_count;              /* [0, BURNISH_TEXTURES_MAX] */
     float up_axis[3];                  /* the direction in which the object stands, not 0 */
 } burnish_mesh_description;
 
@@ -207,8 +228,11 @@ typedef struct burnish_mesh_view {
     const float *normals;             /* 3 per vertex, unit length */
     const uint8_t *colors;            /* 4 per vertex, sRGB and alpha; NULL: none */
     int has_transparent_colors;       /* 1: an alpha is below 255 */
-    const float *texture_coordinates; /* 2 per vertex; NULL: none, or not asked for */
-    const uint32_t *indices;          /* 3 per triangle, counter-clockwise seen from its normals */
+    const float *texture_coordinates; /* 2 per vertex; NULL: none, or not needed */
+    const float *tangents; /* 4 per vertex: a unit vector at right angles to the normal, along which
+                              u grows, and the sign s of the bitangent s cross(normal, tangent),
+                              along which v grows. NULL where no material uses a normal texture */
+    const uint32_t *indices; /* 3 per triangle, counter-clockwise seen from its normals */
     const uint16_t *triangle_materials; /* 1 per triangle; NULL: every triangle has material 0 */
     float bounds_min[3], bounds_max[3]; /* of the positions that triangles use */
     float up_axis[3];                   /* the direction in which the object stands, unit length */
@@ -282,6 +306,10 @@ BURNISH_API const burnish_material *burnish_mesh_material(const burnish_mesh *me
 BURNISH_API burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,
                                                      const burnish_material *material,
                                                      burnish_error *error);
+
+/* The textures that materials may use. An index out of range gives NULL. */
+BURNISH_API size_t burnish_mesh_texture_count(const burnish_mesh *mesh);
+BURNISH_API const burnish_texture *burnish_mesh_texture(const burnish_mesh *mesh, size_t index);
 
 /* ---- Cuts ---- */
 

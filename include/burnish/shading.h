@@ -119,18 +119,78 @@ BURNISH_API burnish_lobe_status burnish_lobe_solve(const burnish_lobe_spec *lobe
  * that only theory.h knows come last. */
 BURNISH_API const char *burnish_lobe_spec_example(size_t index);
 
+/* ---- Textures ---- */
+
+/* What a texture of a material says of a point. COLOR, SPECULAR and EMISSIVE are colours (sRGB),
+ * the others numbers. */
+typedef enum burnish_texture_slot {
+    BURNISH_TEXTURE_COLOR,              /* rgb times ambient and diffuse, or times the base colour;
+                                           alpha: alpha_mode */
+    BURNISH_TEXTURE_SPECULAR,           /* rgb times specular */
+    BURNISH_TEXTURE_EXPONENT,           /* r times the exponent */
+    BURNISH_TEXTURE_METALLIC_ROUGHNESS, /* g times roughness, b times metallic */
+    BURNISH_TEXTURE_NORMAL,             /* tangent space, green up: 2 rgb - 1 */
+    BURNISH_TEXTURE_EMISSIVE,           /* rgb times emissive */
+    BURNISH_TEXTURE_OCCLUSION,          /* r: what of the ambient light arrives */
+    BURNISH_TEXTURE_OPACITY,            /* r times the opacity */
+    BURNISH_TEXTURE_SLOT_COUNT
+} burnish_texture_slot;
+
+/* What lies beyond the image of a texture. */
+typedef enum burnish_texture_wrap {
+    BURNISH_WRAP_REPEAT,
+    BURNISH_WRAP_CLAMP,
+    BURNISH_WRAP_MIRROR
+} burnish_texture_wrap;
+
+/* A texture as a material uses it. All 0: none. */
+typedef struct burnish_texture_use {
+    int texture;        /* 1 + number of the texture in the mesh; 0: none */
+    int wrap[2];        /* burnish_texture_wrap of u and v */
+    int is_nearest;     /* 1: the nearest texel, for pixel art; 0: filtered */
+    int has_transform;  /* 1: u' = t0 u + t1 v + t2, v' = t3 u + t4 v + t5 */
+    float transform[6]; /* finite */
+    float strength;     /* NORMAL: factor of x and y, 1 as the image says; OCCLUSION: 0 none, 1 as
+                           the image says. Not read elsewhere */
+} burnish_texture_use;
+
+/* What a texture's alpha and a material's opacity do. */
+typedef enum burnish_alpha_mode {
+    BURNISH_ALPHA_IGNORE, /* the alpha of textures means nothing */
+    BURNISH_ALPHA_MASK,   /* opaque where the opacity is at least alpha_cutoff, nothing elsewhere */
+    BURNISH_ALPHA_BLEND   /* it multiplies the opacity */
+} burnish_alpha_mode;
+
 /* ---- Materials ---- */
 
 /* Coefficients of the Phong equation. Colours are linear light, [0, 1] in a mesh, [0, 1e6] in
- * kernels.h. */
+ * kernels.h, which reads nothing below the exponent. What all 0 says from has_diffuse on is a plain
+ * opaque material. */
 typedef struct burnish_material {
     float ambient[3];   /* ka: reflects the ambient light */
     float diffuse[3];   /* kd: times max(0, N.L) */
     float specular[3];  /* ks: times the specular lobe; all 0: no lobe is computed */
     float exponent;     /* n of the specular lobe, [1, 65536] */
-    int has_diffuse;    /* 1: vertex colours multiply ambient and diffuse; 0: they take their place.
-                           kernels.h does not read it */
-    float transparency; /* 1 - opacity, [0, 1]: 0 is opaque. kernels.h does not read it */
+    int has_diffuse;    /* 1: vertex colours multiply ambient and diffuse; 0: they take their place
+                         */
+    float transparency; /* 1 - opacity, [0, 1]: 0 is opaque */
+
+    float emissive[3]; /* light of its own */
+    int is_unlit;      /* 1: the colour is drawn as it is, whatever the lights are */
+
+    /* 1: the material is a base colour (in diffuse; ambient and specular and the exponent are not
+     * read), metallic, roughness and reflectance, as in glTF:
+     *   kd = base (1 - metallic), ka = base, ks = reflectance (1 - metallic) + base metallic,
+     *   n = 2 / roughness^4 - 2, at least 1, and ks times (n + 2) / 8, so that a lobe of any width
+     *   reflects as much */
+    int is_metallic;
+    float metallic, roughness; /* [0, 1] */
+    float reflectance[3];      /* at normal incidence of what is no metal: 0.04 for an index of
+                                  refraction of 1.5 */
+
+    burnish_alpha_mode alpha_mode;
+    float alpha_cutoff; /* MASK: [0, 1] */
+    burnish_texture_use textures[BURNISH_TEXTURE_SLOT_COUNT];
 } burnish_material;
 
 /* ---- Lights ---- */

@@ -81,6 +81,7 @@ static burnish_status check_arrays(const creation *c) {
         {&from->normals, "normals", 12, c->vertex_count, "vertex"},
         {&from->colors, "colors", 4, c->vertex_count, "vertex"},
         {&from->texture_coordinates, "texture_coordinates", 8, c->vertex_count, "vertex"},
+        {&from->tangents, "tangents", 16, c->vertex_count, "vertex"},
         {&from->indices, "indices", (size_t)from->index_size, 3 * c->triangle_count, "corner"},
         {&from->triangle_materials, "triangle_materials", 2, c->triangle_count, "triangle"}};
     burnish_status status = BURNISH_STATUS_OK;
@@ -102,9 +103,31 @@ static burnish_status check_materials(const burnish_mesh_description *from, burn
     for (size_t i = 0; i < from->material_count && status == BURNISH_STATUS_OK; ++i) {
         char name[40];
         snprintf(name, sizeof name, "materials[%zu]", i);
-        status = burnish_check_material(&from->materials[i], name, error);
+        status = burnish_check_material(&from->materials[i], from->texture_count, name, error);
     }
     return status;
+}
+
+static burnish_status check_textures(const burnish_mesh_description *from, burnish_error *error) {
+    if (from->texture_count > BURNISH_TEXTURES_MAX ||
+        (from->texture_count > 0 && !from->textures)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "textures: there are %zu at %s; expected at most %d, and an array",
+                            from->texture_count, from->textures ? "an array" : "NULL",
+                            BURNISH_TEXTURES_MAX);
+    }
+    for (size_t i = 0; i < from->texture_count; ++i) {
+        const burnish_texture *texture = &from->textures[i];
+        if (texture->width < 1 || texture->width > BURNISH_TEXTURE_SIZE_MAX ||
+            texture->height < 1 || texture->height > BURNISH_TEXTURE_SIZE_MAX || !texture->pixels) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "textures[%zu]: %d x %d texels at %s; expected sides in [1, %d], "
+                                "and pixels",
+                                i, texture->width, texture->height,
+                                texture->pixels ? "an array" : "NULL", BURNISH_TEXTURE_SIZE_MAX);
+        }
+    }
+    return BURNISH_STATUS_OK;
 }
 
 static burnish_status check_description(creation *c) {
@@ -125,6 +148,9 @@ static burnish_status check_description(creation *c) {
     burnish_status status = check_counts(c);
     if (status == BURNISH_STATUS_OK) {
         status = check_arrays(c);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_textures(from, c->error);
     }
     return status == BURNISH_STATUS_OK ? check_materials(from, c->error) : status;
 }
@@ -229,12 +255,39 @@ static burnish_status copy_materials(creation *c) {
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status copy_arrays(creation *c) {
+/* Those that are within the limit; others would have to be told apart by materials. */
+static burnish_status copy_textures(creation *c, const burnish_load_options *options) {
+    uint64_t texels = 0;
+    for (size_t i = 0; i < c->from->texture_count; ++i) {
+        const burnish_texture *from = &c->from->textures[i];
+        const size_t count = (size_t)from->width * (size_t)from->height;
+        texels += count;
+        if (texels > options->max_texture_pixels) {
+            return burnish_fail(c->error, BURNISH_STATUS_LIMIT,
+                                "textures: more than %llu texels; raise max_texture_pixels or "
+                                "make them smaller",
+                                (unsigned long long)options->max_texture_pixels);
+        }
+        uint8_t *pixels = burnish_allocate(&c->data.memory, count, 4, "textures");
+        if (pixels) {
+            memcpy(pixels, from->pixels, 4 * count);
+            burnish_mesh_data_add_texture(&c->data, from->name, from->width, from->height, pixels,
+                                          from->is_color);
+        }
+        if (c->data.memory.status != BURNISH_STATUS_OK) {
+            return c->data.memory.status;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status copy_arrays(creation *c, const burnish_load_options *options) {
     const burnish_mesh_description *from = c->from;
     copy_stream(c, BURNISH_POSITION, &from->positions);
     copy_stream(c, BURNISH_NORMAL, &from->normals);
     copy_stream(c, BURNISH_COLOR, &from->colors);
     copy_stream(c, BURNISH_TEXCOORD, &from->texture_coordinates);
+    copy_stream(c, BURNISH_TANGENT, &from->tangents);
     burnish_status status = copy_indices(c);
     if (status == BURNISH_STATUS_OK) {
         status = copy_materials(c);
@@ -245,6 +298,12 @@ static burnish_status copy_arrays(creation *c) {
     if (status == BURNISH_STATUS_OK) {
         status = check_finite(c, BURNISH_TEXCOORD, 2, "texture_coordinates");
     }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_finite(c, BURNISH_TANGENT, 4, "tangents");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = copy_textures(c, options);
+    }
     return status;
 }
 
@@ -254,7 +313,7 @@ static burnish_status create(creation *c, const burnish_load_options *options,
     burnish_status status =
         burnish_check_triangle_count(options, name, c->triangle_count, c->error);
     if (status == BURNISH_STATUS_OK) {
-        status = copy_arrays(c);
+        status = copy_arrays(c, options);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_mesh_build(&c->data, name, options, BURNISH_FORMAT_ARRAYS, mesh);

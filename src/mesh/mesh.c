@@ -36,15 +36,17 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
         burnish_release(context, mesh->warnings[i]);
     }
     burnish_release(context, mesh->warnings);
+    burnish_textures_release(context, mesh->textures, mesh->texture_count);
     burnish_release(context, mesh->materials);
     burnish_release(context, mesh->triangle_materials);
     *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start};
 }
 
 static const char *const item_names[BURNISH_ATTRIBUTE_COUNT] = {"positions", "normals", "colours",
-                                                                "texture coordinates"};
+                                                                "texture coordinates", "tangents"};
 static const char *const corner_names[BURNISH_ATTRIBUTE_COUNT] = {
-    "triangles", "normal indices", "colour indices", "texture coordinate indices"};
+    "triangles", "normal indices", "colour indices", "texture coordinate indices",
+    "tangent indices"};
 
 burnish_status burnish_mesh_data_reserve(burnish_mesh_data *mesh, burnish_attribute attribute,
                                          size_t count) {
@@ -98,7 +100,8 @@ burnish_load_options burnish_load_options_default(void) {
                                   .crease_angle = BURNISH_CREASE_AUTO,
                                   .tessellation = 16,
                                   .max_input_bytes = (uint64_t)16 << 30,
-                                  .max_triangles = BURNISH_TRIANGLES_MAX};
+                                  .max_triangles = BURNISH_TRIANGLES_MAX,
+                                  .max_texture_pixels = (uint64_t)1 << 28};
 }
 
 static burnish_status check_options(const burnish_load_options *options, burnish_error *error) {
@@ -182,6 +185,7 @@ void burnish_mesh_update_view(burnish_mesh *mesh) {
     view->normals = mesh->attributes[BURNISH_NORMAL];
     view->colors = mesh->attributes[BURNISH_COLOR];
     view->texture_coordinates = mesh->attributes[BURNISH_TEXCOORD];
+    view->tangents = mesh->attributes[BURNISH_TANGENT];
     view->indices = mesh->indices;
     view->triangle_materials = mesh->triangle_materials;
     view->has_transparent_colors = has_alpha(view->colors, view->vertex_count);
@@ -211,6 +215,7 @@ void burnish_mesh_destroy(burnish_mesh *mesh) {
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         burnish_release(context, mesh->attributes[i]);
     }
+    burnish_textures_release(context, mesh->textures, mesh->texture_count);
     burnish_release(context, mesh->warnings);
     burnish_release(context, mesh->materials);
     burnish_release(context, mesh->indices);
@@ -252,32 +257,6 @@ const burnish_material *burnish_mesh_material(const burnish_mesh *mesh, size_t i
     return mesh && index < mesh->material_count ? &mesh->materials[index] : NULL;
 }
 
-burnish_status burnish_check_material(const burnish_material *material, const char *name,
-                                      burnish_error *error) {
-    const struct {
-        const char *word;
-        const float *values;
-    } colors[] = {{"ambient", material->ambient},
-                  {"diffuse", material->diffuse},
-                  {"specular", material->specular}};
-    for (int i = 0; i < 9; ++i) {
-        const float value = colors[i / 3].values[i % 3];
-        if (!(value >= 0 && value <= 1)) {
-            return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: %s[%d] is %g, not in [0, 1]",
-                                name, colors[i / 3].word, i % 3, (double)value);
-        }
-    }
-    if (!(material->exponent >= 1 && material->exponent <= 65536)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: exponent is %g, not in [1, 65536]",
-                            name, (double)material->exponent);
-    }
-    if (!(material->transparency >= 0 && material->transparency <= 1)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: transparency is %g, not in [0, 1]",
-                            name, (double)material->transparency);
-    }
-    return BURNISH_STATUS_OK;
-}
-
 burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,
                                          const burnish_material *material, burnish_error *error) {
     if (!mesh || !material) {
@@ -289,7 +268,8 @@ burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,
                             "index: %zu is out of range, the mesh has %zu material%s", index,
                             mesh->material_count, mesh->material_count == 1 ? "" : "s");
     }
-    burnish_status status = burnish_check_material(material, "material", error);
+    burnish_status status =
+        burnish_check_material(material, mesh->texture_count, "material", error);
     if (status == BURNISH_STATUS_OK) {
         mesh->materials[index] = *material;
     }

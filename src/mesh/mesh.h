@@ -28,12 +28,14 @@ typedef enum burnish_attribute {
     BURNISH_NORMAL,   /* 3 floats of any length, possibly 0 or not finite */
     BURNISH_COLOR,    /* 4 bytes: sRGB and alpha */
     BURNISH_TEXCOORD, /* 2 floats */
+    BURNISH_TANGENT,  /* 4 floats: burnish_mesh_view.tangents; dropped where no normal texture is
+                         used */
     BURNISH_ATTRIBUTE_COUNT
 } burnish_attribute;
 
 /* Bytes of one item. */
 static inline size_t burnish_attribute_size(burnish_attribute attribute) {
-    static const uint8_t sizes[BURNISH_ATTRIBUTE_COUNT] = {12, 12, 4, 8};
+    static const uint8_t sizes[BURNISH_ATTRIBUTE_COUNT] = {12, 12, 4, 8, 16};
     return sizes[attribute];
 }
 
@@ -57,6 +59,9 @@ typedef struct burnish_mesh_data {
 
     burnish_material *materials; /* empty: build adds burnish_material_default() */
     size_t material_count, material_capacity;
+
+    burnish_texture *textures; /* with their names and pixels, which are owned */
+    size_t texture_count, texture_capacity;
 
     char **warnings;
     size_t warning_count, warning_capacity;
@@ -83,6 +88,12 @@ void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute
  */
 __attribute__((format(printf, 2, 3))) void burnish_mesh_data_warn(burnish_mesh_data *mesh,
                                                                   const char *format, ...);
+
+/* Appends a texture; pixels, of 4 bytes a texel, become the data's, also on failure.
+ *   name  copied; may be NULL
+ * Returns 1 + its number, 0 on failure: mesh->memory has the status. */
+int burnish_mesh_data_add_texture(burnish_mesh_data *mesh, const char *name, int width, int height,
+                                  uint8_t *pixels, int is_color);
 
 /* Room for `count` items of an attribute, or for the corners of `triangles` triangles; what was
  * there is dropped. Returns the status of mesh->memory. */
@@ -129,9 +140,16 @@ struct burnish_mesh {
     burnish_material *materials;
     size_t material_count;
 
+    burnish_texture *textures; /* with their names and pixels, which are owned */
+    size_t texture_count;
+
     char **warnings;
     size_t warning_count;
 };
+
+/* Releases textures with what they own. */
+void burnish_textures_release(const burnish_context *context, burnish_texture *textures,
+                              size_t count);
 
 /* The view of the mesh's arrays, whose counts are set in it; a new serial. */
 void burnish_mesh_update_view(burnish_mesh *mesh);
@@ -151,7 +169,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
 /* What the ..._default() functions leave in `cookie`: the struct's name and version. One that was
  * not started from them is refused instead of being read as garbage. */
 #define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6434u /* "lod4" */
-#define BURNISH_DESCRIPTION_COOKIE 0x6d736831u  /* "msh1" */
+#define BURNISH_DESCRIPTION_COOKIE 0x6d736832u  /* "msh2" */
 #define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
 
 /* What every public function that loads looks at first: the place for the mesh, which becomes NULL,
@@ -166,9 +184,18 @@ burnish_status burnish_check_load(const burnish_load_options *options, burnish_m
 burnish_status burnish_check_triangle_count(const burnish_load_options *options, const char *where,
                                             uint64_t count, burnish_error *error);
 
-/* ARGUMENT, with its line, where a coefficient or the exponent is out of range; `name` is what the
- * line starts with. */
-burnish_status burnish_check_material(const burnish_material *material, const char *name,
-                                      burnish_error *error);
+/* ARGUMENT, with its line, where a number of a material is out of range, or a texture is not one of
+ * `texture_count`; `name` is what the line starts with. */
+burnish_status burnish_check_material(const burnish_material *material, size_t texture_count,
+                                      const char *name, burnish_error *error);
+
+/* Whether a material uses any texture. */
+static inline int burnish_material_has_textures(const burnish_material *material) {
+    int any = 0;
+    for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
+        any |= material->textures[slot].texture;
+    }
+    return any != 0;
+}
 
 #endif

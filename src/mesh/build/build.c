@@ -1,5 +1,5 @@
 /* From what a reader hands over to a mesh, step by step: weld, orient and drop; order; generate
- * normals and number vertices; materials. */
+ * normals and number vertices; tangents; materials and textures. */
 #include "core/clock.h"
 
 #include "mesh/build/builder.h"
@@ -17,6 +17,10 @@ static burnish_status take_materials(burnish_builder *b) {
         mesh->material_count = 1;
         return BURNISH_STATUS_OK;
     }
+    mesh->textures = data->textures;
+    mesh->texture_count = data->texture_count;
+    data->textures = NULL;
+    data->texture_count = data->texture_capacity = 0;
     mesh->materials = data->materials;
     mesh->material_count = data->material_count;
     data->materials = NULL;
@@ -51,7 +55,8 @@ static burnish_status build(burnish_builder *b) {
         double done;
     } steps[] = {{burnish_build_triangles, 0.4},
                  {burnish_build_order, 0.6},
-                 {burnish_build_vertices, 0.95},
+                 {burnish_build_vertices, 0.9},
+                 {burnish_build_tangents, 0.95},
                  {take_materials, 1}};
     burnish_tasks *tasks = b->data->tasks;
     burnish_status status = b->memory->status;
@@ -87,9 +92,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                          .crease_angle = options->crease_angle,
                          .measure = options->measure};
     *mesh = NULL;
-    if (!options->keep_texture_coordinates) {
-        burnish_mesh_data_drop(data, BURNISH_TEXCOORD);
-    }
+    burnish_build_prepare_textures(&b, options);
     for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         b.has_extras |= data->streams[i].count > 0;
     }

@@ -43,7 +43,8 @@ typedef struct burnish_builder {
     const char *name;       /* of the input */
     burnish_mesh *mesh;     /* the result */
     double crease_angle;
-    int measure; /* 1: the mesh gets its facts */
+    int measure;        /* 1: the mesh gets its facts */
+    int needs_tangents; /* 1: a material uses a normal texture */
 
     size_t position_count;      /* welded positions, at the head of data's positions */
     size_t triangle_count;      /* triangles with area, at the head of data's arrays */
@@ -99,6 +100,16 @@ burnish_status burnish_build_order(burnish_builder *b);
  * CANCELLED. */
 burnish_status burnish_build_vertices(burnish_builder *b);
 
+/* ---- textures.c ---- */
+
+/* Drops what the mesh does not need of textures, coordinates and tangents, before it is built. */
+void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_options *options);
+
+/* Generates tangents where they are needed and the file has none; makes them unit vectors at right
+ * angles to the normals. Mirrored triangles may get vertices of their own. Errors: MEMORY, LIMIT,
+ * CANCELLED. */
+burnish_status burnish_build_tangents(burnish_builder *b);
+
 /* ---- weld.c: finding equal vertices, in time that no input can make quadratic ---- */
 
 /* Numbers bitwise equal positions alike, in the order of their first appearance.
@@ -119,8 +130,9 @@ burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks 
  * order of those first ones, in place. Returns how many there are; when cancelled, too few. */
 size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count);
 
-/* Words that a vertex of one position can differ in: normal, colour, texture coordinates. */
-enum { BURNISH_WELD_KEY_WORDS = 6 };
+/* Words that a vertex of one position can differ in: normal, colour, texture coordinates, tangent.
+ */
+enum { BURNISH_WELD_KEY_WORDS = 10 };
 
 /* Something to be sorted by words; the value breaks ties, so that the order is total. */
 typedef struct burnish_weld_record {

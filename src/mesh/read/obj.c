@@ -12,7 +12,7 @@ enum { MATERIAL, LIBRARY, ELEMENT, FEW_CORNERS, OTHER };
 
 /* Numbers of a corner: those of its attributes, by attribute. No corner has a colour of its own, so
  * that in its column stands which of the others are relative, as bits 1 << attribute. */
-enum { COLUMNS = BURNISH_ATTRIBUTE_COUNT, RELATIVE = BURNISH_COLOR };
+enum { COLUMNS = BURNISH_TEXCOORD + 1, RELATIVE = BURNISH_COLOR };
 
 typedef struct obj_state {
     burnish_reader *reader;

@@ -366,7 +366,7 @@ static burnish_status read_vertices(ply_state *ply, burnish_ply_rows *rows, cons
                                                              BURNISH_PLY_RED, BURNISH_PLY_S};
     burnish_mesh_data *mesh = ply->reader->mesh;
     const size_t count = (size_t)ply->element->count;
-    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+    for (int i = 0; i <= BURNISH_TEXCOORD; ++i) {
         if (has_roles(ply, first_roles[i], last_roles[i])) {
             if (burnish_mesh_data_reserve(mesh, (burnish_attribute)i, count) != BURNISH_STATUS_OK) {
                 return mesh->memory.status;

@@ -1,6 +1,7 @@
 /* What readers share: the table of formats, and messages that say what is wrong and where in the
  * input. */
 #include "mesh/read/reader.h"
+#include "mesh/read/textures.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -87,6 +88,7 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
     }
     burnish_release(reader->mesh->memory.context, reader->polygons);
     reader->polygons = NULL;
+    burnish_reader_close_textures(reader);
     return status;
 }
 

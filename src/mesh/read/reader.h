@@ -28,6 +28,7 @@ typedef struct burnish_reader {
     size_t line;
     burnish_polygon *polygons;
     size_t polygon_count, polygon_capacity;
+    struct burnish_texture_names *textures; /* textures.h: those asked for; NULL before the first */
 } burnish_reader;
 
 /* burnish_fail() and burnish_mesh_data_warn() with a location in front: "NAME:LINE: ..." of the

@@ -1,4 +1,4 @@
-/* Reading PNG files, which may be hostile: through libpng, with limits. */
+/* Reading PNG files, which may be hostile. */
 #ifndef TOOL_PICTURE_READ_PNG_H
 #define TOOL_PICTURE_READ_PNG_H
 

@@ -1,0 +1,131 @@
+/* JPEG through libjpeg-turbo. */
+#include "image/decode.h"
+
+#if BURNISH_HAS_JPEG
+#include <setjmp.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <jpeglib.h>
+
+#include "core/sanitize.h"
+
+enum {
+    MOST_MEMORY = 256 << 20, /* of the library's own, for progressive files */
+    /* A coded block of 64 coefficients takes 1 bit at least, in up to 64 progressive passes. */
+    LARGEST_RATIO = 64 * 8 * 64,
+    MOST_SCANS = 500 /* a small file of many scans takes minutes */
+};
+
+/* The library ends the process where it meets an error, unless this returns elsewhere. */
+typedef struct jpeg_reader {
+    struct jpeg_error_mgr manager;
+    struct jpeg_progress_mgr progress;
+    jmp_buf place;
+    char reason[JMSG_LENGTH_MAX];
+} jpeg_reader;
+
+static void fail(j_common_ptr codec) {
+    jpeg_reader *reader = (jpeg_reader *)codec->err;
+    codec->err->format_message(codec, reader->reason);
+    longjmp(reader->place, 1);
+}
+
+static void pass_over(j_common_ptr codec, int level) {
+    (void)codec, (void)level;
+}
+
+/* Called once in a while: ends files of too many scans. */
+static void watch(j_common_ptr codec) {
+    jpeg_reader *reader = (jpeg_reader *)codec->err;
+    if (codec->is_decompressor && ((j_decompress_ptr)codec)->input_scan_number > MOST_SCANS) {
+        snprintf(reader->reason, sizeof reader->reason, "more than %d scans", MOST_SCANS);
+        longjmp(reader->place, 1);
+    }
+}
+
+/* Grey or any three components as RGB; of CMYK, mostly Adobe's and inverted, what is printed. */
+static void spread(const JSAMPLE *from, int components, int channels, int width, uint8_t *to) {
+    for (int x = 0; x < width; ++x, from += components, to += channels) {
+        for (int k = 0; k < 3; ++k) {
+            to[k] = components == 4 ? (uint8_t)(from[k] * from[3] / 255) : from[k];
+        }
+        if (channels == 4) {
+            to[3] = 255;
+        }
+    }
+}
+
+static burnish_status decode(j_decompress_ptr codec, const burnish_encoded *from,
+                             burnish_memory *memory, burnish_image *picture, uint8_t **line) {
+    jpeg_reader *reader = (jpeg_reader *)codec->err;
+    if (setjmp(reader->place)) {
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: no sound JPEG: %.200s",
+                            from->name, reader->reason);
+    }
+    codec->mem->max_memory_to_use = MOST_MEMORY;
+    codec->progress = &reader->progress;
+    jpeg_mem_src(codec, from->bytes, (unsigned long)from->size);
+    jpeg_read_header(codec, TRUE);
+    const uint64_t pixels = (uint64_t)codec->image_width * codec->image_height;
+    if (pixels / LARGEST_RATIO > from->size) {
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
+                            "%.200s: %u x %u pixels can't be in a JPEG of %zu bytes; it is cut off "
+                            "or damaged",
+                            from->name, codec->image_width, codec->image_height, from->size);
+    }
+    codec->out_color_space =
+        codec->jpeg_color_space == JCS_CMYK || codec->jpeg_color_space == JCS_YCCK ? JCS_CMYK
+                                                                                   : JCS_RGB;
+    codec->dct_method = JDCT_ISLOW; /* the exact one: the same pixels everywhere */
+    burnish_status status = burnish_decode_reserve(from, codec->image_width, codec->image_height,
+                                                   from->channels == 4 ? 4 : 3, memory, picture);
+    *line = burnish_allocate(memory, codec->image_width, 4, from->name);
+    if (status != BURNISH_STATUS_OK || !*line) {
+        return status == BURNISH_STATUS_OK ? memory->status : status;
+    }
+    jpeg_start_decompress(codec);
+    const size_t row_size = (size_t)picture->width * (size_t)picture->channels;
+    while (codec->output_scanline < codec->output_height) {
+        uint8_t *row = picture->pixels + row_size * codec->output_scanline;
+        JSAMPROW lines = *line;
+        jpeg_read_scanlines(codec, &lines, 1);
+        burnish_written_outside(*line, (size_t)picture->width * 4);
+        spread(*line, codec->output_components, picture->channels, picture->width, row);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_decode_jpeg(const burnish_encoded *from, burnish_memory *memory,
+                                   burnish_image *picture) {
+    struct jpeg_decompress_struct codec;
+    jpeg_reader reader;
+    uint8_t *line = NULL;
+    memset(&codec, 0, sizeof codec);
+    memset(&reader, 0, sizeof reader);
+    codec.err = jpeg_std_error(&reader.manager);
+    reader.manager.error_exit = fail;
+    reader.manager.emit_message = pass_over;
+    reader.progress.progress_monitor = watch;
+    if (setjmp(reader.place)) {
+        return burnish_fail(memory->error, BURNISH_STATUS_MEMORY, "%.200s: out of memory",
+                            from->name);
+    }
+    jpeg_create_decompress(&codec);
+    const burnish_status status = decode(&codec, from, memory, picture, &line);
+    jpeg_destroy_decompress(&codec);
+    burnish_release(memory->context, line);
+    return status;
+}
+
+#else
+
+burnish_status burnish_decode_jpeg(const burnish_encoded *from, burnish_memory *memory,
+                                   burnish_image *picture) {
+    (void)picture;
+    return burnish_fail(memory->error, BURNISH_STATUS_ARGUMENT,
+                        "%.200s: this burnish reads no JPEG: it was built without libjpeg",
+                        from->name);
+}
+
+#endif

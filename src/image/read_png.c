@@ -1,0 +1,129 @@
+/* PNG through libpng's row interface: the simplified one converts 16 bits by the file's gamma. */
+#include "image/decode.h"
+
+#if BURNISH_HAS_PNG
+#include <png.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/sanitize.h"
+
+enum {
+    MOST_CHUNK_BYTES = 8 << 20, /* of one chunk that libpng keeps: profiles, texts */
+    MOST_CHUNKS = 1000,         /* of those */
+    LARGEST_RATIO = 1032        /* deflate's: what a byte can at most become */
+};
+
+/* What libpng's functions are handed. */
+typedef struct decoder {
+    png_structp png;
+    png_infop info;
+    const uint8_t *bytes;
+    size_t size, next;
+    char reason[120]; /* libpng's */
+} decoder;
+
+static void take(png_structp png, png_bytep to, size_t count) {
+    decoder *d = png_get_io_ptr(png);
+    if (count > d->size - d->next) {
+        png_error(png, "the file ends too early");
+    }
+    memcpy(to, d->bytes + d->next, count);
+    d->next += count;
+}
+
+static void fail(png_structp png, png_const_charp reason) {
+    decoder *d = png_get_error_ptr(png);
+    snprintf(d->reason, sizeof d->reason, "%s", reason);
+    png_longjmp(png, 1);
+}
+
+static void pass_over(png_structp png, png_const_charp reason) {
+    (void)png, (void)reason;
+}
+
+/* Everything as 8 bits of RGB or RGBA. Returns the channels. */
+static int ask_for_codes(decoder *d, int channels) {
+    png_set_expand(d->png);
+    png_set_scale_16(d->png);
+    png_set_gray_to_rgb(d->png);
+    if (channels == 4) {
+        png_set_add_alpha(d->png, 255, PNG_FILLER_AFTER);
+    }
+    png_set_interlace_handling(d->png);
+    png_read_update_info(d->png, d->info);
+    return png_get_channels(d->png, d->info);
+}
+
+/* Rows are never more than the file can hold, so that a small file can't ask for much memory. */
+static burnish_status make_image(const burnish_encoded *from, decoder *d, burnish_memory *memory,
+                                 burnish_image *image) {
+    const uint64_t width = png_get_image_width(d->png, d->info);
+    const uint64_t height = png_get_image_height(d->png, d->info);
+    if (width <= (uint64_t)from->max_side && height <= (uint64_t)from->max_side &&
+        png_get_rowbytes(d->png, d->info) * height / LARGEST_RATIO > d->size) {
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
+                            "%.200s: %llu x %llu pixels can't be in a PNG of %zu bytes; it is cut "
+                            "off or damaged",
+                            from->name, (unsigned long long)width, (unsigned long long)height,
+                            d->size);
+    }
+    return burnish_decode_reserve(from, width, height, ask_for_codes(d, from->channels), memory,
+                                  image);
+}
+
+static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_memory *memory,
+                             burnish_image *image, png_bytepp *rows) {
+    if (setjmp(png_jmpbuf(d->png))) {
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: no sound PNG: %s",
+                            from->name, d->reason);
+    }
+    png_set_read_fn(d->png, d, take);
+    png_set_user_limits(d->png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* ours say it in our words */
+    png_set_chunk_malloc_max(d->png, MOST_CHUNK_BYTES);
+    png_set_chunk_cache_max(d->png, MOST_CHUNKS);
+    png_set_crc_action(d->png, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
+    png_read_info(d->png, d->info);
+    burnish_status status = make_image(from, d, memory, image);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    *rows = burnish_allocate(memory, (size_t)image->height, sizeof **rows, from->name);
+    if (!*rows) {
+        return memory->status;
+    }
+    for (int y = 0; y < image->height; ++y) {
+        (*rows)[y] = image->pixels + (size_t)y * (size_t)image->width * (size_t)image->channels;
+    }
+    png_read_image(d->png, *rows);
+    png_read_end(d->png, NULL);
+    burnish_written_outside(image->pixels,
+                            (size_t)image->width * (size_t)image->height * (size_t)image->channels);
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_decode_png(const burnish_encoded *from, burnish_memory *memory,
+                                  burnish_image *picture) {
+    decoder d = {.bytes = from->bytes, .size = from->size};
+    png_bytepp rows = NULL;
+    d.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &d, fail, pass_over);
+    d.info = d.png ? png_create_info_struct(d.png) : NULL;
+    burnish_status status = d.info ? decode(from, &d, memory, picture, &rows)
+                                   : burnish_fail(memory->error, BURNISH_STATUS_MEMORY,
+                                                  "%.200s: out of memory", from->name);
+    png_destroy_read_struct(&d.png, &d.info, NULL);
+    burnish_release(memory->context, rows);
+    return status;
+}
+
+#else
+
+burnish_status burnish_decode_png(const burnish_encoded *from, burnish_memory *memory,
+                                  burnish_image *picture) {
+    (void)picture;
+    return burnish_fail(memory->error, BURNISH_STATUS_ARGUMENT,
+                        "%.200s: this burnish reads no PNG: it was built without libpng",
+                        from->name);
+}
+
+#endif
