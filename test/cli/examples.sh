@@ -7,6 +7,10 @@ archive=$2
 source=$3
 scratch=$4
 mkdir -p "$scratch"
+decoders= # of textures: those that the archive may have been built with
+for module in libpng libjpeg libwebp; do
+    decoders="$decoders $(pkg-config --libs $module 2>/dev/null || true)"
+done
 $compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include/burnish" "$source/docs/examples/copy_lobe.c" -lm -o "$scratch/copy_lobe"
 $compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" "$source/docs/examples/link_kernels.c" "$archive" -lm -o "$scratch/link_kernels"
 "$scratch/copy_lobe" >"$scratch/copy.ppm"
@@ -29,7 +33,8 @@ echo "examples: integers $sum"
 [ "$sum" = "775226584 27661" ]
 
 # Meshes from the program's own arrays and from memory.
-$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" "$source/docs/examples/own_mesh.c" "$archive" -lm -pthread -o "$scratch/own_mesh"
+# shellcheck disable=SC2086
+$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" "$source/docs/examples/own_mesh.c" "$archive" $decoders -lm -pthread -o "$scratch/own_mesh"
 "$scratch/own_mesh" | tee "$scratch/own_mesh.txt"
 [ "$(cat "$scratch/own_mesh.txt")" = "square: 4 vertices, 2 triangles
 red.obj: diffuse 1, 0 warnings" ]
