@@ -2,7 +2,8 @@
  * public API alone. What loads must keep what scene.h promises, and draw; what does not must say so
  * in one line.
  *
- * byte 0:  format, by the first letter of its name; FUZZ_FORMAT in the environment comes first
+ * byte 0:  format, by its letter: the first one of its name that no format before it has; the name
+ *          in FUZZ_FORMAT in the environment comes first
  * byte 1:  options, see load_options() and draw()
  * byte 2:  samples, camera inside the mesh, threads compared; see draw() and compare_threads()
  * the rest: the file. Of an OBJ what stands behind the first NUL is its material library, "101".
@@ -39,11 +40,29 @@ static void require(int condition, const char *what, const burnish_error *error)
     }
 }
 
-/* AUTO for a letter with which no format of files begins. */
-static burnish_format format_of(char letter) {
-    for (int i = 0; i < burnish_format_count(); ++i) {
+static int is_in(char letter, const char *letters, int count) {
+    return memchr(letters, letter, (size_t)count) != NULL;
+}
+
+/* The letters of the formats, 0 for what is no format of files. */
+static void find_letters(char letters[BURNISH_FORMAT_COUNT]) {
+    for (int i = 0; i < BURNISH_FORMAT_COUNT; ++i) {
         const burnish_format_info *info = burnish_format_get_info((burnish_format)i);
-        if (info->is_file && *info->name == letter) {
+        const char *name = info->is_file ? info->name : "";
+        while (*name && is_in(*name, letters, i)) {
+            ++name;
+        }
+        letters[i] = *name;
+    }
+}
+
+/* AUTO for a letter that no format has, and for no name. */
+static burnish_format format_of(char letter, const char *name) {
+    char letters[BURNISH_FORMAT_COUNT];
+    find_letters(letters);
+    for (int i = 0; i < BURNISH_FORMAT_COUNT; ++i) {
+        const char *own = burnish_format_get_info((burnish_format)i)->name;
+        if (letters[i] && (name ? strcmp(own, name) == 0 : letters[i] == letter)) {
             return (burnish_format)i;
         }
     }
@@ -54,7 +73,7 @@ static burnish_load_options load_options(const uint8_t *head) {
     static const double creases[4] = {BURNISH_CREASE_AUTO, 0, 89.5, 180};
     const char *fixed = getenv("FUZZ_FORMAT");
     burnish_load_options options = burnish_load_options_default();
-    options.format = format_of(fixed && *fixed ? *fixed : (char)head[0]);
+    options.format = format_of((char)head[0], fixed && *fixed ? fixed : NULL);
     options.crease_angle = creases[head[1] & 3];
     options.max_triangles = head[1] & 4 ? 5 : TRIANGLE_LIMIT;
     options.max_input_bytes = INPUT_LIMIT;
