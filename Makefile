@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is; ./make does the same where make itself is missing.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo gallery test test-all check asan tsan msan clang scalar fuzz fuzz-briefly build-fuzz sweep bench \
+.PHONY: help deps build demo gallery test test-all check asan tsan msan clang scalar fuzz fuzz-briefly fuzz-lines build-fuzz sweep bench \
 	bench-peers bench-scale format format-check golden abi figures mcu operations prove-q15 rtl rtl-prove cross install check-targets short-docs clean
 
 PRESET ?= release
@@ -70,7 +70,7 @@ asan: ## tests with the address and undefined behaviour sanitizers
 
 # What runs in one thread and shares nothing is left out, and so are scripts that draw what unit tests draw.
 one_thread = theory|lobe|shade_q15|kernel|elementary|srgb|numbers|layers|options|text|camera|visibility|large_triangles
-one_thread_cli = headers|abi|exports|tables|shell|sheet|cli_(figures|lobe|help|complete|bench|render|turntable|planes|info)
+one_thread_cli = headers|abi|exports|tables|shell|sheet|command_lines|cli_(figures|lobe|help|complete|bench|render|turntable|planes|info)
 tsan: ## tests with the thread sanitizer
 	@$(DEPS) build test check
 	@$(MAKE) --no-print-directory ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'"
@@ -96,6 +96,12 @@ fuzz-briefly: build-fuzz
 
 fuzz: build-fuzz ## look for files that break loading and drawing: 10 minutes, or FUZZ_SECONDS=N
 	@./test/fuzz/run $(FUZZ_SECONDS) $(FUZZ_FORMAT)
+	@$(if $(FUZZ_FORMAT),,$(MAKE) --no-print-directory fuzz-lines)
+
+FUZZ_LINES = $(if $(SHORT),500,20000)
+fuzz-lines: ## random command lines of the program: 20,000, or FUZZ_LINES=N
+	@$(MAKE) --no-print-directory program-fuzz_lines program-burnish_cli
+	@./test/fuzz/lines build/release/test/fuzz_lines build/release/burnish build/fuzz/lines $(FUZZ_LINES) $$(date +%s)
 
 build-fuzz:
 	@$(DEPS) build check
