@@ -42,6 +42,7 @@ extern "C" {
 /* The formats of files, X(name, word, endings, x, y, z of the up axis): the one list
  * of them; burnish_format_info says what the columns are. */
 #define BURNISH_FORMAT_LIST(X)                                                                     \
+    X(GLTF, gltf, ".gltf .glb", 0, 1, 0)                                                           \
     X(OBJ, obj, ".obj", 0, 1, 0)                                                                   \
     X(PLY, ply, ".ply", 0, 1, 0)                                                                   \
     X(STL, stl, ".stl", 0, 0, 1)

@@ -51,12 +51,12 @@ static const cli_word annotation_words[] = {{"axes", BURNISH_ANNOTATION_AXES},
 static const cli_word equation_words[] = {
     {"blinn", BURNISH_SPECULAR_BLINN}, {"phong", BURNISH_SPECULAR_PHONG}, {NULL, 0}};
 static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}};
-#define AXIS_100 "+X"
-#define AXIS_010 "+Y"
-#define AXIS_001 "+Z"
-#define FORMAT_AXIS(name, word, endings, x, y, z) ", " #word " " AXIS_##x##y##z
-/* ", obj +Y, ply +Y, stl +Z": the label begins at the third character. */
-static const char format_axes[] = BURNISH_FORMAT_LIST(FORMAT_AXIS);
+#define AXIS_100(word) ", " #word " +X"
+#define AXIS_010(word)
+#define AXIS_001(word) ", " #word " +Z"
+#define FORMAT_AXIS(name, word, endings, x, y, z) AXIS_##x##y##z(word)
+/* "+Y, stl +Z": most formats stand on +Y. */
+static const char format_axes[] = "+Y" BURNISH_FORMAT_LIST(FORMAT_AXIS);
 
 /* Values of coordinates and angles beyond this are mistakes. */
 #define ANGLE_MAX 36000.0
@@ -293,7 +293,7 @@ static const cli_flag flags[] = {
      .common = 1,
      .value = "AXIS",
      .help = "upward",
-     .default_label = format_axes + 2,
+     .default_label = format_axes,
      .manual =
          "The axis of the object that points up. *auto* is a guess: of +Y and +Z the one that the "
          "input's format says, unless the object would fall over that way and stands well the "

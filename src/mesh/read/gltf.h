@@ -1,0 +1,216 @@
+/* What the parts of the glTF 2.0 reader share (Khronos, "glTF 2.0 Specification", 2.0.1).
+ *
+ *     gltf.c            container, extensions, the order of the steps
+ *     gltf_values.c     members of objects, with messages that name them
+ *     gltf_buffers.c    bytes: the binary chunk, data URIs, files beside the input
+ *     gltf_accessors.c  bytes to numbers
+ *     gltf_nodes.c      the scene's matrices
+ *     gltf_primitives.c meshes' primitives: their accessors, and how many triangles they make
+ *     gltf_geometry.c   primitives of nodes to triangles
+ *     gltf_materials.c  materials
+ *
+ * The first failure stays in gltf->status; after it functions give defaults, so that callers may
+ * ask for all they need and look once. */
+#ifndef BURNISH_MESH_READ_GLTF_H
+#define BURNISH_MESH_READ_GLTF_H
+
+#include "mesh/read/json.h"
+
+/* Items of one top-level array: more are refused. */
+#define BURNISH_GLTF_LIST_MAX ((size_t)1 << 22)
+
+#define BURNISH_GLTF_NONE UINT32_MAX
+
+/* The top-level arrays, X(name, key). */
+#define BURNISH_GLTF_LISTS(X)                                                                      \
+    X(ACCESSORS, "accessors")                                                                      \
+    X(BUFFERS, "buffers")                                                                          \
+    X(VIEWS, "bufferViews")                                                                        \
+    X(MATERIALS, "materials")                                                                      \
+    X(MESHES, "meshes")                                                                            \
+    X(NODES, "nodes")                                                                              \
+    X(SCENES, "scenes")                                                                            \
+    X(SKINS, "skins")
+
+typedef enum burnish_gltf_list {
+#define BURNISH_GLTF_ENUM(name, key) BURNISH_GLTF_##name,
+    BURNISH_GLTF_LISTS(BURNISH_GLTF_ENUM)
+#undef BURNISH_GLTF_ENUM
+        BURNISH_GLTF_LIST_COUNT
+} burnish_gltf_list;
+
+/* Some bytes of a file. */
+typedef struct burnish_gltf_bytes {
+    const uint8_t *bytes;
+    size_t size;
+} burnish_gltf_bytes;
+
+/* A buffer, loaded when it is first asked for. */
+typedef struct burnish_gltf_buffer {
+    burnish_gltf_bytes bytes;
+    int is_loaded;
+    void *owned;                  /* decoded from a data URI; NULL: not */
+    burnish_gltf_bytes companion; /* of a file beside the input */
+} burnish_gltf_buffer;
+
+/* The values of component_type: OpenGL's. */
+typedef enum burnish_gltf_component {
+    BURNISH_GLTF_BYTE = 5120,
+    BURNISH_GLTF_UNSIGNED_BYTE = 5121,
+    BURNISH_GLTF_SHORT = 5122,
+    BURNISH_GLTF_UNSIGNED_SHORT = 5123,
+    BURNISH_GLTF_UNSIGNED_INT = 5125,
+    BURNISH_GLTF_FLOAT = 5126
+} burnish_gltf_component;
+
+/* An accessor whose bounds were checked: element i, of `width` components, is at bytes +
+ * i * stride. */
+typedef struct burnish_gltf_accessor {
+    const uint8_t *bytes; /* NULL: not resolved yet */
+    size_t count, stride;
+    int component; /* burnish_gltf_component */
+    int width;     /* components of an element: 1, 2, 3, 4 or 16 */
+    int is_normalized;
+    uint32_t value; /* its JSON value */
+    void *owned;    /* with sparse values filled in; NULL: bytes are a buffer's */
+} burnish_gltf_accessor;
+
+/* A node of the scene: what of it is needed later. */
+typedef struct burnish_gltf_node {
+    double matrix[12]; /* to the world: rows x, y, z of a 3 x 4 matrix */
+    uint32_t parent;   /* NONE: a root */
+    uint32_t mesh;     /* NONE: it draws nothing */
+    int is_drawn;      /* of the scene, and visible */
+} burnish_gltf_node;
+
+/* A primitive: numbers of accessors, NONE for those that it has not. */
+typedef struct burnish_gltf_primitive {
+    uint32_t value; /* its JSON value */
+    uint32_t position, normal, color, texcoord, indices;
+    uint32_t material;
+    int mode;              /* OpenGL's: 4 triangles, 5 strip, 6 fan */
+    size_t corner_count;   /* indices, or vertices where there are none */
+    size_t triangle_count; /* 0: it is not drawn */
+} burnish_gltf_primitive;
+
+typedef struct burnish_gltf {
+    burnish_reader *reader;
+    burnish_memory *memory; /* the mesh data's */
+    burnish_status status;
+    burnish_json json;
+    uint32_t *lists[BURNISH_GLTF_LIST_COUNT]; /* the JSON values of their items */
+    size_t counts[BURNISH_GLTF_LIST_COUNT];
+    burnish_gltf_bytes binary; /* the GLB's chunk */
+    int is_glb;
+    int is_lenient; /* 1: what is wrong gives a note, and the default */
+
+    burnish_gltf_buffer *buffers;       /* one per item of BUFFERS */
+    burnish_gltf_accessor *accessors;   /* one per item of ACCESSORS */
+    uint64_t bytes_left;                /* that files beside the input may have, all together */
+    uint64_t filled_bytes;              /* of accessors with arrays of their own */
+    burnish_gltf_node *nodes;           /* one per item of NODES */
+    uint32_t *node_order;               /* parents before children */
+    burnish_gltf_primitive *primitives; /* of all meshes, mesh after mesh */
+    size_t primitive_count, primitive_capacity;
+    int has_plain;             /* 1: a primitive has no material */
+    uint32_t *mesh_primitives; /* of each mesh the first of them; one more for the end */
+
+    burnish_warning_group odd_values, unsupported_modes, rests;
+} burnish_gltf;
+
+/* ---- gltf_values.c ---- */
+
+/* Fails with "NAME:LINE: PATH: ..."; value NONE: without place. The first failure stays. Returns 0.
+ */
+__attribute__((format(printf, 4, 5))) int burnish_gltf_fail(burnish_gltf *gltf,
+                                                            burnish_status status, uint32_t value,
+                                                            const char *format, ...);
+
+/* Notes what was passed over, in the same form. */
+__attribute__((format(printf, 4, 5))) void burnish_gltf_note(burnish_gltf *gltf,
+                                                             burnish_warning_group *group,
+                                                             uint32_t value, const char *format,
+                                                             ...);
+
+/* Takes over a failure of memory. Returns whether all is well. */
+int burnish_gltf_is_fine(burnish_gltf *gltf);
+
+/* The member of an object, NONE where it is not there; one of another kind fails. */
+uint32_t burnish_gltf_object(burnish_gltf *gltf, uint32_t object, const char *key);
+uint32_t burnish_gltf_array(burnish_gltf *gltf, uint32_t object, const char *key);
+
+/* object.extensions.NAME */
+uint32_t burnish_gltf_extension(burnish_gltf *gltf, uint32_t object, const char *name);
+
+/* A whole number of [0, most]. */
+uint64_t burnish_gltf_whole(burnish_gltf *gltf, uint32_t object, const char *key,
+                            uint64_t otherwise, uint64_t most);
+double burnish_gltf_number(burnish_gltf *gltf, uint32_t object, const char *key, double otherwise);
+
+/* `count` numbers; where the member is not there, they stay. Returns whether it is. */
+int burnish_gltf_numbers(burnish_gltf *gltf, uint32_t object, const char *key, int count,
+                         double *numbers);
+int burnish_gltf_flag(burnish_gltf *gltf, uint32_t object, const char *key, int otherwise);
+
+/* The number of an item of a list; NONE where the member is not there, or on failure. */
+uint32_t burnish_gltf_reference(burnish_gltf *gltf, uint32_t object, const char *key,
+                                burnish_gltf_list list);
+
+/* The same of a value that must be one. */
+uint32_t burnish_gltf_item(burnish_gltf *gltf, uint32_t value, burnish_gltf_list list);
+
+/* The JSON values of an array's items, `count` of them; NULL for none, and on failure. */
+uint32_t *burnish_gltf_items(burnish_gltf *gltf, uint32_t array, size_t *count);
+
+/* ---- gltf_buffers.c ---- */
+
+/* The bytes of a buffer view, and the stride that it states, 0 for none. Returns 0 on failure. */
+int burnish_gltf_view(burnish_gltf *gltf, uint32_t view, burnish_gltf_bytes *bytes, size_t *stride);
+
+/* The bytes that a URI stands for, kept with a buffer: decoded from it where it is a data URI, else
+ * of a file beside the input, of at most max_bytes. Returns 0 on failure. */
+int burnish_gltf_load_uri(burnish_gltf *gltf, uint32_t uri, uint64_t max_bytes,
+                          burnish_gltf_buffer *buffer);
+void burnish_gltf_release_buffer(burnish_gltf *gltf, burnish_gltf_buffer *buffer);
+
+/* ---- gltf_accessors.c ---- */
+
+/* An accessor with its bounds checked and its sparse values in place. NULL on failure.
+ *   user   what asks for it, for messages
+ *   widths bits 1 << width: those that it may have */
+const burnish_gltf_accessor *burnish_gltf_resolve(burnish_gltf *gltf, uint32_t accessor,
+                                                  uint32_t user, unsigned widths);
+
+/* The components of element i, normalised ones in [-1, 1] or [0, 1]. */
+void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, double *components);
+
+/* Element i of one of integers, as it stands. */
+uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accessor, size_t i, int component);
+
+/* ---- gltf_nodes.c ---- */
+
+/* product = a b, of 3 x 4 matrices; it may be one of them. */
+void burnish_gltf_multiply(const double a[12], const double b[12], double product[12]);
+void burnish_gltf_compose(const double translation[3], const double rotation[4],
+                          const double scale[3], double matrix[12]);
+
+/* Fills gltf->nodes: the matrices, and what is drawn. */
+void burnish_gltf_place_nodes(burnish_gltf *gltf);
+
+/* ---- gltf_materials.c ---- */
+
+/* Fills the mesh's materials: one per item of MATERIALS, and one more for primitives without
+ * where there are any. */
+void burnish_gltf_read_materials(burnish_gltf *gltf);
+
+/* ---- gltf_primitives.c ---- */
+
+/* Fills gltf->primitives, with the accessors that they name resolved. */
+void burnish_gltf_read_primitives(burnish_gltf *gltf);
+
+/* ---- gltf_geometry.c ---- */
+
+/* Fills the mesh's streams from the nodes that are drawn. */
+void burnish_gltf_read_geometry(burnish_gltf *gltf);
+
+#endif

@@ -1,0 +1,210 @@
+/* glTF's bytes: buffers from the binary chunk, from data URIs and from files beside the input. */
+#include "mesh/read/gltf.h"
+
+enum { FILE_NAME_SIZE = 4096 };
+
+/* ---- URIs ---- */
+
+/* The six bits of a character of base64, either alphabet; 64: none. */
+static unsigned sextet(uint8_t c) {
+    if (c >= 'A' && c <= 'Z') {
+        return c - 'A';
+    }
+    if (c >= 'a' && c <= 'z') {
+        return c - 'a' + 26u;
+    }
+    if (c >= '0' && c <= '9') {
+        return c - '0' + 52u;
+    }
+    return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : 64;
+}
+
+/* Decodes in place, where `text` may be `out`. Returns bytes written; SIZE_MAX where a character is
+ * none of base64. */
+static size_t decode_base64(const uint8_t *text, size_t size, uint8_t *out) {
+    size_t written = 0;
+    uint32_t bits = 0;
+    int held = 0;
+    while (size > 0 && text[size - 1] == '=') {
+        --size;
+    }
+    for (size_t i = 0; i < size; ++i) {
+        const unsigned six = sextet(text[i]);
+        if (six == 64) {
+            return SIZE_MAX;
+        }
+        bits = bits << 6 | six;
+        held += 6;
+        if (held >= 8) {
+            held -= 8;
+            out[written++] = (uint8_t)(bits >> held);
+        }
+    }
+    return written;
+}
+
+static int hex_digit(char c) {
+    return c >= '0' && c <= '9'                 ? c - '0'
+           : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10
+                                                : -1;
+}
+
+/* Percent-decodes in place. Returns the length; a stray '%' stands for itself. */
+static size_t decode_percents(char *text, size_t size) {
+    size_t written = 0;
+    for (size_t i = 0; i < size; ++i) {
+        const int high = text[i] == '%' && i + 2 < size ? hex_digit(text[i + 1]) : -1;
+        const int low = high >= 0 ? hex_digit(text[i + 2]) : -1;
+        text[written++] = low >= 0 ? (char)(high << 4 | low) : text[i];
+        i += low >= 0 ? 2 : 0;
+    }
+    text[written] = 0;
+    return written;
+}
+
+/* Whether a name is one of a file in the input's folder or below. */
+static int is_beside(const char *name, size_t size) {
+    if (size == 0 || memchr(name, 0, size) || *name == '/' || strchr(name, '\\') ||
+        strchr(name, ':')) {
+        return 0;
+    }
+    for (const char *part = name; part; part = strchr(part, '/')) {
+        part += *part == '/';
+        if (strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == 0)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int decode_data(burnish_gltf *gltf, uint32_t uri, uint8_t *text, size_t size,
+                       burnish_gltf_buffer *buffer) {
+    static const char mark[] = ";base64";
+    const size_t mark_size = sizeof mark - 1;
+    const uint8_t *comma = memchr(text, ',', size);
+    const size_t head = comma ? (size_t)(comma - text) : 0;
+    buffer->owned = text;
+    if (head < mark_size || memcmp(comma - mark_size, mark, mark_size) != 0) {
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, uri,
+                                 "a data URI without \";base64,\"; write the file anew");
+    }
+    const size_t written = decode_base64(comma + 1, size - head - 1, text);
+    if (written == SIZE_MAX) {
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, uri,
+                                 "its base64 holds a character that base64 has not; the file is "
+                                 "damaged");
+    }
+    buffer->bytes = (burnish_gltf_bytes){text, written};
+    return 1;
+}
+
+static int load_file(burnish_gltf *gltf, uint32_t uri, const char *name, uint64_t max_bytes,
+                     burnish_gltf_buffer *buffer) {
+    const burnish_file_loader *companions = &gltf->reader->input->companions;
+    burnish_error error = {0};
+    const void *bytes = NULL;
+    size_t size = 0;
+    if (!companions->load) {
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_READ, uri,
+                                 "names the file %s, which an input without a folder can't have; "
+                                 "give its path, or convert it to GLB",
+                                 burnish_show_name(name).text);
+    }
+    const burnish_status status =
+        companions->load(companions->user_data, name, max_bytes, &bytes, &size, &error);
+    if (status != BURNISH_STATUS_OK) {
+        return burnish_gltf_fail(gltf, status, uri, "%s", error.text);
+    }
+    buffer->companion = buffer->bytes = (burnish_gltf_bytes){bytes, size};
+    return 1;
+}
+
+int burnish_gltf_load_uri(burnish_gltf *gltf, uint32_t uri, uint64_t max_bytes,
+                          burnish_gltf_buffer *buffer) {
+    if (!burnish_json_is_kind(&gltf->json, uri, BURNISH_JSON_STRING)) {
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, uri, "expected a URI in quotes");
+    }
+    const size_t room = (size_t)gltf->json.nodes[uri].size + 1;
+    char *text = burnish_allocate(gltf->memory, room, 1, "a URI");
+    if (!text) {
+        return burnish_gltf_is_fine(gltf);
+    }
+    size_t size = burnish_json_text(&gltf->json, uri, text, room);
+    if (size >= 5 && memcmp(text, "data:", 5) == 0) {
+        return decode_data(gltf, uri, (uint8_t *)text, size, buffer);
+    }
+    size = decode_percents(text, size);
+    int good = 0;
+    if (size >= FILE_NAME_SIZE || !is_beside(text, size)) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_READ, uri,
+                          "\"%s\" is no file in the folder of the input; put it there",
+                          burnish_show_name(text).text);
+    } else {
+        good = load_file(gltf, uri, text, max_bytes, buffer);
+    }
+    burnish_release(gltf->memory->context, text);
+    return good;
+}
+
+void burnish_gltf_release_buffer(burnish_gltf *gltf, burnish_gltf_buffer *buffer) {
+    const burnish_file_loader *companions = &gltf->reader->input->companions;
+    if (buffer->companion.bytes && companions->release) {
+        companions->release(companions->user_data, buffer->companion.bytes, buffer->companion.size);
+    }
+    burnish_release(gltf->memory->context, buffer->owned);
+    *buffer = (burnish_gltf_buffer){0};
+}
+
+/* ---- Buffers and views ---- */
+
+static const burnish_gltf_bytes *load_buffer(burnish_gltf *gltf, uint32_t number) {
+    burnish_gltf_buffer *buffer = &gltf->buffers[number];
+    const uint32_t value = gltf->lists[BURNISH_GLTF_BUFFERS][number];
+    if (buffer->is_loaded) {
+        return &buffer->bytes;
+    }
+    const uint64_t size = burnish_gltf_whole(gltf, value, "byteLength", 0, (uint64_t)1 << 53);
+    const uint32_t uri = burnish_json_member(&gltf->json, value, "uri");
+    if (uri != BURNISH_JSON_NONE) {
+        if (!burnish_gltf_load_uri(gltf, uri, gltf->bytes_left, buffer)) {
+            return NULL;
+        }
+        gltf->bytes_left -= buffer->companion.size; /* all files together are one input */
+    } else if (number == 0 && gltf->binary.bytes) {
+        buffer->bytes = gltf->binary;
+    } else {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
+                          "has no uri, and there is no binary chunk for it; write the file anew");
+        return NULL;
+    }
+    if (gltf->status == BURNISH_STATUS_OK && size > buffer->bytes.size) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
+                          "has %zu bytes where byteLength is %llu; the file is truncated",
+                          buffer->bytes.size, (unsigned long long)size);
+    }
+    buffer->is_loaded = 1;
+    return gltf->status == BURNISH_STATUS_OK ? &buffer->bytes : NULL;
+}
+
+int burnish_gltf_view(burnish_gltf *gltf, uint32_t view, burnish_gltf_bytes *bytes,
+                      size_t *stride) {
+    const uint32_t value = gltf->lists[BURNISH_GLTF_VIEWS][view];
+    const uint32_t buffer = burnish_gltf_reference(gltf, value, "buffer", BURNISH_GLTF_BUFFERS);
+    const uint64_t offset = burnish_gltf_whole(gltf, value, "byteOffset", 0, (uint64_t)1 << 53);
+    const uint64_t size = burnish_gltf_whole(gltf, value, "byteLength", 0, (uint64_t)1 << 53);
+    *stride = (size_t)burnish_gltf_whole(gltf, value, "byteStride", 0, 252);
+    if (buffer == BURNISH_GLTF_NONE) {
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value, "names no buffer");
+    }
+    const burnish_gltf_bytes *all = load_buffer(gltf, buffer);
+    if (!all || gltf->status != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    if (offset > all->size || size > all->size - offset) {
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
+                                 "reaches to byte %llu of a buffer of %zu",
+                                 (unsigned long long)(offset + size), all->size);
+    }
+    *bytes = (burnish_gltf_bytes){all->bytes + offset, (size_t)size};
+    return 1;
+}

@@ -1,0 +1,128 @@
+/* glTF's primitives: what attributes each has, and how many triangles it makes. Each is looked at
+ * once, however many nodes draw it. */
+#include "mesh/read/gltf.h"
+
+enum { TRIANGLES = 4, TRIANGLE_STRIP = 5, TRIANGLE_FAN = 6 };
+
+#define WIDTH(width) (1u << (width))
+
+/* The number of an attribute's accessor, whose type is checked; NONE where it is not there. */
+static uint32_t read_attribute(burnish_gltf *gltf, const burnish_gltf_primitive *primitive,
+                               uint32_t attributes, const char *name, unsigned widths) {
+    const uint32_t number = burnish_gltf_reference(gltf, attributes, name, BURNISH_GLTF_ACCESSORS);
+    if (number == BURNISH_GLTF_NONE || gltf->status != BURNISH_STATUS_OK) {
+        return BURNISH_GLTF_NONE;
+    }
+    const burnish_gltf_accessor *accessor = burnish_gltf_resolve(
+        gltf, number, burnish_json_member(&gltf->json, attributes, name), widths);
+    if (!accessor) {
+        return BURNISH_GLTF_NONE;
+    }
+    if (primitive->position != BURNISH_GLTF_NONE &&
+        accessor->count < gltf->accessors[primitive->position].count) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT,
+                          burnish_json_member(&gltf->json, attributes, name),
+                          "has %zu values for %zu positions", accessor->count,
+                          gltf->accessors[primitive->position].count);
+        return BURNISH_GLTF_NONE;
+    }
+    return number;
+}
+
+static void read_indices(burnish_gltf *gltf, burnish_gltf_primitive *primitive) {
+    primitive->indices =
+        burnish_gltf_reference(gltf, primitive->value, "indices", BURNISH_GLTF_ACCESSORS);
+    primitive->corner_count = gltf->accessors[primitive->position].count;
+    if (primitive->indices == BURNISH_GLTF_NONE || gltf->status != BURNISH_STATUS_OK) {
+        return;
+    }
+    const uint32_t value = burnish_json_member(&gltf->json, primitive->value, "indices");
+    const burnish_gltf_accessor *accessor =
+        burnish_gltf_resolve(gltf, primitive->indices, value, WIDTH(1));
+    if (!accessor) {
+        return;
+    }
+    primitive->corner_count = accessor->count;
+    if (accessor->component != BURNISH_GLTF_UNSIGNED_BYTE &&
+        accessor->component != BURNISH_GLTF_UNSIGNED_SHORT &&
+        accessor->component != BURNISH_GLTF_UNSIGNED_INT) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
+                          "accessors[%u] is of componentType %d; indices are unsigned integers",
+                          primitive->indices, accessor->component);
+    }
+}
+
+static void count_triangles(burnish_gltf *gltf, burnish_gltf_primitive *primitive) {
+    const size_t corners = primitive->corner_count;
+    if (primitive->mode != TRIANGLES) {
+        primitive->triangle_count = corners >= 3 ? corners - 2 : 0;
+        return;
+    }
+    primitive->triangle_count = corners / 3;
+    if (corners % 3 != 0) {
+        burnish_gltf_note(gltf, &gltf->rests, primitive->value,
+                          "%zu corners make no whole triangles; the last %zu are passed over",
+                          corners, corners % 3);
+    }
+}
+
+/* Returns whether there is anything to draw. */
+static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive) {
+    static const char *const modes[] = {"points", "lines", "line loops", "line strips"};
+    const uint32_t attributes = burnish_gltf_object(gltf, primitive->value, "attributes");
+    primitive->mode = (int)burnish_gltf_whole(gltf, primitive->value, "mode", TRIANGLES, 6);
+    if (gltf->status != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    if (primitive->mode < TRIANGLES) {
+        burnish_gltf_note(gltf, &gltf->unsupported_modes, primitive->value, "%s are not drawn",
+                          modes[primitive->mode]);
+        return 0;
+    }
+    primitive->position = read_attribute(gltf, primitive, attributes, "POSITION", WIDTH(3));
+    if (primitive->position == BURNISH_GLTF_NONE) { /* which the specification allows */
+        return 0;
+    }
+    primitive->normal = read_attribute(gltf, primitive, attributes, "NORMAL", WIDTH(3));
+    primitive->color = read_attribute(gltf, primitive, attributes, "COLOR_0", WIDTH(3) | WIDTH(4));
+    primitive->texcoord = read_attribute(gltf, primitive, attributes, "TEXCOORD_0", WIDTH(2));
+    primitive->material =
+        burnish_gltf_reference(gltf, primitive->value, "material", BURNISH_GLTF_MATERIALS);
+    if (gltf->status == BURNISH_STATUS_OK) {
+        read_indices(gltf, primitive);
+    }
+    count_triangles(gltf, primitive);
+    gltf->has_plain |= primitive->material == BURNISH_GLTF_NONE && primitive->triangle_count > 0;
+    return gltf->status == BURNISH_STATUS_OK && primitive->triangle_count > 0;
+}
+
+static void read_mesh(burnish_gltf *gltf, uint32_t mesh) {
+    const uint32_t primitives = burnish_gltf_array(gltf, mesh, "primitives");
+    uint32_t value = primitives + 1;
+    for (size_t i = burnish_json_length(&gltf->json, primitives);
+         i > 0 && gltf->status == BURNISH_STATUS_OK; --i) {
+        burnish_gltf_primitive primitive = {.value = value, .position = BURNISH_GLTF_NONE};
+        if (read_primitive(gltf, &primitive)) {
+            gltf->primitives =
+                burnish_reserve(gltf->memory, gltf->primitives, &gltf->primitive_capacity,
+                                gltf->primitive_count + 1, sizeof *gltf->primitives, "primitives");
+            if (burnish_gltf_is_fine(gltf)) {
+                gltf->primitives[gltf->primitive_count++] = primitive;
+            }
+        }
+        value = gltf->json.nodes[value].next;
+    }
+}
+
+void burnish_gltf_read_primitives(burnish_gltf *gltf) {
+    const size_t count = gltf->counts[BURNISH_GLTF_MESHES];
+    gltf->mesh_primitives =
+        burnish_allocate(gltf->memory, count + 1, sizeof *gltf->mesh_primitives, "meshes");
+    for (size_t i = 0; i < count && burnish_gltf_is_fine(gltf); ++i) {
+        gltf->mesh_primitives[i] = (uint32_t)gltf->primitive_count;
+        read_mesh(gltf, gltf->lists[BURNISH_GLTF_MESHES][i]);
+    }
+    if (burnish_gltf_is_fine(gltf)) {
+        gltf->mesh_primitives[count] = (uint32_t)gltf->primitive_count;
+    }
+}

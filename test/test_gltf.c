@@ -1,0 +1,654 @@
+/* The reader of glTF 2.0 and GLB, on files put together here. */
+#include <math.h>
+
+#include "core/srgb.h"
+#include "gltf_input.h"
+
+#define ACCESSOR(view, type, count, shape)                                                         \
+    "{'bufferView':" #view ",'componentType':" #type ",'count':" #count ",'type':'" shape "'}"
+
+/* Draws mesh 0 at the origin. */
+#define ONE_NODE "'nodes':[{'mesh':0}]"
+
+static const uint32_t *corners_of(const burnish_mesh_data *s) {
+    return s->streams[BURNISH_POSITION].corners;
+}
+
+/* Whether corner k of triangle i lies at x, y, z. */
+static int corner_is(const burnish_mesh_data *s, size_t i, int k, double x, double y, double z) {
+    if (i >= s->triangle_count) {
+        return 0;
+    }
+    const float *p = burnish_positions(s) + 3 * (size_t)corners_of(s)[3 * i + (size_t)k];
+    return fabs((double)p[0] - x) < 1e-6 && fabs((double)p[1] - y) < 1e-6 &&
+           fabs((double)p[2] - z) < 1e-6;
+}
+
+static void check_warning(const burnish_mesh_data *s, size_t count, const char *text) {
+    CHECK(s->warning_count == count, "%zu warnings: %s", s->warning_count,
+          s->warning_count > 0 ? s->warnings[0] : "");
+    if (count > 0 && s->warning_count == count) {
+        CHECK_TEXT(s->warnings[0], text);
+    }
+}
+
+/* ---- Containers ---- */
+
+static void test_containers(void) {
+    static const char json[] = GLTF_HEAD GLTF_TRIANGLE "," ONE_NODE "}";
+    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(read_gltf(json, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 0, 0, 0, 0) && corner_is(&s, 0, 1, 1, 0, 0) &&
+           corner_is(&s, 0, 2, 0, 2, 0));
+    CHECK1(s.material_count == 1 && s.streams[BURNISH_NORMAL].count == 0 && !s.triangle_materials);
+    check_warning(&s, 0, "");
+    burnish_mesh_data_destroy(&s);
+
+    byte_list binary = {.size = 0};
+    put_floats(&binary, 9, positions);
+    CHECK(read_glb(GLTF_HEAD
+                   "'buffers':[{'byteLength':36}],"
+                   "'bufferViews':[{'buffer':0,'byteLength':36}],"
+                   "'accessors':[" ACCESSOR(
+                       0, 5126, 3,
+                       "VEC3") "],"
+                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                               "}",
+                   &binary, &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 2, 0, 2, 0));
+    burnish_mesh_data_destroy(&s);
+}
+
+static void test_guess(void) {
+    static const struct {
+        const char *text, *name;
+        burnish_format format;
+    } cases[] = {{"glTF\2\0\0\0\0\0\0\0\0\0", "a.obj", BURNISH_FORMAT_GLTF},
+                 {"\n{ \"asset\": {", NULL, BURNISH_FORMAT_GLTF},
+                 {"{ }", NULL, BURNISH_FORMAT_GLTF},
+                 {"{ }", "a.ply", BURNISH_FORMAT_PLY},
+                 {"v 0 0 0\n", "a.glb", BURNISH_FORMAT_GLTF}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const size_t size = i == 0 ? 14 : strlen(cases[i].text);
+        CHECK(burnish_guess_format((const uint8_t *)cases[i].text, size, cases[i].name) ==
+                  cases[i].format,
+              "%zu", i);
+    }
+}
+
+/* ---- Files beside the input ---- */
+
+static const char *asked_for;
+
+static burnish_status load_positions(void *user_data, const char *name, uint64_t max_bytes,
+                                     const void **bytes, size_t *size, burnish_error *error) {
+    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+    static byte_list list;
+    (void)user_data, (void)max_bytes;
+    if (strcmp(name, asked_for) != 0) {
+        return burnish_fail(error, BURNISH_STATUS_READ, "%s: asked for", name);
+    }
+    list.size = 0;
+    put_floats(&list, 9, positions);
+    *bytes = list.bytes;
+    *size = list.size;
+    return BURNISH_STATUS_OK;
+}
+
+static void test_companions(void) {
+    static const struct {
+        const char *uri, *name, *message; /* message NULL: it is read */
+    } cases[] = {
+        {"a.bin", "a.bin", NULL},
+        {"a%20b/%C3%A9%2ebin", "a b/\xC3\xA9.bin", NULL},
+        {"50%.bin", "50%.bin", NULL},
+        {"b\\u002ebin", "b.bin", NULL},
+        {"other.bin", "a.bin", "mesh.gltf:1: buffers[0].uri: other.bin: asked for"},
+        {"../a.bin", "../a.bin",
+         "mesh.gltf:1: buffers[0].uri: \"../a.bin\" is no file in the folder of the input; put it "
+         "there"},
+        {"a/%2e%2E/../b", "",
+         "mesh.gltf:1: buffers[0].uri: \"a/../../b\" is no file in the folder of the input; put it "
+         "there"},
+        {"/etc/passwd", "",
+         "mesh.gltf:1: buffers[0].uri: \"/etc/passwd\" is no file in the folder of the input; put "
+         "it there"},
+        {"http://a/b.bin", "",
+         "mesh.gltf:1: buffers[0].uri: \"http://a/b.bin\" is no file in the folder of the input; "
+         "put it there"},
+        {"a%00b", "",
+         "mesh.gltf:1: buffers[0].uri: \"a\" is no file in the folder of the input; put it there"},
+    };
+    const burnish_load_options options = burnish_load_options_default();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        byte_list list = {.size = 0};
+        burnish_mesh_data s;
+        burnish_error e;
+        put_json(&list, GLTF_HEAD "'buffers':[{'byteLength':36,'uri':'");
+        put_text(&list, cases[i].uri);
+        put_json(&list,
+                 "'}],'bufferViews':[{'buffer':0,'byteLength':36}],'accessors':[" ACCESSOR(
+                     0, 5126, 3,
+                     "VEC3") "],'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                             "}");
+        asked_for = cases[i].name;
+        const burnish_status status = run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size,
+                                                 &options, load_positions, &s, &e);
+        CHECK(status == (cases[i].message ? BURNISH_STATUS_READ : BURNISH_STATUS_OK), "%s: %s",
+              cases[i].uri, e.text);
+        CHECK_TEXT(e.text, cases[i].message ? cases[i].message : "");
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* ---- Accessors ---- */
+
+/* Two coordinates of each type in a view with a stride, as positions (KHR_mesh_quantization). */
+static void test_component_types(void) {
+    static const struct {
+        int type;
+        size_t size;
+        uint64_t bits[2];
+        double plain[2], normalized[2];
+    } types[] = {
+        {5120, 1, {0x80, 0x40}, {-128, 64}, {-1, 64 / 127.0}},
+        {5121, 1, {0xFF, 0x33}, {255, 51}, {1, 0.2}},
+        {5122, 2, {0x8000, 0x4000}, {-32768, 16384}, {-1, 16384 / 32767.0}},
+        {5123, 2, {0xFFFF, 0x3333}, {65535, 13107}, {1, 0.2}},
+        {5125, 4, {0xFFFFFFFF, 7}, {4294967295.0, 7}, {4294967295.0, 7}},
+        {5126, 4, {0x3F000000, 0xC0000000}, {0.5, -2}, {0.5, -2}},
+    };
+    for (size_t i = 0; i < 2 * sizeof types / sizeof *types; ++i) {
+        const size_t t = i / 2, size = types[t].size, stride = 4 + 4 * size;
+        const double *expected = i % 2 ? types[t].normalized : types[t].plain;
+        byte_list binary = {.size = 0};
+        char json[1024];
+        burnish_mesh_data s;
+        burnish_error e;
+        put_bits(&binary, 0xEEEEEEEE, 4, 0);
+        for (int vertex = 0; vertex < 3; ++vertex) { /* (a, 0, 0), (0, b, 0), (0, 0, a) */
+            for (int k = 0; k < 3; ++k) {
+                put_bits(&binary, k == vertex ? types[t].bits[k & 1] : 0, size, 0);
+            }
+            if (vertex < 2) {
+                put_bits(&binary, 0xEEEEEEEEEEEEEEEE, stride - 3 * size, 0);
+            }
+        }
+        snprintf(json, sizeof json,
+                 GLTF_HEAD "'buffers':[{'byteLength':%zu}],'bufferViews':[{'buffer':0,"
+                           "'byteOffset':4,'byteLength':%zu,'byteStride':%zu}],'accessors':["
+                           "{'bufferView':0,'componentType':%d,'count':3,'type':'VEC3',"
+                           "'normalized':%s}],"
+                           "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                           "}",
+                 binary.size, binary.size - 4, stride, types[t].type, i % 2 ? "true" : "false");
+        CHECK(read_glb(json, &binary, &s, &e) == BURNISH_STATUS_OK, "%d: %s", types[t].type,
+              e.text);
+        for (int vertex = 0; vertex < 3; ++vertex) {
+            for (int k = 0; k < 3; ++k) {
+                const float value = burnish_positions(&s)[3 * vertex + k];
+                CHECK(value == (float)(k == vertex ? expected[k & 1] : 0), "%d %d: %g",
+                      types[t].type, vertex, (double)value);
+            }
+        }
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Positions 0 and 2 of a view are overwritten; then without a view, where the rest is 0. */
+static void test_sparse(void) {
+    static const float positions[9] = {9, 9, 9, 1, 0, 0, 9, 9, 9};
+    static const float values[6] = {5, 0, 0, 0, 2, 3};
+    static const int types[3] = {5121, 5123, 5125};
+    for (int i = 0; i < 6; ++i) {
+        const size_t size = (size_t)1 << i / 2;
+        byte_list binary = {.size = 0};
+        char json[1024];
+        burnish_mesh_data s;
+        burnish_error e;
+        put_floats(&binary, 9, positions);
+        put_floats(&binary, 6, values);
+        put_bits(&binary, 0, size, 0);
+        put_bits(&binary, 2, size, 0);
+        snprintf(json, sizeof json,
+                 GLTF_HEAD "'buffers':[{'byteLength':%zu}],'bufferViews':[{'buffer':0,"
+                           "'byteLength':36},{'buffer':0,'byteOffset':36,'byteLength':24},"
+                           "{'buffer':0,'byteOffset':60,'byteLength':%zu}],'accessors':[{%s"
+                           "'componentType':5126,'count':3,'type':'VEC3','sparse':{'count':2,"
+                           "'indices':{'bufferView':2,'componentType':%d},"
+                           "'values':{'bufferView':1}}}],"
+                           "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                           "}",
+                 binary.size, 2 * size, i % 2 ? "" : "'bufferView':0,", types[i / 2]);
+        CHECK(read_glb(json, &binary, &s, &e) == BURNISH_STATUS_OK, "%d: %s", i, e.text);
+        CHECK1(corner_is(&s, 0, 0, 5, 0, 0) && corner_is(&s, 0, 1, i % 2 ? 0 : 1, 0, 0) &&
+               corner_is(&s, 0, 2, 0, 2, 3));
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Colours are linear in glTF and sRGB in the mesh; normals and coordinates come along. */
+static void test_attributes(void) {
+    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+    static const float normals[9] = {0, 0, 2, 0, 3, 4, 0, 0, 0};
+    static const float uv[6] = {0, 0, 0.25f, 0.75f, 1, 2};
+    static const float colors[9] = {0, 0.5f, 1, 0.25f, -1, 2, 1, 1, 1};
+    byte_list binary = {.size = 0};
+    burnish_mesh_data s;
+    burnish_error e;
+    put_floats(&binary, 9, positions);
+    put_floats(&binary, 9, normals);
+    put_floats(&binary, 6, uv);
+    put_floats(&binary, 9, colors);
+    CHECK(
+        read_glb(GLTF_HEAD
+                 "'buffers':[{'byteLength':132}],'bufferViews':[{'buffer':0,'byteLength':36},"
+                 "{'buffer':0,'byteOffset':36,'byteLength':36},"
+                 "{'buffer':0,'byteOffset':72,'byteLength':24},"
+                 "{'buffer':0,'byteOffset':96,'byteLength':36}],"
+                 "'accessors':[" ACCESSOR(0, 5126, 3, "VEC3") "," ACCESSOR(
+                     1, 5126, 3,
+                     "VEC3") "," ACCESSOR(2, 5126, 3,
+                                          "VEC2") "," ACCESSOR(3, 5126, 3,
+                                                               "VEC3") "],'meshes':[{'primitives':["
+                                                                       "{'attributes':{'POSITION':"
+                                                                       "0,'NORMAL':1,"
+                                                                       "'TEXCOORD_0':2,'COLOR_0':3}"
+                                                                       "},{'attributes':{'POSITION'"
+                                                                       ":0}}]}]," ONE_NODE "}",
+                 &binary, &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    CHECK1(s.triangle_count == 2 && s.streams[BURNISH_NORMAL].count == 6 &&
+           s.streams[BURNISH_COLOR].count == 6 && s.streams[BURNISH_TEXCOORD].count == 6);
+    const float *n = burnish_normals(&s), *t = s.streams[BURNISH_TEXCOORD].items;
+    const uint8_t *c = burnish_colors(&s);
+    CHECK1(n[2] == 1 && n[4] == 0.6f && n[5] == 0.8f && n[6] == 0 && n[8] == 0);
+    CHECK1(t[0] == 0 && t[1] == 1 && t[2] == 0.25f && t[3] == 0.25f && t[4] == 1 && t[5] == -1);
+    CHECK1(c[0] == 0 && c[1] == burnish_linear_to_srgb(0.5f) && c[2] == 255 && c[3] == 255 &&
+           c[4] == burnish_linear_to_srgb(0.25f) && c[5] == 0 && c[6] == 255);
+    for (size_t i = 12; i < 24; ++i) { /* of the second primitive, which has none */
+        CHECK1(c[i] == 255 && n[i / 4 * 3] == 0);
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- Primitives ---- */
+
+/* Section 3.7.2.1: strips turn every other triangle, fans share the first vertex. */
+static void test_modes(void) {
+    static const struct {
+        int mode;
+        size_t count; /* corners */
+        size_t triangles;
+        uint32_t corners[9];
+    } modes[] = {{4, 6, 2, {0, 1, 2, 3, 4, 5}},
+                 {4, 7, 2, {0, 1, 2, 3, 4, 5}},
+                 {5, 5, 3, {0, 1, 2, 1, 3, 2, 2, 3, 4}},
+                 {6, 5, 3, {1, 2, 0, 2, 3, 0, 3, 4, 0}}};
+    for (size_t i = 0; i < 4 * sizeof modes / sizeof *modes; ++i) {
+        const size_t m = i / 4, index_size = i % 4 == 0 ? 0 : (size_t)1 << (i % 4 - 1);
+        static const int types[4] = {0, 5121, 5123, 5125};
+        byte_list binary = {.size = 0};
+        char json[1024], indices[256] = "";
+        burnish_mesh_data s;
+        burnish_error e;
+        for (size_t k = 0; k < 7; ++k) {
+            const float position[3] = {(float)k, (float)(k * k), 0};
+            put_floats(&binary, 3, position);
+        }
+        for (size_t k = 0; k < modes[m].count; ++k) { /* backwards: vertex 6 - k */
+            put_bits(&binary, 6 - k, index_size, 0);
+        }
+        if (index_size > 0) {
+            snprintf(indices, sizeof indices,
+                     ",{'bufferView':1,'componentType':%d,'count':%zu,'type':'SCALAR'}",
+                     types[i % 4], modes[m].count);
+        }
+        snprintf(json, sizeof json,
+                 GLTF_HEAD "'buffers':[{'byteLength':%zu}],'bufferViews':[{'buffer':0,"
+                           "'byteLength':84},{'buffer':0,'byteOffset':84,'byteLength':%zu}],"
+                           "'accessors':[{'bufferView':0,'componentType':5126,'count':%zu,"
+                           "'type':'VEC3'}%s],'meshes':[{'primitives':[{'mode':%d,%s"
+                           "'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+                 binary.size, binary.size - 84, index_size > 0 ? (size_t)7 : modes[m].count,
+                 indices, modes[m].mode, index_size > 0 ? "'indices':1," : "");
+        CHECK(read_glb(json, &binary, &s, &e) == BURNISH_STATUS_OK, "%zu: %s", i, e.text);
+        CHECK1(s.triangle_count == modes[m].triangles);
+        for (size_t k = 0; k < 3 * s.triangle_count; ++k) {
+            const uint32_t vertex = index_size > 0 ? 6 - modes[m].corners[k] : modes[m].corners[k];
+            CHECK(corner_is(&s, k / 3, (int)(k % 3), vertex, vertex * vertex, 0),
+                  "mode %d, corner %zu", modes[m].mode, k);
+        }
+        CHECK1(s.warning_count == (modes[m].count == 7));
+        if (s.warning_count > 0) {
+            CHECK1(strstr(s.warnings[0], "7 corners make no whole triangles; the last 1 are "));
+        }
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Only vertices that are used are taken, and each once. */
+static void test_shared_vertices(void) {
+    byte_list binary = {.size = 0};
+    burnish_mesh_data s;
+    burnish_error e;
+    for (int i = 0; i < 100; ++i) {
+        const float position[3] = {(float)i, (float)(i * i), 0};
+        put_floats(&binary, 3, position);
+    }
+    put_text(&binary, "\7\11\13\13\11\7\1\2\3");
+    CHECK(
+        read_glb(GLTF_HEAD
+                 "'buffers':[{'byteLength':1209}],'bufferViews':[{'buffer':0,'byteLength':1200},"
+                 "{'buffer':0,'byteOffset':1200,'byteLength':9}],'accessors':[" ACCESSOR(
+                     0, 5126, 100,
+                     "VEC3") "," ACCESSOR(1, 5121, 6,
+                                          "SCALAR") ","
+                                                    "{'bufferView':1,'byteOffset':6,'componentType'"
+                                                    ":5121,'count':3,'type':'SCALAR'}"
+                                                    "],'meshes':[{'primitives':[{'attributes':{'"
+                                                    "POSITION':0},'indices':1},"
+                                                    "{'attributes':{'POSITION':0},'indices':2}]}],"
+                                                    "'nodes':[{'mesh':0},{'mesh':0,'translation':["
+                                                    "0,0,1]}]}",
+                 &binary, &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    CHECK(s.triangle_count == 6 && s.streams[BURNISH_POSITION].count == 12, "%zu, %zu",
+          s.triangle_count, s.streams[BURNISH_POSITION].count);
+    CHECK1(corner_is(&s, 1, 0, 11, 121, 0) && corner_is(&s, 2, 2, 3, 9, 0) &&
+           corner_is(&s, 5, 2, 3, 9, 1));
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- Nodes ---- */
+
+/* A chain of a matrix, a turn about z, and a mirror, against the same by hand. */
+static void test_hierarchy(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    /* p -> 2 p + (10, 20, 30); a quarter turn: (x, y) -> (-y, x); then x mirrored, y times 3. */
+    CHECK(read_gltf(GLTF_HEAD GLTF_TRIANGLE
+                    ",'scene':1,'scenes':[{'nodes':[3]},{'nodes':[2]}],'nodes':["
+                    "{'mesh':0,'scale':[-1,3,1]},"
+                    "{'children':[0],'rotation':[0,0,0.70710678118654757,0.70710678118654757]},"
+                    "{'children':[1],'matrix':[2,0,0,0, 0,2,0,0, 0,0,2,0, 10,20,30,1]},"
+                    "{'mesh':0}]}",
+                    &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    /* The mirror turns the winding: corners 0, 2, 1. */
+    CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 0, 10, 20, 30) &&
+           corner_is(&s, 0, 2, 10, 18, 30) && corner_is(&s, 0, 1, -2, 20, 30));
+    burnish_mesh_data_destroy(&s);
+    /* Without scenes all roots are drawn, but for what is hidden. */
+    CHECK(read_gltf(GLTF_HEAD GLTF_TRIANGLE
+                    ",'extensionsUsed':['KHR_node_visibility'],'nodes':[{'mesh':0},"
+                    "{'children':[2],'extensions':{'KHR_node_visibility':{'visible':false}}},"
+                    "{'mesh':0},{'mesh':0,'translation':[5,0,0]}]}",
+                    &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK1(s.triangle_count == 2 && corner_is(&s, 1, 0, 5, 0, 0));
+    check_warning(&s, 0, "");
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Normals keep at right angles to a surface that is stretched, and on its side in a mirror. */
+static void test_normals_of_nodes(void) {
+    static const float positions[9] = {0, 0, 0, 1, 1, 0, 0, 0, 1};
+    static const float normals[9] = {1, -1, 0, 1, -1, 0, 1, -1, 0};
+    for (int mirror = 0; mirror < 2; ++mirror) {
+        byte_list binary = {.size = 0};
+        burnish_mesh_data s;
+        burnish_error e;
+        char json[1024];
+        put_floats(&binary, 9, positions);
+        put_floats(&binary, 9, normals);
+        snprintf(json, sizeof json,
+                 GLTF_HEAD
+                 "'buffers':[{'byteLength':72}],'bufferViews':[{'buffer':0,"
+                 "'byteLength':36},{'buffer':0,'byteOffset':36,'byteLength':36}],"
+                 "'accessors':[" ACCESSOR(0, 5126, 3, "VEC3") "," ACCESSOR(
+                     1, 5126, 3,
+                     "VEC3") "],"
+                             "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1}}]}],"
+                             "'nodes':[{'mesh':0,'scale':[%d,1,1]}]}",
+                 mirror ? -4 : 4);
+        CHECK(read_glb(json, &binary, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        /* (1/4, -1, 0), the 1/4 mirrored, made a unit vector */
+        const double x = (mirror ? -0.25 : 0.25) / sqrt(0.0625 + 1), y = -1 / sqrt(0.0625 + 1);
+        for (size_t i = 0; i < 3; ++i) {
+            const float *n = burnish_normals(&s) + 3 * i;
+            CHECK(fabs((double)n[0] - x) < 1e-7 && fabs((double)n[1] - y) < 1e-7 && n[2] == 0,
+                  "%g %g %g", (double)n[0], (double)n[1], (double)n[2]);
+        }
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* ---- Materials ---- */
+
+static void test_materials(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(read_gltf(
+              GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
+              ",'materials':[{'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,0.5],"
+              "'metallicFactor':0,'roughnessFactor':0.5}},"
+              "{'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,0.5],'roughnessFactor':1},"
+              "'alphaMode':'BLEND'},"
+              "{'extensions':{'KHR_materials_pbrSpecularGlossiness':{'diffuseFactor':[1,0.5,0,1],"
+              "'specularFactor':[0.1,0.1,0.1],'glossinessFactor':0.5}}},"
+              "{'pbrMetallicRoughness':{'metallicFactor':'x'},"
+              "'extensions':{'KHR_materials_unlit':{}}}],"
+              "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0},"
+              "{'attributes':{'POSITION':0},'material':1},{'attributes':{'POSITION':0}},"
+              "{'attributes':{'POSITION':0},'material':3}]}]," ONE_NODE "}",
+              &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK1(s.material_count == 5 && s.triangle_count == 4 && s.triangle_materials[1] == 1 &&
+           s.triangle_materials[2] == 4 && s.triangle_materials[3] == 3);
+    const burnish_material *m = s.materials;
+    /* alpha 1/4: n = 2 * 16 - 2 = 30, and a height of 0.04 * 32 / 8 */
+    CHECK1(m->exponent == 30 && m->diffuse[0] == 0.5f && m->diffuse[2] == 1 &&
+           m->ambient[1] == 0.25f && m->transparency == 0);
+    CHECK1(fabsf(m->specular[0] - 0.16f) < 1e-6f);
+    ++m; /* a metal: no diffuse, its colour is the highlight's, 3/8 as high as n = 1 has it */
+    CHECK1(m->exponent == 1 && m->diffuse[2] == 0 && m->transparency == 0.5f &&
+           m->ambient[2] == 1 && m->specular[0] == 0.1875f);
+    ++m;
+    CHECK1(m->exponent == 30 && m->diffuse[1] == 0.5f && fabsf(m->specular[1] - 0.4f) < 1e-6f);
+    ++m;
+    CHECK1(m->ambient[0] == 1 && m->diffuse[0] == 0 && m->specular[0] == 0);
+    check_warning(&s, 1,
+                  "mesh.gltf:1: materials[3].pbrMetallicRoughness.metallicFactor: expected a "
+                  "number, found \"x\"; ignored");
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- Faults ---- */
+
+static void test_faults(void) {
+    static const struct {
+        const char *json, *message;
+    } cases[] = {
+        {"{}", "mesh.gltf:1: the JSON has no \"asset\"; this is no glTF 2.0"},
+        {"[]", "mesh.gltf:1: the JSON has no \"asset\"; this is no glTF 2.0"},
+        {"{'asset':{'version':'1.0'}}",
+         "mesh.gltf:1: asset: version \"1.0\" is not supported; convert the file to glTF 2.0"},
+        {"{'asset':{'version':'2.0'}}", "mesh.gltf: no triangles; export the scene's meshes"},
+        {GLTF_HEAD "'extensionsRequired':['ACME_x']}",
+         "mesh.gltf:1: extensionsRequired[0]: the file can't be drawn without the extension "
+         "ACME_x, which is not supported; export it without"},
+        {GLTF_HEAD "'nodes':{}}", "mesh.gltf:1: nodes: expected an array, found {"},
+        {GLTF_HEAD "'nodes':[{'mesh':0}]}",
+         "mesh.gltf:1: nodes[0].mesh: 0 is not in meshes, of which there are 0"},
+        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'mesh':-1}]}",
+         "mesh.gltf:1: nodes[0].mesh: expected a whole number from 0 to 4194304, found -1"},
+        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'mesh':0,'scale':[1,2]}]}",
+         "mesh.gltf:1: nodes[0].scale: expected 3 numbers in [], found ["},
+        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'children':[1]},{'children':[1]}]}",
+         "mesh.gltf:1: nodes[1].children[0]: nodes[1] has two parents, or is its own; nodes must "
+         "form a tree"},
+        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'children':[1]},{'children':[0]},{'mesh':0}]}",
+         "mesh.gltf:1: nodes: 2 nodes are their own ancestors; nodes must form a tree"},
+        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'mesh':0,'scale':[1e38,1,1],"
+                                 "'translation':[1e39,0,0]}]}",
+         "mesh.gltf:1: accessors[0]: position 0 is not finite, or beyond 3.4e38; repair the mesh"},
+        {GLTF_HEAD "'buffers':[{'byteLength':36}],'bufferViews':[{'buffer':0,'byteLength':36}],"
+                   "'accessors':[" ACCESSOR(
+                       0, 5126, 3,
+                       "VEC3") "],"
+                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                               "}",
+         "mesh.gltf:1: buffers[0]: has no uri, and there is no binary chunk for it; write the file "
+         "anew"},
+        {GLTF_HEAD "'buffers':[{'byteLength':37,'uri':'data:;base64,AAAA'}],"
+                   "'bufferViews':[{'buffer':0,'byteLength':36}],"
+                   "'accessors':[" ACCESSOR(
+                       0, 5126, 3,
+                       "VEC3") "],"
+                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                               "}",
+         "mesh.gltf:1: buffers[0]: has 3 bytes where byteLength is 37; the file is truncated"},
+        {GLTF_HEAD "'buffers':[{'byteLength':3,'uri':'data:;base64,AA*A'}],"
+                   "'bufferViews':[{'buffer':0,'byteLength':36}],"
+                   "'accessors':[" ACCESSOR(
+                       0, 5126, 3,
+                       "VEC3") "],"
+                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                               "}",
+         "mesh.gltf:1: buffers[0].uri: its base64 holds a character that base64 has not; the file "
+         "is damaged"},
+        {GLTF_HEAD "'buffers':[{'byteLength':3,'uri':'a.bin'}],"
+                   "'bufferViews':[{'buffer':0,'byteLength':36}],"
+                   "'accessors':[" ACCESSOR(
+                       0, 5126, 3,
+                       "VEC3") "],"
+                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                               "}",
+         "mesh.gltf:1: buffers[0].uri: names the file a.bin, which an input without a folder can't "
+         "have; give its path, or convert it to GLB"},
+        {GLTF_HEAD "'buffers':[" GLTF_TRIANGLE_BUFFER
+                   "],'bufferViews':[{'buffer':0,'byteOffset':4,'byteLength':36}],"
+                   "'accessors':[" ACCESSOR(
+                       0, 5126, 3,
+                       "VEC3") "],"
+                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                               "}",
+         "mesh.gltf:1: bufferViews[0]: reaches to byte 40 of a buffer of 36"},
+        {GLTF_HEAD
+         "'buffers':[" GLTF_TRIANGLE_BUFFER "],'bufferViews':[{'buffer':0,'byteLength':36}],"
+         "'accessors':[" ACCESSOR(
+             0, 5126, 4,
+             "VEC3") "],"
+                     "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+         "mesh.gltf:1: accessors[0]: 4 elements do not fit into bufferViews[0] of 36 bytes; the "
+         "file is damaged"},
+        {GLTF_HEAD "'buffers':[" GLTF_TRIANGLE_BUFFER
+                   "],'bufferViews':[{'buffer':0,'byteLength':36,'byteStride':4}],"
+                   "'accessors':[" ACCESSOR(
+                       0, 5126, 3,
+                       "VEC3") "],"
+                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
+                               "}",
+         "mesh.gltf:1: accessors[0]: its elements have 12 bytes, but lie 4 apart in "
+         "bufferViews[0]"},
+        {GLTF_HEAD "'accessors':[{'componentType':5126,'count':1000000000,'type':'VEC3'}],"
+                   "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+         "mesh.gltf:1: accessors[0]: sparse accessors unpack to 12000000000 bytes, of a file of "
+         "176; write them in full"},
+        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
+         ",'meshes':[{'primitives':[{'mode':1,'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+         "mesh.gltf: no triangles, and points and lines are not drawn"},
+        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
+         ",'meshes':[{'primitives':[{'indices':0,'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+         "mesh.gltf:1: meshes[0].primitives[0].indices: accessors[0] has another type than what is "
+         "needed here"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh_data s;
+        burnish_error e;
+        CHECK(read_gltf(cases[i].json, &s, &e) != BURNISH_STATUS_OK, "%zu", i);
+        CHECK_TEXT(e.text, cases[i].message);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* A small file whose nodes draw one mesh again and again is refused before memory is taken. */
+static void test_instances_are_bounded(void) {
+    burnish_load_options options = burnish_load_options_default();
+    byte_list list = {.size = 0};
+    burnish_mesh_data s;
+    burnish_error e;
+    put_json(&list, GLTF_HEAD
+             "'accessors':[{'componentType':5126,'count':3000000,'type':'VEC3'}],"
+             "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],'nodes':[{'mesh':0}");
+    for (int i = 0; i < 50; ++i) {
+        put_json(&list, ",{'mesh':0}");
+    }
+    put_text(&list, "]}");
+    CHECK1(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, &s, &e) ==
+           BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(e.text, "mesh.gltf: its nodes make more than 33554432 triangles of what a file of "
+                       "723 bytes holds; set a limit of triangles to draw them");
+    burnish_mesh_data_destroy(&s);
+    options.max_triangles = 1000;
+    CHECK1(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, &s, &e) ==
+           BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(e.text, "mesh.gltf: more than 1000 triangles; raise the limit or simplify the mesh");
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Every beginning of a GLB, and every byte of one changed: one line, or a sound mesh. */
+static void test_damage(void) {
+    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+    const burnish_load_options options = burnish_load_options_default();
+    byte_list binary = {.size = 0}, list = {.size = 0};
+    put_floats(&binary, 9, positions);
+    put_bits(&binary, 0x020100, 4, 0);
+    put_glb(&list,
+            GLTF_HEAD "'buffers':[{'byteLength':40}],'bufferViews':[{'buffer':0,'byteLength':36},"
+                      "{'buffer':0,'byteOffset':36,'byteLength':3}],"
+                      "'accessors':[" ACCESSOR(0, 5126, 3, "VEC3") "," ACCESSOR(
+                          1, 5121, 3, "SCALAR") "],"
+                                                "'meshes':[{'primitives':[{'attributes':{'POSITION'"
+                                                ":0},'indices':1}]}]," ONE_NODE "}",
+            &binary);
+    for (size_t i = 0; i < 9 * list.size; ++i) {
+        burnish_mesh_data s;
+        burnish_error e;
+        byte_list damaged = list;
+        if (i < list.size) {
+            damaged.size = i;
+        } else {
+            damaged.bytes[i / 9] ^= (uint8_t)(1u << i % 8);
+        }
+        const burnish_status status =
+            run_reader(BURNISH_FORMAT_GLTF, damaged.bytes, damaged.size, &options, NULL, &s, &e);
+        CHECK(status == BURNISH_STATUS_OK ? s.triangle_count > 0 : *e.text && !strchr(e.text, '\n'),
+              "%zu", i);
+        CHECK1(i >= list.size - 4 || i >= list.size || status != BURNISH_STATUS_OK);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_containers());
+    RUN(test_guess());
+    RUN(test_companions());
+    RUN(test_component_types());
+    RUN(test_sparse());
+    RUN(test_attributes());
+    RUN(test_modes());
+    RUN(test_shared_vertices());
+    RUN(test_hierarchy());
+    RUN(test_normals_of_nodes());
+    RUN(test_materials());
+    RUN(test_faults());
+    RUN(test_instances_are_bounded());
+    RUN(test_damage());
+    return test_end("gltf");
+}
