@@ -197,10 +197,10 @@ static void test_obj_broken(void) {
                                         "usemtl \x01",
                                         "v",
                                         "f 1 2 3 \\"};
-    static const expectation expected[] = {BROKEN,   BROKEN, BROKEN,   BROKEN,   BROKEN, BROKEN,
-                                           BROKEN,   BROKEN, BROKEN,   BROKEN,   BROKEN, BROKEN,
-                                           BROKEN,   BROKEN, ANYTHING, ANYTHING, GOOD,   GOOD,
-                                           ANYTHING, BROKEN, BROKEN,   GOOD,     BROKEN, ANYTHING};
+    static const expectation expected[] = {BROKEN,   BROKEN, BROKEN,   GOOD,     BROKEN, GOOD,
+                                           GOOD,     GOOD,   BROKEN,   BROKEN,   BROKEN, BROKEN,
+                                           BROKEN,   GOOD,   ANYTHING, ANYTHING, GOOD,   GOOD,
+                                           ANYTHING, GOOD,   BROKEN,   GOOD,     BROKEN, ANYTHING};
     const obj_plan plan = {1, 1, 0, 1, 0, 1, 0};
     text t = make_obj(77, &plan, "\n");
     check_broken("OBJ", BURNISH_FORMAT_OBJ, &t, "f ", lines, expected,

@@ -233,7 +233,7 @@ static int is_in_order(const chunk_driver *driver, const burnish_chunk *chunk,
                chunk->data.triangle_count + driver->reader->mesh->triangle_count <=
                    driver->reader->input->options->max_triangles;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        good &= chunk->back[i] <= known->before[i];
+        good &= (driver->grammar->lenient >> i & 1) || chunk->back[i] <= known->before[i];
     }
     return good;
 }
@@ -243,7 +243,8 @@ static burnish_status note_forward(chunk_driver *driver, const burnish_chunk *ch
                                    const forward_chunk *known) {
     int forward = 0;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        forward |= chunk->highest[i] > known->before[i] + chunk->data.streams[i].count;
+        forward |= !(driver->grammar->lenient >> i & 1) &&
+                   chunk->highest[i] > known->before[i] + chunk->data.streams[i].count;
     }
     if (forward) {
         burnish_memory *memory = &driver->reader->mesh->memory;
@@ -469,7 +470,8 @@ static burnish_status check_forward(chunk_driver *driver) {
     for (size_t k = 0; k < driver->forward_count; ++k) {
         const forward_chunk *forward = &driver->forward[k];
         for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-            if (forward->highest[i] > mesh->streams[i].count) {
+            if (!(driver->grammar->lenient >> i & 1) &&
+                forward->highest[i] > mesh->streams[i].count) {
                 burnish_status status =
                     parse_exactly(driver, &driver->chunks[0], forward, mesh->streams);
                 return status != BURNISH_STATUS_OK

@@ -70,6 +70,7 @@ typedef struct burnish_grammar {
     /* In the order of the file, before the chunk is appended; may be NULL. */
     burnish_status (*accept)(void *state, const burnish_chunk *chunk);
     unsigned indexed; /* bits 1 << attribute: those with corners of their own */
+    unsigned lenient; /* those whose corners may refer to values that are not there */
 } burnish_grammar;
 
 /* Appends what is read to reader->mesh.

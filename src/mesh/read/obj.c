@@ -8,7 +8,7 @@
 #include "mesh/read/obj_materials.h"
 
 /* What is done in the order of the file. */
-enum { MATERIAL, LIBRARY, ELEMENT, FEW_CORNERS, OTHER };
+enum { MATERIAL, LIBRARY, ELEMENT, FEW_CORNERS, COLOR, NORMAL, OTHER };
 
 /* Numbers of a corner: those of its attributes, by attribute. No corner has a colour of its own, so
  * that in its column stands which of the others are relative, as bits 1 << attribute. */
@@ -19,7 +19,9 @@ typedef struct obj_state {
     int with_texcoords;
     burnish_obj_materials materials;
     size_t triangle; /* those before it have their run of one material */
-    burnish_warning_group elements, few_corners, free_form, unknown;
+    burnish_warning_group elements, few_corners, colors, normals, free_form, unknown;
+    size_t highest[BURNISH_ATTRIBUTE_COUNT]; /* index + 1 that a face refers to; SIZE_MAX: to one
+                                                before the first */
 } obj_state;
 
 typedef struct obj_parser {
@@ -36,19 +38,39 @@ static void fail_number(obj_parser *obj, const char *what, burnish_token token,
                        burnish_describe_number(what, token, number).text);
 }
 
-/* Up to `most` numbers of the line; returns how many, -1 after an error. */
-static int read_floats(obj_parser *obj, const char *what, float *values, int most) {
+/* Up to `most` numbers of the line; returns how many, -1 after an error in one of the first three,
+ * and -2 after one in what follows them. */
+static int read_floats(obj_parser *obj, float *values, int most) {
     burnish_token token;
     burnish_number_status number;
     int count = 0;
     while (count < most && burnish_lexer_float(&obj->lexer, &token, &values[count], &number)) {
+        if (number != BURNISH_NUMBER_OK && count >= 3) {
+            return -2;
+        }
         if (number != BURNISH_NUMBER_OK) {
-            fail_number(obj, count < 3 ? what : "colour", token, number);
+            fail_number(obj, "coordinate", token, number);
             return -1;
         }
         ++count;
     }
     return count;
+}
+
+/* While the file is read, alpha says what a colour's numbers counted to, as the file's largest
+ * tells only at its end: a vertex without a colour has 255. */
+enum { COUNTS_TO_1 = 1, COUNTS_TO_255 = 2 };
+
+/* No colour that counts to 1 is brighter, and one of 2 out of 255 is black. */
+static const float BRIGHTEST = 2;
+
+static void store_color(const float color[3], uint8_t *rgba) {
+    const int is_large = color[0] > BRIGHTEST || color[1] > BRIGHTEST || color[2] > BRIGHTEST;
+    for (int i = 0; i < 3; ++i) {
+        const float c = is_large ? color[i] / 255 : color[i];
+        rgba[i] = (uint8_t)(c <= 0 ? 0 : c >= 1 ? 255 : c * 255 + 0.5f);
+    }
+    rgba[3] = is_large ? COUNTS_TO_255 : COUNTS_TO_1;
 }
 
 static void append_color(obj_parser *obj, const float color[3]) {
@@ -60,22 +82,24 @@ static void append_color(obj_parser *obj, const float color[3]) {
             return;
         }
         memset(rgba, 0xFF, 4);
-        for (int i = 0; i < 3 && chunk->data.streams[BURNISH_COLOR].count == positions && color;
-             ++i) {
-            float c = color[i];
-            rgba[i] = (uint8_t)(c <= 0 ? 0 : c >= 1 ? 255 : c * 255 + 0.5f);
+        if (chunk->data.streams[BURNISH_COLOR].count == positions && color) {
+            store_color(color, rgba);
         }
     } while (chunk->data.streams[BURNISH_COLOR].count < positions);
 }
 
-static void read_vertex(obj_parser *obj) {
+static void read_vertex(obj_parser *obj, const uint8_t *at) {
     enum { MOST = 7 }; /* x y z [w], or x y z r g b [a] */
     float values[MOST];
-    const int count = read_floats(obj, "coordinate", values, MOST);
-    if (count < 0) {
+    int count = read_floats(obj, values, MOST);
+    if (count == -1) {
         return;
     }
-    if (count < 3 || count == 5) {
+    if (count == -2 || count == 5) {
+        burnish_chunk_note(obj->chunk, COLOR, at);
+        count = 3;
+    }
+    if (count < 3) {
         burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, obj->lexer.next,
                            "vertex has %d number%s; write v x y z or v x y z r g b", count,
                            count == 1 ? "" : "s");
@@ -90,24 +114,20 @@ static void read_vertex(obj_parser *obj) {
     }
 }
 
-/* Numbers that are not finite become 0: exporters write nan for faces without area, and such a
- * normal is made again. */
-static void read_normal(obj_parser *obj) {
+/* Numbers that are not finite become 0: exporters write nan for faces without area. What is no
+ * normal at all is 0, 0, 0, which is generated again. */
+static void read_normal(obj_parser *obj, const uint8_t *at) {
     burnish_token token;
     burnish_number_status number;
     float *normal = burnish_chunk_append(obj->chunk, BURNISH_NORMAL);
     for (int i = 0; i < 3 && normal; ++i) {
-        if (!burnish_lexer_float(&obj->lexer, &token, &normal[i], &number)) {
-            burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, obj->lexer.next,
-                               "normal has %d number%s; write vn x y z", i, i == 1 ? "" : "s");
+        if (!burnish_lexer_float(&obj->lexer, &token, &normal[i], &number) ||
+            number == BURNISH_NUMBER_GARBAGE) {
+            normal[0] = normal[1] = normal[2] = 0;
+            burnish_chunk_note(obj->chunk, NORMAL, at);
             return;
         }
-        if (number == BURNISH_NUMBER_NOT_FINITE || number == BURNISH_NUMBER_RANGE) {
-            normal[i] = 0;
-        } else if (number != BURNISH_NUMBER_OK) {
-            fail_number(obj, "normal", token, number);
-            return;
-        }
+        normal[i] = number == BURNISH_NUMBER_OK ? normal[i] : 0;
     }
 }
 
@@ -132,28 +152,16 @@ static void fail_corner(obj_parser *obj, burnish_token corner) {
                        burnish_token_quote(corner).text);
 }
 
-/* A texture coordinate that is not there is none: exporters write indices without any vt. */
-static inline void take_texcoord(burnish_chunk *chunk, int64_t written, uint32_t *corner) {
-    const size_t count = chunk->data.streams[BURNISH_TEXCOORD].count;
+/* Puts an index, counted from 1 or backwards from -1, into the corner's column: whatever it is, no
+ * further forward or back than 32 bits tell. Returns whether something may have it. */
+static inline int take_number(burnish_chunk *chunk, int64_t written, burnish_attribute attribute,
+                              uint32_t *corner) {
     if (written > 0) {
-        corner[BURNISH_TEXCOORD] = written < BURNISH_NONE ? (uint32_t)written - 1 : BURNISH_NONE;
-    } else if (written < 0 && written > -(int64_t)BURNISH_NONE) {
-        corner[BURNISH_TEXCOORD] = (uint32_t)((int64_t)count + written);
-        corner[RELATIVE] |= 1u << BURNISH_TEXCOORD;
-    }
-}
-
-/* Puts an index, counted from 1 or backwards from -1, into the corner's column. Returns 0 for one
- * that nothing can have, or that is known to be of nothing. */
-static inline int take_index(burnish_chunk *chunk, int64_t written, burnish_attribute attribute,
-                             uint32_t *corner) {
-    if (written > 0) {
-        const size_t index = (size_t)written - 1;
-        corner[attribute] = (uint32_t)index;
+        corner[attribute] = (uint32_t)written - 1;
         /* Branches on which of two indices is larger would be unpredictable. */
         const size_t highest = chunk->highest[attribute];
         chunk->highest[attribute] = (size_t)written > highest ? (size_t)written : highest;
-        return (uint64_t)written <= chunk->total[attribute];
+        return 1;
     }
     const size_t count = chunk->data.streams[attribute].count;
     const uint64_t back = (uint64_t)-written;
@@ -162,44 +170,61 @@ static inline int take_index(burnish_chunk *chunk, int64_t written, burnish_attr
     if (back > count && back - count > chunk->back[attribute]) {
         chunk->back[attribute] = (size_t)(back - count);
     }
-    return back > 0 && (!chunk->exact || back <= chunk->before[attribute] + count);
+    return back > 0;
 }
 
-static int fail_index(obj_parser *obj, burnish_token token, const char *what, int64_t written,
-                      burnish_attribute attribute) {
+/* A normal or texture coordinate: it need not be there (finish() looks for those). */
+static inline void take_index(burnish_chunk *chunk, int64_t written, burnish_attribute attribute,
+                              uint32_t *corner) {
+    if (written != 0 && written > INT32_MIN && written <= (int64_t)BURNISH_VALUE_LIMIT) {
+        take_number(chunk, written, attribute, corner);
+    } else {
+        corner[attribute] = (uint32_t)BURNISH_VALUE_LIMIT; /* what no file has */
+        chunk->highest[attribute] = SIZE_MAX;
+    }
+}
+
+/* A vertex, which must. Returns 0 for one that is known not to. */
+static inline int take_vertex(burnish_chunk *chunk, int64_t written, uint32_t *corner) {
+    const size_t count = chunk->data.streams[BURNISH_POSITION].count;
+    return take_number(chunk, written, BURNISH_POSITION, corner) &&
+           (written > 0
+                ? (uint64_t)written <= chunk->total[BURNISH_POSITION]
+                : !chunk->exact || (uint64_t)-written <= chunk->before[BURNISH_POSITION] + count);
+}
+
+static int fail_vertex(obj_parser *obj, burnish_token token, int64_t written) {
     const burnish_chunk *chunk = obj->chunk;
-    const size_t total = chunk->total[attribute],
-                 before = chunk->before[attribute] + chunk->data.streams[attribute].count;
+    const size_t count = chunk->data.streams[BURNISH_POSITION].count;
     if (written == 0) {
         burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                           "face refers to %s 0; indices start at 1", what);
+                           "face refers to vertex 0; indices start at 1");
     } else if (written > 0) {
         burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                           "face refers to %s %s, but the file has %zu; correct the index", what,
-                           burnish_token_quote(token).text, total);
+                           "face refers to vertex %s, but the file has %zu; correct the index",
+                           burnish_token_quote(token).text, chunk->total[BURNISH_POSITION]);
     } else {
         burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                           "face refers to %s %s, but the file has %zu before it; correct the "
+                           "face refers to vertex %s, but the file has %zu before it; correct the "
                            "index",
-                           what, burnish_token_quote(token).text, before);
+                           burnish_token_quote(token).text,
+                           chunk->before[BURNISH_POSITION] + count);
     }
     return 0;
 }
 
-/* One index of a corner. */
-static int parse_index(obj_parser *obj, burnish_token corner, burnish_token token, const char *what,
-                       burnish_attribute attribute, uint32_t *numbers) {
-    int64_t written = 0;
-    const burnish_number_status number = burnish_parse_integer(token, &written);
+/* One index of a corner; returns 0 after an error. */
+static int parse_index(obj_parser *obj, burnish_token corner, burnish_token token,
+                       int64_t *written) {
+    const burnish_number_status number = burnish_parse_integer(token, written);
     if (number == BURNISH_NUMBER_GARBAGE) {
         fail_corner(obj, corner);
         return 0;
     }
     if (number == BURNISH_NUMBER_RANGE) { /* beyond any count */
-        written = *token.bytes == '-' ? -INT64_MAX : INT64_MAX;
+        *written = *token.bytes == '-' ? -INT64_MAX : INT64_MAX;
     }
-    return take_index(obj->chunk, written, attribute, numbers) ||
-           fail_index(obj, token, what, written, attribute);
+    return 1;
 }
 
 /* Cuts the part before the next '/' off token. */
@@ -219,17 +244,19 @@ static burnish_token cut_part(burnish_token *token) {
 static unsigned parse_corner(obj_parser *obj, burnish_token corner, uint32_t *numbers) {
     burnish_token left = corner, part = cut_part(&left);
     unsigned used = 1u << BURNISH_POSITION;
-    if (!parse_index(obj, corner, part, "vertex", BURNISH_POSITION, numbers)) {
+    int64_t written = 0;
+    if (!parse_index(obj, corner, part, &written)) {
         return 0;
+    }
+    if (!take_vertex(obj->chunk, written, numbers)) {
+        return (unsigned)fail_vertex(obj, part, written);
     }
     part = cut_part(&left);
     if (part.size > 0) {
-        int64_t written = 0;
-        if (burnish_parse_integer(part, &written) == BURNISH_NUMBER_GARBAGE) {
-            fail_corner(obj, corner);
+        if (!parse_index(obj, corner, part, &written)) {
             return 0;
         }
-        take_texcoord(obj->chunk, written, numbers);
+        take_index(obj->chunk, written, BURNISH_TEXCOORD, numbers);
         used |= (unsigned)obj->with_texcoords << BURNISH_TEXCOORD;
     }
     if (left.size > 0) {
@@ -238,9 +265,10 @@ static unsigned parse_corner(obj_parser *obj, burnish_token corner, uint32_t *nu
             fail_corner(obj, corner);
             return 0;
         }
-        if (!parse_index(obj, corner, part, "normal", BURNISH_NORMAL, numbers)) {
+        if (!parse_index(obj, corner, part, &written)) {
             return 0;
         }
+        take_index(obj->chunk, written, BURNISH_NORMAL, numbers);
         used |= 1u << BURNISH_NORMAL;
     }
     return used;
@@ -269,7 +297,7 @@ static inline unsigned scan_corner(obj_parser *obj, uint32_t *numbers) {
         ++p;
     }
     if (obj->lexer.end - p <= BURNISH_DECIMAL_ROOM || !(p = scan_index(p, &written)) ||
-        !take_index(obj->chunk, written, BURNISH_POSITION, numbers)) {
+        !take_vertex(obj->chunk, written, numbers)) {
         return 0;
     }
     if (*p == '/') {
@@ -278,14 +306,14 @@ static inline unsigned scan_corner(obj_parser *obj, uint32_t *numbers) {
             if (!(p = scan_index(p, &written))) {
                 return 0;
             }
-            take_texcoord(obj->chunk, written, numbers);
+            take_index(obj->chunk, written, BURNISH_TEXCOORD, numbers);
             used |= (unsigned)obj->with_texcoords << BURNISH_TEXCOORD;
         }
         if (*p == '/') {
-            if (!(p = scan_index(p + 1, &written)) ||
-                !take_index(obj->chunk, written, BURNISH_NORMAL, numbers)) {
+            if (!(p = scan_index(p + 1, &written))) {
                 return 0;
             }
+            take_index(obj->chunk, written, BURNISH_NORMAL, numbers);
             used |= 1u << BURNISH_NORMAL;
         }
     }
@@ -389,7 +417,7 @@ static void read_statement(obj_parser *obj) {
     const uint8_t first = keyword.bytes[0], second = keyword.size > 1 ? keyword.bytes[1] : 0;
     if (keyword.size == 1) {
         if (first == 'v') {
-            read_vertex(obj);
+            read_vertex(obj, keyword.bytes);
         } else if (first == 'f') {
             read_face(obj, keyword.bytes);
         } else if (first == 'l' || first == 'p') {
@@ -399,7 +427,7 @@ static void read_statement(obj_parser *obj) {
         }
     } else if (keyword.size == 2 && first == 'v') {
         if (second == 'n') {
-            read_normal(obj);
+            read_normal(obj, keyword.bytes);
         } else if (second == 't' && obj->with_texcoords) {
             read_texcoord(obj);
         }
@@ -455,6 +483,10 @@ static void note_other(obj_state *obj, const uint8_t *at, burnish_lexer *lexer) 
 static burnish_status accept(void *state, const burnish_chunk *chunk) {
     obj_state *obj = state;
     burnish_status status = BURNISH_STATUS_OK;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        const size_t highest = chunk->back[i] > chunk->before[i] ? SIZE_MAX : chunk->highest[i];
+        obj->highest[i] = highest > obj->highest[i] ? highest : obj->highest[i];
+    }
     for (size_t i = 0; i < chunk->event_count && status == BURNISH_STATUS_OK; ++i) {
         const burnish_chunk_event *event = &chunk->events[i];
         const size_t triangle = chunk->triangles_before + event->triangle;
@@ -467,6 +499,16 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
         if (event->kind == FEW_CORNERS) {
             burnish_reader_note(obj->reader, &obj->few_corners, event->at,
                                 "a face with fewer than 3 corners was ignored");
+            continue;
+        }
+        if (event->kind == COLOR) {
+            burnish_reader_note(obj->reader, &obj->colors, event->at,
+                                "what follows a vertex's coordinates is no colour; it is white");
+            continue;
+        }
+        if (event->kind == NORMAL) {
+            burnish_reader_note(obj->reader, &obj->normals, event->at,
+                                "a normal is not 3 numbers; it was generated");
             continue;
         }
         if (event->kind == OTHER) {
@@ -486,18 +528,55 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
     return status;
 }
 
-static void check_texcoords(void *user_data, size_t first, size_t end) {
-    const burnish_stream *texcoords = user_data;
+static void drop_missing(void *user_data, size_t first, size_t end) {
+    const burnish_stream *stream = user_data;
     for (size_t i = first; i < end; ++i) {
-        texcoords->corners[i] =
-            texcoords->corners[i] < texcoords->count ? texcoords->corners[i] : BURNISH_NONE;
+        stream->corners[i] = stream->corners[i] < stream->count ? stream->corners[i] : BURNISH_NONE;
+    }
+}
+
+/* Corners may refer to normals and texture coordinates that are not there: exporters cut a file in
+ * pieces and leave the indices, or write indices without any values. */
+static void settle_corners(obj_state *obj, burnish_attribute attribute, const char *what) {
+    burnish_mesh_data *mesh = obj->reader->mesh;
+    burnish_stream *stream = &mesh->streams[attribute];
+    if (!stream->corners) { /* no face refers to one */
+        burnish_mesh_data_drop(mesh, attribute);
+    }
+    if (stream->corners && obj->highest[attribute] > stream->count) {
+        burnish_tasks_ranges(mesh->tasks, 3 * mesh->triangle_count, 1 << 16, drop_missing, stream);
+        burnish_reader_warn(obj->reader, NULL, "faces refer to %s that the file does not have",
+                            what);
+    }
+    if (stream->count == 0) {
+        burnish_mesh_data_drop(mesh, attribute);
+    }
+}
+
+/* Colours that count to 255, where one is brighter than any that counts to 1. */
+static void settle_colors(obj_state *obj) {
+    const burnish_stream *colors = &obj->reader->mesh->streams[BURNISH_COLOR];
+    uint8_t *rgba = burnish_colors(obj->reader->mesh);
+    int count_to_255 = 0;
+    for (size_t i = 0; i < colors->count && !count_to_255; ++i) {
+        count_to_255 = rgba[4 * i + 3] == COUNTS_TO_255;
+    }
+    for (size_t i = 0; i < colors->count; ++i, rgba += 4) {
+        for (int k = 0; k < 3 && count_to_255 && rgba[3] == COUNTS_TO_1; ++k) {
+            rgba[k] = rgba[k] >= 128;
+        }
+        rgba[3] = 255;
+    }
+    if (count_to_255) {
+        burnish_reader_warn(obj->reader, NULL,
+                            "colours of vertices are beyond 1 and were taken to count to 255");
     }
 }
 
 static burnish_status finish(obj_state *obj) {
     burnish_mesh_data *mesh = obj->reader->mesh;
-    const burnish_warning_group *groups[] = {&obj->elements, &obj->few_corners, &obj->free_form,
-                                             &obj->unknown};
+    const burnish_warning_group *groups[] = {&obj->elements, &obj->few_corners, &obj->colors,
+                                             &obj->normals,  &obj->free_form,   &obj->unknown};
     for (size_t i = 0; i < sizeof groups / sizeof *groups; ++i) {
         burnish_reader_warn_group(obj->reader, groups[i]);
     }
@@ -506,17 +585,9 @@ static burnish_status finish(obj_state *obj) {
                                    "no faces among %zu vertices; export the mesh with its faces",
                                    mesh->streams[BURNISH_POSITION].count);
     }
-    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        if (i != BURNISH_COLOR && !mesh->streams[i].corners) { /* no face refers to one */
-            burnish_mesh_data_drop(mesh, (burnish_attribute)i);
-        }
-    }
-    burnish_stream *texcoords = &mesh->streams[BURNISH_TEXCOORD];
-    if (texcoords->count == 0) {
-        burnish_mesh_data_drop(mesh, BURNISH_TEXCOORD);
-    }
-    burnish_tasks_ranges(mesh->tasks, texcoords->corners ? 3 * mesh->triangle_count : 0, 1 << 16,
-                         check_texcoords, texcoords);
+    settle_corners(obj, BURNISH_NORMAL, "normals");
+    settle_corners(obj, BURNISH_TEXCOORD, "texture coordinates");
+    settle_colors(obj);
     burnish_status status = burnish_cut_polygons(obj->reader);
     if (status == BURNISH_STATUS_OK && obj->triangle < mesh->triangle_count) {
         status = burnish_obj_begin_run(&obj->materials, obj->triangle);
@@ -527,7 +598,8 @@ static burnish_status finish(obj_state *obj) {
 burnish_status burnish_read_obj(burnish_reader *reader) {
     static const burnish_grammar grammar = {find_start, parse, accept,
                                             1u << BURNISH_POSITION | 1u << BURNISH_NORMAL |
-                                                1u << BURNISH_TEXCOORD};
+                                                1u << BURNISH_TEXCOORD,
+                                            1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD};
     obj_state obj = {.reader = reader,
                      .with_texcoords = reader->input->options->keep_texture_coordinates,
                      .materials = {.reader = reader, .changed = 1}};

@@ -2,11 +2,15 @@
  *
  * Rows are read one after the other, in chunks, by one decoder that is compiled for each of the
  * three encodings. Binary rows that all have one size need no decoding to be found: those of
- * vertices are converted column by column, those of triangles at once, by all threads. */
+ * vertices are converted column by column, those of triangles at once, by all threads.
+ *
+ * Rows of an ASCII file are values, wherever lines end. But where lines do not hold what the header
+ * says, values are left over, and there are as many lines as rows, rows are lines: what is missing
+ * at their ends is made up, what is too much ignored. */
 #include "mesh/read/ply.h"
 #include "mesh/read/chunks.h"
 
-enum { FEW_CORNERS }; /* the event of a chunk */
+enum { FEW_CORNERS, FIELDS }; /* the events of a chunk */
 
 typedef struct ply_state {
     burnish_reader *reader;
@@ -15,7 +19,9 @@ typedef struct ply_state {
     size_t first_row;                   /* rows of it that were read by other means */
     size_t vertex_count;
     burnish_ply_type types[BURNISH_PLY_ROLE_COUNT]; /* of a vertex; NONE: not there */
-    burnish_warning_group few_corners;
+    burnish_warning_group few_corners, fields;
+    int by_lines;       /* rows are lines of an ASCII file, whatever they hold */
+    atomic_int *is_odd; /* becomes 1 where a line does not hold a row */
 } ply_state;
 
 static int has_roles(const ply_state *ply, int first, int last) {
@@ -34,6 +40,7 @@ typedef struct ply_parser {
     burnish_chunk *chunk;
     burnish_lexer lexer;
     const uint8_t *value_at; /* of a binary value, for messages */
+    int is_short;            /* the line at hand has fewer values than the row */
 } ply_parser;
 
 /* Where a message points to: a binary value's first byte, the end of a word. */
@@ -58,9 +65,9 @@ static unsigned long long row_number(const ply_parser *p) {
 }
 
 static int fail_truncated(ply_parser *p) {
-    FAIL(p, "the file ends in element %s, row %llu of %llu; the file is truncated",
-         burnish_token_quote(p->ply->element->name).text, row_number(p),
-         (unsigned long long)p->ply->element->count);
+    FAIL(p, "the %s ends in element %s, row %llu of %llu; the file is truncated",
+         p->ply->by_lines ? "line" : "file", burnish_token_quote(p->ply->element->name).text,
+         row_number(p), (unsigned long long)p->ply->element->count);
     return 0;
 }
 
@@ -138,10 +145,10 @@ static inline int read_length(ply_parser *p, burnish_ply_encoding encoding,
     }
     if (*count > values_left(p, property->type)) {
         FAIL(p,
-             "element %s, row %llu: a list of %llu values does not fit the rest of the file; the "
-             "file is truncated or damaged",
+             "element %s, row %llu: a list of %llu values does not fit %s; the file is truncated "
+             "or damaged",
              burnish_token_quote(p->ply->element->name).text, row_number(p),
-             (unsigned long long)*count);
+             (unsigned long long)*count, p->ply->by_lines ? "its line" : "the rest of the file");
         return 0;
     }
     return 1;
@@ -238,6 +245,20 @@ static void append_corners(ply_parser *p, const uint8_t *at, size_t count) {
     }
 }
 
+static int at_line_end(ply_parser *p) {
+    while (p->lexer.next < p->lexer.end && burnish_is_blank(*p->lexer.next)) {
+        ++p->lexer.next;
+    }
+    return p->lexer.next == p->lexer.end || burnish_is_line_end(*p->lexer.next);
+}
+
+/* What a value is that its line does not have: colours are white, the rest 0. */
+static double missing_value(const burnish_ply_property *property) {
+    return property->role < BURNISH_PLY_RED || property->role > BURNISH_PLY_ALPHA ? 0
+           : property->type >= BURNISH_PLY_FLOAT32                                ? 1
+                                                                                  : 65535;
+}
+
 /* One row, whatever its element; returns 0 after an error. */
 static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
     const burnish_ply_element *element = p->ply->element;
@@ -247,6 +268,14 @@ static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
     size_t corner_count = 0;
     for (; property < end; ++property) {
         uint64_t count = 1;
+        if (p->ply->by_lines && property->role > BURNISH_PLY_Z &&
+            property->role != BURNISH_PLY_CORNERS && at_line_end(p)) {
+            if (property->role < BURNISH_PLY_ROLE_COUNT) {
+                values[property->role] = missing_value(property);
+            }
+            p->is_short = 1;
+            continue;
+        }
         if (property->role < BURNISH_PLY_ROLE_COUNT) {
             float unused;
             if (!read_value(p, encoding, property->type, &values[property->role])) {
@@ -282,6 +311,27 @@ static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
     return p->chunk->status == BURNISH_STATUS_OK;
 }
 
+static const uint8_t *find_line_end(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = memchr(from, '\n', (size_t)(end - from));
+    const uint8_t *last = newline ? newline : end;
+    const uint8_t *other = memchr(from, '\r', (size_t)(last - from));
+    return other ? other : last;
+}
+
+/* A row of an ASCII file that is a line. */
+static int read_line_row(ply_parser *p) {
+    const uint8_t *first = p->lexer.next, *text_end = p->lexer.end;
+    p->lexer.end = find_line_end(first, text_end);
+    p->is_short = 0;
+    const int good = read_row(p, BURNISH_PLY_ASCII);
+    if (good && (p->is_short || !at_line_end(p))) {
+        burnish_chunk_note(p->chunk, FIELDS, first);
+    }
+    p->lexer.next = good ? p->lexer.end : p->lexer.next;
+    p->lexer.end = text_end;
+    return good && p->chunk->status == BURNISH_STATUS_OK;
+}
+
 /* Rows that begin before the chunk's end. In ASCII one that reaches beyond a start that was found
  * shows that rows are no lines there. */
 static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
@@ -290,8 +340,13 @@ static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
         if (encoding == BURNISH_PLY_ASCII) {
             burnish_lexer_skip_blank_lines(&p->lexer);
         }
-        if (p->lexer.next >= chunk->end || !read_row(p, encoding)) {
+        if (p->lexer.next >= chunk->end ||
+            !(encoding == BURNISH_PLY_ASCII && p->ply->by_lines ? read_line_row(p)
+                                                                : read_row(p, encoding))) {
             break;
+        }
+        if (encoding == BURNISH_PLY_ASCII && !at_line_end(p)) {
+            atomic_store_explicit(p->ply->is_odd, 1, memory_order_relaxed);
         }
         if (chunk->bounded && p->lexer.next > chunk->end) {
             chunk->status = BURNISH_STATUS_FORMAT;
@@ -307,7 +362,7 @@ static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
 
 static void parse(const void *state, burnish_chunk *chunk) {
     const ply_state *ply = state;
-    ply_parser p = {ply, chunk, {chunk->first, chunk->text_end, 0}, chunk->first};
+    ply_parser p = {ply, chunk, {chunk->first, chunk->text_end, 0}, chunk->first, 0};
     switch (ply->header.encoding) {
     case BURNISH_PLY_ASCII:
         parse_rows(&p, BURNISH_PLY_ASCII);
@@ -329,6 +384,11 @@ static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
 static burnish_status accept(void *state, const burnish_chunk *chunk) {
     ply_state *ply = state;
     for (size_t i = 0; i < chunk->event_count; ++i) {
+        if (chunk->events[i].kind == FIELDS) {
+            burnish_reader_note(ply->reader, &ply->fields, chunk->events[i].at,
+                                "the line has more or fewer values than the header says");
+            continue;
+        }
         burnish_reader_note(ply->reader, &ply->few_corners, chunk->events[i].at,
                             "a face with fewer than 3 corners was ignored");
     }
@@ -337,8 +397,8 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
 
 /* Rows of the element at hand from *at on, which moves past them. */
 static burnish_status read_rows(ply_state *ply, const uint8_t **at, size_t rows) {
-    static const burnish_grammar text = {find_line, parse, accept, 1u << BURNISH_POSITION};
-    static const burnish_grammar binary = {NULL, parse, accept, 1u << BURNISH_POSITION};
+    static const burnish_grammar text = {find_line, parse, accept, 1u << BURNISH_POSITION, 0};
+    static const burnish_grammar binary = {NULL, parse, accept, 1u << BURNISH_POSITION, 0};
     const int is_text = ply->header.encoding == BURNISH_PLY_ASCII;
     size_t missing = rows;
     burnish_status status =
@@ -448,9 +508,9 @@ static burnish_status check_count(const ply_state *ply, size_t left, size_t leas
     burnish_reader *reader = ply->reader;
     const burnish_ply_element *element = ply->element;
     const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII, was_binary = reader->is_binary;
-    const uint64_t room = least == 0 ? UINT64_MAX
-                          : is_ascii ? (left / 2 + left % 2) / least
-                                     : left / least;
+    const uint64_t room = least == 0 || ply->by_lines ? UINT64_MAX
+                          : is_ascii                  ? (left / 2 + left % 2) / least
+                                                      : left / least;
     burnish_status status = BURNISH_STATUS_OK;
     reader->is_binary = 0;
     if (element->count > room) {
@@ -509,21 +569,108 @@ static burnish_status read_element(ply_state *ply, const uint8_t **at) {
     return read_rows(ply, at, (size_t)element->count);
 }
 
-static burnish_status read_body(ply_state *ply) {
-    const uint8_t *at = ply->header.body;
+/* Whether the first line of an element's rows holds one: the rows' ends are looked at as they are
+ * read, but rows with fewer values than the header says may end where lines do. */
+static int first_line_is_row(const ply_state *ply, const uint8_t *at) {
+    const burnish_ply_element *element = ply->element;
+    burnish_lexer line = {at, ply->reader->input->bytes + ply->reader->input->size, 0};
+    burnish_token token;
+    burnish_lexer_skip_blank_lines(&line);
+    for (size_t i = 0; i < element->property_count; ++i) {
+        int64_t count = 1;
+        if (ply->header.properties[element->first_property + i].count_type != BURNISH_PLY_NONE &&
+            (!burnish_lexer_token(&line, &token) ||
+             burnish_parse_integer(token, &count) != BURNISH_NUMBER_OK)) {
+            return 0;
+        }
+        for (; count > 0; --count) {
+            if (!burnish_lexer_token(&line, &token)) {
+                return 0;
+            }
+        }
+    }
+    return !burnish_lexer_token(&line, &token);
+}
+
+/* *left: bytes of an ASCII file after the last row and blanks. */
+static burnish_status read_elements(ply_state *ply, size_t *left) {
+    const uint8_t *at = ply->header.body,
+                  *end = ply->reader->input->bytes + ply->reader->input->size;
     burnish_status status = BURNISH_STATUS_OK;
+    ply->few_corners = ply->fields = (burnish_warning_group){0};
+    for (size_t i = 0; i < ply->header.element_count && status == BURNISH_STATUS_OK; ++i) {
+        ply->element = &ply->header.elements[i];
+        if (ply->header.encoding == BURNISH_PLY_ASCII && ply->element->count > 0 &&
+            ply->element->property_count > 0 && !first_line_is_row(ply, at)) {
+            atomic_store(ply->is_odd, 1);
+        }
+        status = read_element(ply, &at);
+    }
+    while (at < end && (burnish_is_blank(*at) || burnish_is_line_end(*at))) {
+        ++at;
+    }
+    *left = (size_t)(end - at);
+    return status;
+}
+
+/* Whether an ASCII body has as many lines, but for blank ones, as rows. */
+static int rows_are_lines(const ply_state *ply) {
+    const uint8_t *end = ply->reader->input->bytes + ply->reader->input->size;
+    burnish_lexer lexer = {ply->header.body, end, 0};
+    uint64_t lines = 0, rows = 0;
+    for (size_t i = 0; i < ply->header.element_count; ++i) {
+        const burnish_ply_element *element = &ply->header.elements[i];
+        const uint64_t count = element->property_count > 0 ? element->count : 0;
+        rows = rows + count < rows ? UINT64_MAX : rows + count;
+    }
+    burnish_lexer_skip_blank_lines(&lexer);
+    while (lexer.next < end) {
+        ++lines;
+        lexer.next = find_line_end(lexer.next, end);
+        burnish_lexer_skip_blank_lines(&lexer);
+    }
+    return lines == rows;
+}
+
+/* Reads the body once more, from the beginning. */
+static burnish_status read_again(ply_state *ply, int by_lines) {
+    burnish_reader *reader = ply->reader;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        burnish_mesh_data_drop(reader->mesh, (burnish_attribute)i);
+    }
+    reader->mesh->triangle_count = reader->polygon_count = 0;
+    if (reader->error) {
+        *reader->error = (burnish_error){0};
+    }
+    ply->by_lines = by_lines;
+    size_t unused;
+    return read_elements(ply, &unused);
+}
+
+static burnish_status read_body(ply_state *ply) {
+    atomic_int is_odd;
     int has_faces = 0;
     for (size_t i = 0; i < ply->header.element_count; ++i) {
         const burnish_ply_element *element = &ply->header.elements[i];
+        has_faces |= element->count > 0 && element->kind > BURNISH_PLY_ELEMENT_VERTEX;
         if (element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
             ply->vertex_count = (size_t)element->count;
         }
     }
     ply->reader->is_binary = ply->header.encoding != BURNISH_PLY_ASCII;
-    for (size_t i = 0; i < ply->header.element_count && status == BURNISH_STATUS_OK; ++i) {
-        ply->element = &ply->header.elements[i];
-        has_faces |= ply->element->count > 0 && ply->element->kind > BURNISH_PLY_ELEMENT_VERTEX;
-        status = read_element(ply, &at);
+    atomic_init(&is_odd, 0);
+    ply->is_odd = &is_odd;
+    size_t left;
+    burnish_status status = read_elements(ply, &left);
+    if (!ply->reader->is_binary &&
+        (status == BURNISH_STATUS_FORMAT ||
+         (status == BURNISH_STATUS_OK && atomic_load(&is_odd) && left > 0)) &&
+        rows_are_lines(ply)) {
+        const burnish_status first = status;
+        status = read_again(ply, 1);
+        if (status == BURNISH_STATUS_FORMAT && first == BURNISH_STATUS_OK) {
+            status = read_again(ply, 0);
+        }
     }
     if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0) {
         status =
@@ -556,6 +703,7 @@ static void check_alpha(const ply_state *ply) {
 /* Says what of the file is not drawn or kept. */
 static void warn_undrawn(const ply_state *ply) {
     burnish_reader_warn_group(ply->reader, &ply->few_corners);
+    burnish_reader_warn_group(ply->reader, &ply->fields);
     if (ply->header.texture.size > 0) {
         burnish_reader_warn(ply->reader, NULL, "1 texture (%s) is not drawn",
                             burnish_token_quote(ply->header.texture).text);

@@ -8,6 +8,7 @@ typedef struct header_state {
     burnish_ply_header *header;
     burnish_lexer lexer;
     int has_format;
+    burnish_warning_group unknown; /* lines */
 } header_state;
 
 /* A malformed line. */
@@ -188,8 +189,8 @@ static burnish_status read_property(header_state *ply) {
     return memory->status;
 }
 
-/* After end_header stands one line end, of the kind that ends the first line: after "\r" alone the
- * next byte, even a "\n", is the body's. Returns 0 when there is none. */
+/* After end_header stands one line end. Where "\r" alone ends the first line, the next byte, even a
+ * "\n", is the body's. Returns 0 when there is none. */
 static int find_body(header_state *ply) {
     const uint8_t *p = ply->lexer.next, *end = ply->lexer.end, *first = ply->reader->input->bytes;
     while (p < end && *p != '\n' && *p != '\r') {
@@ -201,8 +202,12 @@ static int find_body(header_state *ply) {
     while (*first != '\n' && *first != '\r') {
         ++first;
     }
-    int pairs = *first == '\r' && first[1] == '\n'; /* more header follows it */
-    ply->header->body = p + (pairs && *p == '\r' && end - p > 1 && p[1] == '\n' ? 2 : 1);
+    const int pairs = *first == '\n' || first[1] == '\n'; /* more header follows it */
+    const int is_pair = pairs && *p == '\r' && end - p > 1 && p[1] == '\n';
+    if (is_pair && *first == '\n') {
+        burnish_reader_warn(ply->reader, p, "\"end_header\" ends with CR LF, other lines with LF");
+    }
+    ply->header->body = p + (is_pair ? 2 : 1);
     return 1;
 }
 
@@ -232,10 +237,10 @@ static burnish_status read_line(header_state *ply, int *done) {
         *done = find_body(ply);
         return BURNISH_STATUS_OK;
     }
-    return FAIL(ply,
-                "expected \"element\", \"property\" or \"end_header\", found \"%s\"; "
-                "repair the header",
-                burnish_token_quote(keyword).text);
+    burnish_reader_note(ply->reader, &ply->unknown, keyword.bytes,
+                        "\"%s\" begins no line of a PLY header; it was ignored",
+                        burnish_token_quote(keyword).text);
+    return BURNISH_STATUS_OK;
 }
 
 /* Which roles an element's properties fill, one bit each. */
@@ -298,6 +303,7 @@ burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_heade
             return status;
         }
     }
+    burnish_reader_warn_group(reader, &ply.unknown);
     if (!ply.has_format) {
         return FAIL(&ply, "the header has no format line; add \"format ascii 1.0\" or what the "
                           "file is");

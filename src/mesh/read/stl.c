@@ -1,6 +1,8 @@
 /* STL, ASCII and binary (3D Systems, "StereoLithography Interface Specification", 1989).
  *
- * One in seven binary files on sharing sites starts with "solid", so the size decides first. Facet
+ * One in seven binary files on sharing sites starts with "solid", so the size decides first. It
+ * also decides how many facets there are, where the header's count contradicts it: programs that
+ * write facets as they come never go back to fill it in. Facet
  * normals are passed over: they are redundant and often wrong. So are colours, with a warning:
  * those of facets in the attribute bytes, valid where bit 15 is set (VisCAM, SolidView), and those
  * that "COLOR=" in the header announces (Magics). */
@@ -65,19 +67,26 @@ static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *fac
                                "coordinate is not finite; repair the mesh");
 }
 
-static burnish_status check_count(burnish_reader *reader, size_t count) {
+/* *count: what the header announces; receives how many facets there are. */
+static burnish_status check_count(burnish_reader *reader, size_t *count) {
     const burnish_reader_input *input = reader->input;
     const size_t room = (input->size - HEADER_SIZE) / FACET_SIZE;
-    if (count > room) {
+    if (*count != room && room > 0 && (input->size - HEADER_SIZE) % FACET_SIZE == 0) {
+        burnish_reader_warn(reader, input->bytes + TITLE_SIZE,
+                            "%zu triangles are announced, but the file has %zu, which are drawn",
+                            *count, room);
+        *count = room;
+    }
+    if (*count > room) {
         return burnish_reader_fail(
             reader, BURNISH_STATUS_FORMAT, input->bytes + TITLE_SIZE,
             "%zu triangles are announced, but the file ends after %zu; it is truncated or not STL",
-            count, room);
+            *count, room);
     }
-    if (count > input->options->max_triangles) {
+    if (*count > input->options->max_triangles) {
         return burnish_fail_triangles(reader, input->bytes + TITLE_SIZE);
     }
-    const size_t used = HEADER_SIZE + count * FACET_SIZE;
+    const size_t used = HEADER_SIZE + *count * FACET_SIZE;
     if (used < input->size) {
         burnish_reader_warn(reader, input->bytes + used,
                             "%zu bytes after the last triangle were ignored", input->size - used);
@@ -104,9 +113,9 @@ static void warn_colors(burnish_reader *reader, unsigned attributes) {
 
 static burnish_status read_binary(burnish_reader *reader) {
     burnish_mesh_data *mesh = reader->mesh;
-    const size_t count = read_u32(reader->input->bytes + TITLE_SIZE);
+    size_t count = read_u32(reader->input->bytes + TITLE_SIZE);
     reader->is_binary = 1;
-    burnish_status status = check_count(reader, count);
+    burnish_status status = check_count(reader, &count);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_mesh_data_reserve(mesh, BURNISH_POSITION, 3 * count);
     }
@@ -129,6 +138,15 @@ static burnish_status read_binary(burnish_reader *reader) {
 
 /* ---- ASCII ---- */
 
+/* What is noted in the order of the file. */
+enum { NORMAL, END, BEHIND };
+
+typedef struct stl_state {
+    burnish_reader *reader;
+    const uint8_t *first;            /* where the first chunk begins */
+    burnish_warning_group groups[3]; /* by what is noted */
+} stl_state;
+
 typedef struct stl_parser {
     burnish_chunk *chunk;
     burnish_lexer lexer;
@@ -137,12 +155,14 @@ typedef struct stl_parser {
 /* The file ends where something should follow. Returns 0. */
 static int fail_end(stl_parser *stl, const char *expected) {
     burnish_chunk_fail(stl->chunk, BURNISH_STATUS_FORMAT, stl->lexer.next,
-                       "expected \"%s\", found the end of the file; the file is truncated",
-                       expected);
+                       "expected %s, found the end of the file; the file is truncated", expected);
     return 0;
 }
 
 static int fail_expected(stl_parser *stl, const char *expected, burnish_token word) {
+    if (word.bytes + word.size == stl->chunk->text_end) { /* what is cut off is no fault */
+        return fail_end(stl, expected);
+    }
     burnish_chunk_fail(stl->chunk, BURNISH_STATUS_FORMAT, word.bytes,
                        "expected %s, found \"%s\"; repair the file", expected,
                        burnish_token_quote(word).text);
@@ -152,15 +172,13 @@ static int fail_expected(stl_parser *stl, const char *expected, burnish_token wo
 /* Reads one keyword, in any case. */
 static int expect(stl_parser *stl, const char *expected) {
     burnish_token word;
-    if (!burnish_lexer_word(&stl->lexer, &word)) {
-        return fail_end(stl, expected);
+    char quoted[16];
+    const int found = burnish_lexer_word(&stl->lexer, &word);
+    if (found && burnish_token_is_caseless(word, expected)) {
+        return 1;
     }
-    if (!burnish_token_is_caseless(word, expected)) {
-        char quoted[16];
-        snprintf(quoted, sizeof quoted, "\"%s\"", expected);
-        return fail_expected(stl, quoted, word);
-    }
-    return 1;
+    snprintf(quoted, sizeof quoted, "\"%s\"", expected);
+    return found ? fail_expected(stl, quoted, word) : fail_end(stl, quoted);
 }
 
 static int fail_number(stl_parser *stl, const char *what, burnish_token word,
@@ -170,20 +188,29 @@ static int fail_number(stl_parser *stl, const char *what, burnish_token word,
     return 0;
 }
 
-/* The three numbers of a normal: passed over, whatever they are, as long as they are numbers. */
+/* The three numbers of a normal: passed over, whatever they are, and "outer" after them. */
 static int skip_normal(stl_parser *stl) {
-    for (int i = 0; i < 3; ++i) {
-        burnish_token word;
-        double value;
-        burnish_number_status number;
+    enum { MOST_WORDS = 16 };
+    burnish_token word;
+    double value;
+    burnish_number_status number = BURNISH_NUMBER_OK;
+    int count = 0;
+    while (count < 3 && number != BURNISH_NUMBER_GARBAGE) {
         if (!burnish_lexer_word_double(&stl->lexer, &word, &value, &number)) {
-            return fail_end(stl, "normal x y z");
+            return fail_end(stl, "\"normal x y z\"");
         }
-        if (number == BURNISH_NUMBER_GARBAGE) {
-            return fail_number(stl, "normal", word, number);
+        ++count;
+    }
+    if (number != BURNISH_NUMBER_GARBAGE) {
+        return expect(stl, "outer");
+    }
+    burnish_chunk_note(stl->chunk, NORMAL, word.bytes);
+    while (count++ < MOST_WORDS && !burnish_token_is_caseless(word, "outer")) {
+        if (!burnish_lexer_word(&stl->lexer, &word)) {
+            return fail_end(stl, "\"outer\"");
         }
     }
-    return 1;
+    return burnish_token_is_caseless(word, "outer") || fail_expected(stl, "\"outer\"", word);
 }
 
 static int read_vertex(stl_parser *stl, float position[3]) {
@@ -195,7 +222,7 @@ static int read_vertex(stl_parser *stl, float position[3]) {
         double value = 0;
         burnish_number_status number;
         if (!burnish_lexer_word_double(&stl->lexer, &word, &value, &number)) {
-            return fail_end(stl, "vertex x y z");
+            return fail_end(stl, "\"vertex x y z\"");
         }
         if (number == BURNISH_NUMBER_OK && !burnish_double_to_float(value, &position[i])) {
             number = BURNISH_NUMBER_RANGE;
@@ -211,8 +238,7 @@ static int read_vertex(stl_parser *stl, float position[3]) {
 static void read_facet(stl_parser *stl, burnish_token facet) {
     burnish_chunk *chunk = stl->chunk;
     float positions[9];
-    int good =
-        expect(stl, "normal") && skip_normal(stl) && expect(stl, "outer") && expect(stl, "loop");
+    int good = expect(stl, "normal") && skip_normal(stl) && expect(stl, "loop");
     for (int i = 0; i < 3 && good; ++i) {
         good = read_vertex(stl, positions + 3 * i);
     }
@@ -234,32 +260,43 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
     ++chunk->data.triangle_count;
 }
 
-/* A chunk but the first begins at a "facet", so within a solid, and ends before one. */
+/* A chunk but the first begins at a "facet", so within a solid, and ends before one. "facet" at the
+ * start of a line is within a solid wherever it stands, so that chunks may begin at any. */
 static void parse(const void *state, burnish_chunk *chunk) {
     stl_parser stl = {chunk, {chunk->first, chunk->text_end, 0}};
-    int in_solid = chunk->first != state;
+    int in_solid = chunk->first != ((const stl_state *)state)->first, seen = in_solid;
     while (chunk->status == BURNISH_STATUS_OK) {
         burnish_token word;
         const uint8_t *before = stl.lexer.next;
         if (!burnish_lexer_word(&stl.lexer, &word)) {
             if (in_solid) {
-                fail_end(&stl, "endsolid");
+                burnish_chunk_note(chunk, END, chunk->text_end);
             }
             chunk->end = chunk->text_end;
             return;
         }
-        if (in_solid && burnish_token_is_caseless(word, "facet")) {
+        if (seen && burnish_token_is_caseless(word, "facet")) {
+            in_solid = 1;
             if (word.bytes >= chunk->end) {
                 chunk->end = chunk->bounded ? chunk->end : before;
                 return;
             }
             read_facet(&stl, word);
-        } else if (burnish_token_is_caseless(word, in_solid ? "endsolid" : "solid")) {
-            burnish_lexer_rest(&stl.lexer); /* a name, which may be anything */
-            in_solid = !in_solid;
-        } else {
-            fail_expected(&stl, in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"", word);
+            continue;
         }
+        const int begins = burnish_token_is_caseless(word, "solid");
+        if (begins || (in_solid && burnish_token_is_caseless(word, "endsolid"))) {
+            if (begins && in_solid) {
+                burnish_chunk_note(chunk, END, word.bytes);
+            }
+            in_solid = begins;
+            seen = 1;
+        } else if (in_solid || !seen) {
+            fail_expected(&stl, in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"", word);
+        } else {
+            burnish_chunk_note(chunk, BEHIND, word.bytes);
+        }
+        burnish_lexer_rest(&stl.lexer); /* of a solid a name, which may be anything */
     }
     chunk->end = chunk->bounded || chunk->end > stl.lexer.next ? chunk->end : stl.lexer.next;
 }
@@ -277,12 +314,29 @@ static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
     return end;
 }
 
+static burnish_status accept(void *state, const burnish_chunk *chunk) {
+    static const char *const warnings[] = {[NORMAL] = "a normal is not 3 numbers; it was ignored",
+                                           [END] = "\"endsolid\" is missing",
+                                           [BEHIND] = "text after \"endsolid\" was ignored"};
+    stl_state *stl = state;
+    for (size_t i = 0; i < chunk->event_count; ++i) {
+        const burnish_chunk_event *event = &chunk->events[i];
+        burnish_reader_note(stl->reader, &stl->groups[event->kind], event->at, "%s",
+                            warnings[event->kind]);
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status read_text(burnish_reader *reader) {
-    static const burnish_grammar grammar = {find_start, parse, NULL, 1u << BURNISH_POSITION};
+    static const burnish_grammar grammar = {find_start, parse, accept, 1u << BURNISH_POSITION, 0};
     const uint8_t *first = burnish_lexer_open(reader->input->bytes, reader->input->size, 0).next;
     const uint8_t *at = first;
-    /* The state is where the first chunk begins; parse() only compares it. */
-    return burnish_chunks_read(&grammar, (void *)(uintptr_t)first, reader, &at, NULL);
+    stl_state stl = {.reader = reader, .first = first};
+    burnish_status status = burnish_chunks_read(&grammar, &stl, reader, &at, NULL);
+    for (size_t i = 0; i < sizeof stl.groups / sizeof *stl.groups; ++i) {
+        burnish_reader_warn_group(reader, &stl.groups[i]);
+    }
+    return status;
 }
 
 /* ---- Both ---- */
