@@ -529,7 +529,8 @@ static void test_undrawn(void) {
                           library, &s, &e) == BURNISH_STATUS_OK,
         "%s", e.text);
     if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
-        CHECK_TEXT(s.warnings[0], "mesh.obj: 2 textures (mars.png, moon b.png) are not drawn");
+        CHECK_TEXT(s.warnings[0], "mesh.obj: texture \"my parts/mars.png\" is left out: mars.png: No "
+                                  "such file (and 2 more like it)");
     }
     burnish_mesh_data_destroy(&s);
     CHECK1(read_text(BURNISH_FORMAT_PLY,
@@ -540,7 +541,8 @@ static void test_undrawn(void) {
                      "0 0 0 1 2 3 255\n1 0 0 1 2 3 254\n0 1 0 1 2 3 255\n3 0 1 2\n",
                      &s, &e) == BURNISH_STATUS_OK);
     if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
-        CHECK_TEXT(s.warnings[0], "mesh.ply: 1 texture (moon.png) is not drawn");
+        CHECK_TEXT(s.warnings[0],
+                   "mesh.ply:3: texture \"moon.png\" is left out: vertices have no s and t");
     }
     burnish_mesh_data_destroy(&s);
     for (int faces = 0; faces < 2; ++faces) { /* of an element without rows nothing is lost */

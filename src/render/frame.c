@@ -57,6 +57,8 @@ static void shade_layers(const burnish_frame *frame, burnish_tile_worker *worker
     const float *const shaded[3] = {light[0], light[1], light[2]};
     const int wanted = frame->output.target.pixels.pixels != NULL;
     const int samples = frame->output.samples;
+    const burnish_texturing *texturing = surface.shading->texturing;
+    const int has_alpha = wanted && texturing && texturing->has_alpha;
     burnish_layer_cursor cursor = {0};
     worker->sums.layers = NULL;
     surface.caps = NULL; /* one looks into a transparent solid anyway */
@@ -68,7 +70,8 @@ static void shade_layers(const burnish_frame *frame, burnish_tile_worker *worker
     while (burnish_layers_next(tile, surface.view, frame->geometry, &cursor, fragments)) {
         burnish_shade_fragments(&surface, tile, fragments, &worker->scratch, wanted ? light : NULL);
         burnish_layer_light_add(worker->layers, &surface, fragments, wanted ? shaded : NULL,
-                                samples, frame->output.limit);
+                                has_alpha ? worker->scratch.texture.alpha : NULL, samples,
+                                frame->output.limit);
         for (int i = 0; i < fragments->count && frame->drawn; ++i) {
             __atomic_store_n(&frame->drawn[fragments->primitives[i].id_and_facing >> 1], 1,
                              __ATOMIC_RELAXED);
@@ -278,13 +281,14 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
                                       burnish_error *error) {
     const burnish_surface *surface = &frame->surface;
     const burnish_target *target = &frame->output.target;
-    const burnish_tile_options needed = {.samples = frame->output.samples,
-                                         .planes = burnish_surface_planes(surface),
-                                         .keep_ids = surface->triangle_materials || frame->drawn ||
-                                                     target->triangles || surface->caps,
-                                         .needs_position = surface->shading->needs_position ||
-                                                           target->depth || surface->caps,
-                                         .has_layers = surface->transparency != NULL};
+    const burnish_tile_options needed = {
+        .samples = frame->output.samples,
+        .planes = burnish_surface_planes(surface),
+        .keep_ids = surface->triangle_materials || frame->drawn || target->triangles ||
+                    surface->caps || surface->shading->texturing,
+        .needs_position = surface->shading->needs_position || target->depth || surface->caps ||
+                          surface->shading->texturing,
+        .has_layers = surface->transparency != NULL};
     burnish_status status = BURNISH_STATUS_OK;
     const int threads = worker_count(frame);
     if (tiles->worker_count != threads ||

@@ -55,11 +55,12 @@ typedef struct burnish_shaders {
     size_t item_capacity, light_capacity;
 } burnish_shaders;
 
-/* The view reads the shaders. Errors: ARGUMENT (a camera without a direction, or further away than
+/* The view reads the shaders and, where a material is special, texturing, which learns what the
+ * view says; NULL: none is. Errors: ARGUMENT (a camera without a direction, or further away than
  * float arithmetic reaches; a material that can't be shaded), LIMIT, MEMORY. */
 burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
-                                   burnish_shaders *shaders, burnish_view *view,
-                                   burnish_memory *memory);
+                                   burnish_shaders *shaders, burnish_texturing *texturing,
+                                   burnish_view *view, burnish_memory *memory);
 
 /* ---- Output: from a tile's linear light to the caller's pixels and planes ---- */
 

@@ -141,6 +141,10 @@ burnish_status burnish_look_set_materials(burnish_look name, burnish_mesh *mesh,
         if (material.has_diffuse && wanted->recolors == UNCOLORED) {
             continue;
         }
+        memset(material.textures, 0, sizeof material.textures);
+        memset(material.emissive, 0, sizeof material.emissive);
+        material.is_metallic = material.is_unlit = 0;
+        material.alpha_mode = BURNISH_ALPHA_IGNORE;
         for (int k = 0; k < 3; ++k) {
             material.ambient[k] = material.diffuse[k] = wanted->grey[k];
             material.specular[k] = wanted->specular;

@@ -19,6 +19,7 @@ struct burnish_renderer {
     burnish_geometry geometry;
     burnish_attributes attributes;
     burnish_transparency transparency;
+    burnish_texturing texturing;
     burnish_tiles tiles;
     burnish_occlusion occlusion;
     burnish_line_art line_art;
@@ -55,6 +56,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_shadow_destroy(&renderer->shadow, context);
         burnish_attributes_destroy(&renderer->attributes, context);
         burnish_transparency_destroy(&renderer->transparency, context);
+        burnish_texturing_destroy(&renderer->texturing, context);
         burnish_geometry_destroy(&renderer->geometry);
         burnish_release(context, renderer->shaders.items);
         burnish_release(context, renderer->shaders.lights);
@@ -304,13 +306,18 @@ static burnish_status draw(drawing *d) {
     d->report.threads = burnish_tasks_threads(&renderer->tasks);
     d->report.isa = d->view.shading.ops->isa;
     d->report.triangles = burnish_mesh_get_view(d->mesh)->triangle_count;
-    burnish_status status =
-        burnish_view_create(d->mesh, d->options, &renderer->shaders, &d->view, &d->memory);
-    d->report.lobe_fallbacks = d->view.lobe_fallbacks;
+    burnish_status status = burnish_texturing_update(
+        &renderer->texturing, d->mesh, d->options->ignore_colors, &renderer->tasks, &d->memory);
+    burnish_texturing *texturing = renderer->texturing.has_some ? &renderer->texturing : NULL;
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_view_create(d->mesh, d->options, &renderer->shaders, texturing, &d->view,
+                                     &d->memory);
+        d->report.lobe_fallbacks = d->view.lobe_fallbacks;
+    }
     if (status == BURNISH_STATUS_OK) {
         status =
-            burnish_transparency_update(&renderer->transparency, d->mesh, d->options->ignore_colors,
-                                        &renderer->tasks, &d->memory);
+            burnish_transparency_update(&renderer->transparency, d->mesh, texturing,
+                                        d->options->ignore_colors, &renderer->tasks, &d->memory);
     }
     if (status == BURNISH_STATUS_OK) {
         status = update_shadow(d);

@@ -129,10 +129,21 @@ static void divide(int count, const float *const attribute[3], const float *inve
     }
 }
 
-/* `count` points of one material. */
+/* `count` points of one material; those of a special one leave their opacity in scratch. */
 static void shade_material(const burnish_shading *shading, const burnish_kernels_points *points,
-                           int material, int count, float *const rgb[3]) {
+                           float (*streams)[BURNISH_SHADE_BATCH], int material, int count,
+                           burnish_texture_scratch *scratch, float *const rgb[3]) {
     const burnish_kernels_shader *shader = &shading->shaders[material];
+    const burnish_texturing *texturing = shading->texturing;
+    if (texturing && texturing->materials[material].is_special) {
+        const float *from[BURNISH_TEXTURE_STREAMS];
+        for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
+            from[k] = streams[k];
+        }
+        burnish_texture_shade(texturing, shading->ops, shader, material, points, from, count,
+                              scratch, rgb);
+        return;
+    }
     shading->ops->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
         shader, points, (size_t)count, NULL, rgb);
 }
@@ -157,6 +168,29 @@ static void add_stream(point_streams *streams, const float *from, float *to) {
     streams->from[streams->count] = from;
     streams->to[streams->count] = to;
     streams->count += 1;
+}
+
+/* Takes the opacity of a group's points back to the batch. */
+static void scatter_opacity(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                            int material, int size, burnish_fragment_scratch *scratch) {
+    float *const alpha = scratch->texture.alpha;
+    const float *const from[3] = {scratch->texture.opacity, scratch->texture.opacity,
+                                  scratch->texture.opacity};
+    float *const to[3] = {alpha, alpha, alpha};
+    shading->ops->scatter_material(material, batch->material, size, scratch->group.places, from,
+                                   to);
+}
+
+/* Where points lie in their textures; all are opaque until their material is shaded. */
+static void locate(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                   burnish_texture_scratch *scratch) {
+    if (shading->texturing->needs_points) {
+        burnish_texture_locate(shading->texturing, &shading->rays, &batch->points, batch->material,
+                               batch->count, scratch);
+    }
+    for (int i = 0; i < BURNISH_SHADE_BATCH && shading->texturing->has_alpha; ++i) {
+        scratch->alpha[i] = 1.0f;
+    }
 }
 
 /* Shades a batch of several materials, one after another: the vectors that show it are brought
@@ -188,6 +222,9 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         brought.first_light = group->lit;
         add_stream(&streams, points->first_light, group->lit);
     }
+    for (int k = 0; shading->texturing && k < BURNISH_TEXTURE_STREAMS; ++k) {
+        add_stream(&streams, scratch->texture.points[k], scratch->texture.brought[k]);
+    }
     memcpy(group->left, batch->material, (size_t)padded(batch->count) * sizeof *group->left);
     for (int i = 0; i < batch->count; ++i) {
         const int32_t material = group->left[i];
@@ -195,9 +232,13 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             const int size = shading->ops->collect_material(material, i, batch->count, group->left,
                                                             streams.count, streams.from, streams.to,
                                                             group->places);
-            shade_material(shading, &brought, material, size, light);
+            shade_material(shading, &brought, scratch->texture.brought, material, size,
+                           &scratch->texture, light);
             shading->ops->scatter_material(material, batch->material, size, group->places, shaded,
                                            rgb);
+            if (shading->texturing && shading->texturing->materials[material].is_alpha) {
+                scatter_opacity(shading, batch, material, size, scratch);
+            }
         }
     }
 }
@@ -244,9 +285,16 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         shading->ops->cast_shadow(shading->shadow, &points, (size_t)batch->count, scratch->lit);
         points.first_light = scratch->lit;
     }
+    if (shading->texturing) {
+        locate(shading, batch, &scratch->texture);
+    }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;
-        shade_material(shading, &points, material, batch->count, rgb);
+        shade_material(shading, &points, scratch->texture.points, material, batch->count,
+                       &scratch->texture, rgb);
+        if (shading->texturing && shading->texturing->materials[material].is_alpha) {
+            memcpy(scratch->texture.alpha, scratch->texture.opacity, sizeof scratch->texture.alpha);
+        }
     } else {
         shade_mixed(shading, batch, &points, scratch, rgb);
     }
@@ -302,6 +350,18 @@ static void find_materials(const burnish_surface *surface, const burnish_tile *t
     }
 }
 
+/* The triangles of a run's pixels; complex ones get that of the pixel before. */
+static void find_triangles(const burnish_tile *tile, block_run run, const burnish_block_row *pixels,
+                           uint32_t *ids) {
+    uint32_t last = 0;
+    for (int i = run.first; i < run.end; ++i) {
+        if (pixels->simple[i] >= 0) {
+            last = burnish_tile_id_and_facing(tile, run.row, i, pixels->simple[i]);
+        }
+        ids[i - run.first] = last;
+    }
+}
+
 burnish_screen_points burnish_row_points(const burnish_raster_view *view, const burnish_tile *tile,
                                          int number) {
     const int y = tile->y + number * BURNISH_BLOCK_SIZE;
@@ -341,6 +401,9 @@ static void shade_run(const burnish_surface *surface, const burnish_tile *tile, 
     if (surface->triangle_materials) {
         find_materials(surface, tile, run, &row->pixels, scratch->material);
         batch.material = scratch->material + run.first;
+    }
+    if (surface->shading->texturing) {
+        find_triangles(tile, run, &row->pixels, scratch->texture.ids);
     }
     shade_batch(surface->shading, &batch, scratch, rgb);
 }
@@ -428,6 +491,7 @@ static void gather(const burnish_surface *surface, const burnish_fragments *frag
         if (surface->triangle_materials) {
             scratch->material[i] = surface->triangle_materials[primitive->id_and_facing >> 1];
         }
+        scratch->texture.ids[i] = primitive->id_and_facing;
     }
     for (int k = 0; k < 3; ++k) {
         clear_tail(scratch->normal[k], fragments->count);

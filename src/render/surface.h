@@ -14,6 +14,7 @@
 #include "raster/fragments.h"
 #include "render/caps.h"
 #include "render/occlusion_share.h"
+#include "render/texture.h"
 #include "simd/isa_ops.h"
 
 /* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
@@ -37,8 +38,9 @@ void burnish_attributes_destroy(burnish_attributes *attributes, const burnish_co
 /* Fragments that are shaded at once: their arrays stay in L1. */
 enum {
     BURNISH_SHADE_BATCH = 256,
-    BURNISH_SHADE_PAD = 16,    /* lanes of the longest vector */
-    BURNISH_SHADE_STREAMS = 11 /* normal, colour, position, w, first light */
+    BURNISH_SHADE_PAD = 16, /* lanes of the longest vector */
+    /* normal, colour, position, w, first light; where textures are */
+    BURNISH_SHADE_STREAMS = 11 + BURNISH_TEXTURE_STREAMS
 };
 
 /* Fragments to be shaded: arrays of `count` <= BURNISH_SHADE_BATCH, readable up to the next
@@ -64,6 +66,7 @@ typedef struct burnish_shading {
     int needs_position;                               /* 1: a point light or a local viewer */
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
     const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
+    const burnish_texturing *texturing;               /* NULL: no material is special */
     int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
 } burnish_shading;
 
@@ -99,6 +102,7 @@ typedef struct burnish_fragment_scratch {
     float lit[BURNISH_SHADE_BATCH]; /* what of the first light reaches a point */
     burnish_material_group group;
     burnish_share_scratch share;
+    burnish_texture_scratch texture;
     float hatch[BURNISH_SHADE_BATCH]; /* of fragments: burnish_cap_hatch */
 } burnish_fragment_scratch;
 

@@ -14,6 +14,11 @@ typedef struct find_context {
     const burnish_mesh_view *mesh;
 } find_context;
 
+static int is_transparent_material(const burnish_transparency *transparency, size_t material) {
+    return transparency->opacities[material] < 1 ||
+           (transparency->texturing && transparency->texturing->materials[material].is_alpha);
+}
+
 static int is_transparent(const find_context *find, size_t triangle) {
     const burnish_mesh_view *mesh = find->mesh;
     const size_t material = mesh->triangle_materials ? mesh->triangle_materials[triangle] : 0;
@@ -21,7 +26,7 @@ static int is_transparent(const find_context *find, size_t triangle) {
     for (size_t k = 0; find->transparency->has_alpha && k < 3; ++k) {
         alpha &= mesh->colors[4 * (size_t)mesh->indices[3 * triangle + k] + 3];
     }
-    return find->transparency->opacities[material] < 1 || alpha < 255;
+    return is_transparent_material(find->transparency, material) || alpha < 255;
 }
 
 /* The masks of some batches. */
@@ -41,13 +46,14 @@ static void find_range(void *context, size_t first, size_t end) {
 static uint64_t key_of(const burnish_transparency *transparency, size_t material_count) {
     uint64_t key = 0xcbf29ce484222325u ^ (uint64_t)transparency->has_alpha;
     for (size_t i = 0; i < material_count; ++i) {
-        key = (key ^ (uint64_t)(transparency->opacities[i] < 1)) * 0x100000001b3u;
+        key = (key ^ (uint64_t)is_transparent_material(transparency, i)) * 0x100000001b3u;
     }
     return key ? key : 1;
 }
 
 burnish_status burnish_transparency_update(burnish_transparency *transparency,
-                                           const burnish_mesh *mesh, int ignore_colors,
+                                           const burnish_mesh *mesh,
+                                           const burnish_texturing *texturing, int ignore_colors,
                                            burnish_tasks *tasks, burnish_memory *memory) {
     enum { GRAIN = 1024 /* batches */ };
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
@@ -56,12 +62,15 @@ burnish_status burnish_transparency_update(burnish_transparency *transparency,
     transparency->has_alpha = view->has_transparent_colors && !ignore_colors;
     transparency->has_some = transparency->has_alpha;
     transparency->key = 0;
+    transparency->texturing = texturing;
     transparency->opacities =
         burnish_reserve_discard(memory, transparency->opacities, &transparency->opacity_capacity,
                                 materials, sizeof *transparency->opacities, "opacities");
     for (size_t i = 0; memory->status == BURNISH_STATUS_OK && i < materials; ++i) {
-        transparency->opacities[i] = 1 - burnish_mesh_material(mesh, i)->transparency;
-        transparency->has_some |= transparency->opacities[i] < 1;
+        const burnish_material *material = burnish_mesh_material(mesh, i);
+        const int is_masked = material->alpha_mode == BURNISH_ALPHA_MASK; /* the mask says all */
+        transparency->opacities[i] = is_masked ? 1 : 1 - material->transparency;
+        transparency->has_some |= is_transparent_material(transparency, i);
     }
     if (memory->status != BURNISH_STATUS_OK || !transparency->has_some) {
         return memory->status;
@@ -139,11 +148,15 @@ static float opacity_of(const burnish_surface *surface, const burnish_fragments 
 
 void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface *surface,
                              const burnish_fragments *fragments, const float *const *rgb,
-                             int samples, float limit) {
+                             const float *alpha, int samples, float limit) {
     for (int i = 0; i < fragments->count; ++i) {
         const int pixel = fragments->pixels[i];
         const unsigned bits = fragments->samples[i];
-        const float opacity = opacity_of(surface, fragments, i);
+        const float textured = alpha ? alpha[i] : 1.0f;
+        const float opacity = opacity_of(surface, fragments, i) * textured;
+        if (textured <= 0) {
+            continue; /* nothing is there */
+        }
         const float seen = opacity * burnish_layers_through(layers, samples, pixel, bits);
         for (int k = 0; rgb && k < 3; ++k) {
             const float value = rgb[k][i];

@@ -2,7 +2,8 @@
  *
  * A layer of opacity a and colour C in front of what has the light L gives a C + (1 - a) L, for
  * each sample, in linear light, from the nearest layer to the farthest. A layer's opacity is its
- * material's times its vertices', interpolated as a colour is. */
+ * material's times its vertices', interpolated as a colour is, times its textures'. A masked
+ * material is wholly opaque or not there, sample by sample of its layers. */
 #ifndef BURNISH_RENDER_TRANSPARENCY_H
 #define BURNISH_RENDER_TRANSPARENCY_H
 
@@ -12,17 +13,19 @@
 
 /* Owned; all zero before the first frame, a later frame uses the arrays again. */
 typedef struct burnish_transparency {
-    float *opacities; /* one per material */
-    uint16_t *masks;  /* burnish_tile.transparent: per batch of the mesh, then of clipped ones */
-    int has_some;     /* 0: every triangle is opaque, and masks mean nothing */
-    int has_alpha;    /* 1: alpha of vertices counts */
-    uint64_t key;     /* of the triangles that are transparent, among those of the mesh; 0: none */
+    float *opacities;                   /* one per material */
+    const burnish_texturing *texturing; /* NULL: no material is special */
+    uint16_t *masks; /* burnish_tile.transparent: per batch of the mesh, then of clipped ones */
+    int has_some;    /* 0: every triangle is opaque, and masks mean nothing */
+    int has_alpha;   /* 1: alpha of vertices counts */
+    uint64_t key;    /* of the triangles that are transparent, among those of the mesh; 0: none */
     size_t opacity_capacity, mask_capacity;
 } burnish_transparency;
 
 /* Finds the mesh's transparent triangles. Errors: MEMORY. */
 burnish_status burnish_transparency_update(burnish_transparency *transparency,
-                                           const burnish_mesh *mesh, int ignore_colors,
+                                           const burnish_mesh *mesh,
+                                           const burnish_texturing *texturing, int ignore_colors,
                                            burnish_tasks *tasks, burnish_memory *memory);
 
 /* Adds those that clipping made. Errors: MEMORY. */
@@ -45,11 +48,12 @@ burnish_layer_light *burnish_layer_light_create(int samples, burnish_memory *mem
 
 void burnish_layer_light_clear(burnish_layer_light *layers, int samples);
 
-/* Lays fragments, farther than those before, behind them. rgb: their light, NULL where nothing is
- * shaded. */
+/* Lays fragments, farther than those before, behind them.
+ *   rgb    their light; NULL where nothing is shaded
+ *   alpha  what textures leave of their opacity; NULL: all */
 void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface *surface,
                              const burnish_fragments *fragments, const float *const *rgb,
-                             int samples, float limit);
+                             const float *alpha, int samples, float limit);
 
 /* Sum of what passes to the samples `bits` of a pixel. */
 static inline float burnish_layers_through(const burnish_layer_light *layers, int samples,

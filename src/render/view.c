@@ -268,6 +268,20 @@ static burnish_material drawn_material(const burnish_material *material, int has
     return drawn;
 }
 
+/* A material that is drawn in its colour: ambient light of 1, and no other. */
+static burnish_status fold_unlit(const burnish_kernels_lighting *lighting,
+                                 const burnish_material *material, const burnish_lobe_spec *lobe,
+                                 burnish_kernels_shader *shader, burnish_error *error) {
+    burnish_kernels_lighting unlit = *lighting;
+    burnish_material drawn = *material;
+    unlit.light_count = 0;
+    for (int k = 0; k < 3; ++k) {
+        unlit.ambient_light[k] = 1;
+        drawn.ambient[k] = material->diffuse[k];
+    }
+    return burnish_shader_fold(&unlit, &drawn, lobe, NULL, shader, error);
+}
+
 /* Folds each material with the lights. */
 static burnish_status fold_materials(const burnish_mesh *mesh,
                                      const burnish_render_options *options,
@@ -292,9 +306,11 @@ static burnish_status fold_materials(const burnish_mesh *mesh,
         const drawn_lobe *lobe = known_lobe(known, &options->lobe, material->exponent);
         const burnish_material drawn = drawn_material(material, has_colors, lobe->scale);
         view->lobe_fallbacks += lobe->fallbacks;
-        status = burnish_shader_fold(lighting, &drawn, &lobe->lobe,
-                                     lights ? shaders->lights + i * lights : NULL,
-                                     &shaders->items[i], memory->error);
+        status = material->is_unlit
+                     ? fold_unlit(lighting, &drawn, &lobe->lobe, &shaders->items[i], memory->error)
+                     : burnish_shader_fold(lighting, &drawn, &lobe->lobe,
+                                           lights ? shaders->lights + i * lights : NULL,
+                                           &shaders->items[i], memory->error);
     }
     return status;
 }
@@ -333,8 +349,8 @@ static burnish_status make_raster(const burnish_mesh_view *mesh,
 }
 
 burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
-                                   burnish_shaders *shaders, burnish_view *view,
-                                   burnish_memory *memory) {
+                                   burnish_shaders *shaders, burnish_texturing *texturing,
+                                   burnish_view *view, burnish_memory *memory) {
     const burnish_mesh_view *shape = burnish_mesh_get_view(mesh);
     burnish_kernels_lighting lighting;
     camera_frame frame;
@@ -352,8 +368,15 @@ burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_rende
         }
         status = fold_materials(mesh, options, &lighting, shaders, view, memory);
     }
+    if (status == BURNISH_STATUS_OK && texturing) {
+        burnish_vec3_store(burnish_space_center(shape), texturing->origin);
+        burnish_vec3_store(frame.eye, texturing->eye);
+        texturing->scale = frame.scale;
+        status = burnish_texturing_view(texturing, &lighting, &options->lobe, memory->error);
+    }
     if (status == BURNISH_STATUS_OK) {
         make_shading(&lighting, options, shaders, &view->shading);
+        view->shading.texturing = texturing;
     }
     return status;
 }

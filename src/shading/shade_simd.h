@@ -150,10 +150,9 @@ BURNISH_INLINE void shade_general_specular(shade_kernel kernel,
     }
 }
 
-/* Any light and viewer. */
-BURNISH_INLINE void shade_general_light(shade_kernel kernel, const burnish_kernels_shader *shader,
-                                        const burnish_light_constants *light,
-                                        const shade_vectors *at, shade_sums *sums) {
+/* What a light makes of a point, whatever light and viewer are. */
+BURNISH_INLINE shade_cosines shade_cosines_of(const burnish_light_constants *light,
+                                              const shade_vectors *at) {
     vf to_light[3];
     vf inverse = at->inverse_n;
     shade_cosines cosines;
@@ -170,6 +169,25 @@ BURNISH_INLINE void shade_general_light(shade_kernel kernel, const burnish_kerne
         cosines.l_dot_v = vf_mul(cosines.l_dot_v, inverse_l);
     }
     cosines.n_dot_l = vf_mul(shade_dot(at->normal, to_light), inverse);
+    return cosines;
+}
+
+/* What the lobe is of: N.H or R.V. */
+BURNISH_INLINE vf shade_lobe_cosine(const burnish_kernels_shader *shader, const shade_vectors *at,
+                                    const shade_cosines *cosines) {
+    const vf two = vf_set(2.0f);
+    if (shader->phong) {
+        return vf_sub(vf_mul(vf_mul(two, cosines->n_dot_l), at->n_dot_v), cosines->l_dot_v);
+    }
+    vf squared = vf_max(vf_add(two, vf_mul(two, cosines->l_dot_v)), vf_set(0x1p-20f));
+    return vf_mul(vf_add(cosines->n_dot_l, at->n_dot_v), vector_inverse_sqrt(squared));
+}
+
+/* Any light and viewer. */
+BURNISH_INLINE void shade_general_light(shade_kernel kernel, const burnish_kernels_shader *shader,
+                                        const burnish_light_constants *light,
+                                        const shade_vectors *at, shade_sums *sums) {
+    const shade_cosines cosines = shade_cosines_of(light, at);
     shade_add_diffuse(light, kernel.output, vf_max(cosines.n_dot_l, vf_set(0.0f)), sums);
     if (kernel.body != BURNISH_LOBE_BODY_NONE) {
         shade_general_specular(kernel, shader, light, at, &cosines, sums);

@@ -59,6 +59,20 @@ struct burnish_kernels_shader {
     burnish_lobe_constants lobe;
 };
 
+/* ---- Points with a material of their own ---- */
+
+/* Tables of lobes: entry i is for the exponent 2^(i / BURNISH_EACH_STEPS). */
+enum { BURNISH_EACH_STEPS = 4, BURNISH_EACH_TABLE = 16 * BURNISH_EACH_STEPS + 2 };
+
+/* Coefficients of points, arrays as burnish_kernels_points has them; the shader's own material is
+ * white. */
+typedef struct burnish_point_materials {
+    const float *ambient[3], *diffuse[3], *specular[3];
+    const float *exponent;
+    const float *slopes, *scales; /* family: zeta / n, and the value at the peak */
+    float least_exponent;         /* smaller ones are taken as it */
+} burnish_point_materials;
+
 /* ---- Points of the screen ---- */
 
 /* How a point of the screen becomes one of space. What is visible at (x, y), in pixels from the

@@ -26,6 +26,7 @@ struct burnish_screen_vertices;
 struct burnish_shadow_lookup;
 struct burnish_silhouette;
 struct burnish_srgb_encoder;
+struct burnish_texture_sampler;
 struct burnish_tile;
 struct burnish_triangle_batch;
 
@@ -89,6 +90,13 @@ typedef struct burnish_isa_ops {
     burnish_shade_function
         *shade[BURNISH_LOBE_BODY_COUNT][BURNISH_SHADE_GEOMETRY_COUNT][BURNISH_SHADE_OUTPUT_COUNT];
 
+    /* The lighting of count points that have a material each; `points` has no diffuse. Reads and
+     * writes whole vectors. */
+    void (*shade_each[BURNISH_LOBE_BODY_COUNT])(const burnish_kernels_shader *shader,
+                                                const burnish_kernels_points *points,
+                                                const burnish_point_materials *materials,
+                                                size_t count, float *const rgb[3]);
+
     /* out = in scaled to unit length; out may be in. */
     void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
 
@@ -129,6 +137,16 @@ typedef struct burnish_isa_ops {
      * are not read. Reads and writes whole vectors. */
     void (*shadow_ground)(const struct burnish_ground_view *view,
                           const burnish_screen_points *points, size_t count, float *shadow);
+
+    /* What a texture holds at count points: red, green, blue, alpha. streams: the first six of
+     * BURNISH_TEXTURE_STREAMS. Reads and writes whole vectors. */
+    void (*sample_texture)(const struct burnish_texture_sampler *sampler,
+                           const float *const *streams, size_t count, float *const out[4]);
+
+    /* Unit normals as samples of a normal texture turn them, and the mean length that they had.
+     * tangent: x, y, z and the bitangent's sign. Reads and writes whole vectors. */
+    void (*turn_normals)(float strength, const float *const normal[3], const float *const *tangent,
+                         const float *const sample[4], size_t count, float *const out[4]);
 
     /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel,
      * then green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and

@@ -9,6 +9,8 @@
 #include "render/materials_simd.h"
 #include "render/occlusion_simd.h"
 #include "render/shadow_simd.h"
+#include "render/texture_simd.h"
+#include "shading/each_simd.h"
 #include "shading/lobe_simd.h"
 #include "shading/shade_simd.h"
 #include "simd/isa_ops.h"
@@ -57,6 +59,21 @@ SHADE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
 #undef SHADE_FUNCTIONS
 #undef SHADE_FUNCTION
 
+#define EACH_FUNCTION(name, body)                                                                  \
+    static void each_##name(                                                                       \
+        const burnish_kernels_shader *shader, const burnish_kernels_points *points,                \
+        const burnish_point_materials *materials, size_t count, float *const rgb[3]) {             \
+        each_array(body, shader, points, materials, count, rgb);                                   \
+    }
+EACH_FUNCTION(none, BURNISH_LOBE_BODY_NONE)
+EACH_FUNCTION(square, BURNISH_LOBE_BODY_SQUARE)
+EACH_FUNCTION(squares, BURNISH_LOBE_BODY_SQUARES)
+EACH_FUNCTION(power, BURNISH_LOBE_BODY_POWER)
+EACH_FUNCTION(schlick, BURNISH_LOBE_BODY_SCHLICK)
+EACH_FUNCTION(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
+EACH_FUNCTION(gx, BURNISH_LOBE_BODY_GX)
+#undef EACH_FUNCTION
+
 #define LOBE_ROW(name)                                                                             \
     { name##_of_cosines, name##_of_lambdas }
 #define SHADE_ROW(name)                                                                            \
@@ -92,6 +109,14 @@ static const burnish_isa_ops OPS = {
               [BURNISH_LOBE_BODY_SCHLICK] = SHADE_ROW(schlick),
               [BURNISH_LOBE_BODY_GAUSSIAN] = SHADE_ROW(gaussian),
               [BURNISH_LOBE_BODY_GX] = SHADE_ROW(gx)},
+    .shade_each = {[BURNISH_LOBE_BODY_NONE] = each_none,
+                   [BURNISH_LOBE_BODY_SQUARE] = each_square,
+                   [BURNISH_LOBE_BODY_SQUARES] = each_squares,
+                   [BURNISH_LOBE_BODY_POWER] = each_power,
+                   [BURNISH_LOBE_BODY_MULTIPLY] = each_power,
+                   [BURNISH_LOBE_BODY_SCHLICK] = each_schlick,
+                   [BURNISH_LOBE_BODY_GAUSSIAN] = each_gaussian,
+                   [BURNISH_LOBE_BODY_GX] = each_gx},
     OP(normalize_array),
     OP(position_from_depth),
     OP(collect_material),
@@ -100,6 +125,8 @@ static const burnish_isa_ops OPS = {
     OP(cast_shadow),
     OP(add_silhouette),
     OP(shadow_ground),
+    OP(sample_texture),
+    OP(turn_normals),
     OP(encode_pixels),
     OP(pack_groups),
 };

@@ -1,7 +1,7 @@
 /* MTL: the material library of an OBJ (Wavefront, "MTL material format", 1995).
  *
- * Read: newmtl, Ka, Kd, Ks (sRGB values, made linear; outside [0, 1] clamped), Ns, illum, d, Tr.
- * All else is passed over; maps are remembered, for a warning. A faulty statement is passed over as
+ * Read: newmtl, Ka, Kd, Ks, Ke (sRGB values, made linear; outside [0, 1] clamped), Ns, illum, d, Tr
+ * and textures (mtl_maps.c). All else is passed over. A faulty statement is passed over as
  * well, with one warning for all of them: a wrong colour is no reason not to draw a mesh.
  *
  * Ka is unreliable: exporters write 1 1 1 or 0 0 0 whatever the material is. So the ambient colour
@@ -21,9 +21,9 @@ typedef struct mtl_state {
     burnish_mtl *library;
     size_t first; /* entries that were there before this file */
     burnish_lexer lexer;
-    float ambient[3], diffuse[3], specular[3], exponent; /* colours as written */
-    int has_ambient, has_diffuse, has_specular, has_exponent;
-    int matt; /* illum 0 or 1: no highlight */
+    float ambient[3], diffuse[3], specular[3], emissive[3], exponent; /* colours as written */
+    int has_ambient, has_diffuse, has_specular, has_emissive, has_exponent;
+    int matt, is_dull; /* illum 0 or 1, Ns 0: no highlight */
     burnish_warning_group unsupported, exponents, faults;
     float opacity, transparency; /* d and Tr as written */
     int has_opacity, has_transparency;
@@ -49,6 +49,11 @@ static void finish(mtl_state *mtl) {
         return;
     }
     burnish_material *material = &mtl->library->entries[mtl->library->count - 1].material;
+    float *factor = mtl->library->entries[mtl->library->count - 1].diffuse;
+    for (int k = 0; k < 3; ++k) {
+        const float value = mtl->has_diffuse ? mtl->diffuse[k] : 1;
+        factor[k] = value > 0 ? value < 1 ? value : 1 : 0;
+    }
     if (mtl->has_diffuse) {
         set_linear(material->diffuse, mtl->diffuse);
         memcpy(material->ambient, material->diffuse, sizeof material->ambient);
@@ -60,10 +65,13 @@ static void finish(mtl_state *mtl) {
     if (mtl->has_specular) {
         set_linear(material->specular, mtl->specular);
     }
+    if (mtl->has_emissive) {
+        set_linear(material->emissive, mtl->emissive);
+    }
     if (mtl->has_exponent) {
         material->exponent = mtl->exponent;
     }
-    if (mtl->matt) {
+    if (mtl->matt || mtl->is_dull) {
         memset(material->specular, 0, sizeof material->specular);
     }
     float value = mtl->has_opacity        ? 1 - mtl->opacity
@@ -102,6 +110,7 @@ static burnish_status begin(mtl_state *mtl) {
     library->entries[library->count++] =
         (burnish_mtl_entry){.name = copy, .material = burnish_material_default()};
     mtl->has_ambient = mtl->has_diffuse = mtl->has_specular = mtl->has_exponent = mtl->matt = 0;
+    mtl->has_emissive = mtl->is_dull = 0;
     mtl->has_opacity = mtl->has_transparency = 0;
     return BURNISH_STATUS_OK;
 }
@@ -158,6 +167,7 @@ static void read_exponent(mtl_state *mtl) {
     }
     mtl->exponent = written < 1 ? 1 : written > 65536 ? 65536 : written;
     mtl->has_exponent = 1;
+    mtl->is_dull = written == 0;
     /* Ns 0 is how exporters say "dull": no cause for a warning. */
     if (mtl->exponent != written && written != 0) {
         burnish_reader_note(mtl->reader, &mtl->exponents, mtl->lexer.next,
@@ -185,41 +195,17 @@ static void read_opacity(mtl_state *mtl, float *value, int *has) {
     *has |= found && burnish_parse_float(token, value) == BURNISH_NUMBER_OK;
 }
 
-static int is_map(burnish_token keyword) {
-    return (keyword.size > 4 && memcmp(keyword.bytes, "map_", 4) == 0) ||
-           burnish_token_is(keyword, "bump") || burnish_token_is(keyword, "disp") ||
-           burnish_token_is(keyword, "decal") || burnish_token_is(keyword, "refl") ||
-           burnish_token_is(keyword, "norm");
-}
-
-/* A texture: its file stands last, after options. */
-static burnish_status read_map(mtl_state *mtl) {
-    burnish_mtl_entry *entry = &mtl->library->entries[mtl->library->count - 1];
-    burnish_lexer names = mtl->lexer;
-    burnish_token file = burnish_lexer_rest(&mtl->lexer), token;
-    if (file.size > 0 && *file.bytes == '-') {
-        names.end = file.bytes + file.size;
-        while (burnish_lexer_token(&names, &token)) {
-            file = token;
-        }
-    }
-    if (file.size > 0 && !entry->texture) {
-        entry->texture = copy_text(mtl, file);
-    }
-    return mtl->reader->mesh->memory.status;
-}
-
 static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
-    static const char *const known[] = {"Ka", "Kd", "Ks", "Ns", "illum"};
+    static const char *const known[] = {"Ka", "Kd", "Ks", "Ns", "illum", "Ke"};
     int which = 0;
     if (burnish_token_is(keyword, "newmtl")) {
         finish(mtl);
         return begin(mtl);
     }
-    while (which < 5 && !burnish_token_is(keyword, known[which])) {
+    while (which < 6 && !burnish_token_is(keyword, known[which])) {
         ++which;
     }
-    if (which < 5 && mtl->library->count == mtl->first) {
+    if (which < 6 && mtl->library->count == mtl->first) {
         NOTE_FAULT(mtl, "%s stands before the first newmtl and was ignored", known[which]);
         return BURNISH_STATUS_OK;
     }
@@ -239,6 +225,9 @@ static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
     case 4:
         read_illumination(mtl);
         break;
+    case 5:
+        read_color(mtl, "Ke", mtl->emissive, &mtl->has_emissive);
+        break;
     default:
         break;
     }
@@ -250,7 +239,11 @@ static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
     } else if (burnish_token_is(keyword, "Tr")) {
         read_opacity(mtl, &mtl->transparency, &mtl->has_transparency);
     }
-    return is_map(keyword) ? read_map(mtl) : BURNISH_STATUS_OK;
+    if (burnish_mtl_is_map(keyword)) {
+        burnish_mtl_read_map(mtl->reader, &mtl->library->entries[mtl->library->count - 1], keyword,
+                             &mtl->lexer, &mtl->unsupported);
+    }
+    return mtl->reader->mesh->memory.status;
 }
 
 burnish_status burnish_read_mtl(burnish_reader *library_file, burnish_mtl *library) {
@@ -276,7 +269,7 @@ burnish_status burnish_read_mtl(burnish_reader *library_file, burnish_mtl *libra
 void burnish_mtl_destroy(const burnish_context *context, burnish_mtl *library) {
     for (size_t i = 0; i < library->count; ++i) {
         burnish_release(context, library->entries[i].name);
-        burnish_release(context, library->entries[i].texture);
+        burnish_mtl_release_maps(context, &library->entries[i]);
     }
     burnish_release(context, library->entries);
     *library = (burnish_mtl){0};

@@ -6,6 +6,7 @@
  * follow the coordinates (v x y z r g b). */
 #include "mesh/read/chunks.h"
 #include "mesh/read/obj_materials.h"
+#include "mesh/read/textures.h"
 
 /* What is done in the order of the file. */
 enum { MATERIAL, LIBRARY, ELEMENT, FEW_CORNERS, COLOR, NORMAL, OTHER };
@@ -595,13 +596,29 @@ static burnish_status finish(obj_state *obj) {
     return status == BURNISH_STATUS_OK ? burnish_obj_resolve_materials(&obj->materials) : status;
 }
 
+/* Whether the file may have textures: a library is named at its head, if at all. */
+static int names_library(const uint8_t *bytes, size_t size) {
+    enum { HEAD = 1 << 20 };
+    static const char word[] = "mtllib";
+    const size_t length = sizeof word - 1, end = size < HEAD ? size : HEAD;
+    for (size_t i = 0; i + length <= end; ++i) {
+        const uint8_t *at = memchr(bytes + i, 'm', end - i - length + 1);
+        if (!at || memcmp(at, word, length) == 0) {
+            return at != NULL;
+        }
+        i = (size_t)(at - bytes);
+    }
+    return 0;
+}
+
 burnish_status burnish_read_obj(burnish_reader *reader) {
     static const burnish_grammar grammar = {find_start, parse, accept,
                                             1u << BURNISH_POSITION | 1u << BURNISH_NORMAL |
                                                 1u << BURNISH_TEXCOORD,
                                             1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD};
     obj_state obj = {.reader = reader,
-                     .with_texcoords = reader->input->options->keep_texture_coordinates,
+                     .with_texcoords = burnish_reader_keeps_coordinates(
+                         reader, names_library(reader->input->bytes, reader->input->size)),
                      .materials = {.reader = reader, .changed = 1}};
     const uint8_t *at = burnish_lexer_open(reader->input->bytes, reader->input->size, 1).next;
     burnish_status status = burnish_chunks_read(&grammar, &obj, reader, &at, NULL);

@@ -296,40 +296,14 @@ static burnish_status add_material(burnish_obj_materials *materials,
     return mesh->memory.status;
 }
 
-/* One line that says what of the materials in use is not drawn. */
-static void warn_undrawn(burnish_obj_materials *materials) {
-    enum { SHOWN = 3, REMEMBERED = 64 };
-    const char *textures[REMEMBERED];
-    size_t texture_count = 0, invisible = 0;
-    char names[160] = "", line[300];
+/* Materials in use that are wholly transparent in the file. */
+static void warn_invisible(burnish_obj_materials *materials) {
+    size_t invisible = 0;
     for (size_t i = 0; i < materials->run_count; ++i) {
         const burnish_obj_run *run = &materials->runs[i];
-        if (run->head != run || !run->entry) {
-            continue;
-        }
-        invisible += (size_t)run->entry->is_invisible;
-        size_t k = 0;
-        while (run->entry->texture && k < texture_count && k < REMEMBERED &&
-               strcmp(textures[k], run->entry->texture) != 0) {
-            ++k;
-        }
-        if (run->entry->texture && k == texture_count && k < REMEMBERED) {
-            textures[texture_count++] = run->entry->texture;
-        }
-    }
-    for (size_t k = 0, used = 0; k < texture_count && k < SHOWN && used < sizeof names; ++k) {
-        const burnish_token name = {(const uint8_t *)textures[k], strlen(textures[k])};
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", k > 0 ? ", " : "",
-                                 burnish_token_quote(name).text);
-    }
-    if (texture_count > 0) {
-        snprintf(line, sizeof line, "%zu%s texture%s (%s%s)", texture_count,
-                 texture_count == REMEMBERED ? " or more" : "", texture_count == 1 ? "" : "s",
-                 names, texture_count > SHOWN ? ", ..." : "");
-    }
-    if (texture_count > 0) {
-        burnish_reader_warn(materials->reader, NULL, "%s %s not drawn", line,
-                            texture_count > 1 ? "are" : "is");
+        const int has_map =
+            run->entry && run->entry->maps[BURNISH_TEXTURE_OPACITY].file; /* which says more */
+        invisible += run->head == run && run->entry && run->entry->is_invisible && !has_map;
     }
     if (invisible > 0) {
         burnish_reader_warn(materials->reader, NULL,
@@ -362,7 +336,8 @@ static burnish_status number_materials(burnish_obj_materials *materials) {
         if (run->head != run) {
             run->material = run->head->material;
         } else if (run->entry) {
-            status = add_material(materials, &run->entry->material, &run->material);
+            const burnish_material material = burnish_mtl_load_maps(materials->reader, run->entry);
+            status = add_material(materials, &material, &run->material);
         } else {
             warn_material(materials, run->name);
             if (grey == UINT32_MAX) {
@@ -413,6 +388,6 @@ burnish_status burnish_obj_resolve_materials(burnish_obj_materials *materials) {
         return status;
     }
     burnish_reader_warn_group(materials->reader, &materials->missing);
-    warn_undrawn(materials);
+    warn_invisible(materials);
     return write_triangle_materials(materials);
 }

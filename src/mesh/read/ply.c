@@ -9,6 +9,7 @@
  * at their ends is made up, what is too much ignored. */
 #include "mesh/read/ply.h"
 #include "mesh/read/chunks.h"
+#include "mesh/read/textures.h"
 
 enum { FEW_CORNERS, FIELDS }; /* the events of a chunk */
 
@@ -551,7 +552,7 @@ static burnish_status read_element(ply_state *ply, const uint8_t **at) {
         for (int i = 0; i < BURNISH_PLY_ROLE_COUNT; ++i) {
             ply->types[i] = rows.columns[i].type;
         }
-        if (!ply->reader->input->options->keep_texture_coordinates) {
+        if (!burnish_reader_keeps_coordinates(ply->reader, ply->header.texture.size > 0)) {
             ply->types[BURNISH_PLY_S] = BURNISH_PLY_NONE;
         }
     }
@@ -700,14 +701,45 @@ static void check_alpha(const ply_state *ply) {
     burnish_reader_warn(ply->reader, NULL, "alpha is 0 at every vertex: drawn opaque");
 }
 
+/* comment TextureFile NAME: the colour of all. */
+static burnish_status load_texture(const ply_state *ply) {
+    const burnish_token file = ply->header.texture;
+    burnish_mesh_data *mesh = ply->reader->mesh;
+    char name[1024];
+    if (file.size == 0 || file.size >= sizeof name ||
+        ply->reader->input->options->ignore_textures) {
+        return BURNISH_STATUS_OK;
+    }
+    if (mesh->streams[BURNISH_TEXCOORD].count == 0) {
+        burnish_reader_warn(ply->reader, file.bytes,
+                            "texture \"%s\" is left out: vertices have no s and t",
+                            burnish_token_quote(file).text);
+        return BURNISH_STATUS_OK;
+    }
+    memcpy(name, file.bytes, file.size);
+    name[file.size] = 0;
+    const int number = burnish_reader_load_texture(ply->reader, file.bytes, name, 1);
+    if (number > 0) {
+        mesh->materials = burnish_reserve(&mesh->memory, mesh->materials, &mesh->material_capacity,
+                                          1, sizeof *mesh->materials, "materials");
+    }
+    if (mesh->memory.status == BURNISH_STATUS_OK && number > 0) {
+        burnish_material *material = &mesh->materials[0];
+        *material = burnish_material_default();
+        material->has_diffuse = 1;
+        for (int k = 0; k < 3; ++k) {
+            material->ambient[k] = material->diffuse[k] = 1;
+        }
+        material->textures[BURNISH_TEXTURE_COLOR].texture = number;
+        mesh->material_count = 1;
+    }
+    return mesh->memory.status;
+}
+
 /* Says what of the file is not drawn or kept. */
 static void warn_undrawn(const ply_state *ply) {
     burnish_reader_warn_group(ply->reader, &ply->few_corners);
     burnish_reader_warn_group(ply->reader, &ply->fields);
-    if (ply->header.texture.size > 0) {
-        burnish_reader_warn(ply->reader, NULL, "1 texture (%s) is not drawn",
-                            burnish_token_quote(ply->header.texture).text);
-    }
     if (ply->header.has_face_colors) {
         burnish_reader_warn(ply->reader, NULL, "colours of faces are not drawn");
     }
@@ -726,6 +758,9 @@ burnish_status burnish_read_ply(burnish_reader *reader) {
     if (status == BURNISH_STATUS_OK) {
         check_alpha(&ply);
         warn_undrawn(&ply);
+        status = load_texture(&ply);
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = burnish_cut_polygons(reader);
     }
     burnish_ply_destroy_header(reader->mesh->memory.context, &ply.header);

@@ -1,0 +1,130 @@
+/* Textures in a frame: what materials sample (texture.c), where a visible point lies in its image
+ * (texture_points.c), and its light (texture_shade.c).
+ *
+ * A material is special where it has textures, light of its own, or metal's parameters: batches
+ * (surface.h) hand its points over here. A mesh without one has none of all that. */
+#ifndef BURNISH_RENDER_TEXTURE_H
+#define BURNISH_RENDER_TEXTURE_H
+
+#include "burnish/mesh.h"
+#include "core/tasks.h"
+#include "render/texture_levels.h"
+#include "simd/isa_ops.h"
+
+/* ---- What the kernels read ---- */
+
+/* A texture as a material uses it. */
+typedef struct burnish_texture_sampler {
+    const burnish_texture_levels *levels; /* NULL: none */
+    const float *codes;                   /* what each of 256 codes means */
+    int wrap[2];                          /* burnish_texture_wrap */
+    int is_nearest;
+    int is_weighted;    /* 1: colours count as much as their alpha */
+    float transform[6]; /* as burnish_texture_use has it */
+} burnish_texture_sampler;
+
+/* Where points lie in the image, and how that changes from a pixel to the one on its right and
+ * the one above. */
+enum {
+    BURNISH_TEXTURE_U,
+    BURNISH_TEXTURE_V,
+    BURNISH_TEXTURE_U_X,
+    BURNISH_TEXTURE_V_X,
+    BURNISH_TEXTURE_U_Y,
+    BURNISH_TEXTURE_V_Y,
+    BURNISH_TEXTURE_TANGENT,                            /* x, y, z, along which u grows */
+    BURNISH_TEXTURE_SIGN = BURNISH_TEXTURE_TANGENT + 3, /* of the bitangent */
+    BURNISH_TEXTURE_STREAMS                             /* arrays of floats per point */
+};
+
+/* ---- A frame ---- */
+
+typedef struct burnish_textured_material {
+    burnish_material material; /* vertex colours take the place of a colour that it has not */
+    int is_special;
+    int has_textures; /* 1: coordinates are needed */
+    int has_normals;  /* 1: tangents too */
+    int is_varied;    /* 1: more than its colour differs from point to point */
+    int is_alpha;     /* 1: alpha is below 1 somewhere */
+    burnish_texture_sampler samplers[BURNISH_TEXTURE_SLOT_COUNT];
+} burnish_textured_material;
+
+/* Owned; all zero before the first frame, a later frame uses what still fits. */
+typedef struct burnish_texturing {
+    int has_some;     /* 0: no material is special, and nothing else means anything */
+    int needs_points; /* 1: some have textures */
+    int has_alpha;    /* 1: some have alpha below 1 */
+    const burnish_mesh_view *mesh;
+    burnish_textured_material *materials; /* one per material */
+    size_t material_capacity;
+    burnish_texture_levels *levels; /* BURNISH_TEXTURE_KIND_COUNT per texture */
+    size_t levels_count;
+    uint64_t serial; /* of the mesh that they are of; 0: of none */
+    float numbers[256];
+    float slopes[BURNISH_EACH_TABLE], scales[BURNISH_EACH_TABLE]; /* burnish_point_materials */
+    float least_exponent;
+    burnish_lobe_spec lobe;       /* that these are of */
+    burnish_kernels_shader white; /* a material of 1 in all, folded with the frame's lights */
+    burnish_light_constants lights[BURNISH_LIGHT_MAX];
+    double origin[3], scale, eye[3]; /* raster space: (p - origin) scale - eye */
+    uint64_t frame;                  /* counts; scratch of another frame is void */
+} burnish_texturing;
+
+/* What the mesh's materials sample; builds levels of textures that have none. Errors: MEMORY,
+ * CANCELLED. */
+burnish_status burnish_texturing_update(burnish_texturing *texturing, const burnish_mesh *mesh,
+                                        int ignore_colors, burnish_tasks *tasks,
+                                        burnish_memory *memory);
+
+/* What the view says: the lights with a white material, the lobe, where the eye is. Called where
+ * has_some is 1. Errors: ARGUMENT. */
+burnish_status burnish_texturing_view(burnish_texturing *texturing,
+                                      const burnish_kernels_lighting *lighting,
+                                      const burnish_lobe_spec *lobe, burnish_error *error);
+void burnish_texturing_destroy(burnish_texturing *texturing, const burnish_context *context);
+
+/* ---- Points ---- */
+
+enum { BURNISH_TEXTURE_BATCH = 256, BURNISH_TEXTURE_SETUPS = 64 };
+
+/* A triangle: (x, y) of the screen, in pixels from its centre, to plane p's number p[0] x + p[1] y
+ * + p[2]. W is the sum of the barycentric weights, the others times W. */
+typedef struct burnish_texture_setup {
+    uint64_t frame;
+    uint32_t id; /* and facing */
+    int has_coordinates, has_tangents;
+    double w[3], u[3], v[3], tangent[3][3];
+    double low[2], high[2]; /* of u and v */
+    float sign;
+} burnish_texture_setup;
+
+typedef struct burnish_texture_scratch {
+    burnish_texture_setup setups[BURNISH_TEXTURE_SETUPS]; /* by triangle */
+    uint32_t ids[BURNISH_TEXTURE_BATCH]; /* id and facing of each point's triangle */
+    float points[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH];
+    float brought[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH]; /* of one material */
+    float sample[4][BURNISH_TEXTURE_BATCH];
+    float normal[3][BURNISH_TEXTURE_BATCH], length[BURNISH_TEXTURE_BATCH];
+    float ambient[3][BURNISH_TEXTURE_BATCH], diffuse[3][BURNISH_TEXTURE_BATCH];
+    float specular[3][BURNISH_TEXTURE_BATCH], exponent[BURNISH_TEXTURE_BATCH];
+    float opacity[BURNISH_TEXTURE_BATCH]; /* of points of one material */
+    float alpha[BURNISH_TEXTURE_BATCH];   /* of the batch: what textures leave of the opacity */
+} burnish_texture_scratch;
+
+/* Fills scratch->points for scratch->ids; points whose material needs none get 0.
+ *   materials  of points; NULL: all have material 0 */
+void burnish_texture_locate(const burnish_texturing *texturing, const burnish_rays *rays,
+                            const burnish_screen_points *points, const int32_t *materials,
+                            int count, burnish_texture_scratch *scratch);
+
+/* Light of `count` points of one special material.
+ *   shader   of the material
+ *   streams  BURNISH_TEXTURE_STREAMS arrays of the points
+ *   rgb      receives linear light, >= 0; NULL: only opacity is wanted
+ *   scratch  opacity becomes what the material's textures leave of its opacity, [0, 1] */
+void burnish_texture_shade(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+                           const burnish_kernels_shader *shader, int material,
+                           const burnish_kernels_points *points, const float *const *streams,
+                           int count, burnish_texture_scratch *scratch, float *const rgb[3]);
+
+#endif

@@ -1,0 +1,223 @@
+#include "render/texture_levels.h"
+
+#include <string.h>
+
+#include "core/elementary.h"
+#include "core/srgb.h"
+
+/* From one level to the next. */
+typedef struct level_step {
+    const uint8_t *from;
+    uint8_t *to;
+    int from_width, from_height, to_width, to_height;
+    burnish_texture_kind kind;
+} level_step;
+
+/* ---- Means ---- */
+
+/* Sum of texels, each times its share of a texel of the next level. */
+typedef struct texel_sum {
+    float color[3], alpha, weight;
+    float plain[3]; /* WEIGHTED: without alpha, for where all of it is 0 */
+} texel_sum;
+
+/* The vector of a texel of normals, its length below 1 where it is a mean. */
+static void load_normal(const uint8_t *texel, float vector[3]) {
+    const float shortened = 1.0f - (float)texel[3] * (1.0f / 255);
+    float squared = 0;
+    for (int k = 0; k < 3; ++k) {
+        vector[k] = (float)texel[k] * (2.0f / 255) - 1.0f;
+        squared += vector[k] * vector[k];
+    }
+    const float scale = squared > 0 ? (1.0f - shortened * shortened) / burnish_sqrtf(squared) : 0;
+    for (int k = 0; k < 3; ++k) {
+        vector[k] *= scale;
+    }
+}
+
+static void store_normal(const float vector[3], uint8_t *texel) {
+    const float length =
+        burnish_sqrtf((vector[0] * vector[0] + vector[1] * vector[1]) + vector[2] * vector[2]);
+    const float missing = length < 1 ? 1 - length : 0;
+    for (int k = 0; k < 3; ++k) {
+        const float unit = length > 0 ? vector[k] / length : (float)(k == 2);
+        texel[k] = (uint8_t)((unit * 0.5f + 0.5f) * 255.0f + 0.5f);
+    }
+    texel[3] = (uint8_t)((1.0f - burnish_sqrtf(missing)) * 255.0f + 0.5f);
+}
+
+static void add_texel(burnish_texture_kind kind, const uint8_t *texel, float share,
+                      texel_sum *sum) {
+    float vector[3];
+    sum->weight += share;
+    sum->alpha += share * (float)texel[3];
+    switch (kind) {
+    case BURNISH_TEXTURE_NORMALS:
+        load_normal(texel, vector);
+        for (int k = 0; k < 3; ++k) {
+            sum->color[k] += share * vector[k];
+        }
+        break;
+    case BURNISH_TEXTURE_NUMBERS:
+        for (int k = 0; k < 3; ++k) {
+            sum->color[k] += share * (float)texel[k];
+        }
+        break;
+    default:
+        for (int k = 0; k < 3; ++k) {
+            const float light = share * burnish_srgb_to_linear[texel[k]];
+            sum->plain[k] += light;
+            sum->color[k] += light * (float)texel[3];
+        }
+    }
+}
+
+static void store_texel(burnish_texture_kind kind, const texel_sum *sum, uint8_t *texel) {
+    const int is_weighted = kind == BURNISH_TEXTURE_WEIGHTED && sum->alpha > 0;
+    if (kind == BURNISH_TEXTURE_NORMALS) {
+        const float mean[3] = {sum->color[0] / sum->weight, sum->color[1] / sum->weight,
+                               sum->color[2] / sum->weight};
+        store_normal(mean, texel);
+        return;
+    }
+    for (int k = 0; k < 3; ++k) {
+        texel[k] = kind == BURNISH_TEXTURE_NUMBERS
+                       ? (uint8_t)(sum->color[k] / sum->weight + 0.5f)
+                       : burnish_linear_to_srgb(is_weighted ? sum->color[k] / sum->alpha
+                                                            : sum->plain[k] / sum->weight);
+    }
+    texel[3] = (uint8_t)(sum->alpha / sum->weight + 0.5f);
+}
+
+/* ---- Levels ---- */
+
+/* Texels [first, end) of a side of `from` that texel i of `to` covers, and the shares of the first
+ * and the last; those between count whole. */
+typedef struct span {
+    int first, end;
+    float first_share, last_share;
+} span;
+
+static span span_of(int i, int from, int to) {
+    if (from == 2 * to) {
+        return (span){2 * i, 2 * i + 2, 1, 1};
+    }
+    /* in units of 1 / to texels */
+    const int64_t low = (int64_t)i * from, high = low + from;
+    span s = {(int)(low / to), (int)((high + to - 1) / to), 1, 1};
+    s.first_share = (float)((int64_t)(s.first + 1) * to - low) / (float)to;
+    s.last_share = (float)(high - (int64_t)(s.end - 1) * to) / (float)to;
+    if (s.end - s.first == 1) {
+        s.first_share = 1;
+    }
+    return s;
+}
+
+static void reduce_row(const level_step *step, int y) {
+    const span rows = span_of(y, step->from_height, step->to_height);
+    uint8_t *to = step->to + 4 * (size_t)y * (size_t)step->to_width;
+    for (int x = 0; x < step->to_width; ++x, to += 4) {
+        const span columns = span_of(x, step->from_width, step->to_width);
+        texel_sum sum = {0};
+        for (int j = rows.first; j < rows.end; ++j) {
+            const float row_share = j == rows.first     ? rows.first_share
+                                    : j == rows.end - 1 ? rows.last_share
+                                                        : 1;
+            const uint8_t *from =
+                step->from + 4 * ((size_t)j * (size_t)step->from_width + (size_t)columns.first);
+            for (int i = columns.first; i < columns.end; ++i, from += 4) {
+                const float share = i == columns.first     ? columns.first_share
+                                    : i == columns.end - 1 ? columns.last_share
+                                                           : 1;
+                add_texel(step->kind, from, row_share * share, &sum);
+            }
+        }
+        store_texel(step->kind, &sum, to);
+    }
+}
+
+static void reduce_rows(void *context, size_t first, size_t end) {
+    for (size_t y = first; y < end; ++y) {
+        reduce_row(context, (int)y);
+    }
+}
+
+/* Level 0 of normals: unit vectors, whatever the image's alpha is. */
+static void normalize_texels(uint8_t *texels, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        float vector[3];
+        texels[4 * i + 3] = 255;
+        load_normal(texels + 4 * i, vector);
+        store_normal(vector, texels + 4 * i);
+        texels[4 * i + 3] = 255;
+    }
+}
+
+static void find_least(burnish_texture_levels *levels, const uint8_t *texels, size_t count) {
+    uint8_t least[4] = {255, 255, 255, 255};
+    for (size_t i = 0; i < 4 * count; i += 4) {
+        for (int k = 0; k < 4; ++k) {
+            least[k] = texels[i + (size_t)k] < least[k] ? texels[i + (size_t)k] : least[k];
+        }
+    }
+    memcpy(levels->least, least, sizeof least);
+}
+
+/* Where levels lie; returns the texels of all. */
+static size_t lay_out(burnish_texture_levels *levels, int width, int height) {
+    size_t total = 0;
+    int level = 0;
+    for (; level < BURNISH_TEXTURE_LEVELS_MAX; ++level) {
+        levels->offset[level] = (int32_t)total;
+        levels->width[level] = width;
+        levels->height[level] = height;
+        total += (size_t)width * (size_t)height;
+        if (width == 1 && height == 1) {
+            break;
+        }
+        width = width > 1 ? width / 2 : 1;
+        height = height > 1 ? height / 2 : 1;
+    }
+    levels->count = level + 1;
+    for (int i = level + 1; i < BURNISH_TEXTURE_LEVELS_MAX; ++i) {
+        levels->offset[i] = levels->offset[level];
+        levels->width[i] = levels->height[i] = 1;
+    }
+    return total;
+}
+
+burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
+                                             const burnish_texture *texture,
+                                             burnish_texture_kind kind, burnish_tasks *tasks,
+                                             burnish_memory *memory) {
+    const size_t count = (size_t)texture->width * (size_t)texture->height;
+    const size_t total = lay_out(levels, texture->width, texture->height);
+    levels->texels = burnish_allocate(memory, total, sizeof *levels->texels, "texture levels");
+    if (!levels->texels) {
+        return memory->status;
+    }
+    uint8_t *texels = (uint8_t *)levels->texels;
+    memcpy(texels, texture->pixels, 4 * count);
+    if (kind == BURNISH_TEXTURE_NORMALS) {
+        normalize_texels(texels, count);
+    }
+    find_least(levels, texels, count);
+    for (int i = 1; i < levels->count; ++i) {
+        level_step step = {texels + 4 * (size_t)levels->offset[i - 1],
+                           texels + 4 * (size_t)levels->offset[i],
+                           levels->width[i - 1],
+                           levels->height[i - 1],
+                           levels->width[i],
+                           levels->height[i],
+                           kind};
+        burnish_tasks_ranges(tasks, (size_t)step.to_height, 1 + 16384 / (size_t)step.to_width,
+                             reduce_rows, &step);
+    }
+    return burnish_tasks_check(tasks, memory->error);
+}
+
+void burnish_texture_levels_destroy(burnish_texture_levels *levels,
+                                    const burnish_context *context) {
+    burnish_release(context, levels->texels);
+    *levels = (burnish_texture_levels){0};
+}

@@ -1,0 +1,42 @@
+/* A texture and its smaller levels, each half as wide and high as the one before, as the sampling
+ * kernel reads them. */
+#ifndef BURNISH_RENDER_TEXTURE_LEVELS_H
+#define BURNISH_RENDER_TEXTURE_LEVELS_H
+
+#include <stdint.h>
+
+#include "burnish/mesh.h"
+#include "core/memory.h"
+#include "core/tasks.h"
+
+enum { BURNISH_TEXTURE_LEVELS_MAX = 16 }; /* more than log2(BURNISH_TEXTURE_SIZE_MAX) + 1 */
+
+/* What the mean of texels is. */
+typedef enum burnish_texture_kind {
+    BURNISH_TEXTURE_NUMBERS,  /* of codes */
+    BURNISH_TEXTURE_COLORS,   /* of linear light */
+    BURNISH_TEXTURE_WEIGHTED, /* of linear light weighted by alpha: what can't be seen leaves no
+                                 halo */
+    BURNISH_TEXTURE_NORMALS,  /* of unit vectors: direction, and 1 - sqrt(1 - length) as alpha */
+    BURNISH_TEXTURE_KIND_COUNT
+} burnish_texture_kind;
+
+/* All zero: none. Owned. */
+typedef struct burnish_texture_levels {
+    int32_t *texels; /* all levels, one after another, rows from the top; bytes r, g, b, a */
+    /* Of each level; from count on, those of the last. */
+    int32_t offset[BURNISH_TEXTURE_LEVELS_MAX];
+    int32_t width[BURNISH_TEXTURE_LEVELS_MAX], height[BURNISH_TEXTURE_LEVELS_MAX];
+    int count;
+    uint8_t least[4]; /* code of each channel in level 0 */
+} burnish_texture_levels;
+
+/* A texel is the mean of the area that it covers in the level before, of any size.
+ * Errors: MEMORY, CANCELLED; destroy it all the same. */
+burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
+                                             const burnish_texture *texture,
+                                             burnish_texture_kind kind, burnish_tasks *tasks,
+                                             burnish_memory *memory);
+void burnish_texture_levels_destroy(burnish_texture_levels *levels, const burnish_context *context);
+
+#endif
