@@ -529,8 +529,9 @@ static void test_undrawn(void) {
                           library, &s, &e) == BURNISH_STATUS_OK,
         "%s", e.text);
     if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
-        CHECK_TEXT(s.warnings[0], "mesh.obj: texture \"my parts/mars.png\" is left out: mars.png: No "
-                                  "such file (and 2 more like it)");
+        CHECK_TEXT(s.warnings[0],
+                   "mesh.obj: texture \"my parts/mars.png\" is left out: mars.png: No "
+                   "such file (and 2 more like it)");
     }
     burnish_mesh_data_destroy(&s);
     CHECK1(read_text(BURNISH_FORMAT_PLY,

@@ -18,5 +18,7 @@ burnish_load_options cli_load_options(const cli_input *input) {
     options.strict = input->strict;
     options.max_triangles = input->max_triangles;
     options.max_input_bytes = input->max_input_bytes;
+    options.ignore_textures = input->no_textures;
+    options.max_texture_pixels = input->max_texture_pixels;
     return options;
 }

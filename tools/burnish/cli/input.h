@@ -6,8 +6,8 @@
 #include "cli/values.h"
 
 typedef struct cli_input {
-    int format, tessellation, strict;
-    uint64_t max_triangles, max_input_bytes;
+    int format, tessellation, strict, no_textures;
+    uint64_t max_triangles, max_input_bytes, max_texture_pixels;
 } cli_input;
 
 /* The library's options as the flags say. */
@@ -46,6 +46,20 @@ extern const char cli_input_format_manual[];
     .default_text = "1431655764", .low = 1, .high = 1431655764, .default_label = "1.43e9",         \
     .manual = "Refuses meshes with more triangles (exit code 5).", .handler = cli_flag_count,      \
     .offset = offsetof(type, member.max_triangles)
+
+#define CLI_NO_TEXTURES_FLAG(type, member)                                                         \
+    .name = "no-textures", .help = "without the textures of materials",                            \
+    .manual =                                                                                      \
+        "Textures are neither loaded nor drawn: materials have the colours that _INPUT_ gives "    \
+        "them besides.",                                                                           \
+    .handler = cli_flag_switch, .offset = offsetof(type, member.no_textures)
+
+#define CLI_MAX_TEXTURE_PIXELS_FLAG(type, member)                                                  \
+    .name = "max-texture-pixels", .value = "N", .help = "leave out textures beyond, of all",       \
+    .default_text = "268435456", .low = 0, .high = 1e12, .default_label = "2.7e8",                 \
+    .manual =                                                                                      \
+        "Textures that would make more than _N_ pixels together are left out, with a warning.",    \
+    .handler = cli_flag_count, .offset = offsetof(type, member.max_texture_pixels)
 
 #define CLI_MAX_INPUT_BYTES_FLAG(type, member)                                                     \
     .name = "max-input-bytes", .help = "refuse larger inputs; K, M, G for powers of 1024",         \

@@ -173,7 +173,8 @@ const cli_command compare_command = {
     .base = &render_command,
     .base_topics = "camera,light",
     .base_flags = "samples,background-color,no-background,cull-back-faces,views,input-format,"
-                  "crease-angle,tessellation,max-triangles,max-input-bytes,quiet,threads,isa",
+                  "crease-angle,tessellation,no-textures,max-triangles,max-texture-pixels,"
+                  "max-input-bytes,quiet,threads,isa",
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(compare_settings),

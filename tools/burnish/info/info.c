@@ -270,6 +270,7 @@ static burnish_status print(const info_settings *settings, const char *input,
 static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     const info_settings *settings = from;
     burnish_load_options options = cli_load_options(&settings->load);
+    options.ignore_textures = 1;
     burnish_mesh *mesh;
     if (call->operand_count == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,

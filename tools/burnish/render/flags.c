@@ -633,7 +633,9 @@ static const cli_flag flags[] = {
      TARGET(crease)},
     {CLI_TESSELLATION_FLAG(render_settings, load)},
     {CLI_STRICT_FLAG(render_settings, load)},
+    {CLI_NO_TEXTURES_FLAG(render_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(render_settings, load)},
+    {CLI_MAX_TEXTURE_PIXELS_FLAG(render_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, load)},
     {CLI_JSON_FLAG(render_settings, json, "report on standard output, or in FILE", "JSON OUTPUT")},
     {.name = "timing",
@@ -788,7 +790,7 @@ static const cli_term json_terms[] = {
     {"*burnish*", "the version"},
     {"*input, format, output*", "*output* is null when nothing is written"},
     {"*width, height*", "of the picture, in pixels"},
-    {"*triangles, vertices, materials, exponents*", "of the mesh after loading"},
+    {"*triangles, vertices, materials, textures, exponents*", "of the mesh after loading"},
     {"*bounding_box*", "*min* and *max* of the object in the units of the input"},
     {"*up, up_source, view*",
      "the up axis; who says so: flag, format or auto; the standard view where one was asked "

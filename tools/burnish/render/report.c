@@ -159,6 +159,8 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "vertices", cli_json_count(view->vertex_count), failed);
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(result->mesh)),
                  failed);
+    cli_json_add(root, "textures", cli_json_count(burnish_mesh_texture_count(result->mesh)),
+                 failed);
     cli_json_add(root, "exponents", exponents_array(result->mesh), failed);
     cli_json_add(box, "min", cli_json_floats(3, view->bounds_min), failed);
     cli_json_add(box, "max", cli_json_floats(3, view->bounds_max), failed);
