@@ -1,0 +1,35 @@
+/* Fuzzing of pictures: libFuzzer's bytes are decoded as PNG, JPEG or WebP. What is decoded must
+ * have a size, and every byte of it must have been written; what is not must say so in one line.
+ *
+ * Built by `make fuzz`; test/fuzz/run starts it. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "burnish/image.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void require(int condition, const char *what, const burnish_error *error) {
+    if (!condition) {
+        fprintf(stderr, "fuzz_decode: %s: %s\n", what, error->text);
+        abort();
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    burnish_error error = {0};
+    burnish_image image;
+    const burnish_status status = burnish_image_decode(data, size, NULL, &image, &error);
+    if (status == BURNISH_STATUS_OK) {
+        require(image.width > 0 && image.height > 0 && (image.channels == 3 || image.channels == 4),
+                "size", &error);
+        require(burnish_image_hash(&image) != 0, "hash", &error); /* reads every byte */
+    } else {
+        require(error.status == status && *error.text && !strchr(error.text, '\n'), "not one line",
+                &error);
+        require(!image.pixels, "not empty", &error);
+    }
+    burnish_image_destroy(&image);
+    return 0;
+}
