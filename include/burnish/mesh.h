@@ -86,6 +86,9 @@ BURNISH_API burnish_material burnish_material_default(void);
  * its normal to those that share it, so that a fillet does not bend a plane. */
 #define BURNISH_CREASE_AUTO (-1.0)
 
+/* No moment of an animation. */
+#define BURNISH_AT_REST (-1.0)
+
 /* A mesh never has more triangles: its corners are numbered in 32 bits. (2^32 - 2) / 3 */
 #define BURNISH_TRIANGLES_MAX 1431655764u
 
@@ -119,6 +122,10 @@ typedef struct burnish_load_options {
                    is passed over or mended */
     int threads; /* [0, 1024]: at most so many; 0: one per processor. The mesh does not depend on
                     it. */
+    double animation_time; /* seconds, >= 0: the scene is that of this moment of an animation, of a
+                              file that has one; BURNISH_AT_REST: as it stands in the file */
+    const char *animation; /* its name, or its number from 0; NULL: the first. Without a time, that
+                              of its start */
     uint64_t max_input_bytes;       /* a larger file is refused with LIMIT */
     uint64_t max_triangles;         /* more are refused with LIMIT; at most BURNISH_TRIANGLES_MAX */
     uint64_t max_texture_pixels;    /* of all textures together: those beyond are left out, with a

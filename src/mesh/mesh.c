@@ -99,6 +99,7 @@ burnish_load_options burnish_load_options_default(void) {
                                   .format = BURNISH_FORMAT_AUTO,
                                   .crease_angle = BURNISH_CREASE_AUTO,
                                   .tessellation = 16,
+                                  .animation_time = BURNISH_AT_REST,
                                   .max_input_bytes = (uint64_t)16 << 30,
                                   .max_triangles = BURNISH_TRIANGLES_MAX,
                                   .max_texture_pixels = (uint64_t)1 << 28};
@@ -128,6 +129,13 @@ static burnish_status check_options(const burnish_load_options *options, burnish
     if (options->tessellation < 1 || options->tessellation > 256) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: tessellation %d is not in [1, 256]", options->tessellation);
+    }
+    if (options->animation_time != BURNISH_AT_REST &&
+        !(options->animation_time >= 0 && options->animation_time <= 1e9)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: animation_time %g is not in [0, 1e9] seconds or "
+                            "BURNISH_AT_REST",
+                            options->animation_time);
     }
     if (options->max_triangles > BURNISH_TRIANGLES_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

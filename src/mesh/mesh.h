@@ -168,7 +168,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
 
 /* What the ..._default() functions leave in `cookie`: the struct's name and version. One that was
  * not started from them is refused instead of being read as garbage. */
-#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6434u /* "lod4" */
+#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6435u /* "lod5" */
 #define BURNISH_DESCRIPTION_COOKIE 0x6d736832u  /* "msh2" */
 #define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
 

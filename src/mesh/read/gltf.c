@@ -95,7 +95,8 @@ static burnish_gltf_bytes open_container(burnish_gltf *gltf) {
 
 /* Extensions that are drawn, or change nothing that is. */
 static const char *const drawn_extensions[] = {
-    "KHR_lights_punctual",    "KHR_materials_ior",   "KHR_materials_pbrSpecularGlossiness",
+    "KHR_lights_punctual",    "EXT_mesh_gpu_instancing",
+                                               "KHR_materials_ior",   "KHR_materials_pbrSpecularGlossiness",
     "KHR_materials_specular", "KHR_materials_unlit", "KHR_materials_variants",
     "KHR_mesh_quantization",  "KHR_node_visibility", "KHR_xmp",
     "KHR_xmp_json_ld"};
@@ -184,6 +185,8 @@ static void list_items(burnish_gltf *gltf) {
                                             sizeof *gltf->buffers, "buffers");
     gltf->accessors = burnish_allocate_zeroed(gltf->memory, gltf->counts[BURNISH_GLTF_ACCESSORS],
                                               sizeof *gltf->accessors, "accessors");
+    gltf->skins = burnish_allocate_zeroed(gltf->memory, gltf->counts[BURNISH_GLTF_SKINS],
+                                          sizeof *gltf->skins, "skins");
     burnish_gltf_is_fine(gltf);
 }
 
@@ -191,8 +194,8 @@ static void read_parts(burnish_gltf *gltf) {
     void (*const steps[])(burnish_gltf *) = {check_asset,
                                              refuse_required,
                                              list_items,
-                                             burnish_gltf_place_nodes,
                                              burnish_gltf_read_primitives,
+                                             burnish_gltf_place_nodes,
                                              burnish_gltf_read_materials,
                                              burnish_gltf_read_geometry,
                                              warn_used};
@@ -218,6 +221,12 @@ static void close_file(burnish_gltf *gltf) {
     for (int i = 0; i < BURNISH_GLTF_LIST_COUNT; ++i) {
         burnish_release(context, gltf->lists[i]);
     }
+    for (size_t i = 0; gltf->skins && i < gltf->counts[BURNISH_GLTF_SKINS]; ++i) {
+        burnish_release(context, gltf->skins[i].matrices);
+    }
+    burnish_release(context, gltf->skins);
+    burnish_release(context, gltf->poses);
+    burnish_release(context, gltf->weights);
     burnish_release(context, gltf->buffers);
     burnish_release(context, gltf->accessors);
     burnish_release(context, gltf->nodes);

@@ -7,6 +7,8 @@
  *     gltf_nodes.c      the scene's matrices
  *     gltf_primitives.c meshes' primitives: their accessors, and how many triangles they make
  *     gltf_geometry.c   primitives of nodes to triangles
+ *     gltf_animation.c  nodes and weights at a time
+ *     gltf_deform.c     morph targets and skins
  *     gltf_materials.c  materials
  *
  * The first failure stays in gltf->status; after it functions give defaults, so that callers may
@@ -24,6 +26,7 @@
 /* The top-level arrays, X(name, key). */
 #define BURNISH_GLTF_LISTS(X)                                                                      \
     X(ACCESSORS, "accessors")                                                                      \
+    X(ANIMATIONS, "animations")                                                                    \
     X(BUFFERS, "buffers")                                                                          \
     X(VIEWS, "bufferViews")                                                                        \
     X(MATERIALS, "materials")                                                                      \
@@ -80,18 +83,55 @@ typedef struct burnish_gltf_node {
     double matrix[12]; /* to the world: rows x, y, z of a 3 x 4 matrix */
     uint32_t parent;   /* NONE: a root */
     uint32_t mesh;     /* NONE: it draws nothing */
+    uint32_t skin;     /* NONE: the mesh follows the node */
+    size_t first_weight, weight_count; /* of the animation, in gltf->weights */
     int is_drawn;      /* of the scene, and visible */
 } burnish_gltf_node;
+
+/* What an animation says of a node at a moment. */
+typedef struct burnish_gltf_pose {
+    int has_translation, has_rotation, has_scale;
+    double translation[3], rotation[4], scale[3];
+} burnish_gltf_pose;
+
+/* Sets of four joints and weights that are read of a vertex. */
+#define BURNISH_GLTF_SETS 2
 
 /* A primitive: numbers of accessors, NONE for those that it has not. */
 typedef struct burnish_gltf_primitive {
     uint32_t value; /* its JSON value */
-    uint32_t position, normal, color, texcoord, indices;
+    uint32_t position, normal, tangent, color, texcoord, indices;
+    uint32_t joints[BURNISH_GLTF_SETS], weights[BURNISH_GLTF_SETS];
+    uint32_t targets; /* the JSON array of morph targets, or NONE */
     uint32_t material;
     int mode;              /* OpenGL's: 4 triangles, 5 strip, 6 fan */
     size_t corner_count;   /* indices, or vertices where there are none */
     size_t triangle_count; /* 0: it is not drawn */
 } burnish_gltf_primitive;
+
+/* A skin's joints: where vertices bound to each go. */
+typedef struct burnish_gltf_skin {
+    double *matrices; /* 12 per joint; NULL: not made yet */
+    size_t count;
+} burnish_gltf_skin;
+
+/* A morph target with the weight that it has. */
+typedef struct burnish_gltf_target {
+    const burnish_gltf_accessor *position, *normal; /* NULL: it moves none */
+    double weight;
+} burnish_gltf_target;
+
+/* How vertices of what is drawn at the moment go to the world. */
+typedef struct burnish_gltf_shape {
+    double matrix[12];
+    double cofactors[9]; /* turn normals, to their side where the matrix mirrors */
+    int is_mirrored;
+    burnish_gltf_target *targets;
+    size_t target_count, target_capacity;
+    const burnish_gltf_skin *skin;
+    int set_count; /* 0: no skin */
+    const burnish_gltf_accessor *joints[BURNISH_GLTF_SETS], *weights[BURNISH_GLTF_SETS];
+} burnish_gltf_shape;
 
 typedef struct burnish_gltf {
     burnish_reader *reader;
@@ -110,6 +150,11 @@ typedef struct burnish_gltf {
     uint64_t filled_bytes;              /* of accessors with arrays of their own */
     burnish_gltf_node *nodes;           /* one per item of NODES */
     uint32_t *node_order;               /* parents before children */
+    burnish_gltf_pose *poses;         /* one per node; NULL: all are at rest */
+    burnish_gltf_skin *skins;         /* one per item of SKINS */
+    double *weights;                  /* of morph targets, from an animation */
+    size_t weight_count, weight_capacity;
+    uint64_t work; /* values that morph targets have added up */
     burnish_gltf_primitive *primitives; /* of all meshes, mesh after mesh */
     size_t primitive_count, primitive_capacity;
     int has_plain;             /* 1: a primitive has no material */
@@ -194,8 +239,28 @@ void burnish_gltf_multiply(const double a[12], const double b[12], double produc
 void burnish_gltf_compose(const double translation[3], const double rotation[4],
                           const double scale[3], double matrix[12]);
 
+/* A file's matrix, column after column of four, as rows of a 3 x 4 one. */
+void burnish_gltf_transpose(const double columns[16], double matrix[12]);
+
 /* Fills gltf->nodes: the matrices, and what is drawn. */
 void burnish_gltf_place_nodes(burnish_gltf *gltf);
+
+/* ---- gltf_animation.c ---- */
+
+/* Fills gltf->poses and gltf->weights, where the options name a time or an animation. */
+void burnish_gltf_animate(burnish_gltf *gltf);
+
+/* ---- gltf_deform.c ---- */
+
+/* How a primitive of a node goes to the world by a matrix, that of the node or of an instance. */
+void burnish_gltf_set_shape(burnish_gltf *gltf, burnish_gltf_shape *shape,
+                            const burnish_gltf_node *node, const double matrix[12],
+                            const burnish_gltf_primitive *primitive);
+
+/* Moves a vertex by morph targets, and sets the shape's matrices to those of its joints. Returns 0
+ * on failure. */
+int burnish_gltf_move(burnish_gltf *gltf, burnish_gltf_shape *shape, size_t vertex,
+                      double position[3], double normal[3]);
 
 /* ---- gltf_materials.c ---- */
 
@@ -207,6 +272,9 @@ void burnish_gltf_read_materials(burnish_gltf *gltf);
 
 /* Fills gltf->primitives, with the accessors that they name resolved. */
 void burnish_gltf_read_primitives(burnish_gltf *gltf);
+
+/* Morph targets of a mesh: all its primitives have as many. */
+size_t burnish_gltf_target_count(burnish_gltf *gltf, uint32_t mesh);
 
 /* ---- gltf_geometry.c ---- */
 

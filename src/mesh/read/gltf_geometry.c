@@ -26,38 +26,37 @@ typedef struct gltf_drawer {
     uint16_t material;
 
     const burnish_gltf_primitive *primitive;
-    const burnish_gltf_accessor *position, *normal, *color, *texcoord, *indices;
-    double matrix[12];
-    double cofactors[9]; /* turn normals, to their side where the matrix mirrors */
-    int is_mirrored;
+    const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoord, *indices;
+    burnish_gltf_shape shape;
+    int moves; /* 1: morph targets or a skin move vertices one by one */
 } gltf_drawer;
 
-/* ---- Matrices ---- */
-
-static void set_matrix(gltf_drawer *drawer, const double matrix[12]) {
-    const double *m = matrix;
-    double *c = drawer->cofactors;
-    memcpy(drawer->matrix, matrix, sizeof drawer->matrix);
-    for (int row = 0; row < 3; ++row) {
-        const double *a = m + 4 * ((row + 1) % 3), *b = m + 4 * ((row + 2) % 3);
-        for (int k = 0; k < 3; ++k) {
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
-            c[3 * row + k] = a[i] * b[j] - a[j] * b[i];
-        }
-    }
-    const double determinant = m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
-    drawer->is_mirrored = determinant < 0;
-    for (int i = 0; i < 9 && drawer->is_mirrored; ++i) {
-        c[i] = -c[i];
+/* A unit vector of the direction; 0 where there is none. */
+static void put_unit(const double *direction, float *to) {
+    const double *d = direction;
+    const double length = d ? burnish_sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) : 0;
+    for (int i = 0; i < 3; ++i) {
+        to[i] = length > 0 && length < 1e300 ? (float)(d[i] / length) : 0;
     }
 }
 
-static int put_position(gltf_drawer *drawer, size_t vertex, float *to) {
-    double p[3];
+/* ---- Vertices ---- */
+
+/* Writes position and normal; a normal that the file has not is 0: it will be generated. Returns 0
+ * on failure. */
+static int put_place(gltf_drawer *drawer, size_t vertex, float *to, float *to_normal) {
+    double p[3], n[3] = {0, 0, 0}, turned[3];
     burnish_gltf_element(drawer->position, vertex, p);
-    const double *m = drawer->matrix;
-    for (int row = 0; row < 3; ++row, m += 4) {
+    if (drawer->normal) {
+        burnish_gltf_element(drawer->normal, vertex, n);
+    }
+    if (drawer->moves && !burnish_gltf_move(drawer->gltf, &drawer->shape, vertex, p, n)) {
+        return 0;
+    }
+    const double *m = drawer->shape.matrix, *c = drawer->shape.cofactors;
+    for (int row = 0; row < 3; ++row, m += 4, c += 3) {
         const double moved = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
+        turned[row] = c[0] * n[0] + c[1] * n[1] + c[2] * n[2];
         if (!burnish_double_to_float(moved, &to[row])) {
             return burnish_gltf_fail(drawer->gltf, BURNISH_STATUS_FORMAT, drawer->position->value,
                                      "position %zu is not finite, or beyond 3.4e38; repair the "
@@ -65,28 +64,26 @@ static int put_position(gltf_drawer *drawer, size_t vertex, float *to) {
                                      vertex);
         }
     }
+    if (to_normal) {
+        put_unit(drawer->normal ? turned : NULL, to_normal);
+    }
     return 1;
 }
 
-/* A unit vector; 0 where the file has none: it will be generated. */
-static void put_normal(const gltf_drawer *drawer, size_t vertex, float *to) {
-    double n[3], turned[3];
-    to[0] = to[1] = to[2] = 0;
-    if (!drawer->normal) {
+/* As bitangents are cross(n, t) times the sign, that changes in a mirror. */
+static void put_tangent(const gltf_drawer *drawer, size_t vertex, float *to) {
+    double t[4], turned[3];
+    const double *m = drawer->shape.matrix;
+    to[0] = to[1] = to[2] = to[3] = 0;
+    if (!drawer->tangent) {
         return;
     }
-    burnish_gltf_element(drawer->normal, vertex, n);
-    const double *c = drawer->cofactors;
-    for (int row = 0; row < 3; ++row, c += 3) {
-        turned[row] = c[0] * n[0] + c[1] * n[1] + c[2] * n[2];
+    burnish_gltf_element(drawer->tangent, vertex, t);
+    for (int row = 0; row < 3; ++row, m += 4) {
+        turned[row] = m[0] * t[0] + m[1] * t[1] + m[2] * t[2];
     }
-    const double length =
-        burnish_sqrt(turned[0] * turned[0] + turned[1] * turned[1] + turned[2] * turned[2]);
-    if (length > 0 && length < 1e300) {
-        for (int i = 0; i < 3; ++i) {
-            to[i] = (float)(turned[i] / length);
-        }
-    }
+    put_unit(turned, to);
+    to[3] = (t[3] < 0) != drawer->shape.is_mirrored ? -1.0f : 1.0f;
 }
 
 /* glTF's colours are linear light, the mesh's sRGB. */
@@ -127,11 +124,12 @@ static uint32_t take_vertex(gltf_drawer *drawer, uint32_t vertex) {
         return drawer->slots[vertex] - 1;
     }
     const size_t at = mesh->streams[BURNISH_POSITION].count;
-    if (!put_position(drawer, vertex, burnish_positions(mesh) + 3 * at)) {
+    float *normal = drawer->has[BURNISH_NORMAL] ? burnish_normals(mesh) + 3 * at : NULL;
+    if (!put_place(drawer, vertex, burnish_positions(mesh) + 3 * at, normal)) {
         return BURNISH_NONE;
     }
-    if (drawer->has[BURNISH_NORMAL]) {
-        put_normal(drawer, vertex, burnish_normals(mesh) + 3 * at);
+    if (drawer->has[BURNISH_TANGENT]) {
+        put_tangent(drawer, vertex, (float *)mesh->streams[BURNISH_TANGENT].items + 4 * at);
     }
     if (drawer->has[BURNISH_COLOR]) {
         put_color(drawer, vertex, burnish_colors(mesh) + 4 * at);
@@ -170,7 +168,7 @@ static void draw_triangles(gltf_drawer *drawer) {
             if (vertex == BURNISH_NONE) {
                 return;
             }
-            corners[drawer->is_mirrored && k > 0 ? 3 - k : k] = vertex;
+            corners[drawer->shape.is_mirrored && k > 0 ? 3 - k : k] = vertex;
         }
         if (mesh->triangle_materials) {
             mesh->triangle_materials[mesh->triangle_count] = drawer->material;
@@ -189,29 +187,38 @@ static const burnish_gltf_accessor *accessor_of(const burnish_gltf *gltf, uint32
     return number == BURNISH_GLTF_NONE ? NULL : &gltf->accessors[number];
 }
 
-static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_primitive *primitive) {
-    const burnish_gltf *gltf = drawer->gltf;
+static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
+                           const double matrix[12], const burnish_gltf_primitive *primitive) {
+    burnish_gltf *gltf = drawer->gltf;
     drawer->primitive = primitive;
     drawer->position = accessor_of(gltf, primitive->position);
     drawer->normal = accessor_of(gltf, primitive->normal);
+    drawer->tangent = accessor_of(gltf, primitive->tangent);
     drawer->color = accessor_of(gltf, primitive->color);
     drawer->texcoord = accessor_of(gltf, primitive->texcoord);
     drawer->indices = accessor_of(gltf, primitive->indices);
     drawer->base = (uint32_t)drawer->mesh->streams[BURNISH_POSITION].count;
-    drawer->material =
-        (uint16_t)(primitive->material == BURNISH_GLTF_NONE ? gltf->counts[BURNISH_GLTF_MATERIALS]
-                                                            : primitive->material);
-    draw_triangles(drawer);
+    drawer->material = (uint16_t)(primitive->material == BURNISH_GLTF_NONE
+                                      ? gltf->counts[BURNISH_GLTF_MATERIALS]
+                                      : primitive->material);
+    burnish_gltf_set_shape(gltf, &drawer->shape, node, matrix, primitive);
+    drawer->moves = drawer->shape.target_count > 0 || drawer->shape.set_count > 0;
+    if (gltf->status == BURNISH_STATUS_OK) {
+        draw_triangles(drawer);
+    }
 }
 
-static void count_primitive(gltf_drawer *drawer, const burnish_gltf_primitive *primitive) {
+static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
+                            const double matrix[12], const burnish_gltf_primitive *primitive) {
     burnish_gltf *gltf = drawer->gltf;
+    (void)node, (void)matrix;
     const size_t vertices = gltf->accessors[primitive->position].count;
     const uint64_t used = 3 * (uint64_t)primitive->triangle_count;
     drawer->triangles += primitive->triangle_count;
     drawer->vertices += used < vertices ? used : vertices;
     drawer->most_vertices = vertices > drawer->most_vertices ? vertices : drawer->most_vertices;
     drawer->has[BURNISH_NORMAL] |= primitive->normal != BURNISH_GLTF_NONE;
+    drawer->has[BURNISH_TANGENT] |= primitive->tangent != BURNISH_GLTF_NONE;
     drawer->has[BURNISH_COLOR] |= primitive->color != BURNISH_GLTF_NONE;
     drawer->has[BURNISH_TEXCOORD] |= primitive->texcoord != BURNISH_GLTF_NONE;
     if (drawer->triangles > drawer->limit) {
@@ -227,22 +234,65 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_primitive *p
     }
 }
 
-/* Calls `use` for each primitive of each node that is drawn. */
-static void for_each_primitive(gltf_drawer *drawer,
-                               void (*use)(gltf_drawer *, const burnish_gltf_primitive *)) {
+typedef void use_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
+                           const double matrix[12], const burnish_gltf_primitive *primitive);
+
+static void for_each_of_mesh(gltf_drawer *drawer, const burnish_gltf_node *node,
+                             const double matrix[12], use_primitive *use) {
     const burnish_gltf *gltf = drawer->gltf;
-    for (size_t i = 0; i < gltf->counts[BURNISH_GLTF_NODES]; ++i) {
+    for (uint32_t k = gltf->mesh_primitives[node->mesh];
+         k < gltf->mesh_primitives[node->mesh + 1] && gltf->status == BURNISH_STATUS_OK; ++k) {
+        use(drawer, node, matrix, &gltf->primitives[k]);
+    }
+}
+
+/* EXT_mesh_gpu_instancing: the mesh again and again, each at a place of its own. */
+static void for_each_instance(gltf_drawer *drawer, const burnish_gltf_node *node,
+                              uint32_t instancing, use_primitive *use) {
+    static const char *const names[3] = {"TRANSLATION", "ROTATION", "SCALE"};
+    burnish_gltf *gltf = drawer->gltf;
+    const uint32_t attributes = burnish_gltf_object(gltf, instancing, "attributes");
+    const burnish_gltf_accessor *accessors[3] = {NULL, NULL, NULL};
+    size_t count = SIZE_MAX;
+    for (int i = 0; i < 3 && gltf->status == BURNISH_STATUS_OK; ++i) {
+        const uint32_t number =
+            burnish_gltf_reference(gltf, attributes, names[i], BURNISH_GLTF_ACCESSORS);
+        if (number != BURNISH_GLTF_NONE) {
+            accessors[i] = burnish_gltf_resolve(gltf, number, instancing, 1u << (i == 1 ? 4 : 3));
+            count = accessors[i] && accessors[i]->count < count ? accessors[i]->count : count;
+        }
+    }
+    count = count == SIZE_MAX ? 0 : count;
+    for (size_t i = 0; i < count && gltf->status == BURNISH_STATUS_OK &&
+                       gltf->mesh_primitives[node->mesh] < gltf->mesh_primitives[node->mesh + 1];
+         ++i) {
+        double parts[3][4] = {{0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}}, matrix[12];
+        for (int k = 0; k < 3; ++k) {
+            if (accessors[k]) {
+                burnish_gltf_element(accessors[k], i, parts[k]);
+            }
+        }
+        burnish_gltf_compose(parts[0], parts[1], parts[2], matrix);
+        burnish_gltf_multiply(node->matrix, matrix, matrix);
+        for_each_of_mesh(drawer, node, matrix, use);
+    }
+}
+
+/* Calls `use` for each primitive of each node that is drawn. */
+static void for_each_primitive(gltf_drawer *drawer, use_primitive *use) {
+    burnish_gltf *gltf = drawer->gltf;
+    for (size_t i = 0; i < gltf->counts[BURNISH_GLTF_NODES] && gltf->status == BURNISH_STATUS_OK;
+         ++i) {
         const burnish_gltf_node *node = &gltf->nodes[i];
         if (!node->is_drawn || node->mesh == BURNISH_GLTF_NONE) {
             continue;
         }
-        set_matrix(drawer, node->matrix);
-        for (uint32_t k = gltf->mesh_primitives[node->mesh];
-             k < gltf->mesh_primitives[node->mesh + 1]; ++k) {
-            use(drawer, &gltf->primitives[k]);
-            if (gltf->status != BURNISH_STATUS_OK) {
-                return;
-            }
+        const uint32_t instancing = burnish_gltf_extension(gltf, gltf->lists[BURNISH_GLTF_NODES][i],
+                                                           "EXT_mesh_gpu_instancing");
+        if (instancing != BURNISH_JSON_NONE) {
+            for_each_instance(drawer, node, instancing, use);
+        } else {
+            for_each_of_mesh(drawer, node, node->matrix, use);
         }
     }
 }
@@ -297,4 +347,5 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
         drawer.mesh->streams[i].count = drawer.has[i] ? count : 0;
     }
     burnish_release(gltf->memory->context, drawer.slots);
+    burnish_release(gltf->memory->context, drawer.shape.targets);
 }

@@ -17,6 +17,14 @@ void burnish_gltf_multiply(const double a[12], const double b[12], double produc
     memcpy(product, out, sizeof out);
 }
 
+void burnish_gltf_transpose(const double columns[16], double matrix[12]) {
+    for (int row = 0; row < 3; ++row) {
+        for (int k = 0; k < 4; ++k) {
+            matrix[4 * row + k] = columns[4 * k + row];
+        }
+    }
+}
+
 /* A quaternion (x, y, z, w) of any length but 0 is taken as the rotation of its direction. */
 void burnish_gltf_compose(const double translation[3], const double rotation[4],
                           const double scale[3], double matrix[12]) {
@@ -37,21 +45,22 @@ void burnish_gltf_compose(const double translation[3], const double rotation[4],
 }
 
 /* The matrix to the parent. */
-static void read_local(burnish_gltf *gltf, uint32_t value, double matrix[12]) {
+static void read_local(burnish_gltf *gltf, uint32_t value, const burnish_gltf_pose *pose,
+                       double matrix[12]) {
     double columns[16], translation[3] = {0, 0, 0}, rotation[4] = {0, 0, 0, 1},
                         scale[3] = {1, 1, 1};
-    if (burnish_gltf_numbers(gltf, value, "matrix", 16, columns)) {
-        for (int row = 0; row < 3; ++row) {
-            for (int k = 0; k < 4; ++k) {
-                matrix[4 * row + k] = columns[4 * k + row];
-            }
-        }
+    const int is_posed =
+        pose && (pose->has_translation || pose->has_rotation || pose->has_scale);
+    if (!is_posed && burnish_gltf_numbers(gltf, value, "matrix", 16, columns)) {
+        burnish_gltf_transpose(columns, matrix);
         return;
     }
     burnish_gltf_numbers(gltf, value, "translation", 3, translation);
     burnish_gltf_numbers(gltf, value, "rotation", 4, rotation);
     burnish_gltf_numbers(gltf, value, "scale", 3, scale);
-    burnish_gltf_compose(translation, rotation, scale, matrix);
+    burnish_gltf_compose(pose && pose->has_translation ? pose->translation : translation,
+                         pose && pose->has_rotation ? pose->rotation : rotation,
+                         pose && pose->has_scale ? pose->scale : scale, matrix);
 }
 
 /* Notes who is whose parent. */
@@ -141,11 +150,17 @@ void burnish_gltf_place_nodes(burnish_gltf *gltf) {
         return;
     }
     for (size_t i = 0; i < count; ++i) {
-        gltf->nodes[i] = (burnish_gltf_node){.parent = BURNISH_GLTF_NONE};
+        gltf->nodes[i] = (burnish_gltf_node){
+            .parent = BURNISH_GLTF_NONE,
+            .mesh = burnish_gltf_reference(gltf, gltf->lists[BURNISH_GLTF_NODES][i], "mesh",
+                                           BURNISH_GLTF_MESHES)};
     }
     find_parents(gltf);
     if (gltf->status == BURNISH_STATUS_OK) {
         find_order(gltf);
+    }
+    if (gltf->status == BURNISH_STATUS_OK) {
+        burnish_gltf_animate(gltf);
     }
     if (gltf->status != BURNISH_STATUS_OK) {
         return;
@@ -157,8 +172,8 @@ void burnish_gltf_place_nodes(burnish_gltf *gltf) {
         const burnish_gltf_node *parent =
             node->parent == BURNISH_GLTF_NONE ? NULL : &gltf->nodes[node->parent];
         double local[12];
-        read_local(gltf, value, local);
-        node->mesh = burnish_gltf_reference(gltf, value, "mesh", BURNISH_GLTF_MESHES);
+        read_local(gltf, value, gltf->poses ? &gltf->poses[gltf->node_order[i]] : NULL, local);
+        node->skin = burnish_gltf_reference(gltf, value, "skin", BURNISH_GLTF_SKINS);
         burnish_gltf_multiply(parent ? parent->matrix : identity, local, node->matrix);
         node->is_drawn =
             (node->is_drawn || (parent && parent->is_drawn)) && is_visible(gltf, value);

@@ -29,6 +29,28 @@ static uint32_t read_attribute(burnish_gltf *gltf, const burnish_gltf_primitive 
     return number;
 }
 
+/* Joints are unsigned integers of at most 16 bits; each set of them comes with weights. */
+static void read_joints(burnish_gltf *gltf, burnish_gltf_primitive *primitive,
+                        uint32_t attributes) {
+    static const char *const names[BURNISH_GLTF_SETS][2] = {{"JOINTS_0", "WEIGHTS_0"},
+                                                            {"JOINTS_1", "WEIGHTS_1"}};
+    for (int set = 0; set < BURNISH_GLTF_SETS; ++set) {
+        uint32_t *joints = &primitive->joints[set], *weights = &primitive->weights[set];
+        *joints = read_attribute(gltf, primitive, attributes, names[set][0], WIDTH(4));
+        *weights = read_attribute(gltf, primitive, attributes, names[set][1], WIDTH(4));
+        if (*weights == BURNISH_GLTF_NONE ||
+            (set > 0 && primitive->joints[set - 1] == BURNISH_GLTF_NONE)) {
+            *joints = BURNISH_GLTF_NONE;
+        }
+        if (*joints != BURNISH_GLTF_NONE && gltf->status == BURNISH_STATUS_OK &&
+            gltf->accessors[*joints].component != BURNISH_GLTF_UNSIGNED_BYTE &&
+            gltf->accessors[*joints].component != BURNISH_GLTF_UNSIGNED_SHORT) {
+            burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, attributes,
+                              "%s must be of unsigned bytes or shorts", names[set][0]);
+        }
+    }
+}
+
 static void read_indices(burnish_gltf *gltf, burnish_gltf_primitive *primitive) {
     primitive->indices =
         burnish_gltf_reference(gltf, primitive->value, "indices", BURNISH_GLTF_ACCESSORS);
@@ -86,6 +108,9 @@ static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive)
     primitive->normal = read_attribute(gltf, primitive, attributes, "NORMAL", WIDTH(3));
     primitive->color = read_attribute(gltf, primitive, attributes, "COLOR_0", WIDTH(3) | WIDTH(4));
     primitive->texcoord = read_attribute(gltf, primitive, attributes, "TEXCOORD_0", WIDTH(2));
+    primitive->tangent = read_attribute(gltf, primitive, attributes, "TANGENT", WIDTH(4));
+    primitive->targets = burnish_gltf_array(gltf, primitive->value, "targets");
+    read_joints(gltf, primitive, attributes);
     primitive->material =
         burnish_gltf_reference(gltf, primitive->value, "material", BURNISH_GLTF_MATERIALS);
     if (gltf->status == BURNISH_STATUS_OK) {
@@ -94,6 +119,15 @@ static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive)
     count_triangles(gltf, primitive);
     gltf->has_plain |= primitive->material == BURNISH_GLTF_NONE && primitive->triangle_count > 0;
     return gltf->status == BURNISH_STATUS_OK && primitive->triangle_count > 0;
+}
+
+size_t burnish_gltf_target_count(burnish_gltf *gltf, uint32_t mesh) {
+    const uint32_t primitives =
+        burnish_gltf_array(gltf, gltf->lists[BURNISH_GLTF_MESHES][mesh], "primitives");
+    return burnish_json_length(&gltf->json, primitives) == 0
+               ? 0
+               : burnish_json_length(&gltf->json,
+                                     burnish_json_member(&gltf->json, primitives + 1, "targets"));
 }
 
 static void read_mesh(burnish_gltf *gltf, uint32_t mesh) {

@@ -336,8 +336,9 @@ uint32_t burnish_json_member(const burnish_json *json, uint32_t object, const ch
     if (!burnish_json_is_kind(json, object, BURNISH_JSON_OBJECT)) {
         return BURNISH_JSON_NONE;
     }
+    const uint32_t size = json->nodes[object].size;
     uint32_t name = object + 1;
-    for (uint32_t i = json->nodes[object].size; i > 0; --i) {
+    for (uint32_t i = size < BURNISH_JSON_MEMBERS ? size : BURNISH_JSON_MEMBERS; i > 0; --i) {
         if (burnish_json_is_text(json, name, key)) {
             return name + 1;
         }

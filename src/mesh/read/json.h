@@ -54,6 +54,10 @@ static inline const uint8_t *burnish_json_at(const burnish_json *json, uint32_t 
     return json->bytes + json->nodes[value].first;
 }
 
+/* Members of an object that are looked at: no object of a format has as many keys, and so each
+ * look-up takes bounded time. */
+#define BURNISH_JSON_MEMBERS 256
+
 /* The value of a key; NONE where it is not there, or where `object` is none. Of two equal keys the
  * first counts. */
 uint32_t burnish_json_member(const burnish_json *json, uint32_t object, const char *key);
