@@ -120,7 +120,7 @@ static void test_companions(void) {
          "mesh.gltf:1: buffers[0].uri: \"http://a/b.bin\" is no file in the folder of the input; "
          "put it there"},
         {"a%00b", "",
-         "mesh.gltf:1: buffers[0].uri: \"a\" is no file in the folder of the input; put it there"},
+         "mesh.gltf:1: buffers[0].uri: \"\" is no file in the folder of the input; put it there"},
     };
     const burnish_load_options options = burnish_load_options_default();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
@@ -460,13 +460,309 @@ static void test_materials(void) {
     ++m;
     CHECK1(m->exponent == 30 && m->diffuse[1] == 0.5f && fabsf(m->specular[1] - 0.4f) < 1e-6f);
     ++m;
-    CHECK1(m->ambient[0] == 1 && m->diffuse[0] == 0 && m->specular[0] == 0);
+    CHECK1(m->is_unlit && m->diffuse[0] == 1 && m->specular[0] == 0);
     check_warning(&s, 1,
                   "mesh.gltf:1: materials[3].pbrMetallicRoughness.metallicFactor: expected a "
                   "number, found \"x\"; ignored");
     burnish_mesh_data_destroy(&s);
 }
 
+/* ---- What moves vertices ---- */
+
+/* Views over one buffer: positions, then whatever follows. */
+static burnish_status read_posed(const char *rest, const byte_list *binary, double time,
+                                 const char *animation, burnish_mesh_data *s, burnish_error *e) {
+    static byte_list list;
+    static char json[4096];
+    burnish_load_options options = burnish_load_options_default();
+    options.animation_time = time;
+    options.animation = animation;
+    snprintf(json, sizeof json, GLTF_HEAD "'buffers':[{'byteLength':%zu}],%s}", binary->size, rest);
+    list.size = 0;
+    put_glb(&list, json, binary);
+    return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, s, e);
+}
+
+/* p + 0.5 (0, 0, 4) for vertex 1; the node's weights go before the mesh's, weight 0 counts for
+ * nothing, and normals move too. */
+static void test_morph_targets(void) {
+    static const float floats[] = {0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 1,  0, 0, 1,
+                                   0, 0, 0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0};
+    static const struct {
+        const char *weights;
+        double z, n[3];
+    } cases[] = {{"]}],'nodes':[{'mesh':0", 0, {0, 0, 1}},
+                 {"],'weights':[0.5,9]}],'nodes':[{'mesh':0", 2, {0.5, 0, 0.5}},
+                 {"],'weights':[7,0]}],'nodes':[{'mesh':0,'weights':[1,0]", 4, {1, 0, 0}}};
+    byte_list binary = {.size = 0};
+    put_floats(&binary, 36, floats);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char rest[1024];
+        burnish_mesh_data s;
+        burnish_error e;
+        snprintf(
+            rest, sizeof rest,
+            "'bufferViews':[{'buffer':0,'byteLength':144,'byteStride':12}],'accessors':[" ACCESSOR(
+                0, 5126, 3, "VEC3") ","
+                                    "{'bufferView':0,'byteOffset':36,'componentType':5126,'count':"
+                                    "3,'type':'VEC3'},"
+                                    "{'bufferView':0,'byteOffset':72,'componentType':5126,'count':"
+                                    "3,'type':'VEC3'},"
+                                    "{'bufferView':0,'byteOffset':108,'componentType':5126,'count':"
+                                    "3,'type':'VEC3'}],"
+                                    "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'NORMAL':"
+                                    "1},'targets':["
+                                    "{'POSITION':2,'NORMAL':3},{}]}%s}]",
+            cases[i].weights);
+        if (!CHECK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK,
+                   "%s", e.text)) {
+            continue;
+        }
+        CHECK1(corner_is(&s, 0, 1, 1, 0, cases[i].z) && corner_is(&s, 0, 2, 0, 2, 0));
+        const float *n = burnish_normals(&s) + 3;
+        const double length = sqrt(cases[i].n[0] * cases[i].n[0] + cases[i].n[2] * cases[i].n[2]);
+        CHECK(fabs((double)n[0] - cases[i].n[0] / length) < 1e-6 &&
+                  fabs((double)n[2] - cases[i].n[2] / length) < 1e-6,
+              "%g %g", (double)n[0], (double)n[2]);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Two joints, of which the second is turned by 90 degrees about z around its place (1, 0, 0) and
+ * bound there: vertices follow joint 0, joint 1, and both by half. The node's own matrix counts for
+ * nothing. */
+static void test_skin(void) {
+    static const float positions[9] = {5, 0, 0, 2, 0, 0, 2, 0, 0};
+    static const float weights[12] = {1, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0};
+    static const float bind[32] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,  0, 0, 1,
+                                   1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1};
+    byte_list binary = {.size = 0};
+    burnish_mesh_data s;
+    burnish_error e;
+    put_floats(&binary, 9, positions);
+    put_floats(&binary, 12, weights);
+    put_floats(&binary, 32, bind);
+    put(&binary, "\0\1\0\0\0\1\0\0\0\1\0\0", 12);
+    static const char rest[] =
+        "'bufferViews':[{'buffer':0,'byteLength':36},{'buffer':0,'byteOffset':36,'byteLength':48},"
+        "{'buffer':0,'byteOffset':84,'byteLength':128},"
+        "{'buffer':0,'byteOffset':212,'byteLength':12}],'accessors':[" ACCESSOR(
+            0, 5126, 3,
+            "VEC3") "," ACCESSOR(1, 5126, 3,
+                                 "VEC4") "," ACCESSOR(2, 5126, 2,
+                                                      "MAT4") "," ACCESSOR(3, 5121, 3,
+                                                                           "VEC4") "],"
+                                                                                   "'meshes':[{'"
+                                                                                   "primitives':[{'"
+                                                                                   "attributes':{'"
+                                                                                   "POSITION':0,'"
+                                                                                   "WEIGHTS_0':1,'"
+                                                                                   "JOINTS_0':3}}]}"
+                                                                                   "],"
+                                                                                   "'skins':[{'"
+                                                                                   "joints':[1,2],'"
+                                                                                   "inverseBindMatr"
+                                                                                   "ices':2}],"
+                                                                                   "'nodes':[{'"
+                                                                                   "mesh':0,'skin':"
+                                                                                   "0,'translation'"
+                                                                                   ":[100,0,0]},{},"
+                                                                                   "{'translation':"
+                                                                                   "[1,0,0],"
+                                                                                   "'rotation':[0,"
+                                                                                   "0,0."
+                                                                                   "707106781186547"
+                                                                                   "57,0."
+                                                                                   "707106781186547"
+                                                                                   "57]}]";
+    CHECK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK, "%s",
+          e.text);
+    /* (5, 0, 0); (1, 0, 0) + (0, 1, 0); the middle of (2, 0, 0) and (1, 1, 0) */
+    CHECK1(corner_is(&s, 0, 0, 5, 0, 0) && corner_is(&s, 0, 1, 1, 1, 0) &&
+           corner_is(&s, 0, 2, 1.5, 0.5, 0));
+    burnish_mesh_data_destroy(&s);
+    binary.bytes[212] = 2;
+    CHECK1(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_FORMAT);
+    CHECK1(strstr(e.text, "accessors[3]: joint 2 of vertex 0 is not below the skin's 2"));
+    burnish_mesh_data_destroy(&s);
+}
+
+static void test_instances(void) {
+    static const float floats[] = {0, 0,  0, 1, 0, 0, 0, 2,  0, 10, 0,
+                                   0, 20, 0, 0, 2, 2, 2, -1, 1, 1};
+    byte_list binary = {.size = 0};
+    burnish_mesh_data s;
+    burnish_error e;
+    put_floats(&binary, sizeof floats / sizeof *floats, floats);
+    CHECK(read_posed(
+              "'bufferViews':[{'buffer':0,'byteLength':84}],'accessors':[" ACCESSOR(
+                  0, 5126, 3,
+                  "VEC3") ","
+                          "{'bufferView':0,'byteOffset':36,'componentType':5126,'count':2,"
+                          "'type':'VEC3'},{'bufferView':0,'byteOffset':60,'componentType':5126,"
+                          "'count':2,'type':'VEC3'}],'extensionsRequired':['EXT_mesh_gpu_"
+                          "instancing'],"
+                          "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],"
+                          "'nodes':[{'mesh':0,'translation':[0,0,5],'extensions':{"
+                          "'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':1,'SCALE':2}}}}]",
+              &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK1(s.triangle_count == 2 && corner_is(&s, 0, 1, 12, 0, 5) &&
+           corner_is(&s, 0, 2, 10, 4, 5) && corner_is(&s, 1, 2, 19, 0, 5) &&
+           corner_is(&s, 1, 1, 20, 2, 5)); /* a mirror */
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Translations 0 at 1 s and (8, 0, 0) at 3 s by each interpolation; a rotation of a quarter turn,
+ * whose middle is an eighth of one, and whose quarters are equal angles. */
+static void test_animation(void) {
+    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0}, times[2] = {1, 3};
+    static const float steps[6] = {0, 0, 0, 8, 0, 0};
+    /* in-tangent, value, out-tangent, twice */
+    static const float cubic[18] = {9, 9, 9, 0, 0, 0, 1, 0, 0, 2, 0, 0, 8, 0, 0, 9, 9, 9};
+    static const float turns[8] = {0, 0, 0, 1, 0, 0, -0.70710678f, -0.70710678f};
+    static const struct {
+        const char *animation, *path;
+        double time, x;
+    } cases[] = {{"0", "", 0, 0},
+                 {"0", "", 2, 4},
+                 {"0", "", 2.5, 6},
+                 {"linear", "", 9, 8},
+                 {"step", "", 2.9, 0},
+                 {"1", "", 3, 8},
+                 {"cubic", "", 1, 0},
+                 {"cubic", "", 3, 8},
+                 /* t = 1/2: 8/2 + 2 (1/8 1) - 2 (1/8 2) */
+                 {"cubic", "", 2, 4 + 0.25 - 0.5}};
+    byte_list binary = {.size = 0};
+    put_floats(&binary, 9, positions);
+    put_floats(&binary, 2, times);
+    put_floats(&binary, 6, steps);
+    put_floats(&binary, 18, cubic);
+    put_floats(&binary, 8, turns);
+    static const char rest[] =
+        "'bufferViews':[{'buffer':0,'byteLength':172}],'accessors':[" ACCESSOR(
+            0, 5126, 3,
+            "VEC3") ",{'bufferView':0,'byteOffset':36,'componentType':5126,'count':2,'type':'"
+                    "SCALAR'},"
+                    "{'bufferView':0,'byteOffset':44,'componentType':5126,'count':2,'type':'VEC3'},"
+                    "{'bufferView':0,'byteOffset':68,'componentType':5126,'count':6,'type':'VEC3'},"
+                    "{'bufferView':0,'byteOffset':140,'componentType':5126,'count':2,'type':'VEC4'}"
+                    "],"
+                    "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],'nodes':[{'mesh':0,"
+                    "'translation':[0,7,0]}],'animations':["
+                    "{'name':'linear','samplers':[{'input':1,'output':2}],"
+                    "'channels':[{'sampler':0,'target':{'node':0,'path':'translation'}}]},"
+                    "{'name':'step','samplers':[{'input':1,'output':2,'interpolation':'STEP'}],"
+                    "'channels':[{'sampler':0,'target':{'node':0,'path':'translation'}}]},"
+                    "{'name':'cubic','samplers':[{'input':1,'output':3,'interpolation':'"
+                    "CUBICSPLINE'}],"
+                    "'channels':[{'sampler':0,'target':{'node':0,'path':'translation'}}]},"
+                    "{'name':'turn','samplers':[{'input':1,'output':4}],"
+                    "'channels':[{'sampler':0,'target':{'node':0,'path':'rotation'}}]}]";
+    burnish_mesh_data s;
+    burnish_error e;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        CHECK(read_posed(rest, &binary, cases[i].time, cases[i].animation, &s, &e) ==
+                  BURNISH_STATUS_OK,
+              "%s", e.text);
+        CHECK(corner_is(&s, 0, 0, cases[i].x, 0, 0), "%zu: %g", i,
+              (double)burnish_positions(&s)[0]);
+        burnish_mesh_data_destroy(&s);
+    }
+    CHECK1(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK);
+    CHECK1(corner_is(&s, 0, 0, 0, 7, 0));
+    burnish_mesh_data_destroy(&s);
+    /* From no turn to one of 90 degrees about z, whose quaternion has the other sign. */
+    for (int quarter = 0; quarter <= 4; ++quarter) {
+        CHECK1(read_posed(rest, &binary, 1 + quarter / 2.0, "turn", &s, &e) == BURNISH_STATUS_OK);
+        const double angle = quarter * acos(0) / 4;
+        CHECK(corner_is(&s, 0, 1, cos(angle), 7 + sin(angle), 0), "%d", quarter);
+        burnish_mesh_data_destroy(&s);
+    }
+    CHECK1(read_posed(rest, &binary, 0, "4", &s, &e) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(e.text,
+               "mesh.gltf: animation \"4\" is none of its 4; give a name or a number from 0 "
+               "to 3");
+    burnish_mesh_data_destroy(&s);
+    CHECK1(read_gltf(GLTF_HEAD GLTF_TRIANGLE "," ONE_NODE "}", &s, &e) == BURNISH_STATUS_OK);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- Cameras and textures ---- */
+
+static void test_cameras(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(read_gltf(GLTF_HEAD GLTF_TRIANGLE
+                    ",'cameras':[{'type':'perspective','perspective':{'yfov':0.5,'znear':1}},"
+                    "{'name':'plan','type':'orthographic','orthographic':{'ymag':3}}],'nodes':["
+                    "{'mesh':0},{'name':'front','camera':0,'translation':[0.5,1,10]},"
+                    "{'camera':1,'translation':[0,50,0],"
+                    "'rotation':[-0.70710678118654757,0,0,0.70710678118654757]}]}",
+                    &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    if (CHECK1(s.camera_count == 2)) {
+        const burnish_camera *c = &s.cameras[0].camera;
+        CHECK_TEXT(s.cameras[0].name, "front");
+        CHECK1(c->position[0] == 0.5 && c->position[2] == 10 && c->view_up[1] == 1 &&
+               c->orthographic_height == 0 && fabs(c->view_angle - 90 / acos(0) * 0.5) < 1e-9);
+        /* as far away as the middle of the triangle's box */
+        CHECK1(fabs(c->focal_point[0] - 0.5) < 1e-9 && fabs(c->focal_point[2]) < 1e-9);
+        CHECK_TEXT(s.cameras[1].name, "plan");
+        c = &s.cameras[1].camera;
+        CHECK1(c->orthographic_height == 6 && fabs(c->focal_point[1] - 1) < 1e-9 &&
+               fabs(c->view_up[2] + 1) < 1e-9 && fabs(c->view_up[1]) < 1e-9);
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+#define IMAGE                                                                                      \
+    "{'uri':'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+"  \
+    "M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=='}"
+
+/* One image as colours and as numbers is two textures, however often it is used. The transform of
+ * (u, v) = (1/4, 1/4 from above) is checked by hand. */
+static void test_textures(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(
+        read_gltf(GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
+                  ",'images':[" IMAGE "],'samplers':[{'wrapS':33071,'wrapT':33648,'magFilter':"
+                  "9728}],'textures':[{'source':0,'sampler':0},{'source':0}],'materials':[{"
+                  "'pbrMetallicRoughness':{'baseColorTexture':{'index':0,'extensions':{"
+                  "'KHR_texture_transform':{'offset':[0.5,0.25],'scale':[2,4],"
+                  "'rotation':1.5707963267948966}}},'metallicRoughnessTexture':{'index':1}},"
+                  "'normalTexture':{'index':1,'scale':0.5},'emissiveTexture':{'index':1},"
+                  "'occlusionTexture':{'index':1,'texCoord':1},'emissiveFactor':[1,0,0.5],"
+                  "'extensions':{'KHR_materials_emissive_strength':{'emissiveStrength':3}},"
+                  "'alphaMode':'MASK','alphaCutoff':0.25}],"
+                  "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}]," ONE_NODE
+                  "}",
+                  &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    const burnish_material *m = s.materials;
+    const burnish_texture_use *color = &m->textures[BURNISH_TEXTURE_COLOR];
+    CHECK1(s.texture_count == 2 && s.textures[color->texture - 1].is_color &&
+           m->textures[BURNISH_TEXTURE_EMISSIVE].texture == color->texture &&
+           m->textures[BURNISH_TEXTURE_NORMAL].texture ==
+               m->textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture &&
+           m->textures[BURNISH_TEXTURE_OCCLUSION].texture == 0);
+    CHECK1(color->wrap[0] == BURNISH_WRAP_CLAMP && color->wrap[1] == BURNISH_WRAP_MIRROR &&
+           color->is_nearest && m->textures[BURNISH_TEXTURE_NORMAL].strength == 0.5f &&
+           m->textures[BURNISH_TEXTURE_NORMAL].wrap[0] == BURNISH_WRAP_REPEAT);
+    CHECK1(m->is_metallic && m->emissive[0] == 3 && m->emissive[2] == 1.5f &&
+           m->alpha_mode == BURNISH_ALPHA_MASK && m->alpha_cutoff == 0.25f && m->diffuse[0] == 1);
+    /* Scaled (1/2, 1), turned to (1, -1/2), moved to (3/2, -1/4), which is 5/4 from below. */
+    const float *t = color->transform, u = 0.25f, v = 0.75f;
+    CHECK(color->has_transform && fabsf(t[0] * u + t[1] * v + t[2] - 1.5f) < 1e-6f &&
+              fabsf(t[3] * u + t[4] * v + t[5] - 1.25f) < 1e-6f,
+          "%g %g", (double)(t[0] * u + t[1] * v + t[2]), (double)(t[3] * u + t[4] * v + t[5]));
+    check_warning(&s, 1,
+                  "mesh.gltf:1: materials[0].occlusionTexture: left out, as it has texture "
+                  "coordinates of its own (set 1)");
+    burnish_mesh_data_destroy(&s);
+}
 /* ---- Faults ---- */
 
 static void test_faults(void) {
@@ -647,6 +943,12 @@ int main(int count, char **arguments) {
     RUN(test_hierarchy());
     RUN(test_normals_of_nodes());
     RUN(test_materials());
+    RUN(test_morph_targets());
+    RUN(test_skin());
+    RUN(test_instances());
+    RUN(test_animation());
+    RUN(test_cameras());
+    RUN(test_textures());
     RUN(test_faults());
     RUN(test_instances_are_bounded());
     RUN(test_damage());

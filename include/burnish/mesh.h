@@ -352,6 +352,16 @@ typedef struct burnish_camera {
         orthographic_height; /* 0: perspective; > 0: parallel projection, height in world units */
 } burnish_camera;
 
+/* A camera that the file has, where its nodes put it. */
+typedef struct burnish_named_camera {
+    const char *name; /* "" where it has none */
+    burnish_camera camera;
+} burnish_named_camera;
+
+/* The cameras of the file, in its order. An index out of range gives NULL. */
+BURNISH_API size_t burnish_mesh_camera_count(const burnish_mesh *mesh);
+BURNISH_API const burnish_named_camera *burnish_mesh_camera(const burnish_mesh *mesh, size_t index);
+
 /* How burnish_camera_frame chooses a view. Start from burnish_framing_default(). */
 typedef struct burnish_framing {
     uint32_t cookie;     /* set by burnish_framing_default() */

@@ -27,6 +27,14 @@ void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute
     *stream = (burnish_stream){0};
 }
 
+static void release_cameras(const burnish_context *context, burnish_named_camera *cameras,
+                            size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        burnish_release(context, (void *)(uintptr_t)cameras[i].name);
+    }
+    burnish_release(context, cameras);
+}
+
 void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
     const burnish_context *context = mesh->memory.context;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
@@ -37,6 +45,7 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
     }
     burnish_release(context, mesh->warnings);
     burnish_textures_release(context, mesh->textures, mesh->texture_count);
+    release_cameras(context, mesh->cameras, mesh->camera_count);
     burnish_release(context, mesh->materials);
     burnish_release(context, mesh->triangle_materials);
     *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start};
@@ -223,6 +232,7 @@ void burnish_mesh_destroy(burnish_mesh *mesh) {
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         burnish_release(context, mesh->attributes[i]);
     }
+    release_cameras(context, mesh->cameras, mesh->camera_count);
     burnish_textures_release(context, mesh->textures, mesh->texture_count);
     burnish_release(context, mesh->warnings);
     burnish_release(context, mesh->materials);
@@ -249,6 +259,14 @@ size_t burnish_mesh_warning_count(const burnish_mesh *mesh) {
 
 const char *burnish_mesh_warning(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->warning_count ? mesh->warnings[index] : NULL;
+}
+
+size_t burnish_mesh_camera_count(const burnish_mesh *mesh) {
+    return mesh ? mesh->camera_count : 0;
+}
+
+const burnish_named_camera *burnish_mesh_camera(const burnish_mesh *mesh, size_t index) {
+    return mesh && index < mesh->camera_count ? &mesh->cameras[index] : NULL;
 }
 
 /* ---- materials ---- */

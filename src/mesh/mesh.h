@@ -63,6 +63,9 @@ typedef struct burnish_mesh_data {
     burnish_texture *textures; /* with their names and pixels, which are owned */
     size_t texture_count, texture_capacity;
 
+    burnish_named_camera *cameras; /* with their names, which are owned */
+    size_t camera_count, camera_capacity;
+
     char **warnings;
     size_t warning_count, warning_capacity;
 
@@ -142,6 +145,9 @@ struct burnish_mesh {
 
     burnish_texture *textures; /* with their names and pixels, which are owned */
     size_t texture_count;
+
+    burnish_named_camera *cameras; /* with their names */
+    size_t camera_count;
 
     char **warnings;
     size_t warning_count;

@@ -78,6 +78,7 @@ static burnish_load_options load_options(const uint8_t *head) {
     options.max_triangles = head[1] & 4 ? 5 : TRIANGLE_LIMIT;
     options.max_input_bytes = INPUT_LIMIT;
     options.measure = 1;
+    options.animation_time = head[2] & 32 ? 0.5 : BURNISH_AT_REST;
     options.threads = 1;
     return options;
 }

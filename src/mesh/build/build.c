@@ -17,6 +17,10 @@ static burnish_status take_materials(burnish_builder *b) {
         mesh->material_count = 1;
         return BURNISH_STATUS_OK;
     }
+    mesh->cameras = data->cameras;
+    mesh->camera_count = data->camera_count;
+    data->cameras = NULL;
+    data->camera_count = data->camera_capacity = 0;
     mesh->textures = data->textures;
     mesh->texture_count = data->texture_count;
     data->textures = NULL;

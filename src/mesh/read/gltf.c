@@ -94,12 +94,20 @@ static burnish_gltf_bytes open_container(burnish_gltf *gltf) {
 /* ---- What the file asks for ---- */
 
 /* Extensions that are drawn, or change nothing that is. */
-static const char *const drawn_extensions[] = {
-    "KHR_lights_punctual",    "EXT_mesh_gpu_instancing",
-                                               "KHR_materials_ior",   "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_specular", "KHR_materials_unlit", "KHR_materials_variants",
-    "KHR_mesh_quantization",  "KHR_node_visibility", "KHR_xmp",
-    "KHR_xmp_json_ld"};
+static const char *const drawn_extensions[] = {"KHR_lights_punctual",
+                                               "EXT_mesh_gpu_instancing",
+                                               "EXT_texture_webp",
+                                               "KHR_materials_emissive_strength",
+                                               "KHR_materials_ior",
+                                               "KHR_materials_pbrSpecularGlossiness",
+                                               "KHR_materials_specular",
+                                               "KHR_materials_unlit",
+                                               "KHR_materials_variants",
+                                               "KHR_mesh_quantization",
+                                               "KHR_node_visibility",
+                                               "KHR_texture_transform",
+                                               "KHR_xmp",
+                                               "KHR_xmp_json_ld"};
 
 static int is_drawn(const burnish_gltf *gltf, uint32_t name) {
     for (size_t i = 0; i < sizeof drawn_extensions / sizeof *drawn_extensions; ++i) {
@@ -185,6 +193,12 @@ static void list_items(burnish_gltf *gltf) {
                                             sizeof *gltf->buffers, "buffers");
     gltf->accessors = burnish_allocate_zeroed(gltf->memory, gltf->counts[BURNISH_GLTF_ACCESSORS],
                                               sizeof *gltf->accessors, "accessors");
+    const size_t images = gltf->counts[BURNISH_GLTF_IMAGES];
+    gltf->image_textures =
+        burnish_allocate(gltf->memory, images, 2 * sizeof *gltf->image_textures, "images");
+    for (size_t i = 0; gltf->image_textures && i < 2 * images; ++i) {
+        gltf->image_textures[i] = -1;
+    }
     gltf->skins = burnish_allocate_zeroed(gltf->memory, gltf->counts[BURNISH_GLTF_SKINS],
                                           sizeof *gltf->skins, "skins");
     burnish_gltf_is_fine(gltf);
@@ -198,6 +212,7 @@ static void read_parts(burnish_gltf *gltf) {
                                              burnish_gltf_place_nodes,
                                              burnish_gltf_read_materials,
                                              burnish_gltf_read_geometry,
+                                             burnish_gltf_read_cameras,
                                              warn_used};
     for (size_t i = 0; i < sizeof steps / sizeof *steps && gltf->status == BURNISH_STATUS_OK; ++i) {
         steps[i](gltf);
@@ -206,6 +221,7 @@ static void read_parts(burnish_gltf *gltf) {
         burnish_reader_warn_group(gltf->reader, &gltf->odd_values);
         burnish_reader_warn_group(gltf->reader, &gltf->unsupported_modes);
         burnish_reader_warn_group(gltf->reader, &gltf->rests);
+        burnish_reader_warn_group(gltf->reader, &gltf->other_sets);
         gltf->status = gltf->memory->status;
     }
 }
@@ -225,6 +241,7 @@ static void close_file(burnish_gltf *gltf) {
         burnish_release(context, gltf->skins[i].matrices);
     }
     burnish_release(context, gltf->skins);
+    burnish_release(context, gltf->image_textures);
     burnish_release(context, gltf->poses);
     burnish_release(context, gltf->weights);
     burnish_release(context, gltf->buffers);

@@ -10,6 +10,8 @@
  *     gltf_animation.c  nodes and weights at a time
  *     gltf_deform.c     morph targets and skins
  *     gltf_materials.c  materials
+ *     gltf_textures.c   textures of materials
+ *     gltf_cameras.c    cameras
  *
  * The first failure stays in gltf->status; after it functions give defaults, so that callers may
  * ask for all they need and look once. */
@@ -28,12 +30,16 @@
     X(ACCESSORS, "accessors")                                                                      \
     X(ANIMATIONS, "animations")                                                                    \
     X(BUFFERS, "buffers")                                                                          \
+    X(CAMERAS, "cameras")                                                                          \
+    X(IMAGES, "images")                                                                            \
     X(VIEWS, "bufferViews")                                                                        \
     X(MATERIALS, "materials")                                                                      \
     X(MESHES, "meshes")                                                                            \
     X(NODES, "nodes")                                                                              \
+    X(SAMPLERS, "samplers")                                                                        \
     X(SCENES, "scenes")                                                                            \
-    X(SKINS, "skins")
+    X(SKINS, "skins")                                                                              \
+    X(TEXTURES, "textures")
 
 typedef enum burnish_gltf_list {
 #define BURNISH_GLTF_ENUM(name, key) BURNISH_GLTF_##name,
@@ -80,12 +86,12 @@ typedef struct burnish_gltf_accessor {
 
 /* A node of the scene: what of it is needed later. */
 typedef struct burnish_gltf_node {
-    double matrix[12]; /* to the world: rows x, y, z of a 3 x 4 matrix */
-    uint32_t parent;   /* NONE: a root */
-    uint32_t mesh;     /* NONE: it draws nothing */
-    uint32_t skin;     /* NONE: the mesh follows the node */
+    double matrix[12];                 /* to the world: rows x, y, z of a 3 x 4 matrix */
+    uint32_t parent;                   /* NONE: a root */
+    uint32_t mesh;                     /* NONE: it draws nothing */
+    uint32_t skin;                     /* NONE: the mesh follows the node */
     size_t first_weight, weight_count; /* of the animation, in gltf->weights */
-    int is_drawn;      /* of the scene, and visible */
+    int is_drawn;                      /* of the scene, and visible */
 } burnish_gltf_node;
 
 /* What an animation says of a node at a moment. */
@@ -144,23 +150,26 @@ typedef struct burnish_gltf {
     int is_glb;
     int is_lenient; /* 1: what is wrong gives a note, and the default */
 
-    burnish_gltf_buffer *buffers;       /* one per item of BUFFERS */
-    burnish_gltf_accessor *accessors;   /* one per item of ACCESSORS */
-    uint64_t bytes_left;                /* that files beside the input may have, all together */
-    uint64_t filled_bytes;              /* of accessors with arrays of their own */
-    burnish_gltf_node *nodes;           /* one per item of NODES */
-    uint32_t *node_order;               /* parents before children */
+    burnish_gltf_buffer *buffers;     /* one per item of BUFFERS */
+    burnish_gltf_accessor *accessors; /* one per item of ACCESSORS */
+    uint64_t bytes_left;              /* that files beside the input may have, all together */
+    uint64_t filled_bytes;            /* of accessors with arrays of their own */
+    burnish_gltf_node *nodes;         /* one per item of NODES */
+    uint32_t *node_order;             /* parents before children */
     burnish_gltf_pose *poses;         /* one per node; NULL: all are at rest */
     burnish_gltf_skin *skins;         /* one per item of SKINS */
     double *weights;                  /* of morph targets, from an animation */
     size_t weight_count, weight_capacity;
-    uint64_t work; /* values that morph targets have added up */
+    uint64_t work;                      /* values that morph targets have added up */
     burnish_gltf_primitive *primitives; /* of all meshes, mesh after mesh */
     size_t primitive_count, primitive_capacity;
     int has_plain;             /* 1: a primitive has no material */
     uint32_t *mesh_primitives; /* of each mesh the first of them; one more for the end */
 
-    burnish_warning_group odd_values, unsupported_modes, rests;
+    int *image_textures; /* two per item of IMAGES, as numbers and as colours: 1 + number of the
+                            texture, 0: it can't be had, -1: not asked for yet */
+    int has_colors;      /* 1: a primitive has colours of vertices */
+    burnish_warning_group odd_values, unsupported_modes, rests, other_sets;
 } burnish_gltf;
 
 /* ---- gltf_values.c ---- */
@@ -212,10 +221,9 @@ uint32_t *burnish_gltf_items(burnish_gltf *gltf, uint32_t array, size_t *count);
 /* The bytes of a buffer view, and the stride that it states, 0 for none. Returns 0 on failure. */
 int burnish_gltf_view(burnish_gltf *gltf, uint32_t view, burnish_gltf_bytes *bytes, size_t *stride);
 
-/* The bytes that a URI stands for, kept with a buffer: decoded from it where it is a data URI, else
- * of a file beside the input, of at most max_bytes. Returns 0 on failure. */
-int burnish_gltf_load_uri(burnish_gltf *gltf, uint32_t uri, uint64_t max_bytes,
-                          burnish_gltf_buffer *buffer);
+/* What a URI stands for: the bytes of a data URI in *data, or else the name of a file in *name,
+ * which is to be released, and "" where no file can have it. Returns 0 on failure. */
+int burnish_gltf_open_uri(burnish_gltf *gltf, uint32_t uri, burnish_gltf_buffer *data, char **name);
 void burnish_gltf_release_buffer(burnish_gltf *gltf, burnish_gltf_buffer *buffer);
 
 /* ---- gltf_accessors.c ---- */
@@ -267,6 +275,19 @@ int burnish_gltf_move(burnish_gltf *gltf, burnish_gltf_shape *shape, size_t vert
 /* Fills the mesh's materials: one per item of MATERIALS, and one more for primitives without
  * where there are any. */
 void burnish_gltf_read_materials(burnish_gltf *gltf);
+
+/* ---- gltf_textures.c ---- */
+
+/* How a material uses the texture that `object` names under a key; all 0 where it names none, and
+ * where the texture can't be had.
+ *   strength  the member that scales it, NULL: none */
+burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t object, const char *key,
+                                              int is_color, const char *strength);
+
+/* ---- gltf_cameras.c ---- */
+
+/* Fills the mesh's cameras, from the nodes that have one. */
+void burnish_gltf_read_cameras(burnish_gltf *gltf);
 
 /* ---- gltf_primitives.c ---- */
 

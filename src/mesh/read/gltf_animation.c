@@ -75,7 +75,8 @@ static int find_keys(burnish_gltf *gltf, uint32_t sampler, unsigned widths, gltf
     keys->before = time >= end ? last : first;
     keys->after = time <= start ? first : last;
     keys->step = end - start;
-    keys->share = keys->before == keys->after || !(keys->step > 0) ? 0 : (time - start) / keys->step;
+    keys->share =
+        keys->before == keys->after || !(keys->step > 0) ? 0 : (time - start) / keys->step;
     keys->is_cubic = burnish_json_is_text(&gltf->json, kind, "CUBICSPLINE");
     if (burnish_json_is_text(&gltf->json, kind, "STEP")) {
         keys->share = 0;
@@ -157,9 +158,8 @@ static int sample_rotation(burnish_gltf *gltf, const gltf_keys *keys, double rot
 
 /* Weights of the morph targets: as many elements per keyframe as the mesh has targets. */
 static void sample_weights(burnish_gltf *gltf, const gltf_keys *keys, burnish_gltf_node *node) {
-    const size_t count = node->mesh == BURNISH_GLTF_NONE
-                             ? 0
-                             : burnish_gltf_target_count(gltf, node->mesh);
+    const size_t count =
+        node->mesh == BURNISH_GLTF_NONE ? 0 : burnish_gltf_target_count(gltf, node->mesh);
     const size_t first = gltf->weight_count;
     if (count > WEIGHTS_MAX - first) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, keys->values->value,
@@ -186,8 +186,8 @@ static void apply_channel(burnish_gltf *gltf, uint32_t channel, const uint32_t *
     const uint32_t target = burnish_gltf_object(gltf, channel, "target");
     const uint32_t path = burnish_json_member(&gltf->json, target, "path");
     const uint32_t number = burnish_gltf_reference(gltf, target, "node", BURNISH_GLTF_NODES);
-    const size_t sampler = (size_t)burnish_gltf_whole(gltf, channel, "sampler", BURNISH_GLTF_LIST_MAX,
-                                                      BURNISH_GLTF_LIST_MAX);
+    const size_t sampler = (size_t)burnish_gltf_whole(gltf, channel, "sampler",
+                                                      BURNISH_GLTF_LIST_MAX, BURNISH_GLTF_LIST_MAX);
     if (number == BURNISH_GLTF_NONE || gltf->status != BURNISH_STATUS_OK) {
         return;
     }

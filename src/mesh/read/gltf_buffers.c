@@ -63,9 +63,8 @@ static size_t decode_percents(char *text, size_t size) {
 }
 
 /* Whether a name is one of a file in the input's folder or below. */
-static int is_beside(const char *name, size_t size) {
-    if (size == 0 || memchr(name, 0, size) || *name == '/' || strchr(name, '\\') ||
-        strchr(name, ':')) {
+static int is_beside(const char *name) {
+    if (*name == 0 || *name == '/' || strchr(name, '\\') || strchr(name, ':')) {
         return 0;
     }
     for (const char *part = name; part; part = strchr(part, '/')) {
@@ -119,8 +118,9 @@ static int load_file(burnish_gltf *gltf, uint32_t uri, const char *name, uint64_
     return 1;
 }
 
-int burnish_gltf_load_uri(burnish_gltf *gltf, uint32_t uri, uint64_t max_bytes,
-                          burnish_gltf_buffer *buffer) {
+int burnish_gltf_open_uri(burnish_gltf *gltf, uint32_t uri, burnish_gltf_buffer *data,
+                          char **name) {
+    *name = NULL;
     if (!burnish_json_is_kind(&gltf->json, uri, BURNISH_JSON_STRING)) {
         return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, uri, "expected a URI in quotes");
     }
@@ -129,20 +129,32 @@ int burnish_gltf_load_uri(burnish_gltf *gltf, uint32_t uri, uint64_t max_bytes,
     if (!text) {
         return burnish_gltf_is_fine(gltf);
     }
-    size_t size = burnish_json_text(&gltf->json, uri, text, room);
+    const size_t size = burnish_json_text(&gltf->json, uri, text, room);
     if (size >= 5 && memcmp(text, "data:", 5) == 0) {
-        return decode_data(gltf, uri, (uint8_t *)text, size, buffer);
+        return decode_data(gltf, uri, (uint8_t *)text, size, data);
     }
-    size = decode_percents(text, size);
+    const size_t decoded = decode_percents(text, size);
+    if (decoded >= FILE_NAME_SIZE || memchr(text, 0, decoded)) {
+        *text = 0; /* no file has such a name */
+    }
+    *name = text;
+    return 1;
+}
+
+static int load_uri(burnish_gltf *gltf, uint32_t uri, burnish_gltf_buffer *buffer) {
+    char *name;
+    if (!burnish_gltf_open_uri(gltf, uri, buffer, &name) || !name) {
+        return gltf->status == BURNISH_STATUS_OK;
+    }
     int good = 0;
-    if (size >= FILE_NAME_SIZE || !is_beside(text, size)) {
+    if (!is_beside(name)) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_READ, uri,
                           "\"%s\" is no file in the folder of the input; put it there",
-                          burnish_show_name(text).text);
+                          burnish_show_name(name).text);
     } else {
-        good = load_file(gltf, uri, text, max_bytes, buffer);
+        good = load_file(gltf, uri, name, gltf->bytes_left, buffer);
     }
-    burnish_release(gltf->memory->context, text);
+    burnish_release(gltf->memory->context, name);
     return good;
 }
 
@@ -166,7 +178,7 @@ static const burnish_gltf_bytes *load_buffer(burnish_gltf *gltf, uint32_t number
     const uint64_t size = burnish_gltf_whole(gltf, value, "byteLength", 0, (uint64_t)1 << 53);
     const uint32_t uri = burnish_json_member(&gltf->json, value, "uri");
     if (uri != BURNISH_JSON_NONE) {
-        if (!burnish_gltf_load_uri(gltf, uri, gltf->bytes_left, buffer)) {
+        if (!load_uri(gltf, uri, buffer)) {
             return NULL;
         }
         gltf->bytes_left -= buffer->companion.size; /* all files together are one input */

@@ -29,8 +29,8 @@ static const burnish_gltf_accessor *target_accessor(burnish_gltf *gltf, uint32_t
     }
     const burnish_gltf_accessor *accessor = burnish_gltf_resolve(gltf, number, target, 1u << 3);
     if (accessor && accessor->count < count) {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, target, "%s has %zu values for %zu positions",
-                          name, accessor->count, count);
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, target,
+                          "%s has %zu values for %zu positions", name, accessor->count, count);
         return NULL;
     }
     return accessor;
@@ -45,9 +45,9 @@ static void add_target(burnish_gltf *gltf, burnish_gltf_shape *shape, uint32_t t
                           (unsigned long long)WORK_MAX);
         return;
     }
-    shape->targets = burnish_reserve(gltf->memory, shape->targets, &shape->target_capacity,
-                                     shape->target_count + 1, sizeof *shape->targets,
-                                     "morph targets");
+    shape->targets =
+        burnish_reserve(gltf->memory, shape->targets, &shape->target_capacity,
+                        shape->target_count + 1, sizeof *shape->targets, "morph targets");
     if (!burnish_gltf_is_fine(gltf)) {
         return;
     }
@@ -91,8 +91,8 @@ static void place_joints(burnish_gltf *gltf, uint32_t number) {
     const uint32_t inverse =
         burnish_gltf_reference(gltf, value, "inverseBindMatrices", BURNISH_GLTF_ACCESSORS);
     skin->count = burnish_json_length(&gltf->json, joints);
-    skin->matrices = burnish_allocate(gltf->memory, skin->count, 12 * sizeof *skin->matrices,
-                                      "joints");
+    skin->matrices =
+        burnish_allocate(gltf->memory, skin->count, 12 * sizeof *skin->matrices, "joints");
     if (!burnish_gltf_is_fine(gltf)) {
         return;
     }
@@ -187,8 +187,7 @@ void burnish_gltf_set_shape(burnish_gltf *gltf, burnish_gltf_shape *shape,
         for (; shape->set_count < BURNISH_GLTF_SETS &&
                primitive->joints[shape->set_count] != BURNISH_GLTF_NONE;
              ++shape->set_count) {
-            shape->joints[shape->set_count] =
-                &gltf->accessors[primitive->joints[shape->set_count]];
+            shape->joints[shape->set_count] = &gltf->accessors[primitive->joints[shape->set_count]];
             shape->weights[shape->set_count] =
                 &gltf->accessors[primitive->weights[shape->set_count]];
         }

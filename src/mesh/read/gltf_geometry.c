@@ -5,6 +5,7 @@
 #include "core/elementary.h"
 #include "core/srgb.h"
 #include "mesh/read/gltf.h"
+#include "mesh/read/textures.h"
 
 enum { STEP = 1 << 16 /* triangles after which it asks whether to end */ };
 
@@ -96,6 +97,10 @@ static void put_color(const gltf_drawer *drawer, size_t vertex, uint8_t *to) {
         to[i] = burnish_linear_to_srgb((float)color[i]);
     }
     to[3] = 255; /* alpha counts only where the material says so */
+    if (drawer->mesh->materials[drawer->material].alpha_mode != BURNISH_ALPHA_IGNORE &&
+        drawer->color && drawer->color->width == 4) {
+        to[3] = color[3] > 0 ? (uint8_t)(255 * (color[3] < 1 ? color[3] : 1) + 0.5) : 0;
+    }
 }
 
 /* v grows downwards in glTF, upwards in meshes. */
@@ -198,9 +203,9 @@ static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     drawer->texcoord = accessor_of(gltf, primitive->texcoord);
     drawer->indices = accessor_of(gltf, primitive->indices);
     drawer->base = (uint32_t)drawer->mesh->streams[BURNISH_POSITION].count;
-    drawer->material = (uint16_t)(primitive->material == BURNISH_GLTF_NONE
-                                      ? gltf->counts[BURNISH_GLTF_MATERIALS]
-                                      : primitive->material);
+    drawer->material =
+        (uint16_t)(primitive->material == BURNISH_GLTF_NONE ? gltf->counts[BURNISH_GLTF_MATERIALS]
+                                                            : primitive->material);
     burnish_gltf_set_shape(gltf, &drawer->shape, node, matrix, primitive);
     drawer->moves = drawer->shape.target_count > 0 || drawer->shape.set_count > 0;
     if (gltf->status == BURNISH_STATUS_OK) {
@@ -329,7 +334,9 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
             drawer.limit < options->max_triangles ? drawer.limit : options->max_triangles;
     }
     for_each_primitive(&drawer, count_primitive);
-    drawer.has[BURNISH_TEXCOORD] &= options->keep_texture_coordinates;
+    drawer.has[BURNISH_TEXCOORD] &=
+        burnish_reader_keeps_coordinates(gltf->reader, drawer.mesh->texture_count > 0);
+    drawer.has[BURNISH_TANGENT] &= drawer.mesh->texture_count > 0;
     if (gltf->status == BURNISH_STATUS_OK && drawer.triangles == 0) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, BURNISH_JSON_NONE, "no triangles%s",
                           gltf->unsupported_modes.count > 0 ? ", and points and lines are not drawn"

@@ -57,8 +57,11 @@ static void read_glossy(burnish_gltf *gltf, uint32_t glossy, gltf_surface *surfa
     }
 }
 
+/* What the surface is without textures. */
 static burnish_material make_material(const gltf_surface *surface) {
-    burnish_material material = {.has_diffuse = 1};
+    burnish_material material = {.has_diffuse = 1,
+                                 .metallic = (float)surface->metallic,
+                                 .roughness = (float)surface->roughness};
     const double alpha = surface->roughness * surface->roughness;
     const double exponent = clamp(alpha > 0 ? 2 / (alpha * alpha) - 2 : 65536, 1, 65536);
     material.exponent = (float)exponent;
@@ -68,15 +71,71 @@ static burnish_material make_material(const gltf_surface *surface) {
         material.ambient[i] = (float)base;
         material.diffuse[i] = (float)(base * (1 - metallic));
         material.specular[i] = (float)clamp(f0 * (exponent + 2) / 8, 0, 1);
+        material.reflectance[i] = (float)surface->reflectance[i];
     }
     return material;
+}
+
+static void read_emission(burnish_gltf *gltf, uint32_t value, burnish_material *material) {
+    const uint32_t strong = burnish_gltf_extension(gltf, value, "KHR_materials_emissive_strength");
+    const double strength = burnish_gltf_number(gltf, strong, "emissiveStrength", 1);
+    double color[3] = {0, 0, 0};
+    burnish_gltf_numbers(gltf, value, "emissiveFactor", 3, color);
+    for (int i = 0; i < 3; ++i) {
+        material->emissive[i] = (float)clamp(color[i] * strength, 0, 1e6);
+    }
+}
+
+static void read_alpha(burnish_gltf *gltf, uint32_t value, double alpha,
+                       burnish_material *material) {
+    const uint32_t mode = burnish_json_member(&gltf->json, value, "alphaMode");
+    if (burnish_json_is_text(&gltf->json, mode, "BLEND")) {
+        material->alpha_mode = BURNISH_ALPHA_BLEND;
+    } else if (burnish_json_is_text(&gltf->json, mode, "MASK")) {
+        material->alpha_mode = BURNISH_ALPHA_MASK;
+        material->alpha_cutoff =
+            (float)clamp(burnish_gltf_number(gltf, value, "alphaCutoff", 0.5), 0, 1);
+    }
+    if (material->alpha_mode != BURNISH_ALPHA_IGNORE) {
+        material->transparency = (float)(1 - clamp(alpha, 0, 1));
+    }
+}
+
+/* Textures that multiply what glTF's numbers say need the base colour and the rest as they are;
+ * so do colours of vertices on a metal. */
+static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
+                          burnish_material *material) {
+    const uint32_t metallic = burnish_gltf_object(gltf, value, "pbrMetallicRoughness");
+    burnish_texture_use *textures = material->textures;
+    textures[BURNISH_TEXTURE_NORMAL] =
+        burnish_gltf_read_texture(gltf, value, "normalTexture", 0, "scale");
+    textures[BURNISH_TEXTURE_EMISSIVE] =
+        burnish_gltf_read_texture(gltf, value, "emissiveTexture", 1, NULL);
+    textures[BURNISH_TEXTURE_OCCLUSION] =
+        burnish_gltf_read_texture(gltf, value, "occlusionTexture", 0, "strength");
+    if (glossy != BURNISH_JSON_NONE) {
+        textures[BURNISH_TEXTURE_COLOR] =
+            burnish_gltf_read_texture(gltf, glossy, "diffuseTexture", 1, NULL);
+        textures[BURNISH_TEXTURE_SPECULAR] =
+            burnish_gltf_read_texture(gltf, glossy, "specularGlossinessTexture", 1, NULL);
+        return;
+    }
+    textures[BURNISH_TEXTURE_COLOR] =
+        burnish_gltf_read_texture(gltf, metallic, "baseColorTexture", 1, NULL);
+    textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS] =
+        burnish_gltf_read_texture(gltf, metallic, "metallicRoughnessTexture", 0, NULL);
+    material->is_metallic = textures[BURNISH_TEXTURE_COLOR].texture > 0 ||
+                            textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture > 0 ||
+                            (gltf->has_colors && material->metallic > 0);
+    if (material->is_metallic || material->is_unlit) {
+        memcpy(material->diffuse, material->ambient, sizeof material->diffuse);
+    }
 }
 
 static burnish_material read_material(burnish_gltf *gltf, uint32_t value) {
     gltf_surface surface = {.base = {1, 1, 1, 1}};
     const uint32_t glossy =
         burnish_gltf_extension(gltf, value, "KHR_materials_pbrSpecularGlossiness");
-    const uint32_t mode = burnish_json_member(&gltf->json, value, "alphaMode");
     if (glossy != BURNISH_JSON_NONE) {
         read_glossy(gltf, glossy, &surface);
     } else {
@@ -84,12 +143,12 @@ static burnish_material read_material(burnish_gltf *gltf, uint32_t value) {
     }
     burnish_material material = make_material(&surface);
     if (burnish_gltf_extension(gltf, value, "KHR_materials_unlit") != BURNISH_JSON_NONE) {
-        memset(material.diffuse, 0, sizeof material.diffuse);
+        material.is_unlit = 1;
         memset(material.specular, 0, sizeof material.specular);
     }
-    if (burnish_json_is_text(&gltf->json, mode, "BLEND")) {
-        material.transparency = (float)(1 - clamp(surface.base[3], 0, 1));
-    }
+    read_emission(gltf, value, &material);
+    read_alpha(gltf, value, surface.base[3], &material);
+    read_textures(gltf, value, glossy, &material);
     return material;
 }
 
@@ -108,7 +167,7 @@ void burnish_gltf_read_materials(burnish_gltf *gltf) {
         return;
     }
     gltf->is_lenient = 1;
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count && gltf->status == BURNISH_STATUS_OK; ++i) {
         mesh->materials[i] = read_material(gltf, gltf->lists[BURNISH_GLTF_MATERIALS][i]);
     }
     gltf->is_lenient = 0;

@@ -49,8 +49,7 @@ static void read_local(burnish_gltf *gltf, uint32_t value, const burnish_gltf_po
                        double matrix[12]) {
     double columns[16], translation[3] = {0, 0, 0}, rotation[4] = {0, 0, 0, 1},
                         scale[3] = {1, 1, 1};
-    const int is_posed =
-        pose && (pose->has_translation || pose->has_rotation || pose->has_scale);
+    const int is_posed = pose && (pose->has_translation || pose->has_rotation || pose->has_scale);
     if (!is_posed && burnish_gltf_numbers(gltf, value, "matrix", 16, columns)) {
         burnish_gltf_transpose(columns, matrix);
         return;

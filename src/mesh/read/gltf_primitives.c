@@ -117,6 +117,7 @@ static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive)
         read_indices(gltf, primitive);
     }
     count_triangles(gltf, primitive);
+    gltf->has_colors |= primitive->color != BURNISH_GLTF_NONE;
     gltf->has_plain |= primitive->material == BURNISH_GLTF_NONE && primitive->triangle_count > 0;
     return gltf->status == BURNISH_STATUS_OK && primitive->triangle_count > 0;
 }

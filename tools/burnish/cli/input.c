@@ -16,6 +16,10 @@ burnish_load_options cli_load_options(const cli_input *input) {
     options.format = (burnish_format)input->format;
     options.tessellation = input->tessellation;
     options.strict = input->strict;
+    if (input->animation_time.given) {
+        options.animation_time = input->animation_time.value;
+    }
+    options.animation = input->animation;
     options.max_triangles = input->max_triangles;
     options.max_input_bytes = input->max_input_bytes;
     options.ignore_textures = input->no_textures;

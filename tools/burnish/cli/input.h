@@ -7,6 +7,8 @@
 
 typedef struct cli_input {
     int format, tessellation, strict, no_textures;
+    cli_real animation_time;
+    const char *animation;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
 } cli_input;
 
@@ -40,6 +42,20 @@ extern const char cli_input_format_manual[];
         "A fault of _INPUT_ that is otherwise mended or passed over with a warning ends the "      \
         "run with exit code 4.",                                                                   \
     .handler = cli_flag_switch, .offset = offsetof(type, member.strict)
+
+#define CLI_ANIMATION_TIME_FLAG(type, member)                                                      \
+    .name = "animation-time", .value = "SECONDS", .help = "the moment of INPUT's animation",       \
+    .default_label = "at rest", .low = 0, .high = 1e9,                                             \
+    .manual = "Shows _INPUT_ as it is _SECONDS_ after the start of its animation (glTF). Without " \
+              "this flag and *--animation* it is shown as its nodes stand in the file.",           \
+    .handler = cli_flag_real, .offset = offsetof(type, member.animation_time)
+
+#define CLI_ANIMATION_FLAG(type, member)                                                           \
+    .name = "animation", .value = "NAME", .help = "which animation, by name or number from 0",     \
+    .default_label = "the first",                                                                  \
+    .manual = "Which animation of _INPUT_ *--animation-time* means: its name, or its number from " \
+              "0. Without a time, its start is shown.",                                            \
+    .handler = cli_flag_text, .offset = offsetof(type, member.animation)
 
 #define CLI_MAX_TRIANGLES_FLAG(type, member)                                                       \
     .name = "max-triangles", .value = "N", .help = "refuse larger meshes",                         \

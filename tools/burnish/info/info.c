@@ -21,6 +21,8 @@ static const cli_flag flags[] = {
      CLI_JSON_FLAG(info_settings, json, "one JSON object instead of text", "FACTS IN JSON")},
     {CLI_INPUT_FORMAT_FLAG(info_settings, load)},
     {CLI_TESSELLATION_FLAG(info_settings, load)},
+    {CLI_ANIMATION_TIME_FLAG(info_settings, load)},
+    {CLI_ANIMATION_FLAG(info_settings, load)},
     {CLI_STRICT_FLAG(info_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(info_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(info_settings, load)},

@@ -255,6 +255,30 @@ static burnish_status framed_camera(const burnish_mesh *mesh, const render_setti
                : status;
 }
 
+/* One of the input's own cameras. */
+static burnish_status own_camera(const burnish_mesh *mesh, const render_settings *settings,
+                                 burnish_camera *camera, burnish_error *error) {
+    const size_t count = burnish_mesh_camera_count(mesh);
+    const char *wanted = settings->own_camera;
+    double number;
+    const int is_number = cli_read_real(wanted, strlen(wanted), &number);
+    for (size_t i = 0; i < count; ++i) {
+        const burnish_named_camera *own = burnish_mesh_camera(mesh, i);
+        if (strcmp(own->name, wanted) == 0 || (is_number && number == (double)i)) {
+            *camera = own->camera;
+            return BURNISH_STATUS_OK;
+        }
+    }
+    if (count == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--camera: the input has no cameras of its own; leave it out");
+    }
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--camera: \"%s\" is none of the input's %zu; give a name, or a number from 0 "
+                    "to %zu",
+                    wanted, count, count - 1);
+}
+
 void render_upward(const burnish_mesh *mesh, const render_settings *settings, double up[3]) {
     memcpy(up, frame_in_use(mesh, settings)->up, 3 * sizeof *up);
 }
@@ -266,7 +290,8 @@ burnish_status render_camera(const burnish_mesh *mesh, const render_settings *se
     const burnish_framing options = fit_options(settings, view, room);
     *camera = (burnish_camera){.view_angle = settings->view_angle.value};
     burnish_status status =
-        settings->position.given
+        settings->own_camera && view == VIEW_FREE ? own_camera(mesh, settings, camera, error)
+        : settings->position.given
             ? explicit_camera(mesh, settings, axes, &options, camera, error)
             : framed_camera(mesh, settings, view, axes, options, room, camera, error);
     if (status != BURNISH_STATUS_OK) {

@@ -109,6 +109,7 @@ typedef struct render_settings {
     int up;               /* render_up */
     int stands_otherwise; /* what UP_AUTO guessed, once the mesh is loaded */
     cli_vector direction, position, focal_point, view_up;
+    const char *own_camera; /* of the input, by name or number; NULL: none */
     cli_real azimuth, elevation, view_angle, zoom, margin;
     int projection; /* render_projection */
     cli_real orthographic_height;
