@@ -341,7 +341,7 @@ static inline void compare_scene(const random_scene *scene, const burnish_raster
     burnish_tile fast;
     const burnish_isa_ops *ops = burnish_isa_ops_for(pick_isa(state));
     const burnish_triangles triangles = {scene->positions, scene->vertex_count, scene->indices,
-                                         scene->triangle_count};
+                                         scene->triangle_count, NULL};
     burnish_geometry_update(&geometry, ops, view, &triangles, NULL, NULL);
     check_geometry(scene, view, &geometry, number);
     make_shading(&shading, scene, view, &geometry, state);

@@ -70,7 +70,7 @@ static burnish_status update_geometry(burnish_geometry *geometry, const burnish_
                                       const burnish_raster_view *view, const test_mesh *mesh,
                                       burnish_error *error) {
     const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
-                                         mesh->triangle_count};
+                                         mesh->triangle_count, NULL};
     return burnish_geometry_update(geometry, ops, view, &triangles, NULL, error);
 }
 

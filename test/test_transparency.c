@@ -215,9 +215,14 @@ static void make_triangles(random_scene *scene, uint64_t *state) {
     }
 }
 
+typedef struct reference_layer {
+    float depth;
+    uint32_t index; /* * 2 + 1 where it is back-facing */
+} reference_layer;
+
 typedef struct expected_layers {
     int counts[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
-    burnish_layer items[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES][64];
+    reference_layer items[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES][64];
 } expected_layers;
 
 /* Every transparent triangle alone: where it is nearer than the opaque ones it is a layer. */
@@ -239,7 +244,7 @@ static void draw_layers(const reference_tile *opaque, const burnish_raster_view 
             for (; at > 0 && depth > layers->items[i][at - 1].depth; --at) {
                 layers->items[i][at] = layers->items[i][at - 1];
             }
-            layers->items[i][at] = (burnish_layer){depth, indices[t] * 2 + back};
+            layers->items[i][at] = (reference_layer){depth, indices[t] * 2 + back};
         }
     }
     reference_tile_destroy(&alone);
@@ -263,8 +268,9 @@ static int compare_layers(const burnish_tile *fast, const expected_layers *expec
         for (int k = 0; k < count && k < wanted; ++k) {
             const size_t item =
                 burnish_layer_index(fast->layers, at) + (size_t)(k * fast->layers->block_samples);
-            wrong += memcmp(&fast->layers->items[item], &expected->items[i][k],
-                            sizeof(burnish_layer)) != 0;
+            wrong += memcmp(&fast->layers->depths[item], &expected->items[i][k].depth,
+                            sizeof(float)) != 0;
+            wrong += fast->layers->indices[item] != expected->items[i][k].index;
         }
     }
     return wrong;
@@ -303,7 +309,7 @@ static void check_layers(const random_scene *scene, const burnish_raster_view *v
     static uint16_t masks[2 * MOST_TRIANGLES];
     const burnish_isa_ops *ops = burnish_isa_ops_for(pick_isa(state));
     const burnish_triangles triangles = {scene->positions, scene->vertex_count, scene->indices,
-                                         scene->triangle_count};
+                                         scene->triangle_count, NULL};
     const burnish_tile_options options = {.samples = view->samples, .keep_ids = 1, .has_layers = 1};
     reference_tile tile;
     burnish_tile fast;

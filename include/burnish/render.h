@@ -86,6 +86,9 @@ enum {
 /* As many threads as the process may use, or as the context's task runner has. */
 #define BURNISH_THREADS_AUTO 0
 
+/* What max_overdraw is unless it is set. */
+#define BURNISH_OVERDRAW_DEFAULT 1000
+
 /* How to draw. Start from burnish_render_options_default(). */
 typedef struct burnish_render_options {
     uint32_t cookie;                /* set by burnish_render_options_default() */
@@ -122,6 +125,12 @@ typedef struct burnish_render_options {
     int ignore_colors;     /* 1: the mesh's vertex colours are not used */
     int cull_back_faces; /* 1: triangles seen from their back are not drawn: a closed surface looks
                             the same and takes less time; otherwise both sides are lit */
+    double max_overdraw; /* [1, infinity]: how often large triangles may cover the picture, and each
+                            depth map that shadows need, before it is refused with LIMIT: a bound of
+                            time. Of every triangle that may be seen and whose bounds are more than
+                            16 pixels wide or high its 8 x 8 pixel cells count, hidden or not: those
+                            of its bounds or, where fewer, of its area and outline; those of
+                            transparent triangles 16 times */
     burnish_counts counts; /* of the report; never changes the pixels */
 } burnish_render_options;
 
@@ -165,6 +174,7 @@ typedef struct burnish_render_report {
     int threads;           /* used */
     burnish_isa isa;       /* used */
     int occlusion_directions; /* that ambient occlusion was found from; 0: none */
+    double overdraw;          /* what max_overdraw limits, of the picture */
     size_t layers_dropped; /* transparent layers of samples that were left out because nearer ones
                               are too many */
     int shadow;            /* 1: the first light's was drawn */
@@ -186,8 +196,8 @@ typedef struct burnish_render_report {
  * ground the same, of at least 16 directions, and 2.2 MB; a shadow 2 MB, 8 in pictures of more than
  * 1024 pixels.
  * Transparent triangles take 1 bit per triangle of the mesh, and for each thread 1.1 MB per sample.
- * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (also a mesh so small, below about 1e-33 across, or so
- * much enlarged that single precision can't hold it); the image is then empty. */
+ * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (max_overdraw; also a mesh so small, below about 1e-33
+ * across, or so much enlarged that single precision can't hold it); the image is then empty. */
 BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,
                                           const burnish_render_options *options,
                                           burnish_image *image, burnish_render_report *report,

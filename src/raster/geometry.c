@@ -7,6 +7,7 @@
 
 #include "core/memory.h"
 #include "raster/clip.h"
+#include "raster/layout.h"
 #include "simd/isa_ops.h"
 
 /* A vertex that clipping made, on the screen and in the mesh. */
@@ -24,6 +25,7 @@ typedef struct clipped_triangle {
 /* What one task found in its triangles of the mesh. */
 typedef struct burnish_geometry_part {
     size_t visible;
+    uint64_t cells;
     clipped_vertex *vertices;
     clipped_triangle *triangles;
     size_t vertex_count, vertex_capacity, triangle_count, triangle_capacity;
@@ -107,16 +109,83 @@ static burnish_status clip_triangle(const update_context *update, uint32_t trian
     return BURNISH_STATUS_OK;
 }
 
+/* ---- Work ---- */
+
+enum { CELL = BURNISH_HIZ_PIXELS * BURNISH_SUBPIXELS };
+
+/* Cells that an edge may pass through. */
+static int64_t edge_cells(const burnish_screen_vertex *a, const burnish_screen_vertex *b) {
+    const int64_t dx = (int64_t)a->x - b->x, dy = (int64_t)a->y - b->y;
+    return ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy)) / CELL + 2;
+}
+
+/* Cells that a triangle touches, at most. A cell that it does not cover is one of an edge. */
+static uint64_t triangle_cells(const burnish_geometry *geometry, const uint32_t v[3],
+                               uint32_t first, uint32_t last) {
+    const burnish_screen_vertex *items = geometry->vertices.items;
+    const burnish_screen_vertex *a = &items[v[0]], *b = &items[v[1]], *c = &items[v[2]];
+    const int64_t box = (int64_t)(BURNISH_PACKED_X(last) - BURNISH_PACKED_X(first) + 1) *
+                        (BURNISH_PACKED_Y(last) - BURNISH_PACKED_Y(first) + 1);
+    const int64_t twice = ((int64_t)b->x - a->x) * ((int64_t)c->y - a->y) -
+                          ((int64_t)b->y - a->y) * ((int64_t)c->x - a->x);
+    const int64_t area = (twice < 0 ? -twice : twice) / (2 * (int64_t)CELL * CELL);
+    const int64_t touched = area + edge_cells(a, b) + edge_cells(b, c) + edge_cells(c, a);
+    return (uint64_t)(touched < box ? touched : box);
+}
+
+/* What the large triangles of a batch add to geometry->cells. */
+static uint64_t batch_cells(const burnish_geometry *geometry, size_t number,
+                            const uint32_t *indices, unsigned transparent) {
+    const burnish_triangle_batch *batch = &geometry->batches[number];
+    const burnish_batch_header *header = &geometry->headers[number];
+    unsigned large = 0;
+    uint64_t cells = 0;
+    for (unsigned i = 0; i < BURNISH_BATCH_SIZE;
+         ++i) { /* x and y at once: last is not before first */
+        large |= (unsigned)(((batch->last[i] - batch->first[i]) & 0xfffefffeu) != 0) << i;
+    }
+    for (large &= header->visible[0] | header->visible[1]; large; large &= large - 1) {
+        const unsigned i = (unsigned)__builtin_ctz(large);
+        cells +=
+            triangle_cells(geometry, indices + 3 * (size_t)i, batch->first[i], batch->last[i]) *
+            (transparent >> i & 1 ? BURNISH_LAYER_WORK : 1);
+    }
+    return cells;
+}
+
+double burnish_geometry_overdraw(const burnish_geometry *geometry,
+                                 const burnish_raster_view *view) {
+    enum { PIXELS = BURNISH_HIZ_PIXELS * BURNISH_HIZ_PIXELS };
+    return (double)geometry->cells * PIXELS / ((double)view->width * view->height);
+}
+
+burnish_status burnish_geometry_check_overdraw(const burnish_geometry *geometry,
+                                               const burnish_raster_view *view, double most,
+                                               const char *what, burnish_error *error) {
+    const double overdraw = burnish_geometry_overdraw(geometry, view);
+    if (overdraw <= most) {
+        return BURNISH_STATUS_OK;
+    }
+    return burnish_fail(error, BURNISH_STATUS_LIMIT,
+                        "the triangles cover %s %.0f times, which takes long; the limit is %.0f: "
+                        "raise max-overdraw, or leave out what is hidden",
+                        what, overdraw, most);
+}
+
+/* ---- Culling ---- */
+
 /* Culls a part of the mesh's triangles, which begins with a batch, and clips those that must be. */
 static void cull_task(void *context, size_t index, int thread) {
     const update_context *update = context;
     burnish_geometry *geometry = update->geometry;
     burnish_geometry_part *part = &geometry->parts[index];
+    const uint16_t *transparent = update->triangles->transparent;
     const size_t first = index * BURNISH_TASK_GRAIN;
     const size_t rest = update->triangles->triangle_count - first;
     const size_t end = first + (rest < BURNISH_TASK_GRAIN ? rest : BURNISH_TASK_GRAIN);
     (void)thread;
     part->visible = part->vertex_count = part->triangle_count = 0;
+    part->cells = 0;
     part->status = BURNISH_STATUS_OK;
     for (size_t at = first; at < end; at += BURNISH_BATCH_SIZE) {
         const size_t count = end - at < BURNISH_BATCH_SIZE ? end - at : BURNISH_BATCH_SIZE;
@@ -125,6 +194,8 @@ static void cull_task(void *context, size_t index, int thread) {
         part->visible += (size_t)update->ops->cull_and_bound(
             &geometry->vertices, update->view, geometry->indices + 3 * at, count,
             &geometry->batches[batch], &geometry->headers[batch], &clipped);
+        part->cells += batch_cells(geometry, batch, geometry->indices + 3 * at,
+                                   transparent ? transparent[batch] : 0);
         for (; clipped && part->status == BURNISH_STATUS_OK; clipped &= clipped - 1) {
             part->status =
                 clip_triangle(update, (uint32_t)at + (uint32_t)__builtin_ctz(clipped), part);
@@ -191,6 +262,19 @@ static void append_clipped(burnish_geometry *geometry, size_t part_count) {
     }
 }
 
+/* Which of the batch of clipped triangles from `at` on are transparent. */
+static unsigned clipped_transparent(const update_context *update, size_t at) {
+    const uint16_t *transparent = update->triangles->transparent;
+    const burnish_geometry *geometry = update->geometry;
+    unsigned mask = 0;
+    for (size_t i = 0; transparent && i < BURNISH_BATCH_SIZE && at + i < geometry->clipped_count;
+         ++i) {
+        const uint32_t id = geometry->clipped_ids[at + i];
+        mask |= (transparent[id / BURNISH_BATCH_SIZE] >> id % BURNISH_BATCH_SIZE & 1U) << i;
+    }
+    return mask;
+}
+
 /* Culls the clipped triangles like any others. */
 static void cull_clipped(const update_context *update) {
     burnish_geometry *geometry = update->geometry;
@@ -202,6 +286,8 @@ static void cull_clipped(const update_context *update) {
             &geometry->vertices, update->view, geometry->clipped_indices + 3 * at,
             rest < BURNISH_BATCH_SIZE ? rest : BURNISH_BATCH_SIZE, &geometry->batches[batch],
             &geometry->headers[batch], &clipped);
+        geometry->cells += batch_cells(geometry, batch, geometry->clipped_indices + 3 * at,
+                                       clipped_transparent(update, at));
         assert(!clipped);
     }
 }
@@ -220,6 +306,7 @@ static burnish_status join_parts(const update_context *update, size_t part_count
             return part->status;
         }
         geometry->triangle_count += part->visible;
+        geometry->cells += part->cells;
         vertices += part->vertex_count;
         triangles += part->triangle_count;
     }
@@ -240,6 +327,7 @@ static burnish_status reserve_mesh(burnish_geometry *geometry, const burnish_tri
     screen->mesh_count = screen->count = triangles->vertex_count;
     geometry->indices = triangles->indices;
     geometry->triangle_count = geometry->clipped_count = 0;
+    geometry->cells = 0;
     geometry->mesh_batches =
         (triangles->triangle_count + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
     geometry->batch_count = geometry->mesh_batches;

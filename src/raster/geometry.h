@@ -90,7 +90,14 @@ typedef struct burnish_triangles {
     size_t vertex_count;
     const uint32_t *indices; /* 3 per triangle */
     size_t triangle_count;
+    /* per batch; bit i: triangle i is transparent and counts BURNISH_LAYER_WORK times. NULL: none
+     */
+    const uint16_t *transparent;
 } burnish_triangles;
+
+/* How much longer a sample of a transparent triangle takes than one of an opaque triangle, at most:
+ * it moves up to 31 other layers. */
+enum { BURNISH_LAYER_WORK = 16 };
 
 /* A frame's geometry; every array but the mesh's indices is owned. All zero before the first frame;
  * later frames use the arrays again. A primitive's index is its triangle's in the mesh; those that
@@ -105,8 +112,13 @@ typedef struct burnish_geometry {
     burnish_triangle_batch *batches;    /* the mesh's, then the clipped ones */
     burnish_batch_header *headers;      /* one per batch */
     size_t mesh_batches, clipped_count;
-    size_t batch_count;                  /* with the clipped ones */
-    size_t triangle_count;               /* visible ones */
+    size_t batch_count;    /* with the clipped ones */
+    size_t triangle_count; /* visible ones */
+    /* HiZ cells that large visible triangles touch, at most: of each those of its bounds, or of its
+     * area and its outline where these are fewer. Small ones, whose bounds are at most two cells
+     * wide and high, are not counted: they take about as long as being listed. Cells of transparent
+     * ones count BURNISH_LAYER_WORK times. */
+    uint64_t cells;
     struct burnish_geometry_part *parts; /* what each task found */
     size_t batch_capacity, header_capacity, clip_capacity, index_capacity, id_capacity;
     size_t part_capacity;
@@ -133,6 +145,15 @@ burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish
                                        const burnish_raster_view *view,
                                        const burnish_triangles *triangles, burnish_tasks *tasks,
                                        burnish_error *error);
+
+/* How often the large triangles cover the picture: geometry->cells over its own cells. */
+double burnish_geometry_overdraw(const burnish_geometry *geometry, const burnish_raster_view *view);
+
+/* LIMIT where that is more than `most`; "the triangles cover `what` N times ...". */
+burnish_status burnish_geometry_check_overdraw(const burnish_geometry *geometry,
+                                               const burnish_raster_view *view, double most,
+                                               const char *what, burnish_error *error);
+
 void burnish_geometry_destroy(burnish_geometry *geometry);
 
 #endif

@@ -275,7 +275,7 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
         }
         *drawn |= vm_bits(nearer);
         if (keep == KEEP_LAYER) {
-            keep_layers(tile, vm_bits(nearer), after, vi_set(id), sample);
+            keep_layers(tile, nearer, after, vi_set(id), sample);
             simple = vm_and(simple, vm_not(simple));
             continue;
         }

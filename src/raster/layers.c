@@ -77,8 +77,7 @@ static void append_pixel(const burnish_tile *tile, const burnish_raster_view *vi
     for (int s = 0, at = first; s < samples; ++s, at += BURNISH_BLOCK_PIXELS) {
         if (layers->counts[at] > layer) {
             const size_t nearest = burnish_layer_index(layers, at);
-            shown[s] =
-                layers->items[nearest + (size_t)(layer * layers->block_samples)].index_and_facing;
+            shown[s] = layers->indices[nearest + (size_t)(layer * layers->block_samples)];
             left |= 1u << s;
         }
     }

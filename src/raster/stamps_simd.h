@@ -75,19 +75,48 @@ enum {
     KEEP_LAYER /* one more of its layers: depths and ids stay */
 };
 
-/* Keeps layers of `id` at the samples `lanes` from `sample` on. */
-BURNISH_INLINE void keep_layers(const burnish_tile *tile, unsigned lanes, vf depth, vi id,
-                                int sample) {
-    float depths[LANES];
-    int32_t ids[LANES];
-    if (!lanes) {
+/* No layer is that far away: a lane's that has none, and that of a lane that adds none. */
+#define NO_LAYER (2 * BURNISH_FARTHEST)
+#define NOTHING_TO_ADD (4 * BURNISH_FARTHEST)
+
+/* Keeps layers of `id` at the samples `lanes` from `sample` on, each behind those that are as near
+ * or nearer; where there are too many the farthest one is dropped. A layer of neighbouring samples
+ * is one vector, so the time does not depend on the order in which layers come. */
+BURNISH_INLINE void keep_layers(const burnish_tile *tile, vm lanes, vf depth, vi id, int sample) {
+    burnish_tile_layers *layers = tile->layers;
+    const unsigned bits = vm_bits(lanes);
+    const size_t first = burnish_layer_index(layers, sample), step = (size_t)layers->block_samples;
+    int32_t counts[LANES], most = 0, least = BURNISH_LAYERS_MAX;
+    if (!bits) {
         return;
     }
-    vf_store(depths, depth);
-    vi_store(ids, id);
-    for (; lanes; lanes &= lanes - 1) {
-        const int lane = __builtin_ctz(lanes);
-        burnish_layers_insert(tile->layers, sample + lane, depths[lane], (uint32_t)ids[lane]);
+    for (int lane = 0; lane < LANES; ++lane) {
+        const int count = layers->counts[sample + lane];
+        const int is_added = (int)(bits >> lane & 1), is_full = count == BURNISH_LAYERS_MAX;
+        counts[lane] = count;
+        most = is_added && count > most ? count : most;
+        least = is_added && count < least ? count : least;
+        layers->counts[sample + lane] = (uint8_t)(count + (is_added & !is_full));
+        layers->dropped += (size_t)(is_added & is_full);
+    }
+    most = most < BURNISH_LAYERS_MAX ? most : BURNISH_LAYERS_MAX - 1;
+    depth = vf_blend(lanes, depth, vf_set(NOTHING_TO_ADD));
+    if (least == BURNISH_LAYERS_MAX &&
+        !vm_any(vf_greater(depth, vf_load(layers->depths + first + (size_t)most * step)))) {
+        return;
+    }
+    vm moved = vm_and_not(lanes, lanes); /* those behind the new one move on */
+    for (int layer = 0; layer <= most; ++layer) {
+        float *depths = layers->depths + first + (size_t)layer * step;
+        int32_t *ids = (int32_t *)layers->indices + first + (size_t)layer * step;
+        const vf old_depth = vf_load(depths);
+        const vi old_id = vi_load(ids);
+        const vm is_there = vi_greater(vi_load(counts), vi_set(layer));
+        moved = vm_or(moved, vf_greater(depth, vf_blend(is_there, old_depth, vf_set(NO_LAYER))));
+        vf_store(depths, vf_blend(moved, depth, old_depth));
+        vi_store(ids, vi_blend(moved, id, old_id));
+        depth = vf_blend(moved, old_depth, depth);
+        id = vi_blend(moved, old_id, id);
     }
 }
 
@@ -110,7 +139,7 @@ BURNISH_INLINE int draw_samples(const burnish_tile *tile, const stamp_constants 
         vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->buffer.depths + sample)));
         drawn |= vm_bits(nearer);
         if (keep == KEEP_LAYER) {
-            keep_layers(tile, vm_bits(nearer), depth, constants->id, sample);
+            keep_layers(tile, nearer, depth, constants->id, sample);
             continue;
         }
         simple = vm_and(simple, nearer);
@@ -154,7 +183,7 @@ BURNISH_INLINE void draw_stamp(burnish_tile *tile, const stamp_constants *consta
     vf before = vf_load(tile->buffer.depths + pixel);
     vm nearer = vm_and(covered, vf_greater(depth, before));
     if (keep == KEEP_LAYER) {
-        keep_layers(tile, vm_bits(nearer), depth, constants->id, pixel);
+        keep_layers(tile, nearer, depth, constants->id, pixel);
         mark_dirty(tile, pixel, vm_any(nearer));
         return;
     }

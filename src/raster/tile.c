@@ -24,8 +24,9 @@ static burnish_tile_layers *create_layers(size_t samples, burnish_memory *memory
     if (layers) {
         layers->block_samples =
             (int)(samples / (BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS)); /* a power of two */
-        layers->items =
-            burnish_allocate(memory, samples * BURNISH_LAYERS_MAX, sizeof *layers->items, "layers");
+        const size_t count = samples * BURNISH_LAYERS_MAX;
+        layers->depths = burnish_allocate(memory, count, sizeof *layers->depths, "layers");
+        layers->indices = burnish_allocate(memory, count, sizeof *layers->indices, "layers");
         layers->counts = burnish_allocate(memory, samples, sizeof *layers->counts, "layers");
     }
     return layers;
@@ -33,7 +34,8 @@ static burnish_tile_layers *create_layers(size_t samples, burnish_memory *memory
 
 static void destroy_layers(burnish_tile_layers *layers, const burnish_context *context) {
     if (layers) {
-        burnish_release(context, layers->items);
+        burnish_release(context, layers->depths);
+        burnish_release(context, layers->indices);
         burnish_release(context, layers->counts);
         burnish_release(context, layers);
     }

@@ -104,17 +104,14 @@ enum {
 /* Layers of a sample that are kept: the nearest ones (render.h: BURNISH_TRANSPARENT_LAYERS_MAX). */
 enum { BURNISH_LAYERS_MAX = 32 };
 
-typedef struct burnish_layer {
-    float depth;
-    uint32_t index_and_facing; /* the primitive's index * 2, + 1 when it is back-facing */
-} burnish_layer;
-
 typedef struct burnish_tile_layers {
-    burnish_layer *items; /* BURNISH_LAYERS_MAX per sample: burnish_layer_index */
-    uint8_t *counts;      /* per sample; of the current tile where it has some */
-    int block_samples;    /* of a block */
-    int has_some;         /* 1: the current tile lists a transparent triangle */
-    size_t dropped;       /* since the tile was created, or since it was set to 0 */
+    /* BURNISH_LAYERS_MAX per sample: burnish_layer_index */
+    float *depths;
+    uint32_t *indices; /* the primitive's * 2, + 1 when it is back-facing */
+    uint8_t *counts;   /* per sample; of the current tile where it has some */
+    int block_samples; /* of a block */
+    int has_some;      /* 1: the current tile lists a transparent triangle */
+    size_t dropped;    /* since the tile was created, or since it was set to 0 */
 } burnish_tile_layers;
 
 /* Where the nearest layer of a sample lies, in the order of burnish_sample_index. The next one
@@ -123,27 +120,6 @@ typedef struct burnish_tile_layers {
 static inline size_t burnish_layer_index(const burnish_tile_layers *layers, int sample) {
     const int within = sample & (layers->block_samples - 1);
     return (size_t)(sample - within) * BURNISH_LAYERS_MAX + (size_t)within;
-}
-
-/* Puts a layer behind those that are as near or nearer; where there are too many the farthest one
- * is dropped. */
-static inline void burnish_layers_insert(burnish_tile_layers *layers, int sample, float depth,
-                                         uint32_t index_and_facing) {
-    burnish_layer *items = layers->items + burnish_layer_index(layers, sample);
-    const int step = layers->block_samples;
-    int i = layers->counts[sample];
-    if (i == BURNISH_LAYERS_MAX) {
-        layers->dropped += 1;
-        if (!(depth > items[--i * step].depth)) {
-            return;
-        }
-    } else {
-        layers->counts[sample] = (uint8_t)(i + 1);
-    }
-    for (; i > 0 && depth > items[(i - 1) * step].depth; --i) {
-        items[i * step] = items[(i - 1) * step];
-    }
-    items[i * step] = (burnish_layer){depth, index_and_facing};
 }
 
 typedef struct burnish_tile {

@@ -136,7 +136,7 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_op
                                 const burnish_mesh_view *mesh, const burnish_map_view *view,
                                 uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory) {
     const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
-                                         mesh->triangle_count};
+                                         mesh->triangle_count, NULL};
     const burnish_raster_view raster = raster_view(view, mesh);
     map_context map = {drawer, ops, &raster, depths};
     burnish_status status = prepare_tiles(drawer, burnish_tasks_threads(tasks), memory);
@@ -146,6 +146,11 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_op
     if (status == BURNISH_STATUS_OK) {
         status = burnish_geometry_update(&drawer->geometry, ops, &raster, &triangles, tasks,
                                          memory->error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_geometry_check_overdraw(&drawer->geometry, &raster, drawer->max_overdraw,
+                                                 "a depth map (ambient occlusion, ground, shadow)",
+                                                 memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
         const burnish_bands bands = {&drawer->bins,  ops,   &drawer->geometry,

@@ -36,6 +36,7 @@ typedef struct burnish_map_drawer {
      * NULL and 0 */
     const uint16_t *transparent;
     uint64_t transparent_key;
+    double max_overdraw; /* of each map; the caller's to set */
 } burnish_map_drawer;
 
 /* The view along a direction in which the unit sphere fills the map but for two texels at each

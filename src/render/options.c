@@ -13,6 +13,7 @@ burnish_render_options burnish_render_options_default(void) {
     options.width = 1024;
     options.height = 768;
     options.samples = 4;
+    options.max_overdraw = BURNISH_OVERDRAW_DEFAULT;
     options.camera.view_up[1] = 1;
     options.camera.view_angle = 30;
     options.lobe.fit = BURNISH_FIT_ENERGY;
@@ -173,6 +174,11 @@ burnish_status burnish_render_options_check(const burnish_render_options *option
     if (options->threads < 0 || options->threads > BURNISH_THREADS_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "threads: %d is not in [0, %d]",
                             options->threads, BURNISH_THREADS_MAX);
+    }
+    if (!(options->max_overdraw >= 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "max-overdraw: %g is not at least 1; HUGE_VAL means no limit",
+                            options->max_overdraw);
     }
     status = burnish_lobe_spec_check(&options->lobe, error);
     if (status == BURNISH_STATUS_OK) {

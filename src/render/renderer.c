@@ -90,10 +90,17 @@ static burnish_status transform(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
     const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
-                                         mesh->triangle_count};
+                                         mesh->triangle_count,
+                                         transparency_of(d) ? renderer->transparency.masks : NULL};
     burnish_status status =
         burnish_geometry_update(&renderer->geometry, d->view.shading.ops, &d->view.raster,
                                 &triangles, &renderer->tasks, d->memory.error);
+    if (status == BURNISH_STATUS_OK) {
+        d->report.overdraw = burnish_geometry_overdraw(&renderer->geometry, &d->view.raster);
+        status = burnish_geometry_check_overdraw(&renderer->geometry, &d->view.raster,
+                                                 d->options->max_overdraw, "the picture",
+                                                 d->memory.error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_attributes_update(&renderer->attributes, &renderer->geometry, mesh,
                                            d->options->ignore_colors, &renderer->tasks, &d->memory);
@@ -118,11 +125,12 @@ static burnish_vec3 up_of(const drawing *d) {
 }
 
 /* Transparent triangles cast no shadow. */
-static void set_transparent(drawing *d) {
+static void set_drawer(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     renderer->occlusion.drawer.transparent =
         transparency_of(d) ? renderer->transparency.masks : NULL;
     renderer->occlusion.drawer.transparent_key = renderer->transparency.key;
+    renderer->occlusion.drawer.max_overdraw = d->options->max_overdraw;
 }
 
 /* The depth maps, for points that count from `eye`. */
@@ -133,7 +141,7 @@ static burnish_status update_maps(drawing *d, const double eye[3],
     const int side = options->width < options->height ? options->width : options->height;
     double up[3];
     burnish_vec3_store(up_of(d), up);
-    set_transparent(d);
+    set_drawer(d);
     return burnish_occlusion_update(
         &renderer->occlusion, d->view.shading.ops, burnish_mesh_get_view(d->mesh),
         options->occlusion ? options->occlusion : BURNISH_OCCLUSION_AUTO,
@@ -163,7 +171,7 @@ static burnish_status update_shadow(drawing *d) {
     if (!options->shadow || !d->target.pixels.pixels) {
         return BURNISH_STATUS_OK;
     }
-    set_transparent(d);
+    set_drawer(d);
     d->view.shading.shadow = &d->view.shadow;
     d->report.shadow = 1;
     return burnish_shadow_update(&renderer->shadow, &renderer->occlusion.drawer,

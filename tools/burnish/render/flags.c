@@ -648,6 +648,20 @@ static const cli_flag flags[] = {
     {CLI_MAX_TRIANGLES_FLAG(render_settings, load)},
     {CLI_MAX_TEXTURE_PIXELS_FLAG(render_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, load)},
+    {.name = "max-overdraw",
+     .value = "N",
+     .help = "refuse what covers the picture so many times",
+     .default_text = "1000",
+     .low = 1,
+     .high = 1e9,
+     .manual =
+         "A bound of time: refuses (exit code 5) to draw a mesh whose large triangles, hidden ones "
+         "included, cover the picture more than _N_ times; the same holds for each depth map of "
+         "ambient occlusion, ground and shadow. Transparent triangles count 16 times. Triangles of "
+         "up to 16 pixels are not counted, and "
+         "*--max-triangles* limits these. *overdraw* of *--json* tells the number.",
+     .handler = cli_flag_real,
+     TARGET(max_overdraw)},
     {CLI_JSON_FLAG(render_settings, json, "report on standard output, or in FILE", "JSON OUTPUT")},
     {.name = "timing",
      .aliases = "time,verbose",
@@ -810,6 +824,7 @@ static const cli_term json_terms[] = {
     {"*hidden*", "share of the object's area that belongs to the other triangles"},
     {"*covered_pixels, pixel_bounds*",
      "pixels that show the object; x0, y0, x1, y1, ends excluded"},
+    {"*overdraw*", "how often large triangles cover the picture: what *--max-overdraw* limits"},
     {"*layers_dropped*", "transparent layers of samples that were left out: beyond 32"},
     {"*cuts*", "the planes of *--clip* that cut something off, _X_,_Y_,_Z_,_D_ each"},
     {"*filled*", "true when the cuts are filled"},

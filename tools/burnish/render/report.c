@@ -89,6 +89,7 @@ static void add_picture(cJSON *object, const render_cell *cell, int *failed) {
     cli_json_add(object, "triangles_drawn", cli_json_count(cell->report.triangles_drawn), failed);
     cli_json_add(object, "hidden", cli_json_real(cell->report.hidden_share), failed);
     cli_json_add(object, "covered_pixels", cli_json_count(cell->report.covered_pixels), failed);
+    cli_json_add(object, "overdraw", cli_json_real(cell->report.overdraw), failed);
     cli_json_add(object, "layers_dropped", cli_json_count(cell->report.layers_dropped), failed);
     cli_json_add(object, "pixel_bounds", cli_json_integers(4, cell->report.bounds), failed);
     cli_json_add(object, "near_white", cli_json_real(cell->tones.near_white), failed);

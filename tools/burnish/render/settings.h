@@ -133,6 +133,7 @@ typedef struct render_settings {
     int shadow;
 
     cli_input load;
+    cli_real max_overdraw;
     render_clip clip;
     cli_real crease;
     const char *json; /* where the report goes; NULL: nowhere */

@@ -388,6 +388,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
     options.width = settings->size[0];
     options.height = settings->size[1];
     options.samples = settings->samples;
+    options.max_overdraw = settings->max_overdraw.value;
     options.threads = settings->threads;
     options.kernels = burnish_kernels_for(settings->isa);
     options.specular_model = (burnish_specular_model)settings->equation;
