@@ -14,6 +14,7 @@ enum { FIRST_READ = 1 << 16, LARGEST_READ = 1 << 30 };
 typedef struct opened_file {
     const char *name; /* for messages */
     uint64_t max_bytes;
+    burnish_format format; /* that a stream has to be of; COUNT: any bytes will do */
     burnish_memory memory; /* takes errors too */
     uint8_t *bytes;
     size_t size;
@@ -59,30 +60,105 @@ static burnish_status read_sized(int descriptor, opened_file *file, size_t size)
     return code != 0 ? fail_errno(file, "can't be read", code) : BURNISH_STATUS_OK;
 }
 
-/* A pipe, a device, or a file that does not tell its size: one byte more than the limit is read, to
- * know whether there is more. */
-static burnish_status read_stream(int descriptor, opened_file *file) {
-    const size_t most = file->max_bytes < SIZE_MAX ? (size_t)file->max_bytes + 1 : SIZE_MAX;
-    size_t capacity = 0, wanted;
-    do {
-        wanted = file->size > FIRST_READ ? file->size : FIRST_READ;
-        wanted = wanted < most - file->size ? wanted : most - file->size;
-        file->bytes = burnish_reserve(&file->memory, file->bytes, &capacity, file->size + wanted, 1,
-                                      file->name);
-        if (file->memory.status != BURNISH_STATUS_OK) {
-            return file->memory.status;
-        }
-        const size_t before = file->size;
-        const int code = read_fully(descriptor, file, wanted);
-        if (code != 0) {
-            return fail_errno(file, "can't be read", code);
-        }
-        if (file->size > file->max_bytes) {
-            return fail_size(file->memory.error, file->name, file->max_bytes);
-        }
-        wanted -= file->size - before;
-    } while (wanted == 0);
+/* ---- Streams ---- */
+
+/* Parts of a stream whose size nobody knows: so it lies in memory once, also while it is joined. */
+typedef struct stream_parts {
+    uint8_t **items;
+    size_t count, capacity, size; /* size: of each but the last one */
+} stream_parts;
+
+enum { STREAM_PART = 1 << 22 };
+
+static void release_parts(stream_parts *parts, const burnish_context *context) {
+    for (size_t i = 0; i < parts->count; ++i) {
+        burnish_release(context, parts->items[i]);
+    }
+    burnish_release(context, parts->items);
+}
+
+/* Another part of at most `size` bytes, as far as the stream goes: *got of them. */
+static burnish_status read_part(int descriptor, opened_file *file, stream_parts *parts, size_t size,
+                                size_t *got) {
+    opened_file part = {.name = file->name, .memory = file->memory};
+    parts->items = burnish_reserve(&file->memory, parts->items, &parts->capacity, parts->count + 1,
+                                   sizeof *parts->items, file->name);
+    part.bytes = file->memory.status == BURNISH_STATUS_OK
+                     ? burnish_allocate(&file->memory, size, 1, file->name)
+                     : NULL;
+    if (!part.bytes) {
+        return file->memory.status;
+    }
+    parts->items[parts->count++] = part.bytes;
+    const int code = read_fully(descriptor, &part, size);
+    *got = part.size;
+    return code != 0 ? fail_errno(file, "can't be read", code) : BURNISH_STATUS_OK;
+}
+
+/* Joins the parts behind the file's first bytes; each goes as soon as it is copied, so that pages
+ * of both are not needed at the same time. */
+static burnish_status join_parts(opened_file *file, stream_parts *parts, size_t size) {
+    uint8_t *joined = burnish_allocate(&file->memory, file->size + size, 1, file->name);
+    if (!joined) {
+        return file->memory.status;
+    }
+    memcpy(joined, file->bytes, file->size);
+    burnish_release(file->memory.context, file->bytes);
+    file->bytes = joined;
+    for (size_t i = 0; i < parts->count; ++i) {
+        const size_t rest = size - i * parts->size;
+        const size_t count = rest < parts->size ? rest : parts->size;
+        memcpy(joined + file->size + i * parts->size, parts->items[i], count);
+        burnish_release(file->memory.context, parts->items[i]);
+        parts->items[i] = NULL;
+    }
+    file->size += size;
     return BURNISH_STATUS_OK;
+}
+
+/* The rest of a stream whose first bytes are there. One byte more than the limit is read, to know
+ * whether there is more. */
+static burnish_status read_rest(int descriptor, opened_file *file) {
+    stream_parts parts = {.size = STREAM_PART};
+    burnish_status status = BURNISH_STATUS_OK;
+    const uint64_t most = file->max_bytes - file->size;
+    uint64_t rest = most < UINT64_MAX ? most + 1 : most;
+    size_t total = 0, got = STREAM_PART;
+    while (status == BURNISH_STATUS_OK && got == STREAM_PART && rest > 0) {
+        const size_t size = rest < STREAM_PART ? (size_t)rest : STREAM_PART;
+        got = 0;
+        status = read_part(descriptor, file, &parts, size, &got);
+        total += got;
+        rest -= got;
+    }
+    if (status == BURNISH_STATUS_OK && total > most) {
+        status = fail_size(file->memory.error, file->name, file->max_bytes);
+    }
+    if (status == BURNISH_STATUS_OK && total > 0) {
+        status = join_parts(file, &parts, total);
+    }
+    release_parts(&parts, file->memory.context);
+    return status;
+}
+
+/* A pipe, a device, or a file that does not tell its size. What can't be a mesh is refused by its
+ * first bytes: it may have no end. */
+static burnish_status read_stream(int descriptor, opened_file *file) {
+    const size_t first = file->max_bytes < FIRST_READ ? (size_t)file->max_bytes + 1 : FIRST_READ;
+    burnish_status status = read_sized(descriptor, file, first);
+    if (status != BURNISH_STATUS_OK || file->size < first) {
+        return status;
+    }
+    if (file->size > file->max_bytes) {
+        return fail_size(file->memory.error, file->name, file->max_bytes);
+    }
+    if (!burnish_may_be(file->format, file->bytes, file->size, file->name)) {
+        return burnish_fail(file->memory.error, BURNISH_STATUS_FORMAT,
+                            "%s: its first %d bytes are of no format that is read%s; give a mesh",
+                            burnish_show_name(file->name).text, FIRST_READ,
+                            file->format != BURNISH_FORMAT_AUTO ? ", or not of the one named" : "");
+    }
+    return read_rest(descriptor, file);
 }
 
 static burnish_status read_descriptor(int descriptor, opened_file *file, int only_regular) {
@@ -137,8 +213,10 @@ static burnish_status load_beside(void *user_data, const char *name, uint64_t ma
     const folder *beside = user_data;
     const char *slash = strrchr(beside->input, '/');
     const size_t length = slash ? (size_t)(slash - beside->input) + 1 : 0, rest = strlen(name) + 1;
-    opened_file file = {
-        .name = name, .max_bytes = max_bytes, .memory = burnish_memory_of(beside->context, error)};
+    opened_file file = {.name = name,
+                        .max_bytes = max_bytes,
+                        .format = BURNISH_FORMAT_COUNT,
+                        .memory = burnish_memory_of(beside->context, error)};
     char *path = burnish_allocate(&file.memory, length + rest, 1, "path");
     if (!path) {
         return file.memory.status;
@@ -220,6 +298,7 @@ static burnish_status load_file(const char *path, const burnish_load_options *op
     folder beside = {path, options->context};
     opened_file file = {.name = from_input ? "standard input" : path,
                         .max_bytes = options->max_input_bytes,
+                        .format = options->format,
                         .memory = burnish_memory_of(options->context, error)};
     burnish_status status =
         from_input ? read_descriptor(STDIN_FILENO, &file, 0) : read_path(path, &file, 0);

@@ -64,6 +64,55 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
     return guess;
 }
 
+/* Whether bytes are text as far as they go: no control characters. */
+static int is_all_text(const uint8_t *bytes, size_t size) {
+    int is_text = 1;
+    for (size_t i = 0; i < size; ++i) {
+        is_text &= bytes[i] >= ' ' || (bytes[i] >= '\t' && bytes[i] <= '\r');
+    }
+    return is_text;
+}
+
+/* A binary STL is recognised by its size, which a stream does not tell: here by its coordinates,
+ * which are finite and not all 0. */
+static int may_be_binary_stl(const uint8_t *bytes, size_t size) {
+    enum { HEADER = 84, FACET = 50, VERTICES_AT = 12, COORDINATES = 9 };
+    uint32_t any = 0;
+    for (size_t at = HEADER; at + FACET <= size; at += FACET) {
+        for (size_t i = 0; i < COORDINATES; ++i) {
+            const uint8_t *c = bytes + at + VERTICES_AT + 4 * i;
+            const uint32_t bits = c[0] | (uint32_t)c[1] << 8 | (uint32_t)(c[2] & 0x7f) << 16;
+            const uint32_t exponent = (uint32_t)(c[3] & 0x7f) << 1 | c[2] >> 7;
+            if (exponent == 0xff) {
+                return 0;
+            }
+            any |= bits | exponent;
+        }
+    }
+    return any && !is_all_text(bytes, size);
+}
+
+int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, const char *name) {
+    enum { GZIP = 0x1f8b, UTF_16_LITTLE = 0xfffe, UTF_16_BIG = 0xfeff };
+    const int is_any = format == BURNISH_FORMAT_AUTO;
+    const int mark = size >= 2 ? bytes[0] << 8 | bytes[1] : 0;
+    size_t at = 0;
+    if (format == BURNISH_FORMAT_COUNT || mark == GZIP || mark == UTF_16_LITTLE ||
+        mark == UTF_16_BIG) {
+        return 1;
+    }
+    if (is_any ? burnish_guess_format(bytes, size, name) != BURNISH_FORMAT_AUTO
+               : formats[format].recognise(bytes, size)) {
+        return 1;
+    }
+    while (at < size && bytes[at] <= ' ' && bytes[at] > 0) {
+        ++at;
+    }
+    const int is_comment = at < size && bytes[at] == '#';
+    return ((is_any || format == BURNISH_FORMAT_OBJ) && is_comment) ||
+           ((is_any || format == BURNISH_FORMAT_STL) && may_be_binary_stl(bytes, size));
+}
+
 burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
     const burnish_reader_input *input = reader->input;
     if (input->size == 0) {

@@ -74,6 +74,12 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format);
 /* The format that bytes and name tell of; AUTO when neither does. */
 burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name);
 
+/* Whether a stream that begins with some bytes, and is longer, may be of a format, or of any where
+ * that is AUTO; keeps an endless stream of something else from filling the memory. Says yes where
+ * it can't know.
+ *   format  BURNISH_FORMAT_COUNT: any bytes will do */
+int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, const char *name);
+
 /* Of each format: whether bytes are of it (2: surely, whatever the name says; 1: where the name
  * says nothing; 0: no), and its reader, which fills reader->mesh. Errors: as burnish_read. */
 #define BURNISH_READER_DECLARE(name, word, ...)                                                    \

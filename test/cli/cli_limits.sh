@@ -1,0 +1,62 @@
+#!/bin/sh
+# Bounds of time and memory: small files that want to take long, streams without end.
+# Usage: cli_limits.sh PROGRAM FOLDER
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/lib.sh"
+
+# Streams: refused by their first 64 KiB, unless they may be a mesh.
+refusal='burnish: standard input: its first 65536 bytes are of no format that is read; give a mesh'
+stream() {
+    "$burnish" render - -o s.png "$@" >"$out" 2>"$err"
+    code=$?
+    checks=$((checks + 1))
+    [ "$code" = 4 ] && [ "$(cat "$err")" = "$refusal$named" ] && [ ! -e s.png ] || fail "a stream: $code, $(cat "$err")"
+}
+named=
+yes | stream
+stream </dev/zero
+stream </dev/urandom
+refusal='burnish: standard input: its first 65536 bytes are of no format that is read, or not of the one named; give a mesh'
+yes | stream --input-format=obj
+yes | stream --input-format=ply
+stream --input-format=stl </dev/zero
+
+# A long mesh comes through a pipe as from a file; the limit holds there too.
+awk 'BEGIN { print "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"; for (i = 0; i < 400000; ++i) print "v 1 1 1" }' >long.obj
+cat long.obj | "$burnish" info - >"$out" 2>/dev/null && "$burnish" info long.obj >file.txt 2>/dev/null
+check "a mesh of more than a part" [ "$(sed 1d "$out")" = "$(sed 1d file.txt)" ]
+cat long.obj | "$burnish" info - --max-input-bytes=1M 2>"$err"
+check "a stream beyond the limit: $?" grep -q 'standard input: larger than the limit of 1048576 bytes' "$err"
+{ awk 'BEGIN { for (i = 0; i < 20000; ++i) print "# a comment" }' && cat long.obj; } | "$burnish" info - >"$out" 2>&1
+check "a stream that begins with comments" grep -q '1 triangle' "$out"
+rm -f long.obj file.txt
+
+if command -v python3 >/dev/null; then
+    too_much() { # FILE WHERE FLAGS...
+        file=$1 where=$2
+        shift 2
+        run render "$file" --threads=1 -o h.png "$@"
+        check "$file $*: exit code $code" [ "$code" = 5 ]
+        check "$file $*: $(cat "$err")" grep -qx "burnish: the triangles cover $where [0-9]* times, which takes long; the limit is [0-9]*: raise max-overdraw, or leave out what is hidden" "$err"
+        check "$file $*: no picture" [ ! -e h.png ]
+    }
+    PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/make.py" . sheets-4000.stl sheets-20000.stl sheets-500.stl \
+        same-120000.obj transparent-500.ply >/dev/null
+    too_much sheets-4000.stl "the picture" --views=top --occlusion=none
+    too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front
+    too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front --occlusion=none --shadow
+    too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --occlusion=none --ground
+    too_much same-120000.obj "the picture" --views=front --look=drawing
+    too_much transparent-500.ply "the picture" --views=front --occlusion=none
+    too_much sheets-500.stl "the picture" --views=top --occlusion=none --max-overdraw=10
+    run render sheets-500.stl --views=top --size=640 --samples=1 --occlusion=none --max-overdraw=1e6 --json -o h.png
+    check "a higher limit: exit code $code" [ "$code" = 0 ]
+    # 500 sheets of half the object's square, 0.9 of the picture's side each: a little more for cells at their edges
+    check "overdraw: $(json overdraw)" awk "BEGIN { exit !($(json overdraw) >= 202 && $(json overdraw) < 320) }"
+    rm -f ./*.stl ./*.obj ./*.ply h.png
+else
+    echo "cli_limits: SKIPPED: hostile files, since python3 is missing"
+fi
+expect 2 'burnish: --max-overdraw: "0.5" is not a number from 1 to 1000000000' render :sphere --max-overdraw=0.5
+nothing_left "limits"
+finish
