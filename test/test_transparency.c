@@ -70,6 +70,7 @@ static burnish_mesh *make_squares(const stack *s, uint64_t *state) {
  * shows squares, whose edges lie on edges of pixels or in their middle. */
 static burnish_render_options square_options(int samples, int is_odd) {
     burnish_render_options options = burnish_render_options_default();
+    options.max_overdraw = 1e9; /* small pictures with many layers */
     options.width = options.height = SIZE + is_odd;
     options.samples = samples;
     options.light_count = 0;
@@ -397,6 +398,7 @@ static void set_transparency(burnish_mesh *mesh, float value) {
 
 static burnish_render_options options_for(const burnish_mesh *mesh, int samples) {
     burnish_render_options options = burnish_render_options_default();
+    options.max_overdraw = 1e9;
     const burnish_framing framing = burnish_framing_default();
     options.width = 97;
     options.height = 83;
