@@ -147,6 +147,14 @@ typedef struct burnish_mesh burnish_mesh;
 BURNISH_API burnish_status burnish_mesh_load(const char *path, const burnish_load_options *options,
                                              burnish_mesh **mesh, burnish_error *error);
 
+/* The same from an open file or pipe, from where it stands to its end: where a process may open no
+ * file. Other files that the input names come from options->companions alone.
+ *   descriptor  of POSIX; stays open
+ *   name        stands in messages and tells the format by its ending; NULL: "input" */
+BURNISH_API burnish_status burnish_mesh_load_descriptor(int descriptor, const char *name,
+                                                        const burnish_load_options *options,
+                                                        burnish_mesh **mesh, burnish_error *error);
+
 /* The same from bytes in memory, which may go afterwards.
  *   bytes  size of them
  *   name   stands in messages and tells the format by its ending; NULL: "memory" */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "burnish/core.h"
+#include "cli/file.h"
 #include "cli/platform.h"
 
 const cli_word cli_format_words[] = {
@@ -40,7 +41,7 @@ burnish_status cli_output_end(cli_output *output, const char *path, burnish_stat
         cli_output_close(output, status == BURNISH_STATUS_OK ? error : &closing);
     status = status == BURNISH_STATUS_OK ? closed : status;
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_file_write(path, output->text, output->size, error);
+        status = cli_file_write(path, output->text, output->size, error);
     }
     free(output->text);
     return status;

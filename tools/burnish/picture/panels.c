@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cli/file.h"
 #include "cli/options.h"
 #include "picture/difference.h"
 
@@ -225,7 +226,7 @@ burnish_status picture_write_panels(const picture_panels *panels, const char *pa
         status = picture_encode(format, &pixels, options, &file, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_file_write(path, file.bytes, file.size, error);
+        status = cli_file_write(path, file.bytes, file.size, error);
     }
     picture_release(&file);
     burnish_image_destroy(&image);

@@ -662,6 +662,42 @@ static const cli_flag flags[] = {
          "*--max-triangles* limits these. *overdraw* of *--json* tells the number.",
      .handler = cli_flag_real,
      TARGET(max_overdraw)},
+    {.name = "max-seconds",
+     .value = "N",
+     .help = "end after so long",
+     .low = 0,
+     .high = 1e6,
+     .default_text = "0",
+     .default_label = "never",
+     .manual = "Ends the run after _N_ seconds by the clock, without a picture and with exit code "
+               "5. 0 means never.",
+     .handler = cli_flag_real,
+     TARGET(max_seconds)},
+    {.name = "max-memory",
+     .value = "N",
+     .help = "at most so many bytes; K, M, G for powers of 1024",
+     .low = 1,
+     .high = 9e18,
+     .default_label = "all there is",
+     .manual = "Memory that the run may have, addresses included that it does not touch: threads "
+               "have some. What needs more ends with exit code 6. _N_ may end in *K*, *M* or *G*.",
+     .handler = cli_flag_bytes,
+     TARGET(max_memory)},
+    {.name = "sandbox",
+     .help = "in a process that can open no file",
+     .manual =
+         "Reads, draws and encodes in a process of its own, which can open no file, no socket and "
+         "start no program: Linux's seccomp ends it when it tries, and Landlock, where the kernel "
+         "has it, forbids files once more. It has the open input, and asks this one, "
+         "which parses nothing, for material libraries and textures in the input's folder and to "
+         "write the files named here. Pictures are the same. docs/security.md says more.",
+     .handler = cli_flag_switch,
+     TARGET(sandbox)},
+    {.name = "no-sandbox",
+     .help = "in this process",
+     .manual = "Reads and draws in this process. This is the default.",
+     .handler = render_flag_no_sandbox,
+     TARGET(sandbox)},
     {CLI_JSON_FLAG(render_settings, json, "report on standard output, or in FILE", "JSON OUTPUT")},
     {.name = "timing",
      .aliases = "time,verbose",

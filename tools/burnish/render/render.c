@@ -7,6 +7,8 @@
 
 #include "burnish/core.h"
 #include "burnish/render.h"
+#include "cli/file.h"
+#include "cli/limits.h"
 #include "cli/run.h"
 #include "font/utf8.h"
 #include "render/annotate.h"
@@ -16,6 +18,7 @@
 #include "render/settings.h"
 #include "render/turntable.h"
 #include "render/up.h"
+#include "sandbox/sandbox.h"
 
 static double seconds_now(void) {
     struct timespec now;
@@ -392,7 +395,7 @@ static burnish_status write_planes(const render_result *result, burnish_error *e
         picture_file file;
         status = render_encode_plane(&result->planes, plane, settings->threads, &file, error);
         if (status == BURNISH_STATUS_OK) {
-            status = burnish_file_write(plane->path, file.bytes, file.size, error);
+            status = cli_file_write(plane->path, file.bytes, file.size, error);
         }
         picture_release(&file);
     }
@@ -431,8 +434,8 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
         result->encoded = seconds_now();
         result->seconds.encode = result->encoded - start;
         result->written = 1;
-        status = burnish_file_write_then(result->settings->output, file.bytes, file.size, report,
-                                         result, error);
+        status = cli_file_write_then(result->settings->output, file.bytes, file.size, report,
+                                     result, error);
     }
     picture_release(&file);
     return status;
@@ -496,6 +499,9 @@ static burnish_status render(render_result *result, render_settings *settings,
         warn_about_font(result);
     }
     if (status == BURNISH_STATUS_OK) {
+        status = sandbox_close(error); /* fonts are open */
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = render_read_reference(result, error);
     }
     if (status == BURNISH_STATUS_OK) {
@@ -531,6 +537,32 @@ static void release(render_result *result) {
     burnish_mesh_destroy(result->mesh);
 }
 
+/* The limits that the system keeps, and the sandbox: *code is the exit code where its worker has
+ * done all there is to do, else -1. */
+static burnish_status begin(const render_settings *settings, int *code, burnish_error *error) {
+    sandbox_plan plan = {.input = settings->input, .outputs = {settings->output}};
+    *code = -1;
+    burnish_status status = cli_limit_memory(settings->max_memory, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = cli_limit_seconds(settings->max_seconds.value, error);
+    }
+    if (status != BURNISH_STATUS_OK || !settings->sandbox) {
+        return status;
+    }
+    if (settings->reference) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--sandbox: no other picture is read in it; leave out --reference");
+    }
+    plan.output_count = 1;
+    if (settings->json) {
+        plan.outputs[plan.output_count++] = settings->json;
+    }
+    for (size_t i = 0; i < settings->planes.count; ++i) {
+        plan.outputs[plan.output_count++] = settings->planes.items[i].path;
+    }
+    return sandbox_begin(&plan, code, error);
+}
+
 burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     render_settings *settings = from;
     render_result result = {.settings = settings};
@@ -540,8 +572,13 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
             "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
     }
     settings->input = call->operands[0];
+    int code = -1;
     burnish_status status = render_finish(settings, error);
-    if (status != BURNISH_STATUS_OK) {
+    if (status == BURNISH_STATUS_OK) {
+        status = begin(settings, &code, error);
+    }
+    if (status != BURNISH_STATUS_OK || code >= 0) {
+        call->exit_code = code;
         return status;
     }
     cli_prepare_memory();

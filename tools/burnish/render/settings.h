@@ -133,7 +133,9 @@ typedef struct render_settings {
     int shadow;
 
     cli_input load;
-    cli_real max_overdraw;
+    cli_real max_overdraw, max_seconds;
+    uint64_t max_memory; /* 0: no limit */
+    int sandbox;
     render_clip clip;
     cli_real crease;
     const char *json; /* where the report goes; NULL: nowhere */
@@ -193,6 +195,7 @@ cli_handler render_flag_occlusion;     /* render_occlusion */
 cli_handler render_flag_plane;         /* render_planes */
 cli_handler render_flag_edges;         /* render_edges */
 cli_handler render_flag_projection;    /* int: render_projection */
+cli_handler render_flag_no_sandbox;    /* int: 0 */
 cli_handler render_flag_annotate;      /* unsigned: sum of burnish_annotation */
 
 #endif

@@ -10,6 +10,7 @@
 #include "picture/animation.h"
 #include "render/reference.h"
 #include "render/settings.h"
+#include "sandbox/sandbox.h"
 
 static int is_standard(const char *path) {
     return strcmp(path, "-") == 0;
@@ -334,7 +335,7 @@ burnish_load_options render_load_options(const render_settings *settings) {
 burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
                            burnish_error *error) {
     const burnish_load_options options = render_load_options(settings);
-    return burnish_mesh_load(settings->input, &options, mesh, error);
+    return sandbox_load(settings->input, &options, mesh, error);
 }
 
 /* One material as the flags want it. */

@@ -9,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "cli/file.h"
 #include "picture/animation.h"
 #include "render/camera.h"
 
@@ -338,7 +339,7 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     }
     if (status == BURNISH_STATUS_OK) {
         s.taken = s.animation->out.size; /* the file's head comes with the first frame */
-        status = burnish_file_write_stream_then(settings->output, take_bytes, &s, finish, error);
+        status = cli_file_write_stream_then(settings->output, take_bytes, &s, finish, error);
     }
     if (s.progress) {
         fprintf(stderr, "\r\033[K");

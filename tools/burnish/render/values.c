@@ -307,3 +307,10 @@ burnish_status render_flag_annotate(const cli_flag *flag, const char *text, void
     *(unsigned *)target = read;
     return BURNISH_STATUS_OK;
 }
+
+burnish_status render_flag_no_sandbox(const cli_flag *flag, const char *text, void *target,
+                                      burnish_error *error) {
+    (void)flag, (void)text, (void)error;
+    *(int *)target = 0;
+    return BURNISH_STATUS_OK;
+}

@@ -1,0 +1,84 @@
+#include "cli/limits.h"
+
+#include "cli/options.h"
+
+#ifdef _WIN32
+
+burnish_status cli_limit_seconds(double seconds, burnish_error *error) {
+    return seconds == 0 ? BURNISH_STATUS_OK
+                        : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                   "--max-seconds: not on this system; leave it out");
+}
+
+burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error) {
+    return bytes == 0 ? BURNISH_STATUS_OK
+                      : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                 "--max-memory: not on this system; leave it out");
+}
+
+void cli_limit_child(long process) {
+    (void)process;
+}
+
+#else
+
+#include <errno.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+static atomic_long child;
+static char line[120]; /* written before the timer starts */
+
+static void end(int number) {
+    (void)number;
+    const long process = atomic_load(&child);
+    if (process > 0) {
+        kill((pid_t)process, SIGKILL);
+    }
+    burnish_file_remove_temporaries();
+    const ssize_t written = write(STDERR_FILENO, line, strlen(line));
+    (void)written;
+    _exit(burnish_status_exit_code(BURNISH_STATUS_LIMIT));
+}
+
+burnish_status cli_limit_seconds(double seconds, burnish_error *error) {
+    const struct sigaction action = {.sa_handler = end, .sa_flags = SA_RESTART};
+    struct itimerval timer = {.it_value = {(time_t)seconds, 0}};
+    if (seconds == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    timer.it_value.tv_usec = (suseconds_t)((seconds - (double)timer.it_value.tv_sec) * 1e6);
+    snprintf(line, sizeof line,
+             "burnish: not done after %g seconds (--max-seconds): raise the limit or simplify the "
+             "mesh\n",
+             seconds);
+    if (sigaction(SIGALRM, &action, NULL) != 0 || setitimer(ITIMER_REAL, &timer, NULL) != 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--max-seconds: %s", strerror(errno));
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error) {
+    struct rlimit limit;
+    if (bytes == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    if (getrlimit(RLIMIT_AS, &limit) == 0) {
+        limit.rlim_cur = (rlim_t)bytes < limit.rlim_max ? (rlim_t)bytes : limit.rlim_max;
+        if (setrlimit(RLIMIT_AS, &limit) == 0) {
+            return BURNISH_STATUS_OK;
+        }
+    }
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--max-memory: %s", strerror(errno));
+}
+
+void cli_limit_child(long process) {
+    atomic_store(&child, process);
+}
+
+#endif

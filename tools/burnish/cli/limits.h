@@ -1,0 +1,18 @@
+/* Limits of a run that the system keeps. */
+#ifndef TOOL_CLI_LIMITS_H
+#define TOOL_CLI_LIMITS_H
+
+#include "burnish/core.h"
+
+/* Ends the program after that many seconds by the clock, with one line, exit code 5 and no
+ * temporary left; 0: never. Errors: ARGUMENT (this system has no timers). */
+burnish_status cli_limit_seconds(double seconds, burnish_error *error);
+
+/* Memory that the program may have at most, addresses included that it does not touch: what needs
+ * more ends as where memory is short, with exit code 6. 0: no limit. Errors: ARGUMENT. */
+burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error);
+
+/* A process that is ended with the program; 0: none. */
+void cli_limit_child(long process);
+
+#endif

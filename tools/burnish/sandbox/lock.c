@@ -1,0 +1,165 @@
+#include "sandbox/lock.h"
+
+#include "cli/options.h"
+
+#if BURNISH_HAS_SECCOMP
+
+#include <errno.h>
+#include <seccomp.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+int sandbox_is_built(void) {
+    return 1;
+}
+
+/* ---- Landlock ---- */
+
+/* Of linux/landlock.h, which older systems lack: rights by version of the interface. Version 1 has
+ * 13 rights of files, 2 refer, 3 truncate, 5 ioctl; 4 has bind and connect, 6 scopes. */
+typedef struct landlock_rules {
+    uint64_t files, network, scopes;
+} landlock_rules;
+
+enum { LANDLOCK_CREATE = 444, LANDLOCK_RESTRICT = 446, LANDLOCK_VERSION = 1 };
+
+/* Forbids everything that the kernel's version knows; where it has none, seccomp stands alone. */
+static void forbid_files(void) {
+    const long version = syscall(LANDLOCK_CREATE, NULL, 0, LANDLOCK_VERSION);
+    if (version < 1) {
+        return;
+    }
+    const landlock_rules rules = {.files = (1U << (version >= 5   ? 16
+                                                   : version >= 3 ? 15
+                                                   : version == 2 ? 14
+                                                                  : 13)) -
+                                           1,
+                                  .network = version >= 4 ? 3 : 0,
+                                  .scopes = version >= 6 ? 3 : 0};
+    const size_t size = version >= 6 ? sizeof rules : version >= 4 ? 16 : 8;
+    const int file = (int)syscall(LANDLOCK_CREATE, &rules, size, 0);
+    if (file >= 0) {
+        syscall(LANDLOCK_RESTRICT, file, 0);
+        close(file);
+    }
+}
+
+/* ---- seccomp ---- */
+
+/* What drawing needs once everything is open. */
+static const char *const allowed[] = {"read",
+                                      "write",
+                                      "readv",
+                                      "writev",
+                                      "close",
+                                      "fstat",
+                                      "lseek",
+                                      "munmap",
+                                      "mremap",
+                                      "madvise",
+                                      "brk",
+                                      "futex",
+                                      "rseq",
+                                      "set_robust_list",
+                                      "rt_sigprocmask",
+                                      "rt_sigreturn",
+                                      "sigaltstack",
+                                      "clock_gettime",
+                                      "clock_nanosleep",
+                                      "gettimeofday",
+                                      "nanosleep",
+                                      "getpid",
+                                      "gettid",
+                                      "exit",
+                                      "exit_group",
+                                      "sched_getaffinity",
+                                      "sched_yield",
+                                      "restart_syscall",
+                                      "getrandom",
+                                      "poll",
+                                      "ppoll",
+                                      "getrusage",
+                                      "membarrier",
+                                      "sysinfo",
+                                      "rt_sigaction",
+                                      "_llseek",
+                                      "clock_gettime64",
+                                      "futex_time64",
+                                      "ppoll_time64",
+                                      "clock_nanosleep_time64"};
+
+/* A call whose argument has to match; those that this processor lacks are passed over. */
+static int allow_where(scmp_filter_ctx filter, const char *name, struct scmp_arg_cmp argument) {
+    const int number = seccomp_syscall_resolve_name(name);
+    return number == __NR_SCMP_ERROR
+               ? 0
+               : seccomp_rule_add(filter, SCMP_ACT_ALLOW, number, 1, argument);
+}
+
+static int fill(scmp_filter_ctx filter) {
+    const scmp_datum_t execute = PROT_EXEC, thread = 0x00010100; /* CLONE_THREAD | CLONE_VM */
+    int code = 0;
+    for (size_t i = 0; i < sizeof allowed / sizeof *allowed && code == 0; ++i) {
+        const int number = seccomp_syscall_resolve_name(allowed[i]);
+        code = number == __NR_SCMP_ERROR ? 0 : seccomp_rule_add(filter, SCMP_ACT_ALLOW, number, 0);
+    }
+    /* memory that is not run; threads and no processes; limits are read and not set */
+    code = code ? code : allow_where(filter, "mmap", SCMP_A2(SCMP_CMP_MASKED_EQ, execute, 0));
+    code = code ? code : allow_where(filter, "mmap2", SCMP_A2(SCMP_CMP_MASKED_EQ, execute, 0));
+    code = code ? code : allow_where(filter, "mprotect", SCMP_A2(SCMP_CMP_MASKED_EQ, execute, 0));
+    code = code ? code : allow_where(filter, "clone", SCMP_A0(SCMP_CMP_MASKED_EQ, thread, thread));
+    code = code ? code : allow_where(filter, "prlimit64", SCMP_A2(SCMP_CMP_EQ, 0, 0));
+    code = code ? code
+                : allow_where(filter, "tgkill", SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)getpid(), 0));
+    /* whether a descriptor is a terminal; the C library falls back from clone3 to clone, whose
+     * flags a filter can see */
+    code = code ? code : allow_where(filter, "ioctl", SCMP_A1(SCMP_CMP_EQ, TCGETS, 0));
+    /* fstat of the C library names a path, which a filter can't see: callers do without */
+    code = code ? code : seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(newfstatat), 0);
+    code = code ? code : seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(statx), 0);
+    return code ? code : seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
+}
+
+burnish_status sandbox_lock(int descriptors, burnish_error *error) {
+    const struct rlimit no_core = {0, 0};
+    const struct rlimit files = {(rlim_t)descriptors, (rlim_t)descriptors};
+    setrlimit(RLIMIT_CORE, &no_core);
+    setrlimit(RLIMIT_NOFILE, &files);
+    scmp_filter_ctx filter = NULL;
+    int code = prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 ? 0 : -errno;
+    if (code == 0) {
+        forbid_files();
+        filter = seccomp_init(SCMP_ACT_KILL_PROCESS);
+        code = filter ? fill(filter) : -ENOMEM;
+    }
+    if (code == 0) {
+        code = seccomp_load(filter);
+    }
+    seccomp_release(filter);
+    return code == 0 ? BURNISH_STATUS_OK
+                     : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--sandbox: this system can't (seccomp: %s); use --no-sandbox",
+                                strerror(-code));
+}
+
+#else
+
+int sandbox_is_built(void) {
+    return 0;
+}
+
+burnish_status sandbox_lock(int descriptors, burnish_error *error) {
+    (void)descriptors;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--sandbox: this program was built without libseccomp; install libseccomp-dev "
+                    "and build again, or use --no-sandbox");
+}
+
+#endif

@@ -1,0 +1,42 @@
+/* A command in a sandbox: this process becomes the broker, which opens files, and a child does all
+ * the rest.
+ *
+ *   broker: opens the input; waits           worker: opens fonts, locks itself in (lock.h)
+ *           writes outputs of its list  <-   draws; its outputs go through a socket
+ *           opens files of the input's  <-   asks for material libraries and textures
+ *           folder, sends their bytes
+ *
+ * The worker holds the input's descriptor, the socket and the standard streams. The broker parses
+ * nothing that comes from the input; it checks lengths, names and that outputs are those of the
+ * command line. */
+#ifndef TOOL_SANDBOX_SANDBOX_H
+#define TOOL_SANDBOX_SANDBOX_H
+
+#include "burnish/mesh.h"
+#include "sandbox/lock.h"
+
+enum { SANDBOX_OUTPUTS_MAX = 16 };
+
+typedef struct sandbox_plan {
+    const char *input; /* a file, "-", or a built-in object */
+    const char *outputs[SANDBOX_OUTPUTS_MAX];
+    size_t output_count;
+} sandbox_plan;
+
+/* Forks. In the worker *code is -1, outputs go to the broker from now on, and sandbox_close is to
+ * be called once fonts are open. In the broker the worker has ended, and *code is the exit code.
+ * Errors: ARGUMENT, READ (the input), MEMORY. */
+burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error *error);
+
+/* Whether this is a worker. */
+int sandbox_is_worker(void);
+
+/* Locks the worker; nothing elsewhere. */
+burnish_status sandbox_close(burnish_error *error);
+
+/* burnish_mesh_load by the descriptor that the broker has opened and the files that it hands out.
+ */
+burnish_status sandbox_load(const char *input, const burnish_load_options *options,
+                            burnish_mesh **mesh, burnish_error *error);
+
+#endif

@@ -1,0 +1,138 @@
+#include "sandbox/worker.h"
+
+#include "sandbox/sandbox.h"
+
+#if BURNISH_HAS_SECCOMP
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/file.h"
+#include "cli/options.h"
+#include "sandbox/channel.h"
+
+static int broker = -1, input_file = -1;
+
+static burnish_status fail_broker(burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_WRITE, "the sandbox's other process has ended");
+}
+
+/* ---- Outputs ---- */
+
+/* The line of an error that the broker tells. */
+static burnish_status take_status(const message *head, burnish_error *error) {
+    char text[MESSAGE_TEXT_MAX + 1] = "";
+    if (head->size > MESSAGE_TEXT_MAX || !channel_read(broker, text, (size_t)head->size)) {
+        return fail_broker(error);
+    }
+    return head->value == BURNISH_STATUS_OK
+               ? BURNISH_STATUS_OK
+               : cli_fail(error, (burnish_status)head->value, "%s", text);
+}
+
+static int send_status(burnish_status status, const burnish_error *error) {
+    const char *text = status == BURNISH_STATUS_OK ? "" : error->text;
+    return channel_send(broker, MESSAGE_STATUS, (uint64_t)status, text, strlen(text));
+}
+
+static burnish_status write_by_broker(const char *path, burnish_file_source *source, void *context,
+                                      burnish_file_ready *ready, burnish_error *error) {
+    static char buffer[MESSAGE_DATA_MAX];
+    message head;
+    size_t size;
+    int is_there = channel_send(broker, MESSAGE_WRITE, 0, path, strlen(path));
+    while (is_there && (size = source(context, buffer, sizeof buffer)) > 0) {
+        is_there = channel_send(broker, MESSAGE_DATA, 0, buffer, size);
+    }
+    is_there =
+        is_there && channel_send(broker, MESSAGE_END, 0, NULL, 0) && channel_receive(broker, &head);
+    if (is_there && head.kind == MESSAGE_READY) {
+        burnish_error reason = {BURNISH_STATUS_OK, ""};
+        const burnish_status status = ready ? ready(context, &reason) : BURNISH_STATUS_OK;
+        is_there = send_status(status, &reason) && channel_receive(broker, &head);
+    }
+    return is_there && head.kind == MESSAGE_DONE ? take_status(&head, error) : fail_broker(error);
+}
+
+/* ---- Files beside the input ---- */
+
+static burnish_status load_by_broker(void *user_data, const char *name, uint64_t max_bytes,
+                                     const void **bytes, size_t *size, burnish_error *error) {
+    message head;
+    (void)user_data;
+    if (!channel_send(broker, MESSAGE_FILE, max_bytes, name, strlen(name)) ||
+        !channel_receive(broker, &head)) {
+        return fail_broker(error);
+    }
+    if (head.kind != MESSAGE_BYTES) {
+        return take_status(&head, error);
+    }
+    void *copy =
+        head.size <= max_bytes && head.size < SIZE_MAX ? malloc((size_t)head.size + 1) : NULL;
+    if (!copy) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %.200s", name);
+    }
+    if (!channel_read(broker, copy, (size_t)head.size)) {
+        free(copy);
+        return fail_broker(error);
+    }
+    *bytes = copy;
+    *size = (size_t)head.size;
+    return BURNISH_STATUS_OK;
+}
+
+static void release_file(void *user_data, const void *bytes, size_t size) {
+    (void)user_data, (void)size;
+    free((void *)(uintptr_t)bytes);
+}
+
+/* ---- The worker ---- */
+
+void sandbox_become_worker(int channel, int input) {
+    broker = channel;
+    input_file = input;
+    cli_file_set_writer(write_by_broker);
+}
+
+int sandbox_is_worker(void) {
+    return broker >= 0;
+}
+
+burnish_status sandbox_close(burnish_error *error) {
+    static char buffer[1 << 16]; /* stdio would ask what standard output is */
+    if (!sandbox_is_worker()) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_processor_count(); /* reads files, once */
+    setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
+    return sandbox_lock((broker > input_file ? broker : input_file) + 1, error);
+}
+
+burnish_status sandbox_load(const char *input, const burnish_load_options *options,
+                            burnish_mesh **mesh, burnish_error *error) {
+    burnish_load_options handed = *options;
+    if (!sandbox_is_worker() || *input == ':' || strcmp(input, "-") == 0) {
+        return burnish_mesh_load(input, options, mesh, error);
+    }
+    handed.companions = (burnish_file_loader){load_by_broker, release_file, NULL};
+    return burnish_mesh_load_descriptor(input_file, input, &handed, mesh, error);
+}
+
+#else
+
+int sandbox_is_worker(void) {
+    return 0;
+}
+
+burnish_status sandbox_close(burnish_error *error) {
+    (void)error;
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status sandbox_load(const char *input, const burnish_load_options *options,
+                            burnish_mesh **mesh, burnish_error *error) {
+    return burnish_mesh_load(input, options, mesh, error);
+}
+
+#endif
