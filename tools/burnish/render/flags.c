@@ -675,10 +675,10 @@ static const cli_flag flags[] = {
      TARGET(max_seconds)},
     {.name = "max-memory",
      .value = "N",
-     .help = "at most so many bytes; K, M, G for powers of 1024",
+     .help = "bytes at most, such as 500M or 2G",
      .low = 1,
      .high = 9e18,
-     .default_label = "all there is",
+     .default_label = "all",
      .manual = "Memory that the run may have, addresses included that it does not touch: threads "
                "have some. What needs more ends with exit code 6. _N_ may end in *K*, *M* or *G*.",
      .handler = cli_flag_bytes,
