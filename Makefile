@@ -1,6 +1,6 @@
 # The front door. `make help` lists what there is; ./make does the same where make itself is missing.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo gallery test test-all check asan tsan msan clang scalar fuzz fuzz-briefly fuzz-lines build-fuzz sweep bench \
+.PHONY: help deps build demo formats gallery test test-all check asan tsan msan clang scalar fuzz fuzz-briefly fuzz-lines build-fuzz sweep bench \
 	bench-peers bench-scale format format-check golden abi figures mcu operations prove-q15 rtl rtl-prove cross install check-targets short-docs clean
 
 PRESET ?= release
@@ -37,6 +37,11 @@ demo: ## render the teapot with four lobes and a scanned object, and say where t
 	@$(DEPS) build demo
 	@$(MAKE) --no-print-directory build
 	@./scripts/demo $(BUILD)/burnish $(OUT)
+
+formats: ## fill docs/formats.md: what is drawn of the glTF files below FORMATS_FILES="FOLDER..."
+	@$(DEPS) build
+	@$(MAKE) --no-print-directory build
+	@./scripts/formats-table $(BUILD)/burnish $(DOCS)/formats.md $(FORMATS_FILES)
 
 gallery: short-docs ## render the pictures of README.md and docs/gallery.md again, and build/gallery/index.html with 40 shapes (minutes)
 	@$(DEPS) build demo

@@ -392,6 +392,13 @@ static void test_hierarchy(void) {
     CHECK1(s.triangle_count == 2 && corner_is(&s, 1, 0, 5, 0, 0));
     check_warning(&s, 0, "");
     burnish_mesh_data_destroy(&s);
+    /* A scene that is not there is none. */
+    CHECK(read_gltf(GLTF_HEAD GLTF_TRIANGLE ",'scene':3,'nodes':[{'mesh':0}]}", &s, &e) ==
+              BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK1(s.triangle_count == 1);
+    check_warning(&s, 1, "mesh.gltf:1: scene: 3 is not in scenes, of which there are 0; ignored");
+    burnish_mesh_data_destroy(&s);
 }
 
 /* Normals keep at right angles to a surface that is stretched, and on its side in a mirror. */
@@ -855,6 +862,11 @@ static void test_faults(void) {
                    "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
          "mesh.gltf:1: accessors[0]: sparse accessors unpack to 12000000000 bytes, of a file of "
          "176; write them in full"},
+        {GLTF_HEAD "'accessors':[{'componentType':5126,'count':3,'type':'VEC3'}],"
+                   "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'extensions':{"
+                   "'KHR_draco_mesh_compression':{}}}]}]," ONE_NODE "}",
+         "mesh.gltf:1: meshes[0].primitives[0]: is compressed by KHR_draco_mesh_compression, which "
+         "is not supported; export the file without"},
         {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
          ",'meshes':[{'primitives':[{'mode':1,'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
          "mesh.gltf: no triangles, and points and lines are not drawn"},

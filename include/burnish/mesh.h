@@ -14,7 +14,7 @@
  *         burnish_mesh_destroy(mesh);
  *     }
  *
- * What it does not do: animation, hierarchies.
+ * What it does not do: hierarchies, which are flattened; animation but for one moment of it.
  *
  * Every reader is safe for untrusted input: memory stays in proportion to the bytes given, all
  * counts are checked, and a malformed file gives one line that names the location. A mesh depends

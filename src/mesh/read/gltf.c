@@ -11,10 +11,6 @@ enum {
     CHUNK_BINARY = 0x004E4942
 };
 
-static uint32_t read_u32(const uint8_t *p) {
-    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
-}
-
 /* ---- Container ---- */
 
 int burnish_recognise_gltf(const uint8_t *bytes, size_t size) {
@@ -50,8 +46,8 @@ static int next_chunk(burnish_gltf *gltf, size_t *next, uint32_t *kind, burnish_
     if (input->size - *next < CHUNK_SIZE) {
         return 0;
     }
-    *kind = read_u32(at + 4);
-    *chunk = (burnish_gltf_bytes){at + CHUNK_SIZE, read_u32(at)};
+    *kind = burnish_gltf_u32(at + 4);
+    *chunk = (burnish_gltf_bytes){at + CHUNK_SIZE, burnish_gltf_u32(at)};
     if (chunk->size > input->size - *next - CHUNK_SIZE) {
         return fail_glb(gltf, at, "a chunk reaches beyond the end; the file is truncated");
     }
@@ -69,11 +65,11 @@ static burnish_gltf_bytes open_container(burnish_gltf *gltf) {
         return text;
     }
     gltf->is_glb = gltf->reader->is_binary = 1;
-    if (read_u32(input->bytes + 4) != 2) {
+    if (burnish_gltf_u32(input->bytes + 4) != 2) {
         gltf->status =
             burnish_reader_fail(gltf->reader, BURNISH_STATUS_FORMAT, input->bytes + 4,
                                 "GLB of version %u is not supported; convert it to glTF 2.0",
-                                read_u32(input->bytes + 4));
+                                burnish_gltf_u32(input->bytes + 4));
         return text;
     }
     if (!next_chunk(gltf, &next, &kind, &text) || kind != CHUNK_JSON) {

@@ -237,8 +237,34 @@ const burnish_gltf_accessor *burnish_gltf_resolve(burnish_gltf *gltf, uint32_t a
 /* The components of element i, normalised ones in [-1, 1] or [0, 1]. */
 void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, double *components);
 
+static inline uint32_t burnish_gltf_u16(const uint8_t *p) {
+    return (uint32_t)p[0] | (uint32_t)p[1] << 8;
+}
+static inline uint32_t burnish_gltf_u32(const uint8_t *p) {
+    return burnish_gltf_u16(p) | burnish_gltf_u16(p + 2) << 16;
+}
+static inline double burnish_gltf_float(const uint8_t *p) {
+    const uint32_t bits = burnish_gltf_u32(p);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return (double)value;
+}
+
 /* Element i of one of integers, as it stands. */
-uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accessor, size_t i, int component);
+static inline uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accessor, size_t i,
+                                            int component) {
+    const uint8_t *p = accessor->bytes + i * accessor->stride;
+    switch (accessor->component) {
+    case BURNISH_GLTF_UNSIGNED_BYTE:
+        return p[component];
+    case BURNISH_GLTF_UNSIGNED_SHORT:
+        return burnish_gltf_u16(p + (size_t)2 * (size_t)component);
+    case BURNISH_GLTF_UNSIGNED_INT:
+        return burnish_gltf_u32(p + (size_t)4 * (size_t)component);
+    default:
+        return UINT32_MAX;
+    }
+}
 
 /* ---- gltf_nodes.c ---- */
 

@@ -39,28 +39,14 @@ static int width_of(const burnish_gltf *gltf, uint32_t type) {
 
 /* ---- Elements ---- */
 
-static uint32_t read_u16(const uint8_t *p) {
-    return (uint32_t)p[0] | (uint32_t)p[1] << 8;
-}
-static uint32_t read_u32(const uint8_t *p) {
-    return read_u16(p) | read_u16(p + 2) << 16;
-}
-
-static double read_float(const uint8_t *p) {
-    const uint32_t bits = read_u32(p);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return (double)value;
-}
-
 /* Source of the scales: section 3.11 of the specification. */
 static double read_component(const uint8_t *p, int component, int is_normalized) {
     double value, scale;
     switch (component) {
     case BURNISH_GLTF_FLOAT:
-        return read_float(p);
+        return burnish_gltf_float(p);
     case BURNISH_GLTF_UNSIGNED_INT:
-        return read_u32(p);
+        return burnish_gltf_u32(p);
     case BURNISH_GLTF_BYTE:
         value = (int8_t)*p;
         scale = 127;
@@ -70,11 +56,11 @@ static double read_component(const uint8_t *p, int component, int is_normalized)
         scale = 255;
         break;
     case BURNISH_GLTF_SHORT:
-        value = (int16_t)(uint16_t)read_u16(p);
+        value = (int16_t)(uint16_t)burnish_gltf_u16(p);
         scale = 32767;
         break;
     default:
-        value = read_u16(p);
+        value = burnish_gltf_u16(p);
         scale = 65535;
         break;
     }
@@ -87,23 +73,15 @@ static double read_component(const uint8_t *p, int component, int is_normalized)
 void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, double *components) {
     const uint8_t *p = accessor->bytes + i * accessor->stride;
     const size_t size = component_size(accessor->component);
+    if (accessor->component == BURNISH_GLTF_FLOAT) { /* most are */
+        for (int k = 0; k < accessor->width; ++k) {
+            components[k] = burnish_gltf_float(p + 4 * (size_t)k);
+        }
+        return;
+    }
     for (int k = 0; k < accessor->width; ++k) {
         components[k] =
             read_component(p + (size_t)k * size, accessor->component, accessor->is_normalized);
-    }
-}
-
-uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accessor, size_t i, int component) {
-    const uint8_t *p = accessor->bytes + i * accessor->stride;
-    switch (accessor->component) {
-    case BURNISH_GLTF_UNSIGNED_BYTE:
-        return p[component];
-    case BURNISH_GLTF_UNSIGNED_SHORT:
-        return read_u16(p + (size_t)2 * (size_t)component);
-    case BURNISH_GLTF_UNSIGNED_INT:
-        return read_u32(p + (size_t)4 * (size_t)component);
-    default:
-        return UINT32_MAX;
     }
 }
 

@@ -113,7 +113,9 @@ static void find_order(burnish_gltf *gltf) {
 
 /* Marks the roots of the scene that is drawn; without a scene all roots. */
 static void mark_roots(burnish_gltf *gltf) {
+    gltf->is_lenient = 1; /* a scene that is not there is as good as none */
     uint32_t scene = burnish_gltf_reference(gltf, 0, "scene", BURNISH_GLTF_SCENES);
+    gltf->is_lenient = 0;
     if (scene == BURNISH_GLTF_NONE && gltf->counts[BURNISH_GLTF_SCENES] > 0) {
         scene = 0;
     }

@@ -88,6 +88,15 @@ static void count_triangles(burnish_gltf *gltf, burnish_gltf_primitive *primitiv
     }
 }
 
+/* Whether the positions stand in the file as they are, besides what is compressed. */
+static int has_values(burnish_gltf *gltf, uint32_t attributes) {
+    const uint32_t number =
+        burnish_gltf_reference(gltf, attributes, "POSITION", BURNISH_GLTF_ACCESSORS);
+    return number != BURNISH_GLTF_NONE &&
+           burnish_json_member(&gltf->json, gltf->lists[BURNISH_GLTF_ACCESSORS][number],
+                               "bufferView") != BURNISH_JSON_NONE;
+}
+
 /* Returns whether there is anything to draw. */
 static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive) {
     static const char *const modes[] = {"points", "lines", "line loops", "line strips"};
@@ -99,6 +108,14 @@ static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive)
     if (primitive->mode < TRIANGLES) {
         burnish_gltf_note(gltf, &gltf->unsupported_modes, primitive->value, "%s are not drawn",
                           modes[primitive->mode]);
+        return 0;
+    }
+    if (burnish_gltf_extension(gltf, primitive->value, "KHR_draco_mesh_compression") !=
+            BURNISH_JSON_NONE &&
+        !has_values(gltf, attributes)) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, primitive->value,
+                          "is compressed by KHR_draco_mesh_compression, which is not supported; "
+                          "export the file without");
         return 0;
     }
     primitive->position = read_attribute(gltf, primitive, attributes, "POSITION", WIDTH(3));
