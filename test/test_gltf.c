@@ -770,6 +770,34 @@ static void test_textures(void) {
                   "coordinates of its own (set 1)");
     burnish_mesh_data_destroy(&s);
 }
+/* Images that can't be had leave the mesh as it is without them; after some that are damaged, no
+ * further ones are tried. */
+static void test_damaged_images(void) {
+    static const char *const images[] = {"{'uri':'data:image/png;base64,AAAA'}",
+                                         "{'uri':'data:image/png;base64,A*'}",
+                                         "{'bufferView':7}",
+                                         "{'uri':5}",
+                                         "{}",
+                                         "{'uri':'../a.png'}"};
+    for (size_t i = 0; i < sizeof images / sizeof *images; ++i) {
+        char json[2048];
+        burnish_mesh_data s;
+        burnish_error e;
+        snprintf(json, sizeof json,
+                 GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
+                 ",'images':[%s,%s],'textures':[{'source':0},{'source':1}],'materials':[{"
+                 "'pbrMetallicRoughness':{'baseColorTexture':{'index':0}},"
+                 "'normalTexture':{'index':1},'emissiveTexture':{'index':9}}],"
+                 "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}]," ONE_NODE
+                 "}",
+                 images[i], images[i]);
+        CHECK(read_gltf(json, &s, &e) == BURNISH_STATUS_OK, "%s: %s", images[i], e.text);
+        CHECK1(s.triangle_count == 1 && s.texture_count == 0 && s.warning_count >= 1 &&
+               s.materials[0].textures[BURNISH_TEXTURE_COLOR].texture == 0);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
 /* ---- Faults ---- */
 
 static void test_faults(void) {
@@ -961,6 +989,7 @@ int main(int count, char **arguments) {
     RUN(test_animation());
     RUN(test_cameras());
     RUN(test_textures());
+    RUN(test_damaged_images());
     RUN(test_faults());
     RUN(test_instances_are_bounded());
     RUN(test_damage());

@@ -168,14 +168,15 @@ typedef struct burnish_gltf {
 
     int *image_textures; /* two per item of IMAGES, as numbers and as colours: 1 + number of the
                             texture, 0: it can't be had, -1: not asked for yet */
+    int damaged_images;  /* of those whose bytes the file holds */
     int has_colors;      /* 1: a primitive has colours of vertices */
     burnish_warning_group odd_values, unsupported_modes, rests, other_sets;
 } burnish_gltf;
 
 /* ---- gltf_values.c ---- */
 
-/* Fails with "NAME:LINE: PATH: ..."; value NONE: without place. The first failure stays. Returns 0.
- */
+/* Fails with "NAME:LINE: PATH: ..."; value NONE: without place. The first failure stays. Where the
+ * file is lenient, what is no matter of limits is noted instead, and status stays. Returns 0. */
 __attribute__((format(printf, 4, 5))) int burnish_gltf_fail(burnish_gltf *gltf,
                                                             burnish_status status, uint32_t value,
                                                             const char *format, ...);

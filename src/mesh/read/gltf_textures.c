@@ -3,7 +3,12 @@
 #include "mesh/read/gltf.h"
 #include "mesh/read/textures.h"
 
-enum { NEAREST = 9728, CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT = 33648 };
+enum {
+    NEAREST = 9728,
+    CLAMP_TO_EDGE = 33071,
+    MIRRORED_REPEAT = 33648,
+    DAMAGED_MAX = 8 /* images after which no further one is tried: each may take long to fail */
+};
 
 /* ---- Images ---- */
 
@@ -11,11 +16,16 @@ static int decode_bytes(burnish_gltf *gltf, uint32_t image, const uint8_t *bytes
                         int is_color) {
     char name[96];
     const uint32_t given = burnish_json_member(&gltf->json, image, "name");
+    if (gltf->damaged_images >= DAMAGED_MAX) {
+        return 0;
+    }
     if (burnish_json_text(&gltf->json, given, name, sizeof name) == 0) {
         strcpy(name, burnish_json_path_of(&gltf->json, image).text);
     }
-    return burnish_reader_decode_texture(gltf->reader, burnish_json_at(&gltf->json, image), name,
-                                         bytes, size, is_color);
+    const int number = burnish_reader_decode_texture(
+        gltf->reader, burnish_json_at(&gltf->json, image), name, bytes, size, is_color);
+    gltf->damaged_images += number == 0;
+    return number;
 }
 
 static int load_image(burnish_gltf *gltf, uint32_t image, int is_color) {

@@ -21,12 +21,19 @@ static const uint8_t *at(const burnish_gltf *gltf, uint32_t value) {
 
 int burnish_gltf_fail(burnish_gltf *gltf, burnish_status status, uint32_t value, const char *format,
                       ...) {
+    const int is_passed_over =
+        gltf->is_lenient && status != BURNISH_STATUS_LIMIT && status != BURNISH_STATUS_MEMORY;
     if (gltf->status == BURNISH_STATUS_OK) {
         char text[TEXT_SIZE];
         va_list arguments;
         va_start(arguments, format);
         write_text(text, gltf, value, format, arguments);
         va_end(arguments);
+        if (is_passed_over) {
+            burnish_reader_note(gltf->reader, &gltf->odd_values, at(gltf, value), "%s; ignored",
+                                text);
+            return 0;
+        }
         gltf->status = burnish_reader_fail(gltf->reader, status, at(gltf, value), "%s", text);
     }
     return 0;
@@ -61,11 +68,6 @@ static int mistaken(burnish_gltf *gltf, uint32_t value, const char *expected) {
         burnish_json_at(&gltf->json, value) - is_string,
         node->kind >= BURNISH_JSON_ARRAY ? 1 : node->size + (is_string ? 2u : 0u)};
     const burnish_quote found = burnish_token_quote(token);
-    if (gltf->is_lenient) {
-        burnish_gltf_note(gltf, &gltf->odd_values, value, "expected %s, found %s; ignored",
-                          expected, found.text);
-        return 0;
-    }
     return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value, "expected %s, found %s", expected,
                              found.text);
 }
@@ -173,17 +175,10 @@ uint32_t burnish_gltf_item(burnish_gltf *gltf, uint32_t value, burnish_gltf_list
     if (whole < gltf->counts[list]) {
         return (uint32_t)whole;
     }
-    if (gltf->is_lenient) {
-        burnish_gltf_note(gltf, &gltf->odd_values, value,
-                          "%llu is not in %s, of which there are "
-                          "%zu; ignored",
-                          (unsigned long long)whole, list_keys[list], gltf->counts[list]);
-    } else {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                          "%llu is not in %s, of which there "
-                          "are %zu",
-                          (unsigned long long)whole, list_keys[list], gltf->counts[list]);
-    }
+    burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
+                      "%llu is not in %s, of which there are "
+                      "%zu",
+                      (unsigned long long)whole, list_keys[list], gltf->counts[list]);
     return BURNISH_GLTF_NONE;
 }
 
