@@ -548,7 +548,7 @@ static void test_undrawn(void) {
     burnish_mesh_data_destroy(&s);
     for (int faces = 0; faces < 2; ++faces) { /* of an element without rows nothing is lost */
         char text[400];
-        snprintf(text, sizeof text,
+        snprintf(text, sizeof text, /* the strip's triangle has none */
                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\nelement tristrips 1\nproperty list uchar int vertex_indices\n"
                  "element face %d\nproperty list uchar int vertex_indices\nproperty uchar red\n"

@@ -49,36 +49,60 @@ static void test_binary_stl(void) {
     }
 }
 
-/* Colours that are not drawn are one line: those of facets (VisCAM, SolidView) and, by the header,
- * those of the object and of facets (Magics). */
+/* Colours of facets: those with bit 15 (VisCAM, SolidView), or, where the header announces one,
+ * those without it (Magics). One colour of all is the material's. */
 static void test_stl_colors(void) {
+    enum { NONE = 0x3EEF }; /* what put_stl() writes: no colour without a header that says so */
     static const struct {
         const char *header;
-        size_t count, colored; /* facets, and the one that has a colour */
-        const char *warning;   /* NULL: none */
-    } cases[] = {{"", 3, 3, NULL},
-                 {"", 3, 0, "mesh.stl: colours of facets are not drawn"},
-                 {"", 3, 2, "mesh.stl: colours of facets are not drawn"},
-                 {"made by hand COLOR=\x10\x20\x30\xFF", 3, 3,
-                  "mesh.stl: the colours that its header announces are not drawn"},
-                 {"COLOR=\x10\x20\x30\xFF,MATERIAL=", 3, 1,
-                  "mesh.stl: the colours that its header announces are not drawn"}};
+        uint16_t attributes[3];
+        uint8_t expected[3][3];
+        int materials; /* the colour is that of the material */
+    } cases[] = {
+        {"", {NONE, NONE, NONE}, {{0}}, 0},
+        {"", {0xFFFF, 0xFFFF, 0xFFFF}, {{0}}, 0},
+        {"", {0x8000, 0x8000, 0x8000}, {{0}}, 0},
+        {"",
+         {0x8000 | 31 << 10 | 16, NONE, 0x8000 | 1 << 5},
+         {{255, 0, 132}, {255, 255, 255}, {0, 8, 0}},
+         0},
+        {"x COLOR=\x10\x20\x30\xFF",
+         {31 << 10 | 16, 0x8000, 0},
+         {{132, 0, 255}, {16, 32, 48}, {0, 0, 0}},
+         0},
+        {"COLOR=\x10\x20\x30\xFF,MATERIAL=", {0x8000, 0x8000, 0x8000}, {{16, 32, 48}}, 1},
+        {"COLOR=\x10\x20\x30\xFF", {31, 31, 31}, {{255, 0, 0}}, 1},
+        {"", {0x801F, 0x801F, 0x801F}, {{0, 0, 255}}, 1},
+    };
     burnish_load_options options = burnish_load_options_default();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         byte_list list = {.size = 0};
         burnish_mesh_data s;
         burnish_error e;
-        put_stl(&list, cases[i].header, (uint32_t)cases[i].count);
-        if (cases[i].colored < cases[i].count) {
-            list.bytes[84 + 50 * cases[i].colored + 49] |= 0x80;
+        put_stl(&list, cases[i].header, 3);
+        for (size_t k = 0; k < 3; ++k) {
+            list.bytes[84 + 50 * k + 48] = (uint8_t)cases[i].attributes[k];
+            list.bytes[84 + 50 * k + 49] = (uint8_t)(cases[i].attributes[k] >> 8);
         }
         CHECK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e) ==
                   BURNISH_STATUS_OK,
               "%s", e.text);
-        if (CHECK(s.warning_count == (cases[i].warning != NULL), "case %zu: %zu", i,
-                  s.warning_count) &&
-            cases[i].warning) {
-            CHECK_TEXT(s.warnings[0], cases[i].warning);
+        const int is_plain = !cases[i].materials && cases[i].expected[0][0] == 0;
+        const uint8_t *rgba = burnish_colors(&s);
+        CHECK(s.warning_count == 0 && s.material_count == (size_t)cases[i].materials &&
+                  (rgba == NULL) == (is_plain || cases[i].materials),
+              "case %zu", i);
+        for (size_t corner = 0; rgba && corner < 9; ++corner) {
+            CHECK(memcmp(rgba + 4 * corner, cases[i].expected[corner / 3], 3) == 0 &&
+                      rgba[4 * corner + 3] == 255,
+                  "case %zu, corner %zu", i, corner);
+        }
+        if (s.material_count == 1) {
+            const uint8_t *c = cases[i].expected[0];
+            CHECK(color_is(s.materials[0].diffuse, (float)c[0] / 255, (float)c[1] / 255,
+                           (float)c[2] / 255) &&
+                      s.materials[0].has_diffuse,
+                  "case %zu", i);
         }
         burnish_mesh_data_destroy(&s);
     }

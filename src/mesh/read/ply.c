@@ -19,7 +19,9 @@ typedef struct ply_state {
     const burnish_ply_element *element; /* being read */
     size_t first_row;                   /* rows of it that were read by other means */
     size_t vertex_count;
-    burnish_ply_type types[BURNISH_PLY_ROLE_COUNT]; /* of a vertex; NONE: not there */
+    burnish_ply_type types[BURNISH_PLY_ROLE_COUNT];      /* of a vertex; NONE: not there */
+    burnish_ply_type face_types[BURNISH_PLY_ROLE_COUNT]; /* of a face's colours */
+    int takes_face_colors; /* 1: each triangle appends its face's colour */
     burnish_warning_group few_corners, fields;
     int by_lines;       /* rows are lines of an ASCII file, whatever they hold */
     atomic_int *is_odd; /* becomes 1 where a line does not hold a row */
@@ -181,6 +183,16 @@ static inline int read_corners(ply_parser *p, burnish_ply_encoding encoding,
     return corners || count == 0;
 }
 
+static void write_color(const burnish_ply_type types[BURNISH_PLY_ROLE_COUNT],
+                        const double values[BURNISH_PLY_ROLE_COUNT], uint8_t *rgba) {
+    for (int i = 0; i < 4; ++i) {
+        const burnish_ply_type type = types[BURNISH_PLY_RED + i];
+        rgba[i] = type == BURNISH_PLY_NONE
+                      ? 255
+                      : burnish_ply_to_color(values[BURNISH_PLY_RED + i], type);
+    }
+}
+
 /* Appends a vertex; values by role. */
 static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_COUNT]) {
     burnish_chunk *chunk = p->chunk;
@@ -205,11 +217,8 @@ static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_CO
     }
     if (has_roles(ply, BURNISH_PLY_RED, BURNISH_PLY_BLUE)) {
         uint8_t *rgba = burnish_chunk_append(chunk, BURNISH_COLOR);
-        for (int i = 0; i < 4 && rgba; ++i) {
-            const burnish_ply_type type = ply->types[BURNISH_PLY_RED + i];
-            rgba[i] = type == BURNISH_PLY_NONE
-                          ? 255
-                          : burnish_ply_to_color(values[BURNISH_PLY_RED + i], type);
+        if (rgba) {
+            write_color(ply->types, values, rgba);
         }
     }
 }
@@ -231,6 +240,17 @@ static void append_strips(ply_parser *p, const uint8_t *at, const uint32_t *corn
         if (triangle[0] != triangle[1] && triangle[1] != triangle[2] &&
             triangle[2] != triangle[0]) {
             burnish_chunk_append_face(p->chunk, at, triangle, 1, 3, 1u << BURNISH_POSITION);
+        }
+    }
+}
+
+/* One colour per triangle of a face of `count` corners. */
+static void append_face_color(ply_parser *p, const double values[BURNISH_PLY_ROLE_COUNT],
+                              size_t count) {
+    for (size_t i = 2; i < count && p->chunk->status == BURNISH_STATUS_OK; ++i) {
+        uint8_t *rgba = burnish_chunk_append(p->chunk, BURNISH_COLOR);
+        if (rgba) {
+            write_color(p->ply->face_types, values, rgba);
         }
     }
 }
@@ -308,6 +328,9 @@ static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
         append_vertex(p, values);
     } else if (element->kind != BURNISH_PLY_ELEMENT_OTHER) {
         append_corners(p, HERE(p), corner_count);
+        if (p->ply->takes_face_colors && element->kind == BURNISH_PLY_ELEMENT_FACE) {
+            append_face_color(p, values, corner_count);
+        }
     }
     return p->chunk->status == BURNISH_STATUS_OK;
 }
@@ -398,12 +421,11 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
 
 /* Rows of the element at hand from *at on, which moves past them. */
 static burnish_status read_rows(ply_state *ply, const uint8_t **at, size_t rows) {
-    static const burnish_grammar text = {find_line, parse, accept, 1u << BURNISH_POSITION, 0};
-    static const burnish_grammar binary = {NULL, parse, accept, 1u << BURNISH_POSITION, 0};
-    const int is_text = ply->header.encoding == BURNISH_PLY_ASCII;
+    const burnish_grammar grammar = {
+        ply->header.encoding == BURNISH_PLY_ASCII ? find_line : NULL, parse, accept,
+        1u << BURNISH_POSITION | (unsigned)ply->takes_face_colors << BURNISH_COLOR, 0};
     size_t missing = rows;
-    burnish_status status =
-        burnish_chunks_read(is_text ? &text : &binary, ply, ply->reader, at, &missing);
+    burnish_status status = burnish_chunks_read(&grammar, ply, ply->reader, at, &missing);
     if (status == BURNISH_STATUS_OK && missing > 0) {
         status = burnish_reader_fail(
             ply->reader, BURNISH_STATUS_FORMAT, *at,
@@ -446,6 +468,18 @@ static burnish_status read_vertices(ply_state *ply, burnish_ply_rows *rows, cons
     return burnish_tasks_check(mesh->tasks, ply->reader->error);
 }
 
+static burnish_status convert_face_colors(ply_state *ply, burnish_ply_rows *rows, size_t count) {
+    burnish_mesh_data *mesh = ply->reader->mesh;
+    burnish_stream *colors = &mesh->streams[BURNISH_COLOR];
+    colors->items = burnish_reserve(&mesh->memory, colors->items, &colors->capacity,
+                                    rows->first_triangle + count, 4, "colours of faces");
+    if (mesh->memory.status == BURNISH_STATUS_OK) {
+        burnish_tasks_ranges(mesh->tasks, count, GRAIN, burnish_ply_convert_face_colors, rows);
+        colors->count = rows->first_triangle + count;
+    }
+    return mesh->memory.status;
+}
+
 /* The triangles that the element begins with; read_rows() goes on from the first row that is
  * something else, where there is one. */
 static burnish_status read_triangles(ply_state *ply, burnish_ply_rows *rows, const uint8_t **at) {
@@ -468,6 +502,10 @@ static burnish_status read_triangles(ply_state *ply, burnish_ply_rows *rows, con
         rows->first_triangle = mesh->triangle_count;
         burnish_tasks_ranges(mesh->tasks, count, GRAIN, burnish_ply_convert_triangles, rows);
         ply->first_row = atomic_load(&rows->odd);
+        if (ply->takes_face_colors &&
+            convert_face_colors(ply, rows, ply->first_row) != BURNISH_STATUS_OK) {
+            return mesh->memory.status;
+        }
         mesh->triangle_count += ply->first_row;
         *at += ply->first_row * rows->row_size;
     }
@@ -555,6 +593,13 @@ static burnish_status read_element(ply_state *ply, const uint8_t **at) {
         if (!burnish_reader_keeps_coordinates(ply->reader, ply->header.texture.size > 0)) {
             ply->types[BURNISH_PLY_S] = BURNISH_PLY_NONE;
         }
+    }
+    ply->takes_face_colors =
+        element->kind == BURNISH_PLY_ELEMENT_FACE && ply->header.has_face_colors &&
+        !ply->header.has_vertex_colors &&
+        ply->reader->mesh->streams[BURNISH_COLOR].count == ply->reader->mesh->triangle_count;
+    for (int i = 0; i < BURNISH_PLY_ROLE_COUNT && ply->takes_face_colors; ++i) {
+        ply->face_types[i] = rows.columns[i].type;
     }
     if (!is_ascii && lists == 0 && element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
         return read_vertices(ply, &rows, at);
@@ -688,7 +733,8 @@ static void check_alpha(const ply_state *ply) {
     const burnish_mesh_data *mesh = ply->reader->mesh;
     const size_t count = mesh->streams[BURNISH_COLOR].count;
     uint8_t *rgba = burnish_colors(mesh);
-    unsigned any = ply->types[BURNISH_PLY_ALPHA] == BURNISH_PLY_NONE;
+    const burnish_ply_type *types = ply->takes_face_colors ? ply->face_types : ply->types;
+    unsigned any = types[BURNISH_PLY_ALPHA] == BURNISH_PLY_NONE;
     for (size_t i = 0; i < count && !any; ++i) {
         any = rgba[4 * i + 3];
     }
@@ -698,7 +744,7 @@ static void check_alpha(const ply_state *ply) {
     for (size_t i = 0; i < count; ++i) {
         rgba[4 * i + 3] = 255;
     }
-    burnish_reader_warn(ply->reader, NULL, "alpha is 0 at every vertex: drawn opaque");
+    burnish_reader_warn(ply->reader, NULL, "alpha is 0 everywhere: drawn opaque");
 }
 
 /* comment TextureFile NAME: the colour of all. */
@@ -740,8 +786,9 @@ static burnish_status load_texture(const ply_state *ply) {
 static void warn_undrawn(const ply_state *ply) {
     burnish_reader_warn_group(ply->reader, &ply->few_corners);
     burnish_reader_warn_group(ply->reader, &ply->fields);
-    if (ply->header.has_face_colors) {
-        burnish_reader_warn(ply->reader, NULL, "colours of faces are not drawn");
+    if (ply->header.has_face_colors && !ply->takes_face_colors) {
+        burnish_reader_warn(ply->reader, NULL, "colours of faces are not drawn%s",
+                            ply->header.has_vertex_colors ? ", those of vertices are" : "");
     }
     if (ply->header.has_face_coordinates && ply->reader->input->options->keep_texture_coordinates) {
         burnish_reader_warn(ply->reader, NULL,
@@ -749,11 +796,35 @@ static void warn_undrawn(const ply_state *ply) {
     }
 }
 
+/* Gives each triangle the colour that was read for it, where all have one. */
+static burnish_status settle_face_colors(ply_state *ply) {
+    burnish_mesh_data *mesh = ply->reader->mesh;
+    burnish_stream *colors = &mesh->streams[BURNISH_COLOR];
+    ply->takes_face_colors = 0;
+    if (ply->header.has_vertex_colors || colors->count == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    if (colors->count != mesh->triangle_count) {
+        burnish_mesh_data_drop(mesh, BURNISH_COLOR);
+        return BURNISH_STATUS_OK;
+    }
+    ply->takes_face_colors = 1;
+    burnish_status status =
+        burnish_mesh_data_reserve_corners(mesh, BURNISH_COLOR, mesh->triangle_count);
+    for (size_t i = 0; i < 3 * mesh->triangle_count && status == BURNISH_STATUS_OK; ++i) {
+        colors->corners[i] = (uint32_t)(i / 3);
+    }
+    return status;
+}
+
 burnish_status burnish_read_ply(burnish_reader *reader) {
     ply_state ply = {.reader = reader};
     burnish_status status = burnish_ply_read_header(reader, &ply.header);
     if (status == BURNISH_STATUS_OK) {
         status = read_body(&ply);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = settle_face_colors(&ply);
     }
     if (status == BURNISH_STATUS_OK) {
         check_alpha(&ply);

@@ -77,9 +77,10 @@ typedef struct burnish_ply_header {
     size_t element_count, element_capacity;
     burnish_ply_property *properties;
     size_t property_count, property_capacity;
-    const uint8_t *body;                       /* first byte after the line end of end_header */
-    burnish_token texture;                     /* of "comment TextureFile NAME"; empty: none */
-    int has_face_colors, has_face_coordinates; /* of textures: lists named texcoord */
+    const uint8_t *body;                    /* first byte after the line end of end_header */
+    burnish_token texture;                  /* of "comment TextureFile NAME"; empty: none */
+    int has_vertex_colors, has_face_colors; /* red, green and blue */
+    int has_face_coordinates;               /* of textures: lists named texcoord */
 } burnish_ply_header;
 
 /* ---- ply_header.c ---- */
@@ -112,6 +113,9 @@ typedef struct burnish_ply_rows {
  * row that is not as expected goes to rows->odd. user_data: the burnish_ply_rows. */
 void burnish_ply_convert_vertices(void *user_data, size_t first, size_t end);
 void burnish_ply_convert_triangles(void *user_data, size_t first, size_t end);
+
+/* The colours of triangles that have been converted, one each. */
+void burnish_ply_convert_face_colors(void *user_data, size_t first, size_t end);
 
 /* ---- Binary values ---- */
 

@@ -45,6 +45,12 @@ static void convert_colors(const burnish_ply_rows *rows, size_t first, size_t en
     }
 }
 
+void burnish_ply_convert_face_colors(void *user_data, size_t first, size_t end) {
+    const burnish_ply_rows *rows = user_data;
+    convert_colors(rows, first, end,
+                   burnish_colors(rows->mesh) + 4 * (rows->first_triangle + first));
+}
+
 /* Rows [first, end) of vertices, some at a time, so that they stay in the first-level cache. */
 void burnish_ply_convert_vertices(void *user_data, size_t first, size_t end) {
     enum { ROWS = 512 };

@@ -49,6 +49,10 @@ static burnish_ply_role vertex_role(burnish_token name) {
                  {"green", BURNISH_PLY_GREEN},
                  {"blue", BURNISH_PLY_BLUE},
                  {"alpha", BURNISH_PLY_ALPHA},
+                 {"r", BURNISH_PLY_RED},
+                 {"g", BURNISH_PLY_GREEN},
+                 {"b", BURNISH_PLY_BLUE},
+                 {"a", BURNISH_PLY_ALPHA},
                  {"diffuse_red", BURNISH_PLY_RED},
                  {"diffuse_green", BURNISH_PLY_GREEN},
                  {"diffuse_blue", BURNISH_PLY_BLUE},
@@ -70,6 +74,10 @@ static burnish_ply_role vertex_role(burnish_token name) {
 static burnish_ply_role role_of(burnish_ply_kind kind, int is_list, burnish_token name) {
     if (kind == BURNISH_PLY_ELEMENT_VERTEX && !is_list) {
         return vertex_role(name);
+    }
+    if (kind == BURNISH_PLY_ELEMENT_FACE && !is_list) {
+        const burnish_ply_role role = vertex_role(name);
+        return role >= BURNISH_PLY_RED && role <= BURNISH_PLY_ALPHA ? role : BURNISH_PLY_OTHER;
     }
     if ((kind == BURNISH_PLY_ELEMENT_FACE || kind == BURNISH_PLY_ELEMENT_STRIPS) && is_list &&
         (burnish_token_is(name, "vertex_indices") || burnish_token_is(name, "vertex_index"))) {
@@ -175,8 +183,6 @@ static burnish_status read_property(header_state *ply) {
     }
     property.role = role_of(element->kind, is_list, name);
     if (element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0) {
-        const burnish_ply_role role = is_list ? BURNISH_PLY_OTHER : vertex_role(name);
-        header->has_face_colors |= role >= BURNISH_PLY_RED && role <= BURNISH_PLY_BLUE;
         header->has_face_coordinates |= is_list && burnish_token_is(name, "texcoord");
     }
     burnish_memory *memory = &ply->reader->mesh->memory;
@@ -253,12 +259,17 @@ static unsigned roles_of(const burnish_ply_header *header, const burnish_ply_ele
 }
 
 static burnish_status check_elements(header_state *ply) {
+    const unsigned rgb = 1u << BURNISH_PLY_RED | 1u << BURNISH_PLY_GREEN | 1u << BURNISH_PLY_BLUE;
     const unsigned xyz = 1u << BURNISH_PLY_X | 1u << BURNISH_PLY_Y | 1u << BURNISH_PLY_Z;
     burnish_ply_header *header = ply->header;
     int vertex_elements = 0;
     for (size_t i = 0; i < header->element_count; ++i) {
         const burnish_ply_element *element = &header->elements[i];
         unsigned roles = roles_of(header, element);
+        header->has_vertex_colors |=
+            element->kind == BURNISH_PLY_ELEMENT_VERTEX && (roles & rgb) == rgb;
+        header->has_face_colors |=
+            element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0 && (roles & rgb) == rgb;
         if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && ++vertex_elements > 1) {
             return burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, element->at,
                                        "a second vertex element; merge the two");

@@ -2,13 +2,16 @@
  *
  * One in seven binary files on sharing sites starts with "solid", so the size decides first. It
  * also decides how many facets there are, where the header's count contradicts it: programs that
- * write facets as they come never go back to fill it in. Facet
- * normals are passed over: they are redundant and often wrong. So are colours, with a warning:
- * those of facets in the attribute bytes, valid where bit 15 is set (VisCAM, SolidView), and those
- * that "COLOR=" in the header announces (Magics). */
+ * write facets as they come never go back to fill it in. Facet normals are passed over: they are
+ * redundant and often wrong.
+ *
+ * Colours of a binary file's facets are 5 bits each in its two attribute bytes, in one of two ways.
+ * VisCAM and SolidView: blue lowest, valid where bit 15 is set. Magics, told by "COLOR=" and 4
+ * bytes RGBA in the header: red lowest, valid where bit 15 is not set; others have the header's. */
 #include <stdatomic.h>
 #include <stdio.h>
 
+#include "core/srgb.h"
 #include "mesh/read/chunks.h"
 
 enum {
@@ -16,9 +19,15 @@ enum {
     HEADER_SIZE = 84, /* the title and the count of facets */
     FACET_SIZE = 50,
     NORMAL_SIZE = 12,
-    ATTRIBUTES_END = 49, /* the upper one of a facet's two attribute bytes */
+    ATTRIBUTES_AT = 48, /* a facet's two attribute bytes */
     LOOKED_AT = 512
 };
+
+enum { HAS_COLOR = 0x8000, BITS_OF_COLOR = 0x7FFF };
+
+static unsigned read_u16(const uint8_t *p) {
+    return (unsigned)p[0] | (unsigned)p[1] << 8;
+}
 
 static uint32_t read_u32(const uint8_t *p) {
     return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
@@ -31,8 +40,10 @@ enum { GRAIN = 1 << 14 /* facets that a thread takes at once */ };
 typedef struct facet_context {
     const uint8_t *bytes; /* the first facet */
     float *positions;
-    atomic_size_t bad;      /* the first facet with a coordinate that is not finite */
-    atomic_uint attributes; /* the upper attribute bytes of all facets, joined by or */
+    atomic_size_t bad;        /* the first facet with a coordinate that is not finite */
+    atomic_uint any, all;     /* the attribute bytes of all facets, joined by or and by and */
+    const uint8_t *announced; /* RGBA after "COLOR=" in the header; NULL: there is none */
+    uint8_t *colors;          /* 4 bytes per corner */
 } facet_context;
 
 static int is_finite(uint32_t bits) {
@@ -42,7 +53,7 @@ static int is_finite(uint32_t bits) {
 static void convert_facets(void *user_data, size_t first, size_t end) {
     facet_context *context = user_data;
     size_t bad = SIZE_MAX;
-    unsigned attributes = 0;
+    unsigned any = 0, all = UINT16_MAX;
     for (size_t i = end; i-- > first;) {
         const uint8_t *from = context->bytes + i * FACET_SIZE + NORMAL_SIZE;
         uint32_t bits[9], finite = 1;
@@ -52,10 +63,13 @@ static void convert_facets(void *user_data, size_t first, size_t end) {
         }
         memcpy(context->positions + 9 * i, bits, sizeof bits);
         bad = finite ? bad : i;
-        attributes |= context->bytes[i * FACET_SIZE + ATTRIBUTES_END];
+        const unsigned found = read_u16(context->bytes + i * FACET_SIZE + ATTRIBUTES_AT);
+        any |= found;
+        all &= found;
     }
     burnish_lower_to(&context->bad, bad);
-    atomic_fetch_or(&context->attributes, attributes);
+    atomic_fetch_or(&context->any, any);
+    atomic_fetch_and(&context->all, all);
 }
 
 static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *facet) {
@@ -94,21 +108,83 @@ static burnish_status check_count(burnish_reader *reader, size_t *count) {
     return BURNISH_STATUS_OK;
 }
 
-/* Says that colours, where there are any, are not drawn. attributes: of all facets. */
-static void warn_colors(burnish_reader *reader, unsigned attributes) {
+/* What follows "COLOR=" in the header; NULL where that does not stand there. */
+static const uint8_t *find_announced_color(const uint8_t *bytes) {
     static const char announcement[] = "COLOR=";
     const size_t length = sizeof announcement - 1;
-    for (const uint8_t *at = reader->input->bytes, *end = at + TITLE_SIZE - length; at <= end;
-         ++at) {
+    for (const uint8_t *at = bytes, *end = at + TITLE_SIZE - 4 - length; at <= end; ++at) {
         if (memcmp(at, announcement, length) == 0) {
-            burnish_reader_warn(reader, NULL,
-                                "the colours that its header announces are not drawn");
-            return;
+            return at + length;
         }
     }
-    if (attributes & 0x80) {
-        burnish_reader_warn(reader, NULL, "colours of facets are not drawn");
+    return NULL;
+}
+
+/* 5 bits to 8. */
+static uint8_t widen(unsigned bits) {
+    bits &= 31;
+    return (uint8_t)(bits << 3 | bits >> 2);
+}
+
+/* A facet's colour by its attributes; white for none. */
+static void write_color(const facet_context *context, unsigned bits, uint8_t rgba[4]) {
+    const int has_own = !(bits & HAS_COLOR) == (context->announced != NULL);
+    memset(rgba, 255, 4);
+    if (has_own) {
+        rgba[0] = widen(context->announced ? bits : bits >> 10);
+        rgba[1] = widen(bits >> 5);
+        rgba[2] = widen(context->announced ? bits >> 10 : bits);
+    } else if (context->announced) {
+        memcpy(rgba, context->announced, 3);
     }
+}
+
+static void convert_colors(void *user_data, size_t first, size_t end) {
+    const facet_context *context = user_data;
+    for (size_t i = first; i < end; ++i) {
+        uint8_t *rgba = context->colors + 12 * i;
+        write_color(context, read_u16(context->bytes + i * FACET_SIZE + ATTRIBUTES_AT), rgba);
+        memcpy(rgba + 4, rgba, 4);
+        memcpy(rgba + 8, rgba, 4);
+    }
+}
+
+/* One colour for all facets: that of the material. */
+static burnish_status set_material(burnish_mesh_data *mesh, const uint8_t rgba[4]) {
+    mesh->materials = burnish_reserve(&mesh->memory, mesh->materials, &mesh->material_capacity, 1,
+                                      sizeof *mesh->materials, "materials");
+    if (mesh->memory.status == BURNISH_STATUS_OK) {
+        burnish_material *material = &mesh->materials[mesh->material_count++];
+        *material = burnish_material_default();
+        for (int i = 0; i < 3; ++i) {
+            material->diffuse[i] = material->ambient[i] =
+                burnish_srgb_value_to_linear((float)rgba[i] / 255);
+        }
+        material->has_diffuse = 1;
+    }
+    return mesh->memory.status;
+}
+
+/* Colours, where the file has any: attributes of no bits or all bits are none. */
+static burnish_status read_colors(burnish_reader *reader, facet_context *context, size_t count) {
+    burnish_mesh_data *mesh = reader->mesh;
+    const unsigned any = atomic_load(&context->any), all = atomic_load(&context->all);
+    context->announced = find_announced_color(reader->input->bytes);
+    if (!context->announced &&
+        (!(any & HAS_COLOR) || !(any & BITS_OF_COLOR) || all == UINT16_MAX)) {
+        return BURNISH_STATUS_OK;
+    }
+    if (any == all) {
+        uint8_t rgba[4];
+        write_color(context, all, rgba);
+        return set_material(mesh, rgba);
+    }
+    if (burnish_mesh_data_reserve(mesh, BURNISH_COLOR, 3 * count) == BURNISH_STATUS_OK) {
+        mesh->streams[BURNISH_COLOR].count = 3 * count;
+        context->colors = burnish_colors(mesh);
+        burnish_tasks_ranges(mesh->tasks, count, GRAIN, convert_colors, context);
+    }
+    return mesh->memory.status;
 }
 
 static burnish_status read_binary(burnish_reader *reader) {
@@ -125,6 +201,7 @@ static burnish_status read_binary(burnish_reader *reader) {
     facet_context context = {.bytes = reader->input->bytes + HEADER_SIZE,
                              .positions = burnish_positions(mesh)};
     atomic_init(&context.bad, SIZE_MAX);
+    atomic_init(&context.all, UINT16_MAX);
     burnish_tasks_ranges(mesh->tasks, count, GRAIN, convert_facets, &context);
     const size_t bad = atomic_load(&context.bad);
     if (bad < count) {
@@ -132,8 +209,8 @@ static burnish_status read_binary(burnish_reader *reader) {
     }
     mesh->streams[BURNISH_POSITION].count = 3 * count;
     mesh->triangle_count = count;
-    warn_colors(reader, atomic_load(&context.attributes));
-    return burnish_tasks_check(mesh->tasks, reader->error);
+    status = read_colors(reader, &context, count);
+    return status == BURNISH_STATUS_OK ? burnish_tasks_check(mesh->tasks, reader->error) : status;
 }
 
 /* ---- ASCII ---- */
