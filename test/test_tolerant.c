@@ -1,4 +1,7 @@
 /* Files that are not quite right are drawn with a warning; a strict load refuses each of them. */
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "burnish/mesh.h"
 #include "reader_input.h"
 
@@ -261,6 +264,229 @@ static void test_ply_lines(void) {
     }
 }
 
+/* A vertex of two faces has two colours; polygons have one. In all encodings the same. */
+static void test_face_colors(void) {
+    static const char *const encodings[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    static const float xyz[5][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {3, 3, 0}};
+    static const uint8_t faces[2][5] = {{3, 0, 4, 3}, {4, 0, 1, 2, 3}};
+    for (int order = 0; order < 2; ++order) { /* of the faces: a triangle or a polygon first */
+        for (int encoding = 0; encoding < 3; ++encoding) {
+            byte_list list = {.size = 0};
+            char line[400];
+            snprintf(line, sizeof line,
+                     "ply\nformat %s 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                     "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+                     "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+                     encodings[encoding]);
+            put_text(&list, line);
+            for (int i = 0; i < 15; ++i) {
+                snprintf(line, sizeof line, "%g\n", (double)xyz[i / 3][i % 3]);
+                encoding == 0 ? put_text(&list, line)
+                              : put_float(&list, xyz[i / 3][i % 3], encoding == 2);
+            }
+            for (int i = 0; i < 2; ++i) {
+                const uint8_t *face = faces[i ^ order];
+                for (int k = 0; k <= face[0] + 3; ++k) {
+                    const int is_color = k > face[0], value = is_color ? 10 * face[0] + k : face[k];
+                    snprintf(line, sizeof line, "%d\n", value);
+                    encoding == 0 ? put_text(&list, line)
+                                  : put_bits(&list, (uint64_t)value, k == 0 || is_color ? 1 : 4,
+                                             encoding == 2);
+                }
+            }
+            burnish_mesh *mesh = load_tolerantly("a.ply", list.bytes, list.size, NULL);
+            CHECK(triangles_of(mesh) == 3 && color_at_is(mesh, 3, 3, 34, 35, 36) &&
+                      color_at_is(mesh, 1, 0, 45, 46, 47) && color_at_is(mesh, 1, 1, 45, 46, 47),
+                  "%d %d", order, encoding);
+            CHECK1(mesh && burnish_mesh_get_view(mesh)->vertex_count == 7);
+            burnish_mesh_destroy(mesh);
+        }
+    }
+    burnish_mesh *mesh = load_text("a.ply",
+                                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                   "property float y\nproperty float z\nproperty uchar r\n"
+                                   "property uchar g\nproperty uchar b\nelement face 1\n"
+                                   "property list uchar int vertex_indices\nproperty uchar red\n"
+                                   "property uchar green\nproperty uchar blue\nend_header\n"
+                                   "0 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 7\n3 0 1 2 1 2 3\n",
+                                   "a.ply: colours of faces are not drawn, those of vertices are");
+    CHECK1(color_at_is(mesh, 1, 0, 9, 8, 7));
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Material libraries: where they are ---- */
+
+static void write_file(const char *name, const char *text) {
+    FILE *file = fopen(name, "wb");
+    if (!file || fputs(text, file) < 0 || fclose(file) != 0) {
+        abort();
+    }
+}
+
+/* Loads in.obj of the folder at hand, which names the library by a line; whether that was found. */
+static int finds_library(const char *line, int no_companions, const char *warning) {
+    char text[400];
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {0};
+    burnish_load_options options = burnish_load_options_default();
+    options.no_companions = no_companions;
+    snprintf(text, sizeof text, "mtllib %s\n" TRIANGLE "usemtl a\nf 1 2 3\n", line);
+    write_file("in.obj", text);
+    if (!CHECK(burnish_mesh_load("in.obj", &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+               error.text)) {
+        return 0;
+    }
+    const int found = color_is(burnish_mesh_material(mesh, 0)->diffuse, 1, 0, 0);
+    const size_t count = burnish_mesh_warning_count(mesh);
+    CHECK(count == (warning != NULL), "%s: %zu warnings, %s", line, count,
+          count > 0 ? burnish_mesh_warning(mesh, 0) : "");
+    CHECK(!warning || count == 0 || strstr(burnish_mesh_warning(mesh, 0), warning), "%s: %s", line,
+          burnish_mesh_warning(mesh, 0));
+    burnish_mesh_destroy(mesh);
+    return found;
+}
+
+static void test_libraries(void) {
+    char folder[] = "/tmp/burnish-tolerant-XXXXXX";
+    CHECK1(mkdtemp(folder) && chdir(folder) == 0 && mkdir("in", 0700) == 0 &&
+           mkdir("in/Sub", 0700) == 0);
+    write_file("out.mtl", "newmtl a\nKd 1 0 0\n");
+    CHECK1(chdir("in") == 0);
+    write_file("Plain.mtl", "newmtl a\nKd 1 0 0\n");
+    write_file("a b.mtl", "newmtl a\nKd 1 0 0\n");
+    write_file("Sub/c.mtl", "newmtl a\nKd 1 0 0\n");
+    CHECK1(symlink("../out.mtl", "link.mtl") == 0 && symlink("..", "up") == 0);
+    static const struct {
+        const char *line, *warning;
+        int found;
+    } cases[] = {
+        {"Plain.mtl", NULL, 1},
+        {"plain.MTL", NULL, 1},
+        {"sub\\C.mtl", NULL, 1},
+        {"a b.mtl", NULL, 1},
+        {"a\\ b.mtl", NULL, 1},
+        {"C:\\Users\\me\\Plain.mtl", "is beside the file", 1},
+        {"/home/x/plain.mtl", "is beside the file", 1},
+        {"../mtl/Plain.mtl", "is beside the file", 1},
+        {"none/Plain.mtl", "is beside the file", 1},
+        {"../out.mtl", "outside the folder", 0},
+        {"link.mtl", "leads out of the folder", 0},
+        {"up/out.mtl", "leads out of the folder", 0},
+        {"none.mtl", "No such file", 0},
+        {"none/", "was not read", 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        CHECK(finds_library(cases[i].line, 0, cases[i].warning) == cases[i].found, "%s",
+              cases[i].line);
+        CHECK(!finds_library(cases[i].line, 1, NULL), "%s", cases[i].line);
+    }
+    CHECK1(unlink("in.obj") == 0 && unlink("Plain.mtl") == 0 && unlink("a b.mtl") == 0 &&
+           unlink("Sub/c.mtl") == 0 && rmdir("Sub") == 0 && unlink("link.mtl") == 0 &&
+           unlink("up") == 0 && chdir("..") == 0 && unlink("out.mtl") == 0 && rmdir("in") == 0 &&
+           chdir("/") == 0 && rmdir(folder) == 0);
+}
+
+/* ---- Wrappings ---- */
+
+/* "v 0 0 0" and so on, by gzip(1) -9, in two files one after the other. */
+static const uint8_t packed[] = {
+    0x1f, 0x8b, 0x08, 0x00, 0x00, 0x00, 0x00, 0x00, 0x02, 0x03, 0x2b, 0x53, 0x30, 0x00, 0x41, 0xae,
+    0x32, 0x05, 0x43, 0x30, 0x0d, 0x00, 0x29, 0x2a, 0xd9, 0xc3, 0x10, 0x00, 0x00, 0x00, 0x1f, 0x8b,
+    0x08, 0x00, 0x00, 0x00, 0x00, 0x00, 0x02, 0x03, 0x2b, 0x53, 0x30, 0x50, 0x30, 0x54, 0x30, 0xe0,
+    0x4a, 0x03, 0x92, 0x46, 0x0a, 0xc6, 0x5c, 0x00, 0x25, 0xcc, 0xe3, 0xa5, 0x10, 0x00, 0x00, 0x00};
+
+static void test_gzip(void) {
+    burnish_mesh *mesh = load_tolerantly("a.obj.gz", packed, sizeof packed, NULL);
+    CHECK1(triangles_of(mesh) == 1);
+    burnish_mesh_destroy(mesh);
+    mesh = load_tolerantly("standard input", packed, sizeof packed, NULL);
+    CHECK1(triangles_of(mesh) == 1);
+    burnish_mesh_destroy(mesh);
+    uint8_t copy[sizeof packed];
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error;
+    for (size_t size = 3; size < sizeof packed; ++size) {
+        burnish_status status =
+            burnish_mesh_load_memory(packed, size, "a.gz", &options, &mesh, &error);
+        CHECK(status == BURNISH_STATUS_FORMAT && !mesh, "%zu: %d", size, (int)status);
+    }
+    for (size_t i = 0; i < sizeof packed; ++i) { /* checksums find every change of what matters */
+        memcpy(copy, packed, sizeof packed);
+        copy[i] ^= 0x10;
+        if (burnish_mesh_load_memory(copy, sizeof copy, "a.gz", &options, &mesh, &error) ==
+            BURNISH_STATUS_OK) {
+            CHECK(triangles_of(mesh) == 1, "byte %zu", i);
+            burnish_mesh_destroy(mesh);
+        }
+    }
+}
+
+/* 64 MiB of blanks in 64 KiB are refused long before they are unpacked. */
+static void test_gzip_bomb(void) {
+    static uint8_t bomb[1 << 16];
+    /* a block whose code of 2 zero bits repeats a blank 258 times */
+    static const uint8_t head[] = {0x1f, 0x8b, 8,    0,    0,    0,    0,    0,    0,
+                                   3,    0xec, 0xc1, 0x81, 0x00, 0x00, 0x00, 0x00, 0x80,
+                                   0x20, 0x95, 0xfd, 0x29, 0x17, 0xa9, 0x0a, 0x00};
+    memcpy(bomb, head, sizeof head);
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error;
+    CHECK1(burnish_mesh_load_memory(bomb, sizeof bomb, "a.gz", &options, &mesh, &error) ==
+           BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(error.text, "a.gz: unpacks to more than 200 times its size; unpack it first if that "
+                           "is right");
+    options.max_input_bytes = sizeof bomb;
+    CHECK1(burnish_mesh_load_memory(bomb, sizeof bomb, "a.gz", &options, &mesh, &error) ==
+           BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(error.text,
+               "a.gz: unpacks to more than the limit of 65536 bytes; raise the limit or "
+               "simplify the mesh");
+}
+
+/* Text in UTF-16, with a material's name beyond 16 bits. */
+static void test_utf16(void) {
+    static const uint32_t text[] = {'v', ' ', '0', ' ',  '0', ' ',  '0',  '\n',   'v',     ' ',
+                                    '1', ' ', '0', ' ',  '0', '\n', 'v',  ' ',    '0',     ' ',
+                                    '1', ' ', '0', '\n', 'o', ' ',  0xE9, 0x20AC, 0x1F40E, '\n',
+                                    'f', ' ', '1', ' ',  '2', ' ',  '3'};
+    for (int big = 0; big < 2; ++big) {
+        byte_list list = {.size = 0};
+        put_bits(&list, 0xFEFF, 2, big);
+        for (size_t i = 0; i < sizeof text / sizeof *text; ++i) {
+            if (text[i] >= 0x10000) {
+                put_bits(&list, 0xD800 | (text[i] - 0x10000) >> 10, 2, big);
+                put_bits(&list, 0xDC00 | (text[i] & 0x3FF), 2, big);
+            } else {
+                put_bits(&list, text[i], 2, big);
+            }
+        }
+        burnish_mesh *mesh = load_tolerantly("memory", list.bytes, list.size, NULL);
+        CHECK1(triangles_of(mesh) == 1);
+        burnish_mesh_destroy(mesh);
+    }
+}
+
+/* Files that are something else are called by their name. */
+static void test_foreign(void) {
+    static const struct {
+        const char *name, *bytes, *what;
+    } cases[] = {{"x", "ISO-10303-21;\nHEADER;\n", "a STEP file, which is not read; convert it"},
+                 {"a.xml", "<?xml version=\"1.0\"?>\n<COLLADA>\n", "a COLLADA file"},
+                 {"a.igs", "                  S      1\n", "an IGES file"},
+                 {"a.bin", "what is this", "neither its name nor its first bytes"},
+                 {"a.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n",
+                  "a pointer of Git LFS"}};
+    burnish_load_options options = burnish_load_options_default();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh *mesh;
+        burnish_error error;
+        CHECK1(burnish_mesh_load_memory(cases[i].bytes, strlen(cases[i].bytes), cases[i].name,
+                                        &options, &mesh, &error) == BURNISH_STATUS_FORMAT);
+        CHECK(strstr(error.text, cases[i].what), "%s", error.text);
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_nameless_material());
@@ -272,5 +498,11 @@ int main(int count, char **arguments) {
     RUN(test_stl_count());
     RUN(test_ply_header());
     RUN(test_ply_lines());
+    RUN(test_face_colors());
+    RUN(test_libraries());
+    RUN(test_gzip());
+    RUN(test_gzip_bomb());
+    RUN(test_utf16());
+    RUN(test_foreign());
     return test_end("tolerant");
 }

@@ -44,6 +44,7 @@ extern "C" {
 #define BURNISH_FORMAT_LIST(X)                                                                     \
     X(GLTF, gltf, ".gltf .glb", 0, 1, 0)                                                           \
     X(OBJ, obj, ".obj", 0, 1, 0)                                                                   \
+    X(OFF, off, ".off .coff .noff .cnoff", 0, 1, 0)                                                \
     X(PLY, ply, ".ply", 0, 1, 0)                                                                   \
     X(STL, stl, ".stl", 0, 0, 1)
 
@@ -118,6 +119,7 @@ typedef struct burnish_load_options {
                                      where a material uses a texture */
     int ignore_textures;          /* 1: none is loaded, and materials use none */
     int measure;                  /* 1: the mesh has facts, see burnish_mesh_get_facts; 0: none */
+    int no_companions; /* 1: files that the input names are not read, and there is no word of it */
     int strict; /* 1: what would be a warning is an error, FORMAT; 0: what is wrong and does no harm
                    is passed over or mended */
     int threads; /* [0, 1024]: at most so many; 0: one per processor. The mesh does not depend on

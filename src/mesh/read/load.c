@@ -6,7 +6,9 @@
 #include "core/environment.h"
 #include "core/platform.h"
 #include "mesh/mesh.h"
+#include "mesh/read/beside.h"
 #include "mesh/read/reader.h"
+#include "mesh/read/unpack.h"
 
 enum { FIRST_READ = 1 << 16, LARGEST_READ = 1 << 30 };
 
@@ -201,17 +203,16 @@ static burnish_status read_descriptor(int descriptor, opened_file *file, int onl
     return read_sized(descriptor, file, (size_t)size);
 }
 
-static burnish_status read_path(const char *path, opened_file *file, int only_regular) {
-    /* A pipe given as the input is waited for; one posing as a material library is not. */
-    const int flags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_BINARY | (only_regular ? O_NONBLOCK : 0);
+/* A pipe is waited for. */
+static burnish_status read_path(const char *path, opened_file *file) {
     int descriptor;
     do {
-        descriptor = open(path, flags);
+        descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_BINARY);
     } while (descriptor < 0 && errno == EINTR);
     if (descriptor < 0) {
         return fail_errno(file, "can't be opened", errno);
     }
-    burnish_status status = read_descriptor(descriptor, file, only_regular);
+    burnish_status status = read_descriptor(descriptor, file, 0);
     close(descriptor);
     return status;
 }
@@ -226,20 +227,23 @@ typedef struct folder {
 static burnish_status load_beside(void *user_data, const char *name, uint64_t max_bytes,
                                   const void **bytes, size_t *size, burnish_error *error) {
     const folder *beside = user_data;
-    const char *slash = strrchr(beside->input, '/');
-    const size_t length = slash ? (size_t)(slash - beside->input) + 1 : 0, rest = strlen(name) + 1;
     opened_file file = {.name = name,
                         .max_bytes = max_bytes,
                         .format = BURNISH_FORMAT_COUNT,
                         .memory = burnish_memory_of(beside->context, error)};
-    char *path = burnish_allocate(&file.memory, length + rest, 1, "path");
-    if (!path) {
+    const int descriptor = burnish_open_beside(beside->input, name, &file.memory);
+    if (file.memory.status != BURNISH_STATUS_OK) {
         return file.memory.status;
     }
-    memcpy(path, beside->input, length);
-    memcpy(path + length, name, rest);
-    burnish_status status = read_path(path, &file, 1);
-    burnish_release(beside->context, path);
+    if (descriptor < 0) {
+        return errno == EXDEV || errno == ELOOP
+                   ? burnish_fail(error, BURNISH_STATUS_READ,
+                                  "%s: leads out of the folder of the file",
+                                  burnish_show_name(name).text)
+                   : fail_errno(&file, "can't be opened", errno);
+    }
+    burnish_status status = read_descriptor(descriptor, &file, 1);
+    close(descriptor);
     if (status != BURNISH_STATUS_OK) {
         burnish_release(beside->context, file.bytes);
         return status;
@@ -280,9 +284,19 @@ static burnish_status load(const burnish_reader_input *input, uint8_t *owned, do
     burnish_tasks tasks;
     burnish_tasks_begin(&tasks, context, input->options->threads);
     burnish_mesh_data data = burnish_mesh_data_begin(context, &tasks, error);
-    burnish_reader reader = {.input = input, .mesh = &data, .error = error};
+    burnish_reader_input unpacked = *input;
+    burnish_reader reader = {.input = &unpacked, .mesh = &data, .error = error};
     burnish_format format = input->options->format;
-    burnish_status status = burnish_read(&reader, &format);
+    uint8_t *bytes;
+    burnish_status status = burnish_unpack_input(&unpacked, &data.memory, &bytes);
+    if (bytes) {
+        burnish_release(context, owned);
+        owned = NULL;
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_read(&reader, &format);
+    }
+    burnish_release(context, bytes);
     burnish_release(context, owned);
     if (status == BURNISH_STATUS_OK) {
         data.start = start;
@@ -317,7 +331,7 @@ static burnish_status load_file(const char *path, int descriptor, const char *na
                         .format = options->format,
                         .memory = burnish_memory_of(options->context, error)};
     burnish_status status =
-        path ? read_path(path, &file, 0) : read_descriptor(descriptor, &file, 0);
+        path ? read_path(path, &file) : read_descriptor(descriptor, &file, 0);
     if (status != BURNISH_STATUS_OK) {
         burnish_release(options->context, file.bytes);
         return status;
@@ -327,7 +341,9 @@ static burnish_status load_file(const char *path, int descriptor, const char *na
                                   .name = file.name,
                                   .options = options,
                                   .companions = options->companions};
-    if (!input.companions.load && path) {
+    if (options->no_companions) {
+        input.companions = (burnish_file_loader){0};
+    } else if (!input.companions.load && path) {
         input.companions = (burnish_file_loader){load_beside, release_beside, &beside};
     }
     return load(&input, file.bytes, start, mesh, error);
@@ -371,11 +387,12 @@ burnish_status burnish_mesh_load_memory(const void *bytes, size_t size, const ch
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const burnish_reader_input input = {.bytes = bytes,
-                                        .size = size,
-                                        .name = name ? name : "memory",
-                                        .options = options,
-                                        .companions = options->companions};
+    const burnish_reader_input input = {
+        .bytes = bytes,
+        .size = size,
+        .name = name ? name : "memory",
+        .options = options,
+        .companions = options->no_companions ? (burnish_file_loader){0} : options->companions};
     if (!bytes && size > 0) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "bytes: NULL; pass some");
     }

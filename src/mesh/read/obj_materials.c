@@ -142,31 +142,17 @@ static burnish_status read_library(burnish_obj_materials *materials, const char 
     return burnish_read_mtl(&reader, &materials->library);
 }
 
-/* Reads one library. *missing becomes 1 when the file is not there; nothing is reported then. */
-static burnish_status open_library(burnish_obj_materials *materials, burnish_token token,
+/* Reads one library by a name that ends in 0. *missing becomes 0 where the file is there. */
+static burnish_status load_library(burnish_obj_materials *materials, const char *name,
                                    burnish_error *why, int *missing) {
     const burnish_reader_input *input = materials->reader->input;
-    char name[LIBRARY_NAME_SIZE];
-    *missing = 1;
-    if (!is_file_name(token)) {
-        burnish_fail(why, BURNISH_STATUS_READ, "its name is no file name");
-        return BURNISH_STATUS_OK;
-    }
-    for (size_t i = 0; i < token.size; ++i) {
-        name[i] = (char)(token.bytes[i] == '\\' ? '/' : token.bytes[i]);
-    }
-    name[token.size] = 0;
-    if (!stays_beside(name)) {
-        burnish_fail(why, BURNISH_STATUS_READ, "it lies outside the folder of the file");
-        return BURNISH_STATUS_OK;
-    }
-    if (!input->companions.load) {
-        burnish_fail(why, BURNISH_STATUS_READ, "the input has no folder");
-        return BURNISH_STATUS_OK;
-    }
     const burnish_file_loader *companions = &input->companions;
     const void *bytes = NULL;
     size_t size = 0;
+    if (!companions->load) {
+        burnish_fail(why, BURNISH_STATUS_READ, "the input has no folder");
+        return BURNISH_STATUS_OK;
+    }
     burnish_status status = companions->load(companions->user_data, name,
                                              input->options->max_input_bytes, &bytes, &size, why);
     if (status == BURNISH_STATUS_MEMORY && materials->reader->error) {
@@ -179,6 +165,58 @@ static burnish_status open_library(burnish_obj_materials *materials, burnish_tok
     status = read_library(materials, name, bytes, size);
     if (companions->release) {
         companions->release(companions->user_data, bytes, size);
+    }
+    return status;
+}
+
+/* The token as a name with slashes, in which blanks may be escaped. Returns whether any was. */
+static int write_name(burnish_token token, int unescape, char *name) {
+    int escaped = 0;
+    for (size_t i = 0; i < token.size; ++i) {
+        const int is_escape =
+            token.bytes[i] == '\\' && i + 1 < token.size && burnish_is_blank(token.bytes[i + 1]);
+        escaped |= is_escape;
+        if (!is_escape || !unescape) {
+            *name++ = (char)(token.bytes[i] == '\\' ? '/' : token.bytes[i]);
+        }
+    }
+    *name = 0;
+    return escaped;
+}
+
+/* Reads one library: as it is named, with escaped blanks, or else its last part beside the input,
+ * where the name is a path of another machine. *missing becomes 1 when the file is not there;
+ * nothing is reported then. */
+static burnish_status open_library(burnish_obj_materials *materials, burnish_token token,
+                                   burnish_error *why, int *missing) {
+    char name[LIBRARY_NAME_SIZE];
+    burnish_status status = BURNISH_STATUS_OK;
+    *missing = 1;
+    if (!is_file_name(token)) {
+        burnish_fail(why, BURNISH_STATUS_READ, "its name is no file name");
+        return status;
+    }
+    const int escaped = write_name(token, 0, name);
+    if (stays_beside(name)) {
+        status = load_library(materials, name, why, missing);
+    } else {
+        burnish_fail(why, BURNISH_STATUS_READ, "it lies outside the folder of the file");
+    }
+    if (status == BURNISH_STATUS_OK && *missing && escaped) {
+        write_name(token, 1, name);
+        if (stays_beside(name)) {
+            status = load_library(materials, name, why, missing);
+        }
+    }
+    const char *slash = strrchr(name, '/');
+    burnish_error unused = {0};
+    if (status == BURNISH_STATUS_OK && *missing && slash && slash[1] && stays_beside(slash + 1)) {
+        status = load_library(materials, slash + 1, &unused, missing);
+        if (status == BURNISH_STATUS_OK && !*missing) {
+            burnish_reader_note(materials->reader, &materials->elsewhere, token.bytes,
+                                "material library \"%s\" is beside the file",
+                                burnish_token_quote(token).text);
+        }
     }
     return status;
 }
@@ -197,6 +235,10 @@ burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burn
     burnish_token whole = burnish_lexer_rest(lexer), token;
     burnish_error why = {0};
     int missing = 0;
+    if (materials->reader->input->options->no_companions) {
+        materials->library_missing = 1;
+        return BURNISH_STATUS_OK;
+    }
     if (whole.size == 0 || materials->library_limit || pass_over_library(materials, whole)) {
         return BURNISH_STATUS_OK;
     }
@@ -387,6 +429,7 @@ burnish_status burnish_obj_resolve_materials(burnish_obj_materials *materials) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    burnish_reader_warn_group(materials->reader, &materials->elsewhere);
     burnish_reader_warn_group(materials->reader, &materials->missing);
     warn_invisible(materials);
     return write_triangle_materials(materials);

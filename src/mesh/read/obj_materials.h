@@ -74,9 +74,10 @@ typedef struct burnish_obj_materials {
     burnish_mtl library;
     burnish_token libraries[BURNISH_OBJ_LIBRARIES]; /* names already asked for */
     size_t library_count;
-    int library_missing;           /* said so already: no word about the materials in it */
-    int library_limit;             /* said so already: no further one is read */
-    burnish_warning_group missing; /* materials that are in no library */
+    int library_missing;             /* said so already: no word about the materials in it */
+    int library_limit;               /* said so already: no further one is read */
+    burnish_warning_group missing;   /* materials that are in no library */
+    burnish_warning_group elsewhere; /* libraries whose paths lead elsewhere */
 } burnish_obj_materials;
 
 void burnish_obj_materials_close(burnish_obj_materials *materials);

@@ -1,6 +1,8 @@
 /* What readers share: the table of formats, and messages that say what is wrong and where in the
  * input. */
 #include "mesh/read/reader.h"
+
+#include "mesh/read/foreign.h"
 #include "mesh/read/textures.h"
 
 #include <stdarg.h>
@@ -33,9 +35,13 @@ const burnish_format_info *burnish_format_get_info(burnish_format format) {
     return (unsigned)format < BURNISH_FORMAT_COUNT ? &formats[format].info : NULL;
 }
 
-/* One of the endings, which blanks separate, in any case. */
+/* One of the endings, which blanks separate, in any case, and perhaps ".gz" after it. */
 static int has_ending(const char *name, const char *endings) {
-    const size_t length = strlen(name);
+    size_t length = strlen(name);
+    if (length > 3 &&
+        burnish_bytes_are_caseless((const uint8_t *)name + length - 3, (const uint8_t *)".gz", 3)) {
+        length -= 3;
+    }
     while (*endings) {
         const size_t size = strcspn(endings, " ");
         if (length >= size && burnish_bytes_are_caseless((const uint8_t *)name + length - size,
@@ -124,16 +130,25 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
         *format = burnish_guess_format(input->bytes, input->size, input->name);
     }
     burnish_status status;
-    if (formats[*format].read) {
+    if (burnish_is_lfs_pointer(input->bytes, input->size)) {
+        status =
+            burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                "a pointer of Git LFS, not the file; fetch that (git lfs pull)");
+    } else if (formats[*format].read) {
         status = formats[*format].read(reader);
     } else {
 #define NAME(name, word, ...) ", " #word
         static const char names[] = BURNISH_FORMAT_LIST(NAME);
 #undef NAME
-        status = burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
-                                     "neither its name nor its first bytes tell the format; name "
-                                     "it, one of %s",
-                                     names + 2);
+        const char *what = burnish_describe_foreign(input->bytes, input->size, input->name);
+        status =
+            what ? burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                       "%s, which is not read; convert it to one of %s", what,
+                                       names + 2)
+                 : burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                       "neither its name nor its first bytes tell the format; name "
+                                       "it, one of %s",
+                                       names + 2);
     }
     burnish_release(reader->mesh->memory.context, reader->polygons);
     reader->polygons = NULL;

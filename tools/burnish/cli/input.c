@@ -20,6 +20,7 @@ burnish_load_options cli_load_options(const cli_input *input) {
         options.animation_time = input->animation_time.value;
     }
     options.animation = input->animation;
+    options.no_companions = input->no_libraries;
     options.max_triangles = input->max_triangles;
     options.max_input_bytes = input->max_input_bytes;
     options.ignore_textures = input->no_textures;

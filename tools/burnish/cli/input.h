@@ -6,7 +6,7 @@
 #include "cli/values.h"
 
 typedef struct cli_input {
-    int format, tessellation, strict, no_textures;
+    int format, tessellation, strict, no_textures, no_libraries;
     cli_real animation_time;
     const char *animation;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
@@ -56,6 +56,11 @@ extern const char cli_input_format_manual[];
     .manual = "Which animation of _INPUT_ *--animation-time* means: its name, or its number from " \
               "0. Without a time, its start is shown.",                                            \
     .handler = cli_flag_text, .offset = offsetof(type, member.animation)
+
+#define CLI_NO_LIBRARIES_FLAG(type, member)                                                        \
+    .name = "no-libraries", .help = "read no file that INPUT names",                               \
+    .manual = "Reads _INPUT_ alone: no material library, no texture, no buffer that it names.",    \
+    .handler = cli_flag_switch, .offset = offsetof(type, member.no_libraries)
 
 #define CLI_MAX_TRIANGLES_FLAG(type, member)                                                       \
     .name = "max-triangles", .value = "N", .help = "refuse larger meshes",                         \

@@ -24,6 +24,7 @@ static const cli_flag flags[] = {
     {CLI_ANIMATION_TIME_FLAG(info_settings, load)},
     {CLI_ANIMATION_FLAG(info_settings, load)},
     {CLI_STRICT_FLAG(info_settings, load)},
+    {CLI_NO_LIBRARIES_FLAG(info_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(info_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(info_settings, load)},
     {.name = "quiet",

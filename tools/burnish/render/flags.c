@@ -645,6 +645,7 @@ static const cli_flag flags[] = {
     {CLI_ANIMATION_FLAG(render_settings, load)},
     {CLI_STRICT_FLAG(render_settings, load)},
     {CLI_NO_TEXTURES_FLAG(render_settings, load)},
+    {CLI_NO_LIBRARIES_FLAG(render_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(render_settings, load)},
     {CLI_MAX_TEXTURE_PIXELS_FLAG(render_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, load)},

@@ -1,0 +1,48 @@
+/* Gzip files (RFC 1952) unpacked, by ISA-L or, where that is not built in, zlib. */
+#ifndef BURNISH_IMAGE_GUNZIP_H
+#define BURNISH_IMAGE_GUNZIP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/memory.h"
+
+/* What gzip makes of a mesh is seldom less than a twentieth of it; what unpacks to more than 200
+ * times its size, and these bytes, is meant to fill the memory. */
+enum { BURNISH_GUNZIP_RATIO = 200, BURNISH_GUNZIP_FREE = 1 << 20 };
+
+/* Unpacks a file, of which there may be several one after the other.
+ *   name       for messages
+ *   max_bytes  more are refused with LIMIT
+ *   unpacked   receives *unpacked_size bytes, from `memory`; NULL on error
+ * Errors: FORMAT (damaged, truncated), LIMIT, MEMORY. */
+burnish_status burnish_gunzip(const uint8_t *bytes, size_t size, const char *name,
+                              uint64_t max_bytes, burnish_memory *memory, uint8_t **unpacked,
+                              size_t *unpacked_size);
+
+static inline int burnish_is_gzip(const uint8_t *bytes, size_t size) {
+    return size >= 3 && bytes[0] == 0x1f && bytes[1] == 0x8b && bytes[2] == 8;
+}
+
+/* ---- For gunzip.c: one of the libraries ---- */
+
+/* What a step did. */
+typedef enum burnish_inflate_result {
+    BURNISH_INFLATE_MORE, /* it wants input, or room */
+    BURNISH_INFLATE_END,  /* of one file, whose checksum is right */
+    BURNISH_INFLATE_DAMAGED
+} burnish_inflate_result;
+
+typedef struct burnish_inflate burnish_inflate;
+
+/* NULL on failure, which memory knows. */
+burnish_inflate *burnish_inflate_create(burnish_memory *memory);
+void burnish_inflate_destroy(const burnish_context *context, burnish_inflate *inflate);
+
+/* Unpacks from *from, of which *left bytes are left, into room: both are moved on. Returns how many
+ * bytes were written through *written. After END the next file may follow. */
+burnish_inflate_result burnish_inflate_step(burnish_inflate *inflate, const uint8_t **from,
+                                            size_t *left, uint8_t *to, size_t room,
+                                            size_t *written);
+
+#endif

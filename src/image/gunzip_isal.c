@@ -1,0 +1,49 @@
+/* Inflate by ISA-L. */
+#include <isa-l/igzip_lib.h>
+
+#include "image/gunzip.h"
+
+struct burnish_inflate {
+    struct inflate_state state;
+};
+
+static void begin(burnish_inflate *inflate) {
+    isal_inflate_init(&inflate->state);
+    inflate->state.crc_flag = ISAL_GZIP;
+}
+
+burnish_inflate *burnish_inflate_create(burnish_memory *memory) {
+    burnish_inflate *made = burnish_allocate_zeroed(memory, 1, sizeof *made, "unpacking");
+    if (made) {
+        begin(made);
+    }
+    return made;
+}
+
+void burnish_inflate_destroy(const burnish_context *context, burnish_inflate *inflate) {
+    burnish_release(context, inflate);
+}
+
+burnish_inflate_result burnish_inflate_step(burnish_inflate *inflate, const uint8_t **from,
+                                            size_t *left, uint8_t *to, size_t room,
+                                            size_t *written) {
+    struct inflate_state *state = &inflate->state;
+    const uint32_t taken = *left < UINT32_MAX ? (uint32_t)*left : UINT32_MAX;
+    const uint32_t given = room < UINT32_MAX ? (uint32_t)room : UINT32_MAX;
+    state->next_in = (uint8_t *)(uintptr_t)*from; /* only read */
+    state->avail_in = taken;
+    state->next_out = to;
+    state->avail_out = given;
+    const int code = isal_inflate(state);
+    *from += taken - state->avail_in;
+    *left -= taken - state->avail_in;
+    *written = given - state->avail_out;
+    if (code != ISAL_DECOMP_OK && code != ISAL_END_INPUT && code != ISAL_OUT_OVERFLOW) {
+        return BURNISH_INFLATE_DAMAGED;
+    }
+    if (state->block_state != ISAL_BLOCK_FINISH) {
+        return BURNISH_INFLATE_MORE;
+    }
+    begin(inflate);
+    return BURNISH_INFLATE_END;
+}

@@ -1,0 +1,410 @@
+/* OFF (Geomview, "OFF Files"): vertices and faces, each on a line of its own; normals, colours and
+ * texture coordinates of vertices, colours of faces.
+ *
+ * The first word says what a vertex has: [ST][C][N]OFF. Colours count to 255 where they are written
+ * without a point, to 1 with one. */
+#include "mesh/read/chunks.h"
+#include "mesh/read/textures.h"
+
+enum { COUNT_MOST = 3, VALUES_MOST = 12 };
+
+/* What is noted in the order of the file. */
+enum { FEW_CORNERS, BAD_COLOR };
+
+typedef struct off_state {
+    burnish_reader *reader;
+    int has_normals, has_colors, has_texcoords; /* of vertices, by the first word */
+    int keeps_texcoords;
+    int in_faces;
+    size_t vertex_count, face_count;
+    burnish_warning_group few_corners, bad_colors;
+} off_state;
+
+typedef struct off_parser {
+    const off_state *off;
+    burnish_chunk *chunk;
+    burnish_lexer lexer;
+} off_parser;
+
+/* ---- The beginning ---- */
+
+/* Moves to the next line that holds something but a comment; 0 at the end of the text. */
+static int skip_empty_lines(burnish_lexer *lexer) {
+    for (;;) {
+        burnish_lexer_skip_blank_lines(lexer);
+        if (lexer->next == lexer->end) {
+            return 0;
+        }
+        if (*lexer->next != '#') {
+            return 1;
+        }
+        burnish_lexer_next_line(lexer);
+    }
+}
+
+/* Takes a prefix off a word. */
+static int cut_prefix(burnish_token *word, const char *prefix) {
+    const size_t size = strlen(prefix);
+    if (word->size <= size || memcmp(word->bytes, prefix, size) != 0) {
+        return 0;
+    }
+    word->bytes += size;
+    word->size -= size;
+    return 1;
+}
+
+/* [ST][C][N][4][n]OFF; returns 0 for any other word. */
+static int read_keyword(off_state *off, burnish_token word, int *has_dimensions) {
+    off->has_texcoords = cut_prefix(&word, "ST");
+    off->has_colors = cut_prefix(&word, "C");
+    off->has_normals = cut_prefix(&word, "N");
+    *has_dimensions = cut_prefix(&word, "4");
+    *has_dimensions |= cut_prefix(&word, "n");
+    return burnish_token_is(word, "OFF");
+}
+
+static burnish_status fail(off_state *off, const burnish_lexer *lexer, const char *text) {
+    return burnish_reader_fail(off->reader, BURNISH_STATUS_FORMAT, lexer->next, "%s", text);
+}
+
+/* The keyword, which may be missing, and the counts of vertices and faces, with that of edges,
+ * which says nothing and may be missing too. */
+static burnish_status read_head(off_state *off, burnish_lexer *lexer) {
+    burnish_token word = {0};
+    int has_dimensions = 0;
+    int64_t counts[2] = {-1, -1};
+    skip_empty_lines(lexer);
+    burnish_lexer before = *lexer;
+    burnish_lexer_token(lexer, &word);
+    if (!read_keyword(off, word, &has_dimensions)) {
+        *lexer = before;
+    } else if (has_dimensions) {
+        return fail(off, lexer, "vertices of other than 3 dimensions are not read; export OFF");
+    }
+    for (int i = 0; i < 2; ++i) {
+        if (!skip_empty_lines(lexer) || !burnish_lexer_token(lexer, &word)) {
+            return fail(off, lexer, "the file ends before its counts; the file is truncated");
+        }
+        if (i == 0 && burnish_token_is(word, "BINARY")) {
+            return fail(off, lexer, "binary OFF is not read; export it as text");
+        }
+        if (burnish_parse_integer(word, &counts[i]) != BURNISH_NUMBER_OK || counts[i] < 0) {
+            return burnish_reader_fail(
+                off->reader, BURNISH_STATUS_FORMAT, word.bytes,
+                "\"%s\" is no count; write OFF, then the counts of vertices, "
+                "faces and edges",
+                burnish_token_quote(word).text);
+        }
+    }
+    burnish_lexer_rest(lexer);
+    before = *lexer; /* the third count on a line of its own: a vertex has more numbers */
+    if (!skip_empty_lines(&before) || !burnish_lexer_token(&before, &word) ||
+        burnish_lexer_token(&before, &word)) {
+        before = *lexer;
+    }
+    *lexer = before;
+    if ((uint64_t)counts[0] > BURNISH_VALUE_LIMIT) {
+        return burnish_reader_fail(off->reader, BURNISH_STATUS_LIMIT, word.bytes,
+                                   "%lld vertices are more than %zu; split or simplify the mesh",
+                                   (long long)counts[0], BURNISH_VALUE_LIMIT);
+    }
+    off->vertex_count = (size_t)counts[0];
+    off->face_count = (uint64_t)counts[1] < SIZE_MAX ? (size_t)counts[1] : SIZE_MAX - 1;
+    return BURNISH_STATUS_OK;
+}
+
+/* ---- Rows ---- */
+
+static void fail_number(off_parser *p, const char *what, burnish_token token,
+                        burnish_number_status number) {
+    burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, token.bytes, "%s",
+                       burnish_describe_number(what, token, number).text);
+}
+
+/* Numbers of the line, at most `most`; a comment ends them. Returns how many. is_whole[i]: 1 where
+ * the number is written without a point. */
+static int read_values(off_parser *p, double *values, uint8_t *is_whole, int most) {
+    burnish_token token;
+    burnish_number_status number;
+    int count = 0;
+    while (count < most && burnish_lexer_double(&p->lexer, &token, &values[count], &number) &&
+           *token.bytes != '#') {
+        is_whole[count] = !memchr(token.bytes, '.', token.size);
+        if (number == BURNISH_NUMBER_GARBAGE) {
+            break;
+        }
+        values[count] = number == BURNISH_NUMBER_OK ? values[count] : __builtin_nan("");
+        ++count;
+    }
+    return count;
+}
+
+/* `count` numbers, 3 or 4: sRGB and alpha. Where all are written as whole numbers they count to
+ * 255. */
+static void write_color(const double *values, const uint8_t *is_whole, int count, uint8_t *rgba) {
+    int to_255 = 1;
+    for (int i = 0; i < count; ++i) {
+        to_255 &= is_whole[i];
+    }
+    rgba[3] = 255;
+    for (int i = 0; i < count; ++i) {
+        const double c = to_255 ? values[i] : values[i] * 255;
+        rgba[i] = (uint8_t)(c > 0 ? c < 255 ? c + 0.5 : 255 : 0);
+    }
+}
+
+static void append_floats(off_parser *p, burnish_attribute attribute, const double *values,
+                          int count) {
+    float *to = burnish_chunk_append(p->chunk, attribute);
+    for (int i = 0; i < count && to; ++i) {
+        to[i] = 0; /* what is not finite: a normal that is 0 is generated */
+        burnish_double_to_float(values[i], &to[i]);
+    }
+}
+
+static void read_vertex(off_parser *p) {
+    const off_state *off = p->off;
+    burnish_token token;
+    burnish_number_status number;
+    double position[3], values[VALUES_MOST];
+    uint8_t is_whole[VALUES_MOST];
+    for (int i = 0; i < 3; ++i) {
+        float unused;
+        if (!burnish_lexer_double(&p->lexer, &token, &position[i], &number)) {
+            burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, p->lexer.next,
+                               "vertex has %d number%s, not 3; repair the file", i,
+                               i == 1 ? "" : "s");
+            return;
+        }
+        if (number == BURNISH_NUMBER_OK && !burnish_double_to_float(position[i], &unused)) {
+            number = BURNISH_NUMBER_RANGE;
+        }
+        if (number != BURNISH_NUMBER_OK) {
+            fail_number(p, "coordinate", token, number);
+            return;
+        }
+    }
+    append_floats(p, BURNISH_POSITION, position, 3);
+    if (!off->has_normals && !off->has_colors && !off->has_texcoords) {
+        return;
+    }
+    const int count = read_values(p, values, is_whole, VALUES_MOST);
+    for (int i = count; i < VALUES_MOST; ++i) {
+        values[i] = 0;
+        is_whole[i] = 1;
+    }
+    int at = 0;
+    if (off->has_normals) {
+        append_floats(p, BURNISH_NORMAL, values, 3);
+        at += 3;
+    }
+    if (off->has_colors) {
+        const int left = count - at - (off->has_texcoords ? 2 : 0), size = left >= 4 ? 4 : 3;
+        uint8_t *rgba = burnish_chunk_append(p->chunk, BURNISH_COLOR);
+        if (rgba && left >= 3) {
+            write_color(values + at, is_whole + at, size, rgba);
+        } else if (rgba) {
+            memset(rgba, 255, 4);
+            burnish_chunk_note(p->chunk, BAD_COLOR, token.bytes);
+        }
+        at += size;
+    }
+    if (off->has_texcoords && off->keeps_texcoords) {
+        append_floats(p, BURNISH_TEXCOORD, values + at, 2);
+    }
+}
+
+/* A face's colour for each of its triangles: alpha 0 says that it has none. One number is that of a
+ * colour in a table that the file does not have. */
+static void append_face_colors(off_parser *p, size_t triangles) {
+    double values[4];
+    uint8_t is_whole[4], rgba[4] = {255, 255, 255, 0};
+    const int count = read_values(p, values, is_whole, 4);
+    if (count >= 3) {
+        write_color(values, is_whole, count, rgba);
+        rgba[3] = rgba[3] > 0 ? rgba[3] : 1;
+    }
+    for (size_t i = 0; i < triangles && p->chunk->status == BURNISH_STATUS_OK; ++i) {
+        uint8_t *to = burnish_chunk_append(p->chunk, BURNISH_COLOR);
+        if (to) {
+            memcpy(to, rgba, sizeof rgba);
+        }
+    }
+}
+
+static int fail_corner(off_parser *p, burnish_token token) {
+    burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, token.bytes,
+                       "vertex \"%s\" is out of range; there are %zu vertices, counted from 0",
+                       burnish_token_quote(token).text, p->off->vertex_count);
+    return 0;
+}
+
+/* Into the chunk's scratch array. */
+static int read_corners(off_parser *p, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        uint32_t *corners = burnish_chunk_scratch(p->chunk, i + 1);
+        uint64_t index;
+        if (!corners) {
+            return 0;
+        }
+        if (!burnish_lexer_count(&p->lexer, &index)) {
+            burnish_token token;
+            int64_t written = -1;
+            if (!burnish_lexer_token(&p->lexer, &token)) {
+                burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, p->lexer.next,
+                                   "the line ends after %zu of %zu corners; repair the file", i,
+                                   count);
+                return 0;
+            }
+            if (burnish_parse_integer(token, &written) != BURNISH_NUMBER_OK || written < 0) {
+                return fail_corner(p, token);
+            }
+            index = (uint64_t)written;
+        }
+        if (index >= p->off->vertex_count) {
+            const burnish_token token = {p->lexer.next, 0};
+            burnish_chunk_fail(
+                p->chunk, BURNISH_STATUS_FORMAT, token.bytes,
+                "vertex %llu is out of range; there are %zu vertices, counted from 0",
+                (unsigned long long)index, p->off->vertex_count);
+            return 0;
+        }
+        corners[i] = (uint32_t)index;
+    }
+    return 1;
+}
+
+static void read_face(off_parser *p) {
+    const uint8_t *at = p->lexer.next;
+    burnish_token token;
+    int64_t count = -1;
+    if (!burnish_lexer_token(&p->lexer, &token) ||
+        burnish_parse_integer(token, &count) != BURNISH_NUMBER_OK || count < 0) {
+        burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, token.bytes,
+                           "\"%s\" is no count of corners; repair the file",
+                           burnish_token_quote(token).text);
+        return;
+    }
+    if (!read_corners(p, (size_t)count)) {
+        return;
+    }
+    if (count < 3) {
+        burnish_chunk_note(p->chunk, FEW_CORNERS, at);
+    } else if (burnish_chunk_append_face(p->chunk, at, p->chunk->scratch, 1, (size_t)count,
+                                         1u << BURNISH_POSITION) == BURNISH_STATUS_OK &&
+               !p->off->has_colors) {
+        append_face_colors(p, (size_t)count - 2);
+    }
+}
+
+static void parse(const void *state, burnish_chunk *chunk) {
+    off_parser p = {state, chunk, {chunk->first, chunk->text_end, 0}};
+    while (chunk->rows < chunk->rows_left && chunk->status == BURNISH_STATUS_OK) {
+        if (!skip_empty_lines(&p.lexer) || p.lexer.next >= chunk->end) {
+            break;
+        }
+        p.off->in_faces ? read_face(&p) : read_vertex(&p);
+        burnish_lexer_rest(&p.lexer);
+        chunk->rows += chunk->status == BURNISH_STATUS_OK;
+        chunk->rows_end = p.lexer.next;
+    }
+    if (!chunk->bounded) {
+        chunk->end = p.lexer.next;
+    }
+}
+
+static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = memchr(from, '\n', (size_t)(end - from));
+    return newline ? newline + 1 : end;
+}
+
+static burnish_status accept(void *state, const burnish_chunk *chunk) {
+    off_state *off = state;
+    for (size_t i = 0; i < chunk->event_count; ++i) {
+        const burnish_chunk_event *event = &chunk->events[i];
+        if (event->kind == FEW_CORNERS) {
+            burnish_reader_note(off->reader, &off->few_corners, event->at,
+                                "a face with fewer than 3 corners was ignored");
+        } else {
+            burnish_reader_note(off->reader, &off->bad_colors, event->at,
+                                "a vertex has no colour; it is white");
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* ---- All ---- */
+
+/* Vertices or faces from *at on. */
+static burnish_status read_rows(off_state *off, const uint8_t **at, size_t rows) {
+    const unsigned has_own = off->in_faces && !off->has_colors;
+    const burnish_grammar grammar = {find_line, parse, accept,
+                                     1u << BURNISH_POSITION | has_own << BURNISH_COLOR, 0};
+    size_t missing = rows;
+    burnish_status status = rows > 0 ? burnish_chunks_read(&grammar, off, off->reader, at, &missing)
+                                     : BURNISH_STATUS_OK;
+    if (status == BURNISH_STATUS_OK && missing > 0 && rows > 0) {
+        status = burnish_reader_fail(off->reader, BURNISH_STATUS_FORMAT, *at,
+                                     "the file ends after %zu of %zu %s; the file is truncated",
+                                     rows - missing, rows, off->in_faces ? "faces" : "vertices");
+    }
+    return status;
+}
+
+/* Gives each triangle the colour of its face; drops them where no face has one. */
+static burnish_status settle_face_colors(off_state *off) {
+    burnish_mesh_data *mesh = off->reader->mesh;
+    burnish_stream *colors = &mesh->streams[BURNISH_COLOR];
+    uint8_t *rgba = burnish_colors(mesh);
+    int any = 0;
+    for (size_t i = 0; i < colors->count; ++i) {
+        any |= rgba[4 * i + 3];
+        rgba[4 * i + 3] = rgba[4 * i + 3] > 0 ? rgba[4 * i + 3] : 255;
+    }
+    if (!any) {
+        burnish_mesh_data_drop(mesh, BURNISH_COLOR);
+        return BURNISH_STATUS_OK;
+    }
+    burnish_status status =
+        burnish_mesh_data_reserve_corners(mesh, BURNISH_COLOR, mesh->triangle_count);
+    for (size_t i = 0; i < 3 * mesh->triangle_count && status == BURNISH_STATUS_OK; ++i) {
+        colors->corners[i] = (uint32_t)(i / 3);
+    }
+    return status;
+}
+
+burnish_status burnish_read_off(burnish_reader *reader) {
+    off_state off = {.reader = reader};
+    burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, reader->input->size, 0);
+    burnish_status status = read_head(&off, &lexer);
+    const uint8_t *at = lexer.next;
+    off.keeps_texcoords = burnish_reader_keeps_coordinates(reader, 0);
+    if (status == BURNISH_STATUS_OK) {
+        status = read_rows(&off, &at, off.vertex_count);
+    }
+    off.in_faces = 1;
+    if (status == BURNISH_STATUS_OK) {
+        status = read_rows(&off, &at, off.face_count);
+    }
+    burnish_reader_warn_group(reader, &off.few_corners);
+    burnish_reader_warn_group(reader, &off.bad_colors);
+    if (status == BURNISH_STATUS_OK && reader->mesh->triangle_count == 0) {
+        status = burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                     "no faces among %zu vertices; export the mesh with its faces",
+                                     off.vertex_count);
+    }
+    if (status == BURNISH_STATUS_OK && !off.has_colors) {
+        status = settle_face_colors(&off);
+    }
+    return status == BURNISH_STATUS_OK ? burnish_cut_polygons(reader) : status;
+}
+
+/* By its first word that is no comment. */
+int burnish_recognise_off(const uint8_t *bytes, size_t size) {
+    burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
+    burnish_token word;
+    off_state unused;
+    int dimensions;
+    return skip_empty_lines(&lexer) && burnish_lexer_token(&lexer, &word) &&
+           read_keyword(&unused, word, &dimensions);
+}

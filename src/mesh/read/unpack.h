@@ -1,0 +1,13 @@
+/* What an input's bytes are wrapped in: gzip, UTF-16. */
+#ifndef BURNISH_MESH_READ_UNPACK_H
+#define BURNISH_MESH_READ_UNPACK_H
+
+#include "mesh/read/reader.h"
+
+/* Unpacks gzip, and makes UTF-8 of text in UTF-16 with a byte order mark: input->bytes and size
+ * then are those of *unpacked, which the caller releases; NULL where the bytes are as they should
+ * be. Errors: FORMAT, LIMIT (more than max_input_bytes), MEMORY. */
+burnish_status burnish_unpack_input(burnish_reader_input *input, burnish_memory *memory,
+                                    uint8_t **unpacked);
+
+#endif

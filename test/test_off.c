@@ -1,0 +1,185 @@
+/* OFF: what is read, and what broken files are told. */
+#include "burnish/mesh.h"
+#include "reader_input.h"
+
+static burnish_mesh *load(const char *text, const char *warning) {
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {0};
+    burnish_load_options options = burnish_load_options_default();
+    options.keep_texture_coordinates = 1;
+    CHECK(burnish_mesh_load_memory(text, strlen(text), "a.off", &options, &mesh, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    const size_t count = mesh ? burnish_mesh_warning_count(mesh) : 0;
+    CHECK(count == (warning != NULL), "%zu warnings", count);
+    if (warning && count > 0) {
+        CHECK_TEXT(burnish_mesh_warning(mesh, 0), warning);
+    }
+    return mesh;
+}
+
+/* The vertex at a position: its number, or -1. */
+static long vertex_at(const burnish_mesh_view *view, float x, float y) {
+    for (size_t i = 0; i < view->vertex_count; ++i) {
+        if (view->positions[3 * i] == x && view->positions[3 * i + 1] == y) {
+            return (long)i;
+        }
+    }
+    return -1;
+}
+
+static int color_is_at(const burnish_mesh *mesh, float x, float y, unsigned rgba) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const long i = vertex_at(view, x, y);
+    const uint8_t *c = view->colors + 4 * i;
+    return i >= 0 && view->colors &&
+           ((unsigned)c[0] << 24 | (unsigned)c[1] << 16 | (unsigned)c[2] << 8 | c[3]) == rgba;
+}
+
+#define SQUARE "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+
+static void test_plain(void) {
+    static const char *const heads[] = {"OFF\n4 1 4\n", "OFF 4 1 4\n", "# a\n\nOFF # b\n# c\n4 1\n",
+                                        "4 1 0\n", "\xEF\xBB\xBFOFF\r\n4\n1\n4\n"};
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; ++i) {
+        char text[200];
+        snprintf(text, sizeof text, "%s# vertices\n%s\n4 0 1 2 3 # a face\n", heads[i],
+                 i == 2 ? "0 0 0 # a\n1 0 0\n\n1 1 0\n#\n0 1 0\n" : SQUARE);
+        burnish_mesh *mesh = load(text, NULL);
+        const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+        CHECK(view && view->triangle_count == 2 && view->vertex_count == 4 && !view->colors, "%zu",
+              i);
+        burnish_mesh_destroy(mesh);
+    }
+}
+
+/* Normals, colours, coordinates: in the order of the letters, from the last to the first. */
+static void test_vertices(void) {
+    burnish_mesh *mesh = load("STCNOFF\n3 1 0\n0 0 0 0 0.6 0.8 255 0 8 0.25 0.5\n"
+                              "1 0 0 0 0 1 0 1 0 1 0\n0 1 0 0 0 1 1 2 3 4 0.75 1\n3 0 1 2\n",
+                              NULL);
+    const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+    if (CHECK1(view && view->colors && view->texture_coordinates)) {
+        const long i = vertex_at(view, 0, 0);
+        CHECK1(i >= 0 && view->normals[3 * i + 1] == 0.6f && view->normals[3 * i + 2] == 0.8f);
+        CHECK1(view->texture_coordinates[2 * i] == 0.25f &&
+               view->texture_coordinates[2 * i + 1] == 0.5f);
+        CHECK1(color_is_at(mesh, 0, 0, 0xFF0008FF) && color_is_at(mesh, 1, 0, 0x000100FF) &&
+               color_is_at(mesh, 0, 1, 0x01020304));
+    }
+    burnish_mesh_destroy(mesh);
+    mesh = load("COFF\n3 1 0\n0 0 0 0.5 0 1.0 1.0\n1 0 0 255 0 0 128\n0 1 0\n3 0 1 2\n",
+                "a.off:5: a vertex has no colour; it is white");
+    CHECK1(mesh && color_is_at(mesh, 0, 0, 0x8000FFFF) && color_is_at(mesh, 1, 0, 0xFF000080) &&
+           color_is_at(mesh, 0, 1, 0xFFFFFFFF));
+    burnish_mesh_destroy(mesh);
+}
+
+/* A vertex of two faces has both their colours; a face without one is white. */
+static void test_face_colors(void) {
+    burnish_mesh *mesh =
+        load("OFF\n5 3 0\n" SQUARE "5 5 0\n4 0 1 2 3 255 0 0\n3 2 4 3 0.0 1.0 0.5\n"
+             "3 1 4 2 7\n",
+             NULL);
+    CHECK1(mesh && color_is_at(mesh, 0, 0, 0xFF0000FF));
+    CHECK1(mesh && burnish_mesh_get_view(mesh)->vertex_count == 4 + 3 + 3);
+    burnish_mesh_destroy(mesh);
+    mesh = load("OFF\n4 1 0\n" SQUARE "3 0 1 2 1\n", NULL);
+    CHECK1(mesh && !burnish_mesh_get_view(mesh)->colors);
+    burnish_mesh_destroy(mesh);
+    mesh = load("OFF\n4 2 0\n" SQUARE "2 0 1\n3 0 1 2\n",
+                "a.off:7: a face with fewer than 3 corners was ignored");
+    burnish_mesh_destroy(mesh);
+}
+
+static void test_messages(void) {
+    static const struct {
+        const char *text, *message;
+    } cases[] = {
+        {"OFF\n", "a.off:1: the file ends before its counts; the file is truncated"},
+        {"OFF BINARY\n", "a.off:1: binary OFF is not read; export it as text"},
+        {"4OFF\n1 1 1\n", "a.off:1: vertices of other than 3 dimensions are not read; export OFF"},
+        {"OFF\n3 -1 0\n",
+         "a.off:2: \"-1\" is no count; write OFF, then the counts of vertices, faces and edges"},
+        {"OFF\n99999999999 1 0\n",
+         "a.off:2: 99999999999 vertices are more than 4294967294; split or simplify the mesh"},
+        {"OFF\n3 1 0\n0 0 0\n1 0\n", "a.off:4: vertex has 2 numbers, not 3; repair the file"},
+        {"OFF\n3 1 0\n0 0 nan\n", "a.off:3: coordinate \"nan\" is not finite; repair or remove it"},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n",
+         "a.off:4: the file ends after 2 of 3 vertices; the file is truncated"},
+        {"OFF\n4 2 0\n" SQUARE "3 0 1 2\n",
+         "a.off:7: the file ends after 1 of 2 faces; the file is truncated"},
+        {"OFF\n4 1 0\n" SQUARE "3 0 1 4\n",
+         "a.off:7: vertex 4 is out of range; there are 4 vertices, counted from 0"},
+        {"OFF\n4 1 0\n" SQUARE "3 0 1 -2\n",
+         "a.off:7: vertex \"-2\" is out of range; there are 4 vertices, counted from 0"},
+        {"OFF\n4 1 0\n" SQUARE "9999999999 0 1 2\n",
+         "a.off:7: the line ends after 3 of 9999999999 corners; repair the file"},
+        {"OFF\n4 1 0\n" SQUARE "x 0 1 2\n",
+         "a.off:7: \"x\" is no count of corners; repair the file"},
+        {"OFF\n4 0 0\n" SQUARE, "a.off: no faces among 4 vertices; export the mesh with its faces"},
+    };
+    burnish_load_options options = burnish_load_options_default();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh *mesh;
+        burnish_error error;
+        CHECK1(burnish_mesh_load_memory(cases[i].text, strlen(cases[i].text), "a.off", &options,
+                                        &mesh, &error) >= BURNISH_STATUS_FORMAT);
+        CHECK_TEXT(error.text, cases[i].message);
+    }
+}
+
+/* Threads and chunks change nothing. */
+static void test_threads(void) {
+    enum { SIDE = 120, ROOM = SIDE * SIDE * 64 };
+    char *text = malloc(ROOM);
+    size_t size = 0;
+    if (!text) {
+        abort();
+    }
+    size += (size_t)snprintf(text, ROOM, "OFF\n%d %d 0\n", SIDE * SIDE, (SIDE - 1) * (SIDE - 1));
+    for (int i = 0; i < SIDE * SIDE; ++i) {
+        size += (size_t)snprintf(text + size, ROOM - size, "%d.5 %d %d\n", i % SIDE, i / SIDE,
+                                 i * i % 7);
+    }
+    for (int i = 0; i < SIDE * (SIDE - 1); ++i) {
+        if (i % SIDE < SIDE - 1) {
+            size += (size_t)snprintf(text + size, ROOM - size, "4 %d %d %d %d %d 0 0\n", i, i + 1,
+                                     i + 1 + SIDE, i + SIDE, i % 256);
+        }
+    }
+    burnish_mesh *meshes[3] = {NULL};
+    for (int i = 0; i < 3; ++i) {
+        static const int threads[] = {1, 2, 7};
+        burnish_load_options options = burnish_load_options_default();
+        burnish_error error = {0};
+        options.threads = threads[i];
+        CHECK(burnish_mesh_load_memory(text, size, "a.off", &options, &meshes[i], &error) ==
+                  BURNISH_STATUS_OK,
+              "%s", error.text);
+        if (!meshes[i] || !meshes[0]) {
+            continue;
+        }
+        const burnish_mesh_view *a = burnish_mesh_get_view(meshes[0]);
+        const burnish_mesh_view *b = burnish_mesh_get_view(meshes[i]);
+        CHECK1(a->triangle_count == 2 * (SIDE - 1) * (SIDE - 1) && a->colors);
+        CHECK1(a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count &&
+               memcmp(a->positions, b->positions, 12 * a->vertex_count) == 0 &&
+               memcmp(a->colors, b->colors, 4 * a->vertex_count) == 0 &&
+               memcmp(a->indices, b->indices, 12 * a->triangle_count) == 0);
+    }
+    for (int i = 0; i < 3; ++i) {
+        burnish_mesh_destroy(meshes[i]);
+    }
+    free(text);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_plain());
+    RUN(test_vertices());
+    RUN(test_face_colors());
+    RUN(test_messages());
+    RUN(test_threads());
+    return test_end("off");
+}
