@@ -186,7 +186,7 @@ static void test_obj_colors(void) {
     CHECK1(burnish_colors(&s) && memcmp(burnish_colors(&s), expected, sizeof expected) == 0);
     if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
         CHECK_TEXT(s.warnings[0],
-                   "mesh.obj:6: lines and points are not drawn (and 1 more like it)");
+                   "mesh.obj:6: lines and points are not drawn beside faces (and 1 more like it)");
         CHECK_TEXT(s.warnings[1], "mesh.obj:8: a face with fewer than 3 corners was ignored");
     }
     CHECK1(!s.streams[BURNISH_NORMAL].corners && s.triangle_count == 1);

@@ -408,14 +408,20 @@ static void test_gzip(void) {
     for (size_t size = 3; size < sizeof packed; ++size) {
         burnish_status status =
             burnish_mesh_load_memory(packed, size, "a.gz", &options, &mesh, &error);
-        CHECK(status == BURNISH_STATUS_FORMAT && !mesh, "%zu: %d", size, (int)status);
+        /* cut between the two files, the first is whole: its vertices */
+        CHECK(status == BURNISH_STATUS_FORMAT ||
+                  (mesh && burnish_mesh_get_info(mesh)->point_count == 2),
+              "%zu: %d", size, (int)status);
+        burnish_mesh_destroy(mesh);
     }
     for (size_t i = 0; i < sizeof packed; ++i) { /* checksums find every change of what matters */
         memcpy(copy, packed, sizeof packed);
         copy[i] ^= 0x10;
         if (burnish_mesh_load_memory(copy, sizeof copy, "a.gz", &options, &mesh, &error) ==
             BURNISH_STATUS_OK) {
-            CHECK(triangles_of(mesh) == 1, "byte %zu", i);
+            /* what no longer begins a second file is ignored, as gzip does */
+            CHECK(triangles_of(mesh) == 1 || burnish_mesh_get_info(mesh)->point_count == 2,
+                  "byte %zu", i);
             burnish_mesh_destroy(mesh);
         }
     }

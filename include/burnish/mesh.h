@@ -44,7 +44,7 @@ extern "C" {
 #define BURNISH_FORMAT_LIST(X)                                                                     \
     X(GLTF, gltf, ".gltf .glb", 0, 1, 0)                                                           \
     X(OBJ, obj, ".obj", 0, 1, 0)                                                                   \
-    X(OFF, off, ".off .coff .noff .cnoff", 0, 1, 0)                                                \
+    X(OFF, off, ".off", 0, 1, 0)                                                                   \
     X(PLY, ply, ".ply", 0, 1, 0)                                                                   \
     X(STL, stl, ".stl", 0, 0, 1)
 
@@ -119,6 +119,8 @@ typedef struct burnish_load_options {
                                      where a material uses a texture */
     int ignore_textures;          /* 1: none is loaded, and materials use none */
     int measure;                  /* 1: the mesh has facts, see burnish_mesh_get_facts; 0: none */
+    double point_size; /* diameter of points and lines where a file has no faces, in its units; 0:
+                          by their density */
     int no_companions; /* 1: files that the input names are not read, and there is no word of it */
     int strict; /* 1: what would be a warning is an error, FORMAT; 0: what is wrong and does no harm
                    is passed over or mended */
@@ -266,9 +268,10 @@ BURNISH_API const burnish_mesh_view *burnish_mesh_get_view(const burnish_mesh *m
 
 /* How a mesh came to be. */
 typedef struct burnish_mesh_info {
-    burnish_format format; /* what was read; not AUTO */
-    double read_seconds;   /* wall time of opening and parsing, or of copying arrays */
-    double build_seconds;  /* wall time of welding, normals, order */
+    burnish_format format;          /* what was read; not AUTO */
+    size_t point_count, line_count; /* of a file without faces: each is a small solid of the mesh */
+    double read_seconds;            /* wall time of opening and parsing, or of copying arrays */
+    double build_seconds;           /* wall time of welding, normals, order */
 } burnish_mesh_info;
 
 /* NULL for NULL. Lives as long as the mesh. */

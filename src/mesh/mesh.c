@@ -135,6 +135,10 @@ static burnish_status check_options(const burnish_load_options *options, burnish
             "options: crease_angle %g is not in [0, 180] degrees or BURNISH_CREASE_AUTO",
             options->crease_angle);
     }
+    if (!(options->point_size >= 0 && options->point_size <= 1e30)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: point_size %g is not in [0, 1e30]", options->point_size);
+    }
     if (options->tessellation < 1 || options->tessellation > 256) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: tessellation %d is not in [1, 256]", options->tessellation);

@@ -53,6 +53,7 @@ typedef struct burnish_stream {
 typedef struct burnish_mesh_data {
     burnish_stream streams[BURNISH_ATTRIBUTE_COUNT];
     size_t triangle_count;
+    size_t point_count, line_count; /* that triangles stand for */
 
     uint16_t *triangle_materials; /* 1 per triangle, in range; NULL: all have material 0 */
     size_t triangle_material_capacity;

@@ -48,6 +48,8 @@ static void take_warnings(burnish_builder *b) {
 static void describe_mesh(burnish_builder *b) {
     b->mesh->view.vertex_count = b->vertex_count;
     b->mesh->view.triangle_count = b->triangle_count;
+    b->mesh->info.point_count = b->data->point_count;
+    b->mesh->info.line_count = b->data->line_count;
     burnish_mesh_update_view(b->mesh);
 }
 

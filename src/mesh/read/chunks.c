@@ -71,8 +71,8 @@ void burnish_chunk_note(burnish_chunk *chunk, int kind, const uint8_t *at) {
     chunk->events = burnish_reserve(&chunk->data.memory, chunk->events, &chunk->event_capacity,
                                     chunk->event_count + 1, sizeof *chunk->events, "statements");
     if (has_memory(chunk)) {
-        chunk->events[chunk->event_count++] =
-            (burnish_chunk_event){at, kind, chunk->data.triangle_count};
+        chunk->events[chunk->event_count++] = (burnish_chunk_event){
+            at, kind, chunk->data.triangle_count, chunk->data.streams[BURNISH_POSITION].count};
     }
 }
 

@@ -19,8 +19,8 @@
 /* Something to be done in the order of the file. */
 typedef struct burnish_chunk_event {
     const uint8_t *at;
-    int kind;        /* the grammar's */
-    size_t triangle; /* triangles of the chunk before it */
+    int kind;                  /* the grammar's */
+    size_t triangle, position; /* triangles and positions of the chunk before it */
 } burnish_chunk_event;
 
 /* Corners whose index counts from the first value of the chunk, possibly backwards. */

@@ -6,6 +6,7 @@
  * follow the coordinates (v x y z r g b). */
 #include "mesh/read/chunks.h"
 #include "mesh/read/obj_materials.h"
+#include "mesh/read/points.h"
 #include "mesh/read/textures.h"
 
 /* What is done in the order of the file. */
@@ -19,7 +20,9 @@ typedef struct obj_state {
     burnish_reader *reader;
     int with_texcoords;
     burnish_obj_materials materials;
-    size_t triangle; /* those before it have their run of one material */
+    size_t triangle;           /* those before it have their run of one material */
+    burnish_segment *segments; /* of lines, while no face has been seen */
+    size_t segment_count, segment_capacity;
     burnish_warning_group elements, few_corners, colors, normals, free_form, unknown;
     size_t highest[BURNISH_ATTRIBUTE_COUNT]; /* index + 1 that a face refers to; SIZE_MAX: to one
                                                 before the first */
@@ -481,6 +484,31 @@ static void note_other(obj_state *obj, const uint8_t *at, burnish_lexer *lexer) 
     }
 }
 
+/* l v v ...: lexer at the keyword, `before` positions stand before it. A number that is no vertex's
+ * becomes BURNISH_NONE. */
+static burnish_status read_line(obj_state *obj, burnish_lexer *lexer, size_t before) {
+    burnish_memory *memory = &obj->reader->mesh->memory;
+    burnish_token token;
+    uint32_t last = BURNISH_NONE;
+    burnish_lexer_token(lexer, &token);
+    for (int i = 0; burnish_lexer_token(lexer, &token); ++i) {
+        int64_t written = 0;
+        burnish_parse_integer(cut_part(&token), &written);
+        const int64_t index = written < 0 ? (int64_t)before + written : written - 1;
+        const uint32_t number = index >= 0 && index < BURNISH_NONE ? (uint32_t)index : BURNISH_NONE;
+        if (i > 0) {
+            obj->segments = burnish_reserve(memory, obj->segments, &obj->segment_capacity,
+                                            obj->segment_count + 1, sizeof *obj->segments, "lines");
+            if (memory->status != BURNISH_STATUS_OK) {
+                return memory->status;
+            }
+            obj->segments[obj->segment_count++] = (burnish_segment){last, number};
+        }
+        last = number;
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status accept(void *state, const burnish_chunk *chunk) {
     obj_state *obj = state;
     burnish_status status = BURNISH_STATUS_OK;
@@ -494,7 +522,10 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
         burnish_lexer lexer = {event->at, chunk->text_end, 1};
         if (event->kind == ELEMENT) {
             burnish_reader_note(obj->reader, &obj->elements, event->at,
-                                "lines and points are not drawn");
+                                "lines and points are not drawn beside faces");
+            if (triangle == 0 && *event->at == 'l') {
+                status = read_line(obj, &lexer, chunk->before[BURNISH_POSITION] + event->position);
+            }
             continue;
         }
         if (event->kind == FEW_CORNERS) {
@@ -574,12 +605,35 @@ static void settle_colors(obj_state *obj) {
     }
 }
 
+/* Of a file without faces: its lines, or its vertices as points. */
+static burnish_status make_points(obj_state *obj) {
+    const size_t positions = obj->reader->mesh->streams[BURNISH_POSITION].count;
+    size_t count = 0;
+    for (size_t i = 0; i < obj->segment_count; ++i) {
+        const burnish_segment segment = obj->segments[i];
+        if (segment.from < positions && segment.to < positions) {
+            obj->segments[count++] = segment;
+        }
+    }
+    if (count < obj->segment_count) {
+        burnish_reader_warn(obj->reader, NULL,
+                            "%zu of %zu lines refer to vertices that the file does not have",
+                            obj->segment_count - count, obj->segment_count);
+    }
+    settle_colors(obj);
+    return burnish_make_points(obj->reader, obj->segments, count);
+}
+
 static burnish_status finish(obj_state *obj) {
     burnish_mesh_data *mesh = obj->reader->mesh;
     const burnish_warning_group *groups[] = {&obj->elements, &obj->few_corners, &obj->colors,
                                              &obj->normals,  &obj->free_form,   &obj->unknown};
-    for (size_t i = 0; i < sizeof groups / sizeof *groups; ++i) {
+    /* without faces, lines and points are what is drawn */
+    for (size_t i = mesh->triangle_count == 0; i < sizeof groups / sizeof *groups; ++i) {
         burnish_reader_warn_group(obj->reader, groups[i]);
+    }
+    if (mesh->triangle_count == 0 && mesh->streams[BURNISH_POSITION].count > 0) {
+        return make_points(obj);
     }
     if (mesh->triangle_count == 0) {
         return burnish_reader_fail(obj->reader, BURNISH_STATUS_FORMAT, NULL,
@@ -626,6 +680,7 @@ burnish_status burnish_read_obj(burnish_reader *reader) {
         status = finish(&obj);
     }
     burnish_obj_materials_close(&obj.materials);
+    burnish_release(reader->mesh->memory.context, obj.segments);
     return status;
 }
 

@@ -4,6 +4,7 @@
  * The first word says what a vertex has: [ST][C][N]OFF. Colours count to 255 where they are written
  * without a point, to 1 with one. */
 #include "mesh/read/chunks.h"
+#include "mesh/read/points.h"
 #include "mesh/read/textures.h"
 
 enum { COUNT_MOST = 3, VALUES_MOST = 12 };
@@ -388,6 +389,9 @@ burnish_status burnish_read_off(burnish_reader *reader) {
     }
     burnish_reader_warn_group(reader, &off.few_corners);
     burnish_reader_warn_group(reader, &off.bad_colors);
+    if (status == BURNISH_STATUS_OK && reader->mesh->triangle_count == 0 && off.vertex_count > 0) {
+        return burnish_make_points(reader, NULL, 0);
+    }
     if (status == BURNISH_STATUS_OK && reader->mesh->triangle_count == 0) {
         status = burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
                                      "no faces among %zu vertices; export the mesh with its faces",

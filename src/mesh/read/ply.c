@@ -9,6 +9,7 @@
  * at their ends is made up, what is too much ignored. */
 #include "mesh/read/ply.h"
 #include "mesh/read/chunks.h"
+#include "mesh/read/points.h"
 #include "mesh/read/textures.h"
 
 enum { FEW_CORNERS, FIELDS }; /* the events of a chunk */
@@ -693,6 +694,25 @@ static burnish_status read_again(ply_state *ply, int by_lines) {
     return read_elements(ply, &unused);
 }
 
+/* Alpha 0 everywhere comes from programs that do not fill it. */
+static void check_alpha(const ply_state *ply) {
+    const burnish_mesh_data *mesh = ply->reader->mesh;
+    const size_t count = mesh->streams[BURNISH_COLOR].count;
+    uint8_t *rgba = burnish_colors(mesh);
+    const burnish_ply_type *types = ply->takes_face_colors ? ply->face_types : ply->types;
+    unsigned any = types[BURNISH_PLY_ALPHA] == BURNISH_PLY_NONE;
+    for (size_t i = 0; i < count && !any; ++i) {
+        any = rgba[4 * i + 3];
+    }
+    if (any || count == 0) {
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        rgba[4 * i + 3] = 255;
+    }
+    burnish_reader_warn(ply->reader, NULL, "alpha is 0 everywhere: drawn opaque");
+}
+
 static burnish_status read_body(ply_state *ply) {
     atomic_int is_odd;
     int has_faces = 0;
@@ -718,33 +738,17 @@ static burnish_status read_body(ply_state *ply) {
             status = read_again(ply, 0);
         }
     }
-    if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0) {
+    if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0 && !has_faces &&
+        ply->vertex_count > 0) {
+        check_alpha(ply);
+        status = burnish_make_points(ply->reader, NULL, 0);
+    } else if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0) {
         status =
             burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, NULL,
                                 has_faces ? "no face has 3 different corners; export the mesh again"
-                                          : "a point cloud: no faces; make a surface of it first, "
-                                            "for example with MeshLab");
+                                          : "no vertices and no faces; export the mesh again");
     }
     return status;
-}
-
-/* Alpha 0 everywhere comes from programs that do not fill it. */
-static void check_alpha(const ply_state *ply) {
-    const burnish_mesh_data *mesh = ply->reader->mesh;
-    const size_t count = mesh->streams[BURNISH_COLOR].count;
-    uint8_t *rgba = burnish_colors(mesh);
-    const burnish_ply_type *types = ply->takes_face_colors ? ply->face_types : ply->types;
-    unsigned any = types[BURNISH_PLY_ALPHA] == BURNISH_PLY_NONE;
-    for (size_t i = 0; i < count && !any; ++i) {
-        any = rgba[4 * i + 3];
-    }
-    if (any || count == 0) {
-        return;
-    }
-    for (size_t i = 0; i < count; ++i) {
-        rgba[4 * i + 3] = 255;
-    }
-    burnish_reader_warn(ply->reader, NULL, "alpha is 0 everywhere: drawn opaque");
 }
 
 /* comment TextureFile NAME: the colour of all. */

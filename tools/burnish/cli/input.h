@@ -9,6 +9,7 @@ typedef struct cli_input {
     int format, tessellation, strict, no_textures, no_libraries;
     cli_real animation_time;
     const char *animation;
+    cli_real point_size;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
 } cli_input;
 
@@ -17,7 +18,7 @@ burnish_load_options cli_load_options(const cli_input *input);
 
 #define CLI_INPUT_ENDING(name, word, endings, ...) " " endings
 #define CLI_INPUT_HELP                                                                             \
-    "a file:" BURNISH_FORMAT_LIST(CLI_INPUT_ENDING) "; - for standard input; or :teapot, "         \
+    "a file:" BURNISH_FORMAT_LIST(CLI_INPUT_ENDING) "; - standard input; :teapot, "                \
                                                     ":sphere, :torus, :knot"
 
 /* Tables for the flags' rows. */
@@ -56,6 +57,14 @@ extern const char cli_input_format_manual[];
     .manual = "Which animation of _INPUT_ *--animation-time* means: its name, or its number from " \
               "0. Without a time, its start is shown.",                                            \
     .handler = cli_flag_text, .offset = offsetof(type, member.animation)
+
+#define CLI_POINT_SIZE_FLAG(type, member)                                                          \
+    .name = "point-size", .value = "SIZE", .help = "diameter of points and lines",                 \
+    .default_label = "by their density", .low = 1e-30, .high = 1e30,                               \
+    .manual =                                                                                      \
+        "Diameter, in the units of _INPUT_, in which the points of a file without faces are "      \
+        "drawn as balls, or its lines as rods.",                                                   \
+    .handler = cli_flag_real, .offset = offsetof(type, member.point_size)
 
 #define CLI_NO_LIBRARIES_FLAG(type, member)                                                        \
     .name = "no-libraries", .help = "read no file that INPUT names",                               \

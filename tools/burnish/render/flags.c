@@ -643,6 +643,7 @@ static const cli_flag flags[] = {
     {CLI_TESSELLATION_FLAG(render_settings, load)},
     {CLI_ANIMATION_TIME_FLAG(render_settings, load)},
     {CLI_ANIMATION_FLAG(render_settings, load)},
+    {CLI_POINT_SIZE_FLAG(render_settings, load)},
     {CLI_STRICT_FLAG(render_settings, load)},
     {CLI_NO_TEXTURES_FLAG(render_settings, load)},
     {CLI_NO_LIBRARIES_FLAG(render_settings, load)},
@@ -853,6 +854,7 @@ static const cli_term json_terms[] = {
     {"*input, format, output*", "*output* is null when nothing is written"},
     {"*width, height*", "of the picture, in pixels"},
     {"*triangles, vertices, materials, textures, exponents*", "of the mesh after loading"},
+    {"*points, lines*", "of an input without faces: each is drawn as a small solid"},
     {"*bounding_box*", "*min* and *max* of the object in the units of the input"},
     {"*up, up_source, view*",
      "the up axis; who says so: flag, format or auto; the standard view where one was asked "

@@ -158,6 +158,10 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "height", cJSON_CreateNumber(result->picture->height), failed);
     cli_json_add(root, "triangles", cli_json_count(view->triangle_count), failed);
     cli_json_add(root, "vertices", cli_json_count(view->vertex_count), failed);
+    cli_json_add(root, "points", cli_json_count(burnish_mesh_get_info(result->mesh)->point_count),
+                 failed);
+    cli_json_add(root, "lines", cli_json_count(burnish_mesh_get_info(result->mesh)->line_count),
+                 failed);
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(result->mesh)),
                  failed);
     cli_json_add(root, "textures", cli_json_count(burnish_mesh_texture_count(result->mesh)),
