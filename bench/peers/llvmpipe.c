@@ -20,8 +20,12 @@
 static const char vertex_main[] = "layout(location = 0) in vec3 position;\n"
                                   "layout(location = 1) in vec3 normal;\n"
                                   "layout(location = 2) in vec3 vertex_color;\n"
+                                  "layout(location = 3) in vec3 coordinates;\n"
                                   "uniform mat4 to_clip;\n"
                                   "out vec3 n;\n"
+                                  "#ifdef TEXTURED\n"
+                                  "out vec2 uv;\n"
+                                  "#endif\n"
                                   "#ifdef COLORED\n"
                                   "out vec3 tint;\n"
                                   "#endif\n"
@@ -30,6 +34,9 @@ static const char vertex_main[] = "layout(location = 0) in vec3 position;\n"
                                   "#endif\n"
                                   "void main() {\n"
                                   "    n = normal;\n"
+                                  "#ifdef TEXTURED\n"
+                                  "    uv = coordinates.xy;\n"
+                                  "#endif\n"
                                   "#ifdef COLORED\n"
                                   "    tint = vertex_color;\n"
                                   "#endif\n"
@@ -43,6 +50,9 @@ static const char vertex_main[] = "layout(location = 0) in vec3 position;\n"
 static const char fragment_head[] = "in vec3 n;\n"
                                     "#ifdef COLORED\n"
                                     "in vec3 tint;\n"
+                                    "#elif defined TEXTURED\n"
+                                    "in vec2 uv;\n"
+                                    "uniform sampler2D image;\n"
                                     "#else\n"
                                     "const float tint = 1.0;\n"
                                     "#endif\n"
@@ -59,6 +69,9 @@ static const char fragment_two_sided[] =
 static const char fragment_main[] =
     "void main() {\n"
     "    vec3 unit = facing();\n"
+    "#ifdef TEXTURED\n"
+    "    vec3 tint = texture(image, uv).rgb;\n"
+    "#endif\n"
     "    COLOR value = COLOR(ambient * tint);\n"
     "    for (int i = 0; i < LIGHTS; ++i) {\n"
     "#ifdef NEAR\n"
@@ -160,8 +173,12 @@ static int is_colored(const burnish_peers_job *job) {
     return burnish_mesh_get_view(job->scene)->colors != NULL;
 }
 
+static int is_textured(const burnish_peers_job *job) {
+    return burnish_mesh_texture_count(job->scene) > 0;
+}
+
 static int is_grey(const burnish_peers_job *job) {
-    return !is_colored(job) && burnish_mesh_material_count(job->scene) == 1;
+    return !is_colored(job) && !is_textured(job) && burnish_mesh_material_count(job->scene) == 1;
 }
 
 /* Fragment parts come after the common head. */
@@ -171,7 +188,9 @@ static GLuint link_program(const burnish_peers_job *job, const char *const parts
              "#version 320 es\nprecision highp float;\nprecision highp int;\n"
              "#define LIGHTS %d\n#define COLOR %s\n%s%s",
              job->options.light_count, is_grey(job) ? "float" : "vec3",
-             is_colored(job) ? "#define COLORED\n" : "",
+             is_colored(job)    ? "#define COLORED\n"
+             : is_textured(job) ? "#define TEXTURED\n"
+                                : "",
              job->options.lights[0].kind == BURNISH_LIGHT_POINT ? "#define NEAR\n" : "");
     const char *const vertex_parts[] = {head, vertex_main};
     const char *const fragment_parts[] = {head, parts[0], parts[1], parts[2], parts[3]};
@@ -325,6 +344,29 @@ static int send_attribute(GLuint attribute, const float *vectors, size_t count,
     return 1;
 }
 
+/* The vertices' texture coordinates, and the texture with levels that OpenGL makes; rows from the
+ * top, as burnish has them. */
+static int send_texture(const burnish_peers_job *job, const unsigned *remap) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(job->scene);
+    const burnish_texture *texture = burnish_mesh_texture(job->scene, 0);
+    float *coordinates = calloc(mesh->vertex_count, 3 * sizeof *coordinates);
+    GLuint name;
+    for (size_t i = 0; coordinates && i < mesh->vertex_count; ++i) {
+        coordinates[3 * i] = mesh->texture_coordinates[2 * i];
+        coordinates[3 * i + 1] = 1 - mesh->texture_coordinates[2 * i + 1];
+    }
+    const int done = coordinates && send_attribute(3, coordinates, mesh->vertex_count, remap);
+    free(coordinates);
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, texture->width, texture->height, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, texture->pixels);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    return done;
+}
+
 /* The vertices' colours in linear light. */
 static int send_colors(const burnish_mesh_view *mesh, const unsigned *remap) {
     float *linear = malloc(3 * mesh->vertex_count * sizeof *linear);
@@ -349,7 +391,8 @@ static int make_mesh(gl_renderer *gl, int order, const uint32_t *indices, const 
                  indices, GL_STATIC_DRAW);
     return send_attribute(0, mesh->positions, mesh->vertex_count, remap) &&
            send_attribute(1, mesh->normals, mesh->vertex_count, remap) &&
-           (!mesh->colors || send_colors(mesh, remap));
+           (!mesh->colors || send_colors(mesh, remap)) &&
+           (!is_textured(gl->job) || send_texture(gl->job, remap));
 }
 
 /* Indices with the triangles of a material together, each material's in burnish's order: one draw

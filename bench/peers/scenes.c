@@ -280,6 +280,7 @@ typedef struct recipe {
     int materials;               /* 0: one; the bunny's are mixed in groups of eight triangles */
     int colors;                  /* of the bunny: 1: one per vertex */
     int open;                    /* 1: both sides are lit */
+    int textured;                /* texels along a side of the one texture; 0: none */
     burnish_scene_lights lights; /* count 0: one */
     double eye[3], focus[3];     /* equal: the camera frames the mesh */
 } recipe;
@@ -290,11 +291,14 @@ static const recipe RECIPES[] = {
     {"materials-64", "bunny, mixed by eight triangles", .materials = 64},
     {"materials-1000", "the same with 1,000", .materials = 1000},
     {"colors", "bunny with vertex colours", .colors = 1},
+    {"texture", "bunny with a texture of 1,024 x 1,024", .textured = 1024},
     {"light-near", "bunny under a point light", .lights = {1, 1}},
     {"lights-16", "bunny, 16 directional lights", .lights = {16, 0}},
     {"lights-near-16", "bunny, 16 point lights", .lights = {16, 1}},
     {"rods", "200 cylinders of 24 sides", make_rods, .count = 200},
     {"quads", "60 large ones that cross", make_quads, .count = 60, .open = 1},
+    {"texture-quads", "the same with a texture of 2,048 x 2,048", make_quads, .count = 60, .open = 1,
+     .textured = 2048},
     {"spheres", "8 nested, the visible one first", make_spheres, .count = 8},
     {"spheres-back", "8 nested, it comes last", make_spheres, .count = -8},
     {"bracket", "fillet, holes, pins", make_bracket, .count = 32},
@@ -338,6 +342,58 @@ static void vary_materials(burnish_material *materials, int count) {
     }
 }
 
+/* ---- Textures ---- */
+
+/* Coordinates and the one texture of a textured scene, all NULL for others. */
+typedef struct texturing {
+    float *coordinates;
+    uint8_t *texels;
+    burnish_texture texture;
+} texturing;
+
+/* Squares of eight texels, each with a colour of its own. */
+static void paint(uint8_t *texels, int side) {
+    for (int i = 0; i < side * side; ++i) {
+        const unsigned square = (unsigned)(i % side / 8) + 977u * (unsigned)(i / side / 8);
+        for (unsigned k = 0; k < 3; ++k) {
+            texels[4 * (size_t)i + k] = (uint8_t)(64 + ((square * 2654435761u) >> (8 * k + 5)) % 192);
+        }
+        texels[4 * (size_t)i + 3] = 255;
+    }
+}
+
+/* The image is thrown along (1, 1, 1) onto the positions, `scale` times per unit. Returns 0 where
+ * memory is short. */
+static int add_texture(const recipe *r, const float *positions, size_t count, double scale,
+                       burnish_material *material, texturing *t,
+                       burnish_mesh_description *arrays) {
+    if (!r->textured) {
+        return 1;
+    }
+    t->coordinates = malloc(2 * count * sizeof *t->coordinates);
+    t->texels = malloc((size_t)r->textured * (size_t)r->textured * 4);
+    if (!t->coordinates || !t->texels) {
+        return 0;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const float *p = positions + 3 * i;
+        t->coordinates[2 * i] = (float)(scale * ((double)p[0] - (double)p[2]));
+        t->coordinates[2 * i + 1] = (float)(scale * ((double)p[1] - 0.5 * (double)(p[0] + p[2])));
+    }
+    paint(t->texels, r->textured);
+    t->texture = (burnish_texture){"squares", r->textured, r->textured, t->texels, 1};
+    material->textures[BURNISH_TEXTURE_COLOR].texture = 1;
+    arrays->texture_coordinates = (burnish_array){t->coordinates, count, 0};
+    arrays->textures = &t->texture;
+    arrays->texture_count = 1;
+    return 1;
+}
+
+static void free_texture(texturing *t) {
+    free(t->coordinates);
+    free(t->texels);
+}
+
 static burnish_status make_shape(const recipe *r, burnish_mesh **mesh, burnish_error *error) {
     enum { MOST = 8 };
     burnish_load_options load = burnish_load_options_default();
@@ -355,9 +411,12 @@ static burnish_status make_shape(const recipe *r, burnish_mesh **mesh, burnish_e
     arrays.materials = materials;
     arrays.material_count = (size_t)material_count(r);
     snprintf(error->text, sizeof error->text, "%s: out of memory", r->name);
-    if (!shape.out_of_memory) {
+    texturing t = {0};
+    if (!shape.out_of_memory &&
+        add_texture(r, shape.positions, 3 * shape.triangles, 0.5, materials, &t, &arrays)) {
         status = burnish_mesh_create(&arrays, &load, mesh, error);
     }
+    free_texture(&t);
     burnish_shape_free(&shape);
     return status;
 }
@@ -391,7 +450,12 @@ static burnish_status decorate(const recipe *r, const burnish_mesh_view *view, b
             arrays.material_count = (size_t)material_count(r);
         }
         memcpy(arrays.up_axis, view->up_axis, sizeof arrays.up_axis);
-        status = burnish_mesh_create(&arrays, &load, mesh, error);
+        const double size = (double)view->bounds_max[1] - (double)view->bounds_min[1];
+        texturing t = {0};
+        if (add_texture(r, view->positions, view->vertex_count, 1 / size, materials, &t, &arrays)) {
+            status = burnish_mesh_create(&arrays, &load, mesh, error);
+        }
+        free_texture(&t);
     }
     free(materials);
     free(numbers);
@@ -404,7 +468,8 @@ static burnish_status make_bunny(const recipe *r, burnish_mesh **mesh, burnish_e
     burnish_mesh *plain;
     burnish_status status = burnish_mesh_load(BUNNY, &load, &plain, error);
     *mesh = plain;
-    if (status != BURNISH_STATUS_OK || (!r->count && !r->materials && !r->colors)) {
+    if (status != BURNISH_STATUS_OK ||
+        (!r->count && !r->materials && !r->colors && !r->textured)) {
         return status;
     }
     *mesh = NULL;

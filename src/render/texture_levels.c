@@ -113,7 +113,49 @@ static span span_of(int i, int from, int to) {
     return s;
 }
 
+/* Row y where sides are halved, as nearly all are: the same sums in the same order. */
+static void halve_numbers(const uint8_t *from, size_t row, int width, uint8_t *to) {
+    for (size_t x = 0; x < (size_t)width; ++x) {
+        for (size_t k = 4 * x; k < 4 * x + 4; ++k) {
+            const size_t i = 8 * x + (k & 3);
+            to[k] =
+                (uint8_t)((from[i] + from[i + 4] + from[i + row] + from[i + row + 4] + 2) >> 2);
+        }
+    }
+}
+
+static void halve_colors(const uint8_t *from, size_t row, int width, uint8_t *to) {
+    const float *light = burnish_srgb_to_linear;
+    for (int x = 0; x < width; ++x, from += 8, to += 4) {
+        const uint8_t *below = from + row;
+        for (int k = 0; k < 3; ++k) {
+            to[k] = burnish_linear_to_srgb(
+                (((light[from[k]] + light[from[k + 4]]) + light[below[k]]) + light[below[k + 4]]) *
+                0.25f);
+        }
+        to[3] = (uint8_t)((from[3] + from[7] + below[3] + below[7] + 2) >> 2);
+    }
+}
+
+static int halve_row(const level_step *step, int y) {
+    const size_t row = 4 * (size_t)step->from_width;
+    const uint8_t *from = step->from + 2 * (size_t)y * row;
+    uint8_t *to = step->to + 4 * (size_t)y * (size_t)step->to_width;
+    if (step->from_width != 2 * step->to_width || step->from_height != 2 * step->to_height) {
+        return 0;
+    }
+    if (step->kind == BURNISH_TEXTURE_NUMBERS) {
+        halve_numbers(from, row, step->to_width, to);
+    } else if (step->kind == BURNISH_TEXTURE_COLORS) {
+        halve_colors(from, row, step->to_width, to);
+    }
+    return step->kind == BURNISH_TEXTURE_NUMBERS || step->kind == BURNISH_TEXTURE_COLORS;
+}
+
 static void reduce_row(const level_step *step, int y) {
+    if (halve_row(step, y)) {
+        return;
+    }
     const span rows = span_of(y, step->from_height, step->to_height);
     uint8_t *to = step->to + 4 * (size_t)y * (size_t)step->to_width;
     for (int x = 0; x < step->to_width; ++x, to += 4) {
