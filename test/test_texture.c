@@ -105,9 +105,11 @@ static double sample_plainly(const burnish_texture *texture, const int wrap[2], 
     for (int k = 0; k < 4; ++k) {
         const int i = wrapped(left + k % 2, texture->width, wrap[0]);
         const int j = wrapped(top + k / 2, texture->height, wrap[1]);
-        const double share = (k % 2 ? x - left : 1 - (x - left)) * (k / 2 ? y - top : 1 - (y - top));
-        sum += share *
-               (double)burnish_srgb_to_linear[texture->pixels[4 * (j * texture->width + i) + channel]];
+        const double share =
+            (k % 2 ? x - left : 1 - (x - left)) * (k / 2 ? y - top : 1 - (y - top));
+        sum +=
+            share *
+            (double)burnish_srgb_to_linear[texture->pixels[4 * (j * texture->width + i) + channel]];
     }
     return sum;
 }
@@ -120,11 +122,11 @@ static void test_perspective(void) {
     for (int wrap = 0; wrap < 9; ++wrap) {
         burnish_material material = white();
         const int wraps[2] = {wrap % 3, wrap / 3};
-        material.textures[BURNISH_TEXTURE_COLOR] = (burnish_texture_use){
-            .texture = 1,
-            .wrap = {wraps[0], wraps[1]},
-            .has_transform = 1,
-            .transform = {2, 0, -0.7f, 0.25f, 2, -0.3f}};
+        material.textures[BURNISH_TEXTURE_COLOR] =
+            (burnish_texture_use){.texture = 1,
+                                  .wrap = {wraps[0], wraps[1]},
+                                  .has_transform = 1,
+                                  .transform = {2, 0, -0.7f, 0.25f, 2, -0.3f}};
         scene s;
         open_scene(&s, &material, &texture, 1, NULL);
         s.options.camera = (burnish_camera){{0.9, -2.1, 1.1}, {0, 0, 0}, {0, 0, 1}, 40, 0};
@@ -329,8 +331,7 @@ static void test_factors(void) {
         add_light(&textured);
         draw(&plain);
         draw(&textured);
-        CHECK(difference(&plain, &textured) < 1e-3, "%d: %g", which,
-              difference(&plain, &textured));
+        CHECK(difference(&plain, &textured) < 1e-3, "%d: %g", which, difference(&plain, &textured));
         close_scene(&plain);
         close_scene(&textured);
     }
@@ -410,10 +411,10 @@ static void test_bits(void) {
     burnish_material material = white();
     for (int slot = 0; slot < 8; ++slot) {
         fill_random(texels[slot], 32 * 32, 10 + (uint64_t)slot);
-        textures[slot] = (burnish_texture){NULL, 32, 32, texels[slot],
-                                           slot == BURNISH_TEXTURE_COLOR ||
-                                               slot == BURNISH_TEXTURE_SPECULAR ||
-                                               slot == BURNISH_TEXTURE_EMISSIVE};
+        textures[slot] =
+            (burnish_texture){NULL, 32, 32, texels[slot],
+                              slot == BURNISH_TEXTURE_COLOR || slot == BURNISH_TEXTURE_SPECULAR ||
+                                  slot == BURNISH_TEXTURE_EMISSIVE};
         for (size_t i = 0; i < 32 * 32; ++i) {
             texels[slot][4 * i + 3] = texels[slot][4 * i];
         }
@@ -440,8 +441,7 @@ static void test_bits(void) {
                 burnish_image image = {0};
                 s.options.kernels = burnish_kernels_for((burnish_isa)isa);
                 s.options.threads = threads[t];
-                CHECK(burnish_render(s.mesh, &s.options, &image, NULL, &error) ==
-                          BURNISH_STATUS_OK,
+                CHECK(burnish_render(s.mesh, &s.options, &image, NULL, &error) == BURNISH_STATUS_OK,
                       "%s", error.text);
                 const uint64_t hash = burnish_image_hash(&image);
                 first = first ? first : hash;

@@ -297,8 +297,8 @@ static const recipe RECIPES[] = {
     {"lights-near-16", "bunny, 16 point lights", .lights = {16, 1}},
     {"rods", "200 cylinders of 24 sides", make_rods, .count = 200},
     {"quads", "60 large ones that cross", make_quads, .count = 60, .open = 1},
-    {"texture-quads", "the same with a texture of 2,048 x 2,048", make_quads, .count = 60, .open = 1,
-     .textured = 2048},
+    {"texture-quads", "the same with a texture of 2,048 x 2,048", make_quads, .count = 60,
+     .open = 1, .textured = 2048},
     {"spheres", "8 nested, the visible one first", make_spheres, .count = 8},
     {"spheres-back", "8 nested, it comes last", make_spheres, .count = -8},
     {"bracket", "fillet, holes, pins", make_bracket, .count = 32},
@@ -356,7 +356,8 @@ static void paint(uint8_t *texels, int side) {
     for (int i = 0; i < side * side; ++i) {
         const unsigned square = (unsigned)(i % side / 8) + 977u * (unsigned)(i / side / 8);
         for (unsigned k = 0; k < 3; ++k) {
-            texels[4 * (size_t)i + k] = (uint8_t)(64 + ((square * 2654435761u) >> (8 * k + 5)) % 192);
+            texels[4 * (size_t)i + k] =
+                (uint8_t)(64 + ((square * 2654435761u) >> (8 * k + 5)) % 192);
         }
         texels[4 * (size_t)i + 3] = 255;
     }
@@ -365,8 +366,7 @@ static void paint(uint8_t *texels, int side) {
 /* The image is thrown along (1, 1, 1) onto the positions, `scale` times per unit. Returns 0 where
  * memory is short. */
 static int add_texture(const recipe *r, const float *positions, size_t count, double scale,
-                       burnish_material *material, texturing *t,
-                       burnish_mesh_description *arrays) {
+                       burnish_material *material, texturing *t, burnish_mesh_description *arrays) {
     if (!r->textured) {
         return 1;
     }
@@ -468,8 +468,7 @@ static burnish_status make_bunny(const recipe *r, burnish_mesh **mesh, burnish_e
     burnish_mesh *plain;
     burnish_status status = burnish_mesh_load(BUNNY, &load, &plain, error);
     *mesh = plain;
-    if (status != BURNISH_STATUS_OK ||
-        (!r->count && !r->materials && !r->colors && !r->textured)) {
+    if (status != BURNISH_STATUS_OK || (!r->count && !r->materials && !r->colors && !r->textured)) {
         return status;
     }
     *mesh = NULL;

@@ -185,8 +185,8 @@ static void scatter_opacity(const burnish_shading *shading, const burnish_fragme
 static void locate(const burnish_shading *shading, const burnish_fragment_batch *batch,
                    burnish_texture_scratch *scratch) {
     if (shading->texturing->needs_points) {
-        burnish_texture_locate(shading->texturing, &shading->rays, &batch->points, batch->material,
-                               batch->count, scratch);
+        burnish_texture_locate(shading->texturing, shading->ops, &shading->rays, &batch->points,
+                               batch->material, batch->count, scratch);
     }
     for (int i = 0; i < BURNISH_SHADE_BATCH && shading->texturing->has_alpha; ++i) {
         scratch->alpha[i] = 1.0f;

@@ -142,6 +142,7 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing, const burn
     const int has_colors = burnish_mesh_get_view(mesh)->colors && !ignore_colors;
     const size_t count = burnish_mesh_material_count(mesh);
     texturing->has_some = texturing->needs_points = texturing->has_alpha = 0;
+    texturing->needs_tangents = 0;
     for (size_t i = 0; i < count && !texturing->has_some; ++i) {
         texturing->has_some = is_special(burnish_mesh_material(mesh, i));
     }
@@ -149,7 +150,6 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing, const burn
         return BURNISH_STATUS_OK;
     }
     texturing->mesh = burnish_mesh_get_view(mesh);
-    texturing->frame += 1;
     for (int i = 0; i < 256; ++i) {
         texturing->numbers[i] = (float)i / 255.0f;
     }
@@ -166,6 +166,7 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing, const burn
             make_white(&material->material);
         }
         texturing->needs_points |= material->has_textures;
+        texturing->needs_tangents |= material->has_normals;
         texturing->has_alpha |= material->is_alpha;
     }
     return status;

@@ -51,9 +51,10 @@ typedef struct burnish_textured_material {
 
 /* Owned; all zero before the first frame, a later frame uses what still fits. */
 typedef struct burnish_texturing {
-    int has_some;     /* 0: no material is special, and nothing else means anything */
-    int needs_points; /* 1: some have textures */
-    int has_alpha;    /* 1: some have alpha below 1 */
+    int has_some;       /* 0: no material is special, and nothing else means anything */
+    int needs_points;   /* 1: some have textures */
+    int needs_tangents; /* 1: some have normal textures */
+    int has_alpha;      /* 1: some have alpha below 1 */
     const burnish_mesh_view *mesh;
     burnish_textured_material *materials; /* one per material */
     size_t material_capacity;
@@ -67,7 +68,6 @@ typedef struct burnish_texturing {
     burnish_kernels_shader white; /* a material of 1 in all, folded with the frame's lights */
     burnish_light_constants lights[BURNISH_LIGHT_MAX];
     double origin[3], scale, eye[3]; /* raster space: (p - origin) scale - eye */
-    uint64_t frame;                  /* counts; scratch of another frame is void */
 } burnish_texturing;
 
 /* What the mesh's materials sample; builds levels of textures that have none. Errors: MEMORY,
@@ -85,22 +85,24 @@ void burnish_texturing_destroy(burnish_texturing *texturing, const burnish_conte
 
 /* ---- Points ---- */
 
-enum { BURNISH_TEXTURE_BATCH = 256, BURNISH_TEXTURE_SETUPS = 64 };
+enum { BURNISH_TEXTURE_BATCH = 256 };
 
-/* A triangle: (x, y) of the screen, in pixels from its centre, to plane p's number p[0] x + p[1] y
- * + p[2]. W is the sum of the barycentric weights, the others times W. */
-typedef struct burnish_texture_setup {
-    uint64_t frame;
-    uint32_t id; /* and facing */
-    int has_coordinates, has_tangents;
-    double w[3], u[3], v[3], tangent[3][3];
-    double low[2], high[2]; /* of u and v */
-    float sign;
-} burnish_texture_setup;
+/* Triangles of points: corner 0 from the eye, its edges to the others, and the same in the image.
+ */
+enum {
+    BURNISH_CORNER_P,
+    BURNISH_CORNER_E1 = 3,
+    BURNISH_CORNER_E2 = 6,
+    BURNISH_CORNER_UV = 9,
+    BURNISH_CORNER_UV1 = 11,
+    BURNISH_CORNER_UV2 = 13,
+    BURNISH_CORNER_STREAMS = 15
+};
 
 typedef struct burnish_texture_scratch {
-    burnish_texture_setup setups[BURNISH_TEXTURE_SETUPS]; /* by triangle */
     uint32_t ids[BURNISH_TEXTURE_BATCH]; /* id and facing of each point's triangle */
+    float corners[BURNISH_CORNER_STREAMS][BURNISH_TEXTURE_BATCH];
+    float weights[2][BURNISH_TEXTURE_BATCH]; /* barycentric, of corners 1 and 2 */
     float points[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH];
     float brought[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH]; /* of one material */
     float sample[4][BURNISH_TEXTURE_BATCH];
@@ -111,11 +113,11 @@ typedef struct burnish_texture_scratch {
     float alpha[BURNISH_TEXTURE_BATCH];   /* of the batch: what textures leave of the opacity */
 } burnish_texture_scratch;
 
-/* Fills scratch->points for scratch->ids; points whose material needs none get 0.
+/* Fills scratch->points for scratch->ids; points whose material needs none get some numbers.
  *   materials  of points; NULL: all have material 0 */
-void burnish_texture_locate(const burnish_texturing *texturing, const burnish_rays *rays,
-                            const burnish_screen_points *points, const int32_t *materials,
-                            int count, burnish_texture_scratch *scratch);
+void burnish_texture_locate(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+                            const burnish_rays *rays, const burnish_screen_points *points,
+                            const int32_t *materials, int count, burnish_texture_scratch *scratch);
 
 /* Light of `count` points of one special material.
  *   shader   of the material

@@ -118,8 +118,7 @@ static void halve_numbers(const uint8_t *from, size_t row, int width, uint8_t *t
     for (size_t x = 0; x < (size_t)width; ++x) {
         for (size_t k = 4 * x; k < 4 * x + 4; ++k) {
             const size_t i = 8 * x + (k & 3);
-            to[k] =
-                (uint8_t)((from[i] + from[i + 4] + from[i + row] + from[i + row + 4] + 2) >> 2);
+            to[k] = (uint8_t)((from[i] + from[i + 4] + from[i + row] + from[i + row + 4] + 2) >> 2);
         }
     }
 }

@@ -18,6 +18,135 @@ enum { TEXEL_R = 24, TEXEL_G = 16, TEXEL_B = 8, TEXEL_A = 0 };
 enum { TEXEL_R = 0, TEXEL_G = 8, TEXEL_B = 16, TEXEL_A = 24 };
 #endif
 
+BURNISH_INLINE vf texture_dot(const vf a[3], const vf b[3]) {
+    return vf_add(vf_add(vf_mul(a[0], b[0]), vf_mul(a[1], b[1])), vf_mul(a[2], b[2]));
+}
+
+BURNISH_INLINE void texture_normalize(vf v[3]) {
+    const vf inverse = vector_inverse_sqrt(texture_dot(v, v));
+    for (int k = 0; k < 3; ++k) {
+        v[k] = vf_mul(v[k], inverse);
+    }
+}
+
+/* ---- Rays and triangles ---- */
+
+BURNISH_INLINE void texture_cross(const vf a[3], const vf b[3], vf out[3]) {
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        out[k] = vf_sub(vf_mul(a[i], b[j]), vf_mul(a[j], b[i]));
+    }
+}
+
+BURNISH_INLINE void texture_set(const float from[3], vf out[3]) {
+    for (int k = 0; k < 3; ++k) {
+        out[k] = vf_set(from[k]);
+    }
+}
+
+/* A number that is linear on the screen: at the point, to the right, up. */
+typedef struct texture_linear {
+    vf at, x, y;
+} texture_linear;
+
+/* Where rays meet triangles (Moeller and Trumbore 1997): both numerators and the determinant of the
+ * weights are linear on the screen. They come from edges, not from corners, so that single
+ * precision is enough for triangles of any size. */
+typedef struct texture_meeting {
+    texture_linear first, second, determinant;
+} texture_meeting;
+
+/* In perspective rays d leave the eye, 0: with s = -p their dot products with e2 x s, s x e1 and
+ * e2 x e1. */
+BURNISH_INLINE texture_meeting texture_meet_perspective(const burnish_rays *rays, vf x, vf y,
+                                                        const vf s[3], const vf e1[3],
+                                                        const vf e2[3]) {
+    vf ray[3], right[3], up[3], d[3], normals[3][3];
+    texture_linear out[3];
+    texture_set(rays->ray, ray);
+    texture_set(rays->ray_x, right);
+    texture_set(rays->ray_y, up);
+    for (int k = 0; k < 3; ++k) {
+        d[k] = vf_add(vf_add(ray[k], vf_mul(x, right[k])), vf_mul(y, up[k]));
+    }
+    texture_cross(e2, s, normals[0]);
+    texture_cross(s, e1, normals[1]);
+    texture_cross(e2, e1, normals[2]);
+    for (int k = 0; k < 3; ++k) {
+        out[k] = (texture_linear){texture_dot(d, normals[k]), texture_dot(right, normals[k]),
+                                  texture_dot(up, normals[k])};
+    }
+    return (texture_meeting){out[0], out[1], out[2]};
+}
+
+/* In parallel projection they start on a plane, all in one direction d. */
+BURNISH_INLINE texture_meeting texture_meet_parallel(const burnish_rays *rays, vf x, vf y,
+                                                     const vf s[3], const vf e1[3],
+                                                     const vf e2[3]) {
+    vf right[3], up[3], d[3], from[3], normals[2][3];
+    texture_linear out[2];
+    texture_set(rays->ray_x, right);
+    texture_set(rays->ray_y, up);
+    texture_set(rays->ray_depth, d);
+    for (int k = 0; k < 3; ++k) {
+        from[k] = vf_add(s[k], vf_add(vf_mul(x, right[k]), vf_mul(y, up[k])));
+    }
+    texture_cross(d, e2, normals[0]);
+    texture_cross(e1, d, normals[1]);
+    for (int k = 0; k < 2; ++k) {
+        out[k] = (texture_linear){texture_dot(from, normals[k]), texture_dot(right, normals[k]),
+                                  texture_dot(up, normals[k])};
+    }
+    const vf zero = vf_set(0.0f);
+    return (texture_meeting){out[0], out[1], {texture_dot(e1, normals[0]), zero, zero}};
+}
+
+/* A weight and how it changes. */
+BURNISH_INLINE texture_linear texture_divide(texture_linear numerator, texture_linear determinant,
+                                             vf inverse) {
+    texture_linear weight;
+    const vf zero = vf_set(0.0f), one = vf_set(1.0f);
+    weight.at = vf_min(vf_max(vf_mul(numerator.at, inverse), zero), one); /* 0 for NaN */
+    weight.x = vf_mul(vf_sub(numerator.x, vf_mul(weight.at, determinant.x)), inverse);
+    weight.y = vf_mul(vf_sub(numerator.y, vf_mul(weight.at, determinant.y)), inverse);
+    return weight;
+}
+
+static void locate_points(const burnish_rays *rays, const burnish_screen_points *points,
+                          const float *const *triangles, size_t count, float *const *streams,
+                          float *const weights[2]) {
+    for (size_t i = 0; i < count; i += LANES) {
+        vf s[3], e1[3], e2[3];
+        for (int k = 0; k < 3; ++k) {
+            s[k] = vf_sub(vf_set(0.0f), vf_load(triangles[BURNISH_CORNER_P + k] + i));
+            e1[k] = vf_load(triangles[BURNISH_CORNER_E1 + k] + i);
+            e2[k] = vf_load(triangles[BURNISH_CORNER_E2 + k] + i);
+        }
+        const vf x = vf_add(vf_set(points->x), vf_load(points->x_offset + i));
+        const vf y = vf_add(vf_set(points->y), vf_load(points->y_offset + i));
+        const int is_parallel = !(rays->q_per_depth > 0);
+        const texture_meeting meeting = is_parallel
+                                            ? texture_meet_parallel(rays, x, y, s, e1, e2)
+                                            : texture_meet_perspective(rays, x, y, s, e1, e2);
+        const vf inverse = vf_div(vf_set(1.0f), meeting.determinant.at);
+        const texture_linear first = texture_divide(meeting.first, meeting.determinant, inverse);
+        const texture_linear second = texture_divide(meeting.second, meeting.determinant, inverse);
+        for (int k = 0; k < 2; ++k) {
+            const vf along1 = vf_load(triangles[BURNISH_CORNER_UV1 + k] + i);
+            const vf along2 = vf_load(triangles[BURNISH_CORNER_UV2 + k] + i);
+            const vf from = vf_load(triangles[BURNISH_CORNER_UV + k] + i);
+            vf_store(streams[k] + i,
+                     vf_add(from, vf_add(vf_mul(first.at, along1), vf_mul(second.at, along2))));
+            vf_store(streams[2 + k] + i, vf_add(vf_mul(first.x, along1), vf_mul(second.x, along2)));
+            vf_store(streams[4 + k] + i, vf_add(vf_mul(first.y, along1), vf_mul(second.y, along2)));
+        }
+        vf_store(weights[0] + i, first.at);
+        vf_store(weights[1] + i, second.at);
+    }
+}
+
+/* ---- Texels ---- */
+
 /* The whole number below x, abs(x) < 2^21; one less for some whole x, which then are that plus 1:
  * interpolation comes to the same. */
 BURNISH_INLINE vf texture_floor(vf x) {
@@ -169,16 +298,7 @@ static void sample_texture(const burnish_texture_sampler *sampler, const float *
     }
 }
 
-BURNISH_INLINE vf texture_dot(const vf a[3], const vf b[3]) {
-    return vf_add(vf_add(vf_mul(a[0], b[0]), vf_mul(a[1], b[1])), vf_mul(a[2], b[2]));
-}
-
-BURNISH_INLINE void texture_normalize(vf v[3]) {
-    const vf inverse = vector_inverse_sqrt(texture_dot(v, v));
-    for (int k = 0; k < 3; ++k) {
-        v[k] = vf_mul(v[k], inverse);
-    }
-}
+/* ---- Normals ---- */
 
 static void turn_normals(float strength, const float *const normal[3], const float *const *tangent,
                          const float *const sample[4], size_t count, float *const out[4]) {

@@ -138,6 +138,13 @@ typedef struct burnish_isa_ops {
     void (*shadow_ground)(const struct burnish_ground_view *view,
                           const burnish_screen_points *points, size_t count, float *shadow);
 
+    /* Where count points of the screen lie in the images of their triangles: the first six of
+     * BURNISH_TEXTURE_STREAMS, and the weights of corners 1 and 2. triangles:
+     * BURNISH_CORNER_STREAMS. Reads and writes whole vectors. */
+    void (*locate_points)(const burnish_rays *rays, const burnish_screen_points *points,
+                          const float *const *triangles, size_t count, float *const *streams,
+                          float *const weights[2]);
+
     /* What a texture holds at count points: red, green, blue, alpha. streams: the first six of
      * BURNISH_TEXTURE_STREAMS. Reads and writes whole vectors. */
     void (*sample_texture)(const struct burnish_texture_sampler *sampler,

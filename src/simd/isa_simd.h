@@ -125,6 +125,7 @@ static const burnish_isa_ops OPS = {
     OP(cast_shadow),
     OP(add_silhouette),
     OP(shadow_ground),
+    OP(locate_points),
     OP(sample_texture),
     OP(turn_normals),
     OP(encode_pixels),
