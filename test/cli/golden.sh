@@ -37,7 +37,10 @@ for isa in scalar sse2 avx2 avx512 neon; do
     "$burnish" render :sphere --size=16 --isa=$isa -o "$scratch/golden.png" 2>/dev/null && sets="$sets $isa"
 done
 [ "${GOLDEN_HOW:-}" != each ] || GOLDEN_HOW=$(echo "$sets" | sed 's/ / 2:/g')
+# builds for other systems may have no decoder of textures
+lacks=$(cd "$here/data" && "$burnish" render textured.obj --size=16 -o "$scratch/golden.png" 2>&1 | grep -c 'reads no PNG')
 while read -r expected arguments; do
+    [ "$lacks" -eq 0 ] || [ "${arguments#textured}" = "$arguments" ] || continue
     for how in ${GOLDEN_HOW:-1:auto 2:auto 7:auto $(echo "$sets" | sed 's/ / 1:/g')}; do
         checks=$((checks + 1))
         got=$(picture "$arguments" "${how%:*}" "${how#*:}")
