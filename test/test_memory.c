@@ -147,10 +147,17 @@ static void write_file(const char *name, const char *text) {
 
 /* A file of each format in the current folder, with as much in it as the format holds. */
 static void write_inputs(void) {
-    write_file("memory.mtl", "newmtl red\nKd .8 .1 .1\nNs 20\nnewmtl blue\nKd .1 .1 .8\n");
+    burnish_image image;
+    CHECK1(burnish_image_create(&image, 5, 4, 4, NULL) == BURNISH_STATUS_OK &&
+           burnish_image_write_png(&image, "memory.png", NULL) == BURNISH_STATUS_OK);
+    burnish_image_destroy(&image);
+    write_file("memory.mtl", "newmtl red\nKd .8 .1 .1\nNs 20\nmap_Kd memory.png\n"
+                             "bump memory.png\nmap_Ns memory.png\nmap_d memory.png\n"
+                             "newmtl blue\nKd .1 .1 .8\n");
     write_file("memory.obj", "mtllib memory.mtl none.mtl\nusemtl red\n"
                              "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 0\n"
-                             "v .5 .5 1 1 1 1\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nusemtl blue\n"
+                             "v .5 .5 1 1 1 1\nvn 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                             "f 1/1/1 2/2/1 3/3/1 4/1/1\nusemtl blue\n"
                              "f 1 2 5\nf 2 3 5\nusemtl none\nf 3 4 5\nf 4 1 5\nf 1 1 2\n");
     write_file("memory.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
                              "property float y\nproperty float z\nproperty uchar red\n"
@@ -184,13 +191,14 @@ static void test_files(void) {
     check_formats(1);
     check_formats(3);
     CHECK1(unlink("memory.mtl") == 0 && unlink("memory.obj") == 0 && unlink("memory.ply") == 0 &&
-           unlink("memory.stl") == 0 && chdir("..") == 0 && rmdir(folder) == 0);
+           unlink("memory.stl") == 0 && unlink("memory.png") == 0 && chdir("..") == 0 &&
+           rmdir(folder) == 0);
 }
 
 /* ---- A renderer, used again ---- */
 
 /* Inside a coloured box: every kind of array is needed, those of clipped triangles too. */
-static burnish_mesh *make_box(void) {
+static burnish_mesh *make_box(int is_textured) {
     static const float POSITIONS[24] = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1,
                                         -1, -1, 1,  1, -1, 1,  -1, 1, 1,  1, 1, 1};
     static const uint32_t FACES[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
@@ -202,7 +210,19 @@ static burnish_mesh *make_box(void) {
     for (int i = 0; i < 32; ++i) {
         colors[i] = (uint8_t)(40 + 6 * i);
     }
-    const burnish_mesh_description arrays = describe_arrays(POSITIONS, NULL, colors, 8, FACES, 12);
+    burnish_mesh_description arrays = describe_arrays(POSITIONS, NULL, colors, 8, FACES, 12);
+    const burnish_texture texture = {"colours", 4, 2, colors, 1};
+    burnish_material material = burnish_material_default();
+    for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
+        material.textures[slot].texture = 1;
+    }
+    material.alpha_mode = BURNISH_ALPHA_BLEND;
+    if (is_textured) {
+        arrays.texture_coordinates = (burnish_array){POSITIONS, 8, 12};
+        arrays.materials = &material;
+        arrays.textures = &texture;
+        arrays.material_count = arrays.texture_count = 1;
+    }
     CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
           error.text);
     return mesh;
@@ -250,8 +270,8 @@ static int fail_one(const burnish_mesh *mesh, const burnish_render_options *opti
     return has_failed;
 }
 
-static void test_renderer(int samples, int threads) {
-    burnish_mesh *mesh = make_box();
+static void test_renderer(int samples, int threads, int is_textured) {
+    burnish_mesh *mesh = make_box(is_textured);
     const burnish_render_options options = box_options(samples, threads);
     burnish_image image;
     CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
@@ -268,7 +288,7 @@ static void test_renderer(int samples, int threads) {
 /* All that a renderer takes comes from its context, and goes back there; it runs short there too.
  */
 static void test_context(int samples, int threads) {
-    burnish_mesh *mesh = make_box();
+    burnish_mesh *mesh = make_box(1);
     burnish_render_options options = box_options(samples, threads);
     counts own;
     burnish_context *context = make_context(&own);
@@ -313,9 +333,9 @@ static void test_context(int samples, int threads) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_files());
-    RUN(test_renderer(1, 1));
-    RUN(test_renderer(4, 1));
-    RUN(test_renderer(8, 3));
+    RUN(test_renderer(1, 1, 0));
+    RUN(test_renderer(4, 1, 1));
+    RUN(test_renderer(8, 3, 0));
     RUN(test_context(1, 1));
     RUN(test_context(4, 3));
     return test_end("memory");

@@ -124,7 +124,8 @@ static burnish_status prepare_levels(burnish_texturing *texturing, const burnish
         texturing->levels =
             burnish_allocate_zeroed(memory, count, sizeof *texturing->levels, "textures");
         texturing->levels_count = texturing->levels ? count : 0;
-        texturing->serial = burnish_mesh_get_view(mesh)->serial;
+        texturing->serial =
+            memory->status == BURNISH_STATUS_OK ? burnish_mesh_get_view(mesh)->serial : 0;
     }
     return memory->status;
 }
