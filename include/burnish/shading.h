@@ -181,8 +181,8 @@ typedef struct burnish_material {
     /* 1: the material is a base colour (in diffuse; ambient and specular and the exponent are not
      * read), metallic, roughness and reflectance, as in glTF:
      *   kd = base (1 - metallic), ka = base, ks = reflectance (1 - metallic) + base metallic,
-     *   n = 2 / roughness^4 - 2, at least 1, and ks times (n + 2) / 8, so that a lobe of any width
-     *   reflects as much */
+     *   n = 2 / roughness^4 - 2, at least 1, and ks times (n + 2) / 8, at most 1: so a wide lobe
+     *   reflects as much as a narrow one, up to there */
     int is_metallic;
     float metallic, roughness; /* [0, 1] */
     float reflectance[3];      /* at normal incidence of what is no metal: 0.04 for an index of

@@ -116,7 +116,8 @@ static void set_phong(const burnish_textured_material *material, const burnish_i
 }
 
 /* Normals that differ within a pixel widen its lobe (Toksvig 2005): n l / (l + n (1 - l)). A wide
- * lobe of metal's parameters is lower, so that it reflects as much. */
+ * lobe of metal's parameters is lower, so that it reflects as much, and none higher than 1, as
+ * glTF's reader has it for materials without textures. */
 static void widen_lobes(const burnish_textured_material *material, int count,
                         burnish_texture_scratch *scratch) {
     for (int i = 0; i < count; ++i) {
@@ -131,7 +132,9 @@ static void widen_lobes(const burnish_textured_material *material, int count,
                                                      : 1.0f;
         scratch->exponent[i] = n;
         for (int k = 0; k < 3; ++k) {
-            scratch->specular[k][i] *= factor;
+            const float specular = scratch->specular[k][i] * factor;
+            scratch->specular[k][i] =
+                material->material.is_metallic && specular > 1.0f ? 1.0f : specular;
         }
     }
 }
