@@ -1,7 +1,7 @@
 # The front door. `make help` lists what there is; ./make does the same where make itself is missing.
 .DEFAULT_GOAL := help
 .PHONY: help deps build demo formats gallery test test-all check asan tsan msan clang scalar fuzz fuzz-briefly fuzz-lines build-fuzz sweep bench \
-	bench-peers bench-scale format format-check golden abi figures mcu operations prove-q15 rtl rtl-prove cross install check-targets short-docs clean
+	bench-load bench-peers bench-scale format format-check golden abi figures mcu operations prove-q15 rtl rtl-prove cross install check-targets short-docs clean
 
 PRESET ?= release
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -196,6 +196,14 @@ bench-peers: short-docs ## time frames and whole processes against other rendere
 	@$(MAKE) --no-print-directory program-bench_peers_programs CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON
 	@./bench/peers/run build/release $(ROUNDS)
 	@$(if $(MESHES),,./scripts/frames-tables $(if $(PARTS),--parts "$(PARTS)") build/release $(DOCS)/frames.md)
+
+bench-load: short-docs ## time loading meshes beside other libraries; fills docs/loading.md. FILES=FOLDER: its files, printed only
+	@$(DEPS) build
+	@$(if $(SHORT),,$(DEPS) peers || echo "bench-load: going on with the peers that are installed")
+	@$(MAKE) --no-print-directory program-bench_load_programs CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON
+	@mkdir -p build/load
+	@./bench/load/run build/release/bench/load build/load/torus $(if $(SHORT),1 40)
+	$(if $(FILES),,@./scripts/fill-tables build/load $(DOCS)/loading.md)
 
 install: ## install program, libraries, headers and man page (DESTDIR, PREFIX), building nothing else
 	@$(DEPS) build
