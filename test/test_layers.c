@@ -37,6 +37,7 @@ static const struct layer {
     {"tools/burnish/sandbox", "cli burnish"},
     {"tools/generate", ""},
     {"bench", "simd shading cli burnish"},
+    {"bench/load", "bench burnish"},
     {"bench/peers", "bench core simd shading burnish"},
     {"bench/scale", "bench/peers burnish"},
 };
