@@ -933,8 +933,9 @@ const cli_command render_command = {
     .summary = "draw a mesh into a picture",
     .operand_help = CLI_INPUT_HELP,
     .manual =
-        "Loads _INPUT_ and draws it with the Phong illumination equation. _INPUT_ is an OBJ (with "
-        "its material library), PLY or STL file, *-* for standard input, or a built-in object: "
+        "Loads _INPUT_ and draws it with the Phong illumination equation. _INPUT_ is a glTF, GLB, "
+        "OBJ (with its material library), OFF, PLY or STL file, also in gzip, *-* for standard "
+        "input, or a built-in object: "
         "*:teapot*, *:sphere*, *:torus* or *:knot*.\n"
         "Without flags the whole object is shown from a pleasant three-quarter view, lit by a rig "
         "that follows the camera. Values follow a flag after *=* or as the next argument; flags "
