@@ -330,8 +330,7 @@ static burnish_status load_file(const char *path, int descriptor, const char *na
                         .max_bytes = options->max_input_bytes,
                         .format = options->format,
                         .memory = burnish_memory_of(options->context, error)};
-    burnish_status status =
-        path ? read_path(path, &file) : read_descriptor(descriptor, &file, 0);
+    burnish_status status = path ? read_path(path, &file) : read_descriptor(descriptor, &file, 0);
     if (status != BURNISH_STATUS_OK) {
         burnish_release(options->context, file.bytes);
         return status;
