@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "core/sanitize.h"
+
 typedef burnish_status decode_function(const burnish_encoded *from, burnish_memory *memory,
                                        burnish_image *picture);
 
@@ -53,7 +55,9 @@ burnish_status burnish_decode(const burnish_encoded *from, burnish_memory *memor
         const size_t end = formats[i].offset + formats[i].size;
         if (from->size >= end &&
             memcmp(from->bytes + formats[i].offset, formats[i].bytes, formats[i].size) == 0) {
+            burnish_outside_begin();
             status = formats[i].decode(from, memory, picture);
+            burnish_outside_end();
             if (status != BURNISH_STATUS_OK) {
                 burnish_release(memory->context, picture->pixels);
                 *picture = (burnish_image){0};

@@ -468,7 +468,7 @@ static burnish_float4 interpolate(const burnish_float4 *attribute, const uint32_
     return (attribute[v[0]] * weight0 + attribute[v[1]] * weight1) + attribute[v[2]] * weight2;
 }
 
-static void gather(const burnish_surface *surface, const burnish_fragments *fragments,
+static void gather(const burnish_surface *surface, burnish_fragments *fragments,
                    burnish_fragment_scratch *scratch) {
     const burnish_attributes *attributes = surface->attributes;
     for (int i = 0; i < fragments->count; ++i) {
@@ -497,6 +497,8 @@ static void gather(const burnish_surface *surface, const burnish_fragments *frag
         clear_tail(scratch->normal[k], fragments->count);
         clear_tail(scratch->color[k], fragments->count);
     }
+    clear_tail(fragments->x, fragments->count);
+    clear_tail(fragments->y, fragments->count);
 }
 
 /* Puts caps in the place of gathered fragments that are seen from inside. */
