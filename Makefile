@@ -84,15 +84,19 @@ msan: ## unit tests with the memory sanitizer
 	@$(DEPS) build test check
 	@$(MAKE) --no-print-directory ctest-msan CTEST='-L unit'
 
-# Scripts that tell nothing of a compiler: left out in the short form.
-scripts = ^(cli_|headers|install|tables|shell|sheet|abi)
 clang: ## tests of the optimised clang build
 	@$(DEPS) build test check
-	@$(MAKE) --no-print-directory ctest-clang $(if $(SHORT),CTEST="-E '$(scripts)'")
+	@$(MAKE) --no-print-directory $(if $(SHORT),golden-clang,ctest-clang)
 
 scalar: ## tests of a build without vector instructions
 	@$(DEPS) build test
-	@$(MAKE) --no-print-directory ctest-scalar $(if $(SHORT),CTEST="-E '$(scripts)'")
+	@$(MAKE) --no-print-directory $(if $(SHORT),golden-scalar,ctest-scalar)
+
+# The short form of a whole build's tests: its pictures.
+golden-%:
+	@cmake --preset $* >/dev/null
+	@cmake --build --preset $* -j $(JOBS) --target burnish_cli
+	@GOLDEN_HOW=each ./test/cli/golden.sh build/$*/burnish build/$*/golden
 
 # The same 20,000 inputs every time.
 fuzz-briefly: build-fuzz
