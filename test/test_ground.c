@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "burnish/render.h"
+#include "kept_renderer.h"
 #include "mesh_arrays.h"
 #include "support.h"
 
@@ -240,7 +241,6 @@ static void test_renderer_again(void) {
                   {":torus", 1, 1, 100}, {":torus", 1, 1, 1100}, {":torus", 1, 0, 1100},
                   {":knot", 1, 1, 1100}};
     burnish_render_options options = burnish_render_options_default();
-    burnish_framing framing = burnish_framing_default();
     burnish_renderer *kept;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_image image = {0};
@@ -250,7 +250,6 @@ static void test_renderer_again(void) {
     burnish_mesh *mesh = load(frames[0].name);
     burnish_renderer_create(NULL, &kept, &error);
     for (size_t i = 0; i < sizeof frames / sizeof *frames; ++i) {
-        burnish_image fresh;
         if (i > 0 && strcmp(frames[i].name, frames[i - 1].name) != 0) {
             burnish_mesh_destroy(mesh);
             mesh = load(frames[i].name);
@@ -258,14 +257,7 @@ static void test_renderer_again(void) {
         options.up[2] = frames[i].is_turned;
         options.shadow = frames[i].shadow;
         options.width = frames[i].width;
-        burnish_camera_frame(mesh, &framing, &options.camera, &error);
-        CHECK(burnish_renderer_draw(kept, mesh, &options, &image, NULL, &error) ==
-                      BURNISH_STATUS_OK &&
-                  burnish_render(mesh, &options, &fresh, NULL, &error) == BURNISH_STATUS_OK,
-              "%s", error.text);
-        CHECK(memcmp(image.pixels, fresh.pixels, (size_t)(3 * 100 * options.width)) == 0,
-              "frame %zu: another picture from a renderer that drew before", i);
-        burnish_image_destroy(&fresh);
+        check_kept_renderer(kept, &image, mesh, &options, frames[i].name);
     }
     burnish_mesh_destroy(mesh);
     burnish_image_destroy(&image);

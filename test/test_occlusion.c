@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "burnish/render.h"
+#include "kept_renderer.h"
 #include "mesh_arrays.h"
 #include "support.h"
 
@@ -121,7 +122,6 @@ static void test_sphere(void) {
 static void test_renderer_again(void) {
     static const char *const names[] = {":knot", ":torus", ":knot"};
     burnish_load_options load = burnish_load_options_default();
-    burnish_framing framing = burnish_framing_default();
     burnish_render_options options = burnish_render_options_default();
     burnish_renderer *kept;
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -131,16 +131,8 @@ static void test_renderer_again(void) {
     burnish_renderer_create(NULL, &kept, &error);
     for (int i = 0; i < 3; ++i) {
         burnish_mesh *mesh;
-        burnish_image fresh;
         burnish_mesh_load(names[i], &load, &mesh, &error);
-        burnish_camera_frame(mesh, &framing, &options.camera, &error);
-        CHECK(burnish_renderer_draw(kept, mesh, &options, &image, NULL, &error) ==
-                      BURNISH_STATUS_OK &&
-                  burnish_render(mesh, &options, &fresh, NULL, &error) == BURNISH_STATUS_OK,
-              "%s", error.text);
-        CHECK(memcmp(image.pixels, fresh.pixels, 3 * 150 * 150) == 0,
-              "%s: another picture from a renderer that drew before", names[i]);
-        burnish_image_destroy(&fresh);
+        check_kept_renderer(kept, &image, mesh, &options, names[i]);
         burnish_mesh_destroy(mesh);
     }
     burnish_image_destroy(&image);

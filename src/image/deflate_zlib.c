@@ -1,49 +1,26 @@
 /* Deflate by zlib, for systems and processors that ISA-L does not serve. */
-#include <string.h>
-#include <zlib.h>
-
 #include "image/deflate.h"
+#include "image/zlib_stream.h"
 
 enum { LEVEL = 1, WINDOW_BITS = 15, MEMORY_LEVEL = 8, FLUSH_SIZE = 64 };
 
 struct burnish_deflate {
-    z_stream stream;
-    burnish_memory memory; /* of zlib's own allocations */
+    burnish_zlib zlib;
 };
 
-static void *take(void *memory, uInt count, uInt size) {
-    return burnish_allocate(memory, count, size, "the PNG's compressor");
-}
-
-static void give_back(void *memory, void *items) {
-    burnish_release(((burnish_memory *)memory)->context, items);
-}
-
 burnish_deflate *burnish_deflate_create(burnish_memory *memory) {
-    burnish_deflate *made =
-        burnish_allocate_zeroed(memory, 1, sizeof *made, "the PNG's compressor");
-    if (!made) {
-        return NULL;
+    burnish_zlib *made = burnish_zlib_create(memory, "the PNG's compressor");
+    if (made) { /* negative: without zlib's own head and end */
+        const int code = deflateInit2(&made->stream, LEVEL, Z_DEFLATED, -WINDOW_BITS, MEMORY_LEVEL,
+                                      Z_DEFAULT_STRATEGY);
+        made = burnish_zlib_begun(made, code, memory);
     }
-    made->memory = *memory;
-    made->stream.zalloc = take;
-    made->stream.zfree = give_back;
-    made->stream.opaque = &made->memory;
-    /* negative: without zlib's own head and end */
-    if (deflateInit2(&made->stream, LEVEL, Z_DEFLATED, -WINDOW_BITS, MEMORY_LEVEL,
-                     Z_DEFAULT_STRATEGY) != Z_OK) {
-        memory->status = made->memory.status != BURNISH_STATUS_OK
-                             ? made->memory.status
-                             : burnish_fail_memory(memory->error, "zlib", sizeof *made);
-        burnish_release(memory->context, made);
-        return NULL;
-    }
-    return made;
+    return (burnish_deflate *)made;
 }
 
 void burnish_deflate_destroy(const burnish_context *context, burnish_deflate *deflate) {
     if (deflate) {
-        deflateEnd(&deflate->stream);
+        deflateEnd(&deflate->zlib.stream);
         burnish_release(context, deflate);
     }
 }
@@ -54,7 +31,7 @@ size_t burnish_deflate_bound(size_t bytes) {
 
 size_t burnish_deflate_band(burnish_deflate *maker, const uint8_t *bytes, size_t size, int last,
                             uint8_t *packed, size_t room) {
-    z_stream *stream = &maker->stream;
+    z_stream *stream = &maker->zlib.stream;
     deflateReset(stream);
     stream->next_in = (uint8_t *)bytes; /* only read */
     stream->avail_in = (uInt)size;

@@ -20,6 +20,19 @@
 /* Companions are regular files; a pipe posing as one is not waited for. */
 enum { BESIDE_FLAGS = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_BINARY | O_NONBLOCK };
 
+int burnish_stays_beside(const char *name) {
+    if (*name == '/' || (*name && name[1] == ':')) {
+        return 0;
+    }
+    for (const char *part = name; part; part = strchr(part, '/')) {
+        part += *part == '/';
+        if (strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == 0)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 #ifdef _WIN32
 int burnish_open_beside(const char *input, const char *name, burnish_memory *memory) {
     const char *slash = strrchr(input, '/');

@@ -4,6 +4,9 @@
 
 #include "core/memory.h"
 
+/* Whether a name stays in the folder: relative, without "..". Slashes separate its parts. */
+int burnish_stays_beside(const char *name);
+
 /* Opens a file to be read, without waiting for what is no file. Links are followed as long as they
  * stay in the folder, where the system can tell, else none is.
  *   input  the path of a file in the folder

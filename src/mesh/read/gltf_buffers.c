@@ -1,4 +1,5 @@
 /* glTF's bytes: buffers from the binary chunk, from data URIs and from files beside the input. */
+#include "mesh/read/beside.h"
 #include "mesh/read/gltf.h"
 
 enum { FILE_NAME_SIZE = 4096 };
@@ -64,16 +65,7 @@ static size_t decode_percents(char *text, size_t size) {
 
 /* Whether a name is one of a file in the input's folder or below. */
 static int is_beside(const char *name) {
-    if (*name == 0 || *name == '/' || strchr(name, '\\') || strchr(name, ':')) {
-        return 0;
-    }
-    for (const char *part = name; part; part = strchr(part, '/')) {
-        part += *part == '/';
-        if (strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == 0)) {
-            return 0;
-        }
-    }
-    return 1;
+    return *name && !strchr(name, '\\') && !strchr(name, ':') && burnish_stays_beside(name);
 }
 
 static int decode_data(burnish_gltf *gltf, uint32_t uri, uint8_t *text, size_t size,

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh/read/beside.h"
+
 enum {
     MATERIAL_LIMIT = 65536, /* what 16 bits a triangle can tell apart */
     LIBRARY_NAME_SIZE = 4096
@@ -48,20 +50,6 @@ void burnish_obj_materials_close(burnish_obj_materials *materials) {
 }
 
 /* ---- material libraries ---- */
-
-/* A name that stays in the folder of the file: relative, without ".." */
-static int stays_beside(const char *name) {
-    if (*name == '/' || (*name && name[1] == ':')) {
-        return 0;
-    }
-    for (const char *part = name; part; part = strchr(part, '/')) {
-        part += *part == '/';
-        if (strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == 0)) {
-            return 0;
-        }
-    }
-    return 1;
-}
 
 static int is_separator(uint8_t c) {
     return c == '/' || c == '\\';
@@ -197,20 +185,21 @@ static burnish_status open_library(burnish_obj_materials *materials, burnish_tok
         return status;
     }
     const int escaped = write_name(token, 0, name);
-    if (stays_beside(name)) {
+    if (burnish_stays_beside(name)) {
         status = load_library(materials, name, why, missing);
     } else {
         burnish_fail(why, BURNISH_STATUS_READ, "it lies outside the folder of the file");
     }
     if (status == BURNISH_STATUS_OK && *missing && escaped) {
         write_name(token, 1, name);
-        if (stays_beside(name)) {
+        if (burnish_stays_beside(name)) {
             status = load_library(materials, name, why, missing);
         }
     }
     const char *slash = strrchr(name, '/');
     burnish_error unused = {0};
-    if (status == BURNISH_STATUS_OK && *missing && slash && slash[1] && stays_beside(slash + 1)) {
+    if (status == BURNISH_STATUS_OK && *missing && slash && slash[1] &&
+        burnish_stays_beside(slash + 1)) {
         status = load_library(materials, slash + 1, &unused, missing);
         if (status == BURNISH_STATUS_OK && !*missing) {
             burnish_reader_note(materials->reader, &materials->elsewhere, token.bytes,

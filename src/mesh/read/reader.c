@@ -56,7 +56,7 @@ static int has_ending(const char *name, const char *endings) {
 burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name) {
     burnish_format guess = BURNISH_FORMAT_AUTO;
     int most = 0;
-    for (int i = BURNISH_FORMAT_COUNT - 1; i > 0; --i) { /* OBJ, which is least sure, last */
+    for (int i = BURNISH_FORMAT_COUNT - 1; i > 0; --i) {
         if (formats[i].recognise) {
             /* Sure bytes, then the name's ending, then bytes that are not sure. */
             const int sure = formats[i].recognise(bytes, size);

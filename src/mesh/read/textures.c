@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "image/decode.h"
+#include "mesh/read/beside.h"
 
 enum {
     TABLE_SIZE = 8192,          /* a power of two */
@@ -115,20 +116,6 @@ int burnish_reader_decode_texture(burnish_reader *reader, const uint8_t *at, con
 
 /* ---- Files ---- */
 
-/* A name that stays in the folder of the file: relative, without ".." */
-static int stays_beside(const char *name) {
-    if (*name == 0 || *name == '/' || name[1] == ':') {
-        return 0;
-    }
-    for (const char *part = name; part; part = strchr(part, '/')) {
-        part += *part == '/';
-        if (strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == 0)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 /* Loads and decodes one file; *found becomes 1 where it is there. */
 static int open_file(burnish_reader *reader, const char *path, const char *name, int is_color,
                      int *found, burnish_error *why) {
@@ -170,12 +157,12 @@ static int find_file(burnish_reader *reader, const char *name, int is_color, bur
         path[i] = name[i] == '\\' ? '/' : name[i];
     }
     const char *slash = strrchr(path, '/');
-    if (stays_beside(path)) {
+    if (*path && burnish_stays_beside(path)) {
         number = open_file(reader, path, name, is_color, &found, why);
-    } else if (!slash || !stays_beside(slash + 1)) {
+    } else if (!slash || !slash[1] || !burnish_stays_beside(slash + 1)) {
         burnish_fail(why, BURNISH_STATUS_READ, "it lies outside the folder of the file");
     }
-    if (!found && slash && stays_beside(slash + 1) &&
+    if (!found && slash && slash[1] && burnish_stays_beside(slash + 1) &&
         reader->mesh->memory.status == BURNISH_STATUS_OK) {
         number = open_file(reader, slash + 1, name, is_color, &found, why);
     }
