@@ -1,0 +1,29 @@
+// math/burnishDot.hlsl: part of burnish, highlights without pow
+// Written by scripts/shaders from shaders/burnish.shade; change that. docs/shaders.md explains.
+// HLSL, shader model 4 and later. BURNISH_EXACT: the CPU's bits.
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+
+#ifndef FNC_MATH_BURNISH_DOT
+#define FNC_MATH_BURNISH_DOT
+
+#ifndef BURNISH_PRECISE
+#ifdef BURNISH_EXACT
+#define BURNISH_PRECISE precise
+#else
+#define BURNISH_PRECISE
+#endif
+#endif
+
+// a.b
+float burnishDot(float3 a, float3 b) {
+#ifdef BURNISH_EXACT
+    // in the order in which the CPU adds, which dot() leaves open
+    BURNISH_PRECISE float sum = (a.x * b.x + a.y * b.y) + a.z * b.z;
+    return sum;
+#else
+    return dot(a, b);
+#endif
+}
+
+#endif

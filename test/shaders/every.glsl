@@ -1,0 +1,18 @@
+// A fragment shader's body that calls every function once; glslang drops those that nobody calls.
+float everyFunction(vec3 N, vec3 L, vec3 V, float n) {
+    float zeta = burnishZetaTaylor(n, 2.0) + burnishZetaEnergy(n, 2.0) + burnishZetaShift7(n);
+    zeta += burnishZetaProjected(n, 4.0) + burnishZetaLevel(n, 2.0, 0.5) + burnishZetaShift3(n);
+    zeta += burnishZetaMinimax(n, 8.0);
+    float lambda = burnishLambda(N, L);
+    float sum = burnishLobe2(lambda, zeta) + burnishLobe4(lambda, zeta) + burnishLobe8(lambda, zeta);
+    sum += burnishLobe16(lambda, zeta) + burnishLobe32(lambda, zeta);
+    sum += burnishPower(lambda, n) + burnishSchlick(lambda, n);
+    sum += burnishNormalizeLobe(zeta, 2.0) + burnishNormalizePower(n);
+    sum += burnishNormalizeLobeDistribution(zeta, 2.0) + burnishNormalizePowerDistribution(n);
+    sum += burnishExponentFromRoughness(lambda) + burnishRoughnessFromExponent(n);
+    sum += burnishPhongFromBlinn(n) + burnishBlinnFromPhong(n) + burnishToksvigExponent(n, lambda);
+    sum += specularBurnish(lambda, n) + specularBurnishNormalized(lambda, n);
+    sum += burnishLit(N, L, V, zeta, 4).y + burnishLitPhong(N, L, V, zeta, 4).y;
+    sum += burnishLitPoint(N, L, V, zeta, 4).y + burnishLighting(N, L, V, N, N, V, n).x;
+    return sum;
+}

@@ -1,0 +1,34 @@
+#!/bin/sh
+# The shaders' values on every Vulkan driver that is here. Usage: gpu.sh PROGRAM SOURCE_DIR SCRATCH [--all]
+#   lavapipe and SwiftShader run on the CPU; drivers without their GPU are passed over
+set -eu
+program=$1
+source=$2
+scratch=$3
+all=${4:-}
+here=$source/test/shaders
+for tool in python3 glslangValidator; do
+    command -v "$tool" >/dev/null || { echo "shaders: no $tool here; make deps GROUPS=shaders"; exit 77; }
+done
+rm -rf "$scratch"
+mkdir -p "$scratch"
+"$source/scripts/shaders" --half "$scratch/half.glsl"
+for shader in cases sweep light half; do
+    glslangValidator -V --target-env vulkan1.1 -I"$source/shaders" -I"$here" -I"$scratch" -o "$scratch/$shader.spv" "$here/$shader.comp"
+done
+glslangValidator -D -e main -S comp -V --target-env vulkan1.1 -I"$source/shaders" -I"$here" -o "$scratch/cases_hlsl.spv" "$here/cases.hlsl"
+
+tried=0
+for driver in /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json /usr/lib/chromium/vk_swiftshader_icd.json; do
+    [ -e "$driver" ] || continue
+    status=0
+    # shellcheck disable=SC2086
+    VK_ICD_FILENAMES=$driver "$program" "$scratch" "$source/test/data/lobes.csv" $all || status=$?
+    case $status in
+    0) tried=$((tried + 1)) ;;
+    77) ;;
+    *) echo "FAILED with $driver"; exit 1 ;;
+    esac
+done
+[ "$tried" -gt 0 ] || { echo "shaders: no Vulkan driver runs here; make deps GROUPS=shaders"; exit 77; }
+echo "shaders: $tried drivers"

@@ -1,0 +1,16 @@
+// What shaders/burnish.osl takes of OSL, in C++: so that it runs on a CPU.
+#include <algorithm>
+#include <cmath>
+
+#include "vectors.h"
+
+typedef float3 vector;
+using std::max;
+using std::pow;
+using std::sqrt;
+inline float clamp(float x, float low, float high) {
+    return std::min(std::max(x, low), high);
+}
+inline float inversesqrt(float x) {
+    return 1.0f / std::sqrt(x);
+}

@@ -1,0 +1,250 @@
+// The shaders for Metal (-DMETAL) or OSL as C++ whose literals are floats, against burnish/lobe.h and the library. No compiler of either language
+// runs on Linux or is in Debian; both are C++ and C but for their vectors. Usage: stand_in LOBES_CSV
+#ifdef METAL
+#define BURNISH_EXACT
+#include "burnish.metal"
+typedef float3 vector;
+#else
+#include "osl_stdlib.h"
+// after it, which has vector
+#include "burnish.osl"
+#endif
+#include "burnish/kernels.h"
+#include "burnish/theory.h"
+#include "values.glsl"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+static int checks, failures;
+
+static void check(bool good, const char *what, double actual, double expected) {
+    ++checks;
+    if (!good && ++failures < 20) {
+        std::printf("%s: %.9g, expected %.9g\n", what, actual, expected);
+    }
+}
+
+static void check_near(const char *what, double actual, double expected, double relative) {
+    check(std::fabs(actual - expected) <= relative * std::fabs(expected), what, actual, expected);
+}
+
+static bool same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+// A number of a lobe for values.glsl, from its order; -1: none.
+static int number_of(int order) {
+    for (int number = 0; number < 5; ++number) {
+        if (order == 2 << number) {
+            return number;
+        }
+    }
+    return -1;
+}
+
+static void check_vector_line(char *line) {
+    char *fields[7];
+    int count = 0;
+    for (char *at = line; at && count < 7; ++count) {
+        fields[count] = at;
+        at = std::strchr(at, ',');
+        if (at) {
+            *at++ = 0;
+        }
+    }
+    if (count < 7) {
+        return;
+    }
+    const float n = std::strtof(fields[3], nullptr), cosine = std::strtof(fields[4], nullptr);
+    const float zeta = std::strtof(fields[5], nullptr);
+    const double value = std::strtod(fields[6], nullptr);
+    if (std::strcmp(fields[0], "family") == 0) {
+        burnish_lobe lobe;
+        burnish_lobe_from_zeta(&lobe, zeta, std::atoi(fields[1]));
+        const float expected = burnish_lobe_at_cosine(lobe, cosine);
+        const float actual = lobeByNumber(number_of(lobe.order), cosine, zeta, n);
+        check(same_bits(actual, expected), line, (double)actual, (double)expected);
+    } else if (std::strcmp(fields[0], "schlick") == 0) {
+        const float expected = burnish_schlick_at_cosine(cosine, n);
+        const float actual = lobeByNumber(5, cosine, zeta, n);
+        check(same_bits(actual, expected), line, (double)actual, (double)expected);
+    } else if (std::strcmp(fields[0], "power") == 0) {
+        check(std::fabs((double)lobeByNumber(6, cosine, zeta, n) - value) < 1e-6, line, (double)n, value);
+    }
+}
+
+static void check_vectors(const char *path) {
+    char line[512];
+    std::FILE *file = std::fopen(path, "r");
+    while (file && std::fgets(line, sizeof line, file)) {
+        check_vector_line(line);
+    }
+    check(file != nullptr && checks > 2000, path, checks, 2001);
+    if (file) {
+        std::fclose(file);
+    }
+}
+
+static double solve(burnish_lobe_fit fit, int order, double n, double q) {
+    burnish_lobe_spec spec = {};
+    double zeta = 0, scale = 0;
+    spec.fit = fit;
+    spec.order = order;
+    spec.parameter = q;
+    burnish_lobe_solve(&spec, n, &zeta, &scale);
+    return zeta;
+}
+
+// What the slope's straight line costs: largest error against the power, beside the optimum's.
+static void check_minimax(int order, double n) {
+    burnish_theory_model best, line;
+    char words[64], drawn[64];
+    std::snprintf(words, sizeof words, "minimax:%d", order);
+    std::snprintf(drawn, sizeof drawn, "zeta%.7f:%d", (double)burnishZetaMinimax((float)n, (float)order), order);
+    const bool read = burnish_theory_model_parse(words, n, &best, nullptr) == BURNISH_STATUS_OK &&
+                      burnish_theory_model_parse(drawn, n, &line, nullptr) == BURNISH_STATUS_OK;
+    check(read, drawn, n, n);
+    if (!read) {
+        return;
+    }
+    const double end = (double)1.570796326794896L;
+    const double more = burnish_theory_maximum_error(&line, end) - burnish_theory_maximum_error(&best, end);
+    check(more < (double)0.001L, drawn, more, (double)0.0002L);
+}
+
+static void check_slopes() {
+    for (int order = 2; order <= 32; order *= 2) {
+        for (double n = order; n <= 65536; n *= 1.37) {
+            const float fn = (float)n, m = (float)order;
+            const double x = (double)fn;
+            check_near("taylor", (double)burnishZetaTaylor(fn, m), solve(BURNISH_FIT_TAYLOR, order, x, 0), 2e-7);
+            check_near("energy", (double)burnishZetaEnergy(fn, m), solve(BURNISH_FIT_ENERGY, order, x, 0), 3e-7);
+            check_near("projected", (double)burnishZetaProjected(fn, m), solve(BURNISH_FIT_PROJECTED, order, x, 0),
+                       2e-6);
+            check_near("level", (double)burnishZetaLevel(fn, m, 0.5f), solve(BURNISH_FIT_LEVEL, order, x, 0.5),
+                       2e-6 + x * 1e-7);
+            check_minimax(order, x);
+        }
+    }
+    check_near("shift7", (double)burnishZetaShift7(48), solve(BURNISH_FIT_SHIFT7, 2, 48, 0), 0);
+    check_near("shift3", (double)burnishZetaShift3(48), solve(BURNISH_FIT_SHIFT3, 2, 48, 0), 0);
+}
+
+static void check_conversions() {
+    for (double n = 1; n <= 65536; n *= 1.7) {
+        const float fn = (float)n;
+        check_near("alpha", (double)burnishAlphaFromExponent(fn), burnish_theory_alpha_from_exponent(n), 1e-6);
+        check_near("roughness", (double)burnishRoughnessFromExponent(fn), burnish_theory_roughness_from_exponent(n),
+                   1e-6);
+        check_near("and back", (double)burnishExponentFromRoughness(burnishRoughnessFromExponent(fn)), n, 1e-5);
+        check_near("toksvig", (double)burnishToksvigExponent(fn, 0.75f), burnish_theory_toksvig_exponent(n, 0.75),
+                   1e-6);
+    }
+    check_near("mirror", (double)burnishExponentFromRoughness(0), 65536, 0);
+    check_near("rough", (double)burnishExponentFromRoughness(1), 1, 0);
+    check_near("phong", (double)burnishPhongFromBlinn(64), burnish_theory_phong_from_blinn(64), 0);
+    check_near("blinn", (double)burnishBlinnFromPhong(64), burnish_theory_blinn_from_phong(64), 0);
+}
+
+// Integrals over the hemisphere by the midpoint rule in the cosine.
+static void check_normalization() {
+    const int steps = 200000;
+    for (float zeta = 1.5f; zeta < 300; zeta *= 7) {
+        double lobe = 0, distribution = 0, power = 0, power_distribution = 0;
+        for (int i = 0; i < steps; ++i) {
+            const float c = ((float)i + 0.5f) / (float)steps;
+            lobe += (double)burnishLobe8(c, zeta);
+            distribution += (double)(c * burnishLobe8(c, zeta));
+            power += (double)burnishPower(c, zeta);
+            power_distribution += (double)(c * burnishPower(c, zeta));
+        }
+        const double step = (double)6.283185307179586L / steps;
+        check_near("lobe", lobe * step * (double)burnishNormalizeLobe(zeta, 8), 1, 1e-3);
+        check_near("distribution", distribution * step * (double)burnishNormalizeLobeDistribution(zeta, 8), 1, 1e-3);
+        check_near("power", power * step * (double)burnishNormalizePower(zeta), 1, 1e-3);
+        check_near("power's", power_distribution * step * (double)burnishNormalizePowerDistribution(zeta), 1, 1e-3);
+    }
+    check_near("specular", (double)specularBurnishNormalized(1, 20), 7 * 3 / (double)6.283185307179586L, 1e-6);
+}
+
+static float random_number() { return (float)std::rand() / (float)RAND_MAX * 2 - 1; }
+
+static vector unit(vector v) { return v * burnishInverseSqrt(burnishDot(v, v)); }
+
+// The kernels' colours with red diffuse and green specular light are the weights.
+static void check_light(int phong, int point, int order) {
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
+    const vector raw(random_number() * 3, random_number() * 3, random_number() * 3);
+    const vector light = point ? raw : unit(raw), eye(random_number(), random_number(), 4);
+    const float black[3] = {0, 0, 0}, red[3] = {1, 0, 0}, green[3] = {0, 1, 0};
+    std::memcpy(lighting.material.ambient, black, sizeof black);
+    std::memcpy(lighting.material.diffuse, red, sizeof red);
+    std::memcpy(lighting.material.specular, green, sizeof green);
+    lighting.material.exponent = 40;
+    lighting.lobe.order = order;
+    lighting.specular_model = phong ? BURNISH_SPECULAR_PHONG : BURNISH_SPECULAR_BLINN;
+    lighting.local_viewer = 1;
+    lighting.lights[0].kind = point ? BURNISH_LIGHT_POINT : BURNISH_LIGHT_DIRECTIONAL;
+    for (int k = 0; k < 3; ++k) {
+        lighting.viewer[k] = eye[k];
+        lighting.lights[0].vector[k] = (double)light[k];
+    }
+    burnish_kernels_shader *shader = nullptr;
+    burnish_error error;
+    if (burnish_kernels_shader_create(&lighting, nullptr, &shader, &error) != BURNISH_STATUS_OK) {
+        check(false, error.text, 0, 0);
+        return;
+    }
+    const float zeta = (float)solve(BURNISH_FIT_ENERGY, order, 40, 0);
+    for (int i = 0; i < 200; ++i) {
+        const vector N(random_number() * 2, random_number() * 2, random_number() * 2);
+        const vector P(random_number(), random_number(), random_number());
+        const vector V = unit(eye - P), L = point ? light - P : light;
+        const auto weights = phong ? burnishLitPhong(N, L, V, zeta, order)
+                             : point ? burnishLitPoint(N, L, V, zeta, order)
+                                     : burnishLit(N, L, V, zeta, order);
+        const float n[3] = {N[0], N[1], N[2]}, p[3] = {P[0], P[1], P[2]};
+        float color[3];
+        float *out[3] = {&color[0], &color[1], &color[2]};
+        burnish_kernels_points points = {};
+        for (int k = 0; k < 3; ++k) {
+            points.normal[k] = &n[k];
+            points.position[k] = &p[k];
+        }
+        burnish_kernels_shade_float(burnish_kernels_best(), shader, &points, 1, out, nullptr);
+#ifdef METAL
+        const float diffuse = weights.x, specular = weights.y;
+        check(same_bits(diffuse, color[0]), "N.L", (double)diffuse, (double)color[0]);
+        check(same_bits(specular, color[1]), "highlight", (double)specular, (double)color[1]);
+#else
+        check(std::fabs(weights[0] - color[0]) < 1e-6f, "N.L", (double)weights[0], (double)color[0]);
+        check(std::fabs(weights[1] - color[1]) < 1e-4f, "highlight", (double)weights[1], (double)color[1]);
+#endif
+    }
+    burnish_kernels_shader_destroy(shader);
+}
+
+static void check_lighting() {
+    for (int order = 2; order <= 32; order *= 2) {
+        for (int i = 0; i < 20; ++i) {
+            check_light(0, 0, order);
+            check_light(1, 0, order);
+            check_light(0, 1, order);
+        }
+    }
+    const vector N(0, 0, 2), L(0, 0, 1), a(1, 2, 3), d(4, 5, 6), s(7, 8, 9);
+    const vector color = burnishLighting(N, L, L, a, d, s, 50);
+    check_near("lighting", (double)color[1], 15, 1e-5);
+    const vector x(1, 0, 0), near(0.99995f, 0.0099998f, 0);
+    check_near("lambda", (double)burnishLambda(x, near), 5e-5, 1e-4);
+}
+
+int main(int, char **arguments) {
+    check_vectors(arguments[1]);
+    check_slopes();
+    check_conversions();
+    check_normalization();
+    check_lighting();
+    std::printf("%s: %d checks, %d failed\n", arguments[0], checks, failures);
+    return failures != 0;
+}
