@@ -1,0 +1,56 @@
+// Both renderers of three.js in Debian's Chromium, compared with the package's own lobes.
+// Usage: node run.mjs FOLDER        where burnish, three and playwright-core are installed and page.html lies
+import { createReadStream, existsSync, mkdtempSync, rmSync } from "node:fs";
+import { createServer } from "node:http";
+import { tmpdir } from "node:os";
+import { extname, join, normalize } from "node:path";
+import { chromium } from "playwright-core";
+
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" };
+const server = createServer((request, response) => {
+  const path = join(process.argv[2], normalize(new URL(request.url, "http://localhost").pathname));
+  const found = existsSync(path);
+  response.writeHead(found ? 200 : 404, { "content-type": TYPES[extname(path)] ?? "application/octet-stream" });
+  found ? createReadStream(path).pipe(response) : response.end();
+});
+await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+const folder = mkdtempSync(join(tmpdir(), "burnish-"));
+const browser = await chromium.launchPersistentContext(folder, {
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
+    "--disable-sync", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan", "--use-vulkan=swiftshader",
+    "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});
+let failures = 0;
+const fail = (line) => {
+  ++failures;
+  console.log(`FAILED ${line}`);
+};
+try {
+  const page = await browser.newPage();
+  page.on("pageerror", (error) => fail(error.message));
+  page.on("console", (message) => message.type() === "error" && fail(message.text()));
+  await page.goto(`http://127.0.0.1:${server.address().port}/page.html`);
+  await page.waitForFunction("window.results");
+  const results = await page.evaluate("window.results");
+  for (const [name, value] of Object.entries(results)) {
+    console.log(`${name}: ${value}`);
+    if (name.startsWith("WebG") && !(value <= 0.6)) { // half a code for rounding, the rest for normals between vertices
+      fail(`${name}: pixels differ by ${value}`);
+    }
+  }
+  const count = Object.keys(results).filter((name) => name.startsWith("WebG")).length;
+  if (results.error || count !== 21 || results.worker?.[0] !== "fcaa6cc10a88e4b5" || results.worker?.[1] !== results.worker?.[0]) {
+    fail(results.error ?? `${count} pictures, in a worker ${results.worker}; expected 21 and fcaa6cc10a88e4b5`);
+  }
+  const dark = results["standard: dark pixels of three.js and of the lobe"] ?? [0, 0];
+  if (!(dark[1] > dark[0])) {
+    fail("the lobe of MeshStandardMaterial has no edge");
+  }
+} finally {
+  await browser.close();
+  server.close();
+  rmSync(folder, { recursive: true, force: true });
+}
+console.log(`browser: ${failures} failed`);
+process.exit(failures > 0 ? 1 : 0);

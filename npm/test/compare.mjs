@@ -1,0 +1,221 @@
+// The installed package against the program: hashes of the golden pictures, and what each says of the fuzzer's seeds.
+// Usage: node compare.mjs GOLDEN DATA [PROGRAM SEEDS], in a folder where `burnish` is installed
+import { spawnSync } from "node:child_process";
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync, inflateSync } from "node:zlib";
+import { hasSimd, load, render } from "burnish/wasm";
+
+const [golden, data, program, seeds] = process.argv.slice(2);
+let failures = 0;
+let checks = 0;
+function check(what, found, expected) {
+  ++checks;
+  if (found !== expected) {
+    ++failures;
+    console.log(`FAILED ${what}\n  found    ${found}\n  expected ${expected}`);
+  }
+}
+
+// "--camera-view-angle=30" to cameraViewAngle: "30"
+function optionsOf(flags) {
+  const options = {};
+  for (const flag of flags) {
+    const [name, value = true] = flag.slice(2).split(/=(.*)/s, 2);
+    const key = name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
+    options[key] = key === "light" ? [...(options.light ?? []), value] : value;
+  }
+  return options;
+}
+
+// Sheets are the program's.
+const isSheet = (flags) => flags.some((flag) => /^--(views|lobe)=.*,/.test(flag) || flag === "--same-scale");
+
+// A PNG of 8 bits per channel without a palette, for textures.
+function decodePng(bytes) {
+  const png = Buffer.from(bytes);
+  const [width, height, channels] = [png.readUInt32BE(16), png.readUInt32BE(20), { 0: 1, 2: 3, 6: 4 }[png[25]]];
+  const packed = [];
+  for (let at = 8; at < png.length; at += 12 + png.readUInt32BE(at)) {
+    if (png.toString("latin1", at + 4, at + 8) === "IDAT") {
+      packed.push(png.subarray(at + 8, at + 8 + png.readUInt32BE(at)));
+    }
+  }
+  const rows = inflateSync(Buffer.concat(packed));
+  const stride = width * channels;
+  const codes = new Uint8Array(stride * height);
+  for (let y = 0; y < height; ++y) {
+    const filter = rows[y * (stride + 1)];
+    for (let x = 0; x < stride; ++x) {
+      const left = x < channels ? 0 : codes[y * stride + x - channels];
+      const up = y === 0 ? 0 : codes[(y - 1) * stride + x];
+      const corner = x < channels || y === 0 ? 0 : codes[(y - 1) * stride + x - channels];
+      const paeth = [left, up, corner].sort((a, b) => Math.abs(left + up - corner - a) - Math.abs(left + up - corner - b))[0];
+      codes[y * stride + x] = rows[y * (stride + 1) + 1 + x] + [0, left, up, (left + up) >> 1, paeth][filter];
+    }
+  }
+  const pixels = Uint8Array.from({ length: 4 * width * height }, (_, i) =>
+    i % 4 === 3 ? (channels === 4 ? codes[i] : 255) : codes[(i >> 2) * channels + (channels === 1 ? 0 : i % 4)]);
+  return { width, height, pixels };
+}
+
+const files = Object.fromEntries(readdirSync(data).map((name) => [name, readFileSync(join(data, name))]));
+const inputOf = (input) => (input.startsWith(":") ? input : files[input]);
+
+check("SIMD", hasSimd(), true);
+const instances = [await load(), await load({ simd: false })];
+check("instances", instances.map((b) => b.simd).join(), "true,false");
+
+// ---- Golden pictures ----
+
+let drawn = 0;
+for (const line of readFileSync(golden, "utf8").trim().split("\n")) {
+  const [hash, input, ...flags] = line.split(" ");
+  if (isSheet(flags)) {
+    continue;
+  }
+  ++drawn;
+  for (const burnish of instances) {
+    const { noTextures, creaseAngle, inputFormat, up, tessellation, clip, ...drawn } = optionsOf(flags);
+    const loading = { noTextures, creaseAngle, inputFormat, up, tessellation, clip, name: input, files, decode: decodePng };
+    const mesh = await burnish.read(inputOf(input), loading);
+    const picture = mesh.render(drawn);
+    mesh.close();
+    check(`${input} ${flags.join(" ")} simd ${burnish.simd}`, picture.hash, hash);
+    check(`${input}: pixels`, picture.pixels.length, picture.width * picture.height * picture.channels);
+  }
+}
+
+// ---- Seeds: the same picture, or the same line ----
+
+// What the fuzzer's seeds hold after the bytes that are its options, as files.
+function unpackSeeds() {
+  const names = [];
+  for (const format of program ? readdirSync(seeds).filter((name) => name !== "3mf") : []) { // which needs expat
+    for (const seed of readdirSync(join(seeds, format)).filter((name) => !name.startsWith("draco"))) { // an importer's
+      const name = `${seed}.${format}`;
+      const bytes = readFileSync(join(seeds, format, seed)).subarray(3);
+      if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) { // gzip is render()'s
+        writeFileSync(name, bytes);
+        names.push(name);
+      }
+    }
+  }
+  return names;
+}
+
+function ask(name) {
+  const run = spawnSync(program, ["render", name, "--size=64", "--look=plain", "--no-textures", "--no-libraries", "--json",
+    "-o", "/dev/null"], { encoding: "utf8" });
+  const line = run.stderr.split("\n").find((text) => text && !text.includes(": warning: "));
+  return run.status === 0 ? JSON.parse(run.stdout).hash : line;
+}
+
+function draw(burnish, name) {
+  try {
+    return burnish.render(readFileSync(name), { name, size: 64, look: "plain", noTextures: true, noLibraries: true }).hash;
+  } catch (error) {
+    return `burnish: ${error.message}`;
+  }
+}
+
+const names = unpackSeeds();
+for (const name of names) {
+  const expected = ask(name);
+  for (const burnish of instances) {
+    check(`${name} simd ${burnish.simd}`, draw(burnish, name), expected);
+  }
+}
+
+// ---- A mesh drawn again and again ----
+
+{
+  const [burnish] = instances;
+  const mesh = burnish.open(files["cube.obj"], { name: "cube.obj", files });
+  const first = mesh.render({ size: 64 }).hash;
+  mesh.render({ size: 100, color: "red", material: "metal", look: "clay" });
+  check("options of one picture do not stay", mesh.render({ size: 64 }).hash, first);
+  mesh.close();
+  check("a fresh mesh", burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64 }).hash, first);
+}
+
+// ---- Errors: the program's lines ----
+
+const errorOf = (use) => {
+  try {
+    use();
+    return "none";
+  } catch (error) {
+    return `${error.status} ${error.message}`;
+  }
+};
+const [burnish] = instances;
+const lineOf = (...flags) => spawnSync(program, ["render", ":sphere", ...flags, "-o", "/dev/null"], { encoding: "utf8" }).stderr;
+for (const [options, flag] of program ? [[{ samples: 3 }, "--samples=3"], [{ lobe: "enrgy" }, "--lobe=enrgy"], [{ size: 0 }, "--size=0"],
+  [{ margn: 1 }, "--margn=1"], [{ light: ["spot:1,2,3"] }, "--light=spot:1,2,3"]] : []) {
+  check(flag, `burnish: ${errorOf(() => burnish.render(":sphere", options)).replace(/^ARGUMENT /, "")}\n`, lineOf(flag));
+}
+check("a sheet", errorOf(() => burnish.render(":sphere", { views: ["front,top"] })),
+  "ARGUMENT --views: one picture at a time; give one of them");
+check("loading", errorOf(() => burnish.open(":sphere").render({ clip: "1,0,0,0" })),
+  "ARGUMENT --clip: it is for loading; give it to open()");
+check("no such object", errorOf(() => burnish.render(":cow")).split(" ")[0], "ARGUMENT");
+
+// ---- Lobes and theory ----
+
+for (const [words, exponent] of [["energy:2", 64], ["minimax:4", 100], ["schlick", 20], ["power", 33.5]]) {
+  const cosines = Float32Array.from({ length: 101 }, (_, i) => i / 100);
+  const [vectors, scalars] = instances.map((b) => b.lobeValues(words, exponent, cosines));
+  check(`${words}: bits`, Buffer.from(vectors.buffer).equals(Buffer.from(scalars.buffer)), true);
+  const exact = burnish.theoryValues(words, exponent, cosines.map((c) => Math.acos(c)));
+  check(`${words}: theory`, vectors.every((value, i) => Math.abs(value - exact[i]) < 1e-5), true);
+}
+check("slope", burnish.theory("energy:2", 64).zeta, 65 / 3);
+check("largest error", Math.abs(burnish.theory("power", 64).maximumError), 0);
+check("no such lobe", errorOf(() => burnish.theory("enrgy", 64)).split(" ")[0], "ARGUMENT");
+check("roughness", burnish.convert("exponentFromRoughness", 0.5), 30);
+check("lobes", burnish.lobes.includes("minimax:8"), true);
+check("endings", burnish.endings.join(" ").startsWith(".gltf .glb .obj"), true);
+
+// ---- What `burnish lobe` prints ----
+
+const printed = (...words) => spawnSync(program, ["lobe", ...words], { encoding: "utf8" });
+const about = (text) => text.split("\n").map((line) => line.split(",").map((field) => (field === "" || isNaN(field) ? field : Number(field).toPrecision(6))).join()).join("\n");
+const samples = "angle;intensity\n" + Array.from({ length: 46 }, (_, i) => `${2 * i};${0.1 + 0.8 * Math.max(0, 1 - 9.3 * (1 - Math.cos((2 * i * Math.PI) / 180))) ** 4 + 0.003 * Math.sin(9 * i)}\n`).join("");
+if (program) {
+  writeFileSync("samples.csv", samples);
+  writeFileSync("letters.csv", samples + "45;a\n");
+  const withFile = (name) => ({ name, bytes: readFileSync(name) });
+  for (const words of [["claims", "--format=text"], ["boundary", "--exponents=1-255", "--as=mem"], ["boundary", "--lobe=shift7", "--lambda"],
+    ["choose", "--exponent=100", "--epsilon=0.02"]]) {
+    for (const b of instances) {
+      check(`lobe ${words.join(" ")}`, b.lobe(words), printed(...words).stdout);
+    }
+  }
+  // libm is another, and so is the search of fit: the last digits differ
+  for (const words of [["claims", "core-w", "--format=csv"], ["table", "--metrics=energy,angle:1,angle:8", "--exponents=1-1024x1.5", "--format=csv"]]) {
+    check(`lobe ${words.join(" ")}`, about(burnish.lobe(words)), about(printed(...words).stdout));
+  }
+  for (const flags of [["--offset"], []]) {
+    const words = ["fit", "samples.csv", "--format=csv", ...flags];
+    check(`lobe ${words.join(" ")}`, about(burnish.lobe(words, withFile("samples.csv"))), about(printed(...words).stdout));
+  }
+  for (const words of [["fit", "letters.csv"], ["fit", "letters.csv", "--unit=yard"], ["claims", "core"], ["table", "--lobes=enrgy"]]) {
+    check(`lobe ${words.join(" ")}`, `burnish: ${errorOf(() => burnish.lobe(words, withFile("letters.csv"))).replace(/^[A-Z]+ /, "")}\n`, printed(...words).stderr);
+  }
+}
+check("no plots", errorOf(() => burnish.lobe(["plot", "object"])).split(" ")[0], "ARGUMENT");
+check("no JSON", errorOf(() => burnish.lobe(["claims", "--format=json"])).split(" ")[0], "ARGUMENT");
+check("no command", errorOf(() => burnish.lobe([])), "ARGUMENT lobe: no command");
+
+// ---- The short way ----
+
+const plain = await render(files["wedge.stl"], { name: "wedge.stl", size: 64 });
+check("gzip", (await render(gzipSync(files["wedge.stl"]), { name: "wedge.stl.gz", size: 64, inputFormat: "stl" })).hash, plain.hash);
+check("half a gzip", await render(gzipSync(files["wedge.stl"]).subarray(0, 40), { name: "w.gz" }).then(() => "none", (e) => e.status), "FORMAT");
+
+const { warnings } = await render(files["textured.obj"], { name: "textured.obj", files, size: 32 });
+check("nobody decodes", warnings.some((line) => line.includes("nobody decodes pictures")), true);
+
+console.log(`npm: ${drawn} golden pictures, ${names.length} seeds, ${checks} checks, ${failures} failed`);
+process.exit(failures > 0 ? 1 : 0);

@@ -1,0 +1,6 @@
+// A thread of burnish/wasm: an instance of the module with the memory of the one that it works for.
+onmessage = async ({ data: { module, memory, stack } }) => {
+  const { exports } = await WebAssembly.instantiate(module, { env: { memory } });
+  exports.__stack_pointer.value = stack;
+  exports.thread_loop();
+};

@@ -1,0 +1,95 @@
+/* `burnish lobe COMMAND`, with what it prints as a text: the program's own tables, claims, fits and
+ * boundary memories. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/file.h"
+#include "cli/output.h"
+#include "lobe/lobe.h"
+#include "module.h"
+#include "session.h"
+
+WASM_EXPORT(lobe_command)
+const char *run_lobe(const char *arguments, int count, const char *name, const void *bytes,
+                     size_t size);
+
+/* Module state, for the length of a call: the one file that can be opened, and what was printed. */
+static struct {
+    const char *name;
+    const void *bytes;
+    size_t size;
+} offered;
+static char *printed;
+
+FILE *fopen(const char *restrict path, const char *restrict mode) {
+    return offered.name && strcmp(path, offered.name) == 0
+               ? fmemopen((void *)offered.bytes, offered.size, mode) /* only read */
+               : NULL;
+}
+
+burnish_status cli_file_write(const char *path, const void *bytes, size_t size,
+                              burnish_error *error) {
+    if (strcmp(path, "-") != 0) {
+        return cli_fail(error, BURNISH_STATUS_WRITE, "%.200s: no files here; leave out -o", path);
+    }
+    free(printed);
+    printed = malloc(size + 1);
+    if (!printed) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+    }
+    memcpy(printed, bytes, size);
+    printed[size] = 0;
+    return BURNISH_STATUS_OK;
+}
+
+static const cli_command *find(const char *name, burnish_error *error) {
+    static const cli_command *const commands[] = {&lobe_table_command, &lobe_claims_command,
+                                                  &lobe_choose_command, &lobe_fit_command,
+                                                  &lobe_boundary_command};
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; ++i) {
+        if (strcmp(commands[i]->name + strlen("lobe "), name) == 0) {
+            return commands[i];
+        }
+    }
+    cli_fail(error, BURNISH_STATUS_ARGUMENT,
+             "\"lobe %.60s\": not here; table, claims, choose, fit and boundary are", name);
+    return NULL;
+}
+
+static burnish_status run(session_flags arguments, burnish_error *error) {
+    const cli_command *command =
+        arguments.count > 0 ? find(arguments.texts, error)
+                            : (cli_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: no command"), NULL);
+    if (!command) {
+        return error->status;
+    }
+    const session_flags flags = {arguments.texts + strlen(arguments.texts) + 1,
+                                 arguments.count - 1};
+    void *settings = calloc(1, command->settings_size + 1);
+    cli_call call = {0};
+    burnish_status status =
+        settings ? session_parse(command, flags, settings, &call, error)
+                 : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the settings");
+    if (status == BURNISH_STATUS_OK) {
+        status = command->work(settings, &call, error);
+    }
+    free(settings);
+    return status;
+}
+
+/* Runs a command of `burnish lobe`, but neither plot nor sample.
+ *   arguments          count texts, each with its zero: "table", "--lobes=energy:2" ...
+ *   name, bytes, size  a file that the arguments may name; NULL: none
+ * Returns what it prints, until the next call, or NULL after an error. */
+const char *run_lobe(const char *arguments, int count, const char *name, const void *bytes,
+                     size_t size) {
+    free(printed);
+    printed = NULL;
+    offered.name = name;
+    offered.bytes = bytes;
+    offered.size = size;
+    const burnish_status status = run((session_flags){arguments, count}, module_error());
+    offered.name = NULL;
+    return status == BURNISH_STATUS_OK ? printed : NULL;
+}

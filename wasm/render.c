@@ -1,0 +1,93 @@
+/* Meshes and their pictures, by the flags of `burnish render`: an argument here is one there. */
+#include "module.h"
+#include "session.h"
+
+static burnish_camera camera_shown; /* what open_camera points to: one caller at a time */
+
+WASM_EXPORT(session_create) session *open_create(void);
+WASM_EXPORT(session_destroy) void open_destroy(session *s);
+WASM_EXPORT(session_offer)
+int open_offer(session *s, const char *name, const void *bytes, size_t size);
+WASM_EXPORT(session_open)
+int open_load(session *s, const char *name, const void *bytes, size_t size, const char *arguments,
+              int count);
+WASM_EXPORT(session_draw) int open_draw(session *s, const char *arguments, int count);
+WASM_EXPORT(session_pixels) const uint8_t *open_pixels(const session *s);
+WASM_EXPORT(session_number) double open_number(const session *s, int which);
+WASM_EXPORT(session_warning) const char *open_warning(const session *s, size_t index);
+WASM_EXPORT(session_camera) const burnish_camera *open_camera(const session *s);
+WASM_EXPORT(format_endings) const char *format_endings(int index);
+
+session *open_create(void) {
+    return session_create(NULL);
+}
+
+void open_destroy(session *s) {
+    session_destroy(s);
+}
+
+int open_offer(session *s, const char *name, const void *bytes, size_t size) {
+    return session_offer(s, name, bytes, size);
+}
+
+/* Loads bytes, or what a name like ":teapot" stands for, into a session that has no mesh yet.
+ *   arguments  count flags of session_open_command
+ * Returns 1, or 0 after an error. */
+int open_load(session *s, const char *name, const void *bytes, size_t size, const char *arguments,
+              int count) {
+    return session_open(s, name, name[0] == ':' ? NULL : bytes, size,
+                        (session_flags){arguments, count}, module_error()) == BURNISH_STATUS_OK;
+}
+
+/* Draws the session's mesh.
+ *   arguments  count flags of session_draw_command
+ * Returns 1, or 0 after an error, and may be called again after either. */
+int open_draw(session *s, const char *arguments, int count) {
+    return session_draw(s, (session_flags){arguments, count}, module_error()) == BURNISH_STATUS_OK;
+}
+
+/* Line number `index`, NULL past the last. */
+const char *open_warning(const session *s, size_t index) {
+    return session_warning(s, index);
+}
+
+/* Rows from the top without gaps, until the next picture. */
+const uint8_t *open_pixels(const session *s) {
+    return session_image(s)->pixels;
+}
+
+const burnish_camera *open_camera(const session *s) {
+    camera_shown = session_camera(s);
+    return &camera_shown;
+}
+
+/* Numbers of the picture and the mesh, in the order of wasm.js. */
+double open_number(const session *s, int which) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(session_mesh(s));
+    const burnish_image *image = session_image(s);
+    const uint64_t hash = session_hash(s);
+    double low[3], high[3];
+    session_bounds(s, low, high);
+    const double numbers[] = {image->width,
+                              image->height,
+                              image->channels,
+                              (double)(hash >> 32),
+                              (double)(uint32_t)hash,
+                              (double)session_report(s)->covered_pixels,
+                              (double)view->triangle_count,
+                              (double)view->vertex_count,
+                              low[0],
+                              low[1],
+                              low[2],
+                              high[0],
+                              high[1],
+                              high[2],
+                              session_up_number(s)};
+    return which >= 0 && (size_t)which < sizeof numbers / sizeof *numbers ? numbers[which] : 0;
+}
+
+/* Endings of format number `index`, "" for none; NULL past the last. */
+const char *format_endings(int index) {
+    const burnish_format_info *info = burnish_format_get_info((burnish_format)index);
+    return info ? info->endings : NULL;
+}
