@@ -7,7 +7,7 @@
 
 #include "lobe/lobe.h"
 
-typedef enum boundary_form { FORM_C, FORM_MEM, FORM_CSV } boundary_form;
+typedef enum boundary_form { FORM_C, FORM_PROGMEM, FORM_MEM, FORM_CSV } boundary_form;
 
 typedef struct boundary_settings {
     const char *lobe, *exponents, *word, *name, *output;
@@ -18,7 +18,7 @@ typedef struct boundary_settings {
 static cli_work work;
 
 static const cli_word form_words[] = {
-    {"c", FORM_C}, {"mem", FORM_MEM}, {"csv", FORM_CSV}, {NULL, 0}};
+    {"c", FORM_C}, {"progmem", FORM_PROGMEM}, {"mem", FORM_MEM}, {"csv", FORM_CSV}, {NULL, 0}};
 static const cli_word rounding_words[] = {{"nearest", 1 + BURNISH_THEORY_NEAREST},
                                           {"down", 1 + BURNISH_THEORY_DOWN},
                                           {"up", 1 + BURNISH_THEORY_UP},
@@ -80,12 +80,14 @@ static const cli_flag boundary_flags[] = {
     {.group = "Output",
      .name = "as",
      .value = "NAME",
-     .help = "C array, Verilog memory for $readmemh, or table",
+     .help = "C array, AVR flash, $readmemh, or table",
      .default_text = "c",
      .words = form_words,
      .manual =
-         "*c* is a C array that compiles alone, *mem* a file for Verilog's $readmemh, *csv* a "
-         "table that also has the boundary before rounding.",
+         "*c* is a C array that compiles alone. *progmem* is one that an AVR keeps in program "
+         "memory, with a function _NAME_*_at* that reads an entry on any processor. *mem* is a "
+         "file for Verilog's $readmemh, *csv* a table that also has the boundary before "
+         "rounding.",
      .handler = cli_flag_word,
      TARGET(form)},
     {.name = "name",
@@ -101,6 +103,7 @@ static const cli_flag boundary_flags[] = {
 static const cli_example examples[] = {
     {"burnish lobe boundary -o boundary.c", "a C array"},
     {"burnish lobe boundary --exponents=1-255 --as=mem -o boundary.mem", "for $readmemh"},
+    {"burnish lobe boundary --exponents=1-255 --as=progmem -o boundary.h", "for an AVR"},
     {"burnish lobe boundary --lobe=power --lambda --format-word=UQ0.16 --as=csv", "table"},
     {NULL, NULL},
 };
@@ -159,10 +162,37 @@ static int word_digits(const contents *c) {
 
 /* ---- C ---- */
 
+/* What GCC for AVR takes as one array. */
+enum { PROGMEM_BYTES_MAX = 32767 };
+
+static int word_storage(const contents *c) {
+    const int width = burnish_theory_format_width(&c->memory.format);
+    return width <= 8 ? 8 : width <= 16 ? 16 : 32;
+}
+
+/* Begins an array of c->exponents.count numbers. suffix: of its name */
+static void print_array_start(FILE *stream, const contents *c, const char *type,
+                              const char *suffix) {
+    const int flash = c->settings->form == FORM_PROGMEM;
+    fprintf(stream, "static const %s %s%s[%zu]%s = {\n", type, c->settings->name, suffix,
+            c->exponents.count, flash ? "\n#ifdef __AVR__\n    PROGMEM\n#endif\n   " : "");
+}
+
+/* A function that reads an entry, from program memory on AVR. */
+static void print_reader(FILE *stream, const contents *c, const char *type, const char *suffix,
+                         const char *read) {
+    const char *name = c->settings->name;
+    if (c->settings->form == FORM_PROGMEM) {
+        fprintf(stream,
+                "\nstatic inline %s %s%s_at(uint16_t i) {\n#ifdef __AVR__\n"
+                "    return (%s)pgm_read_%s(&%s%s[i]);\n#else\n    return %s%s[i];\n#endif\n}\n",
+                type, name, suffix, type, read, name, suffix, name, suffix);
+    }
+}
+
 static void print_exponent_array(FILE *stream, const contents *c) {
-    fprintf(stream,
-            "\n/* The exponents, in the same order. */\nstatic const float %s_exponents[%zu] = {\n",
-            c->settings->name, c->exponents.count);
+    fprintf(stream, "\n/* The exponents, in the same order. */\n");
+    print_array_start(stream, c, "float", "_exponents");
     for (size_t i = 0; i < c->exponents.count; ++i) {
         char text[48];
         snprintf(text, sizeof text, "%.9g", c->exponents.items[i]);
@@ -171,26 +201,30 @@ static void print_exponent_array(FILE *stream, const contents *c) {
                 i % 8 == 7 || i + 1 == c->exponents.count ? "\n" : " ");
     }
     fprintf(stream, "};\n");
+    print_reader(stream, c, "float", "_exponents", "float");
 }
 
 static void print_c(FILE *stream, const contents *c) {
-    int width = burnish_theory_format_width(&c->memory.format);
-    int storage = width <= 8 ? 8 : width <= 16 ? 16 : 32;
-    char level[64];
+    const int storage = word_storage(c);
+    char level[64], type[16];
     level_text(c, level, sizeof level);
+    snprintf(type, sizeof type, "%sint%d_t", c->memory.format.is_signed ? "" : "u", storage);
     fprintf(stream,
             "/* Boundary memory of the lobe %s: the %s at which it has fallen to %s.\n"
             " * Words are %s, %d bits, rounded %s: 1 is %" PRIu64 ".%s\n"
-            " * Written by burnish %s: burnish lobe boundary. */\n#include <stdint.h>\n\n",
-            c->lobe, what_is_stored(c), level, c->format, width, rounding_name(c),
+            " * Written by burnish %s: burnish lobe boundary. */\n#include <stdint.h>\n%s\n",
+            c->lobe, what_is_stored(c), level, c->format,
+            burnish_theory_format_width(&c->memory.format), rounding_name(c),
             UINT64_C(1) << c->memory.format.fraction_bits,
             c->memory.format.integer_bits == 0 ? " It does not fit and is one less." : "",
-            burnish_version());
+            burnish_version(),
+            c->settings->form == FORM_PROGMEM
+                ? "#ifdef __AVR__\n#include <avr/pgmspace.h>\n#endif\n"
+                : "");
     if (c->consecutive) {
         fprintf(stream, "/* Entry i belongs to the exponent i + %.0f. */\n", c->exponents.items[0]);
     }
-    fprintf(stream, "static const %sint%d_t %s[%zu] = {\n", c->memory.format.is_signed ? "" : "u",
-            storage, c->settings->name, c->exponents.count);
+    print_array_start(stream, c, type, "");
     for (size_t i = 0; i < c->exponents.count; ++i) {
         fprintf(stream, "%s%*" PRId64 ",%s", i % 10 == 0 ? "    " : "",
                 storage == 8    ? 3
@@ -199,6 +233,7 @@ static void print_c(FILE *stream, const contents *c) {
                 c->words[i], i % 10 == 9 || i + 1 == c->exponents.count ? "\n" : " ");
     }
     fprintf(stream, "};\n");
+    print_reader(stream, c, type, "", storage == 8 ? "byte" : storage == 16 ? "word" : "dword");
     if (!c->consecutive) {
         print_exponent_array(stream, c);
     }
@@ -261,6 +296,7 @@ static burnish_status print(const contents *c, burnish_error *error) {
     }
     switch ((boundary_form)c->settings->form) {
     case FORM_C:
+    case FORM_PROGMEM:
         print_c(output.stream, c);
         break;
     case FORM_MEM:
@@ -302,6 +338,18 @@ static burnish_status read_model(const char *text, contents *c, burnish_error *e
     return status;
 }
 
+/* Whether the arrays of progmem are small enough. */
+static burnish_status check_size(const contents *c, burnish_error *error) {
+    const size_t bytes = c->consecutive ? (size_t)word_storage(c) / 8 : sizeof(float);
+    if (c->settings->form == FORM_PROGMEM && c->exponents.count > PROGMEM_BYTES_MAX / bytes) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--as=progmem: %zu numbers of %zu bytes; an array on AVR has at most %d "
+                        "bytes: give fewer --exponents",
+                        c->exponents.count, bytes, PROGMEM_BYTES_MAX);
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status fill(contents *c, burnish_error *error) {
     const boundary_settings *s = c->settings;
     burnish_error reason;
@@ -329,6 +377,10 @@ static burnish_status fill(contents *c, burnish_error *error) {
     c->consecutive = c->exponents.items[0] == floor(c->exponents.items[0]);
     for (size_t i = 1; i < c->exponents.count; ++i) {
         c->consecutive = c->consecutive && c->exponents.items[i] == c->exponents.items[i - 1] + 1;
+    }
+    status = check_size(c, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     c->words = calloc(c->exponents.count, sizeof *c->words);
     if (!c->words) {

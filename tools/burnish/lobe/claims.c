@@ -199,12 +199,13 @@ static void print_markdown(FILE *stream, const claim_list *list) {
 
 /* A row for every value; a claim without values has one row with empty fields. */
 static void print_csv(FILE *stream, const claim_list *list) {
-    fprintf(stream, "id,claim,quantity,label,value,judged,relation,bound,unit,verdict,command\n");
+    fprintf(stream,
+            "id,claim,quantity,note,label,value,judged,relation,bound,unit,verdict,command\n");
     for (size_t i = 0; i < list->count; ++i) {
         const burnish_theory_claim *claim = &list->items[i];
         for (int k = 0; k < (claim->count > 0 ? claim->count : 1); ++k) {
-            const char *texts[] = {claim->id, claim->claim, claim->quantity};
-            for (size_t t = 0; t < 3; ++t) {
+            const char *texts[] = {claim->id, claim->claim, claim->quantity, claim->note};
+            for (size_t t = 0; t < sizeof texts / sizeof *texts; ++t) {
                 cli_csv_text(stream, texts[t]);
                 fputc(',', stream);
             }

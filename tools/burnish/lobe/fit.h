@@ -35,7 +35,7 @@ typedef struct lobe_fitted {
 enum { LOBE_FITTED_MAX = 9 }; /* five orders, power, schlick, gaussian, gx */
 
 /* Fits every kind of lobe by least squares, the best first: scale and offset in closed form for
- * every slope or exponent, which NLopt finds.
+ * every slope or exponent, which a search finds.
  *   with_offset  0: offset is 0
  *   path         for messages
  * Errors: FORMAT for samples that no lobe fits, MEMORY. */

@@ -1,7 +1,7 @@
 /* The fit of lobes to measured samples: variable projection (Golub and Pereyra 1973). For a given
  * slope or exponent the best scale and offset are a linear problem in closed form; what is left is
- * a function of one number, searched by NLopt: DIRECT over the whole range, since measured lobes
- * make several minima, then a simplex. */
+ * a function of one number, searched by NLopt where it is: DIRECT over the whole range, since
+ * measured lobes make several minima, then a simplex. */
 #include <math.h>
 #if BURNISH_HAS_NLOPT
 #include <nlopt.h>
@@ -111,10 +111,47 @@ static int search(problem *p, search_kind kind, int evaluations, double low, dou
     return 1;
 }
 #else
+static double rest_at(problem *p, double x) {
+    double scale, offset;
+    burnish_theory_model model = model_at(p, x);
+    return project(p, &model, &scale, &offset);
+}
+
+/* The same where NLopt is not: steps over the whole range, then the golden section. */
 static int search(problem *p, search_kind kind, int evaluations, double low, double high,
                   double *x) {
-    (void)p, (void)kind, (void)evaluations, (void)low, (void)high, (void)x;
-    return 0;
+    const double golden = 0.6180339887498949;
+    if (kind == SEARCH_EVERYWHERE) {
+        double least = INFINITY;
+        for (int i = 0; i < evaluations; ++i) {
+            const double at = low + (high - low) * i / (evaluations - 1);
+            const double rest = rest_at(p, at);
+            if (rest < least) {
+                least = rest;
+                *x = at;
+            }
+        }
+        return 1;
+    }
+    double left = high - golden * (high - low), right = low + golden * (high - low);
+    double rest_left = rest_at(p, left), rest_right = rest_at(p, right);
+    for (int i = 2; i < evaluations && high - low > 1e-12; ++i) {
+        if (rest_left <= rest_right) {
+            high = right;
+            right = left;
+            rest_right = rest_left;
+            left = high - golden * (high - low);
+            rest_left = rest_at(p, left);
+        } else {
+            low = left;
+            left = right;
+            rest_left = rest_right;
+            right = low + golden * (high - low);
+            rest_right = rest_at(p, right);
+        }
+    }
+    *x = rest_left <= rest_right ? left : right;
+    return 1;
 }
 #endif
 
@@ -202,11 +239,6 @@ burnish_status lobe_fit_samples(const lobe_samples *samples, int with_offset, co
     *count = 0;
     if (status != BURNISH_STATUS_OK) {
         return status;
-    }
-    if (!BURNISH_HAS_NLOPT) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "lobe fit: this program was built without NLopt, which searches for the "
-                        "slopes; use one that has it");
     }
     for (int i = 0; i < LOBE_FITTED_MAX; ++i) {
         p.kind = i < 5 ? BURNISH_LOBE_FAMILY : others[i - 5];

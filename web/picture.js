@@ -1,0 +1,218 @@
+// The picture: drawn by the worker, put side by side here, turned by hands.
+import { ask, latest } from "./ask.js";
+import { NUMBERS, at, clamp, lobeOf, own, show, state } from "./state.js";
+
+const canvas = at("canvas");
+const context = canvas.getContext("2d", { alpha: false });
+let drawn = null; // what the worker sent last
+let shown = null; // its pictures, to be put side by side
+
+function options(size) {
+  return {
+    resolution: size.join(","), look: state.look, equation: state.equation, exponent: Number(state.n),
+    cameraAzimuthAngle: Number(state.azimuth), cameraElevationAngle: Number(state.elevation), cameraZoomFactor: Number(state.zoom),
+  };
+}
+
+/** The same picture by the program. */
+export function commandLine() {
+  const flags = Object.entries(options(state.resolution.split(",")))
+    .filter(([key, value]) => !(/^camera/.test(key) && value === (key === "cameraZoomFactor" ? 1 : 0)))
+    .map(([key, value]) => `--${key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}=${value}`);
+  const input = own.mesh ?? state.mesh;
+  const quoted = /^[\w:./+-]+$/.test(input) ? input : `'${input.replaceAll("'", "'\\''")}'`;
+  return `burnish render ${quoted} --lobe=${state.view === "against" ? state.against : lobeOf(state)} ${flags.join(" ")} --json`;
+}
+
+export function paint() {
+  if (!shown) {
+    return;
+  }
+  const { width, height, pictures, difference } = shown;
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+  }
+  const isSplit = state.view === "split";
+  if (state.view === "error" && difference) {
+    context.putImageData(difference, 0, 0);
+    return;
+  }
+  const x = isSplit ? Math.round((width * Number(state.divider)) / 100) : 0;
+  const last = pictures.length - 1;
+  context.putImageData(pictures[isSplit || state.view === "against" ? last : 0], 0, 0);
+  if (x > 0) {
+    context.putImageData(pictures[0], 0, 0, 0, 0, x, height);
+  }
+}
+
+const grouped = (x) => x.toLocaleString("en").replaceAll(",", "\u202f");
+
+function tell() {
+  const { pictures, milliseconds, difference } = drawn;
+  const items = [`hash <b>${(pictures[state.view === "against" ? pictures.length - 1 : 0]).hash}</b>`];
+  if (difference) {
+    items.push(`<b>${difference.most}</b> of 255 at most`, `<b>${(100 * difference.share).toFixed(1)}</b> % of pixels differ`);
+    at("legend-most").textContent = `${Math.max(difference.most, 8)} codes`;
+  } else {
+    items.push(`<b>${grouped(pictures[0].triangles)}</b> triangles`, `<b>${milliseconds.toFixed(0)}</b> ms`);
+  }
+  at("numbers").innerHTML = items.join(" &nbsp; ");
+  const { warnings } = pictures[0];
+  at("numbers").title = warnings.join("\n");
+  if (warnings.length > 0) {
+    at("numbers").append(` \u2003${warnings.length === 1 ? warnings[0] : `${warnings.length} warnings`}`);
+  }
+}
+
+// aria-busy from a hand's move until the whole picture of what was asked for last is there: while a mesh is opened, too.
+let asked = 0;
+let isDrawing = false;
+let opening = 0;
+const tellBusy = () => at("picture").setAttribute("aria-busy", String(isDrawing || opening > 0));
+
+export function draw(isDraft) {
+  isDrawing = true;
+  tellBusy();
+  drawNumber(isDraft, ++asked);
+}
+
+const drawNumber = latest(async (isDraft, number) => {
+  try {
+    await drawNow(isDraft);
+  } finally {
+    isDrawing = isDraft || number !== asked;
+    tellBusy();
+  }
+}, show);
+
+async function drawNow(isDraft) {
+  const full = state.resolution.split(",").map(Number);
+  const size = isDraft ? full.map((side) => Math.round(side / (full[0] > 1000 ? 3 : 2))) : full;
+  const lobes = { lobe: [lobeOf(state)], against: [state.against] }[state.view] ?? [lobeOf(state), state.against];
+  drawn = await ask("draw", { lobes, options: options(size), map: state.view === "error" });
+  const image = (pixels) => new ImageData(pixels, drawn.width, drawn.height);
+  shown = {
+    width: drawn.width, height: drawn.height, pictures: drawn.pictures.map((picture) => image(picture.rgba)),
+    difference: drawn.difference && image(drawn.difference.rgba),
+  };
+  show("");
+  paint();
+  performance.mark("picture");
+  if (!isDraft) {
+    tell();
+  }
+}
+
+/** Opens a mesh, and then draws what `opened` has made of the state. */
+export async function open(input, loading, opened) {
+  ++opening;
+  tellBusy();
+  try {
+    await ask("open", { input, options: loading });
+    opened();
+  } catch (error) {
+    show(error.message);
+  } finally {
+    --opening;
+    tellBusy();
+  }
+}
+
+// ---- Hands ----
+
+// A small picture at once, the whole one when the hand rests.
+let rest = 0;
+let rested = () => {};
+export function turn() {
+  draw(true); // and aria-busy stays until the rest
+  clearTimeout(rest);
+  rest = setTimeout(() => {
+    draw(false);
+    rested();
+  }, 160);
+}
+
+export const fixed = (x) => String(Number(x.toFixed(2)));
+
+function orbit(right, up) {
+  state.azimuth = fixed(((Number(state.azimuth) - right + 540) % 360) - 180);
+  state.elevation = fixed(clamp(Number(state.elevation) + up, NUMBERS.elevation));
+  turn();
+}
+
+function zoom(factor) {
+  state.zoom = fixed(clamp(Number(state.zoom) * factor, NUMBERS.zoom));
+  turn();
+}
+
+export const FRONT = { azimuth: "0", elevation: "0", zoom: "1" };
+
+const KEYS = {
+  ArrowLeft: () => orbit(-6, 0), ArrowRight: () => orbit(6, 0), ArrowUp: () => orbit(0, -6), ArrowDown: () => orbit(0, 6),
+  "+": () => zoom(1.1), "=": () => zoom(1.1), "-": () => zoom(1 / 1.1),
+  0: () => {
+    Object.assign(state, FRONT);
+    turn();
+  },
+};
+
+const pointers = new Map();
+function follow(event) {
+  const before = pointers.get(event.pointerId);
+  if (!before) {
+    return;
+  }
+  const now = [event.clientX, event.clientY];
+  const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
+  pointers.set(event.pointerId, now);
+  const apart = (a) => Math.hypot(a[0] - other[0], a[1] - other[1]);
+  if (other) {
+    zoom(apart(now) / Math.max(1, apart(before)));
+  } else {
+    orbit((now[0] - before[0]) * 0.45, (now[1] - before[1]) * 0.45);
+  }
+}
+
+/** Lets pointer, wheel and keys turn the picture; onRest is called when they rest. */
+export function turnByHand(onRest) {
+  rested = onRest;
+  canvas.addEventListener("pointerdown", (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    pointers.set(event.pointerId, [event.clientX, event.clientY]);
+  });
+  canvas.addEventListener("pointermove", follow);
+  for (const end of ["pointerup", "pointercancel"]) {
+    canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
+  }
+  canvas.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    zoom(2 ** (-event.deltaY / 500));
+  }, { passive: false });
+  canvas.addEventListener("keydown", (event) => {
+    if (KEYS[event.key] && !event.ctrlKey && !event.metaKey) {
+      event.preventDefault();
+      KEYS[event.key]();
+    }
+  });
+}
+
+/** Lets pointer and keys move the divider; onMove gets its place in per cent. */
+export function divideByHand(onMove) {
+  const divider = at("divider");
+  const divide = (percent) => onMove(fixed(clamp(percent, NUMBERS.divider)));
+  divider.addEventListener("pointerdown", (event) => divider.setPointerCapture(event.pointerId));
+  divider.addEventListener("pointermove", (event) => {
+    if (divider.hasPointerCapture(event.pointerId)) {
+      const box = at("picture").getBoundingClientRect();
+      divide((100 * (event.clientX - box.left)) / box.width);
+    }
+  });
+  divider.addEventListener("keydown", (event) => {
+    const steps = { ArrowLeft: -2, ArrowDown: -2, ArrowRight: 2, ArrowUp: 2, PageDown: -10, PageUp: 10, Home: -100, End: 100 };
+    if (steps[event.key]) {
+      event.preventDefault();
+      divide(Number(state.divider) + steps[event.key]);
+    }
+  });
+}

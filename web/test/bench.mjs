@@ -1,0 +1,109 @@
+// Times of the page in Debian's Chromium, headless: first picture, and pictures of 100,352 triangles. Medians of the faster half, which a
+// busy machine disturbs least.
+// Usage: node bench.mjs PAGE SERVER [short]
+import { spawn } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { cpus, tmpdir } from "node:os";
+import { join } from "node:path";
+import { chromium } from "playwright-core";
+
+const [folder, server, short] = process.argv.slice(2);
+const [LOADS, PICTURES] = short ? [2, 4] : [21, 60];
+const scratch = mkdtempSync(join(tmpdir(), "burnish-"));
+
+async function serve(port, ...flags) {
+  const served = spawn(process.execPath, [server, folder, String(port), ...flags], { stdio: ["ignore", "pipe", "inherit"] });
+  await new Promise((resolve) => served.stdout.once("data", resolve));
+  return { served, home: `http://127.0.0.1:${port}/` };
+}
+
+function median(times) {
+  const half = times.sort((a, b) => a - b).slice(0, Math.ceil(times.length / 2));
+  return half[half.length >> 1];
+}
+
+// A torus of 224 x 224 quadrilaterals as binary STL.
+function torus(n = 224) {
+  const point = (i, j) => {
+    const [u, v] = [(2 * Math.PI * i) / n, (2 * Math.PI * j) / n];
+    const r = 1 + 0.4 * Math.cos(v);
+    return [r * Math.cos(u), r * Math.sin(u), 0.4 * Math.sin(v)];
+  };
+  const bytes = Buffer.alloc(84 + 2 * n * n * 50);
+  bytes.writeUInt32LE(2 * n * n, 80);
+  let at = 84;
+  for (let i = 0; i < n; ++i) {
+    for (let j = 0; j < n; ++j) {
+      const [a, b, c, d] = [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)];
+      for (const corners of [[a, b, c], [a, c, d]]) {
+        corners.flat().forEach((x, k) => bytes.writeFloatLE(x, at + 12 + 4 * k));
+        at += 50;
+      }
+    }
+  }
+  return bytes;
+}
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"],
+});
+const ready = (page) => page.waitForFunction(() => document.getElementById("picture").ariaBusy === "false" && document.getElementById("about").textContent);
+
+// From the start of the navigation, in a context of its own: nothing cached.
+async function firstPicture(home) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
+  const page = await context.newPage();
+  await page.goto(home);
+  await page.waitForFunction(() => performance.getEntriesByName("picture").length > 0);
+  const time = await page.evaluate(() => performance.getEntriesByName("picture")[0].startTime);
+  await context.close();
+  return time;
+}
+
+// Pictures one after the other, each put on the canvas, as an orbit has them.
+async function orbit(home, size, lobes) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
+  await page.goto(home);
+  await ready(page);
+  await page.setInputFiles("#file", join(scratch, "torus.stl"));
+  await page.waitForFunction(() => document.getElementById("file-name").textContent === "torus.stl");
+  await ready(page);
+  const times = await page.evaluate(async ([pictures, resolution, list]) => {
+    const { ask } = await import("./ask.js");
+    const context = document.createElement("canvas").getContext("2d");
+    const found = [];
+    for (let i = 0; i < pictures; ++i) {
+      const start = performance.now();
+      const options = { resolution, look: "lobes", exponent: 40, cameraAzimuthAngle: 3 * i, cameraElevationAngle: 20 };
+      const { pictures: drawn, width, height } = await ask("draw", { lobes: list, options });
+      for (const { rgba } of drawn) {
+        context.putImageData(new ImageData(rgba, width, height), 0, 0);
+      }
+      found.push(performance.now() - start);
+    }
+    return found;
+  }, [PICTURES, size, lobes]);
+  await page.close();
+  return median(times);
+}
+
+try {
+  writeFileSync(join(scratch, "torus.stl"), torus());
+  console.log(`${cpus().length} processors, ${cpus()[0].model}; medians of the faster half of ${LOADS} loads and ${PICTURES} pictures`);
+  for (const [what, flags] of [["one thread", ["plain"]], ["threads", []]]) {
+    const { served, home } = await serve(flags.length > 0 ? 8131 : 8132, ...flags);
+    const loads = [];
+    for (let i = 0; i < LOADS; ++i) {
+      loads.push(await firstPicture(home));
+    }
+    console.log(`${what}: first picture after ${median(loads).toFixed(0)} ms`);
+    for (const [name, size, lobes] of [["800 x 600", "800,600", ["energy:2"]], ["400 x 300, both lobes, as the page does while it turns", "400,300", ["energy:2", "power"]]]) {
+      const time = await orbit(home, size, lobes);
+      console.log(`${what}: 100,352 triangles, ${name}: ${time.toFixed(1)} ms, ${(1000 / time).toFixed(0)} a second`);
+    }
+    served.kill();
+  }
+} finally {
+  await browser.close();
+  rmSync(scratch, { recursive: true, force: true });
+}
