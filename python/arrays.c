@@ -1,0 +1,356 @@
+/* Numbers that come and go by Python's buffer protocol. */
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "module.h"
+
+/* ---- Going out ---- */
+
+typedef struct array_object {
+    PyObject_HEAD PyObject *owner; /* of the items; NULL: they are this object's */
+    void *items;
+    array_layout layout;
+    Py_ssize_t strides[ARRAY_DIMENSIONS];
+} array_object;
+
+int array_fill_view(PyObject *exporter, const array_layout *layout,
+                    Py_ssize_t strides[ARRAY_DIMENSIONS], Py_buffer *view, int flags) {
+    Py_ssize_t size = layout->item_size;
+    for (int i = layout->dimensions - 1; i >= 0; --i) {
+        strides[i] = size;
+        size *= layout->shape[i];
+    }
+    view->obj = NULL;
+    if (flags & PyBUF_WRITABLE) {
+        PyErr_SetString(PyExc_BufferError, "burnish's arrays are not to be written to; copy them");
+        return -1;
+    }
+    if ((flags & PyBUF_F_CONTIGUOUS) == PyBUF_F_CONTIGUOUS && layout->dimensions > 1) {
+        PyErr_SetString(PyExc_BufferError, "burnish's arrays are C-contiguous");
+        return -1;
+    }
+    *view = (Py_buffer){
+        .buf = (void *)layout->items,
+        .obj = Py_NewRef(exporter),
+        .len = size,
+        .itemsize = layout->item_size,
+        .readonly = 1,
+        .ndim = layout->dimensions,
+        .format = flags & PyBUF_FORMAT ? (char *)layout->format : NULL,
+        .shape = flags & PyBUF_ND ? (Py_ssize_t *)layout->shape : NULL,
+        .strides = (flags & PyBUF_STRIDES) == PyBUF_STRIDES ? strides : NULL,
+    };
+    return 0;
+}
+
+static int get_buffer(PyObject *object, Py_buffer *view, int flags) {
+    array_object *self = (array_object *)object;
+    return array_fill_view(object, &self->layout, self->strides, view, flags);
+}
+
+static void destroy(PyObject *object) {
+    array_object *self = (array_object *)object;
+    if (self->owner) {
+        Py_DECREF(self->owner);
+    } else {
+        free(self->items);
+    }
+    module_free(object);
+}
+
+PyObject *array_memoryview(const module_state *state, PyObject *owner, const array_layout *layout) {
+    array_object *self = module_allocate(state->array_type);
+    if (!self) {
+        if (!owner) {
+            free((void *)layout->items);
+        }
+        return NULL;
+    }
+    self->owner = Py_XNewRef(owner);
+    self->items = (void *)layout->items;
+    self->layout = *layout;
+    PyObject *view = PyMemoryView_FromObject((PyObject *)self);
+    Py_DECREF(self);
+    return view;
+}
+
+PyObject *array_create_type(PyObject *module) {
+    static PyType_Slot slots[] = {
+        {Py_tp_dealloc, destroy},
+        {Py_bf_getbuffer, get_buffer},
+        {Py_tp_doc, "Numbers of burnish's."},
+        {0},
+    };
+    static PyType_Spec spec = {
+        .name = "burnish._burnish.Array",
+        .basicsize = sizeof(array_object),
+        .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION,
+        .slots = slots,
+    };
+    return PyType_FromModuleAndSpec(module, &spec, NULL);
+}
+
+/* ---- Coming in ---- */
+
+/* An object's buffer as rows of numbers. */
+typedef struct rows {
+    const char *items;
+    Py_ssize_t count, columns, stride, column_stride; /* strides in bytes */
+    char kind;       /* 'f': floats, 'i': signed and 'u': unsigned integers */
+    Py_ssize_t size; /* bytes of a number */
+} rows;
+
+static char kind_of(const char *format, Py_ssize_t size) {
+    const uint16_t one = 1;
+    const int is_little = *(const char *)&one;
+    if (!format) {
+        return 'u';
+    }
+    if (strchr("@=<>!", *format)) {
+        const int is_foreign =
+            (*format == '<' && !is_little) || (strchr(">!", *format) && is_little && size > 1);
+        if (*format++ == 0 || is_foreign) {
+            return 0;
+        }
+    }
+    if (format[0] == 0 || format[1] != 0) {
+        return 0;
+    }
+    return strchr("fd", *format)        ? 'f'
+           : strchr("bhilqn", *format)  ? 'i'
+           : strchr("BHILQN?", *format) ? 'u'
+                                        : 0;
+}
+
+/* The buffer's dimensions as rows. Returns 0 for others. */
+static int shape_rows(const Py_buffer *view, int columns, rows *r) {
+    const Py_ssize_t *shape = view->shape, *strides = view->strides;
+    if (view->ndim == 1 && shape[0] % columns == 0) {
+        r->count = shape[0] / columns;
+        r->columns = columns;
+        r->column_stride = strides[0];
+        r->stride = strides[0] * columns;
+    } else if (view->ndim == 2) {
+        r->count = shape[0];
+        r->columns = shape[1];
+        r->stride = strides[0];
+        r->column_stride = strides[1];
+    } else if (view->ndim == 3 && (shape[0] <= 1 || strides[0] == strides[1] * shape[1])) {
+        r->count = shape[0] * shape[1]; /* such as three corners per triangle */
+        r->columns = shape[2];
+        r->stride = strides[1];
+        r->column_stride = strides[2];
+    } else {
+        return 0;
+    }
+    return 1;
+}
+
+static int open_rows(PyObject *object, const char *name, int columns, array_input *input, rows *r) {
+    if (PyObject_GetBuffer(object, &input->view, PyBUF_RECORDS_RO) != 0) {
+        PyErr_Clear();
+        PyErr_Format(PyExc_TypeError,
+                     "%s: %R has no buffer of numbers; give an array, such as NumPy's", name,
+                     (PyObject *)Py_TYPE(object));
+        return 0;
+    }
+    const Py_buffer *view = &input->view;
+    input->has_view = 1;
+    r->items = view->buf;
+    r->size = view->itemsize;
+    r->kind = kind_of(view->format, view->itemsize);
+    if (r->kind == 0) {
+        PyErr_Format(PyExc_TypeError,
+                     "%s: items of format '%s'; give float32, float64 or integers in the "
+                     "machine's byte order",
+                     name, view->format);
+        return 0;
+    }
+    if (view->ndim < 1 || view->ndim > 3 || !shape_rows(view, columns, r)) {
+        PyErr_Format(PyExc_ValueError, "%s: %d dimensions; give an array of shape (N, %d)", name,
+                     view->ndim, columns);
+        return 0;
+    }
+    return 1;
+}
+
+static double float_at(const rows *r, Py_ssize_t row, Py_ssize_t column) {
+    const char *at = r->items + row * r->stride + column * r->column_stride;
+    float single;
+    double value;
+    if (r->size == sizeof single) {
+        memcpy(&single, at, sizeof single);
+        return single;
+    }
+    memcpy(&value, at, sizeof value);
+    return value;
+}
+
+/* -1 for negative numbers, and for those beyond. */
+static int64_t integer_at(const rows *r, Py_ssize_t row, Py_ssize_t column) {
+    const char *at = r->items + row * r->stride + column * r->column_stride;
+    uint64_t value = 0;
+    uint8_t u8;
+    uint16_t u16;
+    uint32_t u32;
+    switch (r->size) {
+    case 1:
+        memcpy(&u8, at, 1);
+        value = r->kind == 'i' && u8 > INT8_MAX ? UINT64_MAX : u8;
+        break;
+    case 2:
+        memcpy(&u16, at, 2);
+        value = r->kind == 'i' && u16 > INT16_MAX ? UINT64_MAX : u16;
+        break;
+    case 4:
+        memcpy(&u32, at, 4);
+        value = r->kind == 'i' && u32 > INT32_MAX ? UINT64_MAX : u32;
+        break;
+    default:
+        memcpy(&value, at, 8);
+        break;
+    }
+    return value > INT64_MAX ? -1 : (int64_t)value;
+}
+
+static void *allocate(Py_ssize_t count, Py_ssize_t each) {
+    void *memory = NULL;
+    if (count <= PY_SSIZE_T_MAX / each) {
+        memory = malloc(count > 0 ? (size_t)count * (size_t)each : 1);
+    }
+    if (!memory) {
+        PyErr_NoMemory();
+    }
+    return memory;
+}
+
+static int in_place(const rows *r, char kind, Py_ssize_t size) {
+    return r->kind == kind && r->size == size && r->column_stride == size &&
+           r->stride >= r->columns * size;
+}
+
+int array_read_floats(PyObject *object, const char *name, int components, array_input *input) {
+    rows r;
+    if (object == Py_None) {
+        return 1;
+    }
+    if (!open_rows(object, name, components, input, &r)) {
+        return 0;
+    }
+    if (r.kind != 'f' || r.columns != components) {
+        PyErr_Format(r.kind == 'f' ? PyExc_ValueError : PyExc_TypeError,
+                     "%s: rows of %zd %s; give %d floats each", name, r.columns,
+                     r.kind == 'f' ? "floats" : "integers", components);
+        return 0;
+    }
+    if (in_place(&r, 'f', sizeof(float))) {
+        input->array = (burnish_array){r.items, (size_t)r.count, (size_t)r.stride};
+        return 1;
+    }
+    float *copy = allocate(r.count, components * (Py_ssize_t)sizeof *copy);
+    input->copy = copy;
+    for (Py_ssize_t i = 0; i < r.count && copy; ++i) {
+        for (int k = 0; k < components; ++k) {
+            copy[i * components + k] = (float)float_at(&r, i, k);
+        }
+    }
+    input->array = (burnish_array){copy, (size_t)r.count, 0};
+    return copy != NULL;
+}
+
+/* Faces as triangles, polygons as fans around their first corner. */
+static int copy_faces(const rows *r, const char *name, array_input *input) {
+    const Py_ssize_t fan = r->columns - 2;
+    uint32_t *copy = r->count <= PY_SSIZE_T_MAX / fan ? allocate(r->count * fan, 3 * sizeof *copy)
+                                                      : allocate(PY_SSIZE_T_MAX, 3);
+    input->copy = copy;
+    input->index_size = sizeof *copy;
+    input->array = (burnish_array){copy, (size_t)(r->count * fan * 3), 0};
+    for (Py_ssize_t i = 0; i < r->count && copy; ++i) {
+        for (Py_ssize_t k = 0; k < r->columns; ++k) {
+            const int64_t index = integer_at(r, i, k);
+            if (index < 0 || index >= UINT32_MAX) {
+                PyErr_Format(PyExc_ValueError,
+                             "%s: face %zd has a vertex that is none; vertices are numbered from "
+                             "0",
+                             name, i);
+                return 0;
+            }
+            uint32_t *at = copy + 3 * fan * i;
+            if (k == 0) {
+                at[0] = (uint32_t)index;
+            } else if (k < 3) {
+                at[k] = (uint32_t)index;
+            } else {
+                at[3 * (k - 2)] = at[0];
+                at[3 * (k - 2) + 1] = at[3 * (k - 3) + 2];
+                at[3 * (k - 2) + 2] = (uint32_t)index;
+            }
+        }
+    }
+    return copy != NULL;
+}
+
+int array_read_indices(PyObject *object, const char *name, array_input *input) {
+    rows r;
+    if (object == Py_None) {
+        return 1;
+    }
+    if (!open_rows(object, name, 3, input, &r)) {
+        return 0;
+    }
+    if (r.kind == 'f' || r.columns < 3) {
+        PyErr_Format(r.kind == 'f' ? PyExc_TypeError : PyExc_ValueError,
+                     "%s: rows of %zd %s; give three integers each, numbers of vertices", name,
+                     r.columns, r.kind == 'f' ? "floats" : "integers");
+        return 0;
+    }
+    if (r.columns == 3 && r.size <= 4 && in_place(&r, 'u', r.size) && r.stride == 3 * r.size) {
+        input->array = (burnish_array){r.items, (size_t)(3 * r.count), 0};
+        input->index_size = (int)r.size;
+        return 1;
+    }
+    return copy_faces(&r, name, input);
+}
+
+int array_read_colors(PyObject *object, const char *name, array_input *input) {
+    rows r;
+    if (object == Py_None) {
+        return 1;
+    }
+    if (!open_rows(object, name, 4, input, &r)) {
+        return 0;
+    }
+    if ((r.columns != 3 && r.columns != 4) || (r.kind != 'f' && (r.kind != 'u' || r.size != 1))) {
+        PyErr_Format(PyExc_ValueError,
+                     "%s: give 3 or 4 per vertex: uint8, or floats from 0 to 1, in sRGB", name);
+        return 0;
+    }
+    if (r.columns == 4 && in_place(&r, 'u', 1)) {
+        input->array = (burnish_array){r.items, (size_t)r.count, (size_t)r.stride};
+        return 1;
+    }
+    uint8_t *copy = allocate(r.count, 4);
+    input->copy = copy;
+    for (Py_ssize_t i = 0; i < r.count && copy; ++i) {
+        copy[4 * i + 3] = 255;
+        for (Py_ssize_t k = 0; k < r.columns; ++k) {
+            const double value =
+                r.kind == 'f' ? 255 * float_at(&r, i, k) : (double)integer_at(&r, i, k);
+            copy[4 * i + k] = (uint8_t)(value > 0 ? value < 255 ? value + 0.5 : 255 : 0);
+        }
+    }
+    input->array = (burnish_array){copy, (size_t)r.count, 0};
+    return copy != NULL;
+}
+
+void array_release(array_input *input) {
+    if (input->has_view) {
+        PyBuffer_Release(&input->view);
+    }
+    free(input->copy);
+    *input = (array_input){.has_view = 0};
+}

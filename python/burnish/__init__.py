@@ -1,0 +1,194 @@
+"""Meshes drawn on the CPU, the same pixels on every machine.
+
+>>> import burnish
+>>> picture = burnish.render(":teapot", size=64)
+>>> picture
+<burnish.Image 64x64 RGB ...>
+>>> picture.save("teapot.png")
+
+What can be drawn: a file's name, the bytes of a file, a mesh of trimesh, Open3D, PyVista or meshio, a shape of CadQuery, build123d
+or FreeCAD, a pair (vertices, faces), or a Mesh. Options are the flags of ``burnish render`` with _ for -; see Options.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from . import _burnish, _shapes, lobe
+from ._burnish import Error, Image
+from ._options import Options, Unpack
+
+__all__ = ["Error", "Image", "Mesh", "Options", "Scene", "__version__", "load", "lobe", "render"]
+__version__ = _burnish.version
+
+_FLAGS = {name.replace("-", "_"): row for name, row in _burnish.flags().items()}
+_AXES = {"+X": (1, 0, 0), "-X": (-1, 0, 0), "+Y": (0, 1, 0), "-Y": (0, -1, 0), "+Z": (0, 0, 1), "-Z": (0, 0, -1)}
+
+
+def _word(value: Any) -> str:
+    if isinstance(value, (str, int, float)):
+        return str(value)
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if hasattr(value, "__index__") or hasattr(value, "__float__") and not hasattr(value, "__len__"):
+        return repr(float(value)) if not hasattr(value, "__index__") else str(value.__index__())
+    return ",".join(_word(item) for item in value)
+
+
+def _flags(options: Mapping[str, Any]) -> bytes:
+    """{"samples": 4, "ground": True} as the words of a command line, each with a zero: what the library parses."""
+    words = []
+    for key, value in options.items():
+        if value is None or value is False:
+            continue
+        is_list = isinstance(value, (list, tuple)) and any(isinstance(item, str) for item in value)
+        for item in value if is_list else [value]:
+            flag = "--" + key.replace("_", "-")
+            word = (flag if item is True else f"{flag}={_word(item)}").encode()
+            if b"\0" in word:
+                raise ValueError(f"{key}: a text with a zero in it")
+            words.append(word)
+    return b"\0".join([*words, b""])
+
+
+def _split(options: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Those of loading and those of drawing; unknown ones are for drawing, which says so."""
+    loading = {key: value for key, value in options.items() if key in _FLAGS and _FLAGS[key][0]}
+    drawing = {key: value for key, value in options.items() if key not in _FLAGS or _FLAGS[key][1]}
+    return loading, drawing
+
+
+def _check_loading(options: Mapping[str, Any]) -> None:
+    for key in options:
+        if key not in _FLAGS or not _FLAGS[key][0]:
+            raise TypeError(f"{key}: no option of loading; give those of a picture to render()")
+
+
+class Mesh(_burnish.Mesh):
+    """A mesh from arrays, to be drawn again and again; several threads may.
+
+    vertices  (N, 3) floats, float32 or float64, or a list of triples
+    faces     (M, 3) numbers of vertices; more columns are polygons. None: every three vertices are a triangle
+    normals   (N, 3) floats. None: generated; edges are smooth or sharp as each one's surroundings tell
+    colors    (N, 3) or (N, 4), sRGB: uint8, or floats in [0, 1]
+    uv        (N, 2) floats: texture coordinates
+    up        the axis that points up: "+Y", "+Z" ...
+    name      stands in messages
+
+    Arrays are anything with a buffer, such as NumPy's. They may change or go afterwards. The other options are those of loading.
+
+    >>> corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    >>> mesh = burnish.Mesh(corners, [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
+    >>> mesh
+    <burnish.Mesh 4 triangles, 12 vertices>
+    >>> mesh.bounds
+    ((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
+    >>> mesh.render(size=32, look="clay").shape
+    (32, 32, 3)
+    """
+
+    __slots__ = ()
+
+    def __new__(
+        cls,
+        vertices: Any,
+        faces: Any = None,
+        normals: Any = None,
+        colors: Any = None,
+        uv: Any = None,
+        *,
+        up: str = "+Y",
+        name: str = "mesh",
+        **options: Unpack[Options],
+    ) -> Mesh:
+        _check_loading(options)
+        if up != "auto" and up not in _AXES:
+            raise ValueError(f'up: "{up}"; expected one of {", ".join(_AXES)} and auto')
+        if up == "auto":
+            options["up"] = up
+        floats = [_shapes.numbers(array, "f") for array in (vertices, normals, uv)]
+        return _burnish.build(
+            cls, name, floats[0], _shapes.numbers(faces, "I"), floats[1], _shapes.colors(colors), floats[2],
+            _AXES.get(up, (0, 1, 0)), _flags(options),
+        )  # fmt: skip
+
+    def render(self, **options: Unpack[Options]) -> Image:
+        """A picture of the mesh, by options of drawing."""
+        for key in options:
+            if key in _FLAGS and not _FLAGS[key][1]:
+                raise TypeError(f"{key}: an option of loading; give it to load() or Mesh()")
+        return self._draw(_flags(options))
+
+    def _repr_png_(self) -> bytes:
+        return self.render(size=480).png()
+
+
+Scene = Mesh
+
+
+def load(
+    source: str | os.PathLike[str] | bytes | bytearray | memoryview | Any,
+    *,
+    name: str | None = None,
+    files: Mapping[str, Any] | None = None,
+    tolerance: float | None = None,
+    **options: Unpack[Options],
+) -> Mesh:
+    """Loads a mesh: a file by its name, the bytes of one, a built-in object, or another library's mesh.
+
+    name       of bytes and arrays: stands in messages and tells a file's format by its ending
+    files      those that the bytes of a file name, such as its textures: {"part.mtl": b"..."}
+    tolerance  how far triangles may be from a CAD shape's surface; by default 1/1000 of its size
+
+    The other options are those of loading.
+
+    >>> burnish.load(":sphere")
+    <burnish.Mesh 12288 triangles, 6146 vertices>
+    >>> burnish.load(b"solid\\nfacet oops", name="part.stl")
+    Traceback (most recent call last):
+    burnish.Error: part.stl: ...
+    """
+    _check_loading(options)
+    if isinstance(source, (str, os.PathLike)):
+        path = os.fsencode(source)
+        if b"\0" in path:
+            raise ValueError("a name with a zero in it")
+        return _burnish.load(Mesh, path, None, [], _flags(options))
+    if isinstance(source, (bytes, bytearray, memoryview)):
+        return _burnish.load(
+            Mesh, (name or "memory").removeprefix(":").encode(), source,
+            [(key.encode(), content) for key, content in (files or {}).items()], _flags(options),
+        )  # fmt: skip
+    if isinstance(source, _burnish.Mesh):
+        raise TypeError("it is a Mesh already")
+    arrays = _shapes.arrays_of(source, tolerance)
+    if name:
+        arrays["name"] = name
+    return Mesh(**{**arrays, **options})
+
+
+def render(
+    source: Any,
+    *,
+    name: str | None = None,
+    files: Mapping[str, Any] | None = None,
+    tolerance: float | None = None,
+    **options: Unpack[Options],
+) -> Image:
+    """Draws what load() loads, or a Mesh.
+
+    >>> front = burnish.render(":knot", size=48, views="front", lobe="minimax:4", color=(0.8, 0.3, 0.1), no_background=True)
+    >>> front.mode, front.shape
+    ('RGBA', (48, 48, 4))
+    >>> burnish.render(":knot", samples=3)
+    Traceback (most recent call last):
+    burnish.Error: --samples: ...
+    """
+    if isinstance(source, Mesh):
+        return source.render(**options)
+    loading, drawing = _split(options)
+    flags = _flags(drawing)
+    _burnish.check(flags)
+    return load(source, name=name, files=files, tolerance=tolerance, **loading)._draw(flags)

@@ -1,0 +1,118 @@
+"""Meshes and shapes of other libraries, told by their attributes, as arrays for Mesh. None of them is imported."""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterable
+from typing import Any
+
+
+def _has_buffer(thing: Any) -> bool:
+    try:
+        memoryview(thing)
+    except (TypeError, ValueError, BufferError):
+        return False
+    return True
+
+
+def _coordinates(vector: Any) -> tuple[float, ...]:
+    for names in (("x", "y", "z"), ("X", "Y", "Z")):
+        if all(hasattr(vector, name) for name in names):
+            return tuple(float(getattr(vector, name)) for name in names)
+    return tuple(vector)
+
+
+def numbers(values: Any, typecode: str) -> Any:
+    """values itself where it has a buffer, else an array of its rows' numbers."""
+    if values is None or _has_buffer(values):
+        return values
+    if hasattr(values, "__array__") or hasattr(values, "__array_interface__"):
+        import numpy
+
+        return numpy.asarray(values)
+    rows = [_coordinates(row) if typecode == "f" else tuple(row) for row in values]
+    widths = {len(row) for row in rows}
+    if len(widths) > 1 and typecode != "f":  # polygons of several sizes
+        rows = [(row[0], *pair) for row in rows for pair in zip(row[1:], row[2:])]
+        widths = {3}
+    if len(widths) > 1 or widths and min(widths) < 2:
+        raise ValueError("rows of different lengths; give as many numbers in each")
+    flat = array("q" if typecode == "I" else typecode, (number for row in rows for number in row))
+    width = widths.pop() if widths else 3
+    return memoryview(flat).cast("B").cast(flat.typecode, (len(rows), width)) if rows else flat
+
+
+def colors(values: Any) -> Any:
+    """The same for colours: integers are bytes."""
+    if values is None or _has_buffer(values) or hasattr(values, "__array__"):
+        return numbers(values, "f")
+    rows = [tuple(row) for row in values]
+    if any(isinstance(number, float) for row in rows for number in row):
+        return numbers(rows, "f")
+    return memoryview(bytes(number for row in rows for number in row)).cast("B", (len(rows), len(rows[0]) if rows else 3))
+
+
+def _call(value: Any) -> Any:
+    return value() if callable(value) else value
+
+
+def _size(shape: Any) -> float:
+    for name in ("BoundBox", "BoundingBox", "bounding_box"):  # FreeCAD, CadQuery, build123d
+        box = _call(getattr(shape, name, None))
+        for diagonal in ("DiagonalLength", "diagonal"):
+            if hasattr(box, diagonal):
+                return float(_call(getattr(box, diagonal)))
+    return 100.0
+
+
+def _tessellate(shapes: Iterable[Any], tolerance: float | None) -> dict[str, Any]:
+    vertices: list[Any] = []
+    faces: list[Any] = []
+    for shape in shapes:
+        points, triangles = shape.tessellate(tolerance or _size(shape) / 1000)
+        first = len(vertices)
+        vertices.extend(points)
+        faces.extend(tuple(first + index for index in triangle) for triangle in triangles)
+    return {"vertices": vertices, "faces": faces, "up": "+Z"}
+
+
+def _of_trimesh(mesh: Any) -> dict[str, Any]:
+    arrays = {"vertices": mesh.vertices, "faces": mesh.faces}
+    visual = getattr(mesh, "visual", None)
+    if getattr(visual, "kind", None) == "vertex":
+        arrays["colors"] = visual.vertex_colors
+    return arrays  # its normals are those that it generates
+
+
+def _of_open3d(mesh: Any) -> dict[str, Any]:
+    arrays = {"vertices": mesh.vertices, "faces": mesh.triangles}
+    if _call(getattr(mesh, "has_vertex_normals", False)):
+        arrays["normals"] = mesh.vertex_normals
+    if _call(getattr(mesh, "has_vertex_colors", False)):
+        arrays["colors"] = mesh.vertex_colors
+    return arrays
+
+
+def arrays_of(thing: Any, tolerance: float | None = None) -> dict[str, Any]:
+    """The arguments of Mesh for a thing of another library."""
+    if isinstance(thing, (tuple, list)) and len(thing) == 2:
+        return {"vertices": thing[0], "faces": thing[1]}
+    if hasattr(thing, "tessellate"):
+        return _tessellate([thing], tolerance)
+    if hasattr(thing, "vals"):  # CadQuery's Workplane
+        return _tessellate(thing.vals(), tolerance)
+    if hasattr(thing, "triangles") and hasattr(thing, "vertices"):
+        return _of_open3d(thing)
+    if hasattr(thing, "geometry") and hasattr(thing, "to_mesh"):  # trimesh's Scene
+        return _of_trimesh(thing.to_mesh())
+    if hasattr(thing, "vertices") and hasattr(thing, "faces"):
+        return _of_trimesh(thing)
+    if hasattr(thing, "points") and hasattr(thing, "cells_dict"):  # meshio
+        return {"vertices": thing.points, "faces": thing.cells_dict["triangle"]}
+    if hasattr(thing, "points") and hasattr(thing, "regular_faces"):  # PyVista
+        return {"vertices": thing.points, "faces": thing.regular_faces}
+    if _has_buffer(thing):
+        return {"vertices": thing}
+    raise TypeError(
+        f"{type(thing).__name__}: no file's name or bytes, no mesh and no shape; give (vertices, faces) or what has them"
+    )

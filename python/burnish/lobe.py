@@ -1,0 +1,88 @@
+"""Specular lobes: values, numbers, choice and fit, as ``burnish lobe`` has them.
+
+A lobe is named as there: "energy:2", "minimax:4", "power", "schlick" ...; words() lists one of each sort.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from . import _burnish, _shapes
+
+__all__ = ["choose", "exact", "fit", "table", "values", "words"]
+
+_UNITS = {"degrees": 0, "radians": 1, "cosine": 2}
+
+
+def values(lobe: str, exponent: float, cosines: Any) -> memoryview:
+    """The lobe at cosines, in single precision: the bits that pictures have.
+
+    >>> [round(value, 4) for value in burnish.lobe.values("energy:2", 32, [1.0, 0.99, 0.9, 0.5])]
+    [1.0, 0.7921, 0.0, 0.0]
+    """
+    has_buffer = _shapes._has_buffer(cosines)
+    return _burnish.lobe_values(lobe, exponent, cosines if has_buffer else array("f", cosines))
+
+
+def exact(lobe: str, exponent: float, angles: Sequence[float]) -> memoryview:
+    """The lobe at angles in radians, in double precision.
+
+    >>> burnish.lobe.exact("power", 2, [0.0, 3.141592653589793 / 4]).tolist()
+    [1.0, 0.5]
+    """
+    return _burnish.lobe_exact(lobe, exponent, angles)
+
+
+def table(
+    lobes: str | Iterable[str], exponents: float | Iterable[float], metrics: str | Iterable[str] = "all"
+) -> list[dict[str, Any]]:
+    """A row for every lobe and exponent: what `burnish lobe table` shows. Angles are degrees.
+
+    >>> rows = burnish.lobe.table(["energy:2", "schlick"], [10, 100], "zeta,max-error")
+    >>> rows[0]["zeta"], round(rows[0]["max_error"], 4)
+    (3.6666666666666665, 0.0698)
+    """
+    lobes = [lobes] if isinstance(lobes, str) else list(lobes)
+    exponents = list(exponents) if isinstance(exponents, Iterable) else [exponents]
+    names = metrics if isinstance(metrics, str) else ",".join(metrics)
+    return [
+        {"lobe": lobe, "exponent": float(exponent), **_burnish.lobe_row(lobe, exponent, names)}
+        for exponent in exponents
+        for lobe in lobes
+    ]
+
+
+def choose(exponent: float, epsilon: float, *, affine: bool = False) -> dict[str, Any]:
+    """The cheapest lobe that is nowhere further than epsilon from the power; affine: also those with a peak below 1.
+
+    >>> burnish.lobe.choose(100, 0.02)["lobe"]
+    'minimax:8'
+    """
+    return _burnish.lobe_choose(exponent, epsilon, affine)
+
+
+def fit(angles: Sequence[float], intensities: Sequence[float], *, unit: str = "degrees", offset: bool = False) -> list[dict[str, Any]]:
+    """Lobes fitted to measured samples by least squares, the best first: intensity = scale * lobe + offset.
+
+    unit  of the angles: "degrees", "radians" or "cosine"
+
+    >>> angles = list(range(0, 40, 2))
+    >>> from math import cos, radians
+    >>> best = burnish.lobe.fit(angles, [3 * cos(radians(angle)) ** 40 for angle in angles])[0]
+    >>> best["lobe"], round(best["exponent"], 6), round(best["scale"], 6)
+    ('power', 40.0, 3.0)
+    """
+    if unit not in _UNITS:
+        raise ValueError(f'unit: "{unit}"; expected one of {", ".join(_UNITS)}')
+    return _burnish.lobe_fit(angles, intensities, _UNITS[unit], offset)
+
+
+def words() -> list[str]:
+    """A lobe of each sort.
+
+    >>> "minimax:8" in burnish.lobe.words()
+    True
+    """
+    return _burnish.lobe_words()

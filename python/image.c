@@ -1,0 +1,239 @@
+/* burnish.Image: pixels, and what is known of them. */
+#include <stdio.h>
+#include <string.h>
+
+#include "module.h"
+
+typedef struct image_object {
+    PyObject_HEAD burnish_image image;
+    array_layout layout;
+    Py_ssize_t strides[ARRAY_DIMENSIONS];
+    uint64_t hash;
+    uint64_t covered_pixels;
+    PyObject *camera, *warnings;
+} image_object;
+
+PyObject *image_warnings(const session *s) {
+    Py_ssize_t count = 0;
+    while (session_warning(s, (size_t)count)) {
+        ++count;
+    }
+    PyObject *lines = PyTuple_New(count);
+    for (Py_ssize_t i = 0; lines && i < count; ++i) {
+        const char *text = session_warning(s, (size_t)i);
+        PyObject *line = PyUnicode_DecodeUTF8(text, (Py_ssize_t)strlen(text), "replace");
+        if (!line || PyTuple_SetItem(lines, i, line) != 0) {
+            Py_CLEAR(lines);
+        }
+    }
+    return lines;
+}
+
+static PyObject *describe_camera(const burnish_camera *c) {
+    return Py_BuildValue("{s(ddd)s(ddd)s(ddd)sdsd}", "position", c->position[0], c->position[1],
+                         c->position[2], "focal_point", c->focal_point[0], c->focal_point[1],
+                         c->focal_point[2], "view_up", c->view_up[0], c->view_up[1], c->view_up[2],
+                         "view_angle", c->view_angle, "orthographic_height",
+                         c->orthographic_height);
+}
+
+PyObject *image_take(const module_state *state, session *s) {
+    image_object *self = module_allocate(state->image_type);
+    if (!self) {
+        return NULL;
+    }
+    const burnish_camera camera = session_camera(s);
+    self->hash = session_hash(s);
+    self->covered_pixels = session_report(s)->covered_pixels;
+    self->image = session_take_image(s);
+    self->layout = (array_layout){
+        .items = self->image.pixels,
+        .format = "B",
+        .item_size = 1,
+        .dimensions = 3,
+        .shape = {self->image.height, self->image.width, self->image.channels},
+    };
+    self->camera = describe_camera(&camera);
+    self->warnings = image_warnings(s);
+    if (!self->camera || !self->warnings) {
+        Py_DECREF(self);
+        return NULL;
+    }
+    return (PyObject *)self;
+}
+
+static void destroy(PyObject *object) {
+    image_object *self = (image_object *)object;
+    burnish_image_destroy(&self->image);
+    Py_XDECREF(self->camera);
+    Py_XDECREF(self->warnings);
+    module_free(object);
+}
+
+static int get_buffer(PyObject *object, Py_buffer *view, int flags) {
+    image_object *self = (image_object *)object;
+    return array_fill_view(object, &self->layout, self->strides, view, flags);
+}
+
+/* ---- PNG ---- */
+
+static PyObject *png(PyObject *object, PyObject *unused) {
+    (void)unused;
+    const image_object *self = (image_object *)object;
+    const burnish_pixels pixels = burnish_image_pixels(&self->image);
+    burnish_error error = {0};
+    uint8_t *bytes = NULL;
+    size_t size = 0;
+    burnish_status status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = burnish_png_encode(&pixels, NULL, &bytes, &size, &error);
+    Py_END_ALLOW_THREADS;
+    if (status != BURNISH_STATUS_OK) {
+        return module_fail(module_state_of(Py_TYPE(object)), &error);
+    }
+    PyObject *result = PyBytes_FromStringAndSize((const char *)bytes, (Py_ssize_t)size);
+    burnish_release(NULL, bytes);
+    return result;
+}
+
+static PyObject *save(PyObject *object, PyObject *path) {
+    const image_object *self = (image_object *)object;
+    PyObject *name = NULL;
+    burnish_error error = {0};
+    burnish_status status;
+    if (!PyUnicode_FSConverter(path, &name)) {
+        return NULL;
+    }
+    Py_BEGIN_ALLOW_THREADS;
+    status = burnish_image_write_png(&self->image, PyBytes_AsString(name), &error);
+    Py_END_ALLOW_THREADS;
+    Py_DECREF(name);
+    if (status != BURNISH_STATUS_OK) {
+        return module_fail(module_state_of(Py_TYPE(object)), &error);
+    }
+    Py_RETURN_NONE;
+}
+
+static PyObject *to_bytes(PyObject *object, PyObject *unused) {
+    (void)unused;
+    const burnish_image *image = &((image_object *)object)->image;
+    return PyBytes_FromStringAndSize((const char *)image->pixels,
+                                     (Py_ssize_t)image->width * image->height * image->channels);
+}
+
+/* ---- What is known ---- */
+
+static PyObject *get_width(PyObject *object, void *unused) {
+    (void)unused;
+    return PyLong_FromLong(((image_object *)object)->image.width);
+}
+
+static PyObject *get_height(PyObject *object, void *unused) {
+    (void)unused;
+    return PyLong_FromLong(((image_object *)object)->image.height);
+}
+
+static PyObject *get_shape(PyObject *object, void *unused) {
+    (void)unused;
+    const burnish_image *image = &((image_object *)object)->image;
+    return Py_BuildValue("(iii)", image->height, image->width, image->channels);
+}
+
+static PyObject *get_mode(PyObject *object, void *unused) {
+    (void)unused;
+    return PyUnicode_FromString(((image_object *)object)->image.channels == 4 ? "RGBA" : "RGB");
+}
+
+static PyObject *get_size(PyObject *object, void *unused) {
+    (void)unused;
+    const burnish_image *image = &((image_object *)object)->image;
+    return Py_BuildValue("(ii)", image->width, image->height);
+}
+
+static PyObject *get_hash(PyObject *object, void *unused) {
+    (void)unused;
+    char text[17];
+    snprintf(text, sizeof text, "%016llx", (unsigned long long)((image_object *)object)->hash);
+    return PyUnicode_FromString(text);
+}
+
+static PyObject *get_covered(PyObject *object, void *unused) {
+    (void)unused;
+    return PyLong_FromUnsignedLongLong(((image_object *)object)->covered_pixels);
+}
+
+static PyObject *get_camera(PyObject *object, void *unused) {
+    (void)unused;
+    return PyDict_Copy(((image_object *)object)->camera);
+}
+
+static PyObject *get_warnings(PyObject *object, void *unused) {
+    (void)unused;
+    return Py_NewRef(((image_object *)object)->warnings);
+}
+
+static PyObject *get_interface(PyObject *object, void *unused) {
+    (void)unused;
+    const image_object *self = (image_object *)object;
+    return Py_BuildValue("{s(iii)sss(NO)si}", "shape", self->image.height, self->image.width,
+                         self->image.channels, "typestr", "|u1", "data",
+                         PyLong_FromVoidPtr(self->image.pixels), Py_True, "version", 3);
+}
+
+static PyObject *represent(PyObject *object) {
+    const burnish_image *image = &((image_object *)object)->image;
+    char hash[17];
+    snprintf(hash, sizeof hash, "%016llx", (unsigned long long)((image_object *)object)->hash);
+    return PyUnicode_FromFormat("<burnish.Image %dx%d %s %s>", image->width, image->height,
+                                image->channels == 4 ? "RGBA" : "RGB", hash);
+}
+
+static PyGetSetDef properties[] = {
+    {"width", get_width, NULL, "Pixels.", NULL},
+    {"height", get_height, NULL, "Pixels.", NULL},
+    {"size", get_size, NULL, "Width and height, as Pillow has it.", NULL},
+    {"shape", get_shape, NULL, "Height, width and channels, as NumPy has it.", NULL},
+    {"mode", get_mode, NULL, "'RGB', or 'RGBA' with no_background=True.", NULL},
+    {"hash", get_hash, NULL, "XXH64 of the pixels: what `burnish render --json` prints.", NULL},
+    {"covered_pixels", get_covered, NULL, "Pixels that show the object.", NULL},
+    {"camera", get_camera, NULL,
+     "position, focal_point, view_up, view_angle (degrees) and "
+     "orthographic_height (0: perspective).",
+     NULL},
+    {"warnings", get_warnings, NULL, "Lines about what was passed over, of mesh and picture.",
+     NULL},
+    {"__array_interface__", get_interface, NULL, NULL, NULL},
+    {0},
+};
+
+static PyMethodDef methods[] = {
+    {"png", png, METH_NOARGS, "png() -> bytes\n\nThe picture as a PNG file."},
+    {"_repr_png_", png, METH_NOARGS, NULL},
+    {"save", save, METH_O,
+     "save(path)\n\nWrites a PNG file, whole or not at all. Pillow writes other formats:\n"
+     "Image.fromarray(picture).save('part.jpg')."},
+    {"tobytes", to_bytes, METH_NOARGS, "tobytes() -> bytes\n\nA copy of the pixels."},
+    {0},
+};
+
+PyObject *image_create_type(PyObject *module) {
+    static PyType_Slot slots[] = {
+        {Py_tp_dealloc, destroy},
+        {Py_tp_repr, represent},
+        {Py_tp_getset, properties},
+        {Py_tp_methods, methods},
+        {Py_bf_getbuffer, get_buffer},
+        {Py_tp_doc, "A picture: sRGB codes, rows from the top; with four channels the fourth is "
+                    "straight alpha.\n\nnumpy.asarray(picture) and memoryview(picture) show the "
+                    "pixels (height, width, channels)\nwithout copying them; they can't be "
+                    "written to."},
+        {0},
+    };
+    static PyType_Spec spec = {
+        .name = "burnish.Image",
+        .basicsize = sizeof(image_object),
+        .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION | Py_TPFLAGS_IMMUTABLETYPE,
+        .slots = slots,
+    };
+    return PyType_FromModuleAndSpec(module, &spec, NULL);
+}

@@ -1,0 +1,360 @@
+/* burnish.Mesh: loading, and drawing again and again. */
+#include <string.h>
+
+#include "cli/options.h"
+#include "module.h"
+
+typedef struct mesh_object {
+    PyObject_HEAD session *session;
+    PyThread_type_lock lock; /* one thread at a time draws a mesh */
+} mesh_object;
+
+/* ---- Making ---- */
+
+/* An instance of cls, a class that is or is derived from Mesh. */
+static mesh_object *create(const module_state *state, PyObject *cls) {
+    if (!PyType_Check(cls) ||
+        !PyType_IsSubtype((PyTypeObject *)cls, (PyTypeObject *)state->mesh_type)) {
+        PyErr_SetString(PyExc_TypeError, "expected a class derived from Mesh");
+        return NULL;
+    }
+    mesh_object *self = module_allocate(cls);
+    if (!self) {
+        return NULL;
+    }
+    self->lock = PyThread_allocate_lock();
+    self->session = session_create(state->context);
+    if (!self->lock || !self->session) {
+        Py_DECREF(self);
+        PyErr_NoMemory();
+        return NULL;
+    }
+    return self;
+}
+
+static void destroy(PyObject *object) {
+    mesh_object *self = (mesh_object *)object;
+    session_destroy(self->session);
+    if (self->lock) {
+        PyThread_free_lock(self->lock);
+    }
+    module_free(object);
+}
+
+/* Texts that end in a zero each. */
+static session_flags flags_of(const char *texts, Py_ssize_t size) {
+    session_flags flags = {texts, 0};
+    for (Py_ssize_t i = 0; i < size; ++i) {
+        flags.count += texts[i] == 0;
+    }
+    return flags;
+}
+
+/* Bytes of an object, or nothing for None. */
+typedef struct bytes_input {
+    Py_buffer view;
+    int has_view;
+} bytes_input;
+
+static int read_bytes(PyObject *object, bytes_input *input) {
+    if (object == Py_None) {
+        return 1;
+    }
+    input->has_view = PyObject_GetBuffer(object, &input->view, PyBUF_SIMPLE) == 0;
+    return input->has_view;
+}
+
+static void release_bytes(bytes_input *inputs, Py_ssize_t count) {
+    for (Py_ssize_t i = 0; i < count && inputs; ++i) {
+        if (inputs[i].has_view) {
+            PyBuffer_Release(&inputs[i].view);
+        }
+    }
+    PyMem_Free(inputs);
+}
+
+/* Offers a list of pairs (name as bytes, content). Returns the contents' buffers, to be released
+ * once the session is open; NULL after an exception. */
+static bytes_input *offer(session *s, PyObject *files, Py_ssize_t count) {
+    bytes_input *inputs = PyMem_Calloc((size_t)count + 1, sizeof *inputs);
+    int is_good = inputs != NULL;
+    for (Py_ssize_t i = 0; i < count && is_good; ++i) {
+        PyObject *pair = PyList_GetItem(files, i), *content;
+        const char *name;
+        is_good = pair && PyArg_ParseTuple(pair, "yO", &name, &content) &&
+                  read_bytes(content, &inputs[i]) &&
+                  session_offer(s, name, inputs[i].view.buf, (size_t)inputs[i].view.len);
+    }
+    if (!is_good) {
+        release_bytes(inputs, count);
+        if (!PyErr_Occurred()) {
+            PyErr_NoMemory();
+        }
+        return NULL;
+    }
+    return inputs;
+}
+
+static PyObject *opened(const module_state *state, mesh_object *self, burnish_status status,
+                        const burnish_error *error) {
+    if (status != BURNISH_STATUS_OK || PyErr_Occurred()) { /* a signal's */
+        Py_DECREF(self);
+        return module_fail(state, error);
+    }
+    return (PyObject *)self;
+}
+
+PyObject *mesh_load(PyObject *module, PyObject *arguments) {
+    const module_state *state = PyModule_GetState(module);
+    PyObject *cls, *data, *files;
+    const char *name, *texts;
+    Py_ssize_t size;
+    burnish_error error = {0};
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!PyArg_ParseTuple(arguments, "OyOO!y#", &cls, &name, &data, &PyList_Type, &files, &texts,
+                          &size)) {
+        return NULL;
+    }
+    const session_flags flags = flags_of(texts, size);
+    const Py_ssize_t count = PyList_Size(files);
+    mesh_object *self = create(state, cls);
+    bytes_input bytes = {.has_view = 0};
+    bytes_input *offered = self ? offer(self->session, files, count) : NULL;
+    if (!offered || !read_bytes(data, &bytes)) {
+        release_bytes(offered, count);
+        Py_XDECREF((PyObject *)self);
+        return NULL;
+    }
+    const void *content = bytes.has_view && bytes.view.len > 0 ? bytes.view.buf : "";
+    Py_BEGIN_ALLOW_THREADS;
+    status = session_open(self->session, name, bytes.has_view ? content : NULL,
+                          bytes.has_view ? (size_t)bytes.view.len : 0, flags, &error);
+    Py_END_ALLOW_THREADS;
+    if (bytes.has_view) {
+        PyBuffer_Release(&bytes.view);
+    }
+    release_bytes(offered, count);
+    return opened(state, self, status, &error);
+}
+
+/* The arrays of a mesh that is built. */
+typedef struct build_inputs {
+    array_input vertices, faces, normals, colors, uv;
+} build_inputs;
+
+static void release_inputs(build_inputs *in) {
+    array_release(&in->vertices);
+    array_release(&in->faces);
+    array_release(&in->normals);
+    array_release(&in->colors);
+    array_release(&in->uv);
+}
+
+PyObject *mesh_build(PyObject *module, PyObject *arguments) {
+    const module_state *state = PyModule_GetState(module);
+    burnish_mesh_description d = burnish_mesh_description_default();
+    PyObject *cls, *vertices, *faces, *normals, *colors, *uv;
+    build_inputs in = {.vertices = {.has_view = 0}};
+    const char *texts;
+    Py_ssize_t size;
+    burnish_error error = {0};
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!PyArg_ParseTuple(arguments, "OsOOOOO(fff)y#", &cls, &d.name, &vertices, &faces, &normals,
+                          &colors, &uv, &d.up_axis[0], &d.up_axis[1], &d.up_axis[2], &texts,
+                          &size)) {
+        return NULL;
+    }
+    mesh_object *self = create(state, cls);
+    if (!self || !array_read_floats(vertices, "vertices", 3, &in.vertices) ||
+        !array_read_indices(faces, "faces", &in.faces) ||
+        !array_read_floats(normals, "normals", 3, &in.normals) ||
+        !array_read_colors(colors, "colors", &in.colors) ||
+        !array_read_floats(uv, "uv", 2, &in.uv)) {
+        release_inputs(&in);
+        Py_XDECREF((PyObject *)self);
+        return NULL;
+    }
+    const session_flags flags = flags_of(texts, size);
+    d.positions = in.vertices.array;
+    d.indices = in.faces.array;
+    d.index_size = in.faces.index_size ? in.faces.index_size : d.index_size;
+    d.normals = in.normals.array;
+    d.colors = in.colors.array;
+    d.texture_coordinates = in.uv.array;
+    Py_BEGIN_ALLOW_THREADS;
+    status = session_build(self->session, &d, flags, &error);
+    Py_END_ALLOW_THREADS;
+    release_inputs(&in);
+    return opened(state, self, status, &error);
+}
+
+/* ---- Drawing ---- */
+
+static PyObject *draw(PyObject *object, PyObject *arguments) {
+    mesh_object *self = (mesh_object *)object;
+    const module_state *state = module_state_of(Py_TYPE(object));
+    const char *texts;
+    Py_ssize_t size;
+    burnish_error error = {0};
+    burnish_status status;
+    if (!PyArg_ParseTuple(arguments, "y#", &texts, &size)) {
+        return NULL;
+    }
+    const session_flags flags = flags_of(texts, size);
+    Py_BEGIN_ALLOW_THREADS;
+    PyThread_acquire_lock(self->lock, WAIT_LOCK);
+    status = session_draw(self->session, flags, &error);
+    Py_END_ALLOW_THREADS;
+    PyObject *image = status == BURNISH_STATUS_OK && !PyErr_Occurred()
+                          ? image_take(state, self->session)
+                          : module_fail(state, &error);
+    PyThread_release_lock(self->lock);
+    return image;
+}
+
+PyObject *mesh_check(PyObject *module, PyObject *arguments) {
+    const module_state *state = PyModule_GetState(module);
+    const char *texts;
+    Py_ssize_t size;
+    burnish_error error = {0};
+    if (!PyArg_ParseTuple(arguments, "y#", &texts, &size)) {
+        return NULL;
+    }
+    if (session_check(flags_of(texts, size), &error) != BURNISH_STATUS_OK) {
+        return module_fail(state, &error);
+    }
+    Py_RETURN_NONE;
+}
+
+/* Adds a command's flags: which of the two commands has them, what stands for a value, help. */
+static int add_flags(PyObject *names, const cli_command *command, const cli_command *other,
+                     int is_loading) {
+    for (size_t i = 0; cli_flag_at(command, i); ++i) {
+        const cli_flag *flag = cli_flag_at(command, i);
+        int is_both = 0;
+        for (size_t k = 0; cli_flag_at(other, k); ++k) {
+            is_both |= strcmp(cli_flag_at(other, k)->name, flag->name) == 0;
+        }
+        PyObject *row =
+            Py_BuildValue("(NNzz)", PyBool_FromLong(is_loading || is_both),
+                          PyBool_FromLong(!is_loading || is_both), flag->value, flag->help);
+        const int done = row && PyDict_SetItemString(names, flag->name, row) == 0;
+        Py_XDECREF(row);
+        if (!done) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+PyObject *mesh_flags(PyObject *module, PyObject *unused) {
+    (void)module, (void)unused;
+    PyObject *names = PyDict_New();
+    if (names && !(add_flags(names, &session_draw_command, &session_open_command, 0) &&
+                   add_flags(names, &session_open_command, &session_draw_command, 1))) {
+        Py_CLEAR(names);
+    }
+    return names;
+}
+
+/* ---- What is known ---- */
+
+static const burnish_mesh_view *view_of(PyObject *object) {
+    return burnish_mesh_get_view(session_mesh(((mesh_object *)object)->session));
+}
+
+static PyObject *get_bounds(PyObject *object, void *unused) {
+    (void)unused;
+    double low[3], high[3];
+    session_bounds(((mesh_object *)object)->session, low, high);
+    return Py_BuildValue("((ddd)(ddd))", low[0], low[1], low[2], high[0], high[1], high[2]);
+}
+
+static PyObject *get_warnings(PyObject *object, void *unused) {
+    (void)unused;
+    mesh_object *self = (mesh_object *)object;
+    Py_BEGIN_ALLOW_THREADS;
+    PyThread_acquire_lock(self->lock, WAIT_LOCK); /* drawing adds to them */
+    Py_END_ALLOW_THREADS;
+    PyObject *lines = image_warnings(self->session);
+    PyThread_release_lock(self->lock);
+    return lines;
+}
+
+static PyObject *rows_of(PyObject *object, const void *items, size_t count, int columns,
+                         const char *format, Py_ssize_t item_size) {
+    if (!items) {
+        Py_RETURN_NONE;
+    }
+    const array_layout layout = {items, format, item_size, 2, {(Py_ssize_t)count, columns}};
+    return array_memoryview(module_state_of(Py_TYPE(object)), object, &layout);
+}
+
+static PyObject *get_vertices(PyObject *object, void *unused) {
+    (void)unused;
+    const burnish_mesh_view *view = view_of(object);
+    return rows_of(object, view->positions, view->vertex_count, 3, "f", sizeof(float));
+}
+
+static PyObject *get_normals(PyObject *object, void *unused) {
+    (void)unused;
+    const burnish_mesh_view *view = view_of(object);
+    return rows_of(object, view->normals, view->vertex_count, 3, "f", sizeof(float));
+}
+
+static PyObject *get_colors(PyObject *object, void *unused) {
+    (void)unused;
+    const burnish_mesh_view *view = view_of(object);
+    return rows_of(object, view->colors, view->vertex_count, 4, "B", 1);
+}
+
+static PyObject *get_faces(PyObject *object, void *unused) {
+    (void)unused;
+    const burnish_mesh_view *view = view_of(object);
+    return rows_of(object, view->indices, view->triangle_count, 3, "I", sizeof(uint32_t));
+}
+
+static PyObject *get_origin(PyObject *object, void *unused) {
+    (void)unused;
+    const double *origin = view_of(object)->origin;
+    return Py_BuildValue("(ddd)", origin[0], origin[1], origin[2]);
+}
+
+static PyObject *represent(PyObject *object) {
+    const burnish_mesh_view *view = view_of(object);
+    return PyUnicode_FromFormat("<burnish.Mesh %zu triangles, %zu vertices>", view->triangle_count,
+                                view->vertex_count);
+}
+
+static PyGetSetDef properties[] = {
+    {"vertices", get_vertices, NULL, "Positions, (N, 3) of float32, to be read.", NULL},
+    {"faces", get_faces, NULL, "Triangles, (N, 3) of uint32, to be read.", NULL},
+    {"normals", get_normals, NULL, "Unit normals, (N, 3) of float32, to be read.", NULL},
+    {"colors", get_colors, NULL, "sRGB and alpha, (N, 4) of uint8, to be read; None without.",
+     NULL},
+    {"bounds", get_bounds, NULL, "The least and the largest coordinates.", NULL},
+    {"origin", get_origin, NULL,
+     "What is to be added to vertices: (0, 0, 0) but for files whose objects are far from there.",
+     NULL},
+    {"warnings", get_warnings, NULL, "Lines about what was passed over.", NULL},
+    {0},
+};
+
+static PyMethodDef methods[] = {
+    {"_draw", draw, METH_VARARGS, NULL},
+    {0},
+};
+
+PyObject *mesh_create_type(PyObject *module) {
+    static PyType_Slot slots[] = {
+        {Py_tp_dealloc, destroy}, {Py_tp_repr, represent},       {Py_tp_getset, properties},
+        {Py_tp_methods, methods}, {Py_tp_doc, "A loaded mesh."}, {0},
+    };
+    static PyType_Spec spec = {
+        .name = "burnish._burnish.Mesh",
+        .basicsize = sizeof(mesh_object),
+        .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE | Py_TPFLAGS_DISALLOW_INSTANTIATION,
+        .slots = slots,
+    };
+    return PyType_FromModuleAndSpec(module, &spec, NULL);
+}

@@ -1,0 +1,143 @@
+/* burnish._burnish: the library for Python. What users see of it is in burnish/__init__.py. */
+#include "module.h"
+
+#include <string.h>
+
+module_state *module_state_of(PyTypeObject *type) {
+    while (type && !PyType_GetModule(type)) { /* a class of Python's derived from one here */
+        PyErr_Clear();
+        type = PyType_GetSlot(type, Py_tp_base);
+    }
+    return type ? PyType_GetModuleState(type) : NULL;
+}
+
+void *module_allocate(PyObject *type) {
+    const allocfunc allocate = (allocfunc)PyType_GetSlot((PyTypeObject *)type, Py_tp_alloc);
+    return allocate((PyTypeObject *)type, 0);
+}
+
+void module_free(PyObject *object) {
+    PyTypeObject *type = Py_TYPE(object);
+    const freefunc release = (freefunc)PyType_GetSlot(type, Py_tp_free);
+    release(object);
+    Py_DECREF(type);
+}
+
+PyObject *module_fail(const module_state *state, const burnish_error *error) {
+    static const char *const names[] = {
+#define STATUS_NAME(name, code, text) #name,
+        BURNISH_STATUS_LIST(STATUS_NAME)
+#undef STATUS_NAME
+    };
+    if (PyErr_Occurred()) {
+        return NULL;
+    }
+    PyObject *text = PyUnicode_DecodeUTF8(error->text, (Py_ssize_t)strlen(error->text), "replace");
+    PyObject *status = PyUnicode_FromString(names[error->status]);
+    PyObject *raised = text ? PyObject_CallFunctionObjArgs(state->error, text, NULL) : NULL;
+    if (raised && status && PyObject_SetAttrString(raised, "status", status) == 0) {
+        PyErr_SetObject(state->error, raised);
+    }
+    Py_XDECREF(text);
+    Py_XDECREF(status);
+    Py_XDECREF(raised);
+    return NULL;
+}
+
+/* Whether a signal's handler has raised an exception: Ctrl-C ends a long call. */
+static int has_signal(void *user_data) {
+    (void)user_data;
+    const PyGILState_STATE held = PyGILState_Ensure();
+    const int raised = PyErr_Occurred() || PyErr_CheckSignals() != 0;
+    PyGILState_Release(held);
+    return raised;
+}
+
+static int create_context(module_state *state) {
+    burnish_context_options options = burnish_context_options_default();
+    burnish_error error = {0};
+    options.cancelled = has_signal;
+    if (burnish_context_create(&options, &state->context, &error) != BURNISH_STATUS_OK) {
+        module_fail(state, &error);
+        return 0;
+    }
+    return 1;
+}
+
+static int add(PyObject *module, const char *name, PyObject *object) {
+    return object && PyModule_AddObjectRef(module, name, object) == 0;
+}
+
+static int execute(PyObject *module) {
+    module_state *state = PyModule_GetState(module);
+    state->error = PyErr_NewExceptionWithDoc(
+        "burnish.Error",
+        "What burnish says of a failure: one line; a word such as 'FORMAT' in status.", NULL, NULL);
+    state->array_type = array_create_type(module);
+    state->image_type = image_create_type(module);
+    state->mesh_type = mesh_create_type(module);
+    const int done =
+        add(module, "Error", state->error) && add(module, "Array", state->array_type) &&
+        add(module, "Image", state->image_type) && add(module, "Mesh", state->mesh_type) &&
+        PyModule_AddStringConstant(module, "version", burnish_version()) == 0 &&
+        create_context(state);
+    return done ? 0 : -1;
+}
+
+static int traverse(PyObject *module, visitproc visit, void *arg) {
+    const module_state *state = PyModule_GetState(module);
+    Py_VISIT(state->error);
+    Py_VISIT(state->array_type);
+    Py_VISIT(state->image_type);
+    Py_VISIT(state->mesh_type);
+    return 0;
+}
+
+static int clear(PyObject *module) {
+    module_state *state = PyModule_GetState(module);
+    Py_CLEAR(state->error);
+    Py_CLEAR(state->array_type);
+    Py_CLEAR(state->image_type);
+    Py_CLEAR(state->mesh_type);
+    return 0;
+}
+
+static void release(void *module) {
+    module_state *state = PyModule_GetState(module);
+    clear(module);
+    burnish_context_destroy(state->context);
+    state->context = NULL;
+}
+
+static PyMethodDef functions[] = {
+    {"load", mesh_load, METH_VARARGS, "load(cls, name, data, files, flags)"},
+    {"build", mesh_build, METH_VARARGS,
+     "build(cls, name, vertices, faces, normals, colors, uv, up, flags)"},
+    {"check", mesh_check, METH_VARARGS, "check(flags)"},
+    {"flags", mesh_flags, METH_NOARGS, "flags() -> {name: (of loading, of drawing, value, help)}"},
+    {"lobe_values", lobe_values, METH_VARARGS, "lobe_values(lobe, exponent, cosines)"},
+    {"lobe_exact", lobe_exact, METH_VARARGS, "lobe_exact(lobe, exponent, angles)"},
+    {"lobe_row", lobe_row, METH_VARARGS, "lobe_row(lobe, exponent, metrics)"},
+    {"lobe_choose", lobe_choose, METH_VARARGS, "lobe_choose(exponent, epsilon, affine)"},
+    {"lobe_fit", lobe_fit, METH_VARARGS, "lobe_fit(x, intensities, unit, offset)"},
+    {"lobe_words", lobe_words, METH_NOARGS, "lobe_words()"},
+    {0},
+};
+
+static PyModuleDef_Slot slots[] = {{Py_mod_exec, execute}, {0}};
+
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT,
+    .m_name = "burnish._burnish",
+    .m_size = sizeof(module_state),
+    .m_methods = functions,
+    .m_slots = slots,
+    .m_traverse = traverse,
+    .m_clear = clear,
+    .m_free = release,
+};
+
+PyMODINIT_FUNC PyInit__burnish(void);
+PyMODINIT_FUNC PyInit__burnish(void) {
+    return PyModuleDef_Init(&definition);
+}

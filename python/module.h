@@ -1,0 +1,95 @@
+/* What the files of the extension share. Python's stable interface of 3.11, the first one with
+ * buffers. */
+#ifndef PYTHON_MODULE_H
+#define PYTHON_MODULE_H
+
+#define PY_SSIZE_T_CLEAN
+#define Py_LIMITED_API 0x030b0000
+#include <Python.h>
+
+#include "burnish/core.h"
+#include "session.h"
+
+typedef struct module_state {
+    PyObject *error;                               /* burnish.Error */
+    PyObject *array_type, *image_type, *mesh_type; /* heap types */
+    burnish_context *context;                      /* ends calls when Python has a signal */
+} module_state;
+
+/* Raises burnish.Error with its status, or what a signal's handler has raised. Returns NULL. */
+PyObject *module_fail(const module_state *state, const burnish_error *error);
+
+/* A zeroed instance of a heap type, and the end of its tp_dealloc. */
+void *module_allocate(PyObject *type);
+void module_free(PyObject *object);
+
+/* The types, which belong to the module. NULL after an exception. */
+PyObject *array_create_type(PyObject *module);
+PyObject *image_create_type(PyObject *module);
+PyObject *mesh_create_type(PyObject *module);
+
+/* The state of the module that an instance's type, or a base of it, belongs to. */
+module_state *module_state_of(PyTypeObject *type);
+
+/* ---- Arrays ---- */
+
+#define ARRAY_DIMENSIONS 3
+
+/* Memory as a buffer shows it: packed items, the last dimension's lie side by side. */
+typedef struct array_layout {
+    const void *items;
+    const char *format; /* of the struct module, one item */
+    Py_ssize_t item_size;
+    int dimensions;
+    Py_ssize_t shape[ARRAY_DIMENSIONS];
+} array_layout;
+
+/* Fills a view that can't be written to; shape and strides point into *layout and *strides, which
+ * live as long as the exporter. Returns 0, or -1 after BufferError. */
+int array_fill_view(PyObject *exporter, const array_layout *layout,
+                    Py_ssize_t strides[ARRAY_DIMENSIONS], Py_buffer *view, int flags);
+
+/* A memoryview of items that belong to `owner`, or that it takes over and frees (owner NULL). */
+PyObject *array_memoryview(const module_state *state, PyObject *owner, const array_layout *layout);
+
+/* An object's numbers as the library reads them: in place where they lie so, else copied. */
+typedef struct array_input {
+    Py_buffer view;
+    int has_view;
+    void *copy;
+    burnish_array array;
+    int index_size; /* of indices */
+} array_input;
+
+/* Each takes a buffer of one dimension (items one after another), two, or three, and returns 1, or
+ * 0 after an exception; None gives an array that is not there. array_release takes all of them.
+ *   floats   float32 or float64, `components` per item
+ *   indices  any integers, three or more per face: polygons become fans
+ *   colors   3 or 4 per vertex: uint8, or floats in [0, 1] */
+int array_read_floats(PyObject *object, const char *name, int components, array_input *input);
+int array_read_indices(PyObject *object, const char *name, array_input *input);
+int array_read_colors(PyObject *object, const char *name, array_input *input);
+void array_release(array_input *input);
+
+/* ---- Images ---- */
+
+/* Takes the session's picture and what is known of it. */
+PyObject *image_take(const module_state *state, session *s);
+
+/* The warnings of a session as a tuple of texts. */
+PyObject *image_warnings(const session *s);
+
+/* ---- Functions of the module ---- */
+
+PyObject *mesh_load(PyObject *module, PyObject *arguments);
+PyObject *mesh_build(PyObject *module, PyObject *arguments);
+PyObject *mesh_check(PyObject *module, PyObject *arguments);
+PyObject *mesh_flags(PyObject *module, PyObject *unused);
+PyObject *lobe_values(PyObject *module, PyObject *arguments);
+PyObject *lobe_exact(PyObject *module, PyObject *arguments);
+PyObject *lobe_row(PyObject *module, PyObject *arguments);
+PyObject *lobe_choose(PyObject *module, PyObject *arguments);
+PyObject *lobe_fit(PyObject *module, PyObject *arguments);
+PyObject *lobe_words(PyObject *module, PyObject *unused);
+
+#endif

@@ -1,0 +1,454 @@
+"""The installed package against the program. Usage: test_burnish.py PROGRAM SOURCES, in a scratch folder."""
+
+import doctest
+import gc
+import io
+import json
+import os
+import re
+import resource
+import signal
+import struct
+import subprocess
+import sys
+import threading
+import time
+import unittest
+import zlib
+from array import array
+from pathlib import Path
+from types import SimpleNamespace
+
+import burnish
+from burnish import _burnish, _options
+
+PROGRAM, SOURCES = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+DATA = SOURCES / "test/data"
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+try:
+    from PIL import Image as Pillow
+except ImportError:
+    Pillow = None
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 3)]
+FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+
+
+def ask(*arguments, folder=DATA):
+    """The report of `burnish render`, or its one line."""
+    run = subprocess.run(
+        [PROGRAM, "render", *arguments, "--json", "-o", os.devnull], cwd=folder, capture_output=True, text=True
+    )
+    return json.loads(run.stdout) if run.returncode == 0 else run.stderr.strip().removeprefix("burnish: ")
+
+
+def options_of(flags):
+    """["--camera-view-angle=30"] as {"camera_view_angle": "30"}"""
+    options = {}
+    for flag in flags:
+        key, _, value = flag[2:].partition("=")
+        key = key.replace("-", "_")
+        options[key] = [*options.get(key, []), value] if key in ("light", "clip") else value or True
+    return options
+
+
+def decode(png):
+    """Pixels of a PNG of 8 bits, by zlib alone."""
+    width, height, channels = *struct.unpack(">II", png[16:24]), {2: 3, 6: 4}[png[25]]
+    packed, at = b"", 8
+    while at < len(png):
+        size = struct.unpack(">I", png[at : at + 4])[0]
+        if png[at + 4 : at + 8] == b"IDAT":
+            packed += png[at + 8 : at + 8 + size]
+        at += 12 + size
+    rows, stride, codes = zlib.decompress(packed), width * channels, bytearray()
+    before = bytearray(stride)
+    for y in range(height):
+        kind, row = rows[y * (stride + 1)], bytearray(rows[y * (stride + 1) + 1 : (y + 1) * (stride + 1)])
+        for x in range(stride):
+            left, up = row[x - channels] if x >= channels else 0, before[x]
+            corner = before[x - channels] if x >= channels else 0
+            paeth = min((abs(up - corner), 0, left), (abs(left - corner), 1, up), (abs(left + up - 2 * corner), 2, corner))[2]
+            row[x] = row[x] + (0, left, up, (left + up) // 2, paeth)[kind] & 255
+        codes += row
+        before = row
+    return width, height, bytes(codes)
+
+
+def stl(corners, faces):
+    triangles = b"".join(struct.pack("<12fH", 0, 0, 0, *corners[a], *corners[b], *corners[c], 0) for a, b, c in faces)
+    return bytes(80) + struct.pack("<I", len(faces)) + triangles
+
+
+class Pictures(unittest.TestCase):
+    def test_golden(self):
+        """Every option of the golden pictures gives the program's pixels."""
+        drawn = 0
+        for line in (SOURCES / "test/golden/pixels.txt").read_text().splitlines():
+            hash_, source, *flags = line.split()
+            if re.search(r"--(views|lobe)=\S*,", line) or "--same-scale" in flags:
+                continue  # a sheet
+            source = source if source.startswith(":") else DATA / source
+            with self.subTest(line):
+                self.assertEqual(burnish.render(source, **options_of(flags)).hash, hash_)
+            drawn += 1
+        self.assertGreater(drawn, 30)
+
+    def test_values(self):
+        """Python's values are the command line's words."""
+        picture = burnish.render(
+            DATA / "cube.obj", resolution=(90, 60), camera_direction=[-1, -0.5, -1.5], margin=0.1, light=["directional:1,2,3", "point:0,1,2:0.5"],
+            color=(0.5, 0.25, 1), ground=True, shadow=False, occlusion=None, no_background=True, threads=1,
+        )  # fmt: skip
+        report = ask(
+            "cube.obj", "--resolution=90,60", "--camera-direction=-1,-.5,-1.5", "--margin=.1", "--light=directional:1,2,3",
+            "--light=point:0,1,2:0.5", "--color=.5,.25,1", "--ground", "--no-background",
+        )  # fmt: skip
+        self.assertEqual(picture.hash, report["hash"], report)
+        self.assertEqual(picture.camera["position"], tuple(report["camera"]["position"]))
+        self.assertEqual(picture.covered_pixels, report["covered_pixels"])
+        self.assertEqual((picture.size, picture.mode), ((90, 60), "RGBA"))
+
+    def test_far_from_the_origin(self):
+        corners = [(4e6 + x, y - 2e6, z) for x, y, z in CORNERS]
+        text = "".join(f"v {x} {y} {z}\n" for x, y, z in corners) + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in FACES)
+        Path("far.obj").write_text(text)
+        flags = ["--size=64", "--camera-position=4000004,-1999990,9", "--clip=1,0,0,4000000.5"]
+        picture = burnish.render("far.obj", **options_of(flags))
+        report = ask("far.obj", *flags, folder=".")
+        self.assertEqual(picture.hash, report["hash"])
+        self.assertEqual(burnish.load("far.obj", clip=flags[2][7:]).bounds, (tuple(report["bounding_box"]["min"]), tuple(report["bounding_box"]["max"])))
+        self.assertEqual(picture.camera["position"], (4000004, -1999990, 9))
+
+    def test_bytes_and_files(self):
+        expected = ask("textured.obj", "--size=64")["hash"]
+        files = {name: (DATA / name).read_bytes() for name in os.listdir(DATA)}
+        self.assertEqual(burnish.render(DATA / "textured.obj", size=64).hash, expected)
+        self.assertEqual(burnish.render(files["textured.obj"], name="textured.obj", files=files, size=64).hash, expected)
+        lonely = burnish.render(bytearray(files["textured.obj"]), name="textured.obj", size=64)
+        self.assertIn("textured.mtl", lonely.warnings[0])
+
+    def test_again_and_again(self):
+        mesh = burnish.load(DATA / "cube.obj")
+        first = mesh.render(size=64).hash
+        mesh.render(size=100, color="red", material="metal", look="clay")
+        with self.assertRaises(burnish.Error):
+            mesh.render(samples=3)
+        self.assertEqual(mesh.render(size=64).hash, first)
+
+    def test_option_names(self):
+        """Options are the program's flags, no more and no less."""
+        flags = {name.replace("-", "_") for name in _burnish.flags()}
+        self.assertEqual(set(_options.Options.__annotations__), flags)
+
+
+class Images(unittest.TestCase):
+    def setUp(self):
+        self.picture = burnish.render(":knot", size=40, no_background=True)
+
+    def test_buffer(self):
+        view = memoryview(self.picture)
+        self.assertEqual((view.shape, view.format, view.readonly, view.nbytes), ((40, 40, 4), "B", True, 6400))
+        self.assertEqual(view.tobytes(), self.picture.tobytes())
+        kept = view[:]
+        hash_ = burnish.render(":knot", size=40, no_background=True)
+        del self.picture
+        gc.collect()
+        self.assertEqual(kept.tobytes(), hash_.tobytes())
+
+    def test_png(self):
+        png = self.picture.png()
+        self.assertEqual(decode(png), (40, 40, self.picture.tobytes()))
+        self.assertEqual(self.picture._repr_png_(), png)
+        self.picture.save(Path("knot.png"))
+        self.assertEqual(Path("knot.png").read_bytes(), png)
+        with self.assertRaises(burnish.Error) as caught:
+            self.picture.save("no such folder/knot.png")
+        self.assertEqual(caught.exception.status, "WRITE")
+
+    @unittest.skipUnless(numpy, "no NumPy")
+    def test_numpy(self):
+        pixels = numpy.asarray(self.picture)
+        self.assertEqual((pixels.shape, pixels.dtype, pixels.flags.writeable), ((40, 40, 4), numpy.uint8, False))
+        self.assertEqual(pixels.ctypes.data, self.picture.__array_interface__["data"][0])  # not copied
+        self.assertEqual(pixels.ctypes.data, numpy.asarray(self.picture).ctypes.data)
+
+    @unittest.skipUnless(Pillow, "no Pillow")
+    def test_pillow(self):
+        for image in (
+            Pillow.fromarray(self.picture),
+            Pillow.frombuffer("RGBA", self.picture.size, self.picture, "raw", "RGBA", 0, 1),
+            Pillow.open(io.BytesIO(self.picture.png())),
+        ):
+            self.assertEqual((image.mode, image.size, image.tobytes()), ("RGBA", (40, 40), self.picture.tobytes()))
+
+
+class Arrays(unittest.TestCase):
+    def setUp(self):
+        self.expected = burnish.render(stl(CORNERS, FACES), name="t.stl", size=64, up="+Y").hash
+
+    def draw(self, *arrays, **more):
+        return burnish.Mesh(*arrays, **more).render(size=64).hash
+
+    def test_lists(self):
+        self.assertEqual(self.draw(CORNERS, FACES), self.expected)
+        self.assertEqual(burnish.render((CORNERS, FACES), size=64).hash, self.expected)
+        self.assertEqual(self.draw([CORNERS[i] for face in FACES for i in face]), self.expected)
+        self.assertEqual(burnish.Scene, burnish.Mesh)
+
+    def test_buffers(self):
+        for vertex_code in "fd":
+            flat = array(vertex_code, (x for corner in CORNERS for x in corner))
+            for face_code in "bBhHiIlLqQ":
+                faces = array(face_code, (i for face in FACES for i in face))
+                with self.subTest(vertices=vertex_code, faces=face_code):
+                    self.assertEqual(self.draw(flat, faces), self.expected)
+
+    @unittest.skipUnless(numpy, "no NumPy")
+    def test_numpy_layouts(self):
+        vertices, faces = numpy.array(CORNERS, "f4"), numpy.array(FACES, "u4")
+        padded = numpy.zeros((4, 8), "f4")
+        padded[:, :3] = vertices
+        wide = numpy.zeros((8, 6), "i8")
+        wide[::2, ::2] = faces
+        for v in (vertices, padded[:, :3], numpy.asfortranarray(vertices), vertices.astype("f8")[::-1][::-1]):
+            for f in (faces, faces.astype("u1"), numpy.asfortranarray(faces), wide[::2, ::2]):
+                self.assertEqual(self.draw(v, f), self.expected)
+        self.assertEqual(self.draw(vertices[faces]), self.expected)  # (N, 3, 3), as numpy-stl's vectors
+        self.assertEqual(burnish.render(vertices[faces], size=64).hash, self.expected)
+
+    def test_polygons(self):
+        square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 2, 0)]
+        pentagon = self.draw(square, [(0, 1, 2, 4, 3)])
+        self.assertEqual(pentagon, self.draw(square, [(0, 1, 2), (0, 2, 4), (0, 4, 3)]))
+        self.assertEqual(pentagon, self.draw(square, [(0, 1, 2, 4), (0, 4, 3)]))
+
+    def test_colors_normals_up(self):
+        red = [(255, 0, 0)] * 4
+        plain = self.draw(CORNERS, FACES, colors=red)
+        self.assertNotEqual(plain, self.expected)
+        self.assertEqual(self.draw(CORNERS, FACES, colors=[(1.0, 0.0, 0.0)] * 4), plain)
+        self.assertEqual(self.draw(CORNERS, FACES, colors=[(255, 0, 0, 255)] * 4), plain)
+        mesh = burnish.Mesh(CORNERS, FACES, [(1, 0, 0)] * 4, red, [(0, 0)] * 4, up="-X", crease_angle=30)
+        self.assertTrue(all(abs(x) == 1 for x, _, _ in mesh.normals.tolist()))
+        self.assertEqual(mesh.colors.tolist()[0], [255, 0, 0, 255])
+        self.assertNotEqual(self.draw(CORNERS, FACES, up="-X"), self.expected)
+
+    def test_round_trip(self):
+        mesh = burnish.Mesh(CORNERS, FACES)
+        again = burnish.Mesh(mesh.vertices, mesh.faces, mesh.normals)
+        self.assertEqual(again.render(size=64).hash, self.expected)
+        self.assertEqual(sorted(set(map(tuple, mesh.vertices.tolist()))), sorted(map(tuple, (map(float, c) for c in CORNERS))))
+
+    def test_duck_typing(self):
+        vector = lambda p: SimpleNamespace(x=p[0], y=p[1], z=p[2])  # noqa: E731
+        tessellate = lambda tolerance: ([vector(p) for p in CORNERS], FACES)  # noqa: E731
+        box = SimpleNamespace(DiagonalLength=4)
+        solid = SimpleNamespace(tessellate=tessellate, BoundingBox=lambda: box)
+        standing = burnish.render(stl(CORNERS, FACES), name="t.stl", size=64).hash
+        self.assertEqual(burnish.render(solid, size=64).hash, standing)
+        self.assertEqual(burnish.render(SimpleNamespace(vals=lambda: [solid]), size=64).hash, standing)
+        red = [(255, 0, 0, 255)] * 4
+        colored = self.draw(CORNERS, FACES, colors=red)
+        trimesh = SimpleNamespace(vertices=CORNERS, faces=FACES, visual=SimpleNamespace(kind="vertex", vertex_colors=red))
+        self.assertEqual(burnish.render(trimesh, size=64).hash, colored)
+        open3d = SimpleNamespace(
+            vertices=CORNERS, triangles=FACES, has_vertex_colors=lambda: True, vertex_colors=[(1.0, 0.0, 0.0)] * 4,
+            has_vertex_normals=lambda: False,
+        )  # fmt: skip
+        self.assertEqual(burnish.render(open3d, size=64).hash, colored)
+        meshio = SimpleNamespace(points=CORNERS, cells_dict={"triangle": FACES})
+        self.assertEqual(burnish.render(meshio, size=64).hash, self.expected)
+        pyvista = SimpleNamespace(points=CORNERS, regular_faces=FACES)
+        self.assertEqual(burnish.render(pyvista, size=64).hash, self.expected)
+
+    def test_refused(self):
+        for arrays, kind in (
+            ((CORNERS, [(0, 1, 9)]), burnish.Error),
+            ((CORNERS, [(0, 1, -1)]), ValueError),
+            ((CORNERS, array("d", [0, 1, 2])), TypeError),
+            (([(0, 0), (1, 0), (0, 1)],), ValueError),
+            ((array("f", range(8)),), ValueError),
+            ((array("i", range(9)),), TypeError),
+            (([(0, 0, 0), (float("nan"), 0, 0), (0, 1, 0)],), burnish.Error),
+            (([(0, 0, 0)] * 3,), burnish.Error),
+            ((CORNERS, FACES, [(1, 0, 0)]), burnish.Error),
+            ((7,), TypeError),
+        ):
+            with self.subTest(arrays), self.assertRaises(kind):
+                burnish.Mesh(*arrays)
+        with self.assertRaises(TypeError):
+            burnish.render(SimpleNamespace())
+        with self.assertRaises(TypeError):
+            _burnish.Mesh()
+
+
+class Errors(unittest.TestCase):
+    def test_lines(self):
+        for options, flag in (
+            ({"samples": 3}, "--samples=3"), ({"lobe": "enrgy"}, "--lobe=enrgy"), ({"size": 0}, "--size=0"),
+            ({"light": ["spot:1,2,3"]}, "--light=spot:1,2,3"), ({"marginn": 1}, "--marginn=1"),
+        ):  # fmt: skip
+            with self.subTest(flag), self.assertRaises(burnish.Error) as caught:
+                burnish.render(":sphere", **options)
+            self.assertEqual((str(caught.exception), caught.exception.status), (ask(":sphere", flag), "ARGUMENT"))
+
+    def test_statuses(self):
+        Path("broken.ply").write_text("ply\nformat ascii 1.0\nelement vertex 3\n")
+        for source, more, status in (
+            ("no such file.stl", {}, "READ"), ("broken.ply", {}, "FORMAT"), (":cow", {}, "ARGUMENT"),
+            (":teapot", {"max_triangles": 10}, "LIMIT"), (b"", {"name": "empty.stl"}, "FORMAT"),
+        ):  # fmt: skip
+            with self.subTest(source), self.assertRaises(burnish.Error) as caught:
+                burnish.render(source, **more)
+            self.assertEqual(caught.exception.status, status)
+
+    def test_wrong_options(self):
+        for call in (
+            lambda: burnish.load(":knot", size=3),
+            lambda: burnish.load(":knot").render(clip="1,0,0,0"),
+            lambda: burnish.render(":knot", views="front,top"),
+            lambda: burnish.render(":knot", help=True),
+            lambda: burnish.render(":knot", look="a\0b"),
+            lambda: burnish.render("a\0b"),
+            lambda: burnish.Mesh(CORNERS, FACES, up="W"),
+        ):
+            with self.assertRaises((TypeError, ValueError, burnish.Error)):
+                call()
+
+
+class Process(unittest.TestCase):
+    def test_threads(self):
+        shared = burnish.load(":teapot")
+        expected = shared.render(size=128).hash
+        found = []
+
+        def work(index):
+            for _ in range(4):
+                found.append((shared if index % 2 else burnish.load(":teapot")).render(size=128).hash)
+
+        threads = [threading.Thread(target=work, args=(index,)) for index in range(8)]
+        [thread.start() for thread in threads]
+        [thread.join() for thread in threads]
+        self.assertEqual(found, [expected] * 32)
+
+    def test_lock_is_released(self):
+        """Another thread runs while a picture is drawn."""
+        counts, done = [0], threading.Event()
+
+        def count():
+            while not done.is_set():
+                counts[0] += 1
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        before = counts[0]
+        mesh = burnish.load(":knot", tessellation=128)
+        mesh.render(size=2000, samples=16, threads=1)
+        during = counts[0] - before
+        done.set()
+        thread.join()
+        self.assertGreater(during, 3)
+
+    def test_interrupt(self):
+        mesh = burnish.load(":knot", tessellation=128)
+        timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+        self.addCleanup(signal.signal, signal.SIGINT, signal.getsignal(signal.SIGINT))
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have the test ignore it
+        with self.assertRaises(KeyboardInterrupt):
+            timer.start()
+            for _ in range(10):
+                mesh.render(size=8192, samples=16, threads=1, ground=True)
+        timer.join()
+        self.assertEqual(mesh.render(size=32).hash, burnish.render(":knot", tessellation=128, size=32).hash)
+
+    def test_no_leak(self):
+        vertices, faces = array("f", (x for c in CORNERS for x in c)), array("i", (i for f in FACES for i in f))
+        content = stl(CORNERS, FACES)
+
+        def work():
+            mesh = burnish.Mesh(vertices, faces, colors=bytes(16))
+            picture = mesh.render(size=256)
+            memoryview(picture), mesh.vertices, mesh.faces, picture.png(), picture.camera, picture.warnings
+            burnish.load(content, name="t.stl", files={"a": content})
+            burnish.lobe.values("power", 8, vertices)
+            for wrong in (lambda: mesh.render(size=-1), lambda: burnish.Mesh(vertices, [(0, 1, 99)]), lambda: burnish.Mesh(vertices, colors=faces)):
+                try:
+                    wrong()
+                except (burnish.Error, ValueError):
+                    pass
+
+        def peak():
+            return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+        for _ in range(30):
+            work()
+        gc.collect()
+        counts, memory = (sys.getrefcount(vertices), sys.getrefcount(content), sys.getrefcount(_burnish.Mesh)), peak()
+        for _ in range(150):  # 150 pictures of 192 KiB would be 28 MiB
+            work()
+        gc.collect()
+        self.assertEqual((sys.getrefcount(vertices), sys.getrefcount(content), sys.getrefcount(_burnish.Mesh)), counts)
+        self.assertLess(peak() - memory, 8 << 10)  # KiB
+
+
+class Lobes(unittest.TestCase):
+    def test_program(self):
+        """Numbers are those of `burnish lobe`."""
+        run = subprocess.run([PROGRAM, "lobe", "table", "--metrics=all", "--format=json"], capture_output=True, text=True)
+        rows = json.loads(run.stdout)["rows"]
+        lobes = list(dict.fromkeys(row["lobe"] for row in rows))
+        exponents = list(dict.fromkeys(row["exponent"] for row in rows))
+        found = {(row["lobe"], row["exponent"]): row for row in burnish.lobe.table(lobes, exponents)}
+        for row in rows:
+            finite = {key: None if value == float("inf") else value for key, value in found[row["lobe"], row["exponent"]].items()}
+            self.assertEqual(finite, row)  # JSON has no infinity
+
+    def test_values(self):
+        cosines = array("f", (i / 100 for i in range(101)))
+        for words in ("energy:2", "power", "schlick"):
+            values = burnish.lobe.values(words, 20, cosines)
+            self.assertEqual((values.format, len(values)), ("f", 101))
+        self.assertEqual(list(burnish.lobe.values("power", 20, [])), [])
+
+    def test_fit(self):
+        angles = [float(x) for x in range(0, 30)]
+        exact = burnish.lobe.exact("energy:4", 50, [x * 0.017453292519943295 for x in angles])
+        best = burnish.lobe.fit(angles, [2 * value + 0.1 for value in exact], offset=True)[0]
+        self.assertEqual(best["lobe"], "energy:4")
+        for key, value in (("exponent", 50), ("scale", 2), ("offset", 0.1)):
+            self.assertAlmostEqual(best[key], value, places=4)
+        for wrong in (([1, 2], [1]), ([1, 2], [1, float("nan")])):
+            with self.assertRaises(ValueError):
+                burnish.lobe.fit(*wrong)
+        with self.assertRaises(burnish.Error):
+            burnish.lobe.values("enrgy", 64, [1.0])
+
+
+class Pages(unittest.TestCase):
+    def test_docstrings(self):
+        for module in (burnish, burnish.lobe):
+            # an error's text is the library's, which doctest need not know whole
+            result = doctest.testmod(module, extraglobs={"burnish": burnish}, optionflags=doctest.ELLIPSIS | doctest.IGNORE_EXCEPTION_DETAIL)
+            self.assertEqual(result.failed, 0)
+            self.assertGreater(result.attempted, 4)
+
+    def test_guide(self):
+        """The code of docs/python.md runs, in its order."""
+        Path("part.stl").write_bytes((DATA / "wedge.stl").read_bytes())
+        names = {}
+        blocks = re.findall(r"^```python\n(.*?)^```", (SOURCES / "docs/python.md").read_text(), re.S | re.M)
+        for block in blocks:
+            lacks = (numpy is None and "numpy" in block) or (Pillow is None and "PIL" in block)
+            if not lacks:
+                exec(compile(block, "docs/python.md", "exec"), names)
+        self.assertGreater(len(blocks), 4)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=1)
