@@ -4,7 +4,9 @@
 //     dark: cosine <= word, unless word is 0 (LAMBDA 0); 1 - cosine > word (LAMBDA 1)
 //
 // The memory has a word per exponent, as `burnish lobe boundary --as=mem` writes it: with --bits=0 no result changes,
-// with a threshold values below it become 0. Bit for bit burnish_lobe_q15_fast after burnish_lobe_q15_set_boundary of
+// with a threshold values below it become 0. FILE holds words from exponent 1 on (--exponents=1-1023), for LAMBDA 0
+// with --format-word=UQ0.15, for LAMBDA 1 with --lambda --format-word=UQ0.24. value passes one gate after its register.
+// Bit for bit burnish_lobe_q15_fast after burnish_lobe_q15_set_boundary of
 // include/burnish/lobe_q15.h.
 //
 // A dark pixel doesn't enter the lobe: the registers at its input keep the pixel before. While no pixel inside is lit
@@ -12,36 +14,30 @@
 //
 // Latency    burnish_lobe + 2
 // Throughput one lobe per clock
-// Parameters FILE       the memory's file, with words from exponent 1 on; empty: no boundary
-//                       LAMBDA 0: --exponents=1-1023 --format-word=UQ0.15
-//                       LAMBDA 1: --exponents=1-1023 --lambda --format-word=UQ0.24
-//            UNIT       0 .. 3, see burnish_lobe;  the others as burnish_lobe
-// Ports      busy  1: the lobe's registers are clocked;  value passes one gate after its register
-//            the others as burnish_lobe
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_boundary #(
-    parameter FILE = "",
-    parameter UNIT = 1,
-    parameter SQUARINGS = 1,
-    parameter RESULT = 16,
-    parameter ROUND = 0,
-    parameter LAMBDA = 0,
-    parameter ROWS = 1,
-    parameter SEGMENT = 0,
-    parameter DSP = 0,
-    parameter USER_WIDTH = 1
+    parameter FILE = "", // the memory's file, with words from exponent 1 on; empty: no boundary
+    parameter UNIT = 1, // 0: taylor, 1: shift7, 2: shift3, 3: energy
+    parameter SQUARINGS = 1, // log2 of the order, 1 .. 4; for taylor and energy
+    parameter RESULT = 16, // bits of the value: 16, 12, 10 or 8
+    parameter ROUND = 0, // 0: fast; 1: near, half the error for one more adder (RESULT 16)
+    parameter LAMBDA = 0, // 0: angle is the cosine; 1: it is 1 - cosine
+    parameter ROWS = 1, // adder rows between two registers, 1 or more
+    parameter SEGMENT = 0, // 0, or the longest carry chain in columns
+    parameter DSP = 0, // 1: multipliers of the chip; 0: rows of adders
+    parameter USER_WIDTH = 1 // width of user_in and user_out
 ) (
-    input wire clk,
-    input wire enable,
-    input wire [9:0] exponent,
-    input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle,
-    input wire [USER_WIDTH-1:0] user_in,
-    output wire busy,
-    output wire [RESULT-1:0] value,
-    output wire [USER_WIDTH-1:0] user_out
+    input wire clk, // rising edge
+    input wire enable, // 1: the pipeline advances; 0: nothing changes
+    input wire [9:0] exponent, // n, 1 .. 1023
+    input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle, // cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
+    input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
+    output wire busy, // 1: the lobe's registers are clocked
+    output wire [RESULT-1:0] value, // UQ0.16, or its upper RESULT bits, rounded
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
 );
     `include "burnish_latency.vh"
     localparam WIDTH = LAMBDA != 0 ? 24 : 16;

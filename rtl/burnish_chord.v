@@ -7,22 +7,20 @@
 //
 // Latency    with DSP 6; by rows 5 + burnish_square of 16 bits; others in burnish_latency.vh
 // Throughput one per clock
-// Parameters ROWS, SEGMENT, DSP  as burnish_square
-// Ports      a, b   {z, y, x}, Q15 each;  lambda  UQ0.24, registered
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_chord #(
-    parameter ROWS = 1,
-    parameter SEGMENT = 0,
-    parameter DSP = 0
+    parameter ROWS = 1, // adder rows between two registers, 1 or more
+    parameter SEGMENT = 0, // 0, or the longest carry chain in columns
+    parameter DSP = 0 // 1: multipliers of the chip; 0: rows of adders
 ) (
-    input wire clk,
-    input wire enable,
-    input wire [47:0] a,
-    input wire [47:0] b,
-    output reg [23:0] lambda
+    input wire clk, // rising edge
+    input wire enable, // 1: the pipeline advances; 0: nothing changes
+    input wire [47:0] a, // {z, y, x}, Q15, unit vector
+    input wire [47:0] b, // {z, y, x}, Q15, unit vector
+    output reg [23:0] lambda // 1 - cosine, UQ0.24, registered
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) legal ();

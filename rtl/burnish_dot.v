@@ -10,22 +10,20 @@
 //
 // Latency    with DSP 5; by rows 4 + burnish_times, or 7 where that takes less than 3; others in burnish_latency.vh
 // Throughput one per clock
-// Parameters ROWS, SEGMENT, DSP  as burnish_times
-// Ports      a, b   {z, y, x}, Q15 each;  cosine UQ1.15, registered
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_dot #(
-    parameter ROWS = 1,
-    parameter SEGMENT = 0,
-    parameter DSP = 0
+    parameter ROWS = 1, // adder rows between two registers, 1 or more
+    parameter SEGMENT = 0, // 0, or the longest carry chain in columns
+    parameter DSP = 0 // 1: multipliers of the chip; 0: rows of adders
 ) (
-    input wire clk,
-    input wire enable,
-    input wire [47:0] a,
-    input wire [47:0] b,
-    output reg [15:0] cosine
+    input wire clk, // rising edge
+    input wire enable, // 1: the pipeline advances; 0: nothing changes
+    input wire [47:0] a, // {z, y, x}, Q15 each
+    input wire [47:0] b, // {z, y, x}, Q15 each
+    output reg [15:0] cosine // UQ1.15, registered
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) legal ();

@@ -9,34 +9,27 @@
 //
 // Latency    burnish_dot or burnish_chord, burnish_lobe, with NARROW 2 two more; see burnish_latency.vh
 // Throughput one per clock
-// Parameters UNIT, SQUARINGS    the lobe, see burnish_lobe
-//            NARROW   0: cosine, 1: chord, 2: chord from exponent 32 on, as the C core
-//            ROWS, SEGMENT, DSP, USER_WIDTH  as burnish_taylor
-// Ports      normal, half  {z, y, x}, Q15, unit vectors
-//            exponent      n, 1 .. 1023; with UNIT 4 {narrow, shift, slope}: 1, 4 and 16 bits, and narrow 1 takes the
-//                          chord where NARROW is 2
-//            value         UQ0.16
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_highlight #(
-    parameter UNIT = 1,
-    parameter SQUARINGS = 1,
-    parameter NARROW = 2,
-    parameter ROWS = 1,
-    parameter SEGMENT = 0,
-    parameter DSP = 0,
-    parameter USER_WIDTH = 1
+    parameter UNIT = 1, // 0: taylor, 1: shift7, 2: shift3, 3: energy, 4: zeta
+    parameter SQUARINGS = 1, // log2 of the order, 1 .. 4
+    parameter NARROW = 2, // 0: cosine; 1: chord; 2: chord from exponent 32 on, as the C core
+    parameter ROWS = 1, // adder rows between two registers, 1 or more
+    parameter SEGMENT = 0, // 0, or the longest carry chain in columns
+    parameter DSP = 0, // 1: multipliers of the chip; 0: rows of adders
+    parameter USER_WIDTH = 1 // width of user_in and user_out
 ) (
-    input wire clk,
-    input wire enable,
-    input wire [47:0] normal,
-    input wire [47:0] half,
-    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent,
-    input wire [USER_WIDTH-1:0] user_in,
-    output wire [15:0] value,
-    output wire [USER_WIDTH-1:0] user_out
+    input wire clk, // rising edge
+    input wire enable, // 1: the pipeline advances; 0: nothing changes
+    input wire [47:0] normal, // {z, y, x}, Q15, unit vector
+    input wire [47:0] half, // {z, y, x}, Q15, unit vector halfway to the viewer
+    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+    input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
+    output wire [15:0] value, // UQ0.16
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),

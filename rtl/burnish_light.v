@@ -6,41 +6,32 @@
 //
 // Latency    with DSP, UNIT 1 and NARROW 2 15; others in burnish_latency.vh
 // Throughput one pixel per clock
-// Parameters UNIT, SQUARINGS, NARROW  as burnish_highlight
-//            HELD      0: every input may change with every pixel
-//                      1: light, half, diffuse and specular hold still while a pixel is inside, which saves their
-//                      delays: a distant light's change with the frame
-//            ROWS, SEGMENT, DSP, USER_WIDTH  as burnish_taylor
-// Ports      normal, light, half  {z, y, x}, Q15, unit vectors: normal, to the light, halfway to the viewer
-//            exponent             as burnish_highlight
-//            diffuse, specular    {blue, green, red}, UQ1.15: the light's colour times the surface's
-//            sum_in, sum_out      {blue, green, red}, UQ1.15
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_light #(
-    parameter UNIT = 1,
-    parameter SQUARINGS = 1,
-    parameter NARROW = 2,
-    parameter HELD = 0,
-    parameter ROWS = 1,
-    parameter SEGMENT = 0,
-    parameter DSP = 0,
-    parameter USER_WIDTH = 1
+    parameter UNIT = 1, // 0: taylor, 1: shift7, 2: shift3, 3: energy, 4: zeta
+    parameter SQUARINGS = 1, // log2 of the order, 1 .. 4
+    parameter NARROW = 2, // 0: cosine; 1: chord; 2: chord from exponent 32 on, as the C core
+    parameter HELD = 0, // 1: light, half, diffuse and specular hold still while a pixel is inside: no delays for them
+    parameter ROWS = 1, // adder rows between two registers, 1 or more
+    parameter SEGMENT = 0, // 0, or the longest carry chain in columns
+    parameter DSP = 0, // 1: multipliers of the chip; 0: rows of adders
+    parameter USER_WIDTH = 1 // width of user_in and user_out
 ) (
-    input wire clk,
-    input wire enable,
-    input wire [47:0] normal,
-    input wire [47:0] light,
-    input wire [47:0] half,
-    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent,
-    input wire [47:0] diffuse,
-    input wire [47:0] specular,
-    input wire [47:0] sum_in,
-    input wire [USER_WIDTH-1:0] user_in,
-    output wire [47:0] sum_out,
-    output wire [USER_WIDTH-1:0] user_out
+    input wire clk, // rising edge
+    input wire enable, // 1: the pipeline advances; 0: nothing changes
+    input wire [47:0] normal, // {z, y, x}, Q15, unit vector
+    input wire [47:0] light, // {z, y, x}, Q15, unit vector to the light
+    input wire [47:0] half, // {z, y, x}, Q15, unit vector halfway to the viewer
+    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+    input wire [47:0] diffuse, // {blue, green, red}, UQ1.15: light's colour times surface's
+    input wire [47:0] specular, // {blue, green, red}, UQ1.15: light's colour times surface's
+    input wire [47:0] sum_in, // {blue, green, red}, UQ1.15 each
+    input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
+    output wire [47:0] sum_out, // {blue, green, red}, UQ1.15 each, limited to 0xFFFF
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),

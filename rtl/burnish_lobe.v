@@ -2,32 +2,28 @@
 //
 // Latency    that of the unit
 // Throughput one lobe per clock
-// Parameters UNIT       0: burnish_taylor, 1: _shift7, 2: _shift3, 3: _energy, 4: _zeta
-//            SQUARINGS  for taylor, energy and zeta;  RESULT .. USER_WIDTH  as burnish_taylor
-// Ports      exponent   n, 1 .. 1023; with UNIT 4 {shift, slope}: 4 and 16 bits
-//            the others as burnish_taylor
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_lobe #(
-    parameter UNIT = 1,
-    parameter SQUARINGS = 1,
-    parameter RESULT = 16,
-    parameter ROUND = 0,
-    parameter LAMBDA = 0,
-    parameter ROWS = 1,
-    parameter SEGMENT = 0,
-    parameter DSP = 0,
-    parameter USER_WIDTH = 1
+    parameter UNIT = 1, // 0: taylor, 1: shift7, 2: shift3, 3: energy, 4: zeta
+    parameter SQUARINGS = 1, // log2 of the order, 1 .. 4; for taylor, energy and zeta
+    parameter RESULT = 16, // bits of the value: 16, 12, 10 or 8
+    parameter ROUND = 0, // 0: fast; 1: near, half the error for one more adder (RESULT 16)
+    parameter LAMBDA = 0, // 0: angle is the cosine; 1: it is 1 - cosine
+    parameter ROWS = 1, // adder rows between two registers, 1 or more
+    parameter SEGMENT = 0, // 0, or the longest carry chain in columns
+    parameter DSP = 0, // 1: multipliers of the chip; 0: rows of adders
+    parameter USER_WIDTH = 1 // width of user_in and user_out
 ) (
-    input wire clk,
-    input wire enable,
-    input wire [(UNIT == 4 ? 20 : 10)-1:0] exponent,
-    input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle,
-    input wire [USER_WIDTH-1:0] user_in,
-    output wire [RESULT-1:0] value,
-    output wire [USER_WIDTH-1:0] user_out
+    input wire clk, // rising edge
+    input wire enable, // 1: the pipeline advances; 0: nothing changes
+    input wire [(UNIT == 4 ? 20 : 10)-1:0] exponent, // n, 1 .. 1023; UNIT 4: {shift, slope}, 4 and 16 bits
+    input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle, // cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
+    input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
+    output wire [RESULT-1:0] value, // UQ0.16, or its upper RESULT bits, rounded
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
 );
     generate
         if (UNIT == 0) begin : taylor

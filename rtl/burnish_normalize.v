@@ -7,22 +7,19 @@
 //
 // Latency    with DSP 15; others in burnish_latency.vh
 // Throughput one vector per clock
-// Parameters ROWS, SEGMENT, DSP  as burnish_times
-// Ports      v     {z, y, x}, Q15, such as a normal interpolated between vertices; |v|^2 in [1/2, 3/2]
-//            unit  {z, y, x}, Q15, registered
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_normalize #(
-    parameter ROWS = 1,
-    parameter SEGMENT = 0,
-    parameter DSP = 0
+    parameter ROWS = 1, // adder rows between two registers, 1 or more
+    parameter SEGMENT = 0, // 0, or the longest carry chain in columns
+    parameter DSP = 0 // 1: multipliers of the chip; 0: rows of adders
 ) (
-    input wire clk,
-    input wire enable,
-    input wire [47:0] v,
-    output wire [47:0] unit
+    input wire clk, // rising edge
+    input wire enable, // 1: the pipeline advances; 0: nothing changes
+    input wire [47:0] v, // {z, y, x}, Q15, of squared length 1/2 .. 3/2, such as a normal between vertices
+    output wire [47:0] unit // {z, y, x}, Q15, registered
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP)) legal ();

@@ -8,40 +8,34 @@
 //
 // Latency    NORMALIZE times burnish_normalize, LIGHTS times burnish_light: with DSP and UNIT 1 15 each
 // Throughput one pixel per clock
-// Parameters LIGHTS     1 or more
-//            NORMALIZE  1: normal is nearly of unit length, 0: it is of unit length
-//            UNIT, SQUARINGS, NARROW  as burnish_highlight;  HELD  as burnish_light
-//            ROWS, SEGMENT, DSP, USER_WIDTH  as burnish_taylor
-// Ports      normal, ambient, color, exponent  as burnish_light's normal, sum_in, sum_out, exponent
-//            light, half, diffuse, specular    as burnish_light's, the first light in the lowest 48 bits
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_pixel #(
-    parameter LIGHTS = 1,
-    parameter NORMALIZE = 1,
-    parameter UNIT = 1,
-    parameter SQUARINGS = 1,
-    parameter NARROW = 2,
-    parameter HELD = 1,
-    parameter ROWS = 1,
-    parameter SEGMENT = 0,
-    parameter DSP = 0,
-    parameter USER_WIDTH = 1
+    parameter LIGHTS = 1, // number of lights, 1 or more
+    parameter NORMALIZE = 1, // 1: normal is nearly of unit length; 0: it is of unit length
+    parameter UNIT = 1, // 0: taylor, 1: shift7, 2: shift3, 3: energy, 4: zeta
+    parameter SQUARINGS = 1, // log2 of the order, 1 .. 4
+    parameter NARROW = 2, // 0: cosine; 1: chord; 2: chord from exponent 32 on, as the C core
+    parameter HELD = 1, // 1: light, half, diffuse and specular hold still while a pixel is inside: no delays for them
+    parameter ROWS = 1, // adder rows between two registers, 1 or more
+    parameter SEGMENT = 0, // 0, or the longest carry chain in columns
+    parameter DSP = 0, // 1: multipliers of the chip; 0: rows of adders
+    parameter USER_WIDTH = 1 // width of user_in and user_out
 ) (
-    input wire clk,
-    input wire enable,
-    input wire [47:0] normal,
-    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent,
-    input wire [47:0] ambient,
-    input wire [48*LIGHTS-1:0] light,
-    input wire [48*LIGHTS-1:0] half,
-    input wire [48*LIGHTS-1:0] diffuse,
-    input wire [48*LIGHTS-1:0] specular,
-    input wire [USER_WIDTH-1:0] user_in,
-    output wire [47:0] color,
-    output wire [USER_WIDTH-1:0] user_out
+    input wire clk, // rising edge
+    input wire enable, // 1: the pipeline advances; 0: nothing changes
+    input wire [47:0] normal, // {z, y, x}, Q15, as NORMALIZE says
+    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+    input wire [47:0] ambient, // {blue, green, red}, UQ1.15 each
+    input wire [48*LIGHTS-1:0] light, // per light, the first lowest: {z, y, x}, Q15, unit vector to the light
+    input wire [48*LIGHTS-1:0] half, // per light: {z, y, x}, Q15, unit vector halfway to the viewer
+    input wire [48*LIGHTS-1:0] diffuse, // per light: {blue, green, red}, UQ1.15: light times surface
+    input wire [48*LIGHTS-1:0] specular, // per light: {blue, green, red}, UQ1.15: light times surface
+    input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
+    output wire [47:0] color, // {blue, green, red}, UQ1.15 each, limited to 0xFFFF
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),

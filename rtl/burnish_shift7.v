@@ -6,38 +6,26 @@
 //
 // Latency    at order 2 and 16 bits 28, with ROWS 2 15, with DSP 4; others in burnish_latency.vh
 // Throughput one lobe per clock
-// Parameters RESULT     16, 12, 10 or 8 bits; see burnish_power
-//            ROUND      0: fast; 1: near, half the error for one more adder (RESULT 16)
-//            LAMBDA     0: angle is the cosine; 1: 1 - cosine
-//            ROWS       adder rows between two registers
-//            SEGMENT    0, or the longest carry chain in columns
-//            DSP        1: multipliers of the chip
-//            USER_WIDTH width of user_in and user_out
-// Ports      enable     1: the pipeline advances
-//            exponent   n, 1 .. 1023
-//            angle      cosine UQ1.15, above 0x8000 counts as 1; or 1 - cosine UQ0.24
-//            value      UQ0.16 or UQ0.8
-//            user_in, user_out   a valid bit, a tag, a pixel's address; delayed by the latency
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
 module burnish_shift7 #(
-    parameter RESULT = 16,
-    parameter ROUND = 0,
-    parameter LAMBDA = 0,
-    parameter ROWS = 1,
-    parameter SEGMENT = 0,
-    parameter DSP = 0,
-    parameter USER_WIDTH = 1
+    parameter RESULT = 16, // bits of the value: 16, 12, 10 or 8
+    parameter ROUND = 0, // 0: fast; 1: near, half the error for one more adder (RESULT 16)
+    parameter LAMBDA = 0, // 0: angle is the cosine; 1: it is 1 - cosine
+    parameter ROWS = 1, // adder rows between two registers, 1 or more
+    parameter SEGMENT = 0, // 0, or the longest carry chain in columns
+    parameter DSP = 0, // 1: multipliers of the chip; 0: rows of adders
+    parameter USER_WIDTH = 1 // width of user_in and user_out
 ) (
-    input wire clk,
-    input wire enable,
-    input wire [9:0] exponent,
-    input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle,
-    input wire [USER_WIDTH-1:0] user_in,
-    output wire [RESULT-1:0] value,
-    output wire [USER_WIDTH-1:0] user_out
+    input wire clk, // rising edge
+    input wire enable, // 1: the pipeline advances; 0: nothing changes
+    input wire [9:0] exponent, // n, 1 .. 1023
+    input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle, // cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
+    input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
+    output wire [RESULT-1:0] value, // UQ0.16, or its upper RESULT bits, rounded
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA),

@@ -37,9 +37,10 @@
  *     near    x = (t t + t + 0x8000) >> 16, then x = (x x + 0x8000) >> 16
  *     fast8   fast up to order m/2 (order 2: t itself), then of its top 9 bits y = x >> 7:
  *             (y (y + 1) + 511) >> 10
- *     exact   T = 1 - zeta (1 - c) in UQ0.32, exact for a cosine, and for a lambda where shift <=
- * 7, else rounded up; x = floor(T T / 2^32) for each squaring; finally rounded to 16 bits, halves
- * up exact8  the same, rounded to 8 bits
+ *     exact   T = 1 - zeta (1 - c) in UQ0.32, exact for a cosine, and for a lambda where
+ *             shift <= 7, else rounded up; x = floor(T T / 2^32) for each squaring;
+ *             finally rounded to 16 bits, halves up
+ *     exact8  the same, rounded to 8 bits
  *
  * Slopes. taylor n / 2^(log2 m - 1), shift7 7n / 2^3, shift3 3n / 2^2 are exact. energy and your
  * own zeta are rounded to 16 significant bits.

@@ -1,0 +1,48 @@
+/* Cortex-M4 of Arm's MPS2 board with image AN386: start, serial line, end by semihosting. */
+#include "target.h"
+
+#define REGISTER(address) (*(volatile uint32_t *)(address))
+#define UART_DATA REGISTER(0x40004000u)
+#define UART_STATE REGISTER(0x40004004u)
+#define UART_CONTROL REGISTER(0x40004008u)
+#define UART_DIVIDER REGISTER(0x40004010u)
+
+extern uint32_t data_begin[], data_end[], data_image[], bss_begin[], bss_end[], stack_top[];
+int main(void);
+void start(void);
+
+void target_put(uint8_t byte) {
+    UART_DIVIDER = 16;
+    UART_CONTROL = 1;
+    while (UART_STATE & 1) { /* full */
+    }
+    UART_DATA = byte;
+}
+
+__attribute__((noinline)) void target_mark(void) {
+    __asm__ volatile("" ::: "memory");
+}
+
+void target_end(void) {
+    register uint32_t call __asm__("r0") = 0x18;      /* SYS_EXIT */
+    register uint32_t reason __asm__("r1") = 0x20026; /* ADP_Stopped_ApplicationExit */
+    __asm__ volatile("bkpt 0xAB" ::"r"(call), "r"(reason) : "memory");
+    for (;;) {
+    }
+}
+
+void start(void) {
+    uint32_t *to, *from = data_image;
+    for (to = data_begin; to < data_end;) {
+        *to++ = *from++;
+    }
+    for (to = bss_begin; to < bss_end;) {
+        *to++ = 0;
+    }
+    main();
+    target_end();
+}
+
+/* Stack and reset; no other exception occurs. */
+__attribute__((section(".vectors"), used)) static const void *const vectors[16] = {
+    stack_top, (const void *)start};
