@@ -1,0 +1,340 @@
+/* burnish-import-assimp: FBX, COLLADA, 3DS, X3D and what else libassimp reads. */
+#include <assimp/cfileio.h>
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/material.h>
+#include <assimp/mesh.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "importer.h"
+#include "materials.h"
+
+const char importer_name[] = "burnish-import-assimp";
+
+enum { DEPTH_MAX = 500 /* of nodes */ };
+
+void importer_prepare(void) {
+    aiGetImportFormatCount(); /* makes all readers once, and with them what they load */
+}
+
+/* ---- The one file that there is ---- */
+
+typedef struct open_file {
+    struct aiFile file;
+    const importer_input *input;
+    size_t position;
+} open_file;
+
+static open_file *opened(struct aiFile *file) {
+    return (open_file *)(void *)file->UserData;
+}
+
+static size_t read_file(struct aiFile *file, char *to, size_t size, size_t count) {
+    open_file *f = opened(file);
+    const size_t left = f->input->size - f->position;
+    const size_t most = size > 0 ? left / size : 0, got = count < most ? count : most;
+    memcpy(to, f->input->bytes + f->position, got * size);
+    f->position += got * size;
+    return got;
+}
+
+static size_t write_file(struct aiFile *file, const char *from, size_t size, size_t count) {
+    (void)file, (void)from, (void)size, (void)count;
+    return 0;
+}
+
+static size_t tell(struct aiFile *file) {
+    return opened(file)->position;
+}
+
+static size_t file_size(struct aiFile *file) {
+    return opened(file)->input->size;
+}
+
+static enum aiReturn seek(struct aiFile *file, size_t offset, enum aiOrigin origin) {
+    open_file *f = opened(file);
+    const size_t size = f->input->size;
+    const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? f->position : size;
+    const size_t to = base + offset; /* offsets back wrap around */
+    if (to > size) {
+        return aiReturn_FAILURE;
+    }
+    f->position = to;
+    return aiReturn_SUCCESS;
+}
+
+static void flush(struct aiFile *file) {
+    (void)file;
+}
+
+static char file_name[48];
+
+/* Any other name is a file's that is not there: what lies beside the input is not read here. */
+static struct aiFile *open_one(struct aiFileIO *io, const char *name, const char *mode) {
+    const size_t size = strlen(name), own = strlen(file_name);
+    if (size < own || strcmp(name + size - own, file_name) != 0 || strchr(mode, 'w')) {
+        return NULL;
+    }
+    open_file *f = importer_zeroed(1, sizeof *f);
+    f->input = (const importer_input *)(const void *)io->UserData;
+    f->file = (struct aiFile){.ReadProc = read_file,
+                              .WriteProc = write_file,
+                              .TellProc = tell,
+                              .FileSizeProc = file_size,
+                              .SeekProc = seek,
+                              .FlushProc = flush,
+                              .UserData = (aiUserData)f};
+    return &f->file;
+}
+
+static void close_one(struct aiFileIO *io, struct aiFile *file) {
+    (void)io;
+    free(opened(file));
+}
+
+/* ---- Nodes ---- */
+
+/* A walk over the nodes: of counting, or of drawing where `mesh` has its arrays. */
+typedef struct walk {
+    const struct aiScene *scene;
+    importer_mesh *mesh;
+    uint64_t vertices, triangles, points;
+    int is_damaged;
+    int has_no_normals; /* those that are there are not meant */
+} walk;
+
+typedef void use_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix);
+
+static struct aiMatrix4x4 product(const struct aiMatrix4x4 *a, const struct aiMatrix4x4 *b) {
+    struct aiMatrix4x4 both = *a;
+    aiMultiplyMatrix4(&both, b);
+    return both;
+}
+
+static void for_each_mesh(walk *w, const struct aiNode *node, const struct aiMatrix4x4 *above,
+                          int depth, use_mesh *use) {
+    const struct aiMatrix4x4 matrix = product(above, &node->mTransformation);
+    if (depth > DEPTH_MAX) {
+        importer_fail(BURNISH_BMS_LIMIT_ERROR, "its nodes are nested deeper than 500");
+    }
+    for (unsigned i = 0; i < node->mNumMeshes; ++i) {
+        if (node->mMeshes[i] < w->scene->mNumMeshes) {
+            use(w, w->scene->mMeshes[node->mMeshes[i]], &matrix);
+        }
+    }
+    for (unsigned i = 0; i < node->mNumChildren; ++i) {
+        for_each_mesh(w, node->mChildren[i], &matrix, depth + 1, use);
+    }
+}
+
+static void for_all(walk *w, use_mesh *use) {
+    struct aiMatrix4x4 none;
+    aiIdentityMatrix4(&none);
+    for_each_mesh(w, w->scene->mRootNode, &none, 0, use);
+}
+
+/* ---- Meshes ---- */
+
+static int is_triangle(const struct aiFace *face, const struct aiMesh *mesh) {
+    return face->mNumIndices == 3 && face->mIndices[0] < mesh->mNumVertices &&
+           face->mIndices[1] < mesh->mNumVertices && face->mIndices[2] < mesh->mNumVertices;
+}
+
+/* A mesh of lines or points alone is drawn only where nothing else is. */
+static int has_triangles(const struct aiMesh *mesh) {
+    for (unsigned i = 0; i < mesh->mNumFaces; ++i) {
+        if (is_triangle(&mesh->mFaces[i], mesh)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void count_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix) {
+    (void)matrix;
+    if (!mesh->mVertices || !has_triangles(mesh)) {
+        w->points += mesh->mVertices && mesh->mPrimitiveTypes & aiPrimitiveType_POINT
+                         ? mesh->mNumVertices
+                         : 0;
+        return;
+    }
+    w->vertices += mesh->mNumVertices;
+    for (unsigned i = 0; i < mesh->mNumFaces; ++i) {
+        w->triangles += (uint64_t)is_triangle(&mesh->mFaces[i], mesh);
+    }
+    w->mesh->parts |= (mesh->mNormals && !w->has_no_normals ? BURNISH_BMS_NORMALS : 0) |
+                      (mesh->mColors[0] ? BURNISH_BMS_COLORS : 0) |
+                      (mesh->mTextureCoords[0] ? BURNISH_BMS_TEXCOORDS : 0);
+}
+
+/* What normals are multiplied by: the cofactors, which are the inverse's transpose times the
+ * determinant. */
+static void find_cofactors(const struct aiMatrix4x4 *m, double c[9], double *determinant) {
+    const double a[9] = {m->a1, m->a2, m->a3, m->b1, m->b2, m->b3, m->c1, m->c2, m->c3};
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            const int r = (row + 1) % 3, s = (row + 2) % 3, u = (column + 1) % 3,
+                      v = (column + 2) % 3;
+            c[3 * row + column] = a[3 * r + u] * a[3 * s + v] - a[3 * r + v] * a[3 * s + u];
+        }
+    }
+    *determinant = a[0] * c[0] + a[1] * c[1] + a[2] * c[2];
+}
+
+/* Not finite numbers become 0, and are told of. */
+static void put_vector(walk *w, const double v[3], float *to) {
+    for (int i = 0; i < 3; ++i) {
+        to[i] = (float)v[i];
+        if (!isfinite(to[i])) {
+            to[i] = 0;
+            w->is_damaged = 1;
+        }
+    }
+}
+
+static void put_position(walk *w, const struct aiMatrix4x4 *m, const struct aiVector3D *p,
+                         float *to) {
+    const double x = p->x, y = p->y, z = p->z;
+    const double moved[3] = {m->a1 * x + m->a2 * y + m->a3 * z + m->a4,
+                             m->b1 * x + m->b2 * y + m->b3 * z + m->b4,
+                             m->c1 * x + m->c2 * y + m->c3 * z + m->c4};
+    put_vector(w, moved, to);
+}
+
+/* A unit vector; 0, which is to be generated, for what has no direction. */
+static void put_normal(const double c[9], double sign, const struct aiVector3D *n, float *to) {
+    double turned[3], square = 0;
+    for (int i = 0; i < 3; ++i) {
+        turned[i] = sign * (c[3 * i] * n->x + c[3 * i + 1] * n->y + c[3 * i + 2] * n->z);
+        square += turned[i] * turned[i];
+    }
+    for (int i = 0; i < 3 && square > 0 && square < 1e300; ++i) {
+        to[i] = (float)(turned[i] / sqrt(square));
+    }
+}
+
+static uint8_t code_of(float value) {
+    return (uint8_t)(value > 0 ? value < 1 ? value * 255 + 0.5f : 255 : 0);
+}
+
+static void draw_vertices(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix) {
+    importer_mesh *to = w->mesh;
+    double cofactors[9], determinant;
+    find_cofactors(matrix, cofactors, &determinant);
+    for (unsigned i = 0; i < mesh->mNumVertices; ++i) {
+        const uint64_t at = w->vertices + i;
+        put_position(w, matrix, &mesh->mVertices[i], to->positions + 3 * at);
+        if (mesh->mNormals && to->normals) {
+            put_normal(cofactors, determinant < 0 ? -1 : 1, &mesh->mNormals[i],
+                       to->normals + 3 * at);
+        }
+        if (mesh->mColors[0] && to->colors) {
+            const struct aiColor4D *c = &mesh->mColors[0][i];
+            const uint8_t rgba[4] = {code_of(c->r), code_of(c->g), code_of(c->b), code_of(c->a)};
+            memcpy(to->colors + 4 * at, rgba, sizeof rgba);
+        }
+        if (mesh->mTextureCoords[0] && to->texcoords) {
+            const float u = mesh->mTextureCoords[0][i].x, v = mesh->mTextureCoords[0][i].y;
+            to->texcoords[2 * at] = isfinite(u) ? u : 0;
+            to->texcoords[2 * at + 1] = isfinite(v) ? v : 0;
+        }
+    }
+}
+
+/* A mirror turns triangles around. */
+static void draw_triangles(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix) {
+    double cofactors[9], determinant;
+    find_cofactors(matrix, cofactors, &determinant);
+    for (unsigned i = 0; i < mesh->mNumFaces; ++i) {
+        const struct aiFace *face = &mesh->mFaces[i];
+        if (!is_triangle(face, mesh)) {
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int corner = determinant < 0 && k > 0 ? 3 - k : k;
+            w->mesh->indices[3 * w->triangles + (uint64_t)k] =
+                (uint32_t)(w->vertices + face->mIndices[corner]);
+        }
+        w->mesh->triangle_materials[w->triangles] =
+            mesh->mMaterialIndex < w->scene->mNumMaterials ? mesh->mMaterialIndex : 0;
+        w->triangles += 1;
+    }
+}
+
+static void draw_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix) {
+    const int is_cloud = w->mesh->triangle_count == 0;
+    if (!mesh->mVertices ||
+        (is_cloud ? !(mesh->mPrimitiveTypes & aiPrimitiveType_POINT) : !has_triangles(mesh))) {
+        return;
+    }
+    draw_vertices(w, mesh, matrix);
+    if (!is_cloud) {
+        draw_triangles(w, mesh, matrix);
+    }
+    w->vertices += mesh->mNumVertices;
+}
+
+/* Blender's vertices have smooth normals also where faces are flat. */
+static void flatten(const struct aiScene *scene, const char *ending, importer_mesh *mesh) {
+    walk counted = {.scene = scene, .mesh = mesh}, drawn = {.scene = scene, .mesh = mesh};
+    counted.has_no_normals = strcmp(ending, "blend") == 0;
+    for_all(&counted, count_mesh);
+    mesh->vertex_count = counted.triangles > 0 ? counted.vertices : counted.points;
+    mesh->triangle_count = counted.triangles;
+    mesh->parts |= counted.triangles > 0 ? BURNISH_BMS_TRIANGLE_MATERIALS : 0;
+    importer_allocate(mesh);
+    for_all(&drawn, draw_mesh);
+    if (drawn.is_damaged) {
+        importer_warn(mesh, "positions that are not finite are 0");
+    }
+}
+
+/* ---- The scene ---- */
+
+/* Which way is up. libassimp turns most formats to +Y; of others it leaves +Z as it is, or turns
+ * them away from it. */
+static void find_up(const char *ending, float up[3]) {
+    static const struct {
+        const char *ending;
+        float z;
+    } rows[] = {{"ac", -1},  {"ac3d", -1}, {"acc", -1}, {"amf", 1},  {"blend", 1},
+                {"cob", 1},  {"dxf", -1},  {"hmp", 1},  {"ogex", 1}, {"q3o", -1},
+                {"q3s", -1}, {"scn", 1},   {"smd", 1}};
+    up[1] = 1;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
+        if (strcmp(rows[i].ending, ending) == 0) {
+            up[1] = 0;
+            up[2] = rows[i].z;
+        }
+    }
+}
+
+static _Noreturn void fail_by_library(void) {
+    const char *text = aiGetErrorString();
+    if (!text || !*text) {
+        text = "libassimp says nothing of what is wrong";
+    }
+    importer_fail(strstr(text, "bad_alloc") ? BURNISH_BMS_MEMORY_ERROR : BURNISH_BMS_FORMAT_ERROR,
+                  text);
+}
+
+void importer_import(const importer_input *input, importer_mesh *mesh) {
+    struct aiFileIO files = {open_one, close_one, (aiUserData)(uintptr_t)input};
+    struct aiPropertyStore *properties = aiCreatePropertyStore();
+    const unsigned steps = aiProcess_Triangulate | aiProcess_TransformUVCoords;
+    snprintf(file_name, sizeof file_name, "input.%s", input->ending);
+    aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+    const struct aiScene *scene =
+        aiImportFileExWithProperties(file_name, steps, &files, properties);
+    if (!scene || !scene->mRootNode) {
+        fail_by_library();
+    }
+    find_up(input->ending, mesh->up);
+    assimp_read_materials(scene, mesh);
+    flatten(scene, input->ending, mesh);
+}

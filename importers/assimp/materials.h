@@ -1,0 +1,13 @@
+/* Materials and textures of libassimp's scenes. */
+#ifndef BURNISH_IMPORT_ASSIMP_MATERIALS_H
+#define BURNISH_IMPORT_ASSIMP_MATERIALS_H
+
+#include <assimp/scene.h>
+
+#include "importer.h"
+
+/* One material for each of the scene's, and the textures that they use: those that the file holds,
+ * and names of those beside it. */
+void assimp_read_materials(const struct aiScene *scene, importer_mesh *mesh);
+
+#endif

@@ -1,0 +1,498 @@
+/* The mesh stream of importers (bms.h). They are other programs, and what they read may have been
+ * made to harm: nothing in a stream is believed. */
+#include "mesh/read/bms.h"
+
+#include <float.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/vector.h"
+#include "mesh/read/origin.h"
+#include "mesh/read/points.h"
+#include "mesh/read/textures.h"
+
+enum {
+    MATERIALS_MAX = 65536, /* numbered in 16 bits */
+    TEXT_MAX = 1 << 16,
+    NAME_MAX_SIZE = 4096,
+    DAMAGED_MAX = 8, /* pictures after which no further one is tried: each may take long to fail */
+    STEP = 1 << 16   /* vertices or triangles between looks at whether to go on */
+};
+
+typedef struct bms_state {
+    burnish_reader *reader;
+    burnish_mesh_data *mesh;
+    const uint8_t *next; /* what was not read yet */
+    size_t vertices, triangles, materials, textures, text_size;
+    uint32_t parts;
+    int *texture_numbers; /* in the mesh, 1 + number; 0: left out */
+} bms_state;
+
+/* ---- Numbers ---- */
+
+static uint32_t word_at(const uint8_t *at) {
+    return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
+}
+
+static float float_at(const uint8_t *at) {
+    const uint32_t bits = word_at(at);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static int is_finite(float value) {
+    return value >= -FLT_MAX && value <= FLT_MAX;
+}
+
+static burnish_status fail(const bms_state *s, const uint8_t *at, const char *text) {
+    return burnish_reader_fail(s->reader, BURNISH_STATUS_FORMAT, at, "%s", text);
+}
+
+static size_t left(const bms_state *s) {
+    return (size_t)(s->reader->input->bytes + s->reader->input->size - s->next);
+}
+
+/* Texts, names and pictures end at a multiple of 4. */
+static uint64_t padded(uint64_t size) {
+    return (size + 3) & ~(uint64_t)3;
+}
+
+/* ---- The head ---- */
+
+/* Bytes of what follows the textures. */
+static uint64_t size_of_rest(const bms_state *s) {
+    const unsigned vertex = 12 + (s->parts & BURNISH_BMS_NORMALS ? 12 : 0) +
+                            (s->parts & BURNISH_BMS_COLORS ? 4 : 0) +
+                            (s->parts & BURNISH_BMS_TEXCOORDS ? 8 : 0),
+                   triangle = 12 + (s->parts & BURNISH_BMS_TRIANGLE_MATERIALS ? 4 : 0);
+    return (uint64_t)s->materials * BURNISH_BMS_MATERIAL_SIZE + (uint64_t)s->vertices * vertex +
+           (uint64_t)s->triangles * triangle;
+}
+
+/* Whether all of a stream is there, before anything of it is allocated. Sizes of textures are
+ * looked at one by one. */
+static burnish_status check_size(const bms_state *s) {
+    const uint8_t *bytes = s->reader->input->bytes;
+    const uint64_t stated = (uint64_t)word_at(bytes + BURNISH_BMS_AT_SIZE + 4) << 32 |
+                            word_at(bytes + BURNISH_BMS_AT_SIZE);
+    const uint64_t least = BURNISH_BMS_HEAD_SIZE + padded(s->text_size) +
+                           (uint64_t)s->textures * BURNISH_BMS_TEXTURE_SIZE + size_of_rest(s);
+    if (stated != s->reader->input->size || least > stated) {
+        return burnish_reader_fail(
+            s->reader, BURNISH_STATUS_FORMAT, bytes + BURNISH_BMS_AT_SIZE,
+            "the stream states %llu bytes and needs at least %llu for its counts, but has %zu; it "
+            "is truncated or damaged",
+            (unsigned long long)stated, (unsigned long long)least, s->reader->input->size);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_counts(const bms_state *s) {
+    const burnish_load_options *options = s->reader->input->options;
+    const uint8_t *bytes = s->reader->input->bytes;
+    if (s->text_size > TEXT_MAX) {
+        return fail(s, bytes + BURNISH_BMS_AT_TEXT_SIZE, "more than 65536 bytes of text");
+    }
+    if (s->materials > MATERIALS_MAX) {
+        return fail(s, bytes + BURNISH_BMS_AT_MATERIALS, "more than 65536 materials");
+    }
+    if (s->textures > BURNISH_TEXTURES_MAX) {
+        return fail(s, bytes + BURNISH_BMS_AT_TEXTURES, "more than 65536 textures");
+    }
+    if (s->vertices > BURNISH_VALUE_LIMIT) {
+        return fail(s, bytes + BURNISH_BMS_AT_VERTICES, "more than 4294967294 vertices");
+    }
+    return s->triangles > options->max_triangles
+               ? burnish_fail_triangles(s->reader, bytes + BURNISH_BMS_AT_TRIANGLES)
+               : BURNISH_STATUS_OK;
+}
+
+/* What the importer had to say instead of a mesh. */
+static burnish_status read_error(const bms_state *s, uint32_t kind) {
+    static const burnish_status statuses[BURNISH_BMS_KIND_COUNT] = {
+        [BURNISH_BMS_FORMAT_ERROR] = BURNISH_STATUS_FORMAT,
+        [BURNISH_BMS_LIMIT_ERROR] = BURNISH_STATUS_LIMIT,
+        [BURNISH_BMS_MEMORY_ERROR] = BURNISH_STATUS_MEMORY};
+    if (s->text_size == 0) {
+        return fail(s, NULL, "an error without a text");
+    }
+    return burnish_reader_fail(s->reader, statuses[kind], NULL, "%.*s", (int)s->text_size,
+                               (const char *)s->next);
+}
+
+/* Up axis; one that is nothing is the format's. */
+static burnish_status read_up(const bms_state *s) {
+    const uint8_t *at = s->reader->input->bytes + BURNISH_BMS_AT_UP;
+    const float up[3] = {float_at(at), float_at(at + 4), float_at(at + 8)};
+    if (!is_finite(up[0]) || !is_finite(up[1]) || !is_finite(up[2])) {
+        return fail(s, at, "the up axis is not finite");
+    }
+    const burnish_vec3 unit = burnish_vec3_normalize(burnish_vec3_loadf(up));
+    s->mesh->up_axis[0] = (float)unit.x;
+    s->mesh->up_axis[1] = (float)unit.y;
+    s->mesh->up_axis[2] = (float)unit.z;
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status read_head(bms_state *s) {
+    const burnish_reader_input *input = s->reader->input;
+    const uint8_t *bytes = input->bytes;
+    if (input->size < BURNISH_BMS_HEAD_SIZE ||
+        memcmp(bytes, BURNISH_BMS_MAGIC, sizeof BURNISH_BMS_MAGIC - 1) != 0) {
+        return fail(s, bytes, "no mesh stream: its first 8 bytes are others, or it ends before 64");
+    }
+    const uint32_t version = word_at(bytes + BURNISH_BMS_AT_VERSION);
+    const uint32_t kind = word_at(bytes + BURNISH_BMS_AT_KIND);
+    if (version != BURNISH_BMS_VERSION) {
+        return burnish_reader_fail(
+            s->reader, BURNISH_STATUS_FORMAT, bytes + BURNISH_BMS_AT_VERSION,
+            "version %u of the mesh stream, not %d; take importers of this burnish",
+            (unsigned)version, BURNISH_BMS_VERSION);
+    }
+    s->vertices = word_at(bytes + BURNISH_BMS_AT_VERTICES);
+    s->triangles = word_at(bytes + BURNISH_BMS_AT_TRIANGLES);
+    s->materials = word_at(bytes + BURNISH_BMS_AT_MATERIALS);
+    s->textures = word_at(bytes + BURNISH_BMS_AT_TEXTURES);
+    s->parts = word_at(bytes + BURNISH_BMS_AT_PARTS);
+    s->text_size = word_at(bytes + BURNISH_BMS_AT_TEXT_SIZE);
+    s->next = bytes + BURNISH_BMS_HEAD_SIZE;
+    if (kind >= BURNISH_BMS_KIND_COUNT) {
+        return fail(s, bytes + BURNISH_BMS_AT_KIND, "an unknown kind of mesh stream");
+    }
+    if (s->parts & ~(uint32_t)BURNISH_BMS_PARTS_ALL) {
+        return fail(s, bytes + BURNISH_BMS_AT_PARTS, "an unknown part of a mesh");
+    }
+    burnish_status status = check_counts(s);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_size(s);
+    }
+    if (status == BURNISH_STATUS_OK && kind != BURNISH_BMS_MESH) {
+        status = read_error(s, kind);
+    }
+    return status == BURNISH_STATUS_OK ? read_up(s) : status;
+}
+
+/* Each line is a warning. */
+static void read_text(bms_state *s) {
+    const char *line = (const char *)s->next, *end = line + s->text_size;
+    while (line < end) {
+        const char *newline = memchr(line, '\n', (size_t)(end - line));
+        const char *last = newline ? newline : end;
+        if (last > line) {
+            burnish_reader_warn(s->reader, NULL, "%.*s", (int)(last - line), line);
+        }
+        line = last + 1;
+    }
+    s->next += padded(s->text_size);
+}
+
+/* ---- Textures ---- */
+
+typedef struct bms_texture {
+    uint32_t kind, is_color, width, height;
+    size_t size;
+    char name[NAME_MAX_SIZE];
+} bms_texture;
+
+/* Returns its number in the mesh. */
+static int take_texture(bms_state *s, const bms_texture *texture, const uint8_t *bytes) {
+    burnish_reader *reader = s->reader;
+    if (reader->input->options->ignore_textures) {
+        return 0;
+    }
+    switch (texture->kind) {
+    case BURNISH_BMS_FILE:
+        return burnish_reader_load_texture(reader, NULL, texture->name, (int)texture->is_color);
+    case BURNISH_BMS_ENCODED:
+        return burnish_reader_decode_texture(reader, NULL, texture->name, bytes, texture->size,
+                                             (int)texture->is_color);
+    default:
+        return burnish_reader_copy_texture(reader, NULL, texture->name, (int)texture->width,
+                                           (int)texture->height, bytes, (int)texture->is_color);
+    }
+}
+
+/* The record at s->next, and what follows it. */
+static burnish_status read_texture(bms_state *s, size_t number, size_t *damaged) {
+    bms_texture texture;
+    const uint8_t *head = s->next;
+    if (left(s) < BURNISH_BMS_TEXTURE_SIZE) {
+        return fail(s, head, "the stream ends within a texture");
+    }
+    texture.kind = word_at(head);
+    texture.is_color = word_at(head + 4);
+    texture.width = word_at(head + 8);
+    texture.height = word_at(head + 12);
+    const uint32_t name_size = word_at(head + 16);
+    texture.size = word_at(head + 20);
+    s->next += BURNISH_BMS_TEXTURE_SIZE;
+    if (texture.kind > BURNISH_BMS_PIXELS || texture.is_color > 1 || name_size >= NAME_MAX_SIZE) {
+        return fail(s, head, "a texture of an unknown kind, or with a name of 4096 bytes or more");
+    }
+    if (padded(name_size) + padded(texture.size) > left(s)) {
+        return fail(s, head, "a texture goes beyond the end of the stream");
+    }
+    if (texture.kind == BURNISH_BMS_PIXELS &&
+        (texture.width < 1 || texture.width > BURNISH_TEXTURE_SIZE_MAX || texture.height < 1 ||
+         texture.height > BURNISH_TEXTURE_SIZE_MAX ||
+         (uint64_t)texture.width * texture.height * 4 != texture.size)) {
+        return fail(s, head, "a texture whose size is not that of its pixels");
+    }
+    memcpy(texture.name, s->next, name_size);
+    texture.name[name_size] = 0;
+    s->next += padded(name_size);
+    s->texture_numbers[number] = 0;
+    if (*damaged < DAMAGED_MAX || texture.kind == BURNISH_BMS_FILE) {
+        s->texture_numbers[number] = take_texture(s, &texture, s->next);
+        *damaged += texture.kind != BURNISH_BMS_FILE && s->texture_numbers[number] == 0;
+    }
+    s->next += padded(texture.size);
+    return s->mesh->memory.status;
+}
+
+static burnish_status read_textures(bms_state *s) {
+    size_t damaged = 0;
+    burnish_status status = BURNISH_STATUS_OK;
+    s->texture_numbers =
+        burnish_allocate(&s->mesh->memory, s->textures, sizeof *s->texture_numbers, "textures");
+    status = s->mesh->memory.status;
+    for (size_t i = 0; i < s->textures && status == BURNISH_STATUS_OK; ++i) {
+        status = read_texture(s, i, &damaged);
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_tasks_check(s->mesh->tasks, s->reader->error);
+        }
+    }
+    return status;
+}
+
+/* ---- Materials ---- */
+
+static void read_color(const uint8_t *at, float color[3]) {
+    for (int i = 0; i < 3; ++i) {
+        color[i] = float_at(at + 4 * i);
+    }
+}
+
+/* One slot: 1 + number of a texture of the stream, then how it repeats. */
+static int read_use(const bms_state *s, const uint8_t *at, float strength,
+                    burnish_texture_use *use) {
+    const uint32_t texture = word_at(at), wrap = word_at(at + 4);
+    if (texture > s->textures || (wrap & 0xff) > BURNISH_WRAP_MIRROR ||
+        wrap >> 8 > BURNISH_WRAP_MIRROR) {
+        return 0;
+    }
+    const int number = texture > 0 ? s->texture_numbers[texture - 1] : 0;
+    if (number > 0) {
+        use->texture = number;
+        use->wrap[0] = (int)(wrap & 0xff);
+        use->wrap[1] = (int)(wrap >> 8);
+        use->strength = strength;
+    }
+    return 1;
+}
+
+static burnish_status read_material(bms_state *s, size_t number) {
+    const uint8_t *at = s->next, *numbers = at + BURNISH_BMS_AT_EXPONENT;
+    const uint32_t flags = word_at(at + BURNISH_BMS_AT_FLAGS);
+    burnish_material *material = &s->mesh->materials[number];
+    burnish_error why = {0};
+    char name[40];
+    *material =
+        (burnish_material){.exponent = float_at(numbers),
+                           .transparency = 1 - float_at(numbers + 4),
+                           .metallic = float_at(numbers + 8),
+                           .roughness = float_at(numbers + 12),
+                           .alpha_cutoff = float_at(numbers + 16),
+                           .has_diffuse = (flags & BURNISH_BMS_HAS_DIFFUSE) != 0,
+                           .is_metallic = (flags & BURNISH_BMS_METALLIC) != 0,
+                           .is_unlit = (flags & BURNISH_BMS_UNLIT) != 0,
+                           .reflectance = {0.04f, 0.04f, 0.04f},
+                           .alpha_mode = flags & BURNISH_BMS_MASK    ? BURNISH_ALPHA_MASK
+                                         : flags & BURNISH_BMS_BLEND ? BURNISH_ALPHA_BLEND
+                                                                     : BURNISH_ALPHA_IGNORE};
+    read_color(at, material->ambient);
+    read_color(at + 12, material->diffuse);
+    read_color(at + 24, material->specular);
+    read_color(at + 36, material->emissive);
+    for (int slot = 0; slot < BURNISH_BMS_SLOTS; ++slot) {
+        const float strength = slot == BURNISH_TEXTURE_NORMAL ? float_at(numbers + 20) : 1;
+        if (!read_use(s, at + BURNISH_BMS_AT_SLOTS + 8 * slot, strength,
+                      &material->textures[slot])) {
+            return fail(s, at + BURNISH_BMS_AT_SLOTS + 8 * slot,
+                        "a material uses a texture that is not there, or in an unknown way");
+        }
+    }
+    snprintf(name, sizeof name, "material %zu", number);
+    if (burnish_check_material(material, s->mesh->texture_count, name, &why) != BURNISH_STATUS_OK) {
+        return fail(s, at, why.text);
+    }
+    s->next += BURNISH_BMS_MATERIAL_SIZE;
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status read_materials(bms_state *s) {
+    burnish_mesh_data *mesh = s->mesh;
+    burnish_status status;
+    mesh->materials =
+        burnish_allocate(&mesh->memory, s->materials, sizeof *mesh->materials, "materials");
+    status = mesh->memory.status;
+    mesh->material_capacity = s->materials;
+    for (size_t i = 0; i < s->materials && status == BURNISH_STATUS_OK; ++i) {
+        status = read_material(s, i);
+        mesh->material_count = i + 1;
+    }
+    return status;
+}
+
+/* ---- Vertices and triangles ---- */
+
+static burnish_status go_on(const bms_state *s, size_t i) {
+    return i % STEP == STEP - 1 ? burnish_tasks_check(s->mesh->tasks, s->reader->error)
+                                : BURNISH_STATUS_OK;
+}
+
+/* `width` floats per vertex. What is not finite ends the run for positions, and is 0 elsewhere: a
+ * normal that is 0 is generated. */
+static burnish_status read_floats(bms_state *s, burnish_attribute attribute, size_t width,
+                                  int keep) {
+    burnish_status status = BURNISH_STATUS_OK;
+    if (keep) {
+        status = burnish_mesh_data_reserve(s->mesh, attribute, s->vertices);
+    }
+    float *to = s->mesh->streams[attribute].items;
+    for (size_t i = 0; keep && i < s->vertices && status == BURNISH_STATUS_OK; ++i) {
+        for (size_t k = 0; k < width; ++k, ++to) {
+            const uint8_t *at = s->next + 4 * (i * width + k);
+            *to = float_at(at);
+            if (!is_finite(*to)) {
+                if (attribute == BURNISH_POSITION) {
+                    return burnish_reader_fail(s->reader, BURNISH_STATUS_FORMAT, at,
+                                               "position %zu is not finite; the stream is damaged",
+                                               i);
+                }
+                *to = 0;
+            }
+        }
+        status = go_on(s, i);
+    }
+    s->mesh->streams[attribute].count = keep ? s->vertices : 0;
+    s->next += 4 * width * s->vertices;
+    return status;
+}
+
+static burnish_status read_colors(bms_state *s) {
+    burnish_status status = burnish_mesh_data_reserve(s->mesh, BURNISH_COLOR, s->vertices);
+    if (status == BURNISH_STATUS_OK && s->vertices > 0) {
+        memcpy(s->mesh->streams[BURNISH_COLOR].items, s->next, 4 * s->vertices);
+        s->mesh->streams[BURNISH_COLOR].count = s->vertices;
+        s->next += 4 * s->vertices;
+    }
+    return status;
+}
+
+static burnish_status read_vertices(bms_state *s) {
+    const int keeps = burnish_reader_keeps_coordinates(s->reader, s->mesh->texture_count > 0);
+    burnish_status status = read_floats(s, BURNISH_POSITION, 3, 1);
+    if (status == BURNISH_STATUS_OK) {
+        burnish_move_positions(s->mesh);
+    }
+    if (status == BURNISH_STATUS_OK && s->parts & BURNISH_BMS_NORMALS) {
+        status = read_floats(s, BURNISH_NORMAL, 3, 1);
+    }
+    if (status == BURNISH_STATUS_OK && s->parts & BURNISH_BMS_COLORS) {
+        status = read_colors(s);
+    }
+    return status == BURNISH_STATUS_OK && s->parts & BURNISH_BMS_TEXCOORDS
+               ? read_floats(s, BURNISH_TEXCOORD, 2, keeps)
+               : status;
+}
+
+static burnish_status read_indices(bms_state *s) {
+    burnish_status status =
+        burnish_mesh_data_reserve_corners(s->mesh, BURNISH_POSITION, s->triangles);
+    uint32_t *to = s->mesh->streams[BURNISH_POSITION].corners;
+    for (size_t i = 0; i < 3 * s->triangles && status == BURNISH_STATUS_OK; ++i) {
+        to[i] = word_at(s->next + 4 * i);
+        if (to[i] >= s->vertices) {
+            return burnish_reader_fail(
+                s->reader, BURNISH_STATUS_FORMAT, s->next + 4 * i,
+                "vertex %u is out of range; there are %zu vertices, counted from 0",
+                (unsigned)to[i], s->vertices);
+        }
+        status = go_on(s, i);
+    }
+    s->mesh->triangle_count = s->triangles;
+    s->next += 12 * s->triangles;
+    return status;
+}
+
+static burnish_status read_triangle_materials(bms_state *s) {
+    burnish_mesh_data *mesh = s->mesh;
+    mesh->triangle_materials = burnish_allocate(&mesh->memory, s->triangles,
+                                                sizeof *mesh->triangle_materials, "materials");
+    mesh->triangle_material_capacity = s->triangles;
+    burnish_status status = mesh->memory.status;
+    const size_t materials = s->materials > 0 ? s->materials : 1;
+    for (size_t i = 0; i < s->triangles && status == BURNISH_STATUS_OK; ++i) {
+        const uint32_t material = word_at(s->next + 4 * i);
+        if (material >= materials) {
+            return burnish_reader_fail(
+                s->reader, BURNISH_STATUS_FORMAT, s->next + 4 * i,
+                "material %u is out of range; there are %zu materials, counted from 0",
+                (unsigned)material, materials);
+        }
+        mesh->triangle_materials[i] = (uint16_t)material;
+        status = go_on(s, i);
+    }
+    s->next += 4 * s->triangles;
+    return status;
+}
+
+/* What is left after the textures has to be exactly what the counts say. */
+static burnish_status check_rest(const bms_state *s) {
+    const uint64_t rest = size_of_rest(s);
+    return rest == left(s)
+               ? BURNISH_STATUS_OK
+               : burnish_reader_fail(s->reader, BURNISH_STATUS_FORMAT, s->next,
+                                     "%zu bytes are left for materials, vertices and triangles, "
+                                     "which have %llu; the stream is damaged",
+                                     left(s), (unsigned long long)rest);
+}
+
+static burnish_status read_all(bms_state *s) {
+    burnish_status status = read_head(s);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    read_text(s);
+    burnish_status (*const steps[])(bms_state *) = {read_materials, read_vertices, read_indices};
+    status = read_textures(s);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_rest(s);
+    }
+    for (size_t i = 0; i < sizeof steps / sizeof *steps && status == BURNISH_STATUS_OK; ++i) {
+        status = steps[i](s);
+    }
+    if (status == BURNISH_STATUS_OK && s->parts & BURNISH_BMS_TRIANGLE_MATERIALS) {
+        status = read_triangle_materials(s);
+    }
+    return status;
+}
+
+burnish_status burnish_read_bms(burnish_reader *reader) {
+    bms_state state = {.reader = reader, .mesh = reader->mesh};
+    reader->is_binary = 1;
+    burnish_status status = read_all(&state);
+    burnish_release(reader->mesh->memory.context, state.texture_numbers);
+    if (status == BURNISH_STATUS_OK && state.triangles == 0) {
+        status = state.vertices > 0 ? burnish_make_points(reader, NULL, 0)
+                                    : fail(&state, NULL, "no triangles; export the scene's meshes");
+    }
+    return status;
+}
+
+int burnish_recognise_bms(const uint8_t *bytes, size_t size) {
+    const size_t magic = sizeof BURNISH_BMS_MAGIC - 1;
+    return size >= magic && memcmp(bytes, BURNISH_BMS_MAGIC, magic) == 0 ? 2 : 0;
+}

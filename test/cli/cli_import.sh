@@ -1,0 +1,112 @@
+#!/bin/sh
+# Importers: how they are found and started, and what becomes of those that do other than they should. Scripts stand for them.
+# Usage: cli_import.sh PROGRAM FOLDER
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/lib.sh"
+mkdir "$scratch.bin"
+bin=$scratch.bin
+trap 'rm -rf "$bin"' EXIT
+export BURNISH_IMPORTERS="$bin"
+"$here/../fuzz/seeds" "$bin/seeds"
+tail -c +4 "$bin/seeds/bms/all" >"$bin/all.bms"
+tail -c +4 "$bin/seeds/bms/error" >"$bin/error.bms"
+echo "an FBX" >a.fbx
+name=burnish-import-assimp
+
+# importer COMMANDS: what the importer does from now on.
+importer() {
+    printf '#!/bin/sh\n%s\n' "$1" >"$bin/$name"
+    chmod +x "$bin/$name"
+}
+
+boxed=
+if "$burnish" render :sphere --size=8 --sandbox -o s.png 2>/dev/null; then
+    boxed=--sandbox
+fi
+rm -f s.png
+
+# refused CODE LINE: of the importer as it is, in each of the ways to load a mesh.
+refused() {
+    expect "$1" "burnish: a.fbx: $name $2" info a.fbx
+    expect "$1" "burnish: a.fbx: $name $2" render a.fbx -o p.png
+    expect "$1" "burnish: a.fbx: $name $2" compare a.fbx :sphere
+    [ -z "$boxed" ] || expect "$1" "burnish: a.fbx: $name $2" render a.fbx --sandbox -o p.png
+    check "no picture" [ "$(ls -A)" = a.fbx ]
+}
+
+refused 4 "reads such files and is not there; build it (-DBURNISH_IMPORT_ASSIMP=ON, Debian's libassimp-dev), name its folder in BURNISH_IMPORTERS, or convert the file to glTF, OBJ, PLY or STL"
+importer 'exit 0'
+refused 4 'ended without a mesh'
+importer 'exit 3'
+refused 4 'ended with exit code 3 and no mesh'
+importer 'echo hello; kill -SEGV $$'
+refused 4 'crashed by signal 11 (Segmentation fault); repair the file, or convert it'
+importer 'kill -SYS $$'
+refused 4 'asked the system for what importing does not need, and was ended'
+importer 'kill -KILL $$'
+refused 6 'was ended by the system: out of memory'
+importer 'exec yes'
+refused 5 'makes a mesh of far more bytes than the file has; simplify the file'
+importer "cat '$bin/error.bms'"
+stream_refused() { # what a stream says comes after the importer's name and a colon
+    name=$name: && refused "$@" && name=${name%:}
+}
+stream_refused 4 'text'
+importer "echo 'what an importer says when it is something else, more than 64 bytes of it'"
+stream_refused 4 'byte 0: no mesh stream: its first 8 bytes are others, or it ends before 64'
+importer "head -c 200 '$bin/all.bms'"
+stream_refused 4 'byte 16: the stream states 400 bytes and needs at least 384 for its counts, but has 200; it is truncated or damaged'
+
+# A limit of time ends the importer too. One that nobody waits for may be left as a zombie.
+importer "echo \$\$ >'$bin/number'; exec sleep 60"
+for flag in --no-sandbox $boxed; do
+    expect 5 'burnish: not done after 0.3 seconds (--max-seconds): raise the limit or simplify the mesh' \
+        render a.fbx --max-seconds=0.3 "$flag" -o p.png
+    sleep 0.1
+    check "the importer has ended" [ -z "$(cut -d' ' -f3 "/proc/$(cat "$bin/number")/stat" 2>/dev/null | grep -v Z)" ]
+done
+
+# One that works: it gets the ending, the file as standard input, and no other descriptor.
+importer "echo \"\$*\" >'$bin/arguments'; cat >'$bin/input'; ls /proc/self/fd >'$bin/descriptors'; cat '$bin/all.bms'"
+run render a.fbx --size=64 --json -o p.png
+check "drawn: $(cat "$err")" [ "$code" = 0 ]
+check "its format" [ "$(json format)" = bms ]
+check "the ending" [ "$(cat "$bin/arguments")" = fbx ]
+check "the file" cmp -s a.fbx "$bin/input"
+check "descriptors: $(cat "$bin/descriptors")" [ "$(wc -l <"$bin/descriptors")" -le 4 ] # ls has one of its own
+check "warnings" [ "$(cat "$err")" = "burnish: warning: a.fbx: burnish-import-assimp: text
+burnish: warning: a.fbx: burnish-import-assimp: texture \"a.png\" is left out: a.png: can't be opened: No such file or directory" ]
+cp "$here/../data/tiles.png" a.png
+for flag in --no-sandbox $boxed; do
+    run render a.fbx --size=64 "$flag" -o q.png
+    check "a texture beside the file, $flag: $(cat "$err")" [ "$(cat "$err")" = "burnish: warning: a.fbx: burnish-import-assimp: text" ]
+    check "the same picture, $flag" cmp -s p.png q.png
+done
+run info a.fbx
+check "info" [ "$code" = 0 ]
+run compare a.fbx a.fbx
+check "compare" [ "$code" = 0 ]
+expect 5 'burnish: a.fbx: larger than the limit of 3 bytes; raise the limit or simplify the mesh' \
+    render a.fbx --max-input-bytes=3 -o r.png
+run render a.fbx --input-format=stl -o r.png
+check "a format that is named is not imported" [ "$code" = 4 ]
+expect 3 "burnish: none.fbx: can't be opened: No such file or directory" render none.fbx -o r.png
+
+# Folders of a batch: importers' files where the importer is installed.
+mkdir models
+cp a.fbx models
+echo text >models/a.txt
+run batch models -d models --size=16 --no-sandbox --max-memory=8000000000G # which a sanitizer bears
+check "a batch: $(cat "$err")" [ "$code" = 0 -a -s models/a.png ]
+rm models/a.png
+BURNISH_IMPORTERS=$bin/none expect 2 'burnish: batch: no meshes there; --recursive looks into folders below' batch models
+rm -r models
+
+# A file that one of burnish's own readers reads, whatever it is called.
+cp "$here/../data/colors.ply" other.dae
+importer "cat '$bin/error.bms'"
+expect 0 '' render other.dae --size=16 -o r.png
+[ -z "$boxed" ] || expect 0 '' render other.dae --size=16 --sandbox -o r.png
+rm -f a.fbx a.png p.png q.png r.png other.dae
+nothing_left "importers"
+finish

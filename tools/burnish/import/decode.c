@@ -1,0 +1,111 @@
+/* Draco's streams in glTF: what the loader hands over goes through an importer. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#ifndef _WIN32
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+#include "cli/options.h"
+#include "cli/write.h"
+#include "import/import.h"
+
+#ifndef _WIN32
+
+static const import_program draco = {.name = "burnish-import-draco",
+                                     .from = "-DBURNISH_IMPORT_DRACO=ON, Debian's libdraco-dev",
+                                     .endings = "",
+                                     .argument = "draco",
+                                     .otherwise =
+                                         "export the file without KHR_draco_mesh_compression"};
+
+int import_unnamed_file(void) {
+#ifdef __linux__
+    return memfd_create("streams", MFD_CLOEXEC);
+#else
+    FILE *file = tmpfile(); /* its descriptor stays, as the process does */
+    return file ? dup(fileno(file)) : -1;
+#endif
+}
+
+burnish_status import_decode(const char *name, int file, import_taker *take, void *context,
+                             burnish_error *error) {
+    return import_run(&draco, name, file, UINT64_MAX, take, context, error);
+}
+
+static burnish_status decode_here(const char *name, const void *bytes, size_t size,
+                                  import_stream *stream, burnish_error *error) {
+    const int file = import_unnamed_file();
+    if (file < 0 || !cli_write_all(file, bytes, size)) {
+        if (file >= 0) {
+            close(file);
+        }
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "%.200s: no room for %s: %s", name,
+                        draco.name, strerror(errno));
+    }
+    burnish_status status = import_decode(name, file, import_keep, stream, error);
+    close(file);
+    return status == BURNISH_STATUS_MEMORY && stream->is_short ? BURNISH_STATUS_OK : status;
+}
+
+static import_decode_function *decode_function = decode_here;
+
+void import_set_decode(import_decode_function *function) {
+    decode_function = function;
+}
+
+/* What an importer that could do nothing wrote: the stream of an error. */
+static burnish_status take_error(const char *name, const import_stream *stream,
+                                 burnish_error *error) {
+    const burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    const burnish_status status =
+        import_build(&draco, name, stream, &options, (burnish_file_loader){0}, &mesh, error);
+    burnish_mesh_destroy(mesh);
+    return status == BURNISH_STATUS_OK
+               ? cli_fail(error, BURNISH_STATUS_FORMAT, "%.200s: %s makes a mesh of its own", name,
+                          draco.name)
+               : status;
+}
+
+static burnish_status decode(void *user_data, const char *form, const void *bytes, size_t size,
+                             const uint8_t **decoded, size_t *decoded_size, burnish_error *error) {
+    const char *name = user_data;
+    import_stream stream = {0};
+    (void)form; /* there is one */
+    burnish_status status = decode_function(name, bytes, size, &stream, error);
+    if (status == BURNISH_STATUS_OK && (stream.is_short || stream.size < 4 ||
+                                        memcmp(stream.bytes,
+                                               "\x89"
+                                               "BMS",
+                                               4) == 0)) {
+        status = take_error(name, &stream, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        free(stream.bytes);
+        return status;
+    }
+    *decoded = stream.bytes;
+    *decoded_size = stream.size;
+    return BURNISH_STATUS_OK;
+}
+
+static void release(void *user_data, const uint8_t *decoded, size_t size) {
+    (void)user_data, (void)size;
+    free((void *)(uintptr_t)decoded);
+}
+
+burnish_stream_decoder import_decoder(const char *name) {
+    return (burnish_stream_decoder){decode, release, (void *)(uintptr_t)name};
+}
+
+#else
+
+burnish_stream_decoder import_decoder(const char *name) {
+    (void)name;
+    return (burnish_stream_decoder){0};
+}
+
+#endif

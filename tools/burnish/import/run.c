@@ -1,0 +1,358 @@
+/* Runs an importer. */
+#include "import/import.h"
+
+#include "cli/options.h"
+
+#ifndef _WIN32
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include "cli/limits.h"
+#include "import/folder.h"
+
+enum {
+    SECONDS = 300, /* that an importer may take at least */
+    PIECE = 1 << 16,
+    MOST_FIXED = 64 << 20, /* bytes of a stream: these, and so many for each of the input's */
+    MOST_FACTOR = 256,
+    MEMORY_FACTOR = 64
+};
+#define MEMORY_FIXED ((uint64_t)4 << 30)
+
+/* A run of an importer. */
+typedef struct run {
+    const import_program *importer;
+    const char *name;
+    burnish_error *error;
+    char path[4096];
+    pid_t process;
+    int pipe; /* from it */
+    double end;
+    uint64_t most; /* bytes that it may write */
+} run;
+
+static double now(void) {
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static burnish_status fail(const run *r, burnish_status status, const char *what) {
+    const size_t size = strlen(r->name);
+    return cli_fail(r->error, status, "%.200s: %s %s", size > 200 ? r->name + size - 200 : r->name,
+                    r->importer->name, what);
+}
+
+/* ---- Where it is ---- */
+
+static int is_there(run *r, const char *folder, const char *below) {
+    const int size = snprintf(r->path, sizeof r->path, "%s%s/%s", folder, below, r->importer->name);
+    return size > 0 && (size_t)size < sizeof r->path && access(r->path, X_OK) == 0;
+}
+
+/* In BURNISH_IMPORTERS alone where that is set; else where it is installed, or beside the program,
+ * as in a build. */
+static burnish_status find_program(run *r) {
+    const char *given = getenv("BURNISH_IMPORTERS");
+    char folder[4000];
+    const ssize_t size = readlink("/proc/self/exe", folder, sizeof folder - 1);
+    char message[300];
+    if (given && *given) {
+        if (is_there(r, given, "")) {
+            return BURNISH_STATUS_OK;
+        }
+    } else if (size > 0) {
+        folder[size] = 0;
+        char *slash = strrchr(folder, '/');
+        *(slash ? slash : folder) = 0;
+        if (is_there(r, folder, "/" BURNISH_IMPORTERS_FOLDER) || is_there(r, folder, "")) {
+            return BURNISH_STATUS_OK;
+        }
+    }
+    snprintf(message, sizeof message,
+             "reads such files and is not there; build it (%s), name its folder in "
+             "BURNISH_IMPORTERS, or %s",
+             r->importer->from, r->importer->otherwise);
+    return fail(r, BURNISH_STATUS_FORMAT, message);
+}
+
+int import_is_installed(const import_program *importer) {
+    burnish_error error;
+    run r = {.importer = importer, .name = "", .error = &error};
+    return find_program(&r) == BURNISH_STATUS_OK;
+}
+
+/* ---- The process ---- */
+
+static void limit(int what, uint64_t most) {
+    struct rlimit limits;
+    if (getrlimit(what, &limits) == 0) {
+        const rlim_t wanted = most < (uint64_t)RLIM_INFINITY ? (rlim_t)most : RLIM_INFINITY;
+        limits.rlim_max = wanted < limits.rlim_max ? wanted : limits.rlim_max;
+        limits.rlim_cur = limits.rlim_max < limits.rlim_cur ? limits.rlim_max : limits.rlim_cur;
+        setrlimit(what, &limits);
+    }
+}
+
+/* The new process, until it becomes the importer. */
+static void become(const run *r, int input, int output, int nothing, pid_t parent, uint64_t memory,
+                   char *const arguments[]) {
+    static const int handled[] = {SIGPIPE, SIGXFSZ, SIGHUP, SIGINT, SIGTERM, SIGALRM};
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    if (getppid() != parent) {
+        _exit(1);
+    }
+    for (size_t i = 0; i < sizeof handled / sizeof *handled; ++i) {
+        signal(handled[i], SIG_DFL);
+    }
+    setpgid(0, 0);
+    limit(RLIMIT_AS, memory);
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CPU, (uint64_t)(r->end - now()) + 1);
+    /* standard streams may be closed, and so these be below 3 */
+    input = fcntl(input, F_DUPFD, 10);
+    output = fcntl(output, F_DUPFD, 10);
+    nothing = fcntl(nothing, F_DUPFD, 10);
+    if (dup2(input, 0) < 0 || dup2(output, 1) < 0 || dup2(nothing, 2) < 0) {
+        _exit(1);
+    }
+    for (int i = 3; i < 256; ++i) {
+        close(i);
+    }
+    execv(r->path, arguments);
+    _exit(127);
+}
+
+static burnish_status start(run *r, int input, uint64_t memory) {
+    char program[64], ending[32];
+    char *const arguments[] = {program, ending, NULL};
+    int ends[2];
+    const pid_t self = getpid();
+    snprintf(program, sizeof program, "%s", r->importer->name);
+    snprintf(ending, sizeof ending, "%.30s",
+             r->importer->argument ? r->importer->argument : strrchr(r->name, '.') + 1);
+    const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+    if (nothing < 0 || pipe(ends) != 0) {
+        const int code = errno;
+        if (nothing >= 0) {
+            close(nothing);
+        }
+        return fail(r, BURNISH_STATUS_READ, strerror(code));
+    }
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    lseek(input, 0, SEEK_SET);
+    r->process = fork();
+    if (r->process == 0) {
+        become(r, input, ends[1], nothing, self, memory, arguments);
+    }
+    const int code = errno;
+    close(ends[1]);
+    close(nothing);
+    r->pipe = ends[0];
+    if (r->process < 0) {
+        close(r->pipe);
+        return fail(r, BURNISH_STATUS_MEMORY, strerror(code));
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* ---- What it says ---- */
+
+static burnish_status fail_time(const run *r) {
+    return fail(r, BURNISH_STATUS_LIMIT, "takes too long; simplify the file");
+}
+
+/* The next piece of the stream: its size, 0 at the end, -1 after an error. */
+static ssize_t read_piece(const run *r, unsigned char *piece, burnish_status *status) {
+    for (;;) {
+        const double left = r->end - now();
+        struct pollfd ready = {r->pipe, POLLIN, 0};
+        const int count = left > 0 ? poll(&ready, 1, (int)(left * 1000) + 1) : 0;
+        if (count == 0) {
+            *status = fail_time(r);
+            return -1;
+        }
+        const ssize_t size = count > 0 ? read(r->pipe, piece, PIECE) : -1;
+        if (size >= 0) {
+            return size;
+        }
+        if (errno != EINTR) {
+            *status = fail(r, BURNISH_STATUS_READ, strerror(errno));
+            return -1;
+        }
+    }
+}
+
+static burnish_status read_stream(const run *r, import_taker *take, void *context) {
+    static unsigned char piece[PIECE];
+    burnish_status status = BURNISH_STATUS_OK;
+    uint64_t total = 0;
+    ssize_t size;
+    while ((size = read_piece(r, piece, &status)) > 0) {
+        total += (uint64_t)size;
+        if (total > r->most) {
+            return fail(r, BURNISH_STATUS_LIMIT,
+                        "makes a mesh of far more bytes than the file has; simplify the file");
+        }
+        if (!take(context, piece, (size_t)size)) {
+            return fail(r, BURNISH_STATUS_MEMORY, "makes a mesh for which there is no memory");
+        }
+    }
+    return status;
+}
+
+/* How it ended. One that has closed its pipe gets the rest of its time to end too. */
+static burnish_status end(const run *r, burnish_status status) {
+    const struct timespec nap = {0, 500000};
+    char what[160];
+    int state = 0;
+    pid_t ended = 0;
+    while (status == BURNISH_STATUS_OK && (ended = waitpid(r->process, &state, WNOHANG)) == 0) {
+        if (now() > r->end) {
+            status = fail_time(r);
+        }
+        nanosleep(&nap, NULL);
+    }
+    if (ended == 0) {
+        kill(-r->process, SIGKILL);
+        kill(r->process, SIGKILL); /* one that has no group yet */
+        while (waitpid(r->process, &state, 0) < 0 && errno == EINTR) {
+        }
+    }
+    if (status != BURNISH_STATUS_OK || (WIFEXITED(state) && WEXITSTATUS(state) == 0)) {
+        return status;
+    }
+    if (WIFEXITED(state)) {
+        snprintf(what, sizeof what, "ended with exit code %d and no mesh%s", WEXITSTATUS(state),
+                 WEXITSTATUS(state) == 127 ? ": a library is missing" : "");
+        return fail(r, BURNISH_STATUS_FORMAT, what);
+    }
+    const int number = WTERMSIG(state);
+    if (number == SIGXCPU) {
+        return fail_time(r);
+    }
+    if (number == SIGKILL) {
+        return fail(r, BURNISH_STATUS_MEMORY, "was ended by the system: out of memory");
+    }
+    snprintf(what, sizeof what,
+             number == SIGSYS ? "asked the system for what importing does not need, and was ended"
+                              : "crashed by signal %d (%s); repair the file, or convert it",
+             number, strsignal(number));
+    return fail(r, BURNISH_STATUS_FORMAT, what);
+}
+
+burnish_status import_run(const import_program *importer, const char *name, int input,
+                          uint64_t max_bytes, import_taker *take, void *context,
+                          burnish_error *error) {
+    struct stat state;
+    const double seconds = cli_seconds_given() > SECONDS ? cli_seconds_given() : SECONDS;
+    run r = {.importer = importer, .name = name, .error = error, .end = now() + seconds};
+    burnish_status status = find_program(&r);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    const uint64_t size =
+        fstat(input, &state) == 0 && state.st_size > 0 ? (uint64_t)state.st_size : (uint64_t)0;
+    if (size > max_bytes) {
+        return cli_fail(error, BURNISH_STATUS_LIMIT,
+                        "%.300s: larger than the limit of %llu bytes; raise the limit or simplify "
+                        "the mesh",
+                        name, (unsigned long long)max_bytes);
+    }
+    const uint64_t counted = size < UINT64_MAX / 1024 ? size : UINT64_MAX / 1024;
+    r.most = MOST_FIXED + counted * MOST_FACTOR;
+    status = start(&r, input, MEMORY_FIXED + counted * MEMORY_FACTOR);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    status = read_stream(&r, take, context);
+    status = end(&r, status);
+    close(r.pipe);
+    return status;
+}
+
+/* ---- Loading ---- */
+
+static burnish_status open_input(const char *path, int *input, burnish_error *error) {
+    struct stat state;
+    *input = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    if (*input < 0) {
+        return cli_fail(error, BURNISH_STATUS_READ, "%.300s: can't be opened: %s", path,
+                        strerror(errno));
+    }
+    burnish_status status = BURNISH_STATUS_OK;
+    if (fstat(*input, &state) != 0 || S_ISDIR(state.st_mode)) {
+        status =
+            cli_fail(error, BURNISH_STATUS_READ, "%.300s: can't be read: Is a directory", path);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        close(*input);
+    }
+    return status;
+}
+
+burnish_status import_load(const char *path, const burnish_load_options *options,
+                           burnish_mesh **mesh, burnish_error *error) {
+    const import_program *importer =
+        options->format == BURNISH_FORMAT_AUTO ? import_find(path) : NULL;
+    burnish_load_options handed = *options;
+    import_stream stream = {0};
+    burnish_error native;
+    int input;
+    *mesh = NULL;
+    handed.decoder = import_decoder(path);
+    if (!importer) {
+        return burnish_mesh_load(path, &handed, mesh, error);
+    }
+    burnish_status status = open_input(path, &input, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    status =
+        import_run(importer, path, input, options->max_input_bytes, import_keep, &stream, error);
+    close(input);
+    if (status == BURNISH_STATUS_OK || stream.is_short) {
+        int folder = folder_open(path);
+        status =
+            import_build(importer, path, &stream, options, folder_loader(&folder), mesh, error);
+        if (folder >= 0) {
+            close(folder);
+        }
+    }
+    free(stream.bytes);
+    return import_may_be_other(status) &&
+                   burnish_mesh_load(path, &handed, mesh, &native) == BURNISH_STATUS_OK
+               ? BURNISH_STATUS_OK
+               : status;
+}
+
+#else
+
+int import_is_installed(const import_program *importer) {
+    (void)importer;
+    return 0;
+}
+
+burnish_status import_load(const char *path, const burnish_load_options *options,
+                           burnish_mesh **mesh, burnish_error *error) {
+    return burnish_mesh_load(path, options, mesh, error);
+}
+
+#endif
