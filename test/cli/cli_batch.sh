@@ -1,0 +1,203 @@
+#!/bin/sh
+# burnish batch: the pictures of render, what is left unchanged, failures, limits, names, a report that does not depend on
+# the number of workers.
+# Usage: cli_batch.sh PROGRAM FOLDER
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/lib.sh"
+
+# batch ARGUMENTS...: a run; a sanitizer can't bear limits of memory.
+memory=
+"$burnish" render :sphere --max-memory=1G --size=8 --threads=1 -o s.png 2>/dev/null || memory=--max-memory=8000000000G
+rm -f s.png
+batch() {
+    run batch "$@" $memory
+}
+
+# lines FILE: a report without times.
+lines() {
+    sed 's/,"seconds":[0-9.]*//' "$1"
+}
+
+# A folder of meshes: one stem twice, a material, two that are broken, names that shells dislike.
+mkdir -p in/sub in/sub/.hidden
+triangle='v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'
+strange=$(printf 'in/sub/new\nline \377<&".obj')
+# shellcheck disable=SC2059
+for file in in/a.obj in/sub/a.obj in/sub/-x.obj "$strange" in/sub/.hidden/h.obj; do
+    printf "$triangle" >"$file"
+done
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >in/a.off
+printf 'mtllib m.mtl\nusemtl r\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >in/sub/m.obj
+printf 'newmtl r\nKd 1 0 0\n' >in/sub/m.mtl
+echo junk >in/broken.stl
+printf 'v 0 0\n' >in/bad.obj
+echo text >in/readme.txt
+
+# Pictures are those of render, wherever they lie; failures stop nothing.
+batch in -r -d out --size=32 --index --sheet=sheet.png -j7
+check "some failed: exit code $code" [ "$code" = 11 ]
+check "failures are listed: $(cat "$err")" [ "$(grep -c '^burnish: in/' "$err")" = 2 ]
+check "and counted" grep -q '^burnish: 2 of 8 failed$' "$err"
+check "nothing on standard output" [ ! -s "$out" ]
+for pair in a.obj:a.obj a.off:a.off sub/a:sub/a.obj sub/-x:sub/-x.obj sub/m:sub/m.obj; do
+    "$burnish" render "in/${pair#*:}" --size=32 --threads=1 -o one.png
+    check "${pair%:*}: as render draws it" cmp one.png "out/${pair%:*}.png"
+    rm -f one.png
+done
+check "a strange name" [ -s "$(printf 'out/sub/new\nline \377<&".png')" ]
+check "six pictures, and no temporary" [ "$(find out -type f | wc -l)" = 9 ]
+check "a line each" [ "$(wc -l <out/burnish-batch.jsonl)" = 9 ]
+for line in 1 2 4; do
+    sed -n ${line}p out/burnish-batch.jsonl >"$out"
+    check "line $line is JSON" valid_json
+done
+check "the page: cards" [ "$(grep -c '^<article ' out/index.html)" = 6 ]
+check "the page: markup in names" grep -q 'new?line ?&lt;&amp;&quot;.obj' out/index.html
+check "the page: links" grep -q 'src="sub/new%0Aline%20%FF%3C%26%22.png"' out/index.html
+check "the page asks for nothing else" [ "$(grep -cE 'https?:|url\(|@import' out/index.html)" = 0 ]
+check "the sheet is a PNG" [ "$(head -c 4 sheet.png | tail -c 3)" = PNG ]
+
+# No byte depends on the number of workers.
+lines out/burnish-batch.jsonl >seven
+batch in -r -d out --size=32 -j1 --force
+lines out/burnish-batch.jsonl >one
+check "one worker, the same report" cmp one seven
+rm -f one seven sheet.png
+
+# What is unchanged is left; what has changed is drawn: an input, a file that it names, flags, a picture that is gone.
+# drawn WANTED ARGUMENTS...: the pictures that a run writes.
+drawn() {
+    wanted=$1
+    shift
+    touch marker
+    sleep 0.02
+    batch in -r -d out "$@"
+    now=$(find out -newer marker -name '*.png' | sort | tr '\n' ' ')
+    check "drawn: '$now', not '$wanted'" [ "$now" = "$wanted" ]
+}
+drawn '' --size=32
+if "$burnish" render :sphere --size=8 --sandbox -o s.png 2>/dev/null; then
+    printf 'newmtl r\nKd 0 1 0\n' >in/sub/m.mtl
+    drawn 'out/sub/m.png ' --size=32
+fi
+rm -f s.png
+echo 'v 5 0 0' >>in/a.obj
+rm out/sub/a.png
+drawn 'out/a.obj.png out/sub/a.png ' --size=32
+rm -rf in/sub/new*
+drawn 'out/a.obj.png out/a.off.png out/sub/-x.png out/sub/a.png out/sub/m.png ' --size=33
+rm -rf out marker
+
+# Parts: each input in one of them, as equal in bytes as can be; together they are the whole, and a part that is missing is drawn
+# by the run that writes the report of all. So are those of the examples for arrays of jobs and for queues.
+batch in -r -d out --size=16 --no-seconds
+check "--no-seconds" [ "$(grep -c seconds out/burnish-batch.jsonl)" = 0 ]
+mv out reference
+for part in 1 3 7; do
+    batch in -r -d out --size=16 --no-seconds --shard=$part/7
+    check "part $part: some failed or none: $code" [ "$code" = 0 -o "$code" = 11 ]
+done
+check "three parts of 7" [ "$(cat out/*.jsonl | grep -c '"id"')" = 3 ]
+check "no input twice" [ -z "$(cat out/*.jsonl | grep '"id"' | cut -c1-30 | sort | uniq -d)" ]
+touch -d '2001-01-01' out/*.png out/*/*.png
+batch in -r -d out --size=16 --no-seconds
+check "what parts have drawn is left" [ -n "$(find out -name '*.png' ! -newermt 2002-01-01)" ]
+check "what no part has drawn is not" [ -n "$(find out -name '*.png' -newermt 2002-01-01)" ]
+check "the parts are the whole: $(diff -r out reference 2>&1 | head -n 3)" diff -r out reference
+rm -rf out
+mkdir programs
+ln -s "$burnish" programs/burnish
+examples=$here/../../docs/examples
+for task in 1 2 3 9; do # more parts than inputs
+    PATH=$scratch/programs:$PATH SLURM_ARRAY_TASK_ID=$task \
+        "$examples/batch-array.sh" 9 in out --size=16 --no-seconds $memory >"$out" 2>"$err"
+done
+check "an array of jobs: $(cat "$err")" [ "$(find out -name '*.jsonl' | wc -l)" = 4 ]
+workers=
+for worker in 1 2 3; do
+    PATH=$scratch/programs:$PATH "$examples/batch-queue.sh" 4 in out --size=16 --no-seconds $memory >/dev/null 2>&1 &
+    workers="$workers $!"
+done
+# shellcheck disable=SC2086
+wait $workers
+check "a queue" [ "$(find out -name '*-of-4.jsonl' | wc -l)" = 4 ]
+rm -rf out/.taken
+touch -d '2001-01-01' out/*.png out/*/*.png
+batch in -r -d out --size=16 --no-seconds
+check "all was drawn" [ -z "$(find out -name '*.png' -newermt 2002-01-01)" ]
+check "an array and a queue: $(diff -r out reference 2>&1 | head -n 3)" diff -r out reference
+rm -rf out reference programs
+for part in 0/3 4/3 1.5/3 3 /; do
+    expect 2 "burnish: --shard: \"$part\": expected I/N with 1 <= I <= N <= 1000000, as 3/100" batch in --shard=$part
+done
+expect 2 'burnish: --shard: a part has no --index and no --sheet; the same command without --shard, when all parts are done, makes them' \
+    batch in --shard=1/2 --index
+expect 2 'burnish: --runner: descriptor 3 is no socket; burnish-mpi opens it' batch --runner
+expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens them' batch in -d out --runners=1
+rm -rf out
+
+# Names: lists, templates, views; nothing outside the folder, no picture twice.
+printf 'in/a.obj\nin/a.obj\n' >list
+batch --files-from=list -d out --size=8
+check "a list: $(cat "$err")" [ "$code$(wc -l <out/burnish-batch.jsonl)" = 02 ]
+find in/sub -name '-x.obj' -print0 >list
+batch --files-from=list in/a.obj -d out --size=8 --views=front,top -o '{ending}/{model}_{view}.png'
+check "a template's pictures" [ -s out/obj/-x_front.png -a -s out/obj/a_top.png -a -s out/a.png ]
+expect 2 'burnish: --output: "../x.png" leads out of --output-dir; name the folder there' batch in -o ../x.png
+expect 2 'burnish: --output: "{name}" is none of {model}, {folder}, {ending} and {view}' batch in -o '{name}.png'
+expect 2 'burnish: --output: {view} needs views, such as --views=front,top' batch in -o '{view}.png'
+expect 2 'burnish: --output: another input would have the picture of "in/a.obj" too, "out/x.png"; put {folder} or {model} into the name' \
+    batch in/a.obj in/a.off -d out -o x.png
+expect 2 'burnish: batch: no INPUT; try "burnish batch FOLDER --output-dir=thumbs" or "burnish batch --help"' batch
+mkdir empty
+expect 2 'burnish: batch: no meshes there; --recursive looks into folders below' batch empty
+expect 2 'burnish: --report: "in/a.obj" exists and is no report of burnish batch; name another file' batch :sphere --report=in/a.obj -d out
+echo text >out/sphere.png
+batch :sphere -d out --size=8
+check "a file that is no picture of ours stays: $(cat "$err")" [ "$code" = 11 -a "$(cat out/sphere.png)" = text ]
+rm -rf out list empty
+
+# render with many inputs: the same pictures, and nothing beside them.
+run render in/a.obj in/a.off in/bad.obj --size=32 --output-dir=thumbs $memory
+check "render, some failed: exit code $code" [ "$code" = 11 ]
+check "render lists them: $(cat "$err")" grep -q '^burnish: in/bad.obj:1: vertex has 2 numbers' "$err"
+check "render: two pictures" [ "$(ls -A thumbs | tr '\n' ' ')" = 'a.obj.png a.off.png ' ]
+"$burnish" render in/a.off --size=32 -o one.png
+check "render: the same picture" cmp one.png thumbs/a.off.png
+run render in/a.obj in/sub/m.obj --size=16 --views=front,top -o thumbs/{model}_{view}.jpg $memory
+check "a template: $(cat "$err")" [ "$code$(ls thumbs | grep -c '^[am]_[a-z]*[.]jpg$')" = 04 ]
+run render in/a.obj in/sub/m.obj --size=16 --views=front,top -o "$PWD/thumbs/{model}_{view}.jpg" --json $memory
+check "again, whole: $(cat "$err")" [ "$code$(wc -l <"$out")" = 05 ]
+run render in/a.obj --size=16 -o 'thumbs/{model}-{ending}.png' --no-sandbox $memory
+check "one input, a template: $(cat "$err")" [ -s thumbs/a-obj.png ]
+(cd thumbs && "$burnish" render ../in/a.obj ../in/sub/m.obj --size=16 --quiet $memory)
+check "their own names" [ -s thumbs/a.png -a -s thumbs/m.png ]
+expect 2 'burnish: --output: another input would have the picture of "in/a.obj" too, "x.png"; put {folder} or {model} into the name' \
+    render in/a.obj in/a.off -o x.png
+expect 2 'burnish: --plane: is of one picture; draw one INPUT, without --output-dir' render in/a.obj in/a.off --plane=depth:d.npy
+expect 2 'burnish: --output: many pictures can'\''t go to standard output; leave it out' render in/a.obj in/a.off -o -
+rm -rf thumbs one.png
+
+# Limits: a worker that takes too long is ended alone.
+awk 'BEGIN { for (i = 0; i < 9000; ++i) { z = i / 9000; print "v 0 0 " z "\nv 1 0 " z "\nv 0 1 " z "\nf -3 -2 -1" } }' >in/sheets.obj
+batch in/sheets.obj in/a.obj -d out --views=front --max-overdraw=1e9 --size=3000 --samples=16 --max-seconds=0.2
+check "--max-seconds: exit code $code" [ "$code" = 11 ]
+check "--max-seconds: $(cat "$err")" grep -q '^burnish: in/sheets.obj: not done after 0.2 seconds' "$err"
+check "nothing half done" [ "$(find out -name '.*' -o -name 'sheets*' | wc -l)" = 0 ]
+rm -rf out
+
+# A signal: what is done is kept, and the next run goes on.
+mkdir many
+for i in 1 2 3 4 5 6 7 8 9; do cp in/a.obj many/$i.obj; done
+cp in/sheets.obj many
+"$burnish" batch many -d out --size=2000 --samples=16 --max-overdraw=1e9 --views=front -j2 $memory >"$out" 2>"$err" &
+while [ ! -s out/burnish-batch.jsonl ]; do sleep 0.05; done
+kill -TERM $!
+wait $! 2>/dev/null
+code=$?
+check "SIGTERM: exit code $code" [ "$code" = 143 ]
+check "SIGTERM: one line: $(cat "$err")" grep -q '^burnish: stopped: [0-9]* of 10 are done; the same command goes on$' "$err"
+check "SIGTERM: no temporary" [ "$(find out -name '.*' | wc -l)" = 0 ]
+rm -rf in out many
+nothing_left "at the end"
+finish

@@ -1,0 +1,218 @@
+#!/bin/sh
+# burnish serve-stdio: the pictures of render, failures that end nothing, limits, framing, processes that are locked in.
+# Usage: cli_serve.sh PROGRAM FOLDER
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/lib.sh"
+
+# A sanitizer can't bear limits of memory, nor seccomp; the sandbox may be missing.
+options=
+"$burnish" render :sphere --max-memory=1G --size=8 --threads=1 -o s.png 2>/dev/null || options=--max-memory=8000000000G
+is_locked=1
+if ! "$burnish" render :sphere --size=8 --sandbox -o s.png 2>/dev/null; then
+    is_locked=
+    options="$options --no-sandbox"
+fi
+rm -f s.png
+
+# put32 NUMBER: four bytes.
+put32() {
+    # shellcheck disable=SC2059
+    printf "$(printf '\\%03o\\%03o\\%03o\\%03o' $(($1 & 255)) $(($1 >> 8 & 255)) $(($1 >> 16 & 255)) $(($1 >> 24)))"
+}
+
+# request ID LINE [FILE...]: a frame.
+request() {
+    request_id=$1
+    request_line=$2
+    shift 2
+    printf '%s\n' "$request_line" | cat - "$@" >frame
+    put32 "$(wc -c <frame)"
+    put32 "$request_id"
+    cat frame
+    rm frame
+}
+
+# serve [FLAGS...]: answers the requests of the file `in`; leaves ID.line and ID.picture of each, and their ids in $order.
+serve() {
+    "$burnish" serve-stdio $options "$@" <in >answers 2>"$err"
+    code=$?
+    at=1
+    order=
+    size=$(wc -c <answers)
+    while [ $at -lt "$size" ]; do
+        # shellcheck disable=SC2046
+        set -- $(tail -c +$at answers | head -c 8 | od -An -tu4)
+        tail -c +$((at + 8)) answers | head -c "$1" >body
+        head -n 1 body >"$2.line"
+        tail -c +$(($(wc -c <"$2.line") + 1)) body >"$2.picture"
+        order="$order $2"
+        at=$((at + 8 + $1))
+    done
+    check "answers are whole" [ $at = $((size + 1)) ]
+    rm -f in answers body
+}
+
+# failed ID CODE TEXT: an answer without a picture.
+failed() {
+    check "request $1: $(cat "$1.line")" grep -qF "{\"code\":$2,\"error\":\"$3" "$1.line"
+    check "request $1: a picture" [ ! -s "$1.picture" ]
+}
+
+printf 'mtllib m.mtl\nusemtl r\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >a.obj
+printf 'newmtl r\nKd 1 0 0\n' >m.mtl
+printf 'v 0 0\n' >bad.obj
+: >empty
+
+# Pictures and reports are those of render.
+{
+    request 7 '{"name": "a.obj", "flags": ["--size=32"], "files": [{"name": "m.mtl", "bytes": 18}]}' a.obj m.mtl
+    request 4294967295 '{"name": ":teapot", "flags": ["--views=front,top", "--color=#fa0", "--no-labels"]}'
+    request 3 '{"flags": ["--output-format=jpeg", "--quality=50"]}' a.obj
+    request 0 '{"name": "a.obj", "flags": ["--no-libraries"]}' a.obj
+} >in
+serve -j1 --size=24
+check "exit code $code: $(cat "$err")" [ "$code" = 0 ]
+check "one worker, the order of the requests: $order" [ "$order" = " 7 4294967295 3 0" ]
+"$burnish" render a.obj --size=32 -o 7.png
+"$burnish" render :teapot --views=front,top --color=#fa0 --no-labels --size=24 -o 4294967295.png
+"$burnish" render - --quality=50 --size=24 -o 3.jpg <a.obj 2>/dev/null
+"$burnish" render a.obj --no-libraries --size=24 -o 0.png
+for id in 7 4294967295 0; do
+    check "request $id: as render draws it" cmp $id.png $id.picture
+done
+check "request 3: as render draws it" cmp 3.jpg 3.picture
+for id in 7 4294967295 3 0; do
+    cp $id.line "$out"
+    check "request $id: JSON" valid_json
+    check "request $id: $(cat $id.line)" grep -q '^{"code":0,"report":{"burnish":' $id.line
+done
+check "a warning: $(cat 3.line)" grep -q '"warnings":\["mesh:1: material library \\"m.mtl\\" was not read (m.mtl: is not among the files' 3.line
+rm -f ./*.line ./*.picture ./*.png ./*.jpg
+
+# What fails ends nothing.
+awk 'BEGIN { for (i = 0; i < 9000; ++i) { z = i / 9000; print "v 0 0 " z "\nv 1 0 " z "\nv 0 1 " z "\nf -3 -2 -1" } }' >sheets.obj
+{
+    request 1 '{"name": "bad.obj"}' bad.obj
+    request 2 '{"flags": ["--sise=8"]}' a.obj
+    request 3 '{"flags": ["--jobs=8"]}' a.obj
+    request 4 '{"flags": ["-o", "x.png"]}' a.obj
+    request 5 '{"flags": "--size=8"}' a.obj
+    request 6 '{"size": 8}' a.obj
+    request 7 '{"name": 8}' a.obj
+    request 8 '{"name": "a.obj", "files": [{"name": "m.mtl", "bytes": 1000}]}' a.obj
+    request 9 '{"name": "a.obj"} {' a.obj
+    request 10 '{"name": "a.obj"' a.obj
+    request 11 '{"name": ":teapot"}' a.obj
+    request 12 '{}'
+    request 13 '{"name": "big.obj"}' sheets.obj
+    request 14 '{"name": "a.obj", "flags": ["--camera-position=0,0,9", "--camera-focal-point=0,0,99", "--fail-on-blank"]}' a.obj
+    request 15 '{"name": "../../etc/passwd"}'
+    request 16 '{"name": "a.obj", "flags": ["--size=9"]}' a.obj
+} >in
+serve -j2 --size=24 --max-request-bytes=1K
+check "after failures: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+failed 1 4 'bad.obj:1: vertex has 2 numbers'
+failed 2 2 '--sise: unknown flag; did you mean --size?'
+failed 3 2 '--jobs: unknown flag; '
+failed 4 2 '-o: unknown flag; '
+failed 5 2 'request: \"flags\": give an array of at most 256 texts'
+failed 6 2 'request: \"size\": unknown key; there are name, flags and files'
+failed 7 2 'request: \"name\": give a text'
+failed 8 2 'request: \"files\": give at most 256 of'
+failed 9 2 'request: byte 17: the line is not one JSON object'
+failed 10 2 'request: byte 15: the line is not one JSON object'
+failed 11 2 'request: \"name\": a built-in object has no bytes'
+failed 12 4 'mesh: byte 0: the file is empty'
+failed 13 5 'request: '
+check "too large: $(cat 13.line)" grep -q ' bytes; at most 1024 are taken (--max-request-bytes)' 13.line
+failed 14 8 'a.obj: the picture is blank (--fail-on-blank)'
+check "blank: the report" grep -q '"report":{"burnish"' 14.line
+failed 15 4 '../../etc/passwd: byte 0: the file is empty'
+check "the last one is drawn" [ -s 16.picture ]
+rm -f ./*.line ./*.picture
+
+# Many at a time: every id once, the same bytes.
+for i in 1 2 3 4 5 6 7 8 9 10 11 12; do
+    request $i '{"name": "a.obj"}' a.obj
+done >in
+serve -j3 --size=16
+check "each is answered once: $order" [ "$(printf '%s\n' $order | sort -n | tr '\n' ' ')" = "1 2 3 4 5 6 7 8 9 10 11 12 " ]
+"$burnish" render a.obj --no-libraries --size=16 --color=#ff0000 -o one.png
+for i in 2 3 4 5 6 7 8 9 10 11 12; do
+    check "request $i: the same picture" cmp 1.picture $i.picture
+done
+rm -f ./*.line ./*.picture one.png
+
+# A request that takes too long, and one that needs too much memory.
+{
+    request 1 '{"flags": ["--views=front", "--size=3000", "--samples=16"]}' sheets.obj
+    request 2 '{}' a.obj
+} >in
+serve -j1 --size=8 --max-overdraw=1e9 --max-seconds=0.2
+failed 1 5 'not done after 0.2 seconds (--max-seconds)'
+check "after one that was late" [ -s 2.picture ]
+if [ "$options" = "${options#*--max-memory}" ]; then
+    {
+        request 3 '{"flags": ["--size=9000"]}' a.obj
+        request 4 '{}' a.obj
+    } >in
+    serve -j1 --size=8 --max-memory=200M
+    check "--max-memory: $(cat 3.line)" grep -q '^{"code":6,"error":"' 3.line
+    check "after one that was too large" [ -s 4.picture ]
+fi
+rm -f ./*.line ./*.picture
+
+# Workers wait, locked in; one that is ended while it draws, or before, is replaced.
+if [ -d /proc/self/fd ] && command -v pgrep >/dev/null; then
+    mkfifo pipe
+    ulimit -c 0
+    "$burnish" serve-stdio $options -j2 --size=8 --max-overdraw=1e9 <pipe >later 2>"$err" &
+    server=$!
+    exec 9>pipe
+    while [ "$(pgrep -c -P $server)" != 2 ]; do sleep 0.05; done
+    if [ -n "$is_locked" ]; then
+        for worker in $(pgrep -P $server); do
+            tries=0
+            until grep -q '^Seccomp:.*2' /proc/"$worker"/status || [ $((tries += 1)) -gt 200 ]; do sleep 0.05; done
+            check "a worker is locked in before its request" grep -q '^Seccomp:.*2' /proc/"$worker"/status
+            # shellcheck disable=SC2046
+            check "its descriptors: $(ls /proc/"$worker"/fd)" [ "$(echo $(ls /proc/"$worker"/fd))" = "0 1 2 3 4 5" ]
+        done
+    fi
+    request 1 '{"flags": ["--views=front", "--size=3000", "--samples=16"]}' sheets.obj >&9
+    # busy: the workers that have computed for a fifth of a second.
+    busy() { for worker in $(pgrep -P $server); do awk '$14 > 20 { print $1 }' "/proc/$worker/stat"; done; }
+    tries=0
+    while [ -z "$(busy)" ] && [ $((tries += 1)) -lt 200 ]; do sleep 0.05; done
+    # shellcheck disable=SC2046
+    kill -ABRT $(busy)
+    request 2 '{}' a.obj >&9
+    exec 9>&-
+    wait $server
+    code=$?
+    check "after a crash: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+    check "a crash: $(head -c 300 later | tr -d '\0')" grep -qa '"code":1,"error":".*signal 6 ' later
+    check "a picture after it" grep -qa '{"code":0,"report"' later
+    check "nothing is left of it" sh -c "! pgrep -P $server"
+    rm -f pipe later
+fi
+
+# What is no frame ends the server, after the answers.
+request 1 '{}' a.obj >in
+printf 'GET / HTTP/1.0\r\n\r\n' >>in
+serve -j1 --size=8
+check "text: exit code $code" [ "$code" = 4 ]
+check "text: $(cat "$err")" grep -q '^burnish: standard input: request 2: does not begin with a JSON object; see docs/serve.md$' "$err"
+check "the answer before it" [ -s 1.picture ]
+request 1 '{"name": "a.obj"}' a.obj | head -c 40 >in
+serve
+check "cut off: exit code $code: $(cat "$err")" grep -q '^burnish: standard input: request 1: the input ends in it$' "$err"
+head -c 8 /dev/zero >in
+serve
+check "empty: exit code $code: $(cat "$err")" grep -q '^burnish: standard input: request 1: is empty; see docs/serve.md$' "$err"
+rm -f ./*.line ./*.picture a.obj bad.obj sheets.obj m.mtl empty
+expect 0 '' serve-stdio $options
+expect 2 'burnish: serve-stdio: "x.stl" is no flag; "burnish serve-stdio --help" lists the flags' serve-stdio x.stl
+expect 2 'burnish: --no-background: JPEG has no alpha; write PNG or WebP' serve-stdio $options --no-background --output-format=jpeg
+nothing_left "at the end"
+finish

@@ -1,0 +1,66 @@
+#!/bin/sh
+# burnish view without anybody at the keys: what it refuses; that saved pictures are those of the
+# command that it prints. Windows are SDL's that nobody sees.
+# Usage: cli_view.sh PROGRAM FOLDER
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/lib.sh"
+export SDL_VIDEODRIVER=dummy
+
+expect 2 'burnish: view: no INPUT; try "burnish view :teapot" or "burnish view --help"' view
+expect 2 "burnish: view: standard input can't be read again, as cuts and changes need; name a file" view -
+expect 2 'burnish: --views: the window begins with one view; give one' view :sphere --views=front,top
+expect 2 'burnish: --lobe: the window shows one lobe or two; give at most two' view :sphere --lobe=power,schlick,gx
+expect 2 'burnish: --do: "section-q": unknown action; did you mean section-x?' view :sphere --do=front,section-q
+run view --help
+check "the help screen names --do" grep -q -- --do "$out"
+run help --man
+check "the manual has the keys" grep -q 'exponent.*down' "$out"
+if ! "$burnish" view :sphere --resolution=64,64 --do=quit 2>"$err"; then
+    expect 2 'burnish: view: this program was built without SDL2; install libsdl2-dev and build again, or use burnish render' view :sphere
+    finish
+    exit
+fi
+expect 3 'burnish: none.stl: can'"'"'t be opened: No such file or directory' view none.stl --do=quit
+SDL_VIDEODRIVER=none run view :sphere --do=quit
+check "no display: exit code $code" [ "$code" = 3 ]
+check "no display: one line: $(cat "$err")" grep -q '^burnish: view: no window can be opened: .*; use burnish render where there is no display$' "$err"
+
+# same ACTIONS INPUT FLAGS...: what P saves is what the command of C writes.
+same() {
+    actions=$1
+    shift
+    run view "$@" --resolution=97,71 --do="${actions:+$actions,}screenshot,command,quit" -o shown.png
+    check "$actions $*: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+    command=$(sed "s|^burnish|'$burnish'|" "$out")
+    input=$1
+    shift
+    eval "$command $* -o drawn.png" 2>"$err"
+    check "$input, $actions: not the picture of $(cat "$out")" cmp -s shown.png drawn.png
+    rm -f shown.png drawn.png
+}
+same '' :teapot
+same front :teapot --material=metal
+same top,section-y,section-on "$here/../data/cube.obj"
+same turn-left,turn-up,zoom-in,exponent-up,lobe :knot
+same projection,turn-down,exponent-down,other-lobe,split :torus --ground --shadow
+same look,wireframe,iso,section-x,section-x :sphere
+same bottom,turn-up,lobe-back :teapot --up=+Z --samples=1
+
+# The number in the name, and two lobes that are the same on both sides of what divides them.
+run view :sphere --resolution=64,64 --do=screenshot,screenshot,quit
+check "two pictures of two names" cmp -s sphere-1.png sphere-2.png
+run view :sphere --resolution=64,64 --lobe=power,schlick --do=screenshot,quit
+for lobe in power schlick; do
+    "$burnish" render :sphere --resolution=64,64 --lobe=$lobe -o $lobe.png 2>/dev/null
+    run compare $lobe.png sphere-3.png --json
+    check "$lobe on its side alone: $(json different_bounds)" [ "$(json different_pixels)" -gt 50 ]
+done
+run compare power.png sphere-3.png --json
+check "power on the left: $(json different_bounds)" [ "$(json different_bounds | cut -d, -f1)" -ge 32 ]
+run compare schlick.png sphere-3.png --json
+check "schlick on the right: $(json different_bounds)" [ "$(json different_bounds | cut -d, -f3)" -le 32 ]
+rm -f sphere-[1-3].png power.png schlick.png
+run view :sphere --resolution=64,64 --frames=3
+check "times: $(cat "$out")" grep -q '^3 frames of 64 x 64: median ' "$out"
+nothing_left "view"
+finish

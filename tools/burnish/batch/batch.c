@@ -1,0 +1,520 @@
+/* `burnish batch`: its flags, and the order of its steps. */
+#include "batch/batch.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "cli/platform.h"
+#include "cli/run.h"
+#include "sandbox/sandbox.h"
+
+static cli_work work;
+static cli_handler flag_part;
+
+#define TARGET(member) .offset = offsetof(batch_settings, member)
+
+static const cli_flag flags[] = {
+    {.group = "Many inputs",
+     .topic = "batch",
+     .name = "output-dir",
+     .aliases = "outdir,out-dir,path",
+     .common = 1,
+     .letter = 'd',
+     .value = "FOLDER",
+     .help = "where pictures go",
+     .default_text = ".",
+     .manual = "The folder of all pictures, made where it is missing. Nothing is written outside "
+               "it but what *--report* and *--sheet* name.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(output_dir)},
+    {.name = "output",
+     .aliases = "out,template",
+     .common = 1,
+     .letter = 'o',
+     .value = "NAME",
+     .help = "their names: {model} {folder} {ending} {view}",
+     .default_text = "{folder}{model}.png",
+     .manual =
+         "Names of the pictures in the folder. *{model}* is the input's name without its ending, "
+         "*{ending}* that ending, *{folder}* its folders below a folder that was named as "
+         "_INPUT_, with a slash at the end, *{view}* the view: then each of *--views* has a "
+         "picture "
+         "of its own. The ending says the format, as in *burnish render*. Where two inputs would "
+         "share a picture, their endings are kept (*part.stl.png*), and if that is not enough all "
+         "their folders.",
+     .handler = cli_flag_text,
+     TARGET(output)},
+    {.name = "recursive",
+     .common = 1,
+     .letter = 'r',
+     .help = "folders below, too",
+     .manual =
+         "Takes the meshes in all folders below an _INPUT_ that is a folder. Names that begin "
+         "with a dot and links to folders are left out.",
+     .handler = cli_flag_switch,
+     TARGET(recursive)},
+    {.name = "files-from",
+     .aliases = "inputs-from,files0-from,from-file",
+     .common = 1,
+     .value = "FILE",
+     .help = "names of inputs, lines or with 0 between; -: standard input",
+     .manual = "Reads names of inputs from _FILE_, from standard input for *-*: one a line or, "
+               "where the list has a byte 0, one before each of these, as *find -print0* prints "
+               "them.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(files_from)},
+    {.name = "index",
+     .common = 1,
+     .help = "index.html there: a page of all, with search",
+     .manual = "Writes *index.html* beside the pictures: one page that shows them all, with facts "
+               "and a search box. It needs nothing but the pictures.",
+     .handler = cli_flag_switch,
+     TARGET(index)},
+    {.name = "sheet",
+     .aliases = "contact-sheet,montage",
+     .common = 1,
+     .value = "FILE",
+     .help = "one picture of all",
+     .manual = "Writes a contact sheet of all pictures, as small as they have to be for at most "
+               "16384 pixels a side.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(sheet)},
+    {.name = "report",
+     .aliases = "json,log,state",
+     .common = 1,
+     .value = "FILE",
+     .help = "JSON lines, by which the next run goes on",
+     .default_label = "burnish-batch.jsonl there",
+     .manual = "Where the report is, one JSON object a line; see *REPORT OF A BATCH*. *-* prints "
+               "it at the end; the next run then draws everything.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(report)},
+    {.name = "force",
+     .common = 1,
+     .letter = 'f',
+     .help = "draw what is unchanged, too",
+     .manual = "Draws all pictures again. Otherwise an input is left as it is where the report has "
+               "it with the same bytes, the same bytes of the files that it names, the same flags "
+               "and version, and the picture is there.",
+     .handler = cli_flag_switch,
+     TARGET(force)},
+    {.name = "shard",
+     .aliases = "part,partition,array",
+     .common = 1,
+     .value = "I/N",
+     .help = "part I of N of all, as equal in bytes as can be",
+     .manual =
+         "Draws part _I_, from 1 on, of _N_: for tasks that know nothing of each other, as those "
+         "of a job array. All see the same inputs and share them by size. The report is "
+         "*burnish-batch-*_I_*-of-*_N_*.jsonl*. The same command without *--shard*, after "
+         "them, draws what is missing, writes the report of all and removes theirs.",
+     .handler = flag_part,
+     TARGET(part)},
+    {.name = "jobs",
+     .aliases = "threads,parallel",
+     .common = 1,
+     .letter = 'j',
+     .value = "N",
+     .help = "pictures at a time",
+     .default_text = "0",
+     .default_label = "all cores",
+     .low = 0,
+     .high = 1024,
+     .manual = "How many pictures are drawn at a time, each by one thread; 0 for as many as there "
+               "are processors. No byte of a picture depends on it.",
+     .handler = cli_flag_integer,
+     TARGET(jobs)},
+    {.name = "max-seconds",
+     .common = 1,
+     .value = "N",
+     .help = "of one picture, at most",
+     .low = 0,
+     .high = 1e6,
+     .default_text = "60",
+     .manual = "An input that takes longer, by the clock, has failed. 0: without end.",
+     .handler = cli_flag_real,
+     TARGET(render.max_seconds)},
+    {.name = "max-memory",
+     .common = 1,
+     .value = "N",
+     .help = "of one picture, such as 500M",
+     .low = 1,
+     .high = 9e18,
+     .default_text = "2G",
+     .manual = "An input that needs more memory has failed. All together need at most this times "
+               "*--jobs*. _N_ may end in *K*, *M* or *G*.",
+     .handler = cli_flag_bytes,
+     TARGET(render.max_memory)},
+    {.name = "no-sandbox",
+     .help = "workers may open files",
+     .manual = "Each input is read and drawn in a process of its own, and where the program was "
+               "built with libseccomp that process can open no file (docs/security.md). With this "
+               "flag it can; textures and libraries that an input names are then not looked at "
+               "when the next run asks what is unchanged.",
+     .handler = cli_flag_switch,
+     TARGET(no_sandbox)},
+    {.name = "no-seconds",
+     .help = "leave seconds out of the report",
+     .manual =
+         "Leaves *seconds* out of the report, which is then the same bytes from run to run and "
+         "from machine to machine.",
+     .handler = cli_flag_switch,
+     TARGET(no_seconds)},
+    {.name = "runners",
+     .value = "N",
+     .help = "N sockets, from descriptor 3 on, lead to others",
+     .low = 0,
+     .high = 65536,
+     .manual = "For programs that bring runners from other machines, as *burnish-mpi* does "
+               "(docs/scale.md): the sockets from descriptor 3 on lead to processes *burnish batch "
+               "--runner* with the same flags. What one held whose socket ends goes to another. "
+               "*--jobs* is 1 then, unless it is given.",
+     .handler = cli_flag_integer,
+     TARGET(runners)},
+    {.name = "runner",
+     .help = "be one of those",
+     .manual = "Draws what comes through the socket at descriptor 3. _INPUT_ is not looked at.",
+     .handler = cli_flag_switch,
+     TARGET(runner)},
+    {.group = "Picture",
+     .topic = "picture",
+     .name = "resolution",
+     .aliases = "width,height,res",
+     .common = 1,
+     .value = "W,H",
+     .help = "width and height in pixels",
+     .default_text = "512,512",
+     .low = 1,
+     .high = BURNISH_IMAGE_MAX_SIZE,
+     .manual = "Width and height of each picture in pixels.",
+     .handler = cli_flag_size,
+     TARGET(render.size)},
+    {.name = "size",
+     .common = 1,
+     .help = "a square: --resolution=N,N",
+     .value = "N",
+     .low = 1,
+     .high = BURNISH_IMAGE_MAX_SIZE,
+     .manual = "The same as *--resolution=*_N_*,*_N_.",
+     .handler = cli_flag_square,
+     TARGET(render.size)},
+};
+
+static const cli_example examples[] = {
+    {"burnish batch parts --recursive -d thumbs --index", "a folder of models, and a page"},
+    {"burnish batch *.stl --size=256 -d thumbs", "thumbnails"},
+    {"burnish batch *.obj --views=front,top -o {model}_{view}.png", "a picture per view"},
+    {"burnish batch parts -r -d thumbs --shard=3/100", "one of 100 tasks"},
+    {"find . -name *.glb -print0 | burnish batch --files-from=- -d out", "a list of names"},
+    {NULL, NULL},
+};
+
+static const cli_term report_terms[] = {
+    {"*burnish, options*", "in the first line: the version, and the flags that say what is drawn"},
+    {"*id*", "of input and output, 16 hexadecimal digits"},
+    {"*input, output*", "names; bytes that are not UTF-8 are ?"},
+    {"*status*", "*done* or *failed*"},
+    {"*bytes, hash*", "of the input: its size, and XXH64 of its bytes"},
+    {"*picture*", "XXH64 of the pixels, as *hash* of *burnish render --json*"},
+    {"*format, triangles, vertices, size*", "of the mesh; *size* along X, Y and Z"},
+    {"*width, height, blank, warnings*", "as *burnish render --json* has them"},
+    {"*files, files_hash*", "files that the input names; XXH64 over names and bytes"},
+    {"*code, error*", "of one that failed: what *burnish render* would end with, and its line"},
+    {"*seconds*", "by the clock; the only number that differs from run to run"},
+    {NULL, NULL},
+};
+
+static const cli_section sections[] = {
+    {.heading = "REPORT OF A BATCH",
+     .text = "JSON lines in the order of the inputs; of inputs that are unchanged the line of the "
+             "run that drew them. While a batch runs, lines are added as pictures are done, so "
+             "that after any end the next run goes on where this one was.",
+     .terms = report_terms},
+    {.heading = NULL},
+};
+
+const cli_command batch_command = {
+    .name = "batch",
+    .operand = "INPUT...",
+    .summary = "draw many meshes, on all cores",
+    .operand_help = "files, :teapot and the like, or folders, of which all meshes are taken",
+    .manual =
+        "Draws a picture of each _INPUT_, with the same bytes as *burnish render --sandbox* would. "
+        "Each input has a process, a time and an amount of memory of its own; one that fails is "
+        "listed at the end and stops nothing, and the exit code is 11. A picture whose input and "
+        "flags have not changed since the last run into the same folder is left as it is. "
+        "Control-C "
+        "ends at once and keeps what is done.\n"
+        "Besides the flags below, those of *burnish render* that say how the camera stands, how "
+        "the surface and its light look and how _INPUT_ is read have the same meaning here.",
+    .operands_max = SIZE_MAX,
+    .flags = flags,
+    .flag_count = sizeof flags / sizeof *flags,
+    .base = &render_command,
+    .base_topics = "camera,light",
+    .base_flags = RENDER_PICTURE_FLAGS ",font,overwrite,max-triangles,max-texture-pixels,"
+                                       "max-input-bytes,max-overdraw,quiet,isa",
+    .examples = examples,
+    .sections = sections,
+    .settings_size = sizeof(batch_settings),
+    .work = work,
+};
+
+/* ---- Work ---- */
+
+static burnish_status flag_part(const cli_flag *flag, const char *text, void *target,
+                                burnish_error *error) {
+    batch_part *part = target;
+    const char *slash = strchr(text, '/');
+    double index, count;
+    if (!slash || !cli_read_real(text, (size_t)(slash - text), &index) ||
+        !cli_read_real(slash + 1, strlen(slash + 1), &count) || index < 1 || index > count ||
+        count > 1e6 || index != (double)(int)index || count != (double)(int)count) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\": expected I/N with 1 <= I <= N <= 1000000, as 3/100",
+                        flag->name, text);
+    }
+    *part = (batch_part){(int)index, (int)count};
+    return BURNISH_STATUS_OK;
+}
+
+#ifdef _WIN32
+
+static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+    (void)from, (void)call;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "batch: not on this system; call burnish render for each input");
+}
+
+#else
+
+/* Whether a flag says what a picture looks like. */
+static int is_about_pictures(const cli_flag *flag) {
+    static const char *const others[] = {
+        "quiet", "isa", "overwrite", "max-triangles", "max-input-bytes", "max-overdraw"};
+    for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) {
+        if (flag == &flags[i]) {
+            return strcmp(flag->name, "size") == 0 || strcmp(flag->name, "resolution") == 0;
+        }
+    }
+    for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
+        if (strcmp(flag->name, others[i]) == 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The flags that say what is drawn, as one text; to be freed. NULL without memory. */
+static char *list_options(const cli_call *call) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = cli_open_memory(&text, &size);
+    if (!stream) {
+        return NULL;
+    }
+    for (size_t i = 0; i < call->argument_count; ++i) {
+        const cli_argument *argument = &call->arguments[i];
+        if (argument->flag && is_about_pictures(argument->flag)) {
+            fprintf(stream, "%s--%s%s%s", ftell(stream) > 0 ? " " : "", argument->flag->name,
+                    argument->text ? "=" : "", argument->text ? argument->text : "");
+        }
+    }
+    if (cli_close_memory(stream, &text, &size) != 0) {
+        free(text);
+        return NULL;
+    }
+    return text;
+}
+
+static char *choose_report(const batch_settings *settings) {
+    const batch_part *part = &settings->part;
+    char name[64] = "burnish-batch.jsonl";
+    if (settings->report) {
+        return strdup(settings->report);
+    }
+    if (part->count > 0) {
+        snprintf(name, sizeof name, "burnish-batch-%d-of-%d.jsonl", part->index, part->count);
+    }
+    const size_t size = strlen(settings->output_dir) + sizeof name + 1;
+    char *path = malloc(size);
+    if (path) {
+        snprintf(path, size, "%s/%s", settings->output_dir, name);
+    }
+    return path;
+}
+
+/* What no input can change, told once. */
+static burnish_status check(batch *b, burnish_error *error) {
+    render_settings settings = b->settings->render;
+    settings.input = ":sphere";
+    if (*b->settings->output_dir == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--output-dir: the name is empty");
+    }
+    if (strcmp(b->settings->output, "-") == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: many pictures can't go to standard output; leave it out");
+    }
+    if (b->settings->part.count > 0 && (b->settings->index || b->settings->sheet)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--shard: a part has no --index and no --sheet; the same command without "
+                        "--shard, when all parts are done, makes them");
+    }
+    settings.output = b->settings->output;
+    settings.views.count =
+        strstr(settings.output, "{view}") && settings.views.count > 1 ? 1 : settings.views.count;
+    burnish_status status = render_finish(&settings, error);
+    if (status == BURNISH_STATUS_OK && b->settings->sheet &&
+        (settings.format == PICTURE_EXR || settings.format == PICTURE_NPY ||
+         settings.format == PICTURE_SVG)) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--sheet: needs pictures in PNG, JPEG or WebP; see --output");
+    }
+    return status;
+}
+
+/* The line of one that failed, which begins with its name. */
+static void print_failure(const batch_item *item) {
+    cJSON *line = item->line ? cJSON_Parse(item->line) : NULL, *name = cli_json_text(item->input);
+    cJSON *text = cJSON_GetObjectItemCaseSensitive(line, "error");
+    char memory[] = "out of memory", *said = cJSON_IsString(text) ? text->valuestring : memory;
+    char *input = cJSON_IsString(name) ? name->valuestring : memory;
+    cli_clean(said);
+    cli_clean(input);
+    if (strncmp(said, input, strlen(input)) == 0) {
+        fprintf(stderr, "burnish: %s\n", said);
+    } else {
+        fprintf(stderr, "burnish: %s: %s\n", input, said);
+    }
+    cJSON_Delete(line);
+    cJSON_Delete(name);
+}
+
+static void list_failures(const batch *b) {
+    for (size_t i = 0; i < b->list.count; ++i) {
+        if (b->list.items[i].has_failed) {
+            print_failure(&b->list.items[i]);
+        }
+    }
+    if (b->failed > 0) {
+        fprintf(stderr, "burnish: %zu of %zu failed\n", b->failed, b->list.count);
+    }
+}
+
+static void tell_end(const batch *b, double seconds) {
+    const size_t drawn = b->done - b->kept - b->failed;
+    if (b->is_stopped) {
+        fprintf(stderr, "burnish: stopped: %zu of %zu are done; the same command goes on\n",
+                b->done, b->list.count);
+    } else if (!b->settings->render.quiet && isatty(STDERR_FILENO)) {
+        fprintf(stderr, "burnish: %zu drawn in %.1f s (%.0f per second), %zu unchanged\n", drawn,
+                seconds, (double)drawn / (seconds > 0 ? seconds : 1), b->kept);
+    }
+}
+
+static burnish_status draw_all(batch *b, const cli_call *call, burnish_error *error) {
+    const double start = batch_now();
+    burnish_status status = check(b, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = batch_collect(b, call, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = batch_name_outputs(b, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = batch_take_part(b, error);
+    }
+    if (status == BURNISH_STATUS_OK && b->report && !batch_make_folders(b->report)) {
+        status = cli_fail(error, BURNISH_STATUS_WRITE, "%.300s: no folder for it: %s", b->report,
+                          strerror(errno));
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = batch_read_past(b, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = batch_run(b, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = batch_write_report(b, error);
+    }
+    if (status == BURNISH_STATUS_OK && b->settings->index && !b->is_stopped) {
+        status = batch_write_index(b, error);
+    }
+    if (status == BURNISH_STATUS_OK && b->settings->sheet && !b->is_stopped) {
+        status = batch_write_sheet(b, error);
+    }
+    if (status == BURNISH_STATUS_OK && !b->is_stopped) {
+        batch_remove_past_parts(b);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        list_failures(b);
+        tell_end(b, batch_now() - start);
+    }
+    return status;
+}
+
+/* As a runner of a batch that is elsewhere. */
+static burnish_status run_orders(batch *b, burnish_error *error) {
+    enum { CHANNEL = 3 };
+    struct stat state;
+    const burnish_status status = check(b, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (fstat(CHANNEL, &state) != 0 || !S_ISSOCK(state.st_mode)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--runner: descriptor %d is no socket; burnish-mpi opens it", CHANNEL);
+    }
+    fcntl(CHANNEL, F_SETFD, FD_CLOEXEC);
+    batch_runner(b, CHANNEL);
+    return BURNISH_STATUS_OK;
+}
+
+static void release(batch *b) {
+    for (size_t i = 0; i < b->list.count; ++i) {
+        free(b->list.items[i].input);
+        free(b->list.items[i].output);
+        free(b->list.items[i].line);
+    }
+    free(b->list.items);
+    batch_release_past(&b->past);
+    free(b->options);
+    free(b->report);
+}
+
+burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_error *error) {
+    settings->render.sandbox = sandbox_is_built() && !settings->no_sandbox;
+    batch b = {.settings = settings,
+               .options = list_options(call),
+               .report = settings->has_no_report ? NULL : choose_report(settings)};
+    batch_hash_drawer(&b);
+    burnish_status status =
+        b.options && (b.report || settings->has_no_report)
+            ? (settings->runner ? run_orders(&b, error) : draw_all(&b, call, error))
+            : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    const int signal_number = status == BURNISH_STATUS_OK ? b.is_stopped : 0;
+    call->exit_code = b.failed > 0 ? CLI_EXIT_SOME_FAILED : 0;
+    release(&b);
+    if (signal_number) {
+        signal(signal_number, SIG_DFL);
+        raise(signal_number);
+    }
+    return status;
+}
+
+static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+    return batch_draw(from, call, error);
+}
+
+#endif

@@ -1,0 +1,251 @@
+/* The page of all pictures: one file that asks for nothing but them. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "batch/batch.h"
+#include "cli/file.h"
+#include "cli/output.h"
+#include "cli/platform.h"
+
+static const char head[] =
+    "<meta charset=\"utf-8\">\n"
+    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+    "<meta name=\"color-scheme\" content=\"light dark\">\n"
+    "<style>\n"
+    ":root{--page:#f6f7f9;--card:#fff;--ink:#16181d;--soft:#5d6470;--line:#e1e4e9;--key:#2f6fd6;"
+    "--bad:#b3261e}\n"
+    "@media(prefers-color-scheme:dark){:root{--page:#121418;--card:#1b1e24;--ink:#eceef2;"
+    "--soft:#9aa2af;--line:#2b3038;--key:#7fb0ff;--bad:#ff8a80}}\n"
+    "*{box-sizing:border-box}\n"
+    "body{margin:0;background:var(--page);color:var(--ink);font:15px/1.45 system-ui,-apple-system,"
+    "\"Segoe UI\",Roboto,\"Helvetica Neue\",Arial,sans-serif}\n"
+    "header{position:sticky;top:0;z-index:1;background:var(--page);border-bottom:1px solid "
+    "var(--line);padding:14px 20px;display:flex;flex-wrap:wrap;gap:10px 16px;align-items:center}\n"
+    "h1{font-size:20px;font-weight:650;margin:0;overflow-wrap:anywhere}\n"
+    "#count{color:var(--soft);margin-right:auto}\n"
+    "input,select{font:inherit;color:inherit;background:var(--card);border:1px solid var(--line);"
+    "border-radius:9px;padding:8px 12px;min-height:40px}\n"
+    "input{width:280px}\n"
+    "input:focus-visible,select:focus-visible,a:focus-visible{outline:2px solid var(--key);"
+    "outline-offset:2px}\n"
+    "main{display:grid;grid-template-columns:repeat(auto-fill,minmax(220px,1fr));gap:16px;"
+    "padding:20px;max-width:1800px;margin:auto}\n"
+    "article{background:var(--card);border:1px solid var(--line);border-radius:14px;"
+    "overflow:hidden;content-visibility:auto;contain-intrinsic-size:auto 300px}\n"
+    "article[hidden]{display:none}\n"
+    "article a{display:block;background:#fff}\n"
+    "img{display:block;width:100%;height:auto}\n"
+    "h2{font-size:15px;font-weight:600;margin:0;padding:12px 14px 0;overflow-wrap:anywhere}\n"
+    "p{margin:0;padding:2px 14px 12px;color:var(--soft);font-size:13px;"
+    "font-variant-numeric:tabular-nums}\n"
+    ".warning{padding-top:0;margin-top:-8px}\n"
+    "section{max-width:1800px;margin:auto;padding:0 20px 28px}\n"
+    "section h2{padding:8px 0;color:var(--bad)}\n"
+    "ul{margin:0;padding-left:20px;color:var(--soft);font-size:14px;overflow-wrap:anywhere}\n"
+    "li{padding:2px 0}\n"
+    "#none{display:none;padding:40px 20px;text-align:center;color:var(--soft)}\n"
+    "@media(max-width:560px){header{padding:12px}#count{width:100%;order:1}input{flex:1;width:auto;"
+    "min-width:0}main{grid-template-columns:repeat(2,1fr);gap:10px;padding:12px}h2{font-size:14px;"
+    "padding:8px 10px 0}p{padding:2px 10px 10px;font-size:12px}section{padding:0 12px 20px}"
+    "article{border-radius:10px}}\n"
+    "</style>\n";
+
+static const char script[] =
+    "<script>\n"
+    "const main=document.querySelector('main'),cards=[...main.children],"
+    "find=document.getElementById('find'),order=document.getElementById('order'),"
+    "count=document.getElementById('count'),none=document.getElementById('none'),"
+    "text=cards.map(c=>c.textContent.toLowerCase());\n"
+    "const number=n=>n.toLocaleString('en');\n"
+    "function show(){const words=find.value.toLowerCase().split(/\\s+/);let seen=0;"
+    "cards.forEach((c,i)=>{const is=words.every(w=>text[i].includes(w));c.hidden=!is;seen+=is});"
+    "count.textContent=seen===cards.length?number(seen)+(seen===1?' model':' models'):"
+    "number(seen)+' of '+number(cards.length);none.style.display=seen?'none':'block'}\n"
+    "function sort(){const key=order.value;const sorted=cards.map((c,i)=>[key?-c.dataset[key]:i,i,"
+    "c]).sort((a,b)=>a[0]-b[0]||a[1]-b[1]);main.append(...sorted.map(s=>s[2]))}\n"
+    "find.addEventListener('input',show);order.addEventListener('change',sort);\n"
+    "addEventListener('keydown',e=>{if(e.key==='/'&&document.activeElement!==find){"
+    "e.preventDefault();find.focus()}});\n"
+    "show();if(order.value)sort();\n"
+    "</script>\n";
+
+/* Text of HTML; what is not UTF-8 becomes ?. */
+static void put_text(FILE *page, const char *text) {
+    cJSON *item = cli_json_text(text);
+    for (const char *c = cJSON_IsString(item) ? item->valuestring : ""; *c; ++c) {
+        switch (*c) {
+        case '&':
+            fputs("&amp;", page);
+            break;
+        case '<':
+            fputs("&lt;", page);
+            break;
+        case '"':
+            fputs("&quot;", page);
+            break;
+        default:
+            fputc((unsigned char)*c < 32 ? '?' : *c, page);
+        }
+    }
+    cJSON_Delete(item);
+}
+
+/* A path as a relative reference (RFC 3986). */
+static void put_link(FILE *page, const char *path) {
+    static const char plain[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+    for (const char *c = path; *c; ++c) {
+        if (strchr(plain, *c)) {
+            fputc(*c, page);
+        } else {
+            fprintf(page, "%%%02X", (unsigned)(unsigned char)*c);
+        }
+    }
+}
+
+static double number_of(const cJSON *line, const char *key) {
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(line, key);
+    return cJSON_IsNumber(item) ? item->valuedouble : 0;
+}
+
+static const char *text_of(const cJSON *line, const char *key) {
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(line, key);
+    return cJSON_IsString(item) ? item->valuestring : "";
+}
+
+/* 1234567 as 1,234,567 */
+static void put_count(FILE *page, double value) {
+    char digits[32];
+    const int length = snprintf(digits, sizeof digits, "%.0f", value);
+    for (int i = 0; i < length; ++i) {
+        fprintf(page, "%s%c", i > 0 && (length - i) % 3 == 0 ? "," : "", digits[i]);
+    }
+}
+
+static void put_facts(FILE *page, const cJSON *line) {
+    const cJSON *size = cJSON_GetObjectItemCaseSensitive(line, "size"), *side;
+    const char *separator = "";
+    const double triangles = number_of(line, "triangles");
+    fputs("<p>", page);
+    put_count(page, triangles);
+    fputs(triangles == 1 ? " triangle" : " triangles", page);
+    if (*text_of(line, "format")) {
+        fputs(" &middot; ", page);
+        put_text(page, text_of(line, "format"));
+    }
+    fputs("<br>", page);
+    cJSON_ArrayForEach(side, size) {
+        fprintf(page, "%s%.4g", separator, cJSON_IsNumber(side) ? side->valuedouble : 0);
+        separator = " &times; ";
+    }
+    fputs("</p>\n", page);
+    const cJSON *warnings = cJSON_GetObjectItemCaseSensitive(line, "warnings");
+    if (cJSON_GetArraySize(warnings) > 0) {
+        const cJSON *first = cJSON_GetArrayItem(warnings, 0);
+        const char *text = cJSON_IsString(first) ? first->valuestring : "";
+        fputs("<p class=\"warning\" title=\"", page);
+        put_text(page, text);
+        fputs("\">&#9888; ", page);
+        put_count(page, cJSON_GetArraySize(warnings));
+        fputs(cJSON_GetArraySize(warnings) == 1 ? " warning</p>\n" : " warnings</p>\n", page);
+    }
+}
+
+/* What the page calls an item: its input below the folder that was named. */
+static const char *shown_name(const batch_item *item) {
+    return *item->input == ':' ? item->input : item->input + item->tree;
+}
+
+static const char *in_folder(const batch *b, const batch_item *item) {
+    const char *folder = b->settings->output_dir;
+    const size_t length = strcmp(folder, ".") == 0 ? 0 : strlen(folder);
+    const char *path = item->output + length;
+    return length > 0 && *path == '/' ? path + 1 : path;
+}
+
+static void put_card(FILE *page, const batch *b, const batch_item *item, const cJSON *line) {
+    const double width = number_of(line, "width"), height = number_of(line, "height");
+    fprintf(page, "<article data-triangles=\"%.0f\" data-bytes=\"%.0f\"><a href=\"",
+            number_of(line, "triangles"), number_of(line, "bytes"));
+    put_link(page, in_folder(b, item));
+    fputs("\"><img loading=\"lazy\" decoding=\"async\" src=\"", page);
+    put_link(page, in_folder(b, item));
+    fprintf(page, "\" width=\"%.0f\" height=\"%.0f\" alt=\"", width, height);
+    put_text(page, shown_name(item));
+    fputs("\"></a>\n<h2>", page);
+    put_text(page, shown_name(item));
+    if (item->view >= 0) {
+        put_text(page, ", ");
+        put_text(page, batch_view_name(b, item));
+    }
+    fputs("</h2>\n", page);
+    put_facts(page, line);
+    fputs("</article>\n", page);
+}
+
+static void put_failures(FILE *page, const batch *b) {
+    fprintf(page, "<section><h2>%zu failed</h2><ul>\n", b->failed);
+    for (size_t i = 0; i < b->list.count; ++i) {
+        const batch_item *item = &b->list.items[i];
+        cJSON *line = item->has_failed && item->line ? cJSON_Parse(item->line) : NULL;
+        if (line) {
+            fputs("<li>", page);
+            put_text(page, text_of(line, "error"));
+            fputs("</li>\n", page);
+        }
+        cJSON_Delete(line);
+    }
+    fputs("</ul></section>\n", page);
+}
+
+static void put_title(FILE *page, const batch *b) {
+    const char *name = batch_base_name(b->settings->output_dir);
+    put_text(page, strcmp(name, ".") == 0 || strcmp(name, "..") == 0 || !*name ? "Models" : name);
+}
+
+static void put_page(FILE *page, const batch *b) {
+    fputs("<!doctype html>\n<html lang=\"en\">\n<title>", page);
+    put_title(page, b);
+    fprintf(page, "</title>\n%s<header><h1>", head);
+    put_title(page, b);
+    fputs("</h1><span id=\"count\"></span>\n"
+          "<input id=\"find\" type=\"search\" placeholder=\"Search\" aria-label=\"Search\" "
+          "autocomplete=\"off\">\n<select id=\"order\" aria-label=\"Order\"><option value=\"\">By "
+          "name</option><option value=\"triangles\">Most triangles</option><option "
+          "value=\"bytes\">Largest file</option></select></header>\n<main>\n",
+          page);
+    for (size_t i = 0; i < b->list.count; ++i) {
+        const batch_item *item = &b->list.items[i];
+        cJSON *line = !item->has_failed && item->line ? cJSON_Parse(item->line) : NULL;
+        if (line) {
+            put_card(page, b, item, line);
+        }
+        cJSON_Delete(line);
+    }
+    fputs("</main>\n<p id=\"none\">No model has that.</p>\n", page);
+    if (b->failed > 0) {
+        put_failures(page, b);
+    }
+    fprintf(page, "%s</html>\n", script);
+}
+
+burnish_status batch_write_index(const batch *b, burnish_error *error) {
+    static const char name[] = "index.html";
+    const size_t length = strlen(b->settings->output_dir) + sizeof name + 1;
+    char *path = malloc(length), *text = NULL;
+    size_t size = 0;
+    FILE *page = path ? cli_open_memory(&text, &size) : NULL;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (page) {
+        snprintf(path, length, "%s/%s", b->settings->output_dir, name);
+        put_page(page, b);
+    }
+    if (!page || cli_close_memory(page, &text, &size) != 0) {
+        status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the page");
+    } else {
+        status = cli_file_write(path, text, size, error);
+    }
+    free(text);
+    free(path);
+    return status;
+}

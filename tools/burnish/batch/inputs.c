@@ -1,0 +1,218 @@
+/* Which files there are. */
+#include "batch/batch.h"
+#include "import/import.h"
+
+#ifndef _WIN32
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+static burnish_status fail_memory(burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the list of inputs");
+}
+
+static burnish_status add_item(batch_items *list, const char *input, size_t tree, uint64_t bytes,
+                               burnish_error *error) {
+    if (list->count == list->capacity) {
+        const size_t capacity = list->capacity > 0 ? 2 * list->capacity : 64;
+        batch_item *grown = capacity <= UINT32_MAX / sizeof *grown
+                                ? realloc(list->items, capacity * sizeof *grown)
+                                : NULL;
+        if (!grown) {
+            return fail_memory(error);
+        }
+        list->items = grown;
+        list->capacity = capacity;
+    }
+    char *copy = strdup(input);
+    if (!copy) {
+        return fail_memory(error);
+    }
+    list->items[list->count++] =
+        (batch_item){.input = copy, .tree = tree, .view = -1, .bytes = bytes};
+    return BURNISH_STATUS_OK;
+}
+
+/* ---- Folders ---- */
+
+/* A format's ending, also with .gz behind it, or that of an importer which is installed. */
+static int is_mesh(const char *name) {
+    const import_program *importer = import_find(name);
+    if (importer && import_is_installed(importer)) {
+        return 1;
+    }
+    const size_t length = strlen(name);
+    for (int i = 0; i < burnish_format_count(); ++i) {
+        const char *ending = burnish_format_get_info((burnish_format)i)->endings;
+        while (*ending) {
+            const size_t size = strcspn(ending, " ");
+            for (int is_packed = 0; is_packed < 2; ++is_packed) {
+                const size_t tail = size + (is_packed ? 3 : 0);
+                if (size > 0 && length > tail &&
+                    strncasecmp(name + length - tail, ending, size) == 0 &&
+                    (!is_packed || strcasecmp(name + length - 3, ".gz") == 0)) {
+                    return 1;
+                }
+            }
+            ending += size + (ending[size] == ' ');
+        }
+    }
+    return 0;
+}
+
+static int is_shown(const struct dirent *entry) {
+    return entry->d_name[0] != '.';
+}
+
+/* alphasort follows the locale. */
+static int by_bytes(const struct dirent **a, const struct dirent **b) {
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+enum { DEPTH_MAX = 64 };
+
+/* The meshes of a folder and, with --recursive, of those in it; links to folders are not followed.
+ */
+static burnish_status add_folder(batch *b, const char *folder, size_t tree, int depth,
+                                 burnish_error *error) {
+    struct dirent **entries = NULL;
+    const int count = scandir(folder, &entries, is_shown, by_bytes);
+    burnish_status status = BURNISH_STATUS_OK;
+    if (count < 0) {
+        return cli_fail(error, BURNISH_STATUS_READ, "%.300s: can't be read: %s", folder,
+                        strerror(errno));
+    }
+    for (int i = 0; i < count; ++i) {
+        const char *name = entries[i]->d_name;
+        const size_t size = strlen(folder) + strlen(name) + 2;
+        char *path = malloc(size);
+        struct stat state, link;
+        if (status == BURNISH_STATUS_OK && !path) {
+            status = fail_memory(error);
+        }
+        if (status == BURNISH_STATUS_OK) {
+            const int has_slash = folder[0] && folder[strlen(folder) - 1] == '/';
+            snprintf(path, size, "%s%s%s", folder, has_slash ? "" : "/", name);
+            if (stat(path, &state) != 0 || lstat(path, &link) != 0) {
+                /* gone meanwhile */
+            } else if (S_ISDIR(link.st_mode) && b->settings->recursive && depth < DEPTH_MAX) {
+                status = add_folder(b, path, tree, depth + 1, error);
+            } else if (S_ISREG(state.st_mode) && is_mesh(name)) {
+                status = add_item(&b->list, path, tree, (uint64_t)state.st_size, error);
+            }
+        }
+        free(path);
+        free(entries[i]);
+    }
+    free(entries);
+    return status;
+}
+
+/* ---- Names ---- */
+
+static burnish_status add_name(batch *b, const char *name, burnish_error *error) {
+    struct stat state;
+    uint64_t bytes = 0;
+    if (strcmp(name, "-") == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "batch: a mesh on standard input has no name; use burnish render -, or "
+                        "--files-from=- for a list of names");
+    }
+    if (*name == ':') {
+        return add_item(&b->list, name, 1, 0, error);
+    }
+    if (stat(name, &state) == 0) {
+        if (S_ISDIR(state.st_mode)) {
+            size_t tree = strlen(name);
+            tree += name[tree - 1] != '/';
+            return add_folder(b, name, tree, 0, error);
+        }
+        bytes = S_ISREG(state.st_mode) && state.st_size > 0 ? (uint64_t)state.st_size : 0;
+    }
+    return add_item(&b->list, name, (size_t)(batch_base_name(name) - name), bytes, error);
+}
+
+/* A whole file; *size bytes and a 0. */
+static char *read_list(const char *path, size_t *size, burnish_error *error) {
+    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
+    size_t capacity = 0, used = 0, count = 1;
+    char *text = NULL;
+    if (!file) {
+        cli_fail(error, BURNISH_STATUS_READ, "--files-from: %.300s: can't be opened: %s", path,
+                 strerror(errno));
+        return NULL;
+    }
+    while (count > 0) {
+        capacity = capacity > 0 ? 2 * capacity : 4096;
+        char *grown = capacity < SIZE_MAX / 4 ? realloc(text, capacity) : NULL;
+        if (!grown) {
+            free(text);
+            fail_memory(error);
+            text = NULL;
+            break;
+        }
+        text = grown;
+        count = fread(text + used, 1, capacity - used - 1, file);
+        used += count;
+    }
+    if (text) {
+        text[used] = 0;
+        *size = used;
+    }
+    if (file != stdin) {
+        fclose(file);
+    }
+    return text;
+}
+
+/* Names end with a newline or, where the list has any 0, with that. */
+static burnish_status add_list(batch *b, const char *path, burnish_error *error) {
+    size_t size = 0;
+    char *text = read_list(path, &size, error);
+    if (!text) {
+        return error->status;
+    }
+    const char separator = memchr(text, 0, size) ? 0 : '\n';
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t at = 0; at < size && status == BURNISH_STATUS_OK;) {
+        const char *found = memchr(text + at, separator, size - at);
+        const size_t end = found ? (size_t)(found - text) : size;
+        text[end] = 0;
+        if (end > at) {
+            status = add_name(b, text + at, error);
+        }
+        at = end + 1;
+    }
+    free(text);
+    return status;
+}
+
+burnish_status batch_collect(batch *b, const cli_call *call, burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t i = 0; i < call->argument_count && status == BURNISH_STATUS_OK; ++i) {
+        if (!call->arguments[i].flag && !*call->arguments[i].text) {
+            status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "batch: an INPUT is empty");
+        } else if (!call->arguments[i].flag) {
+            status = add_name(b, call->arguments[i].text, error);
+        }
+    }
+    if (status == BURNISH_STATUS_OK && b->settings->files_from) {
+        status = add_list(b, b->settings->files_from, error);
+    }
+    if (status == BURNISH_STATUS_OK && call->operand_count == 0 && !b->settings->files_from) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "batch: no INPUT; try \"burnish batch FOLDER --output-dir=thumbs\" or "
+                          "\"burnish batch --help\"");
+    }
+    if (status == BURNISH_STATUS_OK && b->list.count == 0) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "batch: no meshes there%s",
+                          b->settings->recursive ? "" : "; --recursive looks into folders below");
+    }
+    return status;
+}
+
+#endif

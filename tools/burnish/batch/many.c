@@ -1,0 +1,90 @@
+/* `burnish render` with many inputs: a batch that draws all of them and leaves no report. */
+#include "render/many.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "batch/batch.h"
+#include "sandbox/sandbox.h"
+
+#ifdef _WIN32
+
+burnish_status render_many(const render_settings *settings, cli_call *call, burnish_error *error) {
+    (void)settings, (void)call;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "render: one INPUT at a time on this system, and its picture's whole name");
+}
+
+#else
+
+static burnish_status check(const render_settings *settings, burnish_error *error) {
+    const char *alone = settings->planes.count > 0 ? "plane"
+                        : settings->turntable      ? "turntable"
+                        : settings->reference      ? "reference"
+                        : settings->timing         ? "timing"
+                                                   : NULL;
+    return alone ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: is of one picture; draw one INPUT, without --output-dir", alone)
+                 : BURNISH_STATUS_OK;
+}
+
+/* Whether the last word about the sandbox is no. */
+static int is_unlocked(const cli_call *call) {
+    int is = 0;
+    for (size_t i = 0; i < call->argument_count; ++i) {
+        const cli_flag *flag = call->arguments[i].flag;
+        if (flag && strcmp(flag->name, "no-sandbox") == 0) {
+            is = 1;
+        } else if (flag && strcmp(flag->name, "sandbox") == 0) {
+            is = 0;
+        }
+    }
+    return is;
+}
+
+/* The folders before the first placeholder of a template, with their slash. */
+static size_t folder_size(const char *text) {
+    size_t size = strcspn(text, "{");
+    while (size > 0 && text[size - 1] != '/') {
+        --size;
+    }
+    return size;
+}
+
+burnish_status render_many(const render_settings *settings, cli_call *call, burnish_error *error) {
+    batch_settings many = {.render = *settings,
+                           .output = settings->output,
+                           .output_dir = settings->output_dir,
+                           .report = settings->json,
+                           .jobs = settings->threads,
+                           .force = 1,
+                           .has_no_report = !settings->json,
+                           .no_sandbox = is_unlocked(call)};
+    char standard[64], *folder = NULL;
+    burnish_status status = check(settings, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (!many.output) {
+        snprintf(standard, sizeof standard, "{folder}{model}.%s",
+                 picture_ending(settings->format == PICTURE_AUTO
+                                    ? PICTURE_PNG
+                                    : (picture_format)settings->format));
+        many.output = standard;
+    } else if (!many.output_dir) { /* a template names its folder itself */
+        const size_t size = folder_size(many.output);
+        folder = strndup(many.output, size);
+        many.output_dir = size > 0 ? folder : NULL;
+        many.output += size;
+    }
+    many.output_dir = many.output_dir ? many.output_dir : ".";
+    many.render.overwrite |= settings->output || settings->output_dir;
+    many.render.output = NULL;
+    many.render.json = NULL;
+    status = batch_draw(&many, call, error);
+    free(folder);
+    return status;
+}
+
+#endif

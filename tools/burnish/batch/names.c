@@ -1,0 +1,305 @@
+/* Which picture goes where: templates, and names that no two inputs share. */
+#include <stdlib.h>
+#include <string.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "batch/batch.h"
+#include "render/camera.h"
+
+const char *batch_base_name(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+const char *batch_view_name(const batch *b, const batch_item *item) {
+    return render_view_name(b->settings->render.views.items[item->view]);
+}
+
+enum { NAME_MAX_BYTES = 4000 };
+
+/* How much of the input's name is in the output's: first as the template has it; where that is
+ * another input's too, with the ending, "part.stl.png"; then with all its folders; then with both.
+ */
+enum { LEVEL_PLAIN, LEVEL_ENDING, LEVEL_FOLDERS, LEVEL_BOTH, LEVELS };
+
+/* A name as it grows; size is NAME_MAX_BYTES where it is too long. */
+typedef struct name {
+    char text[NAME_MAX_BYTES + 1];
+    size_t size;
+} name;
+
+static void append(name *n, const char *text, size_t size) {
+    if (n->size + size >= NAME_MAX_BYTES) {
+        n->size = NAME_MAX_BYTES;
+        return;
+    }
+    memcpy(n->text + n->size, text, size);
+    n->size += size;
+    n->text[n->size] = 0;
+}
+
+/* The parts of an input's name. */
+typedef struct parts {
+    const char *folder, *model, *ending; /* the last without its dot */
+    size_t folder_size, model_size;
+} parts;
+
+static parts split(const batch_item *item) {
+    const char *input = item->input;
+    const size_t tree = *input == ':' ? 1 : item->level >= LEVEL_FOLDERS ? 0 : item->tree;
+    parts p = {.folder = input + tree, .model = *input == ':' ? input + 1 : batch_base_name(input)};
+    const char *dot = strrchr(p.model, '.');
+    p.folder_size = p.model > p.folder ? (size_t)(p.model - p.folder) : 0;
+    p.model_size = dot && dot > p.model ? (size_t)(dot - p.model) : strlen(p.model);
+    p.ending = p.model[p.model_size] ? p.model + p.model_size + 1 : "";
+    return p;
+}
+
+static const char placeholders[] = "{model}, {folder}, {ending} and {view}";
+
+static burnish_status expand_one(const batch *b, const batch_item *item, const char *word,
+                                 size_t size, name *n, burnish_error *error) {
+    const parts p = split(item);
+    if (size == 5 && memcmp(word, "model", 5) == 0) {
+        append(n, p.model,
+               item->level == LEVEL_ENDING || item->level >= LEVEL_BOTH ? strlen(p.model)
+                                                                        : p.model_size);
+    } else if (size == 6 && memcmp(word, "folder", 6) == 0) {
+        append(n, p.folder, p.folder_size);
+    } else if (size == 6 && memcmp(word, "ending", 6) == 0) {
+        append(n, p.ending, strlen(p.ending));
+    } else if (size == 4 && memcmp(word, "view", 4) == 0) {
+        const char *view = item->view >= 0 ? batch_view_name(b, item) : "view";
+        append(n, view, strlen(view));
+    } else {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--output: \"{%.*s}\" is none of %s",
+                        size < 40 ? (int)size : 40, word, placeholders);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* The template's text for an item. */
+static burnish_status expand(const batch *b, const batch_item *item, name *n,
+                             burnish_error *error) {
+    const char *at = b->settings->output;
+    n->size = 0;
+    n->text[0] = 0;
+    if (item->level >= LEVEL_FOLDERS && !strstr(at, "{folder}")) {
+        const parts p = split(item);
+        append(n, p.folder, p.folder_size);
+    }
+    while (*at) {
+        const size_t plain = strcspn(at, "{");
+        append(n, at, plain);
+        at += plain;
+        const char *end = *at ? strchr(at, '}') : NULL;
+        if (*at && !end) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--output: \"%.100s\": a { without }; there are %s",
+                            b->settings->output, placeholders);
+        }
+        if (end) {
+            const burnish_status status =
+                expand_one(b, item, at + 1, (size_t)(end - at) - 1, n, error);
+            if (status != BURNISH_STATUS_OK) {
+                return status;
+            }
+            at = end + 1;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* Joins what stands between slashes to the folder. Parts that are empty, and . and .. of the
+ * input's folders, are left out, so that nothing leads out of the folder. NULL: nothing is left, or
+ * it is too long. */
+static char *join(const char *folder, const name *n) {
+    const size_t length = strlen(folder);
+    char *path = malloc(length + n->size + 2);
+    size_t used = length, kept = 0;
+    if (!path || n->size >= NAME_MAX_BYTES) {
+        free(path);
+        return NULL;
+    }
+    memcpy(path, folder, length);
+    for (const char *at = n->text; *at;) {
+        const size_t size = strcspn(at, "/");
+        if (size > 0 && !(size <= 2 && strncmp(at, "..", size) == 0)) {
+            if (used > 0 && path[used - 1] != '/') {
+                path[used++] = '/';
+            }
+            memcpy(path + used, at, size);
+            used += size;
+            ++kept;
+        }
+        at += size + (at[size] == '/');
+    }
+    path[used] = 0;
+    if (kept == 0 || n->text[n->size - 1] == '/' || strcmp(path, "-") == 0) {
+        free(path);
+        return NULL;
+    }
+    return path;
+}
+
+static burnish_status name_item(const batch *b, batch_item *item, burnish_error *error) {
+    const char *folder = strcmp(b->settings->output_dir, ".") == 0 ? "" : b->settings->output_dir;
+    name n;
+    const burnish_status status = expand(b, item, &n, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    free(item->output);
+    item->output = join(folder, &n);
+    return item->output ? BURNISH_STATUS_OK
+                        : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                   "%.200s: --output gives its picture no name that can be used",
+                                   item->input);
+}
+
+/* ---- Comparing all ---- */
+
+static int compare_inputs(const void *a, const void *b) {
+    const batch_item *x = *(batch_item *const *)a, *y = *(batch_item *const *)b;
+    const int order = strcmp(x->input, y->input);
+    return order ? order : (x > y) - (x < y);
+}
+
+static int compare_outputs(const void *a, const void *b) {
+    const batch_item *x = *(batch_item *const *)a, *y = *(batch_item *const *)b;
+    const int order = strcmp(x->output, y->output);
+    return order ? order : (x > y) - (x < y);
+}
+
+static void sort(const batch *b, batch_item **sorted, int (*compare)(const void *, const void *)) {
+    for (size_t i = 0; i < b->list.count; ++i) {
+        sorted[i] = &b->list.items[i];
+    }
+    qsort(sorted, b->list.count, sizeof *sorted, compare);
+}
+
+/* An input that was named twice is drawn once, where it was first. */
+static void drop_repeated(batch *b, batch_item **sorted) {
+    size_t kept = 0;
+    sort(b, sorted, compare_inputs);
+    for (size_t i = 1; i < b->list.count; ++i) {
+        sorted[i]->has_failed = strcmp(sorted[i]->input, sorted[i - 1]->input) == 0;
+    }
+    for (size_t i = 0; i < b->list.count; ++i) {
+        if (b->list.items[i].has_failed) {
+            free(b->list.items[i].input);
+        } else {
+            b->list.items[kept++] = b->list.items[i];
+        }
+    }
+    b->list.count = kept;
+}
+
+/* An item per view, where the template has {view}. */
+static burnish_status split_views(batch *b, burnish_error *error) {
+    const size_t views = b->settings->render.views.count, count = b->list.count;
+    if (!strstr(b->settings->output, "{view}")) {
+        return BURNISH_STATUS_OK;
+    }
+    if (views == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: {view} needs views, such as --views=front,top");
+    }
+    batch_item *items = calloc(count * views, sizeof *items);
+    for (size_t i = 0; items && i < count * views; ++i) {
+        items[i] = b->list.items[i / views];
+        items[i].view = (int)(i % views);
+        items[i].input = strdup(b->list.items[i / views].input);
+        if (!items[i].input) {
+            for (size_t k = 0; k < i; ++k) {
+                free(items[k].input);
+            }
+            free(items);
+            items = NULL;
+        }
+    }
+    if (!items) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the list of pictures");
+    }
+    for (size_t i = 0; i < count; ++i) {
+        free(b->list.items[i].input);
+    }
+    free(b->list.items);
+    b->list = (batch_items){items, count * views, count * views};
+    return BURNISH_STATUS_OK;
+}
+
+/* One round: those that share an output get more of their inputs' names. *shared: one of those that
+ * still do. */
+static burnish_status part(batch *b, batch_item **sorted, batch_item **shared,
+                           burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    *shared = NULL;
+    sort(b, sorted, compare_outputs);
+    for (size_t i = 0; i < b->list.count && status == BURNISH_STATUS_OK;) {
+        size_t end = i + 1;
+        while (end < b->list.count && strcmp(sorted[end]->output, sorted[i]->output) == 0) {
+            ++end;
+        }
+        for (size_t k = i; end - i > 1 && k < end; ++k) {
+            *shared = *shared ? *shared : sorted[k];
+            sorted[k]->level += 1;
+        }
+        i = end;
+    }
+    for (size_t i = 0; *shared && i < b->list.count && status == BURNISH_STATUS_OK; ++i) {
+        status = name_item(b, &b->list.items[i], error);
+    }
+    return status;
+}
+
+static burnish_status check_template(const batch *b, burnish_error *error) {
+    const char *text = b->settings->output;
+    if (*text == '/' || strncmp(text, "../", 3) == 0 || strstr(text, "/../")) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: \"%.200s\" leads out of --output-dir; name the folder there",
+                        text);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status batch_name_outputs(batch *b, burnish_error *error) {
+    batch_item *shared = NULL;
+    burnish_status status = check_template(b, error);
+    if (status == BURNISH_STATUS_OK) {
+        batch_item **sorted = calloc(b->list.count, sizeof(batch_item *));
+        if (!sorted) {
+            return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the list of inputs");
+        }
+        drop_repeated(b, sorted);
+        free(sorted);
+        status = split_views(b, error);
+    }
+    batch_item **sorted =
+        status == BURNISH_STATUS_OK ? calloc(b->list.count, sizeof(batch_item *)) : NULL;
+    for (size_t i = 0; i < b->list.count && sorted && status == BURNISH_STATUS_OK; ++i) {
+        status = name_item(b, &b->list.items[i], error);
+    }
+    for (int round = 0; round < LEVELS && sorted && status == BURNISH_STATUS_OK; ++round) {
+        status = part(b, sorted, &shared, error);
+    }
+    if (status == BURNISH_STATUS_OK && shared) {
+        shared->level = LEVEL_PLAIN;
+        status = name_item(b, shared, error);
+    }
+    if (status == BURNISH_STATUS_OK && shared) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--output: another input would have the picture of \"%.150s\" too, "
+                          "\"%.150s\"; put {folder} or {model} into the name",
+                          shared->input, shared->output);
+    }
+    for (size_t i = 0; i < b->list.count && status == BURNISH_STATUS_OK; ++i) {
+        batch_item *item = &b->list.items[i];
+        item->id =
+            XXH64(item->output, strlen(item->output), XXH64(item->input, strlen(item->input), 0));
+    }
+    free(sorted);
+    return status;
+}

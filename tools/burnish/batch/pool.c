@@ -1,0 +1,431 @@
+/* Hands items to runners and keeps what they say.
+ *
+ * A runner here is a process that this one forks. One elsewhere is a socket: whoever brought it
+ * closes it when that machine is lost, and its item goes to another. When nothing is left to hand
+ * out, an idle runner gets what another machine has had for long; the first answer counts. */
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "batch/batch.h"
+
+double batch_now(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+#ifndef _WIN32
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include "cli/run.h"
+#include "sandbox/channel.h"
+
+enum {
+    NOTHING = -1,
+    RUNNERS_AT = 3,     /* descriptor of the first runner elsewhere */
+    LOST_MAX = 3,       /* machines that an item may be lost with */
+    SECOND_SECONDS = 3, /* until another runner gets an item, too */
+    LINE_MAX_BYTES = 1 << 24
+};
+
+typedef struct worker {
+    pid_t process; /* 0: none */
+    int is_elsewhere;
+    int channel; /* NOTHING: closed */
+    long item;   /* in work; NOTHING */
+    double start;
+} worker;
+
+typedef struct pool {
+    batch *b;
+    worker *workers;
+    size_t count, next; /* next: index into order */
+    uint32_t *order;
+    uint32_t *lost; /* with a machine, to be handed out again */
+    size_t lost_count;
+    FILE *report; /* lines as they come; NULL: none */
+    double start, shown;
+    int is_terminal;
+} pool;
+
+static volatile sig_atomic_t stopped; /* the number of a signal that ends the program */
+
+static void stop(int number) {
+    stopped = number;
+}
+
+static const int ending[] = {SIGHUP, SIGINT, SIGTERM};
+
+/* ---- Runners ---- */
+
+/* In the new process. */
+static void become_runner(const pool *p, int channel, pid_t parent) {
+    const int nothing = open("/dev/null", O_RDWR);
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
+    if (getppid() != parent) {
+        _exit(1);
+    }
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; ++i) {
+        struct sigaction before;
+        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler == stop) {
+            signal(ending[i], SIG_DFL);
+        }
+    }
+    cli_handle_signals();
+    for (size_t i = 0; i < p->count; ++i) {
+        if (p->workers[i].channel != NOTHING) {
+            close(p->workers[i].channel);
+        }
+    }
+    for (int stream = 0; stream <= 2; ++stream) {
+        dup2(nothing, stream);
+    }
+    batch_runner(p->b, channel);
+    _exit(0);
+}
+
+static int start_runner(pool *p, worker *w) {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
+        return 0;
+    }
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    fflush(NULL);
+    const pid_t self = getpid();
+    w->process = fork();
+    w->item = NOTHING;
+    if (w->process == 0) {
+        close(ends[0]);
+        become_runner(p, ends[1], self);
+    }
+    close(ends[1]);
+    w->channel = ends[0];
+    if (w->process < 0) {
+        close(ends[0]);
+        w->channel = NOTHING;
+        w->process = 0;
+    }
+    return w->process > 0;
+}
+
+/* Takes over the sockets of --runners. */
+static burnish_status take_runners(pool *p, worker *workers, burnish_error *error) {
+    for (int i = 0; i < p->b->settings->runners; ++i) {
+        struct stat state;
+        const int channel = RUNNERS_AT + i;
+        if (fstat(channel, &state) != 0 || !S_ISSOCK(state.st_mode)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--runners: descriptor %d is no socket; burnish-mpi opens them",
+                            channel);
+        }
+        fcntl(channel, F_SETFD, FD_CLOEXEC);
+        workers[i].is_elsewhere = 1;
+        workers[i].channel = channel;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* Waits for a runner; its wait status. */
+static int end_runner(worker *w, int number) {
+    int state = 0;
+    if (w->channel != NOTHING) {
+        close(w->channel);
+    }
+    if (w->process > 0) {
+        if (number) {
+            kill(w->process, number);
+        }
+        while (waitpid(w->process, &state, 0) < 0 && errno == EINTR && !number) {
+        }
+    }
+    w->process = 0;
+    w->channel = NOTHING;
+    w->item = NOTHING;
+    return state;
+}
+
+/* ---- Items ---- */
+
+/* Takes the line, which becomes the item's. */
+static void keep_line(pool *p, uint32_t index, char *line, const batch_answer *answer) {
+    batch_item *item = &p->b->list.items[index];
+    if (answer->failed == BATCH_LATE) {
+        unlink(item->output);
+    }
+    item->line = line;
+    item->is_kept = answer->is_kept;
+    item->has_failed = answer->failed != 0 || !line;
+    p->b->done += 1;
+    p->b->kept += item->is_kept != 0;
+    p->b->failed += item->has_failed != 0;
+    if (p->report && line) {
+        fprintf(p->report, "%s\n", line);
+        fflush(p->report);
+    }
+}
+
+/* What another machine has had for longest, and long. */
+static long find_slow(const pool *p) {
+    const double now = batch_now();
+    const worker *slow = NULL;
+    for (size_t i = 0; i < p->count; ++i) {
+        const worker *w = &p->workers[i];
+        if (w->is_elsewhere && w->item != NOTHING && now - w->start > SECOND_SECONDS &&
+            !p->b->list.items[w->item].line && p->b->list.items[w->item].held == 1 &&
+            (!slow || w->start < slow->start)) {
+            slow = w;
+        }
+    }
+    return slow ? slow->item : NOTHING;
+}
+
+static long choose_item(pool *p) {
+    while (p->lost_count > 0) {
+        const uint32_t index = p->lost[--p->lost_count];
+        if (!p->b->list.items[index].line) {
+            return (long)index;
+        }
+    }
+    return p->next < p->b->list.count ? (long)p->order[p->next++] : find_slow(p);
+}
+
+/* The item is nobody's now. */
+static void give_back(pool *p, long index) {
+    batch_item *item = &p->b->list.items[index];
+    item->held -= 1;
+    if (!item->line && item->held == 0) {
+        p->lost[p->lost_count++] = (uint32_t)index;
+    }
+}
+
+/* Gives a runner an item; one that has died before is started again. */
+static void hand_out(pool *p, worker *w) {
+    if (stopped || (w->is_elsewhere && w->channel == NOTHING)) {
+        return;
+    }
+    const long index = choose_item(p);
+    if (index == NOTHING) {
+        return;
+    }
+    p->b->list.items[index].held += 1;
+    w->start = batch_now();
+    if ((w->channel != NOTHING || start_runner(p, w)) &&
+        batch_send_order(p->b, w->channel, (uint32_t)index)) {
+        w->item = index;
+        return;
+    }
+    give_back(p, index);
+    end_runner(w, 0);
+}
+
+/* A runner is gone, and so is a machine, perhaps. */
+static void lose_runner(pool *p, worker *w) {
+    const long index = w->item;
+    const double seconds = batch_now() - w->start;
+    const int state = end_runner(w, 0);
+    if (index == NOTHING || stopped) {
+        return;
+    }
+    batch_item *item = &p->b->list.items[index];
+    if (w->is_elsewhere && ++item->lost < LOST_MAX) {
+        give_back(p, index);
+        return;
+    }
+    char text[120];
+    item->held -= 1;
+    if (w->is_elsewhere) {
+        snprintf(text, sizeof text, "%d machines were lost that drew it", LOST_MAX);
+    } else {
+        snprintf(text, sizeof text, "the process that drew it was ended by signal %d",
+                 WIFSIGNALED(state) ? WTERMSIG(state) : 0);
+    }
+    if (!item->line && item->held == 0) {
+        keep_line(p, (uint32_t)index, batch_failed_line(p->b, item, 1, text, seconds),
+                  &(batch_answer){.failed = BATCH_FAILED});
+    }
+}
+
+static void take_answer(pool *p, worker *w) {
+    batch_answer answer;
+    char *line = NULL;
+    int is_whole = channel_read(w->channel, &answer, sizeof answer) && w->item != NOTHING &&
+                   answer.index == (uint32_t)w->item && answer.size <= LINE_MAX_BYTES;
+    if (is_whole && answer.size > 0) {
+        line = malloc((size_t)answer.size + 1);
+        is_whole = line && channel_read(w->channel, line, answer.size);
+    }
+    if (!is_whole || !line) {
+        free(line);
+        lose_runner(p, w);
+        return;
+    }
+    line[answer.size] = 0;
+    batch_item *item = &p->b->list.items[w->item];
+    item->held -= 1;
+    w->item = NOTHING;
+    if (item->line || (answer.failed && item->held > 0)) { /* the other one may do better */
+        free(line);
+    } else {
+        keep_line(p, answer.index, line, &answer);
+    }
+}
+
+/* ---- Progress ---- */
+
+static void show_progress(pool *p) {
+    const double now = batch_now(), passed = now - p->start;
+    const size_t drawn = p->b->done - p->b->kept;
+    if (!p->is_terminal || now - p->shown < 0.2 || p->b->done == 0) {
+        return;
+    }
+    p->shown = now;
+    const double left = passed / (double)p->b->done * (double)(p->b->list.count - p->b->done) + 0.5;
+    char failed[40] = "";
+    if (p->b->failed > 0) {
+        snprintf(failed, sizeof failed, ", %zu failed", p->b->failed);
+    }
+    fprintf(stderr, "\rburnish: %zu of %zu, %.0f per second, %lu:%02lu left%s\033[K", p->b->done,
+            p->b->list.count, (double)drawn / passed, (unsigned long)left / 60,
+            (unsigned long)left % 60, failed);
+}
+
+/* ---- All ---- */
+
+static burnish_status fail_runner(burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_MEMORY, "batch: no process to draw in: %s",
+                    strerror(errno));
+}
+
+/* Lends items to idle runners and says how many have one. */
+static size_t lend(pool *p, struct pollfd *ready) {
+    size_t active = 0;
+    for (size_t i = 0; i < p->count; ++i) {
+        worker *w = &p->workers[i];
+        if (w->item == NOTHING) {
+            hand_out(p, w);
+        }
+        active += w->item != NOTHING;
+        ready[i] = (struct pollfd){w->item != NOTHING || w->is_elsewhere ? w->channel : NOTHING,
+                                   POLLIN, 0};
+    }
+    return active;
+}
+
+static burnish_status work(pool *p, struct pollfd *ready, burnish_error *error) {
+    while (p->b->done < p->b->list.count && !stopped) {
+        if (lend(p, ready) == 0 && !stopped) {
+            return fail_runner(error);
+        }
+        const int count = poll(ready, (nfds_t)p->count, 500);
+        for (size_t i = 0; i < p->count && count > 0; ++i) {
+            if (ready[i].fd >= 0 && ready[i].revents) {
+                take_answer(p, &p->workers[i]);
+            }
+        }
+        show_progress(p);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* The lines so far, should this process be killed: of earlier runs, then each when it is there. */
+static burnish_status open_report(pool *p, burnish_error *error) {
+    const batch *b = p->b;
+    if (!b->report || strcmp(b->report, "-") == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    char *head = batch_head_line(b);
+    p->report = head ? fopen(b->report, "wb") : NULL;
+    if (p->report) {
+        fcntl(fileno(p->report), F_SETFD, FD_CLOEXEC);
+        fprintf(p->report, "%s\n", head);
+        for (size_t i = 0; i < b->list.count; ++i) {
+            const struct batch_past_line *past = batch_past_line(&b->past, b->list.items[i].id);
+            if (past && past->is_same) {
+                fprintf(p->report, "%s\n", past->line);
+            }
+        }
+        fflush(p->report);
+    }
+    free(head);
+    return p->report ? BURNISH_STATUS_OK
+                     : cli_fail(error, BURNISH_STATUS_WRITE, "--report: %.300s: %s", b->report,
+                                strerror(errno));
+}
+
+static void catch_signals(void) {
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; ++i) {
+        struct sigaction before, action = {.sa_handler = stop};
+        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) {
+            sigaction(ending[i], &action, NULL);
+        }
+    }
+}
+
+/* How many pictures are drawn here at a time. */
+static size_t count_jobs(const batch *b) {
+    const size_t jobs = b->settings->jobs > 0      ? (size_t)b->settings->jobs
+                        : b->settings->runners > 0 ? 1
+                                                   : (size_t)burnish_processor_count();
+    return jobs < b->list.count ? jobs : b->list.count;
+}
+
+static burnish_status begin(pool *p, burnish_error *error) {
+    const size_t jobs = count_jobs(p->b), elsewhere = (size_t)p->b->settings->runners;
+    p->workers = calloc(jobs + elsewhere + 1, sizeof *p->workers);
+    p->lost = calloc(jobs + elsewhere + 1, sizeof *p->lost);
+    p->order = batch_order_by_cost(&p->b->list);
+    if (!p->workers || !p->lost || !p->order) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    }
+    p->count = jobs + elsewhere;
+    for (size_t i = 0; i < p->count; ++i) {
+        p->workers[i].item = NOTHING;
+        p->workers[i].channel = NOTHING;
+    }
+    catch_signals();
+    const burnish_status status = take_runners(p, p->workers + jobs, error);
+    return status == BURNISH_STATUS_OK ? open_report(p, error) : status;
+}
+
+burnish_status batch_run(batch *b, burnish_error *error) {
+    pool p = {.b = b, .start = batch_now()};
+    p.is_terminal = !b->settings->render.quiet && isatty(STDERR_FILENO);
+    burnish_status status = begin(&p, error);
+    struct pollfd *ready = calloc(p.count + 1, sizeof *ready);
+    if (status == BURNISH_STATUS_OK) {
+        status = ready ? work(&p, ready, error)
+                       : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    }
+    if (p.is_terminal) {
+        fprintf(stderr, "\r\033[K");
+    }
+    for (size_t i = 0; i < p.count; ++i) { /* one at work has an item that another has done */
+        end_runner(&p.workers[i], stopped || p.workers[i].item != NOTHING ? SIGTERM : 0);
+    }
+    if (p.report) {
+        fclose(p.report);
+    }
+    b->is_stopped = stopped;
+    free(ready);
+    free(p.workers);
+    free(p.lost);
+    free(p.order);
+    return status;
+}
+
+#endif

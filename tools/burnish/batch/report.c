@@ -1,0 +1,301 @@
+/* The report: JSON lines, which the next run reads to leave what is unchanged. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#ifndef _WIN32
+#include <dirent.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+#include "batch/batch.h"
+#include "cli/file.h"
+#include "cli/output.h"
+#include "cli/platform.h"
+
+/* ---- Reading ---- */
+
+static int compare_lines(const void *a, const void *b) {
+    const struct batch_past_line *x = a, *y = b;
+    return x->id != y->id ? (x->id > y->id) - (x->id < y->id)
+                          : (x->number > y->number) - (x->number < y->number);
+}
+
+const struct batch_past_line *batch_past_line(const batch_past *past, uint64_t id) {
+    size_t low = 0, high = past->count;
+    while (low < high) { /* the first beyond id: the last line of an id counts */
+        const size_t middle = low + (high - low) / 2;
+        if (past->lines[middle].id <= id) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low > 0 && past->lines[low - 1].id == id ? &past->lines[low - 1] : NULL;
+}
+
+/* A whole file with a 0 at its end; NULL where there is none. */
+static char *read_text(const char *path) {
+    FILE *file = fopen(path, "rb");
+    char *text = NULL;
+    long size = -1;
+    if (file && fseek(file, 0, SEEK_END) == 0) {
+        size = ftell(file);
+        rewind(file);
+    }
+    if (size >= 0) {
+        text = malloc((size_t)size + 1);
+    }
+    if (text) {
+        text[fread(text, 1, (size_t)size, file)] = 0;
+    }
+    if (file) {
+        fclose(file);
+    }
+    return text;
+}
+
+static burnish_status fail_memory(burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the report");
+}
+
+static int add_line(batch_past *past, uint64_t id, const char *line, int is_same) {
+    if (past->count == past->capacity) {
+        const size_t capacity = past->capacity > 0 ? 2 * past->capacity : 1024;
+        struct batch_past_line *grown = capacity <= UINT32_MAX / sizeof *grown
+                                            ? realloc(past->lines, capacity * sizeof *grown)
+                                            : NULL;
+        if (!grown) {
+            return 0;
+        }
+        past->lines = grown;
+        past->capacity = capacity;
+    }
+    const uint32_t number = (uint32_t)past->count;
+    past->lines[past->count++] = (struct batch_past_line){id, line, number, is_same};
+    return 1;
+}
+
+/* The lines of a text but the last one where a run was cut off in it. */
+static int list_lines(batch_past *past, char *text, const char *head) {
+    int is_same = 0;
+    for (char *line = text; line;) {
+        char *end = strchr(line, '\n');
+        unsigned long long id;
+        if (end) {
+            *end = 0;
+        }
+        if (end && sscanf(line, "{\"id\":\"%16llx\"", &id) == 1) {
+            if (!add_line(past, id, line, is_same)) {
+                return 0;
+            }
+        } else if (end) {
+            is_same = strcmp(line, head) == 0;
+        }
+        line = end ? end + 1 : NULL;
+    }
+    return 1;
+}
+
+/* Takes the path. A file that is not there is no error. */
+static burnish_status read_report(batch *b, char *path, const char *head, burnish_error *error) {
+    batch_past *past = &b->past;
+    char *text = read_text(path ? path : b->report);
+    if (text && *text && strncmp(text, "{\"burnish\":", 11) != 0) {
+        const int is_own = path == NULL;
+        free(text);
+        free(path);
+        return is_own ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                 "--report: \"%.300s\" exists and is no report of burnish batch; "
+                                 "name another file",
+                                 b->report)
+                      : BURNISH_STATUS_OK;
+    }
+    past->texts[past->text_count] = text;
+    past->paths[past->text_count++] = path;
+    return !text || list_lines(past, text, head) ? BURNISH_STATUS_OK : fail_memory(error);
+}
+
+/* ---- Reports of parts ---- */
+
+#ifdef _WIN32
+
+burnish_status batch_read_past(batch *b, burnish_error *error) {
+    (void)b;
+    return fail_memory(error);
+}
+
+#else
+
+/* A report that is there; path NULL: the one that this run will write. */
+typedef struct found {
+    char *path;
+    struct timespec changed;
+} found;
+
+static int compare_ages(const void *a, const void *b) {
+    const found *x = a, *y = b;
+    return x->changed.tv_sec != y->changed.tv_sec
+               ? (x->changed.tv_sec > y->changed.tv_sec) - (x->changed.tv_sec < y->changed.tv_sec)
+               : (x->changed.tv_nsec > y->changed.tv_nsec) -
+                     (x->changed.tv_nsec < y->changed.tv_nsec);
+}
+
+static int is_whole(const struct dirent *entry) {
+    return strcmp(entry->d_name, "burnish-batch.jsonl") == 0;
+}
+
+static int is_part_or_whole(const struct dirent *entry) {
+    int index, count, end = 0;
+    const char *name = entry->d_name;
+    return is_whole(entry) ||
+           (sscanf(name, "burnish-batch-%d-of-%d.jsonl%n", &index, &count, &end) == 2 && end > 0 &&
+            name[end] == 0);
+}
+
+/* Of the folder where reports are unless --report names one: that of all and, unless this is a
+ * part, those of parts, oldest first. NULL without memory. */
+static found *find_reports(const batch *b, size_t *count) {
+    struct dirent **entries = NULL;
+    const char *folder = b->settings->output_dir, *own = batch_base_name(b->report);
+    const int entry_count =
+        b->settings->report
+            ? 0
+            : scandir(folder, &entries, b->settings->part.count > 0 ? is_whole : is_part_or_whole,
+                      NULL);
+    found *reports = calloc((size_t)(entry_count > 0 ? entry_count : 0) + 1, sizeof *reports);
+    *count = 0;
+    for (int i = 0; i < entry_count; ++i) {
+        const size_t size = strlen(folder) + strlen(entries[i]->d_name) + 2;
+        char *path = reports && strcmp(entries[i]->d_name, own) != 0 ? malloc(size) : NULL;
+        struct stat state;
+        if (path) {
+            snprintf(path, size, "%s/%s", folder, entries[i]->d_name);
+        }
+        if (path && stat(path, &state) == 0) {
+            reports[(*count)++] = (found){path, state.st_mtim};
+        } else {
+            free(path);
+        }
+        free(entries[i]);
+    }
+    free(entries);
+    if (reports) {
+        struct stat state = {0};
+        stat(b->report, &state);
+        reports[(*count)++] = (found){NULL, state.st_mtim};
+        qsort(reports, *count, sizeof *reports, compare_ages);
+    }
+    return reports;
+}
+
+burnish_status batch_read_past(batch *b, burnish_error *error) {
+    batch_past *past = &b->past;
+    size_t count = 0;
+    if (!b->report || strcmp(b->report, "-") == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    char *head = batch_head_line(b);
+    found *reports = head ? find_reports(b, &count) : NULL;
+    past->texts = reports ? calloc(count, sizeof *past->texts) : NULL;
+    past->paths = reports ? calloc(count, sizeof *past->paths) : NULL;
+    burnish_status status = past->texts && past->paths ? BURNISH_STATUS_OK : fail_memory(error);
+    for (size_t i = 0; i < count; ++i) {
+        if (status == BURNISH_STATUS_OK) {
+            status = read_report(b, reports[i].path, head, error);
+        } else {
+            free(reports[i].path);
+        }
+    }
+    if (past->count > 0) {
+        qsort(past->lines, past->count, sizeof *past->lines, compare_lines);
+    }
+    free(reports);
+    free(head);
+    return status;
+}
+
+void batch_remove_past_parts(const batch *b) {
+    for (size_t i = 0; i < b->past.text_count && b->settings->part.count == 0; ++i) {
+        if (b->past.paths[i]) {
+            unlink(b->past.paths[i]);
+        }
+    }
+}
+
+#endif
+
+void batch_release_past(batch_past *past) {
+    for (size_t i = 0; i < past->text_count; ++i) {
+        free(past->texts[i]);
+        free(past->paths[i]);
+    }
+    free(past->texts);
+    free(past->paths);
+    free(past->lines);
+}
+
+/* ---- Writing ---- */
+
+static char *print(cJSON *object, int failed) {
+    char *text = failed ? NULL : cJSON_PrintUnformatted(object);
+    cJSON_Delete(object);
+    return text;
+}
+
+char *batch_head_line(const batch *b) {
+    int failed = 0;
+    cJSON *object = cJSON_CreateObject();
+    cli_json_add(object, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    cli_json_add(object, "options", cli_json_text(b->options), &failed);
+    return print(object, failed);
+}
+
+void batch_add_seconds(const batch *b, cJSON *object, double seconds, int *failed) {
+    if (!b->settings->no_seconds) {
+        cli_json_add(object, "seconds", cli_json_seconds(seconds), failed);
+    }
+}
+
+char *batch_failed_line(const batch *b, const batch_item *item, int code, const char *message,
+                        double seconds) {
+    char id[17];
+    int failed = 0;
+    cJSON *object = cJSON_CreateObject();
+    snprintf(id, sizeof id, "%016llx", (unsigned long long)item->id);
+    cli_json_add(object, "id", cJSON_CreateString(id), &failed);
+    cli_json_add(object, "input", cli_json_text(item->input), &failed);
+    cli_json_add(object, "output", cli_json_text(item->output), &failed);
+    cli_json_add(object, "status", cJSON_CreateString("failed"), &failed);
+    cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
+    cli_json_add(object, "code", cJSON_CreateNumber(code), &failed);
+    cli_json_add(object, "error", cli_json_text(message), &failed);
+    batch_add_seconds(b, object, seconds, &failed);
+    return print(object, failed);
+}
+
+burnish_status batch_write_report(const batch *b, burnish_error *error) {
+    char *text = NULL, *head = b->report ? batch_head_line(b) : NULL;
+    size_t size = 0;
+    if (!b->report) {
+        return BURNISH_STATUS_OK;
+    }
+    FILE *stream = cli_open_memory(&text, &size);
+    burnish_status status = BURNISH_STATUS_OK;
+    if (stream && head) {
+        fprintf(stream, "%s\n", head);
+        for (size_t i = 0; i < b->list.count; ++i) {
+            if (b->list.items[i].line) {
+                fprintf(stream, "%s\n", b->list.items[i].line);
+            }
+        }
+    }
+    if (!stream || cli_close_memory(stream, &text, &size) != 0 || !head) {
+        status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the report");
+    } else {
+        status = cli_file_write(b->report, text, size, error);
+    }
+    free(text);
+    free(head);
+    return status;
+}

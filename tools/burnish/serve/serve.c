@@ -1,0 +1,197 @@
+/* `burnish serve-stdio`: its flags. */
+#include "serve/serve.h"
+
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "sandbox/sandbox.h"
+
+static cli_work work;
+
+#define TARGET(member) .offset = offsetof(serve_settings, member)
+
+static const cli_flag flags[] = {
+    {.group = "Server",
+     .topic = "server",
+     .name = "jobs",
+     .aliases = "workers,parallel",
+     .common = 1,
+     .letter = 'j',
+     .value = "N",
+     .help = "pictures at a time",
+     .default_text = "0",
+     .default_label = "all cores",
+     .low = 0,
+     .high = 1024,
+     .manual = "How many requests are drawn at a time; 0 for as many as there are processors. So "
+               "many processes wait for requests. Answers come as they are done: with *--jobs=1* "
+               "in the order of the requests.",
+     .handler = cli_flag_integer,
+     TARGET(jobs)},
+    {.name = "threads",
+     .common = 1,
+     .value = "N",
+     .help = "of each picture",
+     .default_text = "1",
+     .low = 1,
+     .high = 1024,
+     .manual = "Threads that draw one picture. More make a single request quicker, not many.",
+     .handler = cli_flag_integer,
+     TARGET(render.threads)},
+    {.name = "max-request-bytes",
+     .common = 1,
+     .value = "N",
+     .help = "refuse larger requests",
+     .default_text = "256M",
+     .low = 1,
+     .high = 4294967295.0,
+     .manual = "A request of more bytes, its line and its files together, is passed over and "
+               "answered with code 5. _N_ may end in *K*, *M* or *G*.",
+     .handler = cli_flag_bytes,
+     TARGET(max_request_bytes)},
+    {.name = "max-seconds",
+     .common = 1,
+     .value = "N",
+     .help = "of one request, at most",
+     .low = 0,
+     .high = 1e6,
+     .default_text = "60",
+     .manual = "A request that takes longer, by the clock and from its last byte on, is answered "
+               "with code 5. 0: without end.",
+     .handler = cli_flag_real,
+     TARGET(render.max_seconds)},
+    {.name = "max-memory",
+     .common = 1,
+     .value = "N",
+     .help = "of one request, such as 500M",
+     .low = 1,
+     .high = 9e18,
+     .default_text = "2G",
+     .manual = "A request that needs more memory is answered with code 6. All together need at "
+               "most this times *--jobs*. _N_ may end in *K*, *M* or *G*.",
+     .handler = cli_flag_bytes,
+     TARGET(render.max_memory)},
+    {.name = "no-sandbox",
+     .help = "workers may open files",
+     .manual = "Each request is parsed and drawn in a process of its own that can open no file, no "
+               "socket and start no program (docs/security.md). Without libseccomp, or with a "
+               "kernel that can't, the server does not start. With this flag it does, and "
+               "processes are not locked in.",
+     .handler = cli_flag_switch,
+     TARGET(no_sandbox)},
+    {.group = "Picture",
+     .topic = "picture",
+     .name = "resolution",
+     .aliases = "width,height,res",
+     .common = 1,
+     .value = "W,H",
+     .help = "width and height in pixels",
+     .default_text = "512,512",
+     .low = 1,
+     .high = BURNISH_IMAGE_MAX_SIZE,
+     .manual = "Width and height of pictures whose request does not say them.",
+     .handler = cli_flag_size,
+     TARGET(render.size)},
+};
+
+static const cli_example examples[] = {
+    {"burnish serve-stdio --size=256 <requests >answers", "thumbnails"},
+    {NULL, NULL},
+};
+
+static const cli_term request_terms[] = {
+    {"*name*", "the mesh's name: its ending tells the format, messages begin with it; without "
+               "bytes a built-in object, such as *:teapot*"},
+    {"*flags*", "an array of texts: flags of *burnish render* for camera, light, surface, input "
+                "and picture, such as *--size=256*; they come after those of the command line"},
+    {"*files*", "an array of {\"name\", \"bytes\"}: files that the mesh names; the last bytes of "
+                "the frame, in this order"},
+    {NULL, NULL},
+};
+
+static const cli_section sections[] = {
+    {.heading = "REQUESTS OF A SERVER",
+     .text = "A request is a frame: its length and its id, 4 bytes each and little-endian, and so "
+             "many bytes: a JSON object in one line, a newline, the bytes of the mesh. Its answer "
+             "has the same id and the same form: a JSON object in one line, a newline, the bytes "
+             "of the picture. *code* is 0, and *report* what *burnish render --json* says; or "
+             "*code* is what *burnish render* would end with, and *error* its line. Keys of a "
+             "request, which may all be missing:",
+     .terms = request_terms,
+     .closing = "What is no frame, such as text, ends the server with exit code 4. "
+                "docs/serve.md has clients, and an example behind a web server."},
+    {.heading = NULL},
+};
+
+#define OWN_PICTURE_FLAGS "resolution,size,output-format,"
+
+const cli_command serve_command = {
+    .name = "serve-stdio",
+    .operand = "",
+    .summary = "pictures by request, through a pipe",
+    .operand_help = "requests on standard input, their answers on standard output",
+    .manual =
+        "Reads requests from standard input and writes their answers, pictures, to standard "
+        "output, until its input ends: what a web server or another program starts once to draw "
+        "many meshes. Pictures have the same bytes as those of *burnish render*. A process has "
+        "started, has its memory and is locked in before its request comes; it serves one, and "
+        "another takes its place. So no request sees another, and one that crashes or goes beyond "
+        "a limit gets an answer that says so.\n"
+        "Flags of *burnish render* that are given here are those of every request, with its own "
+        "after them. Limits are set here alone.",
+    .operands_max = 0,
+    .flags = flags,
+    .flag_count = sizeof flags / sizeof *flags,
+    .base = &render_command,
+    .base_topics = "camera,light",
+    .base_flags = OWN_PICTURE_FLAGS RENDER_PICTURE_FLAGS ",max-triangles,max-texture-pixels,"
+                                                         "max-input-bytes,max-overdraw,isa",
+    .examples = examples,
+    .sections = sections,
+    .settings_size = sizeof(serve_settings),
+    .work = work,
+};
+
+const cli_command serve_request_command = {
+    .name = "serve-stdio",
+    .operand = "",
+    .operands_max = 0,
+    .base = &render_command,
+    .base_topics = "camera,light",
+    .base_flags = OWN_PICTURE_FLAGS RENDER_PICTURE_FLAGS,
+    .settings_size = sizeof(render_settings),
+};
+
+#ifdef _WIN32
+
+static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+    (void)from, (void)call;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "serve-stdio: not on this system; call burnish render for each input");
+}
+
+#else
+
+static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+    serve_settings *settings = from;
+    (void)call;
+    render_settings defaults = settings->render;
+    defaults.input = ":sphere";
+    defaults.output = "-";
+    if (isatty(STDIN_FILENO) || isatty(STDOUT_FILENO)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "serve-stdio: standard %s is a terminal; requests and answers are for "
+                        "programs: see docs/serve.md",
+                        isatty(STDIN_FILENO) ? "input" : "output");
+    }
+    if (!settings->no_sandbox && !sandbox_is_built()) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "serve-stdio: this program was built without libseccomp; install "
+                        "libseccomp-dev and build again, or use --no-sandbox");
+    }
+    const burnish_status status = render_finish(&defaults, error);
+    return status == BURNISH_STATUS_OK ? serve_run(settings, error) : status;
+}
+
+#endif

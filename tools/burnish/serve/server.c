@@ -1,0 +1,489 @@
+/* Frames and processes. One thread, which waits for nothing but poll: requests are read while a
+ * worker is free, answers are written as the client takes them. */
+#include "serve/serve.h"
+
+#ifndef _WIN32
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include "cli/write.h"
+#include "import/import.h"
+#include "sandbox/channel.h"
+#include "sandbox/sandbox.h"
+
+enum {
+    BUFFER = 1 << 16,
+    PIECE = 4096 /* a pipe that poll calls writable takes so many bytes at once: PIPE_BUF */
+};
+
+typedef enum slot_state {
+    SLOT_EMPTY,    /* no process */
+    SLOT_STARTING, /* it gets ready */
+    SLOT_IDLE,     /* it waits for a request */
+    SLOT_FILLING,  /* the request is being read */
+    SLOT_WORKING,
+    SLOT_ANSWERED, /* the answer is whole, and waits to be written */
+} slot_state;
+
+/* A worker and its request. */
+typedef struct slot {
+    slot_state state;
+    pid_t process; /* 0: it has ended */
+    int channel, request, answer;
+    uint32_t id, left;    /* of the request's bytes, still to be read */
+    uint64_t size;        /* of them all */
+    double deadline;      /* clock */
+    int is_late;          /* 1: the deadline has passed */
+    char *line;           /* the answer where the worker has none; NULL: it is in the file */
+    size_t answer_size;   /* without the frame's head */
+    uint64_t answer_next; /* of head and answer, the next byte to write */
+} slot;
+
+typedef struct server {
+    const serve_settings *settings;
+    slot *slots;
+    struct pollfd *ready; /* standard input and output, then one per slot */
+    size_t count;
+    slot *filling; /* NULL: between requests */
+    slot *writing; /* NULL: no answer is on its way */
+    uint8_t head[SERVE_HEAD_BYTES];
+    size_t head_size;  /* bytes of it that are there */
+    uint64_t requests; /* read so far */
+    int has_ended;     /* 1: no more requests */
+    burnish_error end; /* why, where its status is not OK */
+} server;
+
+static double now(void) {
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/* ---- Workers ---- */
+
+static void close_files(slot *s) {
+    const int files[] = {s->channel, s->request, s->answer};
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
+        if (files[i] >= 0) {
+            close(files[i]);
+        }
+    }
+    s->channel = s->request = s->answer = -1;
+}
+
+/* In the new process: of all descriptors it keeps three, as serve.h numbers them. */
+__attribute__((noreturn)) static void become_worker(server *v, slot *s, int channel, pid_t parent) {
+    const int first_free = 2 * SERVE_DESCRIPTORS;
+    const int held[] = {fcntl(channel, F_DUPFD_CLOEXEC, first_free),
+                        fcntl(s->request, F_DUPFD_CLOEXEC, first_free),
+                        fcntl(s->answer, F_DUPFD_CLOEXEC, first_free)};
+    const int nothing = open("/dev/null", O_RDWR);
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    if (getppid() != parent) {
+        _exit(1);
+    }
+    signal(SIGINT, SIG_IGN); /* of a terminal: the server ends, and its workers with it */
+    for (int i = 0; i < 3; ++i) {
+        dup2(nothing, i);
+    }
+    for (int i = 0; i < 3; ++i) {
+        dup2(held[i], SERVE_CHANNEL + i);
+    }
+#if BURNISH_HAS_SECCOMP /* of glibc; others may lack it */
+    close_range(SERVE_DESCRIPTORS, ~0U, 0);
+#else
+    for (int i = SERVE_DESCRIPTORS; i < first_free + 4 * (int)v->count + 8; ++i) {
+        close(i);
+    }
+#endif
+    serve_work(v->settings);
+}
+
+static burnish_status start_worker(server *v, slot *s, burnish_error *error) {
+    int ends[2] = {-1, -1};
+    *s = (slot){.channel = -1, .request = import_unnamed_file(), .answer = import_unnamed_file()};
+    if (s->request < 0 || s->answer < 0 || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
+        const int reason = errno;
+        close_files(s);
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "serve-stdio: no files for a worker: %s",
+                        strerror(reason));
+    }
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    const pid_t self = getpid();
+    s->process = fork();
+    if (s->process == 0) {
+        become_worker(v, s, ends[1], self);
+    }
+    close(ends[1]);
+    s->channel = ends[0];
+    s->state = SLOT_STARTING;
+    if (s->process < 0) {
+        s->process = 0;
+        close_files(s);
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "serve-stdio: no process: %s",
+                        strerror(errno));
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* Waits for a process that ends or is killed; its state. */
+static int wait_for(slot *s) {
+    int state = 0;
+    while (waitpid(s->process, &state, 0) < 0 && errno == EINTR) {
+    }
+    s->process = 0;
+    return state;
+}
+
+/* ---- Answers ---- */
+
+static void answer_failure(slot *s, int code, const char *text) {
+    if (!s->line) {
+        s->line = serve_failed_line(code, text, NULL);
+    }
+}
+
+/* The request has been read, and its worker has ended or does not get it. */
+static void finish(slot *s) {
+    struct stat state;
+    s->state = SLOT_ANSWERED;
+    s->answer_next = 0;
+    if (!s->line && (fstat(s->answer, &state) != 0 || state.st_size <= 0 ||
+                     (uint64_t)state.st_size > UINT32_MAX)) {
+        answer_failure(s, burnish_status_exit_code(BURNISH_STATUS_MEMORY),
+                       "out of memory for the answer");
+    }
+    s->answer_size = s->line ? strlen(s->line) + 1 : (size_t)state.st_size;
+}
+
+/* A worker has ended while it had a request. */
+static void explain(const server *v, slot *s, int state) {
+    burnish_error line = {BURNISH_STATUS_MEMORY, "the program that draws ended before its answer"};
+    int code = sandbox_explain_end(state, &line);
+    if (s->is_late) {
+        code = burnish_status_exit_code(cli_fail(&line, BURNISH_STATUS_LIMIT,
+                                                 "not done after %g seconds (--max-seconds): raise "
+                                                 "the limit or simplify the mesh",
+                                                 v->settings->render.max_seconds.value));
+    }
+    if (code != 0 || !WIFEXITED(state)) {
+        answer_failure(s, code, line.text);
+    }
+}
+
+/* The line of a worker that could not start, which it has left in its answer. */
+static burnish_status fail_start(slot *s, int state, burnish_error *error) {
+    char text[sizeof error->text] = "";
+    const ssize_t size = pread(s->answer, text, sizeof text - 1, 0);
+    burnish_error line = {BURNISH_STATUS_MEMORY, "serve-stdio: a worker could not start"};
+    sandbox_explain_end(state, &line);
+    return size > 0 ? cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s", text)
+                    : cli_fail(error, line.status, "%s", line.text);
+}
+
+/* A worker says that it is ready, or has ended. */
+static burnish_status hear(server *v, slot *s, burnish_error *error) {
+    char byte;
+    if (read(s->channel, &byte, 1) == 1) {
+        s->state = s->state == SLOT_STARTING ? SLOT_IDLE : s->state;
+        return BURNISH_STATUS_OK;
+    }
+    const int state = wait_for(s);
+    if (s->state == SLOT_STARTING) {
+        return fail_start(s, state, error);
+    }
+    if (s->state == SLOT_IDLE) { /* the system ended it */
+        close_files(s);
+        return start_worker(v, s, error);
+    }
+    explain(v, s, state);
+    if (s->state == SLOT_WORKING) {
+        finish(s);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static void put32(uint8_t *to, uint32_t value) {
+    for (int i = 0; i < 4; ++i) {
+        to[i] = (uint8_t)(value >> 8 * i);
+    }
+}
+
+static uint32_t get32(const uint8_t *from) {
+    return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 |
+           (uint32_t)from[3] << 24;
+}
+
+/* Bytes of head and answer from answer_next on; how many, -1: the file can't be read. */
+static ssize_t answer_bytes(const slot *s, char piece[PIECE]) {
+    size_t used = 0;
+    uint64_t next = s->answer_next;
+    if (next < SERVE_HEAD_BYTES) {
+        uint8_t head[SERVE_HEAD_BYTES];
+        put32(head, (uint32_t)s->answer_size);
+        put32(head + 4, s->id);
+        used = SERVE_HEAD_BYTES - (size_t)next;
+        memcpy(piece, head + next, used);
+        next = SERVE_HEAD_BYTES;
+    }
+    next -= SERVE_HEAD_BYTES;
+    const size_t room = PIECE - used, left = s->answer_size - (size_t)next;
+    const size_t count = left < room ? left : room;
+    if (!s->line) {
+        const ssize_t taken = pread(s->answer, piece + used, count, (off_t)next);
+        return taken < 0 || (taken == 0 && count > 0) ? -1 : (ssize_t)used + taken;
+    }
+    memcpy(piece + used, s->line + next, count);
+    if (next + count == s->answer_size) {
+        piece[used + count - 1] = '\n'; /* for the line's 0 */
+    }
+    return (ssize_t)(used + count);
+}
+
+/* Writes as much as standard output takes without waiting. A worker takes the place of one whose
+ * answer is written; one that did not get its request stays. */
+static burnish_status write_answer(server *v, burnish_error *error) {
+    char piece[PIECE];
+    slot *s = v->writing;
+    const ssize_t count = answer_bytes(s, piece);
+    const ssize_t written = count > 0 ? write(STDOUT_FILENO, piece, (size_t)count) : -1;
+    if (written < 0 && (errno == EINTR || errno == EAGAIN)) {
+        return BURNISH_STATUS_OK;
+    }
+    if (written < 0) {
+        return cli_fail(error, BURNISH_STATUS_WRITE, "standard output: %s", strerror(errno));
+    }
+    s->answer_next += (uint64_t)written;
+    if (s->answer_next < SERVE_HEAD_BYTES + (uint64_t)s->answer_size) {
+        return BURNISH_STATUS_OK;
+    }
+    v->writing = NULL;
+    free(s->line);
+    s->line = NULL;
+    if (s->process > 0) {
+        s->state = SLOT_IDLE;
+        return ftruncate(s->request, 0) == 0 && lseek(s->request, 0, SEEK_SET) == 0
+                   ? BURNISH_STATUS_OK
+                   : cli_fail(error, BURNISH_STATUS_WRITE, "serve-stdio: %s", strerror(errno));
+    }
+    close_files(s);
+    s->state = SLOT_EMPTY;
+    return v->has_ended ? BURNISH_STATUS_OK : start_worker(v, s, error);
+}
+
+/* ---- Requests ---- */
+
+static slot *find(const server *v, slot_state state) {
+    for (size_t i = 0; i < v->count; ++i) {
+        if (v->slots[i].state == state) {
+            return &v->slots[i];
+        }
+    }
+    return NULL;
+}
+
+static void end_input(server *v, burnish_status status, const char *what) {
+    v->has_ended = 1;
+    if (status != BURNISH_STATUS_OK) {
+        cli_fail(&v->end, status, "standard input: request %llu: %s",
+                 (unsigned long long)v->requests + (v->head_size > 0), what);
+    }
+    if (v->filling) {
+        v->filling->state = SLOT_IDLE; /* its request has no end */
+        v->filling = NULL;
+    }
+}
+
+/* A head is whole. */
+static void begin_request(server *v) {
+    const uint32_t length = get32(v->head);
+    slot *s = find(v, SLOT_IDLE);
+    if (length == 0) {
+        end_input(v, BURNISH_STATUS_FORMAT, "is empty; see docs/serve.md");
+        return;
+    }
+    s->id = get32(v->head + 4);
+    s->size = s->left = length;
+    s->state = SLOT_FILLING;
+    s->is_late = 0;
+    v->filling = s;
+    if (length > v->settings->max_request_bytes) {
+        burnish_error line;
+        cli_fail(&line, BURNISH_STATUS_LIMIT,
+                 "request: %lu bytes; at most %llu are taken (--max-request-bytes)",
+                 (unsigned long)length, (unsigned long long)v->settings->max_request_bytes);
+        answer_failure(s, burnish_status_exit_code(line.status), line.text);
+    }
+}
+
+/* All bytes of the request are there. */
+static void end_request(server *v) {
+    slot *s = v->filling;
+    const double seconds = v->settings->render.max_seconds.value;
+    v->filling = NULL;
+    v->head_size = 0;
+    ++v->requests;
+    s->deadline = seconds > 0 ? now() + seconds : INFINITY;
+    if (s->line || !cli_write_all(s->channel, &s->size, sizeof s->size)) {
+        finish(s);
+    } else {
+        s->state = SLOT_WORKING;
+    }
+}
+
+static void keep_bytes(server *v, const char *bytes, size_t size) {
+    slot *s = v->filling;
+    if (s->left == s->size && *bytes != '{') {
+        end_input(v, BURNISH_STATUS_FORMAT, "does not begin with a JSON object; see docs/serve.md");
+        return;
+    }
+    if (!s->line && !cli_write_all(s->request, bytes, size)) {
+        answer_failure(s, burnish_status_exit_code(BURNISH_STATUS_MEMORY),
+                       "out of memory for the request");
+    }
+    s->left -= (uint32_t)size;
+    if (s->left == 0) {
+        end_request(v);
+    }
+}
+
+/* Reads what there is of one head or one request. */
+static void read_input(server *v) {
+    static char buffer[BUFFER];
+    slot *s = v->filling;
+    const size_t most = s ? (s->left < BUFFER ? s->left : BUFFER) : sizeof v->head - v->head_size;
+    const ssize_t count = read(STDIN_FILENO, s ? (void *)buffer : v->head + v->head_size, most);
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) {
+        return;
+    }
+    if (count < 0) {
+        end_input(v, BURNISH_STATUS_READ, strerror(errno));
+    } else if (count == 0) {
+        end_input(v, s || v->head_size > 0 ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_OK,
+                  "the input ends in it");
+    } else if (s) {
+        keep_bytes(v, buffer, (size_t)count);
+        memset(buffer, 0, (size_t)count); /* later workers begin as copies of this process */
+    } else {
+        v->head_size += (size_t)count;
+        if (v->head_size == sizeof v->head) {
+            begin_request(v);
+        }
+    }
+}
+
+/* ---- The loop ---- */
+
+/* Ends workers that are late; milliseconds until the next one may be, -1: none. */
+static int look_at_clock(server *v) {
+    double next = INFINITY;
+    for (size_t i = 0; i < v->count; ++i) {
+        slot *s = &v->slots[i];
+        if (s->state == SLOT_WORKING && s->deadline < INFINITY) {
+            const double left = s->deadline - now();
+            if (left <= 0 && !s->is_late) {
+                s->is_late = 1;
+                kill(s->process, SIGKILL);
+            } else if (!s->is_late) {
+                next = left < next ? left : next;
+            }
+        }
+    }
+    return next < INT_MAX / 1000 ? (int)(next * 1000) + 1 : -1;
+}
+
+static void choose_descriptors(server *v) {
+    const int may_read = !v->has_ended && (v->filling || find(v, SLOT_IDLE));
+    v->writing = v->writing ? v->writing : find(v, SLOT_ANSWERED);
+    v->ready[0] = (struct pollfd){may_read ? STDIN_FILENO : -1, POLLIN, 0};
+    v->ready[1] = (struct pollfd){v->writing ? STDOUT_FILENO : -1, POLLOUT, 0};
+    for (size_t i = 0; i < v->count; ++i) {
+        const slot *s = &v->slots[i];
+        v->ready[2 + i] = (struct pollfd){s->process > 0 ? s->channel : -1, POLLIN, 0};
+    }
+}
+
+static burnish_status turn(server *v, burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    const int wait = look_at_clock(v);
+    choose_descriptors(v);
+    if (poll(v->ready, (nfds_t)v->count + 2, wait) <= 0) {
+        return status;
+    }
+    for (size_t i = 0; i < v->count && status == BURNISH_STATUS_OK; ++i) {
+        status = v->ready[2 + i].revents ? hear(v, &v->slots[i], error) : status;
+    }
+    if (status == BURNISH_STATUS_OK && v->ready[1].revents) {
+        status = write_answer(v, error);
+    }
+    if (status == BURNISH_STATUS_OK && v->ready[0].revents) {
+        read_input(v);
+    }
+    return status;
+}
+
+static int has_work(const server *v) {
+    return !v->has_ended || v->writing || find(v, SLOT_WORKING) || find(v, SLOT_ANSWERED);
+}
+
+/* Those that wait see that there is nothing more. */
+static void end_workers(server *v) {
+    for (size_t i = 0; v->slots && i < v->count; ++i) {
+        slot *s = &v->slots[i];
+        if (s->process > 0) {
+            kill(s->process, SIGKILL);
+            wait_for(s);
+        }
+        close_files(s);
+        free(s->line);
+    }
+}
+
+burnish_status serve_run(const serve_settings *settings, burnish_error *error) {
+    server v = {.settings = settings,
+                .count = settings->jobs > 0 ? (size_t)settings->jobs
+                                            : (size_t)burnish_processor_count()};
+    v.slots = calloc(v.count, sizeof *v.slots);
+    v.ready = calloc(v.count + 2, sizeof *v.ready);
+    burnish_status status = v.slots && v.ready
+                                ? BURNISH_STATUS_OK
+                                : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    for (size_t i = 0; v.slots && i < v.count; ++i) {
+        v.slots[i] = (slot){.channel = -1, .request = -1, .answer = -1};
+    }
+    for (size_t i = 0; i < v.count && status == BURNISH_STATUS_OK; ++i) {
+        status = start_worker(&v, &v.slots[i], error);
+    }
+    while (status == BURNISH_STATUS_OK && has_work(&v)) {
+        status = turn(&v, error);
+    }
+    end_workers(&v);
+    free(v.slots);
+    free(v.ready);
+    if (status == BURNISH_STATUS_OK && v.end.status != BURNISH_STATUS_OK) {
+        *error = v.end;
+        status = v.end.status;
+    }
+    return status;
+}
+
+#endif

@@ -1,0 +1,39 @@
+#if BURNISH_HAS_VIEW
+
+#include "view/sdl.h"
+
+#include <dlfcn.h>
+#include <string.h>
+
+#include "cli/options.h"
+
+/* By the name of its binary interface, which the headers are of. */
+#define SDL_LIBRARY "libSDL2-2.0.so.0"
+
+burnish_status view_load_sdl(view_sdl_calls *calls, burnish_error *error) {
+    void *const handle = dlopen(SDL_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    if (!handle) {
+        return cli_fail(error, BURNISH_STATUS_READ,
+                        "view: %s, which windows need, can't be loaded; install it (Debian's "
+                        "libsdl2-2.0-0)",
+                        SDL_LIBRARY);
+    }
+    /* C has no conversion from an object's address to a function's; POSIX has their bytes alike. */
+    void *address;
+#define FIND(name)                                                                                 \
+    address = dlsym(handle, #name);                                                                \
+    if (!address) {                                                                                \
+        return cli_fail(error, BURNISH_STATUS_READ, "view: %s has no %s; install a newer version", \
+                        SDL_LIBRARY, #name);                                                       \
+    }                                                                                              \
+    memcpy(&calls->name, &address, sizeof address);
+    VIEW_SDL_CALLS(FIND)
+#undef FIND
+    return BURNISH_STATUS_OK;
+}
+
+#else
+
+typedef int view_sdl_is_left_out; /* a file may not be empty */
+
+#endif

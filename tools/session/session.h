@@ -1,0 +1,71 @@
+/* A mesh in memory, and pictures of it by the flags of `burnish render`: what programs that are no
+ * command line are made of. One thread at a time uses a session. */
+#ifndef TOOLS_SESSION_SESSION_H
+#define TOOLS_SESSION_SESSION_H
+
+#include "burnish/image.h"
+#include "burnish/mesh.h"
+#include "burnish/render.h"
+#include "cli/options.h"
+
+typedef struct session session;
+
+/* Flags as a command line has them: count texts, each with its zero, one after the other. */
+typedef struct session_flags {
+    const char *texts;
+    int count;
+} session_flags;
+
+/* The flags of loading, and those of drawing: parts of render's. */
+extern const cli_command session_open_command, session_draw_command;
+
+/* Flags and operands of any command, into settings that are 0; those, and the call's operands, may
+ * point into the texts. Errors: ARGUMENT, MEMORY. */
+burnish_status session_parse(const cli_command *command, session_flags flags, void *settings,
+                             cli_call *call, burnish_error *error);
+
+/* NULL without memory.
+ *   context  of loading and drawing, outlives the session; NULL: the default */
+session *session_create(burnish_context *context);
+void session_destroy(session *s);
+
+/* A file that an input in memory may name; name and bytes stay until the session is open. 0 without
+ * memory. */
+int session_offer(session *s, const char *name, const void *bytes, size_t size);
+
+/* Loads a mesh, once.
+ *   name   a built-in object or a file; with bytes it tells the format and stands in messages
+ *   bytes  size of them; NULL: name is loaded */
+burnish_status session_open(session *s, const char *name, const void *bytes, size_t size,
+                            session_flags flags, burnish_error *error);
+
+/* The same from arrays, whose name stands in messages. */
+burnish_status session_build(session *s, const burnish_mesh_description *description,
+                             session_flags flags, burnish_error *error);
+
+/* Whether these are flags of drawing that can stand together. */
+burnish_status session_check(session_flags flags, burnish_error *error);
+
+/* Draws the mesh. May be called again, also after an error. */
+burnish_status session_draw(session *s, session_flags flags, burnish_error *error);
+
+/* ---- What there is to know ---- */
+
+/* The picture, until the next one. */
+const burnish_image *session_image(const session *s);
+
+/* The same, to be destroyed by the caller; the session's becomes empty. */
+burnish_image session_take_image(session *s);
+
+uint64_t session_hash(const session *s); /* of the last picture; 0 after an error */
+const burnish_render_report *session_report(const session *s);
+burnish_camera session_camera(const session *s); /* in coordinates of the file */
+const burnish_mesh *session_mesh(const session *s);
+void session_bounds(const session *s, double minimum[3], double maximum[3]); /* the same */
+const char *session_up(const session *s); /* "+Y": the axis in use */
+int session_up_number(const session *s);  /* the same as render_up */
+
+/* Line number `index`, those of loading first; NULL past the last. */
+const char *session_warning(const session *s, size_t index);
+
+#endif
