@@ -473,7 +473,7 @@ static void test_files(void) {
     write_file("note.txt", "hello");
     check_load("note.txt", &options, BURNISH_STATUS_FORMAT,
                "note.txt: neither its name nor its first bytes tell the format; name it, one of "
-               "gltf, obj, off, ply, stl");
+               "gltf, obj, off, ply, stl, 3mf, bms");
     write_file("bad.mtl", "newmtl a\nKd x\n");
     write_file("bad.obj", "mtllib bad.mtl\n" TRIANGLE "f 1 2 3\n");
     options.strict = 1;

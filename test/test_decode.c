@@ -2,6 +2,7 @@
  * refused; and how OBJ and PLY name them. */
 #include "burnish/image.h"
 #include "burnish/mesh.h"
+#include "gltf_input.h"
 #include "picture/picture.h"
 #include "support.h"
 
@@ -79,8 +80,121 @@ static void test_formats(void) {
     burnish_image image;
     burnish_error error;
     CHECK1(burnish_image_decode("GIF89a", 6, "x", &image, &error) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(error.text, "x: neither PNG nor JPEG nor WebP; convert it to one of them");
+    CHECK_TEXT(error.text, "x: neither PNG nor JPEG nor WebP nor TGA; convert it to one of them");
     CHECK1(burnish_image_decode(NULL, 6, "x", &image, &error) == BURNISH_STATUS_ARGUMENT);
+}
+
+/* ---- TGA ---- */
+
+enum { TGA_WIDTH = 3, TGA_HEIGHT = 2 };
+
+/* What pixel x, y from the upper left shows, in codes that 5 bits hold exactly. */
+static void tga_color(int x, int y, uint8_t rgba[4]) {
+    const uint8_t color[4] = {(uint8_t)(x == 0 ? 255 : 0), (uint8_t)(x == 1 ? 255 : 66),
+                              (uint8_t)(y == 0 ? 132 : 8), (uint8_t)(100 + x + y)};
+    memcpy(rgba, color, 4);
+}
+
+/* The picture in a type, of a depth, in an order of rows and columns. Returns its size. */
+static size_t make_tga(uint8_t *to, int type, int depth, int descriptor) {
+    const uint8_t head[18] = {
+        [2] = (uint8_t)type,          [1] = type % 8 == 1,       [5] = type % 8 == 1 ? 6 : 0,
+        [7] = type % 8 == 1 ? 24 : 0, [12] = TGA_WIDTH,          [14] = TGA_HEIGHT,
+        [16] = (uint8_t)depth,        [17] = (uint8_t)descriptor};
+    size_t size = sizeof head;
+    memcpy(to, head, size);
+    for (int i = 0; i < 6 && type % 8 == 1; ++i) { /* entry i is the color of pixel i */
+        uint8_t c[4];
+        tga_color(i % TGA_WIDTH, i / TGA_WIDTH, c);
+        to[size++] = c[2], to[size++] = c[1], to[size++] = c[0];
+    }
+    for (int i = 0; i < TGA_WIDTH * TGA_HEIGHT; ++i) {
+        const int row = i / TGA_WIDTH, column = i % TGA_WIDTH;
+        const int x = descriptor & 0x10 ? TGA_WIDTH - 1 - column : column;
+        const int y = descriptor & 0x20 ? row : TGA_HEIGHT - 1 - row;
+        uint8_t c[4];
+        tga_color(x, y, c);
+        if (type >= 8) { /* runs of 1, and pixels as they are, 1 at a time */
+            to[size++] = i % 3 == 0 ? 0x80 : 0x00;
+        }
+        if (type % 8 == 1) {
+            to[size++] = (uint8_t)(y * TGA_WIDTH + x);
+        } else if (type % 8 == 3) {
+            to[size++] = c[0];
+        } else if (depth == 16) {
+            const unsigned bits = (c[0] >> 3u) << 10 | (c[1] >> 3u) << 5 | c[2] >> 3u;
+            to[size++] = (uint8_t)bits, to[size++] = (uint8_t)(bits >> 8);
+        } else {
+            to[size++] = c[2], to[size++] = c[1], to[size++] = c[0];
+            if (depth == 32) {
+                to[size++] = c[3];
+            }
+        }
+    }
+    return size;
+}
+
+static void test_tga(void) {
+    static const struct {
+        int type, depth, descriptor, channels;
+    } cases[] = {{2, 24, 0, 3},     {2, 24, 0x20, 3}, {2, 32, 0x28, 4}, {2, 32, 0, 3},
+                 {2, 16, 0x30, 3},  {3, 8, 0, 3},     {1, 8, 0x10, 3},  {10, 24, 0x20, 3},
+                 {10, 32, 0x08, 4}, {11, 8, 0, 3},    {9, 8, 0x20, 3},  {10, 16, 0, 3}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        uint8_t bytes[200];
+        const size_t size = make_tga(bytes, cases[i].type, cases[i].depth, cases[i].descriptor);
+        burnish_image image;
+        burnish_error error;
+        if (!CHECK(burnish_image_decode(bytes, size, "a.tga", &image, &error) == BURNISH_STATUS_OK,
+                   "%zu: %s", i, error.text)) {
+            continue;
+        }
+        CHECK(image.width == TGA_WIDTH && image.height == TGA_HEIGHT &&
+                  image.channels == cases[i].channels,
+              "%zu: %d x %d, %d", i, image.width, image.height, image.channels);
+        for (int k = 0; k < TGA_WIDTH * TGA_HEIGHT; ++k) {
+            uint8_t c[4];
+            tga_color(k % TGA_WIDTH, k / TGA_WIDTH, c);
+            if (cases[i].type % 8 == 3) {
+                c[1] = c[2] = c[0];
+            }
+            CHECK(memcmp(image.pixels + image.channels * k, c, (size_t)image.channels) == 0,
+                  "%zu, pixel %d", i, k);
+        }
+        burnish_image_destroy(&image);
+        for (size_t n = 18; n < size; ++n) { /* what is cut off is refused */
+            uint8_t *part = malloc(n);
+            memcpy(part, bytes, n);
+            CHECK(burnish_image_decode(part, n, "a.tga", &image, &error) == BURNISH_STATUS_FORMAT,
+                  "%zu: %zu of %zu bytes", i, n, size);
+            free(part);
+        }
+    }
+}
+
+/* 1000 pixels in 8 runs; a file that announces more than its bytes can hold is refused before any
+ * memory is asked for. */
+static void test_tga_runs(void) {
+    uint8_t bytes[18 + 8 * 2] = {[2] = 11, [12] = 100, [14] = 10, [16] = 8};
+    burnish_image image;
+    burnish_error error;
+    for (int i = 0; i < 8; ++i) {
+        bytes[18 + 2 * i] = 0xFF; /* 128 pixels, the last ones beyond the picture */
+        bytes[19 + 2 * i] = (uint8_t)(10 * i);
+    }
+    if (CHECK1(burnish_image_decode(bytes, sizeof bytes, NULL, &image, &error) ==
+               BURNISH_STATUS_OK)) {
+        for (int i = 0; i < 1000; ++i) { /* rows from the bottom */
+            const int at = (9 - i / 100) * 100 + i % 100;
+            CHECK(image.pixels[3 * at] == 10 * (i / 128), "pixel %d", i);
+        }
+        burnish_image_destroy(&image);
+    }
+    bytes[13] = 0x3F;
+    bytes[15] = 0x3F;
+    CHECK1(burnish_image_decode(bytes, sizeof bytes, "a.tga", &image, &error) ==
+           BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(error.text, "a.tga: the file ends before its pixels; it is truncated");
 }
 
 /* ---- Files that name textures ---- */
@@ -105,11 +219,11 @@ static burnish_status load(void *user_data, const char *name, uint64_t max_bytes
         return BURNISH_STATUS_READ;
     }
     *bytes = is_library ? (const void *)f->library : f->png;
-    *size = is_library ? strlen(f->library) : f->png_size;
+    *size = is_library ? strlen(f->library) : strstr(name, "half") ? f->png_size / 2 : f->png_size;
     return BURNISH_STATUS_OK;
 }
 
-static burnish_mesh *read_text(folder *f, const char *name, const char *text,
+static burnish_mesh *load_text(folder *f, const char *name, const char *text,
                                const burnish_load_options *given) {
     burnish_load_options options = *given;
     burnish_image image = make_picture(4);
@@ -136,7 +250,7 @@ static void test_obj(void) {
                     "tex\\my skin.png\nMAP_KS -clamp on ../../x.png\nmap_d tex\\my skin.png\n"
                     "bump -bm 0.5 h.png\nmap_Ke C:\\missing\\missing.png\n"};
     const burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = read_text(&f, "m.obj", obj, &options);
+    burnish_mesh *mesh = load_text(&f, "m.obj", obj, &options);
     const burnish_material *material = burnish_mesh_material(mesh, 0);
     const burnish_texture_use *color = &material->textures[BURNISH_TEXTURE_COLOR];
     const burnish_texture_use *specular = &material->textures[BURNISH_TEXTURE_SPECULAR];
@@ -160,7 +274,8 @@ static void test_limits(void) {
     folder f = {.library = "newmtl a\nmap_Kd x.png\nmap_Ks x.png\nmap_Ke y.png\n"};
     burnish_load_options options = burnish_load_options_default();
     options.max_texture_pixels = SIDE * SIDE;
-    burnish_mesh *mesh = read_text(&f, "m.obj", obj, &options);
+    options.threads = 1; /* several load what is beyond the limit twice */
+    burnish_mesh *mesh = load_text(&f, "m.obj", obj, &options);
     const burnish_texture_use *uses = burnish_mesh_material(mesh, 0)->textures;
     CHECK_TEXT(f.asked, "a.mtl|x.png|y.png|"); /* equal names are one texture */
     CHECK1(uses[BURNISH_TEXTURE_COLOR].texture == 1 &&
@@ -168,17 +283,97 @@ static void test_limits(void) {
            uses[BURNISH_TEXTURE_EMISSIVE].texture == 0 && burnish_mesh_warning_count(mesh) == 1);
     burnish_mesh_destroy(mesh);
     options.ignore_textures = 1;
-    mesh = read_text(&f, "m.obj", obj, &options);
+    mesh = load_text(&f, "m.obj", obj, &options);
     CHECK_TEXT(f.asked, "a.mtl|");
     CHECK1(burnish_mesh_texture_count(mesh) == 0 &&
            !burnish_mesh_get_view(mesh)->texture_coordinates);
     burnish_mesh_destroy(mesh);
 }
 
+/* ---- Pictures decoded side by side ---- */
+
+/* Everything that textures leave in a mesh is the same in both. */
+static void check_same(const burnish_mesh *a, const burnish_mesh *b, int limit) {
+    const size_t textures = burnish_mesh_texture_count(a), notes = burnish_mesh_warning_count(a);
+    CHECK(textures == burnish_mesh_texture_count(b) && notes == burnish_mesh_warning_count(b),
+          "limit %d: %zu and %zu textures, %zu and %zu warnings", limit, textures,
+          burnish_mesh_texture_count(b), notes, burnish_mesh_warning_count(b));
+    for (size_t i = 0; i < textures && i < burnish_mesh_texture_count(b); ++i) {
+        const burnish_texture *x = burnish_mesh_texture(a, i), *y = burnish_mesh_texture(b, i);
+        CHECK_TEXT(x->name, y->name);
+        CHECK1(x->width == y->width && x->height == y->height && x->is_color == y->is_color &&
+               memcmp(x->pixels, y->pixels, 4 * (size_t)(x->width * x->height)) == 0);
+    }
+    for (size_t i = 0; i < notes && i < burnish_mesh_warning_count(b); ++i) {
+        CHECK_TEXT(burnish_mesh_warning(a, i), burnish_mesh_warning(b, i));
+    }
+    for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
+        CHECK(burnish_mesh_material(a, 0)->textures[slot].texture ==
+                  burnish_mesh_material(b, 0)->textures[slot].texture,
+              "limit %d: slot %d", limit, slot);
+    }
+}
+
+/* With several threads pictures are decoded before they are asked for: the same textures, texels
+ * and warnings, also where there are too many texels, or some pictures are damaged. */
+static void test_side_by_side(void) {
+    static byte_list glb;
+    folder f = {.library = "newmtl a\nmap_Kd a.png\nmap_Ks half.png\nmap_Ns missing.png\n"
+                           "map_d b.png\nmap_Ke a.png\nbump half2.png\n"};
+    for (int limit = 0; limit < 6; ++limit) {
+        burnish_load_options options = burnish_load_options_default();
+        burnish_mesh *meshes[2][2];
+        burnish_image image = make_picture(4);
+        const burnish_pixels pixels = burnish_image_pixels(&image);
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        char json[1600];
+        static byte_list binary;
+        uint8_t *png;
+        size_t size;
+        CHECK1(burnish_png_encode(&pixels, NULL, &png, &size, &error) == BURNISH_STATUS_OK);
+        binary.size = 0;
+        put_floats(&binary, 9, (const float[]){0, 0, 0, 1, 0, 0, 0, 1, 0});
+        put(&binary, png, size);
+        snprintf(json, sizeof json,
+                 GLTF_HEAD
+                 "'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'meshes':[{'primitives':[{"
+                 "'attributes':{'POSITION':0,'TEXCOORD_0':1},'material':0}]}],'accessors':[{"
+                 "'bufferView':0,'componentType':5126,'count':3,'type':'VEC3','min':[0,0,0],'max':"
+                 "[1,1,0]},{'bufferView':0,'componentType':5126,'count':3,'type':'VEC2'}],"
+                 "'buffers':[{'byteLength':%zu}],'bufferViews':[{'buffer':0,'byteLength':36},"
+                 "{'buffer':0,'byteOffset':36,'byteLength':%zu},"
+                 "{'buffer':0,'byteOffset':36,'byteLength':%zu}],'images':[{'bufferView':1,"
+                 "'name':'a'},{'bufferView':2},{'bufferView':1}],'textures':[{'source':0},"
+                 "{'source':1},{'source':2}],'materials':[{'normalTexture':{'index':1},"
+                 "'emissiveTexture':{'index':0},'occlusionTexture':{'index':2},"
+                 "'pbrMetallicRoughness':{'baseColorTexture':{'index':2},"
+                 "'metallicRoughnessTexture':{'index':2}}}]}",
+                 36 + size, size, size / 2);
+        glb.size = 0;
+        put_glb(&glb, json, &binary);
+        options.max_texture_pixels = limit == 0 ? 1 << 28 : (uint64_t)(limit * SIDE * SIDE - 1);
+        for (int i = 0; i < 2; ++i) {
+            options.threads = i == 0 ? 1 : 4;
+            meshes[0][i] = load_text(&f, "m.obj", obj, &options);
+            CHECK(burnish_mesh_load_memory(glb.bytes, glb.size, "m.glb", &options, &meshes[1][i],
+                                           &error) == BURNISH_STATUS_OK,
+                  "%s", error.text);
+        }
+        for (int i = 0; i < 2; ++i) {
+            check_same(meshes[i][0], meshes[i][1], limit);
+            CHECK1(burnish_mesh_texture_count(meshes[i][0]) > 0 || limit == 1);
+            burnish_mesh_destroy(meshes[i][0]);
+            burnish_mesh_destroy(meshes[i][1]);
+        }
+        burnish_release(NULL, png);
+        burnish_image_destroy(&image);
+    }
+}
+
 static void test_ply(void) {
     folder f = {0};
     const burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = read_text(
+    burnish_mesh *mesh = load_text(
         &f, "m.ply",
         "ply\nformat ascii 1.0\ncomment TextureFile skin.png\nelement vertex 3\n"
         "property float x\nproperty float y\nproperty float z\nproperty float s\n"
@@ -192,11 +387,40 @@ static void test_ply(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* Textures of faces, by their numbers; <this> is the file's own name. One colour of all vertices
+ * says nothing beside a texture. */
+static void test_ply_faces(void) {
+    folder f = {0};
+    const burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = load_text(
+        &f, "m.ply",
+        "ply\nformat ascii 1.0\ncomment TextureFile <this>_A.png\ncomment TextureFile missing.png\n"
+        "comment TextureFile C.png\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "element face 2\nproperty list uchar int vertex_indices\n"
+        "property list uchar float texcoord\nproperty int texnumber\nend_header\n"
+        "0 0 0 192 192 192\n1 0 0 192 192 192\n0 1 0 192 192 192\n"
+        "3 0 1 2 6 0 0 1 0 0 1 2\n3 2 1 0 6 0 0 1 0 0 1 0\n",
+        &options);
+    CHECK_TEXT(f.asked, "m_A.png|missing.png|C.png|");
+    CHECK1(burnish_mesh_texture_count(mesh) == 2 && burnish_mesh_material_count(mesh) == 3);
+    CHECK1(burnish_mesh_material(mesh, 0)->textures[BURNISH_TEXTURE_COLOR].texture == 1 &&
+           burnish_mesh_material(mesh, 1)->textures[BURNISH_TEXTURE_COLOR].texture == 0 &&
+           burnish_mesh_material(mesh, 2)->textures[BURNISH_TEXTURE_COLOR].texture == 2);
+    CHECK1(burnish_mesh_get_view(mesh)->texture_coordinates &&
+           !burnish_mesh_get_view(mesh)->colors && burnish_mesh_warning_count(mesh) == 1);
+    burnish_mesh_destroy(mesh);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_formats());
+    RUN(test_tga());
+    RUN(test_tga_runs());
     RUN(test_obj());
     RUN(test_limits());
+    RUN(test_side_by_side());
     RUN(test_ply());
+    RUN(test_ply_faces());
     return test_end("decode");
 }

@@ -229,6 +229,43 @@ static void check_scenes(int scenes) {
     CHECK(points > 2500 * scenes && scenes > 0, "the scenes show something: %d points", points);
 }
 
+/* Triangles that cover all of the picture, one behind the other in any order: parallel or crossing,
+ * at equal depths, some of them twice. HiZ looks ahead there. */
+static void make_pile(random_scene *scene, const burnish_raster_view *view, uint64_t *state) {
+    const double far = 3 * (view->width + view->height);
+    const int is_parallel = one_in(state, 2), levels = 1 + (int)(test_random32(state) % 300);
+    scene->vertex_count = scene->triangle_count = 0;
+    for (int i = 0; i < 120; ++i) {
+        const uint32_t first = (uint32_t)scene->vertex_count;
+        const uint32_t level = test_random32(state) % (uint32_t)levels;
+        for (int k = 0; k < 3 && scene->vertex_count < MOST_VERTICES; ++k) {
+            const float x = (float)(k == 0 ? -far : k == 1 ? far : 0);
+            const float y = (float)(k == 2 ? far : -far);
+            const float z = is_parallel ? (float)level : test_uniform_float(state, -200, 200);
+            add_vertex(scene, (const float[]){x, y, z}, state);
+        }
+        add_triangle(scene, first, first + 1, first + 2, state);
+        if (one_in(state, 4)) {
+            const uint32_t other = 3 * (test_random32(state) % (first / 3 + 1));
+            const uint32_t turn = test_random32(state) % 3;
+            add_triangle(scene, other + turn, other + (turn + 1) % 3, other + (turn + 2) % 3,
+                         state);
+        }
+    }
+}
+
+static void check_piles(int scenes) {
+    static random_scene scene;
+    uint64_t state = test_seed(9);
+    int points = 0;
+    for (int i = 0; i < scenes; ++i) {
+        burnish_raster_view view = make_view(2 + 4 * (i % 64) + i % 2, &state);
+        make_pile(&scene, &view, &state);
+        compare_scene(&scene, &view, i, NULL, &state, &points);
+    }
+    CHECK(points > 1000 * scenes, "the piles show something: %d points", points);
+}
+
 /* ---- Needles around samples ---- */
 
 /* Extended Euclid: the greatest common divisor of a and b, which is a x + b y. */
@@ -496,6 +533,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, "--scenes");
     const int scenes = test_option() ? atoi(test_option()) : SCENES;
     RUN(check_scenes(scenes));
+    RUN(check_piles(scenes / 20));
     RUN(check_needles(scenes / 8));
     RUN(check_precision(1));
     RUN(check_precision(8));

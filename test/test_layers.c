@@ -1,5 +1,5 @@
-/* Folder dependencies point one way: reads every include below src, tools, bench and importers,
- * file by file, and checks it against the table, which is the architecture. */
+/* Folder dependencies point one way: reads every include below src, tools, bench, importers and
+ * mpi, file by file, and checks it against the table, which is the architecture. */
 #include <dirent.h>
 #include <sys/stat.h>
 
@@ -26,20 +26,36 @@ static const struct layer {
     {"src/annotate", "core image burnish/annotate.h burnish/core.h burnish/image.h burnish/mesh.h"},
     {"src/render", "core simd raster shading mesh/edges.h image/strokes.h burnish/core.h "
                    "burnish/kernels.h burnish/mesh.h burnish/render.h"},
+    {"tools/burnish/batch", "cli import picture render sandbox burnish"},
     {"tools/burnish/cli", "burnish"},
-    {"tools/burnish/compare", "cli render picture burnish"},
+    {"tools/burnish/compare", "cli import render picture burnish"},
     {"tools/burnish/font", "cli burnish"},
-    {"tools/burnish/info", "cli burnish"},
+    {"tools/burnish/import", "cli burnish"},
+    {"tools/burnish/info", "cli import burnish"},
     {"tools/burnish/lobe", "cli plot burnish"},
     {"tools/burnish/picture", "cli burnish"},
     {"tools/burnish/plot", "cli lobe picture burnish"},
     {"tools/burnish/render", "cli font lobe picture sandbox burnish"},
-    {"tools/burnish/sandbox", "cli burnish"},
+    {"tools/burnish/sandbox", "cli import burnish"},
+    {"tools/burnish/serve", "cli import render sandbox burnish"},
+    {"tools/burnish/view", "cli picture render burnish"},
     {"tools/generate", ""},
+    {"tools/session", "cli render burnish"},
+    {"importers", "mesh/read/bms.h core/srgb.h sandbox/lock.h"},
+    {"importers/assimp", "importers"},
+    {"importers/draco", "importers"},
+    {"importers/occt", "importers"},
+    {"mpi", "burnish"},
     {"bench", "simd shading cli burnish"},
     {"bench/load", "bench burnish"},
+    {"bench/shaders", ""},
     {"bench/peers", "bench core simd shading burnish"},
     {"bench/scale", "bench/peers burnish"},
+    {"wasm", "cli lobe core/error.h core/pool.h image/decode.h image/gunzip.h mesh/read/beside.h "
+             "burnish wasi"},
+    {"arduino/src", "burnish"},
+    {"arduino/src/burnish", ""}, /* beside them, when packed: the integer headers */
+    {"python", "cli lobe burnish"},
 };
 
 /* Where templates (..._simd.h) meet an instruction set: what this file may include besides. */
@@ -160,7 +176,8 @@ static void check_that_wrong_arrows_are_found(void) {
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
-    static const char *const ROOTS[] = {"src", "tools", "bench"};
+    static const char *const ROOTS[] = {"src",   "tools", "importers", "mpi",
+                                        "bench", "wasm",  "python",    "arduino/src"};
     for (size_t i = 0; i < sizeof ROOTS / sizeof ROOTS[0]; ++i) {
         CHECK(check_folder(ROOTS[i]) > 0, "no include found in %s", ROOTS[i]);
     }

@@ -163,7 +163,8 @@ static void write_inputs(void) {
                              "property float y\nproperty float z\nproperty uchar red\n"
                              "property uchar green\nproperty uchar blue\nelement face 4\n"
                              "property list uchar int vertex_indices\nend_header\n"
-                             "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n0 0 1 9 9 9\n"
+                             "1e6 0 0 255 0 0\n1000001 0 0 0 255 0\n" /* read twice */
+                             "1e6 1 0 0 0 255\n1e6 0 1 9 9 9\n"
                              "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
     write_file("memory.stl", "solid memory\n"
                              "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 1 0 "

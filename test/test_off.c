@@ -92,6 +92,43 @@ static void test_face_colors(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* What public files have: no blank after the keyword, faces that go on in the next line. */
+static void test_odd_lines(void) {
+    burnish_mesh *mesh = load("  OFF4 2 0\n" SQUARE "3 0\n1 # c\n 2\n3\n\n0 2 3\n", NULL);
+    if (CHECK1(mesh)) {
+        CHECK1(burnish_mesh_get_view(mesh)->triangle_count == 2 &&
+               burnish_mesh_get_view(mesh)->vertex_count == 4);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* The same cut into chunks: 20,000 faces of which each goes on in the next line, on threads. */
+static void test_long_wrapped(void) {
+    enum { FACES = 20000 };
+    char *text = malloc(64 * FACES);
+    size_t size = (size_t)sprintf(text, "OFF\n%d %d 0\n", FACES + 2, FACES);
+    for (int i = 0; i < FACES + 2; ++i) {
+        size += (size_t)sprintf(text + size, "%d %d 0\n", i / 2, i % 2);
+    }
+    for (int i = 0; i < FACES; ++i) {
+        size += (size_t)sprintf(text + size, "3 %d\n%d %d\n", i, i + 1 + i % 2, i + 2 - i % 2);
+    }
+    for (int threads = 1; threads <= 4; threads += 3) {
+        burnish_load_options options = burnish_load_options_default();
+        burnish_mesh *mesh;
+        burnish_error error;
+        options.threads = threads;
+        if (CHECK(burnish_mesh_load_memory(text, size, "a.off", &options, &mesh, &error) ==
+                      BURNISH_STATUS_OK,
+                  "%s", error.text)) {
+            CHECK1(burnish_mesh_get_view(mesh)->triangle_count == FACES &&
+                   burnish_mesh_get_view(mesh)->bounds_max[0] == FACES / 2);
+            burnish_mesh_destroy(mesh);
+        }
+    }
+    free(text);
+}
+
 static void test_messages(void) {
     static const struct {
         const char *text, *message;
@@ -114,7 +151,7 @@ static void test_messages(void) {
         {"OFF\n4 1 0\n" SQUARE "3 0 1 -2\n",
          "a.off:7: vertex \"-2\" is out of range; there are 4 vertices, counted from 0"},
         {"OFF\n4 1 0\n" SQUARE "9999999999 0 1 2\n",
-         "a.off:7: the line ends after 3 of 9999999999 corners; repair the file"},
+         "a.off:7: the file ends after 3 of 9999999999 corners; the file is truncated"},
         {"OFF\n4 1 0\n" SQUARE "x 0 1 2\n",
          "a.off:7: \"x\" is no count of corners; repair the file"},
         {"OFF\n0 0 0\n", "a.off: no faces among 0 vertices; export the mesh with its faces"},
@@ -179,6 +216,8 @@ int main(int count, char **arguments) {
     RUN(test_plain());
     RUN(test_vertices());
     RUN(test_face_colors());
+    RUN(test_odd_lines());
+    RUN(test_long_wrapped());
     RUN(test_messages());
     RUN(test_threads());
     return test_end("off");

@@ -1,4 +1,6 @@
 /* Point clouds and lines: each is a small solid of the mesh, as large as density says. */
+#include <float.h>
+
 #include "burnish/mesh.h"
 #include "reader_input.h"
 
@@ -139,6 +141,12 @@ static void test_limits(void) {
     options.point_size = 0; /* points in one place */
     mesh = load("a.obj", "v 3 3 3\nv 3 3 3\n", &options);
     CHECK1(mesh != NULL);
+    burnish_mesh_destroy(mesh);
+    static const char ends[] = "v 0 0 0\nv 3.4028235e38 -3.4028235e38 0\n"; /* the range's */
+    CHECK1(burnish_mesh_load_memory(ends, strlen(ends), "a.obj", &options, &mesh, &error) ==
+           BURNISH_STATUS_OK);
+    const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+    CHECK1(view && view->bounds_max[0] == FLT_MAX && view->bounds_min[1] == -FLT_MAX);
     burnish_mesh_destroy(mesh);
 }
 

@@ -72,6 +72,9 @@ static void test_stl_broken(void) {
     options = burnish_load_options_default();
     say(&t, " ENDFACE\nsolid Ndfa\nendsolid\n"); /* counted as a facet, which it is not */
     check("ASCII STL, a name", BURNISH_FORMAT_STL, &t, &options, GOOD);
+    say(&t, "solid\nfacet normal 0 0 odd words of a facet without corners\nendfacet\n");
+    say_facet(&t, 0); /* which is not the corners of the one before */
+    check("ASCII STL, no corners", BURNISH_FORMAT_STL, &t, &options, BROKEN);
     free(t.bytes);
 }
 

@@ -283,28 +283,78 @@ static void test_guess(void) {
     CHECK1(burnish_guess_format(list.bytes, list.size, "x") == BURNISH_FORMAT_STL);
 }
 
-/* Texture coordinates in lists of faces, as MeshLab writes them: who asked for texture coordinates
- * learns that they are not read. */
-static void test_ply_face_coordinates(void) {
-    static const char text[] =
-        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-        "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
-        "property list uchar float texcoord\nend_header\n"
-        "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0 0 1\n3 2 1 0 6 0 0 1 0 0 1\n";
-    for (int keep = 0; keep < 2; ++keep) {
-        burnish_load_options options = burnish_load_options_default();
-        burnish_mesh *mesh = NULL;
-        burnish_error e;
-        options.keep_texture_coordinates = keep;
-        CHECK(burnish_mesh_load_memory(text, sizeof text - 1, "mesh.ply", &options, &mesh, &e) ==
-                  BURNISH_STATUS_OK,
-              "%s", e.text);
-        if (CHECK(mesh && burnish_mesh_warning_count(mesh) == (size_t)keep, "keep %d", keep) &&
-            keep) {
-            CHECK_TEXT(burnish_mesh_warning(mesh, 0),
-                       "mesh.ply: texture coordinates of faces (texcoord) are not read");
+/* Texture coordinates and textures of faces, as MeshLab writes them, in the three encodings: each
+ * triangle has those of its corners, also of a concave square that is not cut as a fan; a face with
+ * another number of them has 0, 0; numbers beyond the textures are one material more. */
+static void put_face_rows(byte_list *list, int encoding) {
+    static const float xyz[5][3] = {{0, 0, 0}, {2, 0, 0}, {0.5f, 0.5f, 0}, {0, 2, 0}, {1, 1, 1}};
+    static const int faces[4][6] = {
+        {4, 0, 1, 2, 3, 0}, {3, 0, 1, 4, 1}, {3, 1, 2, 4, -1}, {3, 2, 3, 4, 1}};
+    for (int i = 0; i < 15; ++i) {
+        char word[32];
+        snprintf(word, sizeof word, "%g%c", (double)xyz[i / 3][i % 3], i % 3 == 2 ? '\n' : ' ');
+        encoding == 0 ? put_text(list, word) : put_float(list, xyz[i / 3][i % 3], encoding == 2);
+    }
+    for (int f = 0; f < 4; ++f) {
+        const int count = faces[f][0], values = f == 3 ? 2 : 2 * count;
+        char line[200];
+        int size = snprintf(line, sizeof line, "%d", count);
+        put_bits(list, (uint64_t)count, encoding == 0 ? 0 : 1, 0);
+        for (int k = 0; k < count; ++k) {
+            size += snprintf(line + size, sizeof line - (size_t)size, " %d", faces[f][1 + k]);
+            put_bits(list, (uint64_t)faces[f][1 + k], encoding == 0 ? 0 : 4, encoding == 2);
         }
-        burnish_mesh_destroy(mesh);
+        size += snprintf(line + size, sizeof line - (size_t)size, " %d", values);
+        put_bits(list, (uint64_t)values, encoding == 0 ? 0 : 1, 0);
+        for (int k = 0; k < values; ++k) { /* u: the vertex; v: 10 times the face */
+            const float value = (float)(k % 2 == 0 ? faces[f][1 + k / 2] : 10 * f);
+            size += snprintf(line + size, sizeof line - (size_t)size, " %g", (double)value);
+            if (encoding > 0) {
+                put_float(list, value, encoding == 2);
+            }
+        }
+        snprintf(line + size, sizeof line - (size_t)size, " %d\n", faces[f][count + 1]);
+        put_bits(list, (uint64_t)(int64_t)faces[f][count + 1], encoding == 0 ? 0 : 4,
+                 encoding == 2);
+        if (encoding == 0) {
+            put_text(list, line);
+        }
+    }
+}
+
+static void test_ply_face_coordinates(void) {
+    static const char *const names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    static const uint16_t materials[5] = {0, 0, 1, 2, 1};
+    for (int encoding = 0; encoding < 3; ++encoding) {
+        burnish_load_options options = burnish_load_options_default();
+        burnish_mesh_data mesh;
+        burnish_error error;
+        byte_list list = {.size = 0};
+        put_text(&list, "ply\nformat ");
+        put_text(&list, names[encoding]);
+        put_text(&list, " 1.0\ncomment TextureFile a.png\ncomment TextureFile b.png\n"
+                        "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+                        "element face 4\nproperty list uchar int vertex_indices\n"
+                        "property list uchar float texcoord\nproperty int texnumber\nend_header\n");
+        put_face_rows(&list, encoding);
+        if (!CHECK(run_reader(BURNISH_FORMAT_PLY, list.bytes, list.size, &options, NULL, &mesh,
+                              &error) == BURNISH_STATUS_OK,
+                   "%s: %s", names[encoding], error.text)) {
+            continue;
+        }
+        const burnish_stream *uv = &mesh.streams[BURNISH_TEXCOORD];
+        CHECK1(mesh.triangle_count == 5 && uv->count == 15 && mesh.material_count == 3);
+        CHECK1(mesh.triangle_materials &&
+               memcmp(mesh.triangle_materials, materials, sizeof materials) == 0);
+        for (size_t i = 0; i < 15 && uv->corners; ++i) {
+            const uint32_t vertex = mesh.streams[BURNISH_POSITION].corners[i];
+            const float *found = (const float *)uv->items + 2 * (size_t)uv->corners[i];
+            const size_t face = i < 6 ? 0 : i / 3 - 1;
+            const float u = face == 3 ? 0 : (float)vertex, v = face == 3 ? 0 : 10 * (float)face;
+            CHECK(found[0] == u && found[1] == v, "%s, corner %zu: %g %g", names[encoding], i,
+                  (double)found[0], (double)found[1]);
+        }
+        burnish_mesh_data_destroy(&mesh);
     }
 }
 

@@ -200,7 +200,7 @@ static void test_level_texels(void) {
         CHECK1(burnish_texture_levels_create(&levels, &texture, BURNISH_TEXTURE_NUMBERS, NULL,
                                              &memory) == BURNISH_STATUS_OK);
         const int lw = w > 1 ? w / 2 : 1, lh = h > 1 ? h / 2 : 1;
-        const uint8_t *next = (const uint8_t *)levels.texels + 4 * levels.offset[1];
+        const uint16_t *next = levels.texels + 4 * levels.offset[1];
         CHECK1(levels.count == 1 || (levels.width[1] == lw && levels.height[1] == lh));
         for (int i = 0; i < lw * lh && levels.count > 1; ++i) { /* area by 60 x 60 points */
             double sum = 0;
@@ -209,8 +209,12 @@ static void test_level_texels(void) {
                 const double y = (i / lw + (k / 60 + 0.5) / 60) * h / lh;
                 sum += texels[4 * ((int)y * w + (int)x)];
             }
-            CHECK(fabs(sum / 3600 - next[4 * i]) < 2.5, "%d x %d: %g, %d", w, h, sum / 3600,
-                  next[4 * i]);
+            const double code = next[4 * (i / lw * (lw + 1) + i % lw)] / 257.0;
+            CHECK(fabs(sum / 3600 - code) < 2.5, "%d x %d: %g, %g", w, h, sum / 3600, code);
+        }
+        for (int y = 0; y < h; ++y) { /* a row's last texel has the first one beside it */
+            const uint16_t *row = levels.texels + 4 * y * (w + 1);
+            CHECK1(row[0] == 257 * texels[4 * y * w] && memcmp(row, row + 4 * w, 8) == 0);
         }
         CHECK1(levels.width[levels.count - 1] == 1 && levels.height[levels.count - 1] == 1);
         burnish_texture_levels_destroy(&levels, NULL);
@@ -225,17 +229,20 @@ static void test_level_kinds(void) {
     burnish_memory memory = burnish_memory_of(NULL, NULL);
     CHECK1(burnish_texture_levels_create(&levels, &texture, BURNISH_TEXTURE_WEIGHTED, NULL,
                                          &memory) == BURNISH_STATUS_OK);
-    const uint8_t *mean = (const uint8_t *)levels.texels + 8;
-    CHECK(mean[0] == 200 && mean[1] == 100 && mean[2] == 50 && mean[3] == 128, "%d %d %d %d",
-          mean[0], mean[1], mean[2], mean[3]);
+    const uint16_t *mean = levels.texels + 4 * levels.offset[1];
+    CHECK(levels.is_weighted && mean[3] == 128 * 257, "%d", mean[3]);
+    for (int k = 0; k < 3; ++k) { /* colours are multiplied by alpha */
+        const float light = (float)mean[k] / (float)mean[3];
+        CHECK(fabsf(light - burnish_srgb_to_linear[leaf[k]]) < 2e-5f, "%d: %g", k, (double)light);
+    }
     burnish_texture_levels_destroy(&levels, NULL);
     uint8_t normals[] = {218, 128, 218, 0, 37, 128, 218, 7};
     const burnish_texture bumps = {NULL, 2, 1, normals, 0};
     CHECK1(burnish_texture_levels_create(&levels, &bumps, BURNISH_TEXTURE_NORMALS, NULL, &memory) ==
            BURNISH_STATUS_OK);
-    mean = (const uint8_t *)levels.texels + 8;
-    const double missing = (255 - mean[3]) / 255.0, length = 1 - missing * missing;
-    CHECK(mean[0] >= 127 && mean[0] <= 128 && mean[2] == 255 && fabs(length - sqrt(0.5)) < 0.005,
+    mean = levels.texels + 4 * levels.offset[1];
+    const double missing = 1 - mean[3] / 65535.0, length = 1 - missing * missing;
+    CHECK(abs(mean[0] - 32768) < 257 && mean[2] == 65535 && fabs(length - sqrt(0.5)) < 0.005,
           "%d %d %d: %g", mean[0], mean[1], mean[2], length);
     burnish_texture_levels_destroy(&levels, NULL);
 }

@@ -245,7 +245,8 @@ BURNISH_API burnish_status burnish_file_write_stream(const char *path, burnish_f
                                                      void *context, burnish_error *error);
 
 /* The same with a last step, as burnish_file_write_then has one. A source that can't go on returns
- * 0 and leaves its error to ready, and no file appears. context  handed to source and to ready
+ * 0 and leaves its error to ready, and no file appears.
+ *   context  handed to source and to ready
  *   ready    NULL: none
  * Errors: as burnish_file_write, and those of ready. */
 BURNISH_API burnish_status burnish_file_write_stream_then(const char *path,

@@ -297,9 +297,9 @@ static inline float burnish_gx_at_cosine(float cosine, float exponent) {
 }
 
 /* Lyon's approximation of 1/sqrt(s) near s = 1: 1 + e/2 + 3 e^2/8 with e = 1 - s, the first three
- * terms of the series. Relative error below .0004 for s in [.9, 1.1], .05 in [.5, 1.5]. s  the
- * squared length of a vector that is nearly a unit vector Returns 5/6 or more. Source: Lyon 1993.
- */
+ * terms of the series. Relative error below .0004 for s in [.9, 1.1], .05 in [.5, 1.5].
+ *   s  the squared length of a vector that is nearly a unit vector
+ * Returns 5/6 or more. Source: Lyon 1993. */
 static inline float burnish_lyon_normalize_factor(float s) {
     const float e = 1.0f - s;
     return 1.0f + e * (0.5f + 0.375f * e);

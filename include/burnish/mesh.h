@@ -46,7 +46,9 @@ extern "C" {
     X(OBJ, obj, ".obj", 0, 1, 0)                                                                   \
     X(OFF, off, ".off", 0, 1, 0)                                                                   \
     X(PLY, ply, ".ply", 0, 1, 0)                                                                   \
-    X(STL, stl, ".stl", 0, 0, 1)
+    X(STL, stl, ".stl", 0, 0, 1)                                                                   \
+    X(3MF, 3mf, ".3mf", 0, 0, 1)                                                                   \
+    X(BMS, bms, ".bms", 0, 1, 0)
 
 /* Where meshes come from; the formats of files come last. */
 typedef enum burnish_format {
@@ -106,6 +108,19 @@ typedef struct burnish_file_loader {
     void *user_data;
 } burnish_file_loader;
 
+/* Unpacks what files hold in forms that burnish does not decode itself.
+ *   decode   called once for a file, with all of its streams of a form; `decoded` must stay until
+ *            `release` is called for it. What it holds is checked as a file is. Errors end loading
+ *   form     "draco": primitives of glTF's KHR_draco_mesh_compression. docs/importers.md has the
+ *            layout of `bytes` and `decoded`
+ *   release  may be NULL */
+typedef struct burnish_stream_decoder {
+    burnish_status (*decode)(void *user_data, const char *form, const void *bytes, size_t size,
+                             const uint8_t **decoded, size_t *decoded_size, burnish_error *error);
+    void (*release)(void *user_data, const uint8_t *decoded, size_t decoded_size);
+    void *user_data;
+} burnish_stream_decoder;
+
 /* How to load. Start from burnish_load_options_default(). */
 typedef struct burnish_load_options {
     uint32_t cookie;                /* set by burnish_load_options_default() */
@@ -121,6 +136,11 @@ typedef struct burnish_load_options {
     int measure;                  /* 1: the mesh has facts, see burnish_mesh_get_facts; 0: none */
     double point_size; /* diameter of points and lines where a file has no faces, in its units; 0:
                           by their density */
+    const double *origin; /* 3 numbers, [-1e30, 1e30]: subtracted from the file's coordinates before
+                             they are rounded to floats; 0, 0, 0 leaves them as they are, and that
+                             of another mesh puts both into one space. NULL: 0, 0, 0, but near the
+                             middle where that is over 32 times as far away as the mesh is large,
+                             and the file's coordinates are more than floats */
     int no_companions; /* 1: files that the input names are not read, and there is no word of it */
     int strict; /* 1: what would be a warning is an error, FORMAT; 0: what is wrong and does no harm
                    is passed over or mended */
@@ -136,6 +156,7 @@ typedef struct burnish_load_options {
                                        warning */
     burnish_file_loader companions; /* files that the input names; load NULL: those of the input's
                                        folder, none for standard input and memory */
+    burnish_stream_decoder decoder; /* decode NULL: files that need it are refused, FORMAT */
 } burnish_load_options;
 
 /* Crease auto, tessellation 16, no texture coordinates, no facts, not strict, one thread per
@@ -255,9 +276,11 @@ typedef struct burnish_mesh_view {
     const uint32_t *indices; /* 3 per triangle, counter-clockwise seen from its normals */
     const uint16_t *triangle_materials; /* 1 per triangle; NULL: every triangle has material 0 */
     float bounds_min[3], bounds_max[3]; /* of the positions that triangles use */
-    float up_axis[3];                   /* the direction in which the object stands, unit length */
-    uint64_t serial; /* of this process' meshes no other one has it, nor this one before a cut;
-                        never 0 */
+    double origin[3]; /* of all coordinates of the mesh, its cameras and its facts: with it added
+                         they are the file's. 0, 0, 0 but as load options say */
+    float up_axis[3]; /* the direction in which the object stands, unit length */
+    uint64_t serial;  /* of this process' meshes no other one has it, nor this one before a cut;
+                         never 0 */
     burnish_clip_plane cuts[BURNISH_CUTS_MAX]; /* cut_count of them: burnish_mesh_clip's */
     int cut_count;
     burnish_inside inside; /* of the mesh before its first cut */
@@ -272,6 +295,9 @@ typedef struct burnish_mesh_info {
     size_t point_count, line_count; /* of a file without faces: each is a small solid of the mesh */
     double read_seconds;            /* wall time of opening and parsing, or of copying arrays */
     double build_seconds;           /* wall time of welding, normals, order */
+    const char *unit;               /* of lengths, as the file says or its format has it: "micron",
+                                       "millimeter", "centimeter", "inch", "foot", "meter"; NULL:
+                                       nobody says */
 } burnish_mesh_info;
 
 /* NULL for NULL. Lives as long as the mesh. */
@@ -374,6 +400,21 @@ typedef struct burnish_named_camera {
 /* The cameras of the file, in its order. An index out of range gives NULL. */
 BURNISH_API size_t burnish_mesh_camera_count(const burnish_mesh *mesh);
 BURNISH_API const burnish_named_camera *burnish_mesh_camera(const burnish_mesh *mesh, size_t index);
+
+/* A light that the file has, in coordinates of the mesh, where its nodes put it. As point lights do
+ * not fall off here, a file's light of physical units counts with what arrives at the middle of the
+ * bounding box: candela / distance^2 for point lights, lux for directional ones. All of them are
+ * then scaled by one factor, so that a white surface there that faces one of them is 1 at most, and
+ * one is: sum over lights j of color_j max(0, L_i . L_j) for L_i toward each light i. */
+typedef struct burnish_file_light {
+    burnish_light light;
+    int is_spot; /* 1: in the file it shines in a cone; light is a point light */
+} burnish_file_light;
+
+/* The lights of the file, the first BURNISH_LIGHT_MAX in its order.
+ * An index out of range gives NULL. */
+BURNISH_API size_t burnish_mesh_light_count(const burnish_mesh *mesh);
+BURNISH_API const burnish_file_light *burnish_mesh_light(const burnish_mesh *mesh, size_t index);
 
 /* How burnish_camera_frame chooses a view. Start from burnish_framing_default(). */
 typedef struct burnish_framing {

@@ -14,7 +14,7 @@
  * degrees; depth and normal are the plane's, the triangle's number is the triangle's. Transparent
  * triangles are cut and not filled.
  *
- * What it does not do: reflections, refraction, textures.
+ * What it does not do: reflections, refraction.
  *
  * How to use it.
  *   1. Options: burnish_render_options options = burnish_render_options_default();

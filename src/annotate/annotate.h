@@ -25,6 +25,7 @@ typedef struct burnish_annotation_view {
     double pixels; /* per unit; in perspective per unit at distance 1 */
     double width, height;
     burnish_vec3 low, high; /* of the bounding box */
+    double origin[3];       /* of the mesh's coordinates, in the file's */
     double diagonal;
     int up_axis;              /* 0, 1, 2 */
     int up_negative;          /* 1: the ground's normal points down that axis */
@@ -161,6 +162,8 @@ typedef struct burnish_annotation_grid {
     burnish_round_number spacing;
     int axis[2];
     double first[2], last[2]; /* whole numbers */
+    double offset[2];         /* of line 0, below a spacing: lines are round in the file's
+                                 coordinates */
     int is_there;             /* 0: too far from the origin for lines that can be told apart */
 } burnish_annotation_grid;
 

@@ -190,8 +190,11 @@ burnish_annotation_grid burnish_annotation_grid_of(const burnish_annotation_view
     longer = longer > 0 ? longer : view->diagonal;
     grid.spacing = burnish_round_number_above(longer / SPACINGS);
     for (int k = 0; k < 2; ++k) {
-        const double low = burnish_axis(view->low, grid.axis[k]) / grid.spacing.value;
-        const double high = burnish_axis(view->high, grid.axis[k]) / grid.spacing.value;
+        const double origin = view->origin[grid.axis[k]], spacing = grid.spacing.value;
+        const double cells = origin / spacing;
+        grid.offset[k] = cells > -1e15 && cells < 1e15 ? spacing * round_down(cells) - origin : 0;
+        const double low = (burnish_axis(view->low, grid.axis[k]) - grid.offset[k]) / spacing;
+        const double high = (burnish_axis(view->high, grid.axis[k]) - grid.offset[k]) / spacing;
         if (!(low > -FARTHEST && high < FARTHEST)) {
             return grid;
         }
@@ -209,8 +212,8 @@ burnish_annotation_grid burnish_annotation_grid_of(const burnish_annotation_view
 static burnish_vec3 grid_point(const burnish_annotation_view *view,
                                const burnish_annotation_grid *grid, double u, double v) {
     double p[3];
-    p[grid->axis[0]] = u * grid->spacing.value;
-    p[grid->axis[1]] = v * grid->spacing.value;
+    p[grid->axis[0]] = u * grid->spacing.value + grid->offset[0];
+    p[grid->axis[1]] = v * grid->spacing.value + grid->offset[1];
     p[view->up_axis] = burnish_axis(view->up_negative ? view->high : view->low, view->up_axis);
     return burnish_vec3_load(p);
 }

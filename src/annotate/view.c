@@ -1,6 +1,8 @@
 /* The camera's view of the bounding box, and what touches what on the screen. */
 #include "annotate/annotate.h"
 
+#include <string.h>
+
 burnish_vec3 burnish_annotation_corner(const burnish_annotation_view *view, int bits) {
     return (burnish_vec3){bits & 1 ? view->high.x : view->low.x,
                           bits & 2 ? view->high.y : view->low.y,
@@ -162,6 +164,7 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
     }
     view->low = burnish_vec3_loadf(arrays->bounds_min);
     view->high = burnish_vec3_loadf(arrays->bounds_max);
+    memcpy(view->origin, arrays->origin, sizeof view->origin);
     view->diagonal = burnish_vec3_length(burnish_vec3_sub(view->high, view->low));
     choose_up(arrays, annotations->up, view);
     choose_sizes(annotations, view);

@@ -47,27 +47,36 @@ burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t widt
     return memory->status;
 }
 
-burnish_status burnish_decode(const burnish_encoded *from, burnish_memory *memory,
-                              burnish_image *picture) {
-    burnish_status status = BURNISH_STATUS_FORMAT;
-    *picture = (burnish_image){0};
+/* NULL: of no format that is read. */
+static decode_function *find_decoder(const uint8_t *bytes, size_t size) {
     for (size_t i = 0; i < sizeof formats / sizeof *formats; ++i) {
         const size_t end = formats[i].offset + formats[i].size;
-        if (from->size >= end &&
-            memcmp(from->bytes + formats[i].offset, formats[i].bytes, formats[i].size) == 0) {
-            burnish_outside_begin();
-            status = formats[i].decode(from, memory, picture);
-            burnish_outside_end();
-            if (status != BURNISH_STATUS_OK) {
-                burnish_release(memory->context, picture->pixels);
-                *picture = (burnish_image){0};
-            }
-            return status;
+        if (size >= end &&
+            memcmp(bytes + formats[i].offset, formats[i].bytes, formats[i].size) == 0) {
+            return formats[i].decode;
         }
     }
-    return burnish_fail(memory->error, status,
-                        "%.200s: neither PNG nor JPEG nor WebP; convert it to one of them",
-                        from->name);
+    return burnish_is_tga(bytes, size) ? burnish_decode_tga : NULL;
+}
+
+burnish_status burnish_decode(const burnish_encoded *from, burnish_memory *memory,
+                              burnish_image *picture) {
+    decode_function *decode = find_decoder(from->bytes, from->size);
+    *picture = (burnish_image){0};
+    if (!decode) {
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
+                            "%.200s: neither PNG nor JPEG nor WebP nor TGA; convert it to one of "
+                            "them",
+                            from->name);
+    }
+    burnish_outside_begin();
+    burnish_status status = decode(from, memory, picture);
+    burnish_outside_end();
+    if (status != BURNISH_STATUS_OK) {
+        burnish_release(memory->context, picture->pixels);
+        *picture = (burnish_image){0};
+    }
+    return status;
 }
 
 burnish_status burnish_image_decode(const void *bytes, size_t size, const char *name,

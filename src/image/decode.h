@@ -1,4 +1,5 @@
-/* Pictures from files, which may be hostile: PNG, JPEG, WebP, each where its library is there. */
+/* Pictures from files, which may be hostile: PNG, JPEG, WebP, each where its library is there, and
+ * TGA. */
 #ifndef BURNISH_IMAGE_DECODE_H
 #define BURNISH_IMAGE_DECODE_H
 
@@ -31,6 +32,12 @@ burnish_status burnish_decode_jpeg(const burnish_encoded *from, burnish_memory *
                                    burnish_image *picture);
 burnish_status burnish_decode_webp(const burnish_encoded *from, burnish_memory *memory,
                                    burnish_image *picture);
+
+burnish_status burnish_decode_tga(const burnish_encoded *from, burnish_memory *memory,
+                                  burnish_image *picture);
+
+/* Whether bytes have the header of a TGA, which begins with nothing of its own. */
+int burnish_is_tga(const uint8_t *bytes, size_t size);
 
 /* Pixels for a picture that a file announces, not cleared. Errors: LIMIT, MEMORY. */
 burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t width, uint64_t height,

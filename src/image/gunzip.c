@@ -36,6 +36,9 @@ static burnish_status unpack(burnish_inflate *inflate, const uint8_t *bytes, siz
         result = burnish_inflate_step(inflate, &bytes, &left, *items + *count, capacity - *count,
                                       &written);
         *count += written;
+        if (result == BURNISH_INFLATE_MEMORY) {
+            return memory->status = BURNISH_STATUS_MEMORY;
+        }
         if (*count > bound) {
             return fail_limit(memory, name, most, most > fair);
         }
@@ -53,7 +56,7 @@ static burnish_status unpack(burnish_inflate *inflate, const uint8_t *bytes, siz
 burnish_status burnish_gunzip(const uint8_t *bytes, size_t size, const char *name,
                               uint64_t max_bytes, burnish_memory *memory, uint8_t **unpacked,
                               size_t *unpacked_size) {
-    burnish_inflate *inflate = burnish_inflate_create(memory);
+    burnish_inflate *inflate = burnish_inflate_create(memory, 0);
     *unpacked = NULL;
     *unpacked_size = 0;
     if (!inflate) {

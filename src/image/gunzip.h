@@ -1,4 +1,5 @@
-/* Gzip files (RFC 1952) unpacked, by ISA-L or, where that is not built in, zlib. */
+/* Gzip files (RFC 1952) and plain deflate (RFC 1951) unpacked, by ISA-L or, where that is not built
+ * in, zlib. */
 #ifndef BURNISH_IMAGE_GUNZIP_H
 #define BURNISH_IMAGE_GUNZIP_H
 
@@ -24,19 +25,20 @@ static inline int burnish_is_gzip(const uint8_t *bytes, size_t size) {
     return size >= 3 && bytes[0] == 0x1f && bytes[1] == 0x8b && bytes[2] == 8;
 }
 
-/* ---- For gunzip.c: one of the libraries ---- */
+/* ---- Step by step: one of the libraries ---- */
 
 /* What a step did. */
 typedef enum burnish_inflate_result {
     BURNISH_INFLATE_MORE, /* it wants input, or room */
-    BURNISH_INFLATE_END,  /* of one file, whose checksum is right */
-    BURNISH_INFLATE_DAMAGED
+    BURNISH_INFLATE_END,  /* of one file; of gzip, whose checksum is right */
+    BURNISH_INFLATE_DAMAGED,
+    BURNISH_INFLATE_MEMORY /* is out, which its error says */
 } burnish_inflate_result;
 
 typedef struct burnish_inflate burnish_inflate;
 
-/* NULL on failure, which memory knows. */
-burnish_inflate *burnish_inflate_create(burnish_memory *memory);
+/* is_raw: 1: deflate without gzip's frame. NULL on failure, which memory knows. */
+burnish_inflate *burnish_inflate_create(burnish_memory *memory, int is_raw);
 void burnish_inflate_destroy(const burnish_context *context, burnish_inflate *inflate);
 
 /* Unpacks from *from, of which *left bytes are left, into room: both are moved on. Returns how many
@@ -44,5 +46,8 @@ void burnish_inflate_destroy(const burnish_context *context, burnish_inflate *in
 burnish_inflate_result burnish_inflate_step(burnish_inflate *inflate, const uint8_t **from,
                                             size_t *left, uint8_t *to, size_t room,
                                             size_t *written);
+
+/* gzip's and ZIP's checksum of what `crc` is of, 0 for nothing, and further bytes. */
+uint32_t burnish_inflate_crc32(uint32_t crc, const uint8_t *bytes, size_t size);
 
 #endif

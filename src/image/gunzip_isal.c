@@ -1,20 +1,23 @@
 /* Inflate by ISA-L. */
+#include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
 
 #include "image/gunzip.h"
 
 struct burnish_inflate {
     struct inflate_state state;
+    int is_raw;
 };
 
 static void begin(burnish_inflate *inflate) {
     isal_inflate_init(&inflate->state);
-    inflate->state.crc_flag = ISAL_GZIP;
+    inflate->state.crc_flag = inflate->is_raw ? ISAL_DEFLATE : ISAL_GZIP;
 }
 
-burnish_inflate *burnish_inflate_create(burnish_memory *memory) {
+burnish_inflate *burnish_inflate_create(burnish_memory *memory, int is_raw) {
     burnish_inflate *made = burnish_allocate_zeroed(memory, 1, sizeof *made, "unpacking");
     if (made) {
+        made->is_raw = is_raw;
         begin(made);
     }
     return made;
@@ -46,4 +49,8 @@ burnish_inflate_result burnish_inflate_step(burnish_inflate *inflate, const uint
     }
     begin(inflate);
     return BURNISH_INFLATE_END;
+}
+
+uint32_t burnish_inflate_crc32(uint32_t crc, const uint8_t *bytes, size_t size) {
+    return crc32_gzip_refl(crc, bytes, size);
 }

@@ -2,16 +2,17 @@
 #include "image/gunzip.h"
 #include "image/zlib_stream.h"
 
-enum { GZIP_WINDOW_BITS = 15 + 16 };
+enum { GZIP_WINDOW_BITS = 15 + 16, RAW_WINDOW_BITS = -15 };
 
 struct burnish_inflate {
     burnish_zlib zlib;
 };
 
-burnish_inflate *burnish_inflate_create(burnish_memory *memory) {
+burnish_inflate *burnish_inflate_create(burnish_memory *memory, int is_raw) {
     burnish_zlib *made = burnish_zlib_create(memory, "unpacking");
     if (made) {
-        made = burnish_zlib_begun(made, inflateInit2(&made->stream, GZIP_WINDOW_BITS), memory);
+        const int bits = is_raw ? RAW_WINDOW_BITS : GZIP_WINDOW_BITS;
+        made = burnish_zlib_begun(made, inflateInit2(&made->stream, bits), memory);
     }
     return (burnish_inflate *)made;
 }
@@ -39,5 +40,12 @@ burnish_inflate_result burnish_inflate_step(burnish_inflate *unpacker, const uin
         inflateReset(stream);
         return BURNISH_INFLATE_END;
     }
+    if (code == Z_MEM_ERROR) { /* its window is allocated when it is needed */
+        return BURNISH_INFLATE_MEMORY;
+    }
     return code == Z_OK || code == Z_BUF_ERROR ? BURNISH_INFLATE_MORE : BURNISH_INFLATE_DAMAGED;
+}
+
+uint32_t burnish_inflate_crc32(uint32_t crc, const uint8_t *bytes, size_t size) {
+    return (uint32_t)crc32_z(crc, bytes, size);
 }

@@ -72,11 +72,34 @@ static burnish_status make_image(const burnish_encoded *from, decoder *d, burnis
                                   image);
 }
 
+/* Whether all chunks up to IEND are there. libpng allocates what a chunk of text says that it is.
+ */
+static int is_whole(const decoder *d) {
+    enum { SIGNATURE = 8, FRAME = 12 }; /* of a chunk: length, type and sum */
+    const uint8_t *at = d->bytes + SIGNATURE;
+    size_t left = d->size > SIGNATURE ? d->size - SIGNATURE : 0;
+    while (left >= FRAME) {
+        const size_t length = png_get_uint_32(at);
+        if (length > left - FRAME) {
+            return 0;
+        }
+        if (memcmp(at + 4, "IEND", 4) == 0) {
+            return 1;
+        }
+        at += FRAME + length;
+        left -= FRAME + length;
+    }
+    return 0;
+}
+
 static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_memory *memory,
                              burnish_image *image, png_bytepp *rows) {
     if (setjmp(png_jmpbuf(d->png))) {
         return burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: no sound PNG: %s",
                             from->name, d->reason);
+    }
+    if (!is_whole(d)) {
+        png_error(d->png, "the file ends too early");
     }
     png_set_read_fn(d->png, d, take);
     png_set_user_limits(d->png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* ours say it in our words */

@@ -315,17 +315,13 @@ static burnish_status create(creation *c, const burnish_load_options *options,
     if (status == BURNISH_STATUS_OK) {
         status = copy_arrays(c, options);
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_mesh_build(&c->data, name, options, BURNISH_FORMAT_ARRAYS, mesh);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        const burnish_vec3 up = burnish_vec3_normalize(burnish_vec3_loadf(c->from->up_axis));
-        float *to = (*mesh)->view.up_axis;
-        to[0] = (float)up.x;
-        to[1] = (float)up.y;
-        to[2] = (float)up.z;
-    }
-    return status;
+    const burnish_vec3 up = burnish_vec3_normalize(burnish_vec3_loadf(c->from->up_axis));
+    c->data.up_axis[0] = (float)up.x;
+    c->data.up_axis[1] = (float)up.y;
+    c->data.up_axis[2] = (float)up.z;
+    return status == BURNISH_STATUS_OK
+               ? burnish_mesh_build(&c->data, name, options, BURNISH_FORMAT_ARRAYS, mesh)
+               : status;
 }
 
 burnish_status burnish_mesh_create(const burnish_mesh_description *description,

@@ -46,6 +46,7 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
     burnish_release(context, mesh->warnings);
     burnish_textures_release(context, mesh->textures, mesh->texture_count);
     release_cameras(context, mesh->cameras, mesh->camera_count);
+    burnish_release(context, mesh->lights);
     burnish_release(context, mesh->materials);
     burnish_release(context, mesh->triangle_materials);
     *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start};
@@ -78,6 +79,9 @@ burnish_status burnish_mesh_data_reserve_corners(burnish_mesh_data *mesh,
 void burnish_mesh_data_warn(burnish_mesh_data *mesh, const char *format, ...) {
     char line[WARNING_SIZE];
     va_list arguments;
+    if (mesh->is_silent) {
+        return;
+    }
     va_start(arguments, format);
     vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
@@ -149,6 +153,12 @@ static burnish_status check_options(const burnish_load_options *options, burnish
                             "options: animation_time %g is not in [0, 1e9] seconds or "
                             "BURNISH_AT_REST",
                             options->animation_time);
+    }
+    for (int k = 0; k < 3 && options->origin; ++k) {
+        if (!(options->origin[k] >= -1e30 && options->origin[k] <= 1e30)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "options: origin %g is not in [-1e30, 1e30]", options->origin[k]);
+        }
     }
     if (options->max_triangles > BURNISH_TRIANGLES_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -237,6 +247,7 @@ void burnish_mesh_destroy(burnish_mesh *mesh) {
         burnish_release(context, mesh->attributes[i]);
     }
     release_cameras(context, mesh->cameras, mesh->camera_count);
+    burnish_release(context, mesh->lights);
     burnish_textures_release(context, mesh->textures, mesh->texture_count);
     burnish_release(context, mesh->warnings);
     burnish_release(context, mesh->materials);
@@ -271,6 +282,14 @@ size_t burnish_mesh_camera_count(const burnish_mesh *mesh) {
 
 const burnish_named_camera *burnish_mesh_camera(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->camera_count ? &mesh->cameras[index] : NULL;
+}
+
+size_t burnish_mesh_light_count(const burnish_mesh *mesh) {
+    return mesh ? mesh->light_count : 0;
+}
+
+const burnish_file_light *burnish_mesh_light(const burnish_mesh *mesh, size_t index) {
+    return mesh && index < mesh->light_count ? &mesh->lights[index] : NULL;
 }
 
 /* ---- materials ---- */

@@ -54,6 +54,8 @@ typedef struct burnish_mesh_data {
     burnish_stream streams[BURNISH_ATTRIBUTE_COUNT];
     size_t triangle_count;
     size_t point_count, line_count; /* that triangles stand for */
+    float up_axis[3];               /* unit length; all 0: the format's */
+    const char *unit;               /* burnish_mesh_info.unit */
 
     uint16_t *triangle_materials; /* 1 per triangle, in range; NULL: all have material 0 */
     size_t triangle_material_capacity;
@@ -67,8 +69,14 @@ typedef struct burnish_mesh_data {
     burnish_named_camera *cameras; /* with their names, which are owned */
     size_t camera_count, camera_capacity;
 
+    burnish_file_light *lights;
+    size_t light_count, light_capacity;
+
     char **warnings;
     size_t warning_count, warning_capacity;
+    int is_silent; /* 1: warnings have been told, by an earlier reading */
+
+    double origin[3]; /* of the positions, in the file's coordinates: burnish_mesh_view.origin */
 
     burnish_memory memory; /* where all arrays come from, and whom errors are told */
     burnish_tasks *tasks;  /* of the load call, not owned; NULL: the caller alone */
@@ -150,6 +158,9 @@ struct burnish_mesh {
     burnish_named_camera *cameras; /* with their names */
     size_t camera_count;
 
+    burnish_file_light *lights;
+    size_t light_count;
+
     char **warnings;
     size_t warning_count;
 };
@@ -175,7 +186,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
 
 /* What the ..._default() functions leave in `cookie`: the struct's name and version. One that was
  * not started from them is refused instead of being read as garbage. */
-#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6435u /* "lod5" */
+#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6436u /* "lod6" */
 #define BURNISH_DESCRIPTION_COOKIE 0x6d736832u  /* "msh2" */
 #define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
 

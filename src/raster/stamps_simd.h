@@ -192,7 +192,9 @@ BURNISH_INLINE void draw_stamp(burnish_tile *tile, const stamp_constants *consta
         vi_store_where(nearer, tile->buffer.ids + pixel, constants->id);
     }
     interpolate_stamp(tile, constants, planes, nearer, weight1, weight2, pixel);
-    mark_dirty(tile, pixel, vm_any(nearer));
+    if (planes > 0 || keep) { /* nobody asks for a depth map's blocks */
+        mark_dirty(tile, pixel, vm_any(nearer));
+    }
 }
 
 /* The stamps that some triangles may cover, triangle after triangle: with many triangles of a few

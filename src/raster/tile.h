@@ -94,6 +94,9 @@ typedef struct burnish_tile_primitives {
     size_t count, capacity;
 } burnish_tile_primitives;
 
+/* How often large triangles cover a picture before it pays to look for those that hide others. */
+#define BURNISH_TILE_OVERDRAWN 16.0
+
 enum {
     /* Primitives per sample that a tile holds before it evicts those that no sample shows: samples
      * show at most half of them. */
@@ -129,6 +132,7 @@ typedef struct burnish_tile {
     const burnish_float4 *attributes[2]; /* one item per screen vertex each; the second or NULL */
     burnish_tile_buffer buffer;
     burnish_hiz hiz;
+    int is_overdrawn; /* 1: large triangles cover the picture so often that HiZ looks ahead */
     burnish_tile_primitives primitives; /* with several samples */
     /* per batch, the caller's to set; bit i: triangle i is transparent. NULL: none is */
     const uint16_t *transparent;

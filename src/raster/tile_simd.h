@@ -3,6 +3,7 @@
 #define BURNISH_RASTER_TILE_SIMD_H
 
 #include "raster/large_simd.h"
+#include "raster/occluders_simd.h"
 #include "raster/stamps_simd.h"
 
 /* ---- HiZ ---- */
@@ -107,6 +108,20 @@ BURNISH_INLINE float hiz_reduce(const float *depths, int samples) {
     return lanes[0];
 }
 
+/* The least of each 2 x 2 cells. */
+static void hiz_build_quads(burnish_hiz *hiz) {
+    enum { SIZE = BURNISH_HIZ_SIZE };
+    for (int y = 0; y < SIZE; ++y) {
+        const float *row = hiz->cells + y * SIZE, *below = y < SIZE - 1 ? row + SIZE : row;
+        for (int x = 0; x < SIZE; ++x) {
+            const int next = x < SIZE - 1 ? x + 1 : x;
+            const float first = row[x] < row[next] ? row[x] : row[next];
+            const float second = below[x] < below[next] ? below[x] : below[next];
+            hiz->quads[y * SIZE + x] = first < second ? first : second;
+        }
+    }
+}
+
 static void hiz_build(burnish_tile *tile) {
     enum { SIZE = BURNISH_HIZ_SIZE, CELL = BURNISH_HIZ_PIXELS / BURNISH_BLOCK_SIZE };
     const int samples = tile->options.samples, size = samples * BURNISH_BLOCK_PIXELS;
@@ -117,15 +132,7 @@ static void hiz_build(burnish_tile *tile) {
             cells[y * SIZE + x] = hiz_reduce(tile->buffer.depths + block * size, samples);
         }
     }
-    for (int y = 0; y < SIZE; ++y) {
-        const float *row = cells + y * SIZE, *below = y < SIZE - 1 ? row + SIZE : row;
-        for (int x = 0; x < SIZE; ++x) {
-            const int next = x < SIZE - 1 ? x + 1 : x;
-            const float first = row[x] < row[next] ? row[x] : row[next];
-            const float second = below[x] < below[next] ? below[x] : below[next];
-            tile->hiz.quads[y * SIZE + x] = first < second ? first : second;
-        }
-    }
+    hiz_build_quads(&tile->hiz);
 }
 
 /* ---- Primitives, with several samples ---- */
@@ -376,6 +383,20 @@ static size_t select_opaque(burnish_tile *tile, int are_layers, burnish_bin_entr
     return kept;
 }
 
+/* Looks for large triangles that hide others of the same part of a list; returns whether there are
+ * some. */
+static int hiz_fill(burnish_tile *tile, const burnish_geometry *geometry, unsigned back,
+                    burnish_bin_entry *entries, size_t count) {
+    occluders found;
+    find_occluders(tile, geometry, back, entries, count, &found);
+    if (found.count < OCCLUDERS_LEAST) {
+        return 0;
+    }
+    fill_cells(tile, geometry, &found, back);
+    hiz_build_quads(&tile->hiz);
+    return 1;
+}
+
 /* Draws a list. Triangles that HiZ hides are left out: it is built every HIZ_AGE triangles, and at
  * once where others have been drawn before. */
 static void draw_list(burnish_tile *tile, const burnish_geometry *geometry,
@@ -393,6 +414,9 @@ static void draw_list(burnish_tile *tile, const burnish_geometry *geometry,
             hiz_build(tile);
             has_hiz = 1;
             age = 0;
+        }
+        if (tile->is_overdrawn && !are_layers) {
+            has_hiz |= hiz_fill(tile, geometry, back, part, count);
         }
         if (has_hiz) {
             count = hiz_cull(tile, geometry, part, count);

@@ -66,11 +66,20 @@ typedef struct map_context {
     uint16_t *depths;
 } map_context;
 
+/* Depths are below 0 where nothing is. They are compared by their bits, which have the same order
+ * from 0 on: whole numbers let compilers use vectors. */
+static uint16_t code_of_depth(float depth) {
+    int32_t bits;
+    memcpy(&bits, &depth, sizeof bits);
+    bits = bits > 0 ? bits : 0;
+    memcpy(&depth, &bits, sizeof depth);
+    return (uint16_t)(int32_t)(depth * (float)BURNISH_MAP_CODES + 0.5f);
+}
+
 static void store_tile(const burnish_tile *tile, uint16_t *depths, size_t size) {
     uint16_t codes[BURNISH_TILE_PIXELS];
     for (int i = 0; i < BURNISH_TILE_PIXELS; ++i) {
-        const float depth = tile->buffer.depths[i]; /* below 0 where nothing is */
-        codes[i] = (uint16_t)(int)((depth > 0 ? depth : 0) * (float)BURNISH_MAP_CODES + 0.5f);
+        codes[i] = code_of_depth(tile->buffer.depths[i]);
     }
     for (int y = 0; y < tile->height; ++y) {
         uint16_t *to = depths + (size_t)(tile->y + y) * size + tile->x;

@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "core/srgb.h"
-
 /* ---- Levels of textures ---- */
 
 static void release_levels(burnish_texturing *texturing, const burnish_context *context) {
@@ -50,17 +48,13 @@ static const burnish_texture_levels *levels_for(burnish_texturing *texturing,
 
 /* ---- Materials ---- */
 
-static void set_sampler(const burnish_texturing *texturing, const burnish_texture_use *use,
-                        const burnish_texture_levels *levels, const burnish_texture *texture,
-                        int slot, int is_weighted, burnish_texture_sampler *sampler) {
+static void set_sampler(const burnish_texture_use *use, const burnish_texture_levels *levels,
+                        burnish_texture_sampler *sampler) {
     static const float identity[6] = {1, 0, 0, 0, 1, 0};
-    const int is_color = texture->is_color && slot != BURNISH_TEXTURE_NORMAL;
     sampler->levels = levels;
-    sampler->codes = is_color ? burnish_srgb_to_linear : texturing->numbers;
     sampler->wrap[0] = use->wrap[0];
     sampler->wrap[1] = use->wrap[1];
     sampler->is_nearest = use->is_nearest;
-    sampler->is_weighted = is_weighted && levels->least[3] < 255;
     memcpy(sampler->transform, use->has_transform ? use->transform : identity, sizeof identity);
 }
 
@@ -89,9 +83,7 @@ static burnish_status set_material(burnish_texturing *texturing, const burnish_m
             return memory->status != BURNISH_STATUS_OK ? memory->status
                                                        : burnish_tasks_check(tasks, memory->error);
         }
-        set_sampler(texturing, use, levels, burnish_mesh_texture(mesh, (size_t)use->texture - 1),
-                    slot, slot == BURNISH_TEXTURE_COLOR && from->alpha_mode != BURNISH_ALPHA_IGNORE,
-                    &to->samplers[slot]);
+        set_sampler(use, levels, &to->samplers[slot]);
         to->has_textures = 1;
         to->is_varied |= slot != BURNISH_TEXTURE_COLOR && slot != BURNISH_TEXTURE_OPACITY &&
                          slot != BURNISH_TEXTURE_EMISSIVE;
@@ -151,9 +143,6 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing, const burn
         return BURNISH_STATUS_OK;
     }
     texturing->mesh = burnish_mesh_get_view(mesh);
-    for (int i = 0; i < 256; ++i) {
-        texturing->numbers[i] = (float)i / 255.0f;
-    }
     texturing->materials =
         burnish_reserve_discard(memory, texturing->materials, &texturing->material_capacity, count,
                                 sizeof *texturing->materials, "materials");

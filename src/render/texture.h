@@ -16,12 +16,26 @@
 /* A texture as a material uses it. */
 typedef struct burnish_texture_sampler {
     const burnish_texture_levels *levels; /* NULL: none */
-    const float *codes;                   /* what each of 256 codes means */
     int wrap[2];                          /* burnish_texture_wrap */
     int is_nearest;
-    int is_weighted;    /* 1: colours count as much as their alpha */
     float transform[6]; /* as burnish_texture_use has it */
 } burnish_texture_sampler;
+
+/* The texels that points are means of, by their index in burnish_texture_levels.texels: those on
+ * the left, the upper and the lower one, and the shares of those on their right and of the lower
+ * row. */
+enum { BURNISH_TEXTURE_BATCH = 256 };
+
+typedef struct burnish_texture_level_taps {
+    int32_t upper[BURNISH_TEXTURE_BATCH], lower[BURNISH_TEXTURE_BATCH];
+    float x[BURNISH_TEXTURE_BATCH], y[BURNISH_TEXTURE_BATCH];
+} burnish_texture_level_taps;
+
+typedef struct burnish_texture_taps {
+    burnish_texture_level_taps level[2];       /* the next larger and the next smaller one */
+    float share[BURNISH_TEXTURE_BATCH];        /* of the smaller one */
+    uint8_t has_second[BURNISH_TEXTURE_BATCH]; /* of each vector: it counts */
+} burnish_texture_taps;
 
 /* Where points lie in the image, and how that changes from a pixel to the one on its right and
  * the one above. */
@@ -61,7 +75,6 @@ typedef struct burnish_texturing {
     burnish_texture_levels *levels; /* BURNISH_TEXTURE_KIND_COUNT per texture */
     size_t levels_count;
     uint64_t serial; /* of the mesh that they are of; 0: of none */
-    float numbers[256];
     float slopes[BURNISH_EACH_TABLE], scales[BURNISH_EACH_TABLE]; /* burnish_point_materials */
     float least_exponent;
     burnish_lobe_spec lobe;       /* that these are of */
@@ -85,10 +98,8 @@ void burnish_texturing_destroy(burnish_texturing *texturing, const burnish_conte
 
 /* ---- Points ---- */
 
-enum { BURNISH_TEXTURE_BATCH = 256 };
-
-/* Triangles of points: corner 0 from the eye, its edges to the others, and the same in the image.
- */
+/* A triangle of points, one record of floats: corner 0 from the eye, its edges to the others, and
+ * the same in the image. */
 enum {
     BURNISH_CORNER_P,
     BURNISH_CORNER_E1 = 3,
@@ -96,15 +107,21 @@ enum {
     BURNISH_CORNER_UV = 9,
     BURNISH_CORNER_UV1 = 11,
     BURNISH_CORNER_UV2 = 13,
-    BURNISH_CORNER_STREAMS = 15
+    BURNISH_CORNER_FLOATS = 16
 };
+enum { BURNISH_TEXTURE_RECENT = 64 }; /* a power of two */
 
 typedef struct burnish_texture_scratch {
-    uint32_t ids[BURNISH_TEXTURE_BATCH]; /* id and facing of each point's triangle */
-    float corners[BURNISH_CORNER_STREAMS][BURNISH_TEXTURE_BATCH];
+    uint32_t ids[BURNISH_TEXTURE_BATCH];     /* id and facing of each point's triangle */
+    uint16_t records[BURNISH_TEXTURE_BATCH]; /* and its number in corners */
+    float corners[1 + BURNISH_TEXTURE_BATCH][BURNISH_CORNER_FLOATS];
+    uint32_t record_ids[1 + BURNISH_TEXTURE_BATCH];
+    uint16_t recent[BURNISH_TEXTURE_RECENT]; /* records by the low bits of their triangle */
     float weights[2][BURNISH_TEXTURE_BATCH]; /* barycentric, of corners 1 and 2 */
     float points[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH];
     float brought[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH]; /* of one material */
+    burnish_texture_taps taps;
+    const burnish_texture_sampler *taps_of; /* the use that taps are of; NULL: none */
     float sample[4][BURNISH_TEXTURE_BATCH];
     float normal[3][BURNISH_TEXTURE_BATCH], length[BURNISH_TEXTURE_BATCH];
     float ambient[3][BURNISH_TEXTURE_BATCH], diffuse[3][BURNISH_TEXTURE_BATCH];

@@ -184,8 +184,9 @@ static void reduce_rows(void *context, size_t first, size_t end) {
 }
 
 /* Level 0 of normals: unit vectors, whatever the image's alpha is. */
-static void normalize_texels(uint8_t *texels, size_t count) {
-    for (size_t i = 0; i < count; ++i) {
+static void normalize_texels(void *context, size_t first, size_t end) {
+    uint8_t *texels = context;
+    for (size_t i = first; i < end; ++i) {
         float vector[3];
         texels[4 * i + 3] = 255;
         load_normal(texels + 4 * i, vector);
@@ -212,7 +213,7 @@ static size_t lay_out(burnish_texture_levels *levels, int width, int height) {
         levels->offset[level] = (int32_t)total;
         levels->width[level] = width;
         levels->height[level] = height;
-        total += (size_t)width * (size_t)height;
+        total += ((size_t)width + 1) * (size_t)height;
         if (width == 1 && height == 1) {
             break;
         }
@@ -227,34 +228,96 @@ static size_t lay_out(burnish_texture_levels *levels, int width, int height) {
     return total;
 }
 
+/* ---- What the kernel reads ---- */
+
+/* A level's codes, and the 16-bit texels that they become. */
+typedef struct level_widening {
+    const uint8_t *from;
+    uint16_t *to;
+    int width;
+    int is_weighted;
+    uint16_t color[256], number[256];
+} level_widening;
+
+static void set_meanings(level_widening *widening, burnish_texture_kind kind) {
+    const int is_light = kind == BURNISH_TEXTURE_COLORS || kind == BURNISH_TEXTURE_WEIGHTED;
+    for (int i = 0; i < 256; ++i) {
+        const uint16_t number = (uint16_t)(i * (BURNISH_TEXEL_ONE / 255));
+        widening->number[i] = number;
+        widening->color[i] =
+            is_light ? (uint16_t)(burnish_srgb_to_linear[i] * (float)BURNISH_TEXEL_ONE + 0.5f)
+                     : number;
+    }
+}
+
+static void widen_row(const level_widening *widening, size_t y) {
+    const size_t width = (size_t)widening->width;
+    const uint8_t *from = widening->from + 4 * width * y;
+    uint16_t *to = widening->to + 4 * (width + 1) * y;
+    for (size_t i = 0; i < 4 * width; i += 4) {
+        const uint32_t alpha = from[i + 3];
+        for (size_t k = i; k < i + 3; ++k) {
+            const uint32_t color = widening->color[from[k]];
+            to[k] = (uint16_t)(widening->is_weighted ? (color * alpha + 127) / 255 : color);
+        }
+        to[i + 3] = widening->number[alpha];
+    }
+    memcpy(to + 4 * width, to, 4 * sizeof *to);
+}
+
+static void widen_rows(void *context, size_t first, size_t end) {
+    for (size_t y = first; y < end; ++y) {
+        widen_row(context, y);
+    }
+}
+
+/* Rows of `width` texels that are worth a task. */
+static size_t row_grain(int width) {
+    return 1 + 16384 / (size_t)width;
+}
+
+/* Fills levels from the codes of level 0; codes: room for those of all levels. */
+static void fill_levels(burnish_texture_levels *levels, uint8_t *codes, burnish_texture_kind kind,
+                        burnish_tasks *tasks) {
+    level_widening widening = {.is_weighted = levels->is_weighted};
+    set_meanings(&widening, kind);
+    for (int i = 0; i < levels->count; ++i) {
+        const int width = levels->width[i], height = levels->height[i];
+        uint8_t *next = codes + 4 * (size_t)width * (size_t)height;
+        widening.from = codes;
+        widening.to = levels->texels + 4 * (size_t)levels->offset[i];
+        widening.width = width;
+        burnish_tasks_ranges(tasks, (size_t)height, row_grain(width), widen_rows, &widening);
+        if (i + 1 < levels->count) {
+            level_step step = {
+                codes, next, width, height, levels->width[i + 1], levels->height[i + 1], kind};
+            burnish_tasks_ranges(tasks, (size_t)step.to_height, row_grain(step.to_width),
+                                 reduce_rows, &step);
+        }
+        codes = next;
+    }
+}
+
 burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
                                              const burnish_texture *texture,
                                              burnish_texture_kind kind, burnish_tasks *tasks,
                                              burnish_memory *memory) {
     const size_t count = (size_t)texture->width * (size_t)texture->height;
     const size_t total = lay_out(levels, texture->width, texture->height);
-    levels->texels = burnish_allocate(memory, total, sizeof *levels->texels, "texture levels");
-    if (!levels->texels) {
-        return memory->status;
+    uint8_t *codes = burnish_allocate(memory, total, 4, "codes of texture levels");
+    levels->texels = burnish_allocate(memory, total, 4 * sizeof *levels->texels, "texture levels");
+    if (levels->texels && codes) {
+        memcpy(codes, texture->pixels, 4 * count);
+        if (kind == BURNISH_TEXTURE_NORMALS) {
+            burnish_tasks_ranges(tasks, count, 16384, normalize_texels, codes);
+        }
+        find_least(levels, codes, count);
+        levels->is_weighted = kind == BURNISH_TEXTURE_WEIGHTED && levels->least[3] < 255;
+        fill_levels(levels, codes, kind, tasks);
     }
-    uint8_t *texels = (uint8_t *)levels->texels;
-    memcpy(texels, texture->pixels, 4 * count);
-    if (kind == BURNISH_TEXTURE_NORMALS) {
-        normalize_texels(texels, count);
-    }
-    find_least(levels, texels, count);
-    for (int i = 1; i < levels->count; ++i) {
-        level_step step = {texels + 4 * (size_t)levels->offset[i - 1],
-                           texels + 4 * (size_t)levels->offset[i],
-                           levels->width[i - 1],
-                           levels->height[i - 1],
-                           levels->width[i],
-                           levels->height[i],
-                           kind};
-        burnish_tasks_ranges(tasks, (size_t)step.to_height, 1 + 16384 / (size_t)step.to_width,
-                             reduce_rows, &step);
-    }
-    return burnish_tasks_check(tasks, memory->error);
+    burnish_release(memory->context, codes);
+    return memory->status != BURNISH_STATUS_OK ? memory->status
+                                               : burnish_tasks_check(tasks, memory->error);
 }
 
 void burnish_texture_levels_destroy(burnish_texture_levels *levels,

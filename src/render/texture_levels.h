@@ -21,13 +21,19 @@ typedef enum burnish_texture_kind {
     BURNISH_TEXTURE_KIND_COUNT
 } burnish_texture_kind;
 
+enum { BURNISH_TEXEL_ONE = 65535 }; /* what 1 is in levels: of light, or a number's code 255 */
+
 /* All zero: none. Owned. */
 typedef struct burnish_texture_levels {
-    int32_t *texels; /* all levels, one after another, rows from the top; bytes r, g, b, a */
-    /* Of each level; from count on, those of the last. */
+    /* All levels, one after another, rows from the top; r, g, b, a. Colours are linear light, which
+     * 16 bits hold to a twentieth of a step of sRGB's codes. A row ends with its first texel again,
+     * so that two neighbours are 16 bytes of memory whatever the wrap. */
+    uint16_t *texels;
+    /* Of each level, in texels; from count on, those of the last. A row has width + 1. */
     int32_t offset[BURNISH_TEXTURE_LEVELS_MAX];
     int32_t width[BURNISH_TEXTURE_LEVELS_MAX], height[BURNISH_TEXTURE_LEVELS_MAX];
     int count;
+    int is_weighted;  /* 1: colours are multiplied by alpha, which is below 1 somewhere */
     uint8_t least[4]; /* code of each channel in level 0 */
 } burnish_texture_levels;
 

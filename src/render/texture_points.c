@@ -5,42 +5,75 @@
 #include "render/texture.h"
 
 /* Corner 0 from the eye, in the raster's space, and the edges from it. */
-static void gather_corners(const burnish_texturing *texturing, const uint32_t *vertices, int at,
-                           float (*corners)[BURNISH_TEXTURE_BATCH]) {
+static void fill_record(const burnish_texturing *texturing, const uint32_t *vertices,
+                        float *record) {
     const burnish_mesh_view *mesh = texturing->mesh;
     const float *p = mesh->positions + 3 * (size_t)vertices[0];
     const float *uv = mesh->texture_coordinates + 2 * (size_t)vertices[0];
     for (int k = 0; k < 3; ++k) {
-        corners[BURNISH_CORNER_P + k][at] =
+        record[BURNISH_CORNER_P + k] =
             (float)(((double)p[k] - texturing->origin[k]) * texturing->scale - texturing->eye[k]);
     }
-    corners[BURNISH_CORNER_UV][at] = uv[0];
-    corners[BURNISH_CORNER_UV + 1][at] = uv[1];
+    record[BURNISH_CORNER_UV] = uv[0];
+    record[BURNISH_CORNER_UV + 1] = uv[1];
     for (int edge = 0; edge < 2; ++edge) {
         const float *end = mesh->positions + 3 * (size_t)vertices[edge + 1];
         const float *end_uv = mesh->texture_coordinates + 2 * (size_t)vertices[edge + 1];
         for (int k = 0; k < 3; ++k) {
-            corners[BURNISH_CORNER_E1 + 3 * edge + k][at] =
+            record[BURNISH_CORNER_E1 + 3 * edge + k] =
                 (float)(((double)end[k] - (double)p[k]) * texturing->scale);
         }
-        corners[BURNISH_CORNER_UV1 + 2 * edge][at] = end_uv[0] - uv[0];
-        corners[BURNISH_CORNER_UV1 + 2 * edge + 1][at] = end_uv[1] - uv[1];
+        record[BURNISH_CORNER_UV1 + 2 * edge] = end_uv[0] - uv[0];
+        record[BURNISH_CORNER_UV1 + 2 * edge + 1] = end_uv[1] - uv[1];
     }
 }
 
-/* Points without an image get 0. */
-static void clear_corners(int at, float (*corners)[BURNISH_TEXTURE_BATCH]) {
-    for (int k = 0; k < BURNISH_CORNER_STREAMS; ++k) {
-        corners[k][at] = 0;
+enum { GROUP = 16 }; /* points; a row of blocks is a multiple */
+
+/* Whether all points of a group show the triangle and material of the first. */
+static int is_uniform(const uint32_t *ids, const int32_t *materials) {
+    uint32_t different = 0;
+    for (int i = 1; i < GROUP; ++i) {
+        different |= ids[i] ^ ids[0];
     }
+    for (int i = 1; i < (materials ? GROUP : 0); ++i) {
+        different |= (uint32_t)(materials[i] ^ materials[0]);
+    }
+    return different == 0;
 }
 
-/* Points up to `end` are of the same triangle. */
-static void repeat_corners(int first, int end, float (*corners)[BURNISH_TEXTURE_BATCH]) {
-    for (int k = 0; k < BURNISH_CORNER_STREAMS; ++k) {
-        const float value = corners[k][first];
-        for (int i = first + 1; i < end; ++i) {
-            corners[k][i] = value;
+/* The record of a triangle: one of the last ones, as blocks show the same few triangles row after
+ * row, or record *used. */
+static uint16_t record_of(const burnish_texturing *texturing, uint32_t id, int *used,
+                          burnish_texture_scratch *scratch) {
+    uint16_t *recent = &scratch->recent[(id >> 1) % BURNISH_TEXTURE_RECENT];
+    if (*recent == 0 || *recent >= *used || scratch->record_ids[*recent] != id) {
+        scratch->record_ids[*used] = id;
+        fill_record(texturing, texturing->mesh->indices + 3 * (size_t)(id >> 1),
+                    scratch->corners[*used]);
+        *recent = (uint16_t)(*used)++;
+    }
+    return *recent;
+}
+
+/* Record 0 is of points without an image. */
+static void find_records(const burnish_texturing *texturing, const int32_t *materials, int count,
+                         burnish_texture_scratch *scratch) {
+    int used = 1;
+    memset(scratch->corners[0], 0, sizeof scratch->corners[0]);
+    for (int first = 0; first < count; first += GROUP) {
+        const uint32_t *ids = scratch->ids + first;
+        const int32_t *shown = materials ? materials + first : NULL;
+        uint16_t *records = scratch->records + first;
+        const int size = count - first < GROUP ? count - first : GROUP;
+        const int step = size == GROUP && is_uniform(ids, shown) ? GROUP : 1;
+        for (int i = 0; i < size; i += step) {
+            records[i] = texturing->materials[shown ? shown[i] : 0].has_textures
+                             ? record_of(texturing, ids[i], &used, scratch)
+                             : 0;
+        }
+        for (int i = step == GROUP ? 1 : size; i < GROUP; ++i) { /* whole vectors are read */
+            records[i] = step == GROUP ? records[0] : 0;
         }
     }
 }
@@ -65,31 +98,14 @@ void burnish_texture_locate(const burnish_texturing *texturing, const burnish_is
                             const burnish_rays *rays, const burnish_screen_points *points,
                             const int32_t *materials, int count, burnish_texture_scratch *scratch) {
     const uint32_t *ids = scratch->ids;
-    const float *from[BURNISH_CORNER_STREAMS];
     float *to[BURNISH_TEXTURE_TANGENT];
     float *const weights[2] = {scratch->weights[0], scratch->weights[1]};
-    for (int i = 0, end; i < count; i = end) {
-        const int material = materials ? materials[i] : 0;
-        for (end = i + 1; end < count && ids[end] == ids[i]; ++end) {
-        }
-        if (texturing->materials[material].has_textures) {
-            gather_corners(texturing, texturing->mesh->indices + 3 * (size_t)(ids[i] >> 1), i,
-                           scratch->corners);
-        } else {
-            clear_corners(i, scratch->corners);
-        }
-        repeat_corners(i, end, scratch->corners);
-    }
-    for (int i = count; i % 16; ++i) { /* whole vectors are read */
-        clear_corners(i, scratch->corners);
-    }
-    for (int k = 0; k < BURNISH_CORNER_STREAMS; ++k) {
-        from[k] = scratch->corners[k];
-    }
+    find_records(texturing, materials, count, scratch);
     for (int k = 0; k < BURNISH_TEXTURE_TANGENT; ++k) {
         to[k] = scratch->points[k];
     }
-    ops->locate_points(rays, points, from, (size_t)count, to, weights);
+    ops->locate_points(rays, points, scratch->corners[0], scratch->records, (size_t)count, to,
+                       weights);
     for (int i = 0; i < count && texturing->needs_tangents; ++i) {
         if (texturing->materials[materials ? materials[i] : 0].has_normals) {
             interpolate_tangents(texturing, ids[i], i, scratch);

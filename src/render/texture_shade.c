@@ -7,15 +7,28 @@ static int padded_count(int count) {
     return (count + 15) / 16 * 16;
 }
 
+/* Whether points lie at the same texels in both. */
+static int same_taps(const burnish_texture_sampler *a, const burnish_texture_sampler *b) {
+    return a->levels->width[0] == b->levels->width[0] &&
+           a->levels->height[0] == b->levels->height[0] && a->wrap[0] == b->wrap[0] &&
+           a->wrap[1] == b->wrap[1] && a->is_nearest == b->is_nearest &&
+           memcmp(a->transform, b->transform, sizeof a->transform) == 0;
+}
+
 /* Samples a slot into scratch->sample; returns 0 where the material has no such texture. */
 static int sample(const burnish_textured_material *material, int slot, const burnish_isa_ops *ops,
                   const float *const *streams, int count, burnish_texture_scratch *scratch) {
+    const burnish_texture_sampler *sampler = &material->samplers[slot];
     float *const out[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
                            scratch->sample[3]};
-    if (!material->samplers[slot].levels) {
+    if (!sampler->levels) {
         return 0;
     }
-    ops->sample_texture(&material->samplers[slot], streams, (size_t)count, out);
+    if (!scratch->taps_of || !same_taps(sampler, scratch->taps_of)) {
+        ops->find_taps(sampler, streams, (size_t)count, &scratch->taps);
+        scratch->taps_of = sampler;
+    }
+    ops->sample_texture(sampler->levels, &scratch->taps, (size_t)count, out);
     return 1;
 }
 
@@ -204,6 +217,7 @@ void burnish_texture_shade(const burnish_texturing *texturing, const burnish_isa
                            int count, burnish_texture_scratch *scratch, float *const rgb[3]) {
     const burnish_textured_material *material = &texturing->materials[number];
     const int all = padded_count(count); /* arrays are readable up to there */
+    scratch->taps_of = NULL;
     find_color(material, ops, points, streams, all, scratch);
     if (!rgb) {
         return;

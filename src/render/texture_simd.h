@@ -11,13 +11,6 @@
 /* Coordinates beyond it have no bits left for texels. */
 #define TEXTURE_REACH 0x1p20f
 
-/* The channels of a texel, whose bytes are r, g, b, a in memory. */
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-enum { TEXEL_R = 24, TEXEL_G = 16, TEXEL_B = 8, TEXEL_A = 0 };
-#else
-enum { TEXEL_R = 0, TEXEL_G = 8, TEXEL_B = 16, TEXEL_A = 24 };
-#endif
-
 BURNISH_INLINE vf texture_dot(const vf a[3], const vf b[3]) {
     return vf_add(vf_add(vf_mul(a[0], b[0]), vf_mul(a[1], b[1])), vf_mul(a[2], b[2]));
 }
@@ -112,15 +105,27 @@ BURNISH_INLINE texture_linear texture_divide(texture_linear numerator, texture_l
     return weight;
 }
 
+/* The records of LANES points, number by number. */
+BURNISH_INLINE void texture_load_records(const float *corners, const uint16_t *records,
+                                         vf out[BURNISH_CORNER_FLOATS]) {
+    const void *from[LANES];
+    for (int k = 0; k < BURNISH_CORNER_FLOATS; k += 4) {
+        for (int lane = 0; lane < LANES; ++lane) {
+            from[lane] = corners + BURNISH_CORNER_FLOATS * (size_t)records[lane] + k;
+        }
+        vf_load_aos4(from, out + k);
+    }
+}
+
 static void locate_points(const burnish_rays *rays, const burnish_screen_points *points,
-                          const float *const *triangles, size_t count, float *const *streams,
-                          float *const weights[2]) {
+                          const float *corners, const uint16_t *records, size_t count,
+                          float *const *streams, float *const weights[2]) {
     for (size_t i = 0; i < count; i += LANES) {
-        vf s[3], e1[3], e2[3];
+        vf record[BURNISH_CORNER_FLOATS], s[3];
+        texture_load_records(corners, records + i, record);
+        const vf *e1 = record + BURNISH_CORNER_E1, *e2 = record + BURNISH_CORNER_E2;
         for (int k = 0; k < 3; ++k) {
-            s[k] = vf_sub(vf_set(0.0f), vf_load(triangles[BURNISH_CORNER_P + k] + i));
-            e1[k] = vf_load(triangles[BURNISH_CORNER_E1 + k] + i);
-            e2[k] = vf_load(triangles[BURNISH_CORNER_E2 + k] + i);
+            s[k] = vf_sub(vf_set(0.0f), record[BURNISH_CORNER_P + k]);
         }
         const vf x = vf_add(vf_set(points->x), vf_load(points->x_offset + i));
         const vf y = vf_add(vf_set(points->y), vf_load(points->y_offset + i));
@@ -132,9 +137,9 @@ static void locate_points(const burnish_rays *rays, const burnish_screen_points 
         const texture_linear first = texture_divide(meeting.first, meeting.determinant, inverse);
         const texture_linear second = texture_divide(meeting.second, meeting.determinant, inverse);
         for (int k = 0; k < 2; ++k) {
-            const vf along1 = vf_load(triangles[BURNISH_CORNER_UV1 + k] + i);
-            const vf along2 = vf_load(triangles[BURNISH_CORNER_UV2 + k] + i);
-            const vf from = vf_load(triangles[BURNISH_CORNER_UV + k] + i);
+            const vf along1 = record[BURNISH_CORNER_UV1 + k];
+            const vf along2 = record[BURNISH_CORNER_UV2 + k];
+            const vf from = record[BURNISH_CORNER_UV + k];
             vf_store(streams[k] + i,
                      vf_add(from, vf_add(vf_mul(first.at, along1), vf_mul(second.at, along2))));
             vf_store(streams[2 + k] + i, vf_add(vf_mul(first.x, along1), vf_mul(second.x, along2)));
@@ -188,54 +193,26 @@ BURNISH_INLINE texture_side texture_find(vf u, vi size, int wrap) {
     if (wrap == BURNISH_WRAP_REPEAT) {
         side.first = vi_blend(vi_not_negative(side.first), side.first, last);
         side.second = vi_blend(vi_greater(side.second, last), zero, side.second);
+    } else { /* next to the edge there is one texel */
+        side.share = vf_and_mask(vi_not_negative(side.first), side.share);
+        side.share = vf_and_mask(vi_greater(last, side.first), side.share);
     }
     side.first = vi_min(vi_max(side.first, zero), last);
     side.second = vi_min(vi_max(side.second, zero), last);
     return side;
 }
 
-/* A texel's channels, by what codes mean; colours times alpha where they are weighted. */
-BURNISH_INLINE void texture_fetch(const burnish_texture_sampler *sampler, vi index, vf out[4]) {
-    const vi word = vi_gather(sampler->levels->texels, index), mask = vi_set(255);
-    out[0] = vf_gather(sampler->codes, vi_and(vi_shr(word, TEXEL_R), mask));
-    out[1] = vf_gather(sampler->codes, vi_and(vi_shr(word, TEXEL_G), mask));
-    out[2] = vf_gather(sampler->codes, vi_and(vi_shr(word, TEXEL_B), mask));
-    out[3] = vf_mul(vf_from_int(vi_and(vi_shr(word, TEXEL_A), mask)), vf_set(1.0f / 255));
-    if (sampler->is_weighted) {
-        for (int k = 0; k < 3; ++k) {
-            out[k] = vf_mul(out[k], out[3]);
-        }
-    }
-}
+/* The first 16 bits of each lane in memory, and the others. */
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+#define TEXTURE_FIRST(x) vi_shr(x, 16)
+#define TEXTURE_OTHER(x) vi_and(x, vi_set(0xffff))
+#else
+#define TEXTURE_FIRST(x) vi_and(x, vi_set(0xffff))
+#define TEXTURE_OTHER(x) vi_shr(x, 16)
+#endif
 
 BURNISH_INLINE vf texture_mix(vf a, vf b, vf share) {
     return vf_add(a, vf_mul(share, vf_sub(b, a)));
-}
-
-/* The texels around (u, v) in each lane's level. nearest: where it holds, the nearest alone. */
-BURNISH_INLINE void texture_bilinear(const burnish_texture_sampler *sampler, vf u, vf v, vi level,
-                                     vm nearest, vf out[4]) {
-    const burnish_texture_levels *levels = sampler->levels;
-    const vi width = vi_gather(levels->width, level), height = vi_gather(levels->height, level);
-    const vi offset = vi_gather(levels->offset, level);
-    texture_side x = texture_find(u, width, sampler->wrap[0]);
-    texture_side y = texture_find(v, height, sampler->wrap[1]);
-    if (sampler->is_nearest) {
-        const vf half = vf_set(0.5f), one = vf_set(1.0f);
-        x.share = vf_blend(nearest, vf_and_mask(vf_greater(x.share, half), one), x.share);
-        y.share = vf_blend(nearest, vf_and_mask(vf_greater(y.share, half), one), y.share);
-    }
-    const vi top = vi_add(offset, vi_mul(y.first, width));
-    const vi bottom = vi_add(offset, vi_mul(y.second, width));
-    vf a[4], b[4], c[4], d[4];
-    texture_fetch(sampler, vi_add(top, x.first), a);
-    texture_fetch(sampler, vi_add(top, x.second), b);
-    texture_fetch(sampler, vi_add(bottom, x.first), c);
-    texture_fetch(sampler, vi_add(bottom, x.second), d);
-    for (int k = 0; k < 4; ++k) {
-        out[k] = texture_mix(texture_mix(a[k], b[k], x.share), texture_mix(c[k], d[k], x.share),
-                             y.share);
-    }
 }
 
 /* Base-2 logarithm of the longer of a pixel's two sides in texels of level 0, within the levels. */
@@ -250,48 +227,109 @@ BURNISH_INLINE vf texture_level(const burnish_texture_levels *levels, const vf c
     return vf_min(vf_max(level, vf_set(0.0f)), vf_set((float)(levels->count - 1)));
 }
 
-BURNISH_INLINE void texture_vector(const burnish_texture_sampler *sampler,
-                                   const float *const *streams, size_t i, vf out[4]) {
+/* The texels around (u, v) in each lane's level. nearest: where it holds, the nearest alone. */
+BURNISH_INLINE void texture_find_taps(const burnish_texture_sampler *sampler, vf u, vf v, vi level,
+                                      vm nearest, size_t i, burnish_texture_level_taps *taps) {
+    const burnish_texture_levels *levels = sampler->levels;
+    const vi width = vi_gather16(levels->width, level), height = vi_gather16(levels->height, level);
+    const vi offset = vi_gather16(levels->offset, level), stride = vi_add(width, vi_set(1));
+    texture_side x = texture_find(u, width, sampler->wrap[0]);
+    texture_side y = texture_find(v, height, sampler->wrap[1]);
+    if (sampler->is_nearest) {
+        const vf half = vf_set(0.5f), one = vf_set(1.0f);
+        x.share = vf_blend(nearest, vf_and_mask(vf_greater(x.share, half), one), x.share);
+        y.share = vf_blend(nearest, vf_and_mask(vf_greater(y.share, half), one), y.share);
+    }
+    const vi left = vi_add(offset, x.first);
+    vi_store(taps->upper + i, vi_add(left, vi_mul(y.first, stride)));
+    vi_store(taps->lower + i, vi_add(left, vi_mul(y.second, stride)));
+    vf_store(taps->x + i, x.share);
+    vf_store(taps->y + i, y.share);
+}
+
+static void find_taps(const burnish_texture_sampler *sampler, const float *const *streams,
+                      size_t count, burnish_texture_taps *taps) {
     const float *t = sampler->transform;
     const vf zero = vf_set(0.0f);
-    vf from[6], to[6];
-    for (int k = 0; k < 6; ++k) {
-        from[k] = vf_load(streams[k] + i);
-    }
-    for (int k = 0; k < 6; k += 2) {
-        to[k] = vf_add(vf_mul(vf_set(t[0]), from[k]), vf_mul(vf_set(t[1]), from[k + 1]));
-        to[k + 1] = vf_add(vf_mul(vf_set(t[3]), from[k]), vf_mul(vf_set(t[4]), from[k + 1]));
-    }
-    const vf u = texture_wrap(vf_add(to[0], vf_set(t[2])), sampler->wrap[0]);
-    const vf v = texture_wrap(vf_sub(vf_set(1.0f), vf_add(to[1], vf_set(t[5]))), sampler->wrap[1]);
-    const vf level = texture_level(sampler->levels, to + 2);
-    const vm is_small = vf_greater(level, zero);
-    const vf floor = vf_max(texture_floor(level), zero);
-    const vf share = vf_sub(level, floor);
-    const vi first = texture_integer(floor);
-    texture_bilinear(sampler, u, v, first, vm_not(is_small), out);
-    if (vm_any(is_small)) {
-        vf second[4];
-        const vi next = vi_min(vi_add(first, vi_set(1)), vi_set(BURNISH_TEXTURE_LEVELS_MAX - 1));
-        texture_bilinear(sampler, u, v, next, vm_not(is_small), second);
-        for (int k = 0; k < 4; ++k) {
-            out[k] = vf_blend(is_small, texture_mix(out[k], second[k], share), out[k]);
+    for (size_t i = 0; i < count; i += LANES) {
+        vf from[6], to[6];
+        for (int k = 0; k < 6; ++k) {
+            from[k] = vf_load(streams[k] + i);
         }
-    }
-    if (sampler->is_weighted) {
-        const vm is_seen = vf_greater(out[3], zero);
-        const vf alpha = vf_blend(is_seen, out[3], vf_set(1.0f));
-        for (int k = 0; k < 3; ++k) {
-            out[k] = vf_and_mask(is_seen, vf_div(out[k], alpha));
+        for (int k = 0; k < 6; k += 2) {
+            to[k] = vf_add(vf_mul(vf_set(t[0]), from[k]), vf_mul(vf_set(t[1]), from[k + 1]));
+            to[k + 1] = vf_add(vf_mul(vf_set(t[3]), from[k]), vf_mul(vf_set(t[4]), from[k + 1]));
+        }
+        const vf u = texture_wrap(vf_add(to[0], vf_set(t[2])), sampler->wrap[0]);
+        const vf v =
+            texture_wrap(vf_sub(vf_set(1.0f), vf_add(to[1], vf_set(t[5]))), sampler->wrap[1]);
+        const vf level = texture_level(sampler->levels, to + 2);
+        const vm is_small = vf_greater(level, zero);
+        const vf floor = vf_max(texture_floor(level), zero);
+        const vi first = texture_integer(floor);
+        texture_find_taps(sampler, u, v, first, vm_not(is_small), i, &taps->level[0]);
+        vf_store(taps->share + i, vf_sub(level, floor));
+        taps->has_second[i / LANES] = (uint8_t)vm_any(is_small);
+        if (vm_any(is_small)) {
+            const vi next =
+                vi_min(vi_add(first, vi_set(1)), vi_set(BURNISH_TEXTURE_LEVELS_MAX - 1));
+            texture_find_taps(sampler, u, v, next, vm_not(is_small), i, &taps->level[1]);
         }
     }
 }
 
-static void sample_texture(const burnish_texture_sampler *sampler, const float *const *streams,
+/* The mean of texels and their right neighbours, in units of 1 / BURNISH_TEXEL_ONE. */
+BURNISH_INLINE void texture_row(const uint16_t *texels, const int32_t *indices, vf share,
+                                vf out[4]) {
+    const void *from[LANES];
+    vf pairs[4];
+    for (int lane = 0; lane < LANES; ++lane) {
+        from[lane] = texels + 4 * (size_t)indices[lane];
+    }
+    vf_load_aos4(from, pairs);
+    for (int k = 0; k < 2; ++k) {
+        const vi left = vf_bits(pairs[k]), right = vf_bits(pairs[2 + k]);
+        out[2 * k] =
+            texture_mix(vf_from_int(TEXTURE_FIRST(left)), vf_from_int(TEXTURE_FIRST(right)), share);
+        out[2 * k + 1] =
+            texture_mix(vf_from_int(TEXTURE_OTHER(left)), vf_from_int(TEXTURE_OTHER(right)), share);
+    }
+}
+
+BURNISH_INLINE void texture_bilinear(const uint16_t *texels, const burnish_texture_level_taps *taps,
+                                     size_t i, vf out[4]) {
+    const vf x = vf_load(taps->x + i), y = vf_load(taps->y + i);
+    vf lower[4];
+    texture_row(texels, taps->upper + i, x, out);
+    texture_row(texels, taps->lower + i, x, lower);
+    for (int k = 0; k < 4; ++k) {
+        out[k] = texture_mix(out[k], lower[k], y);
+    }
+}
+
+static void sample_texture(const burnish_texture_levels *levels, const burnish_texture_taps *taps,
                            size_t count, float *const out[4]) {
     for (size_t i = 0; i < count; i += LANES) {
         vf texel[4];
-        texture_vector(sampler, streams, i, texel);
+        texture_bilinear(levels->texels, &taps->level[0], i, texel);
+        if (taps->has_second[i / LANES]) {
+            const vf share = vf_load(taps->share + i);
+            vf second[4];
+            texture_bilinear(levels->texels, &taps->level[1], i, second);
+            for (int k = 0; k < 4; ++k) {
+                texel[k] = texture_mix(texel[k], second[k], share);
+            }
+        }
+        for (int k = 0; k < 4; ++k) {
+            texel[k] = vf_mul(texel[k], vf_set(1.0f / (float)BURNISH_TEXEL_ONE));
+        }
+        if (levels->is_weighted) {
+            const vm is_seen = vf_greater(texel[3], vf_set(0.0f));
+            const vf alpha = vf_blend(is_seen, texel[3], vf_set(1.0f));
+            for (int k = 0; k < 3; ++k) {
+                texel[k] = vf_and_mask(is_seen, vf_div(texel[k], alpha));
+            }
+        }
         for (int k = 0; k < 4; ++k) {
             vf_store(out[k] + i, texel[k]);
         }

@@ -26,7 +26,9 @@ struct burnish_screen_vertices;
 struct burnish_shadow_lookup;
 struct burnish_silhouette;
 struct burnish_srgb_encoder;
+struct burnish_texture_levels;
 struct burnish_texture_sampler;
+struct burnish_texture_taps;
 struct burnish_tile;
 struct burnish_triangle_batch;
 
@@ -139,16 +141,23 @@ typedef struct burnish_isa_ops {
                           const burnish_screen_points *points, size_t count, float *shadow);
 
     /* Where count points of the screen lie in the images of their triangles: the first six of
-     * BURNISH_TEXTURE_STREAMS, and the weights of corners 1 and 2. triangles:
-     * BURNISH_CORNER_STREAMS. Reads and writes whole vectors. */
+     * BURNISH_TEXTURE_STREAMS, and the weights of corners 1 and 2.
+     *   corners  records of BURNISH_CORNER_FLOATS
+     *   records  the number of each point's
+     * Reads and writes whole vectors. */
     void (*locate_points)(const burnish_rays *rays, const burnish_screen_points *points,
-                          const float *const *triangles, size_t count, float *const *streams,
-                          float *const weights[2]);
+                          const float *corners, const uint16_t *records, size_t count,
+                          float *const *streams, float *const weights[2]);
 
-    /* What a texture holds at count points: red, green, blue, alpha. streams: the first six of
-     * BURNISH_TEXTURE_STREAMS. Reads and writes whole vectors. */
-    void (*sample_texture)(const struct burnish_texture_sampler *sampler,
-                           const float *const *streams, size_t count, float *const out[4]);
+    /* Which texels count points are means of. streams: the first six of BURNISH_TEXTURE_STREAMS.
+     * Reads and writes whole vectors. */
+    void (*find_taps)(const struct burnish_texture_sampler *sampler, const float *const *streams,
+                      size_t count, struct burnish_texture_taps *taps);
+
+    /* What a texture holds there: red, green, blue, alpha. Reads and writes whole vectors. */
+    void (*sample_texture)(const struct burnish_texture_levels *levels,
+                           const struct burnish_texture_taps *taps, size_t count,
+                           float *const out[4]);
 
     /* Unit normals as samples of a normal texture turn them, and the mean length that they had.
      * tangent: x, y, z and the bitangent's sign. Reads and writes whole vectors. */

@@ -126,6 +126,7 @@ static const burnish_isa_ops OPS = {
     OP(add_silhouette),
     OP(shadow_ground),
     OP(locate_points),
+    OP(find_taps),
     OP(sample_texture),
     OP(turn_normals),
     OP(encode_pixels),

@@ -11,6 +11,7 @@
  *   vi_store_le_bytes    four bytes per lane, the lowest first
  *   vf_stream            past the caches, to an aligned address; vector_fence orders what follows
  *   vf_gather, vi_gather table[index] per lane
+ *   vi_gather16          the same for a table of 16 numbers, index in [0, 15]
  *   vi_gather_pair       table[index] in the low half, table[index + 1] in the high half
  *   vf_load_aos4         x[i] = number i of the four floats at from[lane]: an array of structures
  *   vf_store_aos4        the reverse, LANES structures one after another

@@ -103,6 +103,12 @@ static inline vi vi_min(vi a, vi b) {
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm256_i32gather_epi32((const int *)table, index, 4);
 }
+static inline vi vi_gather16(const int32_t *table, vi index) {
+    const __m256i *halves = (const __m256i *)(const void *)table;
+    const __m256i low = _mm256_permutevar8x32_epi32(_mm256_loadu_si256(halves), index);
+    const __m256i high = _mm256_permutevar8x32_epi32(_mm256_loadu_si256(halves + 1), index);
+    return _mm256_blendv_epi8(low, high, _mm256_cmpgt_epi32(index, _mm256_set1_epi32(7)));
+}
 static inline vi vi_gather_pair(const uint16_t *table, vi index) {
     return _mm256_i32gather_epi32((const int *)(const void *)table, index, 2);
 }

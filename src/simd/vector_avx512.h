@@ -103,6 +103,9 @@ static inline vi vi_min(vi a, vi b) {
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm512_i32gather_epi32(index, table, 4);
 }
+static inline vi vi_gather16(const int32_t *table, vi index) {
+    return _mm512_permutexvar_epi32(index, _mm512_loadu_si512((const void *)table));
+}
 static inline vi vi_gather_pair(const uint16_t *table, vi index) {
     return _mm512_i32gather_epi32(index, (const void *)table, 2);
 }

@@ -116,6 +116,9 @@ static inline vi vi_min(vi a, vi b) {
 static inline vi vi_gather(const int32_t *table, vi index) {
     return (uint32_t)table[index];
 }
+static inline vi vi_gather16(const int32_t *table, vi index) {
+    return vi_gather(table, index);
+}
 static inline vi vi_gather_pair(const uint16_t *table, vi index) {
     return (uint32_t)table[index] | (uint32_t)table[index + 1] << 16;
 }

@@ -114,6 +114,9 @@ static inline vi vi_gather(const int32_t *table, vi index) {
     }
     return _mm_loadu_si128((const __m128i *)(const void *)lanes);
 }
+static inline vi vi_gather16(const int32_t *table, vi index) {
+    return vi_gather(table, index);
+}
 static inline vi vi_gather_pair(const uint16_t *table, vi index) {
     int32_t lanes[4];
     _mm_storeu_si128((__m128i *)(void *)lanes, index);

@@ -116,6 +116,9 @@ static inline vi vi_gather(const int32_t *table, vi index) {
     }
     return wasm_v128_load(lanes);
 }
+static inline vi vi_gather16(const int32_t *table, vi index) {
+    return vi_gather(table, index);
+}
 static inline vi vi_gather_pair(const uint16_t *table, vi index) {
     int32_t lanes[4];
     wasm_v128_store(lanes, index);

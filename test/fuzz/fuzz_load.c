@@ -6,7 +6,9 @@
  *          in FUZZ_FORMAT in the environment comes first
  * byte 1:  options, see load_options() and draw()
  * byte 2:  samples, camera inside the mesh, threads compared; see draw() and compare_threads()
- * the rest: the file. Of an OBJ what stands behind the first NUL is its material library, "101".
+ * the rest: the file. Of an OBJ what stands behind the first NUL is its material library, "101". Of
+ * a 3MF that does not begin as a ZIP archive the model, and behind the first NUL the part "b",
+ *          which are wrapped here: nothing would find its way through checksums
  *
  * Built by `make fuzz`; test/fuzz/run starts it, test/fuzz/seeds makes what it starts from. */
 #include <float.h>
@@ -69,6 +71,23 @@ static burnish_format format_of(char letter, const char *name) {
     return BURNISH_FORMAT_AUTO;
 }
 
+/* A decoder that answers with the first stream that it gets. */
+static burnish_status echo(void *user_data, const char *form, const void *bytes, size_t size,
+                           const uint8_t **decoded, size_t *decoded_size, burnish_error *error) {
+    (void)user_data, (void)form, (void)error;
+    uint8_t *copy = malloc(size - 4 > 0 ? size - 4 : 1);
+    require(copy != NULL, "memory", NULL);
+    memcpy(copy, (const uint8_t *)bytes + 4, size - 4);
+    *decoded = copy;
+    *decoded_size = size - 4;
+    return BURNISH_STATUS_OK;
+}
+
+static void release_echo(void *user_data, const uint8_t *decoded, size_t size) {
+    (void)user_data, (void)size;
+    free((void *)(uintptr_t)decoded);
+}
+
 static burnish_load_options load_options(const uint8_t *head) {
     static const double creases[4] = {BURNISH_CREASE_AUTO, 0, 89.5, 180};
     const char *fixed = getenv("FUZZ_FORMAT");
@@ -80,6 +99,7 @@ static burnish_load_options load_options(const uint8_t *head) {
     options.measure = 1;
     options.animation_time = head[2] & 32 ? 0.5 : BURNISH_AT_REST;
     options.threads = 1;
+    options.decoder = (burnish_stream_decoder){echo, release_echo, NULL};
     return options;
 }
 
@@ -92,10 +112,90 @@ static void place_file(int descriptor, const uint8_t *bytes, size_t size) {
     close(file);
 }
 
+/* ---- 3MF ---- */
+
+static void put(uint8_t **to, uint64_t bits, size_t size) {
+    for (size_t i = 0; i < size; ++i, bits >>= 8) {
+        *(*to)++ = (uint8_t)bits;
+    }
+}
+
+static uint32_t crc32_of(const uint8_t *bytes, size_t size) {
+    uint32_t crc = UINT32_MAX;
+    for (size_t i = 0; i < size; ++i) {
+        crc ^= bytes[i];
+        for (int k = 0; k < 8; ++k) {
+            crc = crc >> 1 ^ (crc & 1 ? 0xEDB88320u : 0);
+        }
+    }
+    return ~crc;
+}
+
+/* One of the headers of a stored part, or both. */
+static void put_header(uint8_t **to, const char *name, const uint8_t *bytes, size_t size,
+                       uint64_t at, int is_entry) {
+    put(to, is_entry ? 0x02014b50 : 0x04034b50, 4);
+    put(to, 20, is_entry ? 4 : 2);
+    put(to, 0, 8); /* flags, stored, time */
+    put(to, crc32_of(bytes, size), 4);
+    put(to, size, 4);
+    put(to, size, 4);
+    put(to, strlen(name), 4);
+    if (is_entry) {
+        put(to, 0, 8);
+        put(to, 0, 2);
+        put(to, at, 4);
+    }
+    memcpy(*to, name, strlen(name));
+    *to += strlen(name);
+}
+
+/* An archive of a model and the part "b"; to: room for `size` + 400 bytes. Returns its size. */
+static size_t wrap_model(const uint8_t *bytes, size_t size, uint8_t *to) {
+    static const char *const names[2] = {"3D/3dmodel.model", "b"};
+    const uint8_t *end = memchr(bytes, 0, size), *start = to;
+    const size_t first = end ? (size_t)(end - bytes) : size, second = end ? size - first - 1 : 0;
+    const uint8_t *const parts[2] = {bytes, bytes + size - second};
+    const size_t sizes[2] = {first, second};
+    size_t at[2];
+    for (int i = 0; i < 2; ++i) {
+        at[i] = (size_t)(to - start);
+        put_header(&to, names[i], parts[i], sizes[i], 0, 0);
+        memcpy(to, parts[i], sizes[i]);
+        to += sizes[i];
+    }
+    const size_t directory = (size_t)(to - start);
+    for (int i = 0; i < 2; ++i) {
+        put_header(&to, names[i], parts[i], sizes[i], at[i], 1);
+    }
+    const size_t length = (size_t)(to - start) - directory;
+    put(&to, 0x06054b50, 8);
+    put(&to, 2 | 2 << 16, 4);
+    put(&to, length, 4);
+    put(&to, directory, 4);
+    put(&to, 0, 2);
+    return (size_t)(to - start);
+}
+
+static burnish_status load_model(const uint8_t *bytes, size_t size,
+                                 const burnish_load_options *options, burnish_mesh **scene,
+                                 burnish_error *error) {
+    uint8_t *wrapped = malloc(size + 400);
+    require(wrapped != NULL, "memory", NULL);
+    const size_t wrapped_size = wrap_model(bytes, size, wrapped);
+    burnish_status status =
+        burnish_mesh_load_memory(wrapped, wrapped_size, "fuzz", options, scene, error);
+    free(wrapped);
+    return status;
+}
+
 static burnish_status load(const uint8_t *bytes, size_t size, int from_file,
                            const burnish_load_options *options, burnish_mesh **scene,
                            burnish_error *error) {
     const uint8_t *end = memchr(bytes, 0, size);
+    if (options->format == BURNISH_FORMAT_3MF && (size < 2 || memcmp(bytes, "PK", 2) != 0)) {
+        return load_model(bytes, size, options, scene, error);
+    }
     if (options->format != BURNISH_FORMAT_OBJ || !end) {
         end = bytes + size;
     }

@@ -21,6 +21,10 @@ static burnish_status take_materials(burnish_builder *b) {
     mesh->camera_count = data->camera_count;
     data->cameras = NULL;
     data->camera_count = data->camera_capacity = 0;
+    mesh->lights = data->lights;
+    mesh->light_count = data->light_count;
+    data->lights = NULL;
+    data->light_count = data->light_capacity = 0;
     mesh->textures = data->textures;
     mesh->texture_count = data->texture_count;
     data->textures = NULL;
@@ -48,8 +52,10 @@ static void take_warnings(burnish_builder *b) {
 static void describe_mesh(burnish_builder *b) {
     b->mesh->view.vertex_count = b->vertex_count;
     b->mesh->view.triangle_count = b->triangle_count;
+    memcpy(b->mesh->view.origin, b->data->origin, sizeof b->data->origin);
     b->mesh->info.point_count = b->data->point_count;
     b->mesh->info.line_count = b->data->line_count;
+    b->mesh->info.unit = b->data->unit;
     burnish_mesh_update_view(b->mesh);
 }
 
@@ -76,13 +82,16 @@ static burnish_status build(burnish_builder *b) {
     return status;
 }
 
-static burnish_mesh *allocate_mesh(burnish_memory *memory, burnish_format format) {
-    burnish_mesh *mesh = burnish_allocate_zeroed(memory, 1, sizeof *mesh, "mesh");
+static burnish_mesh *allocate_mesh(burnish_mesh_data *data, burnish_format format) {
+    burnish_mesh *mesh = burnish_allocate_zeroed(&data->memory, 1, sizeof *mesh, "mesh");
+    const float *up = data->up_axis;
     if (mesh) {
-        mesh->context = memory->context;
+        mesh->context = data->memory.context;
         mesh->info.format = format;
-        memcpy(mesh->view.up_axis, burnish_format_get_info(format)->up_axis,
-               sizeof mesh->view.up_axis);
+        if (up[0] == 0 && up[1] == 0 && up[2] == 0) {
+            up = burnish_format_get_info(format)->up_axis;
+        }
+        memcpy(mesh->view.up_axis, up, sizeof mesh->view.up_axis);
     }
     return mesh;
 }
@@ -94,7 +103,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
     burnish_builder b = {.data = data,
                          .memory = &data->memory,
                          .name = name,
-                         .mesh = allocate_mesh(&data->memory, format),
+                         .mesh = allocate_mesh(data, format),
                          .crease_angle = options->crease_angle,
                          .measure = options->measure};
     *mesh = NULL;

@@ -1,5 +1,4 @@
-/* Generated normals: union-find over the corners that meet in a vertex, joined across smooth edges.
- */
+/* Generated normals: sums over the faces around a vertex that joining.c has put into one set. */
 
 #include <float.h>
 #include <stddef.h>
@@ -7,29 +6,15 @@
 #include <immintrin.h>
 #endif
 
-#include "mesh/build/builder.h"
+#include "mesh/build/joining.h"
 
 #define DEGREE (3.14159265358979323846 / 180)
-
-/* Edges with at most this many faces at a vertex are compared face by face, so that the order of
- * the faces does not matter; beyond it only neighbors in that order are, so that the cost stays
- * linear. */
-enum { PAIRWISE_MAX = 8 };
 
 /* A sum shorter than this share of its weights is rounding noise around zero. */
 #define CANCELLED 1e-9
 
 /* A flat face with so many times the area of the other faces gives its normal to all of them. */
 #define FLAT_SHARE 4
-
-/* Answers that are kept: a power of two. No triangle is its own neighbour, so that zeros are none.
- */
-enum { ANSWERS = 1024 };
-
-typedef struct burnish_answer {
-    uint32_t triangles[2], edge[2]; /* ascending */
-    int is_smooth;
-} burnish_answer;
 
 /* Shorter vectors, sums weighted by the tip of a needle, have squares that lose bits to underflow;
  * a power of two lengthens them. */
@@ -55,11 +40,12 @@ void burnish_store_unit(burnish_vec3 v, float unit[3]) {
 void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle,
                           const burnish_surface *surface, int wide, burnish_memory *memory) {
     const char *what = "generating normals";
-    const size_t padded = capacity + PAIRWISE_MAX;
+    const size_t padded = capacity + BURNISH_PAIRWISE_MAX;
     *rings = (burnish_rings){.surface = surface, .wide = wide, .capacity = capacity};
     if (crease_angle == BURNISH_CREASE_AUTO) {
         rings->asks = 1;
-        rings->answers = burnish_allocate_zeroed(memory, ANSWERS, sizeof *rings->answers, what);
+        rings->answers =
+            burnish_allocate_zeroed(memory, BURNISH_ANSWERS, sizeof *rings->answers, what);
         rings->sharp_cosine = BURNISH_SHARP_COSINE;
         rings->smooth_cosine = BURNISH_SMOOTH_COSINE;
     } else {
@@ -166,234 +152,10 @@ void burnish_rings_measure(burnish_rings *rings, const uint32_t *corners, size_t
     }
 }
 
-static burnish_vec3 face_normal(const burnish_rings *rings, size_t i) {
-    return (burnish_vec3){rings->x[i], rings->y[i], rings->z[i]};
-}
-
-/* ---- joining ---- */
-
-static uint32_t find_root(uint32_t *parents, uint32_t i) {
-    while (parents[i] != i) {
-        parents[i] = parents[parents[i]];
-        i = parents[i];
-    }
-    return i;
-}
-
-/* The end of the edge that two faces share, away from the vertex. */
-static uint32_t other_end(const burnish_rings *rings, size_t i, size_t j) {
-    const uint32_t next = rings->next[i];
-    return next == rings->previous[j] || next == rings->next[j] ? next : rings->previous[i];
-}
-
-/* Whether the edge from the vertex to position `end` is smooth; its faces do not tell. */
-static int ask_surface(const burnish_rings *rings, size_t i, size_t j, uint32_t end) {
-    const burnish_surface *surface = rings->surface;
-    const uint32_t here = surface->corner_positions[rings->corners[i]];
-    const uint32_t from = rings->corners[i] / 3, to = rings->corners[j] / 3;
-    const burnish_answer asked = {.triangles = {from < to ? from : to, from < to ? to : from},
-                                  .edge = {here < end ? here : end, here < end ? end : here}};
-    burnish_answer *kept = &rings->answers[(asked.triangles[0] * 5 + asked.triangles[1]) % ANSWERS];
-    if (memcmp(kept, &asked, offsetof(burnish_answer, is_smooth)) != 0) {
-        *kept = asked;
-        kept->is_smooth = burnish_surface_is_smooth(surface, asked.triangles, asked.edge);
-    }
-    return kept->is_smooth;
-}
-
-/* Joins faces i and j of the vertex; the smaller root stays one. Returns 1 when two sets became
- * one.
- */
-static int join(burnish_rings *rings, uint32_t i, uint32_t j) {
-    i = find_root(rings->parents, i);
-    j = find_root(rings->parents, j);
-    if (i < j) {
-        rings->parents[j] = i;
-    } else {
-        rings->parents[i] = j;
-    }
-    return i != j;
-}
-
-/* For each face of a few, as bits, those that it shares an edge with.
- *   smooth    across a smooth edge
- *   doubtful  across one that may be smooth */
-typedef struct neighbors {
-    uint32_t smooth[PAIRWISE_MAX], doubtful[PAIRWISE_MAX];
-    uint32_t any_doubtful;
-} neighbors;
-
-/* Without branches: what a face shares with another can't be predicted. */
-static void find_neighbors(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
-    const uint32_t *next = rings->next + first, *previous = rings->previous + first;
-    *n = (neighbors){0};
-    for (size_t i = 0; i < count; ++i) {
-        burnish_vec3 normal = face_normal(rings, first + i);
-        for (size_t j = i + 1; j < count; ++j) {
-            int edge = (next[i] == previous[j]) | (previous[i] == next[j]) | (next[i] == next[j]) |
-                       (previous[i] == previous[j]);
-            double cosine = burnish_vec3_dot(normal, face_normal(rings, first + j));
-            uint32_t close = (uint32_t)(edge & (cosine > rings->sharp_cosine));
-            uint32_t smooth = close & (uint32_t)(cosine > rings->smooth_cosine);
-            n->smooth[i] |= smooth << j;
-            n->smooth[j] |= smooth << i;
-            n->doubtful[i] |= (close ^ smooth) << j;
-            n->any_doubtful |= close ^ smooth;
-        }
-    }
-}
-
-#if defined(__x86_64__)
-/* The same, all of the others at once: the dot product has the same bits from either side. Reads
- * PAIRWISE_MAX entries from `first` on. */
-__attribute__((target("avx2"))) static void
-find_neighbors_avx2(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
-    const double *x = rings->x + first, *y = rings->y + first, *z = rings->z + first;
-    const __m256d sharp_cosine = _mm256_set1_pd(rings->sharp_cosine);
-    const __m256d smooth_cosine = _mm256_set1_pd(rings->smooth_cosine);
-    __m256i next = _mm256_loadu_si256((const __m256i *)(rings->next + first));
-    __m256i previous = _mm256_loadu_si256((const __m256i *)(rings->previous + first));
-    n->any_doubtful = 0;
-    for (size_t i = 0; i < count; ++i) {
-        __m256d at_x = _mm256_set1_pd(x[i]), at_y = _mm256_set1_pd(y[i]);
-        __m256d at_z = _mm256_set1_pd(z[i]);
-        int close = 0, smooth = 0;
-        for (int half = 0; half < PAIRWISE_MAX; half += 4) {
-            __m256d cosine =
-                _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(at_x, _mm256_loadu_pd(x + half)),
-                                            _mm256_mul_pd(at_y, _mm256_loadu_pd(y + half))),
-                              _mm256_mul_pd(at_z, _mm256_loadu_pd(z + half)));
-            close |= _mm256_movemask_pd(_mm256_cmp_pd(cosine, sharp_cosine, _CMP_GT_OQ)) << half;
-            smooth |= _mm256_movemask_pd(_mm256_cmp_pd(cosine, smooth_cosine, _CMP_GT_OQ)) << half;
-        }
-        __m256i at_next = _mm256_set1_epi32((int)rings->next[first + i]);
-        __m256i at_previous = _mm256_set1_epi32((int)rings->previous[first + i]);
-        __m256i edge = _mm256_or_si256(_mm256_or_si256(_mm256_cmpeq_epi32(at_next, previous),
-                                                       _mm256_cmpeq_epi32(at_previous, next)),
-                                       _mm256_or_si256(_mm256_cmpeq_epi32(at_next, next),
-                                                       _mm256_cmpeq_epi32(at_previous, previous)));
-        uint32_t shared = (uint32_t)_mm256_movemask_ps(_mm256_castsi256_ps(edge)) &
-                          ((1U << count) - 1) & ~(1U << i);
-        n->smooth[i] = shared & (uint32_t)smooth;
-        n->doubtful[i] = shared & (uint32_t)(close & ~smooth);
-        n->any_doubtful |= n->doubtful[i];
-    }
-}
-#endif
-
-/* The faces joined with those of a set, so far. */
-static uint32_t grow_set(const neighbors *n, size_t count, uint32_t set) {
-    uint32_t before;
-    do {
-        before = set;
-        for (size_t i = 0; i < count; ++i) {
-            set |= n->smooth[i] & (0U - (set >> i & 1));
-        }
-    } while (set != before);
-    return set;
-}
-
-/* Finds out which of the doubtful edges are smooth; one whose faces are joined already, as most are
- * in a scan, makes no difference. */
-static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
-    for (size_t i = 0; i < count; ++i) {
-        uint32_t set = n->doubtful[i] ? grow_set(n, count, 1U << i) : 0;
-        for (size_t j = i + 1; j < count; ++j) {
-            const size_t at = first + i, to = first + j;
-            if ((n->doubtful[i] & ~set) >> j & 1 &&
-                ask_surface(rings, at, to, other_end(rings, at, to))) {
-                n->smooth[i] |= 1U << j;
-                n->smooth[j] |= 1U << i;
-                set = grow_set(n, count, set);
-            }
-        }
-    }
-}
-
-/* Sets of joined faces among a few, as bits, in the order of their first faces; returns how many.
- */
-static size_t join_few(burnish_rings *rings, size_t first, size_t count,
-                       uint32_t sets[PAIRWISE_MAX]) {
-    const uint32_t all = (1U << count) - 1;
-    uint32_t left = all;
-    size_t found = 0;
-    neighbors n;
-#if defined(__x86_64__)
-    if (rings->wide) {
-        find_neighbors_avx2(rings, first, count, &n);
-    } else
-#endif
-    {
-        find_neighbors(rings, first, count, &n);
-    }
-    sets[0] = grow_set(&n, count, 1);
-    if (sets[0] == all) {
-        return 1;
-    }
-    if (n.any_doubtful) {
-        ask_neighbors(rings, first, count, &n);
-    }
-    while (left != 0) {
-        sets[found] = grow_set(&n, count, left & (0U - left));
-        left &= ~sets[found++];
-    }
-    return found;
-}
-
-#define SORT_TYPE uint64_t
-#define SORT_NAME(name) sort_edge_##name
-#define SORT_LESS(a, b) (*(a) < *(b))
-#define SORT_INSERTION_MAX 40
-#include "mesh/build/sort.h"
-
-/* Joins the faces of `count` edges of one other end: those that are smooth, or the doubtful ones.
- * Returns how many sets went. */
-static size_t join_at_end(burnish_rings *rings, size_t first, const uint64_t *edges, size_t count,
-                          int doubtful) {
-    const size_t reach = count <= PAIRWISE_MAX ? PAIRWISE_MAX : 1;
-    size_t joined = 0;
-    for (size_t k = 0; k < count; ++k) {
-        for (size_t l = k + 1; l < count && l <= k + reach; ++l) {
-            const uint32_t i = (uint32_t)edges[k], j = (uint32_t)edges[l];
-            const double cosine =
-                burnish_vec3_dot(face_normal(rings, first + i), face_normal(rings, first + j));
-            const int smooth = cosine > rings->smooth_cosine;
-            if (doubtful ? !smooth && cosine > rings->sharp_cosine &&
-                               find_root(rings->parents, i) != find_root(rings->parents, j) &&
-                               ask_surface(rings, first + i, first + j, (uint32_t)(edges[k] >> 32))
-                         : smooth) {
-                joined += (size_t)join(rings, i, j);
-            }
-        }
-    }
-    return joined;
-}
-
-/* The same for any number, by sorting the edges by their other end, then by face. */
-static int join_many(burnish_rings *rings, size_t first, size_t count) {
-    uint64_t *edges = rings->edges;
-    size_t sets = count;
-    for (size_t i = 0; i < count; ++i) {
-        rings->parents[i] = (uint32_t)i;
-        edges[2 * i] = (uint64_t)rings->next[first + i] << 32 | i;
-        edges[2 * i + 1] = (uint64_t)rings->previous[first + i] << 32 | i;
-    }
-    sort_edge_array(edges, 2 * count);
-    for (int doubtful = 0; doubtful <= rings->asks && sets > 1; ++doubtful) {
-        for (size_t start = 0, end; start < 2 * count; start = end) {
-            for (end = start + 1; end < 2 * count && edges[end] >> 32 == edges[start] >> 32;
-                 ++end) {
-            }
-            sets -= join_at_end(rings, first, edges + start, end - start, doubtful);
-        }
-    }
-    return sets == 1;
-}
-
 /* ---- normals ---- */
 
 static burnish_vec3 weighted_normal(const burnish_rings *rings, size_t i) {
-    return burnish_vec3_scale(face_normal(rings, i), rings->angles[i]);
+    return burnish_vec3_scale(burnish_ring_normal(rings, i), rings->angles[i]);
 }
 
 /* No angle is larger than pi, so the share of one weight also is a share of the largest. */
@@ -409,8 +171,8 @@ static void add_face(burnish_face_set *set, const burnish_rings *rings, size_t i
 
 /* Whether a face is part of the flat face that the largest one of its set belongs to. */
 static int is_flat(const burnish_face_set *set, const burnish_rings *rings, size_t i) {
-    return burnish_vec3_dot(face_normal(rings, i), face_normal(rings, set->largest)) >
-           BURNISH_COPLANAR_COSINE;
+    return burnish_vec3_dot(burnish_ring_normal(rings, i),
+                            burnish_ring_normal(rings, set->largest)) > BURNISH_COPLANAR_COSINE;
 }
 
 /* The area of the flat face, once all faces of the set were added. */
@@ -458,7 +220,7 @@ __attribute__((target("avx2"))) static double sum_lanes(__m256d lanes) {
     return _mm_cvtsd_f64(_mm_add_sd(pair, _mm_unpackhi_pd(pair, pair)));
 }
 
-/* The same bits. Reads PAIRWISE_MAX entries from `first` on. */
+/* The same bits. Reads BURNISH_PAIRWISE_MAX entries from `first` on. */
 __attribute__((target("avx2"))) static uint32_t choose_faces_avx2(const burnish_rings *rings,
                                                                   size_t first, size_t count) {
     const __m256d coplanar = _mm256_set1_pd(BURNISH_COPLANAR_COSINE);
@@ -536,8 +298,8 @@ static burnish_vec3 sum_many(const burnish_rings *rings, size_t first, size_t co
 
 /* The normal of all faces together; returns 0 when it cancels for one of them. */
 static int store_common(const burnish_rings *rings, size_t first, size_t count, float *normal) {
-    const burnish_vec3 sum =
-        count <= PAIRWISE_MAX ? sum_few(rings, first, count) : sum_many(rings, first, count);
+    const burnish_vec3 sum = count <= BURNISH_PAIRWISE_MAX ? sum_few(rings, first, count)
+                                                           : sum_many(rings, first, count);
     const double length = burnish_vec3_length(sum);
     for (size_t i = first; i < first + count; ++i) {
         if (is_cancelled(length, rings->angles[i])) {
@@ -550,7 +312,7 @@ static int store_common(const burnish_rings *rings, size_t first, size_t count, 
 
 /* The set of a face of the vertex. */
 static burnish_face_set *set_of(const burnish_rings *rings, size_t i) {
-    return &rings->sets[find_root(rings->parents, (uint32_t)i)];
+    return &rings->sets[burnish_find_root(rings->parents, (uint32_t)i)];
 }
 
 /* The sums of faces in several sets, or in one that cancels. */
@@ -584,7 +346,8 @@ static void store_sets(burnish_rings *rings, size_t first, size_t count, float *
     for (size_t i = 0; i < count; ++i) {
         const burnish_vec3 sum = set_of(rings, i)->sum;
         int cancelled = is_cancelled(burnish_vec3_length(sum), rings->angles[first + i]);
-        burnish_store_unit(cancelled ? face_normal(rings, first + i) : sum, normals + 3 * i);
+        burnish_store_unit(cancelled ? burnish_ring_normal(rings, first + i) : sum,
+                           normals + 3 * i);
     }
 }
 
@@ -620,22 +383,23 @@ static void store_few(const burnish_rings *rings, size_t first, const uint32_t *
             const size_t i = (size_t)__builtin_ctz(left);
             memcpy(normals + 3 * i, unit, sizeof unit);
             if (is_cancelled(length, rings->angles[first + i])) {
-                burnish_store_unit(face_normal(rings, first + i), normals + 3 * i);
+                burnish_store_unit(burnish_ring_normal(rings, first + i), normals + 3 * i);
             }
         }
     }
 }
 
 int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, float *normals) {
-    uint32_t sets[PAIRWISE_MAX];
+    uint32_t sets[BURNISH_PAIRWISE_MAX];
     if (rings->flat) {
         for (size_t i = 0; i < count; ++i) {
-            burnish_store_unit(face_normal(rings, first + i), normals + 3 * i);
+            burnish_store_unit(burnish_ring_normal(rings, first + i), normals + 3 * i);
         }
         return 0;
     }
-    const size_t few = count <= PAIRWISE_MAX ? join_few(rings, first, count, sets) : 0;
-    const int one = few == 0 ? join_many(rings, first, count) : few == 1;
+    const size_t few =
+        count <= BURNISH_PAIRWISE_MAX ? burnish_join_few(rings, first, count, sets) : 0;
+    const int one = few == 0 ? burnish_join_many(rings, first, count) : few == 1;
     if (one && store_common(rings, first, count, normals)) {
         return 1;
     }

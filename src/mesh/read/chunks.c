@@ -113,7 +113,7 @@ burnish_status burnish_chunk_append_face(burnish_chunk *chunk, const uint8_t *at
                                          unsigned used) {
     const size_t first = chunk->data.triangle_count, more = count - 2;
     const size_t limit =
-        chunk->exact ? chunk->exact->input->options->max_triangles : BURNISH_TRIANGLES_MAX;
+        chunk->exact ? (size_t)chunk->exact->input->options->max_triangles : BURNISH_TRIANGLES_MAX;
     if (chunk->triangles_before + first + more > limit) {
         chunk->status = BURNISH_STATUS_LIMIT;
         return chunk->exact ? burnish_fail_triangles(chunk->exact, at) : BURNISH_STATUS_LIMIT;
@@ -458,9 +458,11 @@ static burnish_status read_wave(chunk_driver *driver) {
     for (size_t i = 0; i < used; ++i) {
         append_polygons(driver->reader, &driver->chunks[i]);
     }
-    burnish_tasks_progress(mesh->tasks, BURNISH_STAGE_READ,
-                           (double)(driver->next - driver->reader->input->bytes) /
-                               (double)driver->reader->input->size);
+    if (!mesh->is_silent) {
+        burnish_tasks_progress(mesh->tasks, BURNISH_STAGE_READ,
+                               (double)(driver->next - driver->reader->input->bytes) /
+                                   (double)driver->reader->input->size);
+    }
     return burnish_tasks_check(mesh->tasks, driver->reader->error);
 }
 

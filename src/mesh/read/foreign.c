@@ -34,7 +34,6 @@ static const foreign_row rows[] = {
     {"#usda", 0, "a USD file"},
     {"AC10", 0, "a DWG drawing"},
     {"glTF", 0, "a binary glTF file"},
-    {"PK\003\004", 0, "a ZIP archive (3MF, AMF, USDZ and office files are)"},
     {"7z\274\257", 0, "a 7-Zip archive"},
     {"\375"
      "7zXZ",

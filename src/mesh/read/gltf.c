@@ -92,7 +92,9 @@ static burnish_gltf_bytes open_container(burnish_gltf *gltf) {
 /* Extensions that are drawn, or change nothing that is. */
 static const char *const drawn_extensions[] = {"KHR_lights_punctual",
                                                "EXT_mesh_gpu_instancing",
+                                               "EXT_meshopt_compression",
                                                "EXT_texture_webp",
+                                               "KHR_draco_mesh_compression",
                                                "KHR_materials_emissive_strength",
                                                "KHR_materials_ior",
                                                "KHR_materials_pbrSpecularGlossiness",
@@ -187,6 +189,8 @@ static void list_items(burnish_gltf *gltf) {
     }
     gltf->buffers = burnish_allocate_zeroed(gltf->memory, gltf->counts[BURNISH_GLTF_BUFFERS],
                                             sizeof *gltf->buffers, "buffers");
+    gltf->decoded = burnish_allocate_zeroed(gltf->memory, gltf->counts[BURNISH_GLTF_VIEWS],
+                                            sizeof *gltf->decoded, "buffer views");
     gltf->accessors = burnish_allocate_zeroed(gltf->memory, gltf->counts[BURNISH_GLTF_ACCESSORS],
                                               sizeof *gltf->accessors, "accessors");
     const size_t images = gltf->counts[BURNISH_GLTF_IMAGES];
@@ -204,18 +208,20 @@ static void read_parts(burnish_gltf *gltf) {
     void (*const steps[])(burnish_gltf *) = {check_asset,
                                              refuse_required,
                                              list_items,
+                                             burnish_gltf_decode_draco,
                                              burnish_gltf_read_primitives,
                                              burnish_gltf_place_nodes,
                                              burnish_gltf_read_materials,
                                              burnish_gltf_read_geometry,
                                              burnish_gltf_read_cameras,
+                                             burnish_gltf_read_lights,
                                              warn_used};
     for (size_t i = 0; i < sizeof steps / sizeof *steps && gltf->status == BURNISH_STATUS_OK; ++i) {
         steps[i](gltf);
     }
     if (gltf->status == BURNISH_STATUS_OK) {
         burnish_reader_warn_group(gltf->reader, &gltf->odd_values);
-        burnish_reader_warn_group(gltf->reader, &gltf->unsupported_modes);
+        burnish_reader_warn_group(gltf->reader, &gltf->undrawn);
         burnish_reader_warn_group(gltf->reader, &gltf->rests);
         burnish_reader_warn_group(gltf->reader, &gltf->other_sets);
         gltf->status = gltf->memory->status;
@@ -224,6 +230,7 @@ static void read_parts(burnish_gltf *gltf) {
 
 static void close_file(burnish_gltf *gltf) {
     const burnish_context *context = gltf->memory->context;
+    burnish_gltf_release_draco(gltf);
     for (size_t i = 0; gltf->buffers && i < gltf->counts[BURNISH_GLTF_BUFFERS]; ++i) {
         burnish_gltf_release_buffer(gltf, &gltf->buffers[i]);
     }
@@ -236,6 +243,10 @@ static void close_file(burnish_gltf *gltf) {
     for (size_t i = 0; gltf->skins && i < gltf->counts[BURNISH_GLTF_SKINS]; ++i) {
         burnish_release(context, gltf->skins[i].matrices);
     }
+    for (size_t i = 0; gltf->decoded && i < gltf->counts[BURNISH_GLTF_VIEWS]; ++i) {
+        burnish_release(context, gltf->decoded[i]);
+    }
+    burnish_release(context, gltf->decoded);
     burnish_release(context, gltf->skins);
     burnish_release(context, gltf->image_textures);
     burnish_release(context, gltf->poses);
@@ -250,6 +261,7 @@ static void close_file(burnish_gltf *gltf) {
 }
 
 burnish_status burnish_read_gltf(burnish_reader *reader) {
+    reader->mesh->unit = "meter"; /* section 3.4 */
     burnish_gltf gltf = {.reader = reader,
                          .memory = &reader->mesh->memory,
                          .bytes_left = reader->input->options->max_input_bytes};

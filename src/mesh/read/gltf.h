@@ -3,15 +3,18 @@
  *     gltf.c            container, extensions, the order of the steps
  *     gltf_values.c     members of objects, with messages that name them
  *     gltf_buffers.c    bytes: the binary chunk, data URIs, files beside the input
+ *     meshopt.c         bytes that are compressed
  *     gltf_accessors.c  bytes to numbers
+ *     gltf_draco.c      primitives that a decoder elsewhere unpacks
  *     gltf_nodes.c      the scene's matrices
  *     gltf_primitives.c meshes' primitives: their accessors, and how many triangles they make
- *     gltf_geometry.c   primitives of nodes to triangles
+ *     gltf_geometry.c   primitives of nodes to triangles, or lines, or points
  *     gltf_animation.c  nodes and weights at a time
  *     gltf_deform.c     morph targets and skins
  *     gltf_materials.c  materials
  *     gltf_textures.c   textures of materials
  *     gltf_cameras.c    cameras
+ *     gltf_lights.c     lights
  *
  * The first failure stays in gltf->status; after it functions give defaults, so that callers may
  * ask for all they need and look once. */
@@ -103,6 +106,16 @@ typedef struct burnish_gltf_pose {
 /* Sets of four joints and weights that are read of a vertex. */
 #define BURNISH_GLTF_SETS 2
 
+/* Sets of texture coordinates that a material may choose from: TEXCOORD_0 to TEXCOORD_3. */
+enum { BURNISH_GLTF_TEXCOORDS = 4 };
+
+/* What a primitive is made of, its elements. */
+typedef enum burnish_gltf_kind {
+    BURNISH_GLTF_POINTS,
+    BURNISH_GLTF_LINES,
+    BURNISH_GLTF_TRIANGLES
+} burnish_gltf_kind;
+
 /* A primitive: numbers of accessors, NONE for those that it has not. */
 typedef struct burnish_gltf_primitive {
     uint32_t value; /* its JSON value */
@@ -110,9 +123,10 @@ typedef struct burnish_gltf_primitive {
     uint32_t joints[BURNISH_GLTF_SETS], weights[BURNISH_GLTF_SETS];
     uint32_t targets; /* the JSON array of morph targets, or NONE */
     uint32_t material;
-    int mode;              /* OpenGL's: 4 triangles, 5 strip, 6 fan */
-    size_t corner_count;   /* indices, or vertices where there are none */
-    size_t triangle_count; /* 0: it is not drawn */
+    int mode;             /* OpenGL's: 0 points, 1 lines, 2 loop, 3 strip, 4 triangles, 5 strip,
+                             6 fan */
+    size_t corner_count;  /* indices, or vertices where there are none */
+    size_t element_count; /* 0: it is not drawn */
 } burnish_gltf_primitive;
 
 /* A skin's joints: where vertices bound to each go. */
@@ -150,10 +164,12 @@ typedef struct burnish_gltf {
     int is_glb;
     int is_lenient; /* 1: what is wrong gives a note, and the default */
 
-    burnish_gltf_buffer *buffers;     /* one per item of BUFFERS */
+    burnish_gltf_buffer *buffers; /* one per item of BUFFERS */
+    void **decoded;               /* one per item of VIEWS: what was compressed; NULL: nothing */
     burnish_gltf_accessor *accessors; /* one per item of ACCESSORS */
     uint64_t bytes_left;              /* that files beside the input may have, all together */
-    uint64_t filled_bytes;            /* of accessors with arrays of their own */
+    burnish_gltf_bytes draco;         /* what the decoder has unpacked */
+    uint64_t filled_bytes;            /* of accessors with arrays of their own, and decoded views */
     burnish_gltf_node *nodes;         /* one per item of NODES */
     uint32_t *node_order;             /* parents before children */
     burnish_gltf_pose *poses;         /* one per node; NULL: all are at rest */
@@ -169,8 +185,10 @@ typedef struct burnish_gltf {
     int *image_textures; /* two per item of IMAGES, as numbers and as colours: 1 + number of the
                             texture, 0: it can't be had, -1: not asked for yet */
     int damaged_images;  /* of those whose bytes the file holds */
-    int has_colors;      /* 1: a primitive has colours of vertices */
-    burnish_warning_group odd_values, unsupported_modes, rests, other_sets;
+    struct burnish_gltf_ahead *ahead;
+    unsigned texture_set; /* of texture coordinates, that of the material that is being read */
+    int has_colors;       /* 1: a primitive has colours of vertices */
+    burnish_warning_group odd_values, undrawn, rests, other_sets;
 } burnish_gltf;
 
 /* ---- gltf_values.c ---- */
@@ -222,6 +240,10 @@ uint32_t *burnish_gltf_items(burnish_gltf *gltf, uint32_t array, size_t *count);
 /* The bytes of a buffer view, and the stride that it states, 0 for none. Returns 0 on failure. */
 int burnish_gltf_view(burnish_gltf *gltf, uint32_t view, burnish_gltf_bytes *bytes, size_t *stride);
 
+/* Adds bytes that are made of the file's; too many fail. Returns 0 on failure.
+ *   what  what they are, for messages */
+int burnish_gltf_fill(burnish_gltf *gltf, uint32_t value, uint64_t bytes, const char *what);
+
 /* What a URI stands for: the bytes of a data URI in *data, or else the name of a file in *name,
  * which is to be released, and "" where no file can have it. Returns 0 on failure. */
 int burnish_gltf_open_uri(burnish_gltf *gltf, uint32_t uri, burnish_gltf_buffer *data, char **name);
@@ -234,6 +256,14 @@ void burnish_gltf_release_buffer(burnish_gltf *gltf, burnish_gltf_buffer *buffer
  *   widths bits 1 << width: those that it may have */
 const burnish_gltf_accessor *burnish_gltf_resolve(burnish_gltf *gltf, uint32_t accessor,
                                                   uint32_t user, unsigned widths);
+
+/* Gives an accessor that has no values yet those of bytes, count, component and width; fails where
+ * they are not what it describes. Scalars may be of another component. */
+void burnish_gltf_give(burnish_gltf *gltf, uint32_t number, uint32_t user,
+                       const burnish_gltf_accessor *values);
+
+/* Bytes of a burnish_gltf_component; 0 for what is none. */
+size_t burnish_gltf_component_size(int component);
 
 /* The components of element i, normalised ones in [-1, 1] or [0, 1]. */
 void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, double *components);
@@ -305,21 +335,62 @@ void burnish_gltf_read_materials(burnish_gltf *gltf);
 
 /* ---- gltf_textures.c ---- */
 
+/* The set of texture coordinates that most textures of a material use, of two sets that of the
+ * base colour: vertices have one. 0 where the material is none. */
+unsigned burnish_gltf_texture_set(const burnish_gltf *gltf, uint32_t material);
+
 /* How a material uses the texture that `object` names under a key; all 0 where it names none, and
  * where the texture can't be had.
  *   strength  the member that scales it, NULL: none */
 burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t object, const char *key,
                                               int is_color, const char *strength);
 
+/* What messages call an image. */
+typedef struct burnish_gltf_name {
+    char text[120];
+} burnish_gltf_name;
+burnish_gltf_name burnish_gltf_image_name(const burnish_gltf *gltf, uint32_t image);
+
+/* ---- gltf_ahead.c ---- */
+
+/* Decodes the pictures that materials are going to ask for; the second function releases those that
+ * none did. Nothing but the time depends on it. */
+void burnish_gltf_decode_ahead(burnish_gltf *gltf);
+void burnish_gltf_drop_ahead(burnish_gltf *gltf);
+
+/* ---- gltf_draco.c ---- */
+
+/* What a decoder's answer begins with. */
+#define BURNISH_DRACO_MAGIC                                                                        \
+    "\x89"                                                                                         \
+    "BDA\r\n\x1a\n"
+
+/* Gives the accessors of compressed primitives their values; the second function releases them. */
+void burnish_gltf_decode_draco(burnish_gltf *gltf);
+void burnish_gltf_release_draco(burnish_gltf *gltf);
+
+/* The extension of a primitive that has to be unpacked; NONE: it stands in the file as it is. */
+uint32_t burnish_gltf_draco(burnish_gltf *gltf, uint32_t primitive);
+
 /* ---- gltf_cameras.c ---- */
 
 /* Fills the mesh's cameras, from the nodes that have one. */
 void burnish_gltf_read_cameras(burnish_gltf *gltf);
 
+/* The middle of the box around the mesh's positions. */
+void burnish_gltf_find_middle(const burnish_mesh_data *mesh, double middle[3]);
+
+/* ---- gltf_lights.c ---- */
+
+/* Fills the mesh's lights, from the nodes that have one (KHR_lights_punctual). */
+void burnish_gltf_read_lights(burnish_gltf *gltf);
+
 /* ---- gltf_primitives.c ---- */
 
 /* Fills gltf->primitives, with the accessors that they name resolved. */
 void burnish_gltf_read_primitives(burnish_gltf *gltf);
+
+burnish_gltf_kind burnish_gltf_kind_of(const burnish_gltf_primitive *primitive);
 
 /* Morph targets of a mesh: all its primitives have as many. */
 size_t burnish_gltf_target_count(burnish_gltf *gltf, uint32_t mesh);

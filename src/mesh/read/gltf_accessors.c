@@ -5,9 +5,7 @@
  * input's size, because many may share one view. */
 #include "mesh/read/gltf.h"
 
-enum { FILLED_FACTOR = 16, FILLED_ALWAYS = 1 << 26 };
-
-static size_t component_size(int component) {
+size_t burnish_gltf_component_size(int component) {
     switch (component) {
     case BURNISH_GLTF_BYTE:
     case BURNISH_GLTF_UNSIGNED_BYTE:
@@ -72,7 +70,7 @@ static double read_component(const uint8_t *p, int component, int is_normalized)
 
 void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, double *components) {
     const uint8_t *p = accessor->bytes + i * accessor->stride;
-    const size_t size = component_size(accessor->component);
+    const size_t size = burnish_gltf_component_size(accessor->component);
     if (accessor->component == BURNISH_GLTF_FLOAT) { /* most are */
         for (int k = 0; k < accessor->width; ++k) {
             components[k] = burnish_gltf_float(p + 4 * (size_t)k);
@@ -121,13 +119,7 @@ static const uint8_t *locate(burnish_gltf *gltf, uint32_t object, uint32_t view,
 /* A packed copy of the elements, 0 where there is no view. */
 static void own_elements(burnish_gltf *gltf, burnish_gltf_accessor *accessor, size_t element_size) {
     const uint64_t bytes = (uint64_t)accessor->count * element_size; /* < 2^32 * 64 */
-    const uint64_t input = gltf->reader->input->size;
-    gltf->filled_bytes += bytes;
-    if (gltf->filled_bytes > FILLED_ALWAYS + FILLED_FACTOR * input) {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, accessor->value,
-                          "sparse accessors unpack to %llu bytes, of a file of %llu; write them "
-                          "in full",
-                          (unsigned long long)gltf->filled_bytes, (unsigned long long)input);
+    if (!burnish_gltf_fill(gltf, accessor->value, bytes, "sparse accessors")) {
         return;
     }
     accessor->owned =
@@ -166,7 +158,7 @@ static void fill_sparse(burnish_gltf *gltf, burnish_gltf_accessor *accessor, uin
     }
     size_t index_stride, value_stride;
     const uint8_t *index_bytes =
-        locate(gltf, indices, index_view, count, component_size(type), &index_stride);
+        locate(gltf, indices, index_view, count, burnish_gltf_component_size(type), &index_stride);
     const uint8_t *value_bytes =
         index_bytes ? locate(gltf, values, value_view, count, element_size, &value_stride) : NULL;
     if (!value_bytes) {
@@ -190,46 +182,81 @@ static void fill_sparse(burnish_gltf *gltf, burnish_gltf_accessor *accessor, uin
     }
 }
 
-static void resolve(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
+/* What an accessor's elements are. */
+static void read_kind(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
     const uint32_t value = accessor->value;
-    const uint32_t sparse = burnish_gltf_object(gltf, value, "sparse");
-    const uint32_t view = burnish_gltf_reference(gltf, value, "bufferView", BURNISH_GLTF_VIEWS);
     accessor->count =
         (size_t)burnish_gltf_whole(gltf, value, "count", 0, (uint64_t)BURNISH_VALUE_LIMIT - 1);
     accessor->component = (int)burnish_gltf_whole(gltf, value, "componentType", 0, 65535);
     accessor->width = width_of(gltf, burnish_json_member(&gltf->json, value, "type"));
     accessor->is_normalized = burnish_gltf_flag(gltf, value, "normalized", 0);
-    const size_t element_size = component_size(accessor->component) * (size_t)accessor->width;
+    accessor->stride = burnish_gltf_component_size(accessor->component) * (size_t)accessor->width;
     if (gltf->status != BURNISH_STATUS_OK) {
         return;
     }
-    if (element_size == 0) {
+    if (accessor->stride == 0) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
                           "its type or componentType is none that can be drawn; expected SCALAR, "
                           "VEC2, VEC3, VEC4 or MAT4, and 5120 to 5126");
-        return;
-    }
-    if (accessor->count == 0) {
+    } else if (accessor->count == 0) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
                           "has no elements; count must be 1 or "
                           "more");
+    }
+}
+
+/* An array of its own where it has no values yet, or sparse ones besides. */
+static void fill_own(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
+    const uint32_t sparse = burnish_gltf_object(gltf, accessor->value, "sparse");
+    const size_t element_size =
+        burnish_gltf_component_size(accessor->component) * (size_t)accessor->width;
+    if (gltf->status != BURNISH_STATUS_OK || (accessor->bytes && sparse == BURNISH_JSON_NONE)) {
         return;
     }
-    accessor->stride = element_size;
-    const uint8_t *bytes = NULL;
+    own_elements(gltf, accessor, element_size);
+    if (gltf->status == BURNISH_STATUS_OK && sparse != BURNISH_JSON_NONE) {
+        fill_sparse(gltf, accessor, sparse, element_size);
+    }
+}
+
+static void resolve(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
+    const uint32_t value = accessor->value;
+    const uint32_t view = burnish_gltf_reference(gltf, value, "bufferView", BURNISH_GLTF_VIEWS);
+    read_kind(gltf, accessor);
+    if (gltf->status != BURNISH_STATUS_OK) {
+        return;
+    }
     if (view != BURNISH_GLTF_NONE) {
-        bytes = locate(gltf, value, view, accessor->count, element_size, &accessor->stride);
-        if (!bytes) {
-            return;
-        }
-        accessor->bytes = bytes;
+        accessor->bytes =
+            locate(gltf, value, view, accessor->count, accessor->stride, &accessor->stride);
     }
-    if (!bytes || sparse != BURNISH_JSON_NONE) {
-        own_elements(gltf, accessor, element_size);
-        if (gltf->status == BURNISH_STATUS_OK && sparse != BURNISH_JSON_NONE) {
-            fill_sparse(gltf, accessor, sparse, element_size);
-        }
+    fill_own(gltf, accessor);
+}
+
+void burnish_gltf_give(burnish_gltf *gltf, uint32_t number, uint32_t user,
+                       const burnish_gltf_accessor *values) {
+    burnish_gltf_accessor *accessor = &gltf->accessors[number];
+    if (accessor->bytes) {
+        return;
     }
+    accessor->value = gltf->lists[BURNISH_GLTF_ACCESSORS][number];
+    read_kind(gltf, accessor);
+    if (gltf->status != BURNISH_STATUS_OK) {
+        return;
+    }
+    /* indices come in 32 bits, whatever the file would have them in */
+    const int is_same = values->component == accessor->component || values->width == 1;
+    if (values->width != accessor->width || !is_same || values->count < accessor->count) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, user,
+                          "unpacks to other values than accessors[%u] describes; the file is "
+                          "damaged",
+                          number);
+        return;
+    }
+    accessor->component = values->component;
+    accessor->stride = burnish_gltf_component_size(accessor->component) * (size_t)accessor->width;
+    accessor->bytes = values->bytes;
+    fill_own(gltf, accessor);
 }
 
 const burnish_gltf_accessor *burnish_gltf_resolve(burnish_gltf *gltf, uint32_t accessor,

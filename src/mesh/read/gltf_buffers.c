@@ -1,8 +1,9 @@
 /* glTF's bytes: buffers from the binary chunk, from data URIs and from files beside the input. */
 #include "mesh/read/beside.h"
 #include "mesh/read/gltf.h"
+#include "mesh/read/meshopt.h"
 
-enum { FILE_NAME_SIZE = 4096 };
+enum { FILE_NAME_SIZE = 4096, FILLED_FACTOR = 16, FILLED_ALWAYS = 1 << 26 };
 
 /* ---- URIs ---- */
 
@@ -190,25 +191,105 @@ static const burnish_gltf_bytes *load_buffer(burnish_gltf *gltf, uint32_t number
     return gltf->status == BURNISH_STATUS_OK ? &buffer->bytes : NULL;
 }
 
-int burnish_gltf_view(burnish_gltf *gltf, uint32_t view, burnish_gltf_bytes *bytes,
-                      size_t *stride) {
-    const uint32_t value = gltf->lists[BURNISH_GLTF_VIEWS][view];
-    const uint32_t buffer = burnish_gltf_reference(gltf, value, "buffer", BURNISH_GLTF_BUFFERS);
-    const uint64_t offset = burnish_gltf_whole(gltf, value, "byteOffset", 0, (uint64_t)1 << 53);
-    const uint64_t size = burnish_gltf_whole(gltf, value, "byteLength", 0, (uint64_t)1 << 53);
-    *stride = (size_t)burnish_gltf_whole(gltf, value, "byteStride", 0, 252);
+int burnish_gltf_fill(burnish_gltf *gltf, uint32_t value, uint64_t bytes, const char *what) {
+    const uint64_t input = gltf->reader->input->size;
+    gltf->filled_bytes += bytes;
+    return gltf->filled_bytes <= FILLED_ALWAYS + FILLED_FACTOR * input ||
+           burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, value,
+                             "%s unpack to %llu bytes, of a file of %llu; write them in full", what,
+                             (unsigned long long)gltf->filled_bytes, (unsigned long long)input);
+}
+
+/* Which of `count` words stands under a key; the last one where it is none. */
+static int read_word(burnish_gltf *gltf, uint32_t object, const char *key, const char *const *words,
+                     int count) {
+    const uint32_t value = burnish_json_member(&gltf->json, object, key);
+    int i = value == BURNISH_JSON_NONE ? 0 : 1;
+    while (i > 0 && i < count && !burnish_json_is_text(&gltf->json, value, words[i])) {
+        ++i;
+    }
+    return i;
+}
+
+/* The bytes that `object`, a view or its extension, names. */
+static int locate_bytes(burnish_gltf *gltf, uint32_t object, burnish_gltf_bytes *bytes) {
+    const uint32_t buffer = burnish_gltf_reference(gltf, object, "buffer", BURNISH_GLTF_BUFFERS);
+    const uint64_t offset = burnish_gltf_whole(gltf, object, "byteOffset", 0, (uint64_t)1 << 53);
+    const uint64_t size = burnish_gltf_whole(gltf, object, "byteLength", 0, (uint64_t)1 << 53);
     if (buffer == BURNISH_GLTF_NONE) {
-        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value, "names no buffer");
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, object, "names no buffer");
     }
     const burnish_gltf_bytes *all = load_buffer(gltf, buffer);
     if (!all || gltf->status != BURNISH_STATUS_OK) {
         return 0;
     }
     if (offset > all->size || size > all->size - offset) {
-        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, object,
                                  "reaches to byte %llu of a buffer of %zu",
                                  (unsigned long long)(offset + size), all->size);
     }
     *bytes = (burnish_gltf_bytes){all->bytes + offset, (size_t)size};
     return 1;
+}
+
+/* A view that EXT_meshopt_compression holds, decoded when it is first asked for. Its own buffer is
+ * for those who can't, and may have no bytes. */
+static int decode_view(burnish_gltf *gltf, uint32_t view, uint32_t value,
+                       burnish_gltf_bytes *bytes) {
+    static const char *const modes[] = {"", "ATTRIBUTES", "TRIANGLES", "INDICES"};
+    static const char *const filters[] = {"", "NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
+    const int mode = read_word(gltf, value, "mode", modes, 4) - 1;
+    const int filter = read_word(gltf, value, "filter", filters, 5);
+    const size_t count =
+        (size_t)burnish_gltf_whole(gltf, value, "count", 0, (uint64_t)BURNISH_VALUE_LIMIT - 1);
+    const size_t stride = (size_t)burnish_gltf_whole(gltf, value, "byteStride", 0, 256);
+    const burnish_meshopt_filter f = (burnish_meshopt_filter)(filter > 0 ? filter - 1 : 0);
+    burnish_gltf_bytes packed;
+    if (gltf->status != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    if (mode < 0 || mode > 2 || filter > 4) {
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
+                                 "%s is none that is known; export the file without "
+                                 "EXT_meshopt_compression",
+                                 filter > 4 ? "its filter" : "its mode");
+    }
+    const char *wrong = count == 0
+                            ? "it has no elements"
+                            : burnish_meshopt_check((burnish_meshopt_mode)mode, f, count, stride);
+    if (wrong) {
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value, "%s", wrong);
+    }
+    *bytes = (burnish_gltf_bytes){gltf->decoded[view], count * stride}; /* < 2^40 */
+    if (bytes->bytes) {
+        return 1;
+    }
+    if (!locate_bytes(gltf, value, &packed) ||
+        !burnish_gltf_fill(gltf, value, (uint64_t)count * stride, "compressed buffer views")) {
+        return 0;
+    }
+    uint8_t *out = burnish_allocate(gltf->memory, count, stride, "buffer views");
+    if (!out) {
+        return burnish_gltf_is_fine(gltf);
+    }
+    gltf->decoded[view] = out;
+    if (!burnish_meshopt_decode((burnish_meshopt_mode)mode, packed.bytes, packed.size, count,
+                                stride, out)) {
+        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
+                                 "its %zu bytes are no %zu elements compressed as %s; the file is "
+                                 "damaged",
+                                 packed.size, count, modes[mode + 1]);
+    }
+    burnish_meshopt_unfilter(f, count, stride, out);
+    bytes->bytes = out;
+    return 1;
+}
+
+int burnish_gltf_view(burnish_gltf *gltf, uint32_t view, burnish_gltf_bytes *bytes,
+                      size_t *stride) {
+    const uint32_t value = gltf->lists[BURNISH_GLTF_VIEWS][view];
+    const uint32_t meshopt = burnish_gltf_extension(gltf, value, "EXT_meshopt_compression");
+    *stride = (size_t)burnish_gltf_whole(gltf, value, "byteStride", 0, 252);
+    return meshopt != BURNISH_JSON_NONE ? decode_view(gltf, view, meshopt, bytes)
+                                        : locate_bytes(gltf, value, bytes);
 }

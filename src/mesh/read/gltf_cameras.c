@@ -6,8 +6,7 @@ enum { CAMERAS_MAX = 4096 };
 
 #define DEGREES 57.295779513082320877
 
-/* The middle of the positions' box, which the focal point is as far away as. */
-static void find_middle(const burnish_mesh_data *mesh, double middle[3]) {
+void burnish_gltf_find_middle(const burnish_mesh_data *mesh, double middle[3]) {
     const float *positions = burnish_positions(mesh);
     for (int axis = 0; axis < 3; ++axis) {
         float low = positions[axis], high = positions[axis];
@@ -21,11 +20,12 @@ static void find_middle(const burnish_mesh_data *mesh, double middle[3]) {
 }
 
 /* Returns 0 where a node's matrix leaves no direction, or numbers are beyond what is drawn. */
-static int place_camera(const double matrix[12], const double middle[3], burnish_camera *camera) {
+static int place_camera(const double matrix[12], const double origin[3], const double middle[3],
+                        burnish_camera *camera) {
     double lengths[2] = {0, 0}, distance = 0;
     for (int row = 0; row < 3; ++row) {
         const double *m = matrix + 4 * row;
-        camera->position[row] = m[3];
+        camera->position[row] = m[3] - origin[row];
         camera->view_up[row] = m[1];
         lengths[0] += m[1] * m[1];
         lengths[1] += m[2] * m[2];
@@ -38,7 +38,7 @@ static int place_camera(const double matrix[12], const double middle[3], burnish
     }
     const double forward = -1 / burnish_sqrt(lengths[1]);
     for (int row = 0; row < 3; ++row) {
-        distance += forward * matrix[4 * row + 2] * (middle[row] - matrix[4 * row + 3]);
+        distance += forward * matrix[4 * row + 2] * (middle[row] - camera->position[row]);
     }
     distance = distance > 1e-6 ? distance : 1; /* what it looks at may lie behind it */
     for (int row = 0; row < 3; ++row) {
@@ -82,7 +82,7 @@ void burnish_gltf_read_cameras(burnish_gltf *gltf) {
     if (gltf->counts[BURNISH_GLTF_CAMERAS] == 0) {
         return;
     }
-    find_middle(gltf->reader->mesh, middle);
+    burnish_gltf_find_middle(gltf->reader->mesh, middle); /* as far away is the focal point */
     gltf->is_lenient = 1;
     for (size_t i = 0; i < gltf->counts[BURNISH_GLTF_NODES] && gltf->status == BURNISH_STATUS_OK &&
                        gltf->reader->mesh->camera_count < CAMERAS_MAX;
@@ -91,7 +91,7 @@ void burnish_gltf_read_cameras(burnish_gltf *gltf) {
         const uint32_t number = burnish_gltf_reference(gltf, node, "camera", BURNISH_GLTF_CAMERAS);
         burnish_camera camera = {.orthographic_height = 0};
         if (number != BURNISH_GLTF_NONE && gltf->nodes[i].is_drawn &&
-            place_camera(gltf->nodes[i].matrix, middle, &camera)) {
+            place_camera(gltf->nodes[i].matrix, gltf->reader->mesh->origin, middle, &camera)) {
             const uint32_t value = gltf->lists[BURNISH_GLTF_CAMERAS][number];
             read_lens(gltf, value, &camera);
             add_camera(gltf, node, value, camera);

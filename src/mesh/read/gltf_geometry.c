@@ -1,10 +1,13 @@
 /* From glTF's nodes to the streams of mesh data: once to count, once to fill them.
  *
  * Only vertices that a triangle uses are taken: files often have one large array of vertices, of
- * which each primitive uses some. */
+ * which each primitive uses some. A scene without triangles is drawn as its lines, and one without
+ * lines as its points: solids, of the material's base colour. */
 #include "core/elementary.h"
 #include "core/srgb.h"
 #include "mesh/read/gltf.h"
+#include "mesh/read/origin.h"
+#include "mesh/read/points.h"
 #include "mesh/read/textures.h"
 
 enum { STEP = 1 << 16 /* triangles after which it asks whether to end */ };
@@ -17,14 +20,18 @@ enum { STEP = 1 << 16 /* triangles after which it asks whether to end */ };
 typedef struct gltf_drawer {
     burnish_gltf *gltf;
     burnish_mesh_data *mesh;
+    burnish_gltf_kind kind;           /* of the primitives that are drawn */
     int has[BURNISH_ATTRIBUTE_COUNT]; /* of any primitive */
-    uint64_t triangles, vertices;     /* of all that is drawn */
-    uint64_t limit;                   /* of triangles */
+    uint64_t elements, vertices;      /* of all that is drawn */
+    uint64_t limit;                   /* of elements */
     size_t most_vertices;             /* of one primitive */
     uint32_t *slots;                  /* 1 + the vertex that became of one of the primitive's, where
                                          that is above `base` */
     uint32_t base;                    /* vertices before the primitive */
     uint16_t material;
+    double base_color[4];      /* of lines and points */
+    burnish_segment *segments; /* lines */
+    size_t segment_count;
 
     const burnish_gltf_primitive *primitive;
     const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoord, *indices;
@@ -58,7 +65,7 @@ static int put_place(gltf_drawer *drawer, size_t vertex, float *to, float *to_no
     for (int row = 0; row < 3; ++row, m += 4, c += 3) {
         const double moved = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
         turned[row] = c[0] * n[0] + c[1] * n[1] + c[2] * n[2];
-        if (!burnish_double_to_float(moved, &to[row])) {
+        if (!burnish_place(moved, drawer->mesh->origin[row], &to[row])) {
             return burnish_gltf_fail(drawer->gltf, BURNISH_STATUS_FORMAT, drawer->position->value,
                                      "position %zu is not finite, or beyond 3.4e38; repair the "
                                      "mesh",
@@ -94,10 +101,11 @@ static void put_color(const gltf_drawer *drawer, size_t vertex, uint8_t *to) {
         burnish_gltf_element(drawer->color, vertex, color);
     }
     for (int i = 0; i < 3; ++i) {
-        to[i] = burnish_linear_to_srgb((float)color[i]);
+        to[i] = burnish_linear_to_srgb((float)(color[i] * drawer->base_color[i]));
     }
     to[3] = 255; /* alpha counts only where the material says so */
-    if (drawer->mesh->materials[drawer->material].alpha_mode != BURNISH_ALPHA_IGNORE &&
+    if (drawer->kind == BURNISH_GLTF_TRIANGLES &&
+        drawer->mesh->materials[drawer->material].alpha_mode != BURNISH_ALPHA_IGNORE &&
         drawer->color && drawer->color->width == 4) {
         to[3] = color[3] > 0 ? (uint8_t)(255 * (color[3] < 1 ? color[3] : 1) + 0.5) : 0;
     }
@@ -166,7 +174,7 @@ static uint32_t corner_of(const gltf_drawer *drawer, size_t i, unsigned k) {
 static void draw_triangles(gltf_drawer *drawer) {
     burnish_gltf *gltf = drawer->gltf;
     burnish_mesh_data *mesh = drawer->mesh;
-    for (size_t i = 0; i < drawer->primitive->triangle_count; ++i) {
+    for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
         uint32_t *corners = mesh->streams[BURNISH_POSITION].corners + 3 * mesh->triangle_count;
         for (unsigned k = 0; k < 3; ++k) {
             const uint32_t vertex = take_vertex(drawer, corner_of(drawer, i, k));
@@ -188,6 +196,53 @@ static void draw_triangles(gltf_drawer *drawer) {
     }
 }
 
+/* Corner k of line or point i. */
+static uint32_t end_of(const gltf_drawer *drawer, size_t i, size_t k) {
+    const size_t at = drawer->primitive->mode == 1   ? 2 * i + k
+                      : drawer->primitive->mode == 2 ? (i + k) % drawer->primitive->corner_count
+                                                     : i + k;
+    return drawer->indices ? burnish_gltf_integer(drawer->indices, at, 0) : (uint32_t)at;
+}
+
+static void draw_lines_or_points(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    const size_t ends = drawer->kind == BURNISH_GLTF_LINES ? 2 : 1;
+    for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
+        uint32_t vertices[2] = {0, 0};
+        for (size_t k = 0; k < ends; ++k) {
+            vertices[k] = take_vertex(drawer, end_of(drawer, i, k));
+            if (vertices[k] == BURNISH_NONE) {
+                return;
+            }
+        }
+        if (drawer->segments) {
+            drawer->segments[drawer->segment_count++] = (burnish_segment){vertices[0], vertices[1]};
+        }
+        if (i % STEP == STEP - 1) {
+            gltf->status = burnish_tasks_check(drawer->mesh->tasks, gltf->reader->error);
+            if (gltf->status != BURNISH_STATUS_OK) {
+                return;
+            }
+        }
+    }
+}
+
+/* Of lines and points the base colour is all that is taken of a material. */
+static void read_base_color(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    const uint32_t material = drawer->primitive->material;
+    for (int i = 0; i < 4; ++i) {
+        drawer->base_color[i] = 1;
+    }
+    if (drawer->kind != BURNISH_GLTF_TRIANGLES && material != BURNISH_GLTF_NONE) {
+        const uint32_t value = gltf->lists[BURNISH_GLTF_MATERIALS][material];
+        gltf->is_lenient = 1;
+        burnish_gltf_numbers(gltf, burnish_gltf_object(gltf, value, "pbrMetallicRoughness"),
+                             "baseColorFactor", 4, drawer->base_color);
+        gltf->is_lenient = 0;
+    }
+}
+
 static const burnish_gltf_accessor *accessor_of(const burnish_gltf *gltf, uint32_t number) {
     return number == BURNISH_GLTF_NONE ? NULL : &gltf->accessors[number];
 }
@@ -195,6 +250,9 @@ static const burnish_gltf_accessor *accessor_of(const burnish_gltf *gltf, uint32
 static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
                            const double matrix[12], const burnish_gltf_primitive *primitive) {
     burnish_gltf *gltf = drawer->gltf;
+    if (burnish_gltf_kind_of(primitive) != drawer->kind) {
+        return;
+    }
     drawer->primitive = primitive;
     drawer->position = accessor_of(gltf, primitive->position);
     drawer->normal = accessor_of(gltf, primitive->normal);
@@ -208,8 +266,13 @@ static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
                                                             : primitive->material);
     burnish_gltf_set_shape(gltf, &drawer->shape, node, matrix, primitive);
     drawer->moves = drawer->shape.target_count > 0 || drawer->shape.set_count > 0;
+    read_base_color(drawer);
     if (gltf->status == BURNISH_STATUS_OK) {
-        draw_triangles(drawer);
+        if (drawer->kind == BURNISH_GLTF_TRIANGLES) {
+            draw_triangles(drawer);
+        } else {
+            draw_lines_or_points(drawer);
+        }
     }
 }
 
@@ -217,24 +280,34 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
                             const double matrix[12], const burnish_gltf_primitive *primitive) {
     burnish_gltf *gltf = drawer->gltf;
     (void)node, (void)matrix;
+    static const char *const kinds[] = {"points", "lines", "triangles"};
+    const burnish_gltf_kind kind = burnish_gltf_kind_of(primitive);
+    if (kind != drawer->kind) {
+        burnish_gltf_note(gltf, &gltf->undrawn, primitive->value, "%s are not drawn beside %s",
+                          kinds[kind], kinds[drawer->kind]);
+        return;
+    }
     const size_t vertices = gltf->accessors[primitive->position].count;
-    const uint64_t used = 3 * (uint64_t)primitive->triangle_count;
-    drawer->triangles += primitive->triangle_count;
+    const uint64_t used = 3 * (uint64_t)primitive->element_count;
+    drawer->elements += primitive->element_count;
     drawer->vertices += used < vertices ? used : vertices;
     drawer->most_vertices = vertices > drawer->most_vertices ? vertices : drawer->most_vertices;
     drawer->has[BURNISH_NORMAL] |= primitive->normal != BURNISH_GLTF_NONE;
     drawer->has[BURNISH_TANGENT] |= primitive->tangent != BURNISH_GLTF_NONE;
-    drawer->has[BURNISH_COLOR] |= primitive->color != BURNISH_GLTF_NONE;
+    drawer->has[BURNISH_COLOR] |=
+        primitive->color != BURNISH_GLTF_NONE ||
+        (kind != BURNISH_GLTF_TRIANGLES && primitive->material != BURNISH_GLTF_NONE);
     drawer->has[BURNISH_TEXCOORD] |= primitive->texcoord != BURNISH_GLTF_NONE;
-    if (drawer->triangles > drawer->limit) {
+    if (drawer->elements > drawer->limit) {
         const uint64_t limit = gltf->reader->input->options->max_triangles;
         if (drawer->limit == limit) {
             gltf->status = burnish_fail_triangles(gltf->reader, NULL);
         } else {
             burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, BURNISH_JSON_NONE,
-                              "its nodes make more than %llu triangles of what a file of %zu bytes "
+                              "its nodes make more than %llu %s of what a file of %zu bytes "
                               "holds; set a limit of triangles to draw them",
-                              (unsigned long long)drawer->limit, gltf->reader->input->size);
+                              (unsigned long long)drawer->limit, kinds[kind],
+                              gltf->reader->input->size);
         }
     }
 }
@@ -310,15 +383,62 @@ static void reserve(gltf_drawer *drawer) {
             burnish_mesh_data_reserve(mesh, (burnish_attribute)i, (size_t)drawer->vertices);
         }
     }
-    burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, (size_t)drawer->triangles);
-    if (mesh->material_count > 1) {
+    if (drawer->kind == BURNISH_GLTF_TRIANGLES) {
+        burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, (size_t)drawer->elements);
+    }
+    if (drawer->kind == BURNISH_GLTF_LINES) {
+        drawer->segments = burnish_allocate(gltf->memory, (size_t)drawer->elements,
+                                            sizeof *drawer->segments, "lines");
+    }
+    if (drawer->kind == BURNISH_GLTF_TRIANGLES && mesh->material_count > 1) {
         mesh->triangle_materials = burnish_reserve_discard(
             gltf->memory, mesh->triangle_materials, &mesh->triangle_material_capacity,
-            (size_t)drawer->triangles, sizeof *mesh->triangle_materials, "triangle materials");
+            (size_t)drawer->elements, sizeof *mesh->triangle_materials, "triangle materials");
     }
     drawer->slots = burnish_allocate_zeroed(gltf->memory, drawer->most_vertices,
                                             sizeof *drawer->slots, "vertices");
     burnish_gltf_is_fine(gltf);
+}
+
+static void draw_all(gltf_drawer *drawer) {
+    drawer->mesh->streams[BURNISH_POSITION].count = drawer->mesh->triangle_count = 0;
+    drawer->segment_count = 0;
+    if (drawer->gltf->status == BURNISH_STATUS_OK) {
+        for_each_primitive(drawer, draw_primitive);
+    }
+}
+
+/* Once more where nodes put the scene far away. */
+static void draw_from_origin(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    double origin[3];
+    for (int i = 0; i < BURNISH_ORIGIN_TIMES && gltf->status == BURNISH_STATUS_OK &&
+                    burnish_find_origin(drawer->mesh, origin);
+         ++i) {
+        memcpy(drawer->mesh->origin, origin, sizeof origin);
+        memset(drawer->slots, 0, drawer->most_vertices * sizeof *drawer->slots);
+        draw_all(drawer);
+    }
+}
+
+/* Counts what there is of the kind that is drawn: triangles, else lines, else points. */
+static void choose_kind(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    for (int kind = BURNISH_GLTF_TRIANGLES;
+         kind >= BURNISH_GLTF_POINTS && drawer->elements == 0 && gltf->status == BURNISH_STATUS_OK;
+         --kind) {
+        drawer->kind = (burnish_gltf_kind)kind;
+        gltf->undrawn = (burnish_warning_group){0};
+        for_each_primitive(drawer, count_primitive);
+    }
+}
+
+/* Lines or points become solids, with the colours of vertices alone. */
+static void make_solids(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    gltf->status = burnish_make_points(gltf->reader, drawer->segments, drawer->segment_count);
+    drawer->mesh->materials[0] = burnish_material_default();
+    drawer->mesh->material_count = 1;
 }
 
 void burnish_gltf_read_geometry(burnish_gltf *gltf) {
@@ -333,26 +453,30 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
         drawer.limit =
             drawer.limit < options->max_triangles ? drawer.limit : options->max_triangles;
     }
-    for_each_primitive(&drawer, count_primitive);
+    choose_kind(&drawer);
     drawer.has[BURNISH_TEXCOORD] &=
         burnish_reader_keeps_coordinates(gltf->reader, drawer.mesh->texture_count > 0);
     drawer.has[BURNISH_TANGENT] &= drawer.mesh->texture_count > 0;
-    if (gltf->status == BURNISH_STATUS_OK && drawer.triangles == 0) {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, BURNISH_JSON_NONE, "no triangles%s",
-                          gltf->unsupported_modes.count > 0 ? ", and points and lines are not drawn"
-                                                            : "; export the scene's meshes");
+    if (gltf->status == BURNISH_STATUS_OK && drawer.elements == 0) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, BURNISH_JSON_NONE,
+                          "no triangles; export the scene's meshes");
     }
     if (gltf->status != BURNISH_STATUS_OK) {
         return;
     }
     reserve(&drawer);
-    if (gltf->status == BURNISH_STATUS_OK) {
-        for_each_primitive(&drawer, draw_primitive);
+    draw_all(&drawer);
+    if (!options->origin) {
+        draw_from_origin(&drawer);
     }
     const size_t count = drawer.mesh->streams[BURNISH_POSITION].count;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         drawer.mesh->streams[i].count = drawer.has[i] ? count : 0;
     }
+    if (gltf->status == BURNISH_STATUS_OK && drawer.kind != BURNISH_GLTF_TRIANGLES) {
+        make_solids(&drawer);
+    }
+    burnish_release(gltf->memory->context, drawer.segments);
     burnish_release(gltf->memory->context, drawer.slots);
     burnish_release(gltf->memory->context, drawer.shape.targets);
 }

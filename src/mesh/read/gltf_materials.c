@@ -107,6 +107,7 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
                           burnish_material *material) {
     const uint32_t metallic = burnish_gltf_object(gltf, value, "pbrMetallicRoughness");
     burnish_texture_use *textures = material->textures;
+    gltf->texture_set = burnish_gltf_texture_set(gltf, value);
     textures[BURNISH_TEXTURE_NORMAL] =
         burnish_gltf_read_texture(gltf, value, "normalTexture", 0, "scale");
     textures[BURNISH_TEXTURE_EMISSIVE] =
@@ -167,10 +168,12 @@ void burnish_gltf_read_materials(burnish_gltf *gltf) {
         return;
     }
     gltf->is_lenient = 1;
+    burnish_gltf_decode_ahead(gltf);
     for (size_t i = 0; i < count && gltf->status == BURNISH_STATUS_OK; ++i) {
         mesh->materials[i] = read_material(gltf, gltf->lists[BURNISH_GLTF_MATERIALS][i]);
     }
     gltf->is_lenient = 0;
+    burnish_gltf_drop_ahead(gltf);
     mesh->materials[count] = burnish_material_default();
     mesh->material_count = count + (gltf->has_plain || count == 0);
 }

@@ -1,8 +1,8 @@
-/* glTF's primitives: what attributes each has, and how many triangles it makes. Each is looked at
- * once, however many nodes draw it. */
+/* glTF's primitives: what attributes each has, and how many triangles, lines or points it makes.
+ * Each is looked at once, however many nodes draw it. */
 #include "mesh/read/gltf.h"
 
-enum { TRIANGLES = 4, TRIANGLE_STRIP = 5, TRIANGLE_FAN = 6 };
+enum { POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN };
 
 #define WIDTH(width) (1u << (width))
 
@@ -74,49 +74,59 @@ static void read_indices(burnish_gltf *gltf, burnish_gltf_primitive *primitive) 
     }
 }
 
-static void count_triangles(burnish_gltf *gltf, burnish_gltf_primitive *primitive) {
+burnish_gltf_kind burnish_gltf_kind_of(const burnish_gltf_primitive *primitive) {
+    return primitive->mode == POINTS     ? BURNISH_GLTF_POINTS
+           : primitive->mode < TRIANGLES ? BURNISH_GLTF_LINES
+                                         : BURNISH_GLTF_TRIANGLES;
+}
+
+static void count_elements(burnish_gltf *gltf, burnish_gltf_primitive *primitive) {
     const size_t corners = primitive->corner_count;
-    if (primitive->mode != TRIANGLES) {
-        primitive->triangle_count = corners >= 3 ? corners - 2 : 0;
+    const size_t of_each = primitive->mode == TRIANGLES ? 3 : primitive->mode == LINES ? 2 : 1;
+    switch (primitive->mode) {
+    case POINTS:
+        primitive->element_count = corners;
         return;
+    case LINE_LOOP:
+        primitive->element_count = corners >= 2 ? corners : 0;
+        return;
+    case LINE_STRIP:
+        primitive->element_count = corners >= 2 ? corners - 1 : 0;
+        return;
+    case TRIANGLE_STRIP:
+    case TRIANGLE_FAN:
+        primitive->element_count = corners >= 3 ? corners - 2 : 0;
+        return;
+    default:
+        primitive->element_count = corners / of_each;
     }
-    primitive->triangle_count = corners / 3;
-    if (corners % 3 != 0) {
+    if (corners % of_each != 0) {
         burnish_gltf_note(gltf, &gltf->rests, primitive->value,
-                          "%zu corners make no whole triangles; the last %zu are passed over",
-                          corners, corners % 3);
+                          "%zu corners make no whole %s; the last %zu are passed over", corners,
+                          primitive->mode == LINES ? "lines" : "triangles", corners % of_each);
     }
 }
 
-/* Whether the positions stand in the file as they are, besides what is compressed. */
-static int has_values(burnish_gltf *gltf, uint32_t attributes) {
-    const uint32_t number =
-        burnish_gltf_reference(gltf, attributes, "POSITION", BURNISH_GLTF_ACCESSORS);
-    return number != BURNISH_GLTF_NONE &&
-           burnish_json_member(&gltf->json, gltf->lists[BURNISH_GLTF_ACCESSORS][number],
-                               "bufferView") != BURNISH_JSON_NONE;
+/* The name of the set of texture coordinates that the primitive's material uses. */
+static const char *texcoord_name(const burnish_gltf *gltf,
+                                 const burnish_gltf_primitive *primitive) {
+    static const char *const names[BURNISH_GLTF_TEXCOORDS] = {"TEXCOORD_0", "TEXCOORD_1",
+                                                              "TEXCOORD_2", "TEXCOORD_3"};
+    return primitive->material == BURNISH_GLTF_NONE
+               ? names[0]
+               : names[burnish_gltf_texture_set(
+                     gltf, gltf->lists[BURNISH_GLTF_MATERIALS][primitive->material])];
 }
 
 /* Returns whether there is anything to draw. */
 static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive) {
-    static const char *const modes[] = {"points", "lines", "line loops", "line strips"};
     const uint32_t attributes = burnish_gltf_object(gltf, primitive->value, "attributes");
     primitive->mode = (int)burnish_gltf_whole(gltf, primitive->value, "mode", TRIANGLES, 6);
     if (gltf->status != BURNISH_STATUS_OK) {
         return 0;
     }
-    if (primitive->mode < TRIANGLES) {
-        burnish_gltf_note(gltf, &gltf->unsupported_modes, primitive->value, "%s are not drawn",
-                          modes[primitive->mode]);
-        return 0;
-    }
-    if (burnish_gltf_extension(gltf, primitive->value, "KHR_draco_mesh_compression") !=
-            BURNISH_JSON_NONE &&
-        !has_values(gltf, attributes)) {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, primitive->value,
-                          "is compressed by KHR_draco_mesh_compression, which is not supported; "
-                          "export the file without");
-        return 0;
+    if (burnish_gltf_draco(gltf, primitive->value) != BURNISH_JSON_NONE) {
+        primitive->mode = TRIANGLES; /* as which strips are unpacked */
     }
     primitive->position = read_attribute(gltf, primitive, attributes, "POSITION", WIDTH(3));
     if (primitive->position == BURNISH_GLTF_NONE) { /* which the specification allows */
@@ -124,19 +134,20 @@ static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive)
     }
     primitive->normal = read_attribute(gltf, primitive, attributes, "NORMAL", WIDTH(3));
     primitive->color = read_attribute(gltf, primitive, attributes, "COLOR_0", WIDTH(3) | WIDTH(4));
-    primitive->texcoord = read_attribute(gltf, primitive, attributes, "TEXCOORD_0", WIDTH(2));
     primitive->tangent = read_attribute(gltf, primitive, attributes, "TANGENT", WIDTH(4));
     primitive->targets = burnish_gltf_array(gltf, primitive->value, "targets");
     read_joints(gltf, primitive, attributes);
     primitive->material =
         burnish_gltf_reference(gltf, primitive->value, "material", BURNISH_GLTF_MATERIALS);
+    primitive->texcoord =
+        read_attribute(gltf, primitive, attributes, texcoord_name(gltf, primitive), WIDTH(2));
     if (gltf->status == BURNISH_STATUS_OK) {
         read_indices(gltf, primitive);
     }
-    count_triangles(gltf, primitive);
+    count_elements(gltf, primitive);
     gltf->has_colors |= primitive->color != BURNISH_GLTF_NONE;
-    gltf->has_plain |= primitive->material == BURNISH_GLTF_NONE && primitive->triangle_count > 0;
-    return gltf->status == BURNISH_STATUS_OK && primitive->triangle_count > 0;
+    gltf->has_plain |= primitive->material == BURNISH_GLTF_NONE && primitive->element_count > 0;
+    return gltf->status == BURNISH_STATUS_OK && primitive->element_count > 0;
 }
 
 size_t burnish_gltf_target_count(burnish_gltf *gltf, uint32_t mesh) {

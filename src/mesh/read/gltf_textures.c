@@ -1,4 +1,6 @@
 /* Textures of glTF's materials: which image, how it repeats, and where on it a point lies. */
+#include <stdio.h>
+
 #include "core/elementary.h"
 #include "mesh/read/gltf.h"
 #include "mesh/read/textures.h"
@@ -12,18 +14,23 @@ enum {
 
 /* ---- Images ---- */
 
+burnish_gltf_name burnish_gltf_image_name(const burnish_gltf *gltf, uint32_t image) {
+    burnish_gltf_name name;
+    const uint32_t given = burnish_json_member(&gltf->json, image, "name");
+    if (burnish_json_text(&gltf->json, given, name.text, sizeof name.text) == 0) {
+        snprintf(name.text, sizeof name.text, "%s", burnish_json_path_of(&gltf->json, image).text);
+    }
+    return name;
+}
+
 static int decode_bytes(burnish_gltf *gltf, uint32_t image, const uint8_t *bytes, size_t size,
                         int is_color) {
-    char name[96];
-    const uint32_t given = burnish_json_member(&gltf->json, image, "name");
     if (gltf->damaged_images >= DAMAGED_MAX) {
         return 0;
     }
-    if (burnish_json_text(&gltf->json, given, name, sizeof name) == 0) {
-        strcpy(name, burnish_json_path_of(&gltf->json, image).text);
-    }
     const int number = burnish_reader_decode_texture(
-        gltf->reader, burnish_json_at(&gltf->json, image), name, bytes, size, is_color);
+        gltf->reader, burnish_json_at(&gltf->json, image),
+        burnish_gltf_image_name(gltf, image).text, bytes, size, is_color);
     gltf->damaged_images += number == 0;
     return number;
 }
@@ -56,6 +63,51 @@ static int texture_of_image(burnish_gltf *gltf, uint32_t image, int is_color) {
         *number = load_image(gltf, gltf->lists[BURNISH_GLTF_IMAGES][image], is_color);
     }
     return *number;
+}
+
+/* ---- Sets of texture coordinates ---- */
+
+/* That of a texture's use; SETS where it is none, or no set that is read. */
+static unsigned set_of_use(const burnish_json *json, uint32_t info) {
+    const uint32_t extensions = burnish_json_member(json, info, "extensions");
+    const uint32_t transform = burnish_json_member(json, extensions, "KHR_texture_transform");
+    uint32_t value = burnish_json_member(json, transform, "texCoord");
+    double number = 0;
+    if (value == BURNISH_JSON_NONE) {
+        value = burnish_json_member(json, info, "texCoord");
+    }
+    burnish_json_number(json, value, &number);
+    return info != BURNISH_JSON_NONE && number >= 0 && number < BURNISH_GLTF_TEXCOORDS
+               ? (unsigned)number
+               : BURNISH_GLTF_TEXCOORDS;
+}
+
+unsigned burnish_gltf_texture_set(const burnish_gltf *gltf, uint32_t material) {
+    static const struct {
+        const char *object, *key; /* object NULL: the material itself */
+        unsigned votes;
+    } uses[] = {{"pbrMetallicRoughness", "baseColorTexture", 3},
+                {"pbrMetallicRoughness", "metallicRoughnessTexture", 2},
+                {"KHR_materials_pbrSpecularGlossiness", "diffuseTexture", 3},
+                {"KHR_materials_pbrSpecularGlossiness", "specularGlossinessTexture", 2},
+                {NULL, "normalTexture", 2},
+                {NULL, "occlusionTexture", 2},
+                {NULL, "emissiveTexture", 2}};
+    const burnish_json *json = &gltf->json;
+    const uint32_t extensions = burnish_json_member(json, material, "extensions");
+    unsigned votes[BURNISH_GLTF_TEXCOORDS + 1] = {0}, best = 0;
+    for (size_t i = 0; i < sizeof uses / sizeof *uses; ++i) {
+        const char *name = uses[i].object;
+        const uint32_t object =
+            !name ? material
+                  : burnish_json_member(json, strncmp(name, "KHR", 3) == 0 ? extensions : material,
+                                        name);
+        votes[set_of_use(json, burnish_json_member(json, object, uses[i].key))] += uses[i].votes;
+    }
+    for (unsigned set = 1; set < BURNISH_GLTF_TEXCOORDS; ++set) {
+        best = votes[set] > votes[best] ? set : best;
+    }
+    return best;
 }
 
 /* ---- Textures ---- */
@@ -98,7 +150,7 @@ burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t objec
     const uint32_t transform = burnish_gltf_extension(gltf, info, "KHR_texture_transform");
     uint64_t set = burnish_gltf_whole(gltf, info, "texCoord", 0, 1000);
     set = burnish_gltf_whole(gltf, transform, "texCoord", set, 1000);
-    if (set != 0) {
+    if (set != gltf->texture_set) {
         burnish_gltf_note(gltf, &gltf->other_sets, info,
                           "left out, as it has texture coordinates of its own (set %u)",
                           (unsigned)set);

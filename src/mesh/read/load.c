@@ -7,6 +7,7 @@
 #include "core/platform.h"
 #include "mesh/mesh.h"
 #include "mesh/read/beside.h"
+#include "mesh/read/origin.h"
 #include "mesh/read/reader.h"
 #include "mesh/read/unpack.h"
 
@@ -313,7 +314,11 @@ static burnish_status load_builtin(const char *name, const burnish_load_options 
     burnish_tasks_begin(&tasks, options->context, options->threads);
     burnish_mesh_data data = burnish_mesh_data_begin(options->context, &tasks, error);
     burnish_status status = burnish_make_builtin(name + 1, options, &data, error);
+    if (options->origin) {
+        memcpy(data.origin, options->origin, sizeof data.origin);
+    }
     if (status == BURNISH_STATUS_OK) {
+        burnish_move_positions(&data);
         status = burnish_mesh_build(&data, name, options, BURNISH_FORMAT_BUILTIN, mesh);
     }
     burnish_mesh_data_destroy(&data);

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "mesh/read/beside.h"
+#include "mesh/read/textures.h"
 
 enum {
     MATERIAL_LIMIT = 65536, /* what 16 bits a triangle can tell apart */
@@ -358,9 +359,32 @@ static void warn_material(burnish_obj_materials *materials, burnish_token name) 
                         burnish_token_quote(name).text);
 }
 
+/* Pictures of the materials in use, in the order in which they are loaded. */
+static void decode_ahead(const burnish_obj_materials *materials) {
+    enum { MOST = 256 };
+    burnish_texture_source sources[MOST];
+    size_t count = 0;
+    for (size_t i = 0; i < materials->run_count && count < MOST; ++i) {
+        const burnish_obj_run *run = &materials->runs[i];
+        for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT && run->head == run && run->entry;
+             ++slot) {
+            const char *file = run->entry->maps[slot].file;
+            size_t known = 0;
+            while (known < count && file && strcmp(sources[known].name, file) != 0) {
+                ++known;
+            }
+            if (file && known == count && count < MOST) {
+                sources[count++] = (burnish_texture_source){.name = file};
+            }
+        }
+    }
+    burnish_reader_decode_ahead(materials->reader, sources, count);
+}
+
 /* Numbers the materials in use in the order of the file; those in no library share one grey. */
 static burnish_status number_materials(burnish_obj_materials *materials) {
     uint32_t grey = UINT32_MAX;
+    decode_ahead(materials);
     for (size_t i = 0; i < materials->run_count; ++i) {
         burnish_obj_run *run = &materials->runs[i];
         burnish_status status = BURNISH_STATUS_OK;
@@ -381,6 +405,7 @@ static burnish_status number_materials(burnish_obj_materials *materials) {
             return status;
         }
     }
+    burnish_reader_drop_ahead(materials->reader);
     return BURNISH_STATUS_OK;
 }
 

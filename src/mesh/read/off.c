@@ -4,6 +4,7 @@
  * The first word says what a vertex has: [ST][C][N]OFF. Colours count to 255 where they are written
  * without a point, to 1 with one. */
 #include "mesh/read/chunks.h"
+#include "mesh/read/origin.h"
 #include "mesh/read/points.h"
 #include "mesh/read/textures.h"
 
@@ -54,14 +55,18 @@ static int cut_prefix(burnish_token *word, const char *prefix) {
     return 1;
 }
 
-/* [ST][C][N][4][n]OFF; returns 0 for any other word. */
-static int read_keyword(off_state *off, burnish_token word, int *has_dimensions) {
+/* [ST][C][N][4][n]OFF, also with the first count right after it. Returns its size, 0 for any other
+ * word. */
+static size_t read_keyword(off_state *off, burnish_token word, int *has_dimensions) {
+    const uint8_t *first = word.bytes;
     off->has_texcoords = cut_prefix(&word, "ST");
     off->has_colors = cut_prefix(&word, "C");
     off->has_normals = cut_prefix(&word, "N");
     *has_dimensions = cut_prefix(&word, "4");
     *has_dimensions |= cut_prefix(&word, "n");
-    return burnish_token_is(word, "OFF");
+    const int is_it = burnish_token_is(word, "OFF") ||
+                      (cut_prefix(&word, "OFF") && *word.bytes >= '0' && *word.bytes <= '9');
+    return !is_it ? 0 : (size_t)(word.bytes - first) + (*word.bytes == 'O' ? 3 : 0);
 }
 
 static burnish_status fail(off_state *off, const burnish_lexer *lexer, const char *text) {
@@ -77,9 +82,9 @@ static burnish_status read_head(off_state *off, burnish_lexer *lexer) {
     skip_empty_lines(lexer);
     burnish_lexer before = *lexer;
     burnish_lexer_token(lexer, &word);
-    if (!read_keyword(off, word, &has_dimensions)) {
-        *lexer = before;
-    } else if (has_dimensions) {
+    const size_t keyword = read_keyword(off, word, &has_dimensions);
+    lexer->next = keyword > 0 ? word.bytes + keyword : before.next;
+    if (keyword > 0 && has_dimensions) {
         return fail(off, lexer, "vertices of other than 3 dimensions are not read; export OFF");
     }
     for (int i = 0; i < 2; ++i) {
@@ -154,6 +159,14 @@ static void write_color(const double *values, const uint8_t *is_whole, int count
     }
 }
 
+static void append_position(off_parser *p, const double values[3]) {
+    const double *origin = p->off->reader->mesh->origin;
+    float *to = burnish_chunk_append(p->chunk, BURNISH_POSITION);
+    for (int i = 0; i < 3 && to; ++i) {
+        burnish_place(values[i], origin[i], &to[i]);
+    }
+}
+
 static void append_floats(off_parser *p, burnish_attribute attribute, const double *values,
                           int count) {
     float *to = burnish_chunk_append(p->chunk, attribute);
@@ -185,7 +198,7 @@ static void read_vertex(off_parser *p) {
             return;
         }
     }
-    append_floats(p, BURNISH_POSITION, position, 3);
+    append_position(p, position);
     if (!off->has_normals && !off->has_colors && !off->has_texcoords) {
         return;
     }
@@ -240,7 +253,7 @@ static int fail_corner(off_parser *p, burnish_token token) {
     return 0;
 }
 
-/* Into the chunk's scratch array. */
+/* Into the chunk's scratch array; they may go on in the next line. */
 static int read_corners(off_parser *p, size_t count) {
     for (size_t i = 0; i < count; ++i) {
         uint32_t *corners = burnish_chunk_scratch(p->chunk, i + 1);
@@ -251,10 +264,10 @@ static int read_corners(off_parser *p, size_t count) {
         if (!burnish_lexer_count(&p->lexer, &index)) {
             burnish_token token;
             int64_t written = -1;
-            if (!burnish_lexer_token(&p->lexer, &token)) {
+            if (!skip_empty_lines(&p->lexer) || !burnish_lexer_token(&p->lexer, &token)) {
                 burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, p->lexer.next,
-                                   "the line ends after %zu of %zu corners; repair the file", i,
-                                   count);
+                                   "the file ends after %zu of %zu corners; the file is truncated",
+                                   i, count);
                 return 0;
             }
             if (burnish_parse_integer(token, &written) != BURNISH_NUMBER_OK || written < 0) {
@@ -306,6 +319,10 @@ static void parse(const void *state, burnish_chunk *chunk) {
         }
         p.off->in_faces ? read_face(&p) : read_vertex(&p);
         burnish_lexer_rest(&p.lexer);
+        if (chunk->bounded && p.lexer.next > chunk->end) {
+            chunk->status = BURNISH_STATUS_FORMAT; /* a row that goes on in the next chunk */
+            return;
+        }
         chunk->rows += chunk->status == BURNISH_STATUS_OK;
         chunk->rows_end = p.lexer.next;
     }
@@ -379,6 +396,7 @@ burnish_status burnish_read_off(burnish_reader *reader) {
     burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, reader->input->size, 0);
     burnish_status status = read_head(&off, &lexer);
     const uint8_t *at = lexer.next;
+    reader->is_wide = 1;
     off.keeps_texcoords = burnish_reader_keeps_coordinates(reader, 0);
     if (status == BURNISH_STATUS_OK) {
         status = read_rows(&off, &at, off.vertex_count);
@@ -410,5 +428,5 @@ int burnish_recognise_off(const uint8_t *bytes, size_t size) {
     off_state unused;
     int dimensions;
     return skip_empty_lines(&lexer) && burnish_lexer_token(&lexer, &word) &&
-           read_keyword(&unused, word, &dimensions);
+           read_keyword(&unused, word, &dimensions) > 0;
 }

@@ -46,8 +46,10 @@ typedef enum burnish_ply_role {
     BURNISH_PLY_S,
     BURNISH_PLY_T,
     BURNISH_PLY_ROLE_COUNT,
-    BURNISH_PLY_CORNERS, /* vertex_indices of a face or of triangle strips */
-    BURNISH_PLY_OTHER    /* passed over */
+    BURNISH_PLY_CORNERS,   /* vertex_indices of a face or of triangle strips */
+    BURNISH_PLY_TEXCOORDS, /* texcoord of a face: u and v of each corner */
+    BURNISH_PLY_TEXNUMBER, /* which of the header's textures it shows, from 0 */
+    BURNISH_PLY_OTHER      /* passed over */
 } burnish_ply_role;
 
 typedef struct burnish_ply_property {
@@ -77,11 +79,15 @@ typedef struct burnish_ply_header {
     size_t element_count, element_capacity;
     burnish_ply_property *properties;
     size_t property_count, property_capacity;
-    const uint8_t *body;                    /* first byte after the line end of end_header */
-    burnish_token texture;                  /* of "comment TextureFile NAME"; empty: none */
+    const uint8_t *body;     /* first byte after the line end of end_header */
+    burnish_token *textures; /* of "comment TextureFile NAME", in their order */
+    size_t texture_count, texture_capacity;
     int has_vertex_colors, has_face_colors; /* red, green and blue */
-    int has_face_coordinates;               /* of textures: lists named texcoord */
+    int has_face_coordinates;               /* texcoord */
 } burnish_ply_header;
+
+/* Textures of one file: numbers of faces beyond show none. */
+enum { BURNISH_PLY_TEXTURES_MAX = 4096 };
 
 /* ---- ply_header.c ---- */
 
@@ -116,6 +122,61 @@ void burnish_ply_convert_triangles(void *user_data, size_t first, size_t end);
 
 /* The colours of triangles that have been converted, one each. */
 void burnish_ply_convert_face_colors(void *user_data, size_t first, size_t end);
+
+/* ---- ply_rows.c ---- */
+
+/* What is known of the file while its body is read. */
+typedef struct burnish_ply_state {
+    burnish_reader *reader;
+    burnish_ply_header header;
+    const burnish_ply_element *element; /* being read */
+    size_t first_row;                   /* rows of it that were read by other means */
+    size_t vertex_count;
+    burnish_ply_type types[BURNISH_PLY_ROLE_COUNT];      /* of a vertex; NONE: not there */
+    burnish_ply_type face_types[BURNISH_PLY_ROLE_COUNT]; /* of a face's colours */
+    int takes_face_colors;      /* 1: each triangle appends its face's colour */
+    int keeps_coordinates;      /* 1: texture coordinates are wanted */
+    int takes_face_coordinates; /* 1: each triangle appends 3 of its face */
+    int takes_textures;         /* 1: faces tell which texture they show */
+    unsigned per_triangle;      /* bits 1 << attribute: what triangles append */
+    size_t run_start;           /* triangles from here on show run_texture */
+    int run_texture;
+    burnish_warning_group few_corners, fields;
+    int by_lines;       /* rows are lines of an ASCII file, whatever they hold */
+    atomic_int *is_odd; /* becomes 1 where a line does not hold a row */
+} burnish_ply_state;
+
+static inline int burnish_ply_has_roles(const burnish_ply_state *ply, int first, int last) {
+    for (int role = first; role <= last; ++role) {
+        if (ply->types[role] == BURNISH_PLY_NONE) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The first line end from a byte on. */
+static inline const uint8_t *burnish_ply_line_end(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = memchr(from, '\n', (size_t)(end - from));
+    const uint8_t *last = newline ? newline : end;
+    const uint8_t *other = memchr(from, '\r', (size_t)(last - from));
+    return other ? other : last;
+}
+
+/* `rows` rows of the element at hand from *at on, which moves past them. */
+burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at, size_t rows);
+
+/* ---- ply_triangles.c: what triangles have that vertices have not ---- */
+
+/* From a triangle on, texture n of the header is shown; BURNISH_PLY_TEXTURES_MAX: none. */
+burnish_status burnish_ply_use_texture(burnish_ply_state *ply, size_t triangle, int texture);
+
+/* Once all triangles are there: gives them the colours and texture coordinates that were read for
+ * them, where all have some. */
+burnish_status burnish_ply_settle_triangles(burnish_ply_state *ply);
+
+/* Loads the header's textures, and makes the materials that show them. */
+burnish_status burnish_ply_load_textures(burnish_ply_state *ply);
 
 /* ---- Binary values ---- */
 

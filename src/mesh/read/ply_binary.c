@@ -1,4 +1,5 @@
 /* PLY: rows of one size, vertices column by column, triangles at once. */
+#include "mesh/read/origin.h"
 #include "mesh/read/ply.h"
 
 static inline uint32_t load32(const uint8_t *from, int big_endian) {
@@ -7,15 +8,15 @@ static inline uint32_t load32(const uint8_t *from, int big_endian) {
     return big_endian == (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) ? bits : __builtin_bswap32(bits);
 }
 
-/* Floats of one column; returns the first row whose value is not finite, `end` for none. What is
- * not finite becomes 0. */
-static size_t convert_floats(const burnish_ply_rows *rows, burnish_ply_column from, size_t first,
-                             size_t end, float *to, size_t stride) {
+/* Values of one column, less an origin, as floats; returns the first row whose value is not finite,
+ * `end` for none. What is not finite becomes 0. */
+static size_t convert_floats(const burnish_ply_rows *rows, burnish_ply_column from, double origin,
+                             size_t first, size_t end, float *to, size_t stride) {
     const uint8_t *bytes = rows->bytes + first * rows->row_size + from.offset;
     size_t odd = end;
     for (size_t row = first; row < end; ++row, bytes += rows->row_size, to += stride) {
         int finite;
-        if (from.type == BURNISH_PLY_FLOAT32) {
+        if (from.type == BURNISH_PLY_FLOAT32 && origin == 0) {
             uint32_t bits = load32(bytes, rows->big_endian);
             finite = (bits & 0x7F800000u) != 0x7F800000u;
             bits = finite ? bits : 0;
@@ -23,7 +24,7 @@ static size_t convert_floats(const burnish_ply_rows *rows, burnish_ply_column fr
         } else {
             *to = 0;
             finite =
-                burnish_double_to_float(burnish_ply_load(bytes, from.type, rows->big_endian), to);
+                burnish_place(burnish_ply_load(bytes, from.type, rows->big_endian), origin, to);
         }
         odd = !finite && row < odd ? row : odd;
     }
@@ -59,17 +60,18 @@ void burnish_ply_convert_vertices(void *user_data, size_t first, size_t end) {
     for (; first < end; first += ROWS) {
         const size_t last = end - first < ROWS ? end : first + ROWS;
         for (size_t i = 0; i < 3; ++i) {
-            const size_t odd = convert_floats(rows, rows->columns[BURNISH_PLY_X + i], first, last,
-                                              burnish_positions(mesh) + 3 * first + i, 3);
+            const size_t odd =
+                convert_floats(rows, rows->columns[BURNISH_PLY_X + i], mesh->origin[i], first, last,
+                               burnish_positions(mesh) + 3 * first + i, 3);
             if (odd < last) {
                 burnish_lower_to(&rows->odd, odd);
             }
             if (mesh->streams[BURNISH_NORMAL].count > 0) {
-                convert_floats(rows, rows->columns[BURNISH_PLY_NX + i], first, last,
+                convert_floats(rows, rows->columns[BURNISH_PLY_NX + i], 0, first, last,
                                burnish_normals(mesh) + 3 * first + i, 3);
             }
             if (mesh->streams[BURNISH_TEXCOORD].count > 0 && i < 2) {
-                convert_floats(rows, rows->columns[BURNISH_PLY_S + i], first, last,
+                convert_floats(rows, rows->columns[BURNISH_PLY_S + i], 0, first, last,
                                (float *)mesh->streams[BURNISH_TEXCOORD].items + 2 * first + i, 2);
             }
         }

@@ -77,7 +77,12 @@ static burnish_ply_role role_of(burnish_ply_kind kind, int is_list, burnish_toke
     }
     if (kind == BURNISH_PLY_ELEMENT_FACE && !is_list) {
         const burnish_ply_role role = vertex_role(name);
-        return role >= BURNISH_PLY_RED && role <= BURNISH_PLY_ALPHA ? role : BURNISH_PLY_OTHER;
+        return role >= BURNISH_PLY_RED && role <= BURNISH_PLY_ALPHA ? role
+               : burnish_token_is(name, "texnumber")                ? BURNISH_PLY_TEXNUMBER
+                                                                    : BURNISH_PLY_OTHER;
+    }
+    if (kind == BURNISH_PLY_ELEMENT_FACE && burnish_token_is(name, "texcoord")) {
+        return BURNISH_PLY_TEXCOORDS;
     }
     if ((kind == BURNISH_PLY_ELEMENT_FACE || kind == BURNISH_PLY_ELEMENT_STRIPS) && is_list &&
         (burnish_token_is(name, "vertex_indices") || burnish_token_is(name, "vertex_index"))) {
@@ -183,7 +188,7 @@ static burnish_status read_property(header_state *ply) {
     }
     property.role = role_of(element->kind, is_list, name);
     if (element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0) {
-        header->has_face_coordinates |= is_list && burnish_token_is(name, "texcoord");
+        header->has_face_coordinates |= property.role == BURNISH_PLY_TEXCOORDS;
     }
     burnish_memory *memory = &ply->reader->mesh->memory;
     header->properties = burnish_reserve(memory, header->properties, &header->property_capacity,
@@ -191,6 +196,22 @@ static burnish_status read_property(header_state *ply) {
     if (memory->status == BURNISH_STATUS_OK) {
         header->properties[header->property_count++] = property;
         ++element->property_count;
+    }
+    return memory->status;
+}
+
+/* comment TextureFile NAME */
+static burnish_status add_texture(header_state *ply) {
+    burnish_ply_header *header = ply->header;
+    burnish_memory *memory = &ply->reader->mesh->memory;
+    const burnish_token name = burnish_lexer_rest(&ply->lexer);
+    if (name.size == 0 || header->texture_count == BURNISH_PLY_TEXTURES_MAX) {
+        return BURNISH_STATUS_OK;
+    }
+    header->textures = burnish_reserve(memory, header->textures, &header->texture_capacity,
+                                       header->texture_count + 1, sizeof name, "textures");
+    if (memory->status == BURNISH_STATUS_OK) {
+        header->textures[header->texture_count++] = name;
     }
     return memory->status;
 }
@@ -226,7 +247,7 @@ static burnish_status read_line(header_state *ply, int *done) {
     if (burnish_token_is(keyword, "comment")) {
         if (burnish_lexer_token(&ply->lexer, &keyword) &&
             burnish_token_is(keyword, "TextureFile")) {
-            ply->header->texture = burnish_lexer_rest(&ply->lexer);
+            return add_texture(ply);
         }
         return BURNISH_STATUS_OK;
     }
@@ -323,6 +344,7 @@ burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_heade
 }
 
 void burnish_ply_destroy_header(const burnish_context *context, burnish_ply_header *header) {
+    burnish_release(context, header->textures);
     burnish_release(context, header->properties);
     burnish_release(context, header->elements);
     *header = (burnish_ply_header){0};

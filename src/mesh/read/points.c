@@ -2,6 +2,7 @@
  * more, six-sided prisms for lines. */
 #include "mesh/read/points.h"
 
+#include <float.h>
 #include <stdlib.h>
 
 #include "core/vector.h"
@@ -215,7 +216,11 @@ static void write_vertex(const maker *m, size_t vertex, const float *center, con
                          burnish_vec3 offset, size_t point) {
     const double offsets[3] = {offset.x, offset.y, offset.z};
     for (size_t k = 0; k < 3; ++k) {
-        m->to_positions[3 * vertex + k] = (float)(center[k] + offsets[k]);
+        const double at =
+            center[k] + offsets[k]; /* of a point at the end of the range, beyond it */
+        m->to_positions[3 * vertex + k] = (float)(at > FLT_MAX    ? FLT_MAX
+                                                  : at < -FLT_MAX ? -FLT_MAX
+                                                                  : at);
         m->to_normals[3 * vertex + k] = normal[k];
     }
     if (m->colors) {

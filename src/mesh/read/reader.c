@@ -3,6 +3,7 @@
 #include "mesh/read/reader.h"
 
 #include "mesh/read/foreign.h"
+#include "mesh/read/origin.h"
 #include "mesh/read/textures.h"
 
 #include <stdarg.h>
@@ -130,6 +131,9 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
         *format = burnish_guess_format(input->bytes, input->size, input->name);
     }
     burnish_status status;
+    if (input->options->origin) {
+        memcpy(reader->mesh->origin, input->options->origin, sizeof reader->mesh->origin);
+    }
     if (burnish_is_lfs_pointer(input->bytes, input->size)) {
         status =
             burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
@@ -150,10 +154,17 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
                                        "it, one of %s",
                                        names + 2);
     }
+    burnish_reader_close(reader);
+    return status == BURNISH_STATUS_OK && !input->options->origin && reader->is_wide
+               ? burnish_read_from_origin(reader, formats[*format].read)
+               : status;
+}
+
+void burnish_reader_close(burnish_reader *reader) {
     burnish_release(reader->mesh->memory.context, reader->polygons);
     reader->polygons = NULL;
+    reader->polygon_count = reader->polygon_capacity = 0;
     burnish_reader_close_textures(reader);
-    return status;
 }
 
 /* ---- Messages ---- */

@@ -24,6 +24,7 @@ typedef struct burnish_reader {
     burnish_mesh_data *mesh; /* what is filled; its memory and tasks are the reader's */
     burnish_error *error;
     int is_binary;          /* messages tell bytes, not lines */
+    int is_wide;            /* 1: the file's coordinates may be more than floats hold */
     const uint8_t *counted; /* lines are counted up to here: NULL before the first */
     size_t line;
     burnish_polygon *polygons;
@@ -65,6 +66,9 @@ burnish_number_text burnish_describe_number(const char *what, burnish_token toke
 /* LIMIT: more triangles than the options allow. */
 burnish_status burnish_fail_triangles(burnish_reader *reader, const uint8_t *at);
 
+/* Releases what a reading needed, and warns of textures that could not be had. */
+void burnish_reader_close(burnish_reader *reader);
+
 /* ---- Formats ---- */
 
 /* Reads an input of a format, or of the one that its bytes and name tell where that is AUTO:
@@ -81,7 +85,8 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
 int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, const char *name);
 
 /* Of each format: whether bytes are of it (2: surely, whatever the name says; 1: where the name
- * says nothing; 0: no), and its reader, which fills reader->mesh. Errors: as burnish_read. */
+ * says nothing; 0: no), and its reader, which fills reader->mesh, its positions
+ * less reader->mesh->origin. Errors: as burnish_read. */
 #define BURNISH_READER_DECLARE(name, word, ...)                                                    \
     int burnish_recognise_##word(const uint8_t *bytes, size_t size);                               \
     burnish_status burnish_read_##word(burnish_reader *reader);

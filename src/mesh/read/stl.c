@@ -13,6 +13,7 @@
 
 #include "core/srgb.h"
 #include "mesh/read/chunks.h"
+#include "mesh/read/origin.h"
 
 enum {
     TITLE_SIZE = 80,
@@ -209,6 +210,7 @@ static burnish_status read_binary(burnish_reader *reader) {
     }
     mesh->streams[BURNISH_POSITION].count = 3 * count;
     mesh->triangle_count = count;
+    burnish_move_positions(mesh);
     status = read_colors(reader, &context, count);
     return status == BURNISH_STATUS_OK ? burnish_tasks_check(mesh->tasks, reader->error) : status;
 }
@@ -227,6 +229,7 @@ typedef struct stl_state {
 typedef struct stl_parser {
     burnish_chunk *chunk;
     burnish_lexer lexer;
+    const double *origin;
 } stl_parser;
 
 /* The file ends where something should follow. Returns 0. */
@@ -282,7 +285,10 @@ static int skip_normal(stl_parser *stl) {
         return expect(stl, "outer");
     }
     burnish_chunk_note(stl->chunk, NORMAL, word.bytes);
-    while (count++ < MOST_WORDS && !burnish_token_is_caseless(word, "outer")) {
+    /* no further than the facet: the next one may be another chunk's */
+    while (count++ < MOST_WORDS && !burnish_token_is_caseless(word, "outer") &&
+           !burnish_token_is_caseless(word, "endfacet") &&
+           !burnish_token_is_caseless(word, "facet")) {
         if (!burnish_lexer_word(&stl->lexer, &word)) {
             return fail_end(stl, "\"outer\"");
         }
@@ -301,7 +307,7 @@ static int read_vertex(stl_parser *stl, float position[3]) {
         if (!burnish_lexer_word_double(&stl->lexer, &word, &value, &number)) {
             return fail_end(stl, "\"vertex x y z\"");
         }
-        if (number == BURNISH_NUMBER_OK && !burnish_double_to_float(value, &position[i])) {
+        if (number == BURNISH_NUMBER_OK && !burnish_place(value, stl->origin[i], &position[i])) {
             number = BURNISH_NUMBER_RANGE;
         }
         if (number != BURNISH_NUMBER_OK) {
@@ -340,8 +346,9 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
 /* A chunk but the first begins at a "facet", so within a solid, and ends before one. "facet" at the
  * start of a line is within a solid wherever it stands, so that chunks may begin at any. */
 static void parse(const void *state, burnish_chunk *chunk) {
-    stl_parser stl = {chunk, {chunk->first, chunk->text_end, 0}};
-    int in_solid = chunk->first != ((const stl_state *)state)->first, seen = in_solid;
+    const stl_state *file = state;
+    stl_parser stl = {chunk, {chunk->first, chunk->text_end, 0}, file->reader->mesh->origin};
+    int in_solid = chunk->first != file->first, seen = in_solid;
     while (chunk->status == BURNISH_STATUS_OK) {
         burnish_token word;
         const uint8_t *before = stl.lexer.next;
@@ -409,6 +416,7 @@ static burnish_status read_text(burnish_reader *reader) {
     const uint8_t *first = burnish_lexer_open(reader->input->bytes, reader->input->size, 0).next;
     const uint8_t *at = first;
     stl_state stl = {.reader = reader, .first = first};
+    reader->is_wide = 1;
     burnish_status status = burnish_chunks_read(&grammar, &stl, reader, &at, NULL);
     for (size_t i = 0; i < sizeof stl.groups / sizeof *stl.groups; ++i) {
         burnish_reader_warn_group(reader, &stl.groups[i]);

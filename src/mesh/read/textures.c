@@ -9,7 +9,10 @@
 enum {
     TABLE_SIZE = 8192,          /* a power of two */
     NAMES_MAX = TABLE_SIZE / 2, /* files that one input may name */
-    NAME_SIZE = 4096
+    NAME_SIZE = 4096,
+    AHEAD_MAX = 256,  /* pictures that are decoded before they are asked for */
+    WAVE_MAX = 64,    /* pictures that are decoded at the same time */
+    AHEAD_REFUSED = 8 /* so many that can't be had, and the others wait: each may take long */
 };
 
 /* A file that was asked for. */
@@ -18,11 +21,24 @@ typedef struct texture_name {
     int is_color, number;
 } texture_name;
 
+/* A picture that was decoded ahead. */
+typedef struct ahead_picture {
+    burnish_texture_source source; /* name NULL: it was asked for */
+    burnish_encoded from;
+    const burnish_context *memory;
+    burnish_status status;
+    burnish_error why;
+    burnish_image picture;
+} ahead_picture;
+
 struct burnish_texture_names {
     texture_name table[TABLE_SIZE]; /* open addressing */
     size_t count;
     uint64_t texels; /* of all textures so far */
     burnish_warning_group missing;
+    ahead_picture *ahead; /* in the order of their sources */
+    size_t ahead_count;
+    uint64_t ahead_texels; /* of their pictures */
 };
 
 static struct burnish_texture_names *names_of(burnish_reader *reader) {
@@ -52,6 +68,20 @@ static texture_name *find_name(struct burnish_texture_names *names, const char *
     return names->table[i].name || names->count < NAMES_MAX ? &names->table[i] : NULL;
 }
 
+void burnish_reader_drop_ahead(burnish_reader *reader) {
+    struct burnish_texture_names *names = reader->textures;
+    if (!names) {
+        return;
+    }
+    for (size_t i = 0; i < names->ahead_count; ++i) {
+        burnish_release(reader->mesh->memory.context, names->ahead[i].picture.pixels);
+    }
+    burnish_release(reader->mesh->memory.context, names->ahead);
+    names->ahead = NULL;
+    names->ahead_count = 0;
+    names->ahead_texels = 0;
+}
+
 void burnish_reader_close_textures(burnish_reader *reader) {
     struct burnish_texture_names *names = reader->textures;
     if (!names) {
@@ -61,6 +91,7 @@ void burnish_reader_close_textures(burnish_reader *reader) {
     for (size_t i = 0; i < TABLE_SIZE; ++i) {
         burnish_release(reader->mesh->memory.context, names->table[i].name);
     }
+    burnish_reader_drop_ahead(reader);
     burnish_release(reader->mesh->memory.context, names);
     reader->textures = NULL;
 }
@@ -73,32 +104,97 @@ static void note_missing(burnish_reader *reader, const uint8_t *at, const char *
 
 /* ---- Decoding ---- */
 
+static burnish_encoded encoded_picture(const char *name, const uint8_t *bytes, size_t size,
+                                       uint64_t max_pixels) {
+    return (burnish_encoded){.bytes = bytes,
+                             .size = size,
+                             .name = name,
+                             .channels = 4,
+                             .max_side = BURNISH_TEXTURE_SIZE_MAX,
+                             .max_pixels = max_pixels};
+}
+
+static uint64_t texels_of(const burnish_image *picture) {
+    return (uint64_t)picture->width * (uint64_t)picture->height;
+}
+
+/* That textures may still have, but for those that pictures decoded ahead hold. */
+static uint64_t texels_left(const burnish_reader *reader) {
+    const uint64_t most = reader->input->options->max_texture_pixels;
+    const uint64_t used = reader->textures->texels + reader->textures->ahead_texels;
+    return most > used ? most - used : 0;
+}
+
+static int add_picture(burnish_reader *reader, const char *name, const burnish_image *picture,
+                       int is_color) {
+    reader->textures->texels += texels_of(picture);
+    return burnish_mesh_data_add_texture(reader->mesh, name, picture->width, picture->height,
+                                         picture->pixels, is_color);
+}
+
+/* Whether a picture can't be had, now or later. */
+static int is_refused(const ahead_picture *ahead) {
+    return ahead->status != BURNISH_STATUS_OK && ahead->status != BURNISH_STATUS_LIMIT &&
+           ahead->status != BURNISH_STATUS_MEMORY;
+}
+
+/* What was decoded ahead of these bytes or, where they are NULL, of the file of that name. */
+static ahead_picture *find_ahead(struct burnish_texture_names *names, const char *name,
+                                 const uint8_t *bytes, size_t size) {
+    for (size_t i = 0; i < names->ahead_count; ++i) {
+        const burnish_texture_source *source = &names->ahead[i].source;
+        if (source->name && source->bytes == bytes && source->size == size &&
+            strcmp(source->name, name) == 0) {
+            return &names->ahead[i];
+        }
+    }
+    return NULL;
+}
+
+/* Takes what became of a picture, as decoding it now would. Returns 0 where that has to be done. */
+static int take_ahead(burnish_reader *reader, const char *name, const uint8_t *bytes, size_t size,
+                      int is_color, int *number, burnish_error *why) {
+    struct burnish_texture_names *names = reader->textures;
+    ahead_picture *found = find_ahead(names, name, bytes, size);
+    if (!found) {
+        return 0;
+    }
+    ahead_picture ahead = *found;
+    found->source.name = NULL;
+    found->picture = (burnish_image){0};
+    names->ahead_texels -= texels_of(&ahead.picture);
+    *number = 0;
+    if (is_refused(&ahead)) {
+        *why = ahead.why;
+        return 1;
+    }
+    if (ahead.picture.pixels) {
+        *number = add_picture(reader, name, &ahead.picture, is_color);
+        return 1;
+    }
+    return 0;
+}
+
 /* Errors go to *why; only those of memory are the reader's. Returns 1 + number, or 0. */
 static int decode(burnish_reader *reader, const char *name, const uint8_t *bytes, size_t size,
                   int is_color, burnish_error *why) {
-    struct burnish_texture_names *names = reader->textures;
-    const uint64_t most = reader->input->options->max_texture_pixels;
-    const burnish_encoded from = {.bytes = bytes,
-                                  .size = size,
-                                  .name = name,
-                                  .channels = 4,
-                                  .max_side = BURNISH_TEXTURE_SIZE_MAX,
-                                  .max_pixels = most > names->texels ? most - names->texels : 0};
     burnish_memory memory = burnish_memory_of(reader->mesh->memory.context, why);
+    burnish_encoded from = encoded_picture(name, bytes, size, texels_left(reader));
     burnish_image picture;
     burnish_status status = burnish_decode(&from, &memory, &picture);
+    if (status == BURNISH_STATUS_LIMIT && reader->textures->ahead_texels > 0) {
+        burnish_reader_drop_ahead(reader); /* what nobody has asked for yet makes room */
+        memory = burnish_memory_of(reader->mesh->memory.context, why);
+        from.max_pixels = texels_left(reader);
+        status = burnish_decode(&from, &memory, &picture);
+    }
     if (status == BURNISH_STATUS_MEMORY) {
         reader->mesh->memory.status = status;
         if (reader->mesh->memory.error) {
             *reader->mesh->memory.error = *why;
         }
     }
-    if (status != BURNISH_STATUS_OK) {
-        return 0;
-    }
-    names->texels += (uint64_t)picture.width * (uint64_t)picture.height;
-    return burnish_mesh_data_add_texture(reader->mesh, name, picture.width, picture.height,
-                                         picture.pixels, is_color);
+    return status == BURNISH_STATUS_OK ? add_picture(reader, name, &picture, is_color) : 0;
 }
 
 int burnish_reader_decode_texture(burnish_reader *reader, const uint8_t *at, const char *name,
@@ -107,64 +203,104 @@ int burnish_reader_decode_texture(burnish_reader *reader, const uint8_t *at, con
     if (!names_of(reader)) {
         return 0;
     }
-    const int number = decode(reader, name, bytes, size, is_color, &why);
+    int number;
+    if (!take_ahead(reader, name, bytes, size, is_color, &number, &why)) {
+        number = decode(reader, name, bytes, size, is_color, &why);
+    }
     if (number == 0 && reader->mesh->memory.status == BURNISH_STATUS_OK) {
         note_missing(reader, at, name, why.text);
     }
     return number;
 }
 
+int burnish_reader_copy_texture(burnish_reader *reader, const uint8_t *at, const char *name,
+                                int width, int height, const uint8_t *pixels, int is_color) {
+    struct burnish_texture_names *names = names_of(reader);
+    const size_t count = (size_t)width * (size_t)height;
+    const uint64_t most = reader->input->options->max_texture_pixels;
+    if (!names) {
+        return 0;
+    }
+    if (count > most || names->texels > most - count) {
+        note_missing(reader, at, name, "too many texels; raise the limit or make textures smaller");
+        return 0;
+    }
+    uint8_t *copy = burnish_allocate(&reader->mesh->memory, count, 4, "textures");
+    if (!copy) {
+        return 0;
+    }
+    memcpy(copy, pixels, 4 * count);
+    names->texels += count;
+    return burnish_mesh_data_add_texture(reader->mesh, name, width, height, copy, is_color);
+}
+
 /* ---- Files ---- */
 
-/* Loads and decodes one file; *found becomes 1 where it is there. */
-static int open_file(burnish_reader *reader, const char *path, const char *name, int is_color,
-                     int *found, burnish_error *why) {
+/* A file's bytes, as the companions' loader has them. */
+typedef struct file_bytes {
+    const void *bytes;
+    size_t size;
+    int is_found;
+} file_bytes;
+
+static file_bytes open_file(burnish_reader *reader, const char *path, burnish_error *why) {
     const burnish_file_loader *companions = &reader->input->companions;
-    const void *bytes = NULL;
-    size_t size = 0;
-    burnish_status status = companions->load(
-        companions->user_data, path, reader->input->options->max_input_bytes, &bytes, &size, why);
+    file_bytes file = {0};
+    burnish_status status =
+        companions->load(companions->user_data, path, reader->input->options->max_input_bytes,
+                         &file.bytes, &file.size, why);
     if (status == BURNISH_STATUS_MEMORY) {
         reader->mesh->memory.status = status;
         if (reader->mesh->memory.error) {
             *reader->mesh->memory.error = *why;
         }
     }
-    if (status != BURNISH_STATUS_OK) {
-        return 0;
+    file.is_found = status == BURNISH_STATUS_OK;
+    return file;
+}
+
+static void close_file(const burnish_reader *reader, const file_bytes *file) {
+    const burnish_file_loader *companions = &reader->input->companions;
+    if (file->is_found && companions->release) {
+        companions->release(companions->user_data, file->bytes, file->size);
     }
-    *found = 1;
-    const int number = decode(reader, name, bytes, size, is_color, why);
-    if (companions->release) {
-        companions->release(companions->user_data, bytes, size);
-    }
-    return number;
 }
 
 /* The file as it is named, or else its last part beside the input. */
-static int find_file(burnish_reader *reader, const char *name, int is_color, burnish_error *why) {
+static file_bytes find_file(burnish_reader *reader, const char *name, burnish_error *why) {
     char path[NAME_SIZE];
-    int found = 0, number = 0;
+    file_bytes file = {0};
     if (strlen(name) >= sizeof path) {
         burnish_fail(why, BURNISH_STATUS_READ, "its name is no file name");
-        return 0;
+        return file;
     }
     if (!reader->input->companions.load) {
         burnish_fail(why, BURNISH_STATUS_READ, "the input has no folder");
-        return 0;
+        return file;
     }
     for (size_t i = 0; i <= strlen(name); ++i) {
         path[i] = name[i] == '\\' ? '/' : name[i];
     }
     const char *slash = strrchr(path, '/');
     if (*path && burnish_stays_beside(path)) {
-        number = open_file(reader, path, name, is_color, &found, why);
+        file = open_file(reader, path, why);
     } else if (!slash || !slash[1] || !burnish_stays_beside(slash + 1)) {
         burnish_fail(why, BURNISH_STATUS_READ, "it lies outside the folder of the file");
     }
-    if (!found && slash && slash[1] && burnish_stays_beside(slash + 1) &&
+    if (!file.is_found && slash && slash[1] && burnish_stays_beside(slash + 1) &&
         reader->mesh->memory.status == BURNISH_STATUS_OK) {
-        number = open_file(reader, slash + 1, name, is_color, &found, why);
+        file = open_file(reader, slash + 1, why);
+    }
+    return file;
+}
+
+static int load_and_decode(burnish_reader *reader, const char *name, int is_color,
+                           burnish_error *why) {
+    int number = 0;
+    if (!take_ahead(reader, name, NULL, 0, is_color, &number, why)) {
+        const file_bytes file = find_file(reader, name, why);
+        number = file.is_found ? decode(reader, name, file.bytes, file.size, is_color, why) : 0;
+        close_file(reader, &file);
     }
     return number;
 }
@@ -190,10 +326,81 @@ int burnish_reader_load_texture(burnish_reader *reader, const uint8_t *at, const
         strcpy(copy, name);
         *known = (texture_name){copy, is_color, 0};
         names->count += 1;
-        known->number = find_file(reader, name, is_color, &why);
+        known->number = load_and_decode(reader, name, is_color, &why);
     }
     if ((!known || known->number == 0) && memory->status == BURNISH_STATUS_OK) {
         note_missing(reader, at, name, why.text);
     }
     return known ? known->number : 0;
+}
+
+/* ---- Ahead ---- */
+
+static void decode_task(void *context, size_t i, int thread) {
+    ahead_picture *ahead = (ahead_picture *)context + i;
+    (void)thread;
+    if (!is_refused(ahead)) {
+        burnish_memory memory = burnish_memory_of(ahead->memory, &ahead->why);
+        ahead->status = burnish_decode(&ahead->from, &memory, &ahead->picture);
+    }
+}
+
+/* Opens a file, or takes bytes. */
+static void begin_ahead(burnish_reader *reader, const burnish_texture_source *source,
+                        uint64_t max_pixels, ahead_picture *ahead, file_bytes *file) {
+    ahead->source = *source;
+    ahead->memory = reader->mesh->memory.context;
+    ahead->from = encoded_picture(source->name, source->bytes, source->size, max_pixels);
+    if (!source->bytes) {
+        *file = find_file(reader, source->name, &ahead->why);
+        ahead->from.bytes = file->bytes;
+        ahead->from.size = file->size;
+        ahead->status = file->is_found ? BURNISH_STATUS_OK : BURNISH_STATUS_READ;
+    }
+}
+
+/* Decodes `count` pictures at the same time, which share the texels that are left. Returns how many
+ * can't be had. */
+static int decode_wave(burnish_reader *reader, const burnish_texture_source *sources,
+                       size_t count) {
+    struct burnish_texture_names *names = reader->textures;
+    burnish_memory *memory = &reader->mesh->memory;
+    ahead_picture *wave = names->ahead + names->ahead_count;
+    const uint64_t most = texels_left(reader) / count;
+    file_bytes files[WAVE_MAX] = {{0}};
+    int refused = 0;
+    for (size_t i = 0; i < count && memory->status == BURNISH_STATUS_OK; ++i) {
+        begin_ahead(reader, &sources[i], most, &wave[i], &files[i]);
+    }
+    if (memory->status == BURNISH_STATUS_OK) {
+        burnish_tasks_run(reader->mesh->tasks, count, 1, 0, decode_task, wave);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        close_file(reader, &files[i]);
+        names->ahead_texels += texels_of(&wave[i].picture);
+        refused += is_refused(&wave[i]);
+    }
+    names->ahead_count += count;
+    return refused;
+}
+
+void burnish_reader_decode_ahead(burnish_reader *reader, const burnish_texture_source *sources,
+                                 size_t count) {
+    burnish_memory *memory = &reader->mesh->memory;
+    const int threads = burnish_tasks_threads(reader->mesh->tasks);
+    const size_t most = threads < WAVE_MAX / 2 ? 2 * (size_t)threads : WAVE_MAX;
+    int refused = 0;
+    if (threads < 2 || count < 2 || reader->input->options->ignore_textures || !names_of(reader) ||
+        reader->textures->ahead) {
+        return;
+    }
+    count = count < AHEAD_MAX ? count : AHEAD_MAX;
+    reader->textures->ahead =
+        burnish_allocate_zeroed(memory, count, sizeof *reader->textures->ahead, "textures");
+    for (size_t first = 0, size;
+         first < count && refused < AHEAD_REFUSED && memory->status == BURNISH_STATUS_OK;
+         first += size) {
+        size = count - first < most ? count - first : most;
+        refused += decode_wave(reader, sources + first, size);
+    }
 }

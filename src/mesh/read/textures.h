@@ -20,6 +20,27 @@ int burnish_reader_load_texture(burnish_reader *reader, const uint8_t *at, const
 int burnish_reader_decode_texture(burnish_reader *reader, const uint8_t *at, const char *name,
                                   const uint8_t *bytes, size_t size, int is_color);
 
+/* The same from pixels of 4 bytes a texel, rows from the top, which are copied.
+ *   width, height  in [1, BURNISH_TEXTURE_SIZE_MAX] */
+int burnish_reader_copy_texture(burnish_reader *reader, const uint8_t *at, const char *name,
+                                int width, int height, const uint8_t *pixels, int is_color);
+
+/* A picture that is going to be asked for: bytes of the input, with the name that it will be
+ * decoded by; or, where bytes is NULL, the file of that name. */
+typedef struct burnish_texture_source {
+    const uint8_t *bytes;
+    size_t size;
+    const char *name;
+} burnish_texture_source;
+
+/* Decodes pictures side by side, where the reader has several threads. Changes nothing but the time
+ * that the functions above take: what they return, in which order warnings come, and how many
+ * texels there are at most. Bytes and names must stay until burnish_reader_drop_ahead, which
+ * releases what nobody asked for. */
+void burnish_reader_decode_ahead(burnish_reader *reader, const burnish_texture_source *sources,
+                                 size_t count);
+void burnish_reader_drop_ahead(burnish_reader *reader);
+
 /* Whether corners need their texture coordinates where an input may use textures. */
 static inline int burnish_reader_keeps_coordinates(const burnish_reader *reader,
                                                    int may_use_textures) {

@@ -1,0 +1,41 @@
+/* Which faces around a vertex share a normal: joined across smooth edges. */
+#ifndef BURNISH_MESH_BUILD_JOINING_H
+#define BURNISH_MESH_BUILD_JOINING_H
+
+#include "mesh/build/builder.h"
+
+/* Edges with at most this many faces at a vertex are compared face by face, so that the order of
+ * the faces does not matter; beyond it only neighbors in that order are, so that the cost stays
+ * linear. */
+enum { BURNISH_PAIRWISE_MAX = 8 };
+
+/* Answers that are kept: a power of two. No triangle is its own neighbour, so that zeros are none.
+ */
+enum { BURNISH_ANSWERS = 1024 };
+
+typedef struct burnish_answer {
+    uint32_t triangles[2], edge[2]; /* ascending */
+    int is_smooth;
+} burnish_answer;
+
+static inline burnish_vec3 burnish_ring_normal(const burnish_rings *rings, size_t i) {
+    return (burnish_vec3){rings->x[i], rings->y[i], rings->z[i]};
+}
+
+static inline uint32_t burnish_find_root(uint32_t *parents, uint32_t i) {
+    while (parents[i] != i) {
+        parents[i] = parents[parents[i]];
+        i = parents[i];
+    }
+    return i;
+}
+
+/* Sets of joined faces among a few, at most BURNISH_PAIRWISE_MAX, as bits, in the order of their
+ * first faces; returns how many. */
+size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
+                        uint32_t sets[BURNISH_PAIRWISE_MAX]);
+
+/* The same for any number, in rings->parents; returns whether all are one. */
+int burnish_join_many(burnish_rings *rings, size_t first, size_t count);
+
+#endif

@@ -1,0 +1,685 @@
+/* The reader of 3MF, on archives put together here. */
+#include <math.h>
+
+#include "core/srgb.h"
+#include "counting_context.h"
+#include "decimal_comma.h"
+#include "zip_input.h"
+
+#define MODEL_OF(attributes, resources, build)                                                     \
+    "<?xml version='1.0'?>\n<model xmlns='http://schemas.microsoft.com/3dmanufacturing/core/"      \
+    "2015/02' xmlns:m='http://schemas.microsoft.com/3dmanufacturing/material/2015/02' "            \
+    "xmlns:p='http://schemas.microsoft.com/3dmanufacturing/production/2015/06' " attributes        \
+    ">\n<resources>\n" resources "</resources><build>" build "</build></model>"
+#define MODEL(resources, build) MODEL_OF("unit='inch'", resources, build)
+
+#define TETRAHEDRON                                                                                \
+    "<vertices><vertex x='0' y='0' z='0'/><vertex x='2' y='0' z='0'/><vertex x='0' y='3' z='0'/>"  \
+    "<vertex x='0' y='0' z='4'/></vertices>"
+#define FACES                                                                                      \
+    "<triangle v1='0' v2='2' v3='1'/><triangle v1='0' v2='1' v3='3'/>"                             \
+    "<triangle v1='1' v2='2' v3='3'/><triangle v1='2' v2='0' v3='3'/>"
+#define MESH "<mesh>" TETRAHEDRON "<triangles>" FACES "</triangles></mesh>"
+#define ITEM_1 "<item objectid='1'/>"
+
+/* One triangle with attributes of its own, in an object with some. */
+#define ONE_TRIANGLE(object, triangle)                                                             \
+    "<object id='1' " object "><mesh>" TETRAHEDRON "<triangles><triangle v1='0' v2='1' "           \
+    "v3='2' " triangle "/></triangles></mesh></object>"
+
+static const float points[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}};
+
+static const uint32_t *corners_of(const burnish_mesh_data *s, burnish_attribute attribute) {
+    return s->streams[attribute].corners;
+}
+
+/* Whether corner k of triangle i lies at x, y, z. */
+static int corner_is(const burnish_mesh_data *s, size_t i, size_t k, double x, double y, double z) {
+    if (i >= s->triangle_count) {
+        return 0;
+    }
+    const float *p = burnish_positions(s) + 3 * (size_t)corners_of(s, BURNISH_POSITION)[3 * i + k];
+    return fabs((double)p[0] - x) < 1e-5 && fabs((double)p[1] - y) < 1e-5 &&
+           fabs((double)p[2] - z) < 1e-5;
+}
+
+static void check_warning(const burnish_mesh_data *s, const char *text) {
+    CHECK(s->warning_count == (text != NULL), "%zu warnings: %s", s->warning_count,
+          s->warning_count > 0 ? s->warnings[0] : "");
+    if (text && s->warning_count == 1) {
+        CHECK_TEXT(s->warnings[0], text);
+    }
+}
+
+/* Reads a model that is fine, but for one warning at most; 1 where it could be read. */
+static int read_fine(const char *model, const char *warning, burnish_mesh_data *s) {
+    burnish_error e;
+    const int is_fine = CHECK(read_3mf(model, s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    check_warning(s, warning);
+    return is_fine;
+}
+
+/* ---- Places ---- */
+
+static void test_plain(void) {
+    burnish_mesh_data s;
+    if (read_fine(MODEL("<object id='1'>" MESH "</object>", ITEM_1), NULL, &s)) {
+        CHECK1(s.triangle_count == 4 && s.streams[BURNISH_POSITION].count == 4);
+        CHECK1(corner_is(&s, 0, 0, 0, 0, 0) && corner_is(&s, 0, 1, 0, 3, 0) &&
+               corner_is(&s, 0, 2, 2, 0, 0) && corner_is(&s, 3, 2, 0, 0, 4));
+        CHECK1(s.material_count == 1 && !s.triangle_materials && s.material_count == 1);
+        CHECK1(s.streams[BURNISH_COLOR].count == 0 && s.streams[BURNISH_TEXCOORD].count == 0);
+        CHECK_TEXT(s.unit ? s.unit : "", "inch");
+    }
+    burnish_mesh_data_destroy(&s);
+    read_fine(MODEL_OF("", "<object id='1'>" MESH "</object>", ITEM_1), NULL, &s);
+    CHECK_TEXT(s.unit ? s.unit : "", "millimeter");
+    burnish_mesh_data_destroy(&s);
+    /* prefixes of any name, declared or not; unknown elements; blanks around numbers */
+    read_fine(
+        "<c:model xmlns:c='http://schemas.microsoft.com/3dmanufacturing/core/2015/02'>"
+        "<c:metadata name='a'>b<i/></c:metadata><c:resources><x:thing><object id='1'/></x:thing>"
+        "<c:object id=' 1\n'><c:mesh>"
+        "<c:vertices><vertex x=' 0' y='0 ' z='\t0\n'/><vertex x='+1e0' y='0' z='-0'/>"
+        "<vertex x='0' y='.1E1' z='0.0000000000000000000000000000000000000000001'/>"
+        "</c:vertices><c:triangles><triangle v1='0' v2='1' v3='2'/></c:triangles></c:mesh>"
+        "</c:object></c:resources><c:build><c:item objectid='1'/></c:build></c:model>",
+        NULL, &s);
+    CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 1, 1, 0, 0) && corner_is(&s, 0, 2, 0, 1, 0));
+    burnish_mesh_data_destroy(&s);
+}
+
+/* x' = x m[0] + y m[3] + z m[6] + m[9], and so on: section 3.3. */
+static void place(const double m[12], const double p[3], double to[3]) {
+    for (int i = 0; i < 3; ++i) {
+        to[i] = p[0] * m[i] + p[1] * m[3 + i] + p[2] * m[6 + i] + m[9 + i];
+    }
+}
+
+#define OUTER "0 1 0 -1 0 0 0 0 2 5 6 7"
+#define INNER "1 0.5 0 0 -1 0.25 0 0 1 10 20 30"
+
+/* A component's transform comes first, the item's last; what mirrors turns the triangles, so that
+ * the volume of a solid keeps its sign. */
+static void test_transforms(void) {
+    static const double outer[12] = {0, 1, 0, -1, 0, 0, 0, 0, 2, 5, 6, 7},
+                        inner[12] = {1, 0.5, 0, 0, -1, 0.25, 0, 0, 1, 10, 20, 30};
+    burnish_mesh_data s;
+    read_fine(MODEL("<object id='1'>" MESH "</object><object id='2'><components>"
+                    "<component objectid='1' transform='" INNER "'/><component objectid='1'/>"
+                    "</components></object>",
+                    "<item objectid='2' transform='" OUTER "'/><item objectid='1'/>"),
+              NULL, &s);
+    CHECK1(s.triangle_count == 12 && s.streams[BURNISH_POSITION].count == 12);
+    static const unsigned face[3] = {1, 2, 3}; /* the third */
+    for (size_t k = 0; k < 3 && s.triangle_count == 12; ++k) {
+        const float *p = points[face[k]];
+        const float *q = points[face[k == 0 ? 0 : 3 - k]]; /* as INNER mirrors */
+        double from[3] = {(double)p[0], (double)p[1], (double)p[2]};
+        double turned[3] = {(double)q[0], (double)q[1], (double)q[2]}, a[3], b[3];
+        place(inner, turned, a);
+        place(outer, a, b);
+        CHECK(corner_is(&s, 2, k, b[0], b[1], b[2]), "both, corner %zu", k);
+        place(outer, from, b);
+        CHECK(corner_is(&s, 6, k, b[0], b[1], b[2]), "outer, corner %zu", k);
+        CHECK(corner_is(&s, 10, k, from[0], from[1], from[2]), "none, corner %zu", k);
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+/* An empty object in the middle, unused vertices, supports, objects that are not there. */
+static void test_left_out(void) {
+    burnish_mesh_data s;
+    read_fine(MODEL("<object id='1' type='support'>" MESH "</object>"
+                    "<object id='2'><mesh/></object><object id='3' type='surface'><mesh><vertices>"
+                    "<vertex x='9' y='9' z='9'/><vertex x='0' y='0' z='0'/>"
+                    "<vertex x='9' y='9' z='9'/><vertex x='1' y='0' z='0'/>"
+                    "<vertex x='0' y='1' z='0'/></vertices><triangles>"
+                    "<triangle v1='1' v2='3' v3='4'/></triangles></mesh></object>",
+                    ITEM_1 "<item objectid='2'/><item objectid='3'/>" ITEM_1),
+              "mesh.3mf: 3D/a.model:4: an object that is no model (a support or the like) is left "
+              "out (and 1 more like it)",
+              &s);
+    CHECK1(s.triangle_count == 1 && s.streams[BURNISH_POSITION].count == 3 &&
+           corner_is(&s, 0, 1, 1, 0, 0) && corner_is(&s, 0, 2, 0, 1, 0));
+    burnish_mesh_data_destroy(&s);
+    read_fine(MODEL("<object id='1'>" MESH "</object>", ITEM_1 "\n<item objectid='7'/>"),
+              "mesh.3mf: 3D/a.model:5: there is no object 7; it is left out", &s);
+    burnish_mesh_data_destroy(&s);
+    read_fine(MODEL("<object id='1'>" MESH "</object><object id='2'><components>"
+                    "<component objectid='1' transform='1 0 0 0 1 0 0 0 1 0 0 9'/></components>"
+                    "</object>",
+                    ""),
+              "mesh.3mf: the build is empty; all objects are drawn", &s);
+    CHECK1(s.triangle_count == 4 && corner_is(&s, 0, 0, 0, 0, 9));
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Objects of other parts, by paths in every spelling; ids are of a part. */
+static void test_production(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    zip_list *zip = begin_3mf(MODEL(
+        "<object id='1'><components><component p:path='/3D/../3d/./x/B.model' objectid='1'/>"
+        "<component p:path='/none.model' objectid='1'/></components></object>",
+        ITEM_1
+        "<item p:path='\\3D\\x\\b.model' objectid='2' transform='1 0 0 0 1 0 0 0 1 5 0 0'/>"));
+    put_part_text(zip, "3D/X/b.model",
+                  quoted_text(MODEL_OF("unit='meter'",
+                                       "<object id='1'>" MESH
+                                       "</object>\n" ONE_TRIANGLE("partnumber='2'", ""),
+                                       ITEM_1)));
+    CHECK(run_3mf(zip, &s, &e) == BURNISH_STATUS_FORMAT, "one id twice");
+    CHECK_TEXT(e.text, "mesh.3mf: 3D/X/b.model:5: the id 1 is that of line 4 too; give each "
+                       "resource its own");
+    burnish_mesh_data_destroy(&s);
+    zip = begin_3mf(MODEL(
+        "<object id='1'><components><component p:path='/3D/../3d/./x/B.model' objectid='1'/>"
+        "<component p:path='/none.model' objectid='1'/></components></object>",
+        ITEM_1
+        "<item p:path='\\3D\\x\\b.model' objectid='2' transform='1 0 0 0 1 0 0 0 1 5 0 0'/>"));
+    put_part_text(zip, "3D/X/b.model",
+                  quoted_text(MODEL_OF("unit='meter'",
+                                       "<object id='1'>" MESH "</object>"
+                                       "<object id='2'><components><component objectid='1'/>"
+                                       "</components></object>",
+                                       ITEM_1)));
+    CHECK(run_3mf(zip, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    check_warning(&s, "mesh.3mf: the part \"none.model\" is not in the archive; its objects are "
+                      "missing");
+    CHECK1(s.triangle_count == 8 && corner_is(&s, 0, 2, 2, 0, 0) && corner_is(&s, 4, 2, 7, 0, 0));
+    CHECK_TEXT(s.unit ? s.unit : "", "inch");
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- Properties ---- */
+
+#define BASES                                                                                      \
+    "<basematerials id='5'><base name='a' displaycolor='#102030'/>"                                \
+    "<base name='b' displaycolor='#FFffFF80'/></basematerials>"
+#define COLORS                                                                                     \
+    "<m:colorgroup id='6'><m:color color='#112233'/><m:color color='#44556677'/>"                  \
+    "<color color='red'/></m:colorgroup>"
+
+static const burnish_material *material_of(const burnish_mesh_data *s, size_t i) {
+    return &s->materials[s->triangle_materials ? s->triangle_materials[i] : 0];
+}
+
+/* A triangle's own pid and p1 go before its object's; p2 and p3 are as p1. */
+static void test_bases(void) {
+    burnish_mesh_data s;
+    read_fine(MODEL(BASES "<object id='1' pid='5' pindex='1'><mesh>" TETRAHEDRON "<triangles>"
+                          "<triangle v1='0' v2='2' v3='1'/><triangle v1='0' v2='1' v3='3' p1='0'/>"
+                          "<triangle v1='1' v2='2' v3='3' pid='5'/></triangles></mesh></object>"
+                          "<object id='2'>" MESH "</object>",
+                    ITEM_1 "<item objectid='2'/>"),
+              NULL, &s);
+    if (CHECK1(s.triangle_count == 7 && s.material_count == 3 && s.triangle_materials)) {
+        const float grey = burnish_material_default().diffuse[0];
+        CHECK1(material_of(&s, 0)->diffuse[2] == 1 &&
+               fabsf(material_of(&s, 0)->transparency - 127 / 255.0f) < 1e-6f);
+        for (size_t i = 1; i < 3; ++i) {
+            const burnish_material *m = material_of(&s, i);
+            CHECK1(m->diffuse[0] == burnish_srgb_to_linear[0x10] &&
+                   m->diffuse[1] == burnish_srgb_to_linear[0x20] &&
+                   m->ambient[2] == burnish_srgb_to_linear[0x30] && m->transparency == 0);
+        }
+        CHECK1(material_of(&s, 3)->diffuse[0] == grey && material_of(&s, 6)->diffuse[0] == grey);
+        CHECK1(s.streams[BURNISH_COLOR].count == 0);
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+static unsigned color_at(const burnish_mesh_data *s, size_t corner) {
+    const uint8_t *c = burnish_colors(s) + 4 * (size_t)corners_of(s, BURNISH_COLOR)[corner];
+    return (unsigned)c[0] << 24 | (unsigned)c[1] << 16 | (unsigned)c[2] << 8 | c[3];
+}
+
+static void test_colors(void) {
+    burnish_mesh_data s;
+    read_fine(MODEL(BASES COLORS
+                    "<object id='1' pid='6' pindex='0'><mesh>" TETRAHEDRON "<triangles>"
+                    "<triangle v1='0' v2='2' v3='1' p1='0' p2='1' p3='2'/>"
+                    "<triangle v1='0' v2='1' v3='3'/>"
+                    "<triangle v1='1' v2='2' v3='3' p1='1'/>"
+                    "<triangle v1='2' v2='0' v3='3' pid='5' p1='0'/></triangles></mesh>"
+                    "</object>",
+                    "<item objectid='1' transform='-1 0 0 0 1 0 0 0 1 0 0 0'/>"),
+              NULL, &s);
+    if (CHECK1(s.triangle_count == 4 && s.streams[BURNISH_COLOR].count > 0)) {
+        /* mirrored: the second and third change places */
+        CHECK1(color_at(&s, 0) == 0x112233FF && color_at(&s, 1) == 0xFFFFFFFF &&
+               color_at(&s, 2) == 0x44556677);
+        CHECK1(corner_is(&s, 0, 1, -2, 0, 0) && corner_is(&s, 0, 2, 0, 3, 0));
+        CHECK1(color_at(&s, 3) == 0x112233FF && color_at(&s, 5) == 0x112233FF &&
+               color_at(&s, 6) == 0x44556677 && color_at(&s, 8) == 0x44556677);
+        CHECK1(color_at(&s, 9) == 0xFFFFFFFF && color_at(&s, 11) == 0xFFFFFFFF);
+        CHECK1(!material_of(&s, 0)->has_diffuse && material_of(&s, 3)->has_diffuse &&
+               material_of(&s, 3)->diffuse[0] == burnish_srgb_to_linear[0x10]);
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+/* The weighted mean in linear light. */
+static void test_composites(void) {
+    burnish_mesh_data s;
+    read_fine(MODEL(BASES "<m:compositematerials id='7' matid='5' matindices='1 0'>"
+                          "<m:composite values='1 3'/><m:composite values='0 1'/>"
+                          "</m:compositematerials>" ONE_TRIANGLE("pid='7'", "p1='0' p2='1' p3='0'"),
+                    ITEM_1),
+              NULL, &s);
+    if (CHECK1(s.triangle_count == 1 && s.streams[BURNISH_COLOR].count > 0)) {
+        unsigned expected = 0;
+        static const int first[3] = {0x10, 0x20, 0x30};
+        for (int i = 0; i < 3; ++i) {
+            const double mean = 0.25 + 0.75 * (double)burnish_srgb_to_linear[first[i]];
+            expected = expected << 8 | burnish_linear_to_srgb((float)mean);
+        }
+        CHECK(color_at(&s, 0) == (expected << 8 | (0x80 + 3 * 255 + 2) / 4), "%x", color_at(&s, 0));
+        CHECK1(color_at(&s, 1) == 0x102030FF);
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Of several layers the colours that hide the bases; indices that are left out are 0. */
+static void test_multiples(void) {
+    burnish_mesh_data s;
+    read_fine(MODEL("<m:multiproperties id='8' pids='6 5'><multi pindices='1 1'/>"
+                    "<m:multi pindices=''/></m:multiproperties>" BASES COLORS ONE_TRIANGLE(
+                        "pid='8'", "p1='0' p2='1' p3='1'"),
+                    ITEM_1),
+              "mesh.3mf: of multiple properties only the uppermost texture or colour is drawn", &s);
+    CHECK1(s.triangle_count == 1 && color_at(&s, 0) == 0x44556677 && color_at(&s, 1) == 0x112233FF);
+    burnish_mesh_data_destroy(&s);
+}
+
+static void test_bad_properties(void) {
+    static const char *const cases[] = {
+        MODEL(COLORS ONE_TRIANGLE("pid='6'", "p1='3'"), ITEM_1),
+        MODEL(COLORS ONE_TRIANGLE("pid='6'", "p1='0' p2='1' p3='4294967294'"), ITEM_1),
+        MODEL(COLORS ONE_TRIANGLE("pid='99'", ""), ITEM_1),
+        MODEL("<m:multiproperties id='6' pids='6'><multi "
+              "pindices='0'/></m:multiproperties>" ONE_TRIANGLE("pid='6'", ""),
+              ITEM_1),
+        MODEL("<m:compositematerials id='6' matid='6' matindices='0'><composite values='1'/>"
+              "</m:compositematerials>" ONE_TRIANGLE("pid='6'", ""),
+              ITEM_1),
+        MODEL(ONE_TRIANGLE("pid='1'", ""), ITEM_1)};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh_data s;
+        burnish_error e;
+        CHECK(read_3mf(cases[i], &s, &e) == BURNISH_STATUS_OK, "%zu: %s", i, e.text);
+        CHECK(s.triangle_count == 1 && s.material_count == 1 && s.warning_count >= 1 &&
+                  strstr(s.warnings[0], "properties that are not there"),
+              "%zu", i);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+#define TEXTURES                                                                                   \
+    "<m:texture2d id='9' path='/3D/t.png' contenttype='image/png' tilestylev='mirror' "            \
+    "tilestyleu='clamp' filter='nearest'/><m:texture2dgroup id='10' texid='9'>"                    \
+    "<m:tex2coord u='0.25' v='0.5'/><m:tex2coord u='-1' v='2'/></m:texture2dgroup>"
+
+static void test_textures(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    static uint8_t png[1 << 16];
+    FILE *file = fopen(TEST_DATA_DIR "/tiles.png", "rb");
+    const size_t size = file ? fread(png, 1, sizeof png, file) : 0;
+    static const char model[] =
+        MODEL(TEXTURES ONE_TRIANGLE("pid='10'", "p1='0' p2='1' p3='1'") "<object id='2'>" MESH
+                                                                        "</object>",
+              ITEM_1 "<item objectid='2'/>");
+    if (file) {
+        fclose(file);
+    }
+    zip_list *zip = begin_3mf(model);
+    put_part(zip, "3d/T.PNG", png, size, 0);
+    CHECK(run_3mf(zip, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    if (CHECK1(size > 0 && s.triangle_count == 5 && s.texture_count == 1 &&
+               s.material_count == 2)) {
+        const burnish_texture_use *use = &material_of(&s, 0)->textures[BURNISH_TEXTURE_COLOR];
+        const uint32_t *corners = corners_of(&s, BURNISH_TEXCOORD);
+        const float *uv = s.streams[BURNISH_TEXCOORD].items;
+        CHECK1(use->texture == 1 && use->wrap[0] == BURNISH_WRAP_CLAMP &&
+               use->wrap[1] == BURNISH_WRAP_MIRROR && use->is_nearest);
+        CHECK1(material_of(&s, 0)->diffuse[1] == 1 && s.textures[0].is_color);
+        CHECK1(uv[2 * corners[0]] == 0.25f && uv[2 * corners[0] + 1] == 0.5f &&
+               uv[2 * corners[1]] == -1 && uv[2 * corners[2] + 1] == 2);
+        CHECK1(corners[3] == BURNISH_NONE && !material_of(&s, 1)->textures->texture);
+    }
+    burnish_mesh_data_destroy(&s);
+    read_fine(model, "mesh.3mf: texture \"3D/t.png\" is not in the archive", &s);
+    CHECK1(s.triangle_count == 5 && s.texture_count == 0 && s.material_count == 1);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- What is refused ---- */
+
+static void test_refused(void) {
+    static const struct {
+        const char *model, *line;
+    } cases[] = {
+        {MODEL("<object id='1'>" MESH "</object>", "<item objectid='2'/>"),
+         "no triangles are built; export the model's meshes"},
+        {MODEL_OF("unit='yard'", "", ITEM_1), "3D/a.model:2: unit \"yard\" is none of micron, "
+                                              "millimeter, centimeter, inch, foot, meter"},
+        {MODEL_OF("xmlns:d='http://x.com/displacement/2022' requiredextensions='p d'", "", ITEM_1),
+         "3D/a.model:2: the model can't be drawn without the extension "
+         "http://x.com/displacement/2022, which is not supported; export it without"},
+        {"<!DOCTYPE model [<!ENTITY a 'b'>]><model>&a;</model>",
+         "3D/a.model:1: a document type (DOCTYPE), which 3MF forbids; remove it"},
+        {"<model>&a;</model>",
+         "3D/a.model:1: the XML is not well formed (undefined entity); repair the file"},
+        {"<model>\n<resources></model>",
+         "3D/a.model:2: the XML is not well formed (mismatched tag); repair the file"},
+        {MODEL("<object id='x'/>", ""),
+         "3D/a.model:4: id \"x\" is no number from 0 to 4294967294; repair the file"},
+        {MODEL("<object id='4294967295'/>", ""),
+         "3D/a.model:4: id \"4294967295\" is no number from 0 to 4294967294; repair the file"},
+        {MODEL("<object/>", ""),
+         "3D/a.model:4: id \"\" is no number from 0 to 4294967294; repair the file"},
+        {MODEL("<object id='1'><mesh><vertices>\n<vertex x='0' y='nan' z='0'/>", ""),
+         "3D/a.model:5: y \"nan\" is not finite; repair or remove it"},
+        {MODEL("<object id='1'><mesh><vertices><vertex x='0' y='1e39' z='0'/>", ""),
+         "3D/a.model:4: y \"1e39\" is out of range; scale it to below 3.4e38"},
+        {MODEL("<object id='1'><mesh><vertices><vertex x='0' y='0'/>", ""),
+         "3D/a.model:4: z \"\" is not a number; write it like 1.5 or -2e-3"},
+        {MODEL("<object id='1'><mesh>" TETRAHEDRON
+               "<triangles><triangle v1='0' v2='1' v3='4'/></triangles></mesh></object>",
+               ITEM_1),
+         "3D/a.model:4: v3 4 is out of range; there are 4 vertices, counted from 0"},
+        {MODEL("<object id='1'><mesh>" TETRAHEDRON "</mesh></object>", ITEM_1),
+         "no triangles are built; export the model's meshes"},
+        {MODEL("<object id='1'/>", "<item objectid='1' transform=''/>"),
+         "3D/a.model:4: transform is not 12 finite numbers; repair the file"},
+        {MODEL("<object id='1'>" MESH "</object>", "<item objectid='1' transform='1 0 0'/>"),
+         "3D/a.model:4: transform is not 12 finite numbers; repair the file"},
+        {MODEL("<object id='1'>" MESH "</object>",
+               "<item objectid='1' transform='1e38 0 0 0 1 0 0 0 1 3e38 0 0'/>"),
+         "3D/a.model:4: a position of the object is placed beyond 3.4e38; repair the transforms"},
+        {MODEL("<object id='1'><mesh>" TETRAHEDRON "<triangles>" FACES
+               "</triangles><b:beamlattice/></mesh></object>",
+               ITEM_1),
+         "3D/a.model:4: an object is made of beams (beam lattice), which are not drawn; export its "
+         "mesh"},
+        {MODEL("<object id='1'><components><component objectid='2'/></components></object>\n"
+               "<object id='2'><components>\n<component objectid='1'/></components></object>",
+               ITEM_1),
+         "3D/a.model:6: an object holds itself; repair the file"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh_data s;
+        burnish_error e;
+        char line[400];
+        CHECK(read_3mf(cases[i].model, &s, &e) == BURNISH_STATUS_FORMAT, "%zu", i);
+        snprintf(line, sizeof line, "mesh.3mf: %s", cases[i].line);
+        CHECK_TEXT(e.text, line);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Objects that hold the one before twice: 2^n of them, from n lines. */
+static void write_doubled(char *model, unsigned count, int is_empty, unsigned times) {
+    char *to = model;
+    to += sprintf(to, "<model><resources><object id='1'>%s</object>", is_empty ? "<mesh/>" : MESH);
+    for (unsigned i = 2; i <= count; ++i) {
+        to += sprintf(to, "<object id='%u'><components>", i);
+        for (unsigned k = 0; k < times; ++k) {
+            to += sprintf(to, "<component objectid='%u'/>", i - 1);
+        }
+        to += sprintf(to, "</components></object>");
+    }
+    sprintf(to, "</resources><build><item objectid='%u'/></build></model>", count);
+}
+
+static void test_nesting(void) {
+    static char model[1 << 16];
+    static const struct {
+        unsigned count, times;
+        int is_empty;
+        burnish_status status;
+        const char *text;
+    } cases[] = {
+        {64, 1, 0, BURNISH_STATUS_OK, ""},
+        {65, 1, 0, BURNISH_STATUS_LIMIT, "objects are nested more than 64 deep; export them flat"},
+        {9, 2, 0, BURNISH_STATUS_OK, ""},
+        {60, 2, 1, BURNISH_STATUS_FORMAT, "no triangles are built"},
+        {60, 2, 0, BURNISH_STATUS_LIMIT, "its build places objects again and again, more than "},
+        {24, 2, 0, BURNISH_STATUS_LIMIT, "its build places objects again and again, more than "}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh_data s;
+        burnish_error e;
+        write_doubled(model, cases[i].count, cases[i].is_empty, cases[i].times);
+        const burnish_status status = read_3mf(model, &s, &e);
+        CHECK(status == cases[i].status && strstr(e.text, cases[i].text), "%zu: %d %s", i, status,
+              e.text);
+        CHECK1(status != BURNISH_STATUS_OK || s.triangle_count == (i == 0 ? 4 : 4u << 8));
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+static void test_limits(void) {
+    static char text[1 << 21];
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh_data s;
+    burnish_error e;
+    zip_list *zip = begin_3mf(MODEL("<object id='1'>" MESH "</object>", ITEM_1 ITEM_1));
+    end_zip(zip, 0);
+    options.max_triangles = 7;
+    CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL, &s, &e) ==
+           BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(e.text, "mesh.3mf: more than 7 triangles; raise the limit or simplify the mesh");
+    burnish_mesh_data_destroy(&s);
+    options.max_triangles = 8;
+    CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL, &s, &e) ==
+           BURNISH_STATUS_OK);
+    burnish_mesh_data_destroy(&s);
+
+    /* what unpacks to more than it may; a tag without an end; elements in elements */
+    static const char *const heads[] = {"<model>", "<model a='", "<model>"};
+    static const char *const lines[] = {
+        ("mesh.3mf: 3D/3dmodel.model: the archive unpacks to more than 200 times its size, or to "
+         "more than the limit of 1048576 bytes"),
+        "mesh.3mf: 3D/3dmodel.model:1: a tag or comment of more than 1 MiB",
+        "mesh.3mf: 3D/3dmodel.model:1: elements more than 64 deep"};
+    for (int i = 0; i < 3; ++i) {
+        zip->size = zip->directory_size = zip->count = 0;
+        memset(text, ' ', sizeof text);
+        memcpy(text, heads[i], strlen(heads[i]));
+        for (size_t k = strlen(heads[i]); i == 2 && k + 3 <= sizeof text; k += 3) {
+            memcpy(text + k, "<a>", 3);
+        }
+        put_part(zip, "3D/3dmodel.model", text, sizeof text, 1);
+        if (i > 0) {
+            put_part(zip, "padding", text + 100, 1 << 16, 0);
+        }
+        end_zip(zip, 0);
+        options.max_input_bytes = i == 0 ? 1 << 20 : 1 << 30;
+        CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL, &s, &e) ==
+               BURNISH_STATUS_LIMIT);
+        CHECK_TEXT(e.text, lines[i]);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* ---- Archives ---- */
+
+static const char small_model[] = MODEL(COLORS ONE_TRIANGLE("pid='6'", "p1='0' p2='1'"), ITEM_1);
+
+static void test_archives(void) {
+    const burnish_load_options options = burnish_load_options_default();
+    burnish_mesh_data s;
+    burnish_error e;
+    zip_list *zip = begin_3mf(small_model);
+    end_zip(zip, 1);
+    CHECK(run_reader(BURNISH_FORMAT_AUTO, zip->bytes, zip->size, &options, NULL, &s, &e) ==
+              BURNISH_STATUS_OK,
+          "64 bits: %s", e.text);
+    CHECK1(s.triangle_count == 1);
+    burnish_mesh_data_destroy(&s);
+
+    zip->size = zip->directory_size = zip->count = 0;
+    put_part_text(zip, "word/document.xml", "<a/>");
+    CHECK1(run_3mf(zip, &s, &e) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(e.text, "mesh.3mf: a ZIP archive without a 3D model; of archives only 3MF is read");
+    burnish_mesh_data_destroy(&s);
+
+    static const struct {
+        size_t at; /* in the model's entry of the directory */
+        uint8_t value;
+        const char *text;
+    } cases[] = {
+        {8, 1, "the part is encrypted; export it without a password"},
+        {10, 14, "the part is packed in a way that is not read; pack it by deflate"},
+        {16, 0x5a, "the part's bytes are not those that were packed; fetch the file again"},
+        {24, 0x5a, "the part's bytes are not those that were packed; fetch the file again"},
+        {22, 0x5a, "the part reaches beyond the archive; the file is truncated"},
+        {44, 0x5a, "the part is not where the archive says; the file is damaged"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char line[200];
+        zip->size = zip->directory_size = zip->count = 0;
+        put_part_text(zip, "3D/3dmodel.model", quoted_text(small_model));
+        zip->directory[cases[i].at] = cases[i].value;
+        CHECK(run_3mf(zip, &s, &e) == BURNISH_STATUS_FORMAT, "%zu", i);
+        snprintf(line, sizeof line, "mesh.3mf: 3D/3dmodel.model: %s", cases[i].text);
+        CHECK_TEXT(e.text, line);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+static void check_damaged(const uint8_t *bytes, size_t size, size_t at) {
+    const burnish_load_options options = burnish_load_options_default();
+    burnish_mesh_data s;
+    burnish_error e;
+    const burnish_status status =
+        run_reader(BURNISH_FORMAT_3MF, bytes, size, &options, NULL, &s, &e);
+    CHECK(status == BURNISH_STATUS_OK || (*e.text && !strchr(e.text, '\n')), "byte %zu", at);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Every beginning of an archive, and every bit of it turned: an answer in one line, or a mesh. */
+static void test_damaged(void) {
+    zip_list *zip = begin_3mf(small_model);
+    end_zip(zip, 0);
+    for (size_t i = 0; i < zip->size; ++i) {
+        check_damaged(zip->bytes, i, i);
+        for (int bit = 0; bit < 8; ++bit) {
+            zip->bytes[i] ^= (uint8_t)(1 << bit);
+            check_damaged(zip->bytes, zip->size, i);
+            zip->bytes[i] ^= (uint8_t)(1 << bit);
+        }
+    }
+}
+
+/* Every beginning of a model, in a sound archive. */
+static void test_truncated_model(void) {
+    char model[sizeof small_model];
+    for (size_t i = 0; i + 1 < sizeof model; ++i) {
+        burnish_mesh_data s;
+        burnish_error e;
+        memcpy(model, small_model, i);
+        model[i] = 0;
+        CHECK(read_3mf(model, &s, &e) == BURNISH_STATUS_FORMAT && strstr(e.text, "3D/a.model:"),
+              "%zu bytes: %s", i, e.text);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Each of our allocations fails once: one line, and nothing is left. */
+static void test_memory(void) {
+    zip_list *zip =
+        begin_3mf(MODEL(BASES COLORS TEXTURES
+                        "<m:multiproperties id='8' pids='6 5'>"
+                        "<multi pindices='1 1'/></m:multiproperties>" ONE_TRIANGLE("pid='8'", ""),
+                        ITEM_1));
+    end_zip(zip, 0);
+    int failures = 0;
+    for (long left = 0;; ++left) {
+        counts c;
+        burnish_context *context = make_context(&c);
+        const long before = atomic_load(&c.live);
+        burnish_load_options options = burnish_load_options_default();
+        burnish_mesh *mesh = NULL;
+        burnish_error e = {0};
+        options.context = context;
+        atomic_store(&c.left, left);
+        options.threads = 1;
+        const burnish_status status =
+            burnish_mesh_load_memory(zip->bytes, zip->size, "a.3mf", &options, &mesh, &e);
+        CHECK(status == BURNISH_STATUS_OK || status == BURNISH_STATUS_MEMORY, "%ld: %s", left,
+              e.text);
+        burnish_mesh_destroy(mesh);
+        CHECK(atomic_load(&c.live) == before, "%ld: %ld left", left, atomic_load(&c.live) - before);
+        atomic_store(&c.left, -1);
+        burnish_context_destroy(context);
+        if (status == BURNISH_STATUS_OK) {
+            break;
+        }
+        ++failures;
+    }
+    CHECK(failures > 10, "%d", failures);
+}
+
+/* The size of a solid, its winding, +Z up, and its unit through the public door. */
+static void test_mesh(void) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error e = {0};
+    zip_list *zip = begin_3mf(MODEL("<object id='1'>" MESH "</object>", ITEM_1
+                                    "<item objectid='1' transform='-1 0 0 0 1 0 0 0 1 -9 0 0'/>"));
+    end_zip(zip, 0);
+    options.measure = 1;
+    CHECK(burnish_mesh_load_memory(zip->bytes, zip->size, NULL, &options, &mesh, &e) ==
+              BURNISH_STATUS_OK,
+          "%s", e.text);
+    const burnish_mesh_facts *facts = mesh ? burnish_mesh_get_facts(mesh) : NULL;
+    if (CHECK1(facts)) {
+        CHECK1(facts->is_solid && fabs(facts->volume - 8) < 1e-9 && facts->shell_count == 2);
+        CHECK1(burnish_mesh_get_view(mesh)->up_axis[2] == 1);
+        CHECK_TEXT(burnish_mesh_get_info(mesh)->unit, "inch");
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* A build without expat says so. */
+static void test_without(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK1(read_3mf("<model/>", &s, &e) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(e.text, "mesh.3mf: a ZIP archive; 3MF is read where burnish was built with expat, "
+                       "which this one was not");
+    burnish_mesh_data_destroy(&s);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    if (!BURNISH_HAS_3MF) {
+        RUN(test_without());
+        return test_end("3mf");
+    }
+    RUN(test_plain());
+    RUN(test_transforms());
+    RUN(test_left_out());
+    RUN(test_production());
+    RUN(test_bases());
+    RUN(test_colors());
+    RUN(test_composites());
+    RUN(test_multiples());
+    RUN(test_bad_properties());
+    RUN(test_textures());
+    RUN(test_refused());
+    RUN(test_nesting());
+    RUN(test_limits());
+    RUN(test_archives());
+    RUN(test_damaged());
+    RUN(test_truncated_model());
+    RUN(test_memory());
+    RUN(test_mesh());
+    if (test_decimal_comma_begin()) {
+        RUN(test_transforms());
+        test_decimal_comma_end();
+    }
+    return test_end("3mf");
+}

@@ -1,0 +1,448 @@
+/* Coordinates far from the origin: the mesh is the one that stands there, less an origin that the
+ * file's coordinates are exact sums with. */
+#include <math.h>
+#include <stdarg.h>
+
+#include "burnish/mesh.h"
+#include "mesh/read/origin.h"
+#include "support.h"
+
+/* ---- A torus in each format ---- */
+
+enum { AROUND = 48, ACROSS = 24, POINTS = AROUND * ACROSS, FORMATS = 8 };
+
+#define UNIT 0x1p-16 /* of coordinates: any two of a survey differ exactly */
+static const double PI = 3.14159265358979323846;
+
+static void torus_point(int i, double p[3]) {
+    const double u = 2 * PI * (i / ACROSS) / AROUND, v = 2 * PI * (i % ACROSS) / ACROSS;
+    const double exact[3] = {(1 + 0.375 * cos(v)) * cos(u), (1 + 0.375 * cos(v)) * sin(u),
+                             0.375 * sin(v)};
+    for (int k = 0; k < 3; ++k) {
+        p[k] = round(exact[k] / UNIT) * UNIT;
+    }
+}
+
+static void torus_quad(int i, int corners[4]) {
+    const int u = i / ACROSS, v = i % ACROSS, next_u = (u + 1) % AROUND, next_v = (v + 1) % ACROSS;
+    corners[0] = u * ACROSS + v;
+    corners[1] = next_u * ACROSS + v;
+    corners[2] = next_u * ACROSS + next_v;
+    corners[3] = u * ACROSS + next_v;
+}
+
+typedef struct text {
+    char *bytes;
+    size_t size, capacity;
+} text;
+
+static void put(text *to, const void *bytes, size_t size) {
+    if (to->capacity - to->size < size) {
+        to->capacity = 2 * to->capacity + size;
+        to->bytes = realloc(to->bytes, to->capacity);
+        if (!to->bytes) {
+            abort();
+        }
+    }
+    memcpy(to->bytes + to->size, bytes, size);
+    to->size += size;
+}
+
+__attribute__((format(printf, 2, 3))) static void print(text *to, const char *format, ...) {
+    char line[400];
+    va_list arguments;
+    va_start(arguments, format);
+    const int size = vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    put(to, line, (size_t)size);
+}
+
+static void put_double(text *to, double value, int big_endian) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    for (int i = 0; i < 8; ++i) {
+        const uint8_t byte = (uint8_t)(bits >> 8 * (big_endian ? 7 - i : i));
+        put(to, &byte, 1);
+    }
+}
+
+static void put_points(text *to, const char *before, const double shift[3], double scale) {
+    for (int i = 0; i < POINTS; ++i) {
+        double p[3];
+        torus_point(i, p);
+        print(to, "%s%.17g %.17g %.17g\n", before, shift[0] + scale * p[0], shift[1] + scale * p[1],
+              shift[2] + scale * p[2]);
+    }
+}
+
+static void put_quads(text *to, const char *before, int first) {
+    for (int i = 0; i < POINTS; ++i) {
+        int c[4];
+        torus_quad(i, c);
+        print(to, "%s %d %d %d %d\n", before, c[0] + first, c[1] + first, c[2] + first,
+              c[3] + first);
+    }
+}
+
+static void put_ply_head(text *to, const char *encoding, int faces) {
+    print(to,
+          "ply\nformat %s 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+          "property double z\n",
+          encoding, POINTS);
+    if (faces) {
+        print(to, "element face %d\nproperty list uchar int vertex_indices\n", POINTS);
+    }
+    print(to, "end_header\n");
+}
+
+static void put_binary_ply(text *to, const double shift[3], double scale, int big_endian) {
+    put_ply_head(to, big_endian ? "binary_big_endian" : "binary_little_endian", 1);
+    for (int i = 0; i < POINTS; ++i) {
+        double p[3];
+        torus_point(i, p);
+        for (int k = 0; k < 3; ++k) {
+            put_double(to, shift[k] + scale * p[k], big_endian);
+        }
+    }
+    for (int i = 0; i < POINTS; ++i) {
+        int c[4];
+        const uint8_t four = 4;
+        torus_quad(i, c);
+        put(to, &four, 1);
+        for (int k = 0; k < 4; ++k) {
+            for (int byte = 0; byte < 4; ++byte) {
+                const uint8_t part = (uint8_t)(c[k] >> 8 * (big_endian ? 3 - byte : byte));
+                put(to, &part, 1);
+            }
+        }
+    }
+}
+
+static void put_stl(text *to, const double shift[3], double scale) {
+    print(to, "solid torus\n");
+    for (int i = 0; i < 2 * POINTS; ++i) {
+        int c[4];
+        torus_quad(i / 2, c);
+        print(to, "facet normal 0 0 0\nouter loop\n");
+        for (int k = 0; k < 3; ++k) {
+            double p[3];
+            torus_point(c[k == 0 ? 0 : k + i % 2], p);
+            print(to, "vertex %.17g %.17g %.17g\n", shift[0] + scale * p[0],
+                  shift[1] + scale * p[1], shift[2] + scale * p[2]);
+        }
+        print(to, "endloop\nendfacet\n");
+    }
+    print(to, "endsolid\n");
+}
+
+static void put_base64(text *to, const uint8_t *bytes, size_t size) {
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i + 2 < size; i += 3) { /* sizes here are multiples of 3 */
+        const unsigned all = (unsigned)bytes[i] << 16 | (unsigned)bytes[i + 1] << 8 | bytes[i + 2];
+        for (int k = 18; k >= 0; k -= 6) {
+            put(to, &digits[all >> k & 63], 1);
+        }
+    }
+}
+
+/* A node's translation is in double precision; a camera stands 5 above the torus. */
+static void put_gltf(text *to, const double shift[3], double scale) {
+    static float positions[3 * POINTS];
+    static uint16_t indices[6 * POINTS];
+    for (int i = 0; i < POINTS; ++i) {
+        double p[3];
+        int c[4];
+        torus_point(i, p);
+        torus_quad(i, c);
+        for (int k = 0; k < 3; ++k) {
+            positions[3 * i + k] = (float)(scale * p[k]);
+        }
+        const int corners[6] = {c[0], c[1], c[2], c[0], c[2], c[3]};
+        for (int k = 0; k < 6; ++k) {
+            indices[6 * i + k] = (uint16_t)corners[k];
+        }
+    }
+    print(to,
+          "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
+          "\"nodes\":[{\"mesh\":0,\"translation\":[%.17g,%.17g,%.17g]},"
+          "{\"camera\":0,\"translation\":[%.17g,%.17g,%.17g]}],"
+          "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,"
+          "\"znear\":0.1}}],",
+          shift[0], shift[1], shift[2], shift[0], shift[1], shift[2] + 5);
+    print(to,
+          "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+          "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\","
+          "\"count\":%d},{\"bufferView\":1,\"componentType\":5123,\"type\":\"SCALAR\","
+          "\"count\":%d}],",
+          POINTS, 6 * POINTS);
+    print(to,
+          "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%zu},{\"buffer\":0,\"byteOffset\":%zu,"
+          "\"byteLength\":%zu}],\"buffers\":[{\"byteLength\":%zu,"
+          "\"uri\":\"data:application/octet-stream;base64,",
+          sizeof positions, sizeof positions, sizeof indices, sizeof positions + sizeof indices);
+    put_base64(to, (const uint8_t *)positions, sizeof positions);
+    put_base64(to, (const uint8_t *)indices, sizeof indices);
+    print(to, "\"}]}");
+}
+
+/* names[format] of the input. */
+static const char *const names[FORMATS] = {"a.obj", "a.ply", "little.ply", "big.ply",
+                                           "a.off", "a.stl", "a.gltf",     "points.ply"};
+enum { GLTF = 6, POINT_CLOUD = 7 };
+
+static text make(int format, const double shift[3], double scale) {
+    text to = {NULL, 0, 0};
+    switch (format) {
+    case 0:
+        put_points(&to, "v ", shift, scale);
+        put_quads(&to, "f", 1);
+        break;
+    case 1:
+        put_ply_head(&to, "ascii", 1);
+        put_points(&to, "", shift, scale);
+        put_quads(&to, "4", 0);
+        break;
+    case 2:
+    case 3:
+        put_binary_ply(&to, shift, scale, format == 3);
+        break;
+    case 4:
+        print(&to, "OFF\n%d %d 0\n", POINTS, POINTS);
+        put_points(&to, "", shift, scale);
+        put_quads(&to, "4", 0);
+        break;
+    case 5:
+        put_stl(&to, shift, scale);
+        break;
+    case GLTF:
+        put_gltf(&to, shift, scale);
+        break;
+    default:
+        put_ply_head(&to, "ascii", 0);
+        put_points(&to, "", shift, scale);
+    }
+    return to;
+}
+
+static burnish_mesh *load(int format, const double shift[3], double scale, int threads,
+                          const double *origin) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {0};
+    text bytes = make(format, shift, scale);
+    options.threads = threads;
+    options.measure = 1;
+    options.origin = origin;
+    CHECK(burnish_mesh_load_memory(bytes.bytes, bytes.size, names[format], &options, &mesh,
+                                   &error) == BURNISH_STATUS_OK,
+          "%s: %s", names[format], error.text);
+    free(bytes.bytes);
+    return mesh;
+}
+
+static const double zero[3] = {0, 0, 0};
+
+/* ---- Tests ---- */
+
+static int same_arrays(const burnish_mesh_view *a, const burnish_mesh_view *b) {
+    return a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count &&
+           memcmp(a->positions, b->positions, 12 * a->vertex_count) == 0 &&
+           memcmp(a->normals, b->normals, 12 * a->vertex_count) == 0 &&
+           memcmp(a->indices, b->indices, 12 * a->triangle_count) == 0;
+}
+
+static int same_facts(const burnish_mesh *a, const burnish_mesh *b) {
+    const burnish_mesh_facts *f = burnish_mesh_get_facts(a), *g = burnish_mesh_get_facts(b);
+    return f->vertex_count == g->vertex_count && f->edge_count == g->edge_count &&
+           f->degenerate_count == g->degenerate_count && f->area == g->area &&
+           f->volume == g->volume &&
+           memcmp(f->center_of_mass, g->center_of_mass, sizeof f->center_of_mass) == 0;
+}
+
+/* Where the shift is a multiple of the origin's grid, here 1/8, the mesh has the bits of the one at
+ * the origin, and the origin is the shift: in every format, on any number of threads. */
+static void test_same_bits(void) {
+    static const double shift[3] = {500000.125, 4100000.25, 300.5};
+    static const int threads[3] = {1, 2, 7};
+    for (int format = 0; format < FORMATS; ++format) {
+        burnish_mesh *there = load(format, zero, 1, 1, NULL);
+        for (int i = 0; i < 3; ++i) {
+            burnish_mesh *moved = load(format, shift, 1, threads[i], NULL);
+            if (CHECK1(there && moved)) {
+                const burnish_mesh_view *a = burnish_mesh_get_view(there);
+                const burnish_mesh_view *b = burnish_mesh_get_view(moved);
+                CHECK(memcmp(a->origin, zero, sizeof zero) == 0, "%s", names[format]);
+                CHECK(memcmp(b->origin, shift, sizeof shift) == 0, "%s: %.17g %.17g %.17g",
+                      names[format], b->origin[0], b->origin[1], b->origin[2]);
+                CHECK(same_arrays(a, b), "%s, %d threads", names[format], threads[i]);
+                CHECK(same_facts(there, moved), "%s", names[format]);
+                CHECK1(burnish_mesh_get_info(moved)->point_count ==
+                       (format == POINT_CLOUD ? POINTS : 0));
+                CHECK1(burnish_mesh_warning_count(moved) == 0);
+            }
+            if (format == GLTF && CHECK1(moved && burnish_mesh_camera_count(moved) == 1)) {
+                const burnish_camera *camera = &burnish_mesh_camera(moved, 0)->camera;
+                CHECK1(camera->position[0] == 0 && camera->position[1] == 0 &&
+                       camera->position[2] == 5);
+            }
+            burnish_mesh_destroy(moved);
+        }
+        burnish_mesh_destroy(there);
+    }
+}
+
+/* Anywhere: positions with the origin are the file's to half a unit in the last digit of a float as
+ * large as the object; also of one that is smaller than the floats' steps at its distance. */
+static void test_accuracy(void) {
+    static const double shift[3] = {-498765.4321, 4100234.567, -87.654321};
+    static const double scales[4] = {1, 1e-4, 1000, 12345};
+    for (int format = 0; format < FORMATS - 1; ++format) { /* but points, which are balls */
+        for (int i = 0; i < 4; ++i) {
+            const double scale = scales[i];
+            burnish_mesh *mesh = load(format, shift, scale, 2, NULL);
+            const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+            double largest = 0;
+            for (size_t v = 0; view && v < view->vertex_count; ++v) {
+                double p[3];
+                for (int k = 0; k < 3; ++k) { /* on the torus: (|xy| - 1)^2 + z^2 = 0.375^2 */
+                    p[k] = ((double)view->positions[3 * v + (size_t)k] +
+                            (view->origin[k] - shift[k])) /
+                           scale;
+                }
+                const double ring = hypot(p[0], p[1]) - 1;
+                largest = fmax(largest, fabs(hypot(ring, p[2]) - 0.375));
+            }
+            /* rounding to UNIT, to floats below 2, to doubles of 4,100,000 */
+            const double bound = 2 * UNIT * 0.5 + 2 * 0x1p-24 * 2 + 2 * 0x1p-31 / scale +
+                                 (format == GLTF ? 0x1p-23 : 0);
+            CHECK(view && largest < bound, "%s: %g > %g", names[format], largest, bound);
+            CHECK(view && view->vertex_count == POINTS, "%s at %g: %zu vertices", names[format],
+                  scale, view ? view->vertex_count : 0);
+            burnish_mesh_destroy(mesh);
+        }
+    }
+}
+
+/* Up to 32 times its size away a mesh has its file's coordinates, rounded, as ever; a file of
+ * floats has them anywhere. */
+static void test_near(void) {
+    static const double near[3] = {80, -60, 85}, far[3] = {80, -60, 95}; /* the size is 2.75 */
+    for (int format = 0; format < FORMATS - 1; ++format) {
+        burnish_mesh *mesh = load(format, near, 1, 1, NULL);
+        const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+        if (CHECK1(view)) {
+            CHECK(memcmp(view->origin, zero, sizeof zero) == 0, "%s", names[format]);
+            CHECK(view->bounds_max[0] == 81.375f, "%s: %g", names[format],
+                  (double)view->bounds_max[0]);
+        }
+        burnish_mesh_destroy(mesh);
+        mesh = load(format, far, 1, 1, NULL);
+        view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+        CHECK(view && memcmp(view->origin, far, sizeof far) == 0, "%s", names[format]);
+        burnish_mesh_destroy(mesh);
+    }
+}
+
+/* An origin of the caller's is taken as it is, by every format; one that is no number is refused.
+ */
+static void test_given(void) {
+    static const double shift[3] = {500000.125, 4100000.25, 300.5}, other[3] = {0, 4100000, 0};
+    static const double wrong[3] = {0, HUGE_VAL, 0};
+    for (int format = 0; format < FORMATS; ++format) {
+        burnish_mesh *mesh = load(format, shift, 1, 2, other);
+        const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+        if (CHECK1(view)) {
+            CHECK1(memcmp(view->origin, other, sizeof other) == 0);
+            CHECK(format == POINT_CLOUD || view->bounds_max[1] == 1.625f, "%s: %.9g", names[format],
+                  (double)view->bounds_max[1]);
+        }
+        burnish_mesh_destroy(mesh);
+        mesh = load(format, shift, 1, 2, zero);
+        view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+        CHECK(view && memcmp(view->origin, zero, sizeof zero) == 0 && view->bounds_max[0] > 5e5f,
+              "%s", names[format]);
+        burnish_mesh_destroy(mesh);
+    }
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {0};
+    options.origin = wrong;
+    CHECK1(burnish_mesh_load(":torus", &options, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
+    options.origin = other;
+    if (CHECK1(burnish_mesh_load(":torus", &options, &mesh, &error) == BURNISH_STATUS_OK)) {
+        CHECK1(burnish_mesh_get_view(mesh)->bounds_max[1] < -4e6f);
+        burnish_mesh_destroy(mesh);
+    }
+}
+
+/* A binary STL of one facet, floats, less an origin. */
+static void test_floats(void) {
+    static const float values[12] = {0, 0, 1, 4096, 8, 0, 4097, 8, 0, 4096, 9, 0.5f};
+    static const double origin[3] = {4096, 0, 0};
+    uint8_t bytes[134] = {[80] = 1};
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {0};
+    for (size_t i = 0; i < 12; ++i) {
+        uint32_t bits;
+        memcpy(&bits, &values[i], sizeof bits);
+        for (int k = 0; k < 4; ++k) {
+            bytes[84 + 4 * i + (size_t)k] = (uint8_t)(bits >> 8 * k);
+        }
+    }
+    for (int given = 0; given < 2; ++given) {
+        options.origin = given ? origin : NULL;
+        if (CHECK(burnish_mesh_load_memory(bytes, sizeof bytes, "a.stl", &options, &mesh, &error) ==
+                      BURNISH_STATUS_OK,
+                  "%s", error.text)) {
+            const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+            CHECK1(view->bounds_min[0] == (given ? 0 : 4096.0f) && view->bounds_min[1] == 8);
+            CHECK1(view->origin[0] == (given ? 4096 : 0));
+            burnish_mesh_destroy(mesh);
+        }
+    }
+}
+
+/* Warnings, materials and the material library are those of one reading. */
+static burnish_status load_library(void *user_data, const char *name, uint64_t max_bytes,
+                                   const void **bytes, size_t *size, burnish_error *error) {
+    static const char library[] = "newmtl red\nKd 1 0 0\n";
+    (void)name, (void)max_bytes, (void)error;
+    ++*(int *)user_data;
+    *bytes = library;
+    *size = sizeof library - 1;
+    return BURNISH_STATUS_OK;
+}
+
+static void test_once(void) {
+    static const char obj[] = "mtllib a.mtl\nv 500000.25 4e6 0\nv 500001.25 4e6 0\n"
+                              "v 500000.25 4000001 0\nv 500001.25 4000001 0\nusemtl red\n"
+                              "f 1 2 3\nusemtl none\nf 2 4 3\nf 1 2\nl 1 2\n";
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {0};
+    int times = 0;
+    options.companions = (burnish_file_loader){load_library, NULL, &times};
+    if (!CHECK(burnish_mesh_load_memory(obj, sizeof obj - 1, "a.obj", &options, &mesh, &error) ==
+                   BURNISH_STATUS_OK,
+               "%s", error.text)) {
+        return;
+    }
+    CHECK1(times == 1);
+    CHECK1(burnish_mesh_get_view(mesh)->origin[1] == 4000000.5);
+    CHECK1(burnish_mesh_get_view(mesh)->triangle_materials != NULL);
+    CHECK(burnish_mesh_warning_count(mesh) == 3, "%zu warnings", burnish_mesh_warning_count(mesh));
+    CHECK1(burnish_mesh_material(mesh, 0)->diffuse[0] == 1);
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_same_bits());
+    RUN(test_accuracy());
+    RUN(test_near());
+    RUN(test_given());
+    RUN(test_floats());
+    RUN(test_once());
+    return test_end("origin");
+}
