@@ -7,6 +7,9 @@
 /* X(table) of every command, in the order of the help screen. */
 #define CLI_COMMAND_LIST(X)                                                                        \
     X(render_command)                                                                              \
+    X(view_command)                                                                                \
+    X(batch_command)                                                                               \
+    X(serve_command)                                                                               \
     X(compare_command)                                                                             \
     X(info_command)                                                                                \
     X(lobe_command)                                                                                \

@@ -153,6 +153,9 @@ static burnish_status check_topic(const cli_command *command, const char *topic,
 }
 
 const char *cli_exit_text(int code) {
+    if (code == burnish_status_exit_code(BURNISH_STATUS_CANCELLED)) {
+        return NULL; /* the program cancels no call */
+    }
     switch (code) {
 #define CODE(number, text)                                                                         \
     case number:                                                                                   \
@@ -210,7 +213,8 @@ burnish_status cli_print_help(const cli_command *command, const char *topic, bur
         if (has_topics(command)) {
             char list[ROW_MAX];
             topic_list(command, "--help=", list);
-            printf("\nAll flags: %s\n", list);
+            printf("\nAll flags: ");
+            cli_print_wrapped(stdout, list, sizeof "All flags:", CLI_TEXT_WIDTH);
         }
         cli_print_examples(command->examples);
         print_exit_codes();

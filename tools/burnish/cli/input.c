@@ -1,6 +1,8 @@
 /* What every command that loads a mesh takes. */
 #include "cli/input.h"
 
+#include <string.h>
+
 #define WORD(name, word, ...)                                                                      \
     , {                                                                                            \
 #word, BURNISH_FORMAT_##name                                                               \
@@ -27,4 +29,23 @@ burnish_load_options cli_load_options(const cli_input *input) {
     options.ignore_textures = input->no_textures;
     options.max_texture_pixels = input->max_texture_pixels;
     return options;
+}
+
+static burnish_status load_companion(void *user_data, const char *name, uint64_t max_bytes,
+                                     const void **bytes, size_t *size, burnish_error *error) {
+    const cli_companions *companions = user_data;
+    for (size_t i = 0; i < companions->count; ++i) {
+        const cli_companion *found = &companions->items[i];
+        if (strcmp(found->name, name) == 0 && found->size <= max_bytes) {
+            *bytes = found->bytes;
+            *size = found->size;
+            return BURNISH_STATUS_OK;
+        }
+    }
+    return cli_fail(error, BURNISH_STATUS_READ,
+                    "%.300s: is not among the files that came with it; hand it over too", name);
+}
+
+burnish_file_loader cli_companion_loader(cli_companions *companions) {
+    return (burnish_file_loader){.load = load_companion, .user_data = companions};
 }

@@ -18,8 +18,21 @@ burnish_load_options cli_load_options(const cli_input *input);
 
 #define CLI_INPUT_ENDING(name, word, endings, ...) " " endings
 #define CLI_INPUT_HELP                                                                             \
-    "a file:" BURNISH_FORMAT_LIST(CLI_INPUT_ENDING) "; - standard input; :teapot, "                \
-                                                    ":sphere, :torus, :knot"
+    (&BURNISH_FORMAT_LIST(CLI_INPUT_ENDING) "; - standard input; :teapot :sphere :torus :knot"[1])
+
+/* Files that an input in memory may name. */
+typedef struct cli_companion {
+    const char *name;
+    const void *bytes;
+    size_t size;
+} cli_companion;
+typedef struct cli_companions {
+    cli_companion *items;
+    size_t count;
+} cli_companions;
+
+/* A loader of these and no others; they stay until loading is over. */
+burnish_file_loader cli_companion_loader(cli_companions *companions);
 
 /* Tables for the flags' rows. */
 extern const cli_word cli_input_formats[];

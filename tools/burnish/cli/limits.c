@@ -2,6 +2,12 @@
 
 #include "cli/options.h"
 
+static double given;
+
+double cli_seconds_given(void) {
+    return given;
+}
+
 #ifdef _WIN32
 
 burnish_status cli_limit_seconds(double seconds, burnish_error *error) {
@@ -20,6 +26,14 @@ void cli_limit_child(long process) {
     (void)process;
 }
 
+void cli_limit_child_seconds(double seconds) {
+    (void)seconds;
+}
+
+int cli_child_was_late(void) {
+    return 0;
+}
+
 #else
 
 #include <errno.h>
@@ -32,7 +46,8 @@ void cli_limit_child(long process) {
 #include <unistd.h>
 
 static atomic_long child;
-static char line[120]; /* written before the timer starts */
+static atomic_int is_late; /* the child */
+static char line[120];     /* written before the timer starts */
 
 static void end(int number) {
     (void)number;
@@ -49,6 +64,7 @@ static void end(int number) {
 burnish_status cli_limit_seconds(double seconds, burnish_error *error) {
     const struct sigaction action = {.sa_handler = end, .sa_flags = SA_RESTART};
     struct itimerval timer = {.it_value = {(time_t)seconds, 0}};
+    given = seconds;
     if (seconds == 0) {
         return BURNISH_STATUS_OK;
     }
@@ -79,6 +95,32 @@ burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error) {
 
 void cli_limit_child(long process) {
     atomic_store(&child, process);
+}
+
+static void end_child(int number) {
+    const long process = atomic_load(&child);
+    (void)number;
+    atomic_store(&is_late, 1);
+    if (process > 0) {
+        kill((pid_t)process, SIGKILL);
+    }
+}
+
+/* The timer goes on: a process may begin after its first signal. */
+void cli_limit_child_seconds(double seconds) {
+    const struct sigaction action = {.sa_handler = end_child, .sa_flags = SA_RESTART};
+    struct itimerval timer = {.it_value = {(time_t)seconds, 0}};
+    if (seconds > 0) {
+        timer.it_value.tv_usec = (suseconds_t)((seconds - (double)timer.it_value.tv_sec) * 1e6);
+        timer.it_interval.tv_usec = 100000;
+        atomic_store(&is_late, 0);
+        sigaction(SIGALRM, &action, NULL);
+    }
+    setitimer(ITIMER_REAL, &timer, NULL);
+}
+
+int cli_child_was_late(void) {
+    return atomic_load(&is_late);
 }
 
 #endif

@@ -8,11 +8,20 @@
  * temporary left; 0: never. Errors: ARGUMENT (this system has no timers). */
 burnish_status cli_limit_seconds(double seconds, burnish_error *error);
 
+/* What it was called with; 0: never. */
+double cli_seconds_given(void);
+
 /* Memory that the program may have at most, addresses included that it does not touch: what needs
  * more ends as where memory is short, with exit code 6. 0: no limit. Errors: ARGUMENT. */
 burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error);
 
 /* A process that is ended with the program; 0: none. */
 void cli_limit_child(long process);
+
+/* Ends that process, and not the program, after so many seconds from now; 0: no more. */
+void cli_limit_child_seconds(double seconds);
+
+/* 1: the seconds of the last cli_limit_child_seconds above 0 were over before the next call. */
+int cli_child_was_late(void);
 
 #endif

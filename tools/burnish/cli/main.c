@@ -16,9 +16,9 @@ const cli_example cli_examples[] = {
     {"burnish render part.stl --views=front,right,top,iso -o sheet.png", "a sheet of views"},
     {"burnish render :teapot --lobe=power,schlick,energy:2,taylor:2", "lobes side by side"},
     {"burnish render part.obj --json --fail-on-blank", "for programs"},
+    {"burnish batch parts --recursive -d thumbs --index", "many, and a page of them"},
     {"burnish compare before.stl after.stl -o changes.png", "what differs"},
     {"burnish render - --input-format=ply -o - <in.ply >out.png", "in a pipe"},
-    {"burnish lobe table --exponents=10,100", "lobes in numbers"},
     {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest lobe that will do"},
     {NULL, NULL},
 };

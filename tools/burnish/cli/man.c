@@ -216,6 +216,10 @@ static void print_examples(void) {
 
 static void print_environment(void) {
     printf(".SH ENVIRONMENT\n");
+    print_tagged("*BURNISH_IMPORTERS*",
+                 "the folder of the programs *burnish-import-assimp* and *burnish-import-occt*, "
+                 "which read other formats (FBX, COLLADA, STEP ...): where they are looked for "
+                 "instead of where they are installed.");
     print_tagged("*BURNISH_ISA*",
                  "the instruction set where *--isa* is *auto*: its values, or *auto*.");
     print_tagged("*PATH*", "where *burnish lobe plot* looks for gnuplot.");

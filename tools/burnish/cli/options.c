@@ -305,7 +305,10 @@ static burnish_status take_operand(const cli_command *command, const char *argum
                         "%s: \"%s\" is one operand too many; usage: %s %s [options]", command->name,
                         argument, cli_full_name(command).text, command->operand);
     }
-    call->operands[call->operand_count++] = argument;
+    if (call->operand_count < sizeof call->operands / sizeof *call->operands) {
+        call->operands[call->operand_count] = argument;
+    }
+    ++call->operand_count;
     return BURNISH_STATUS_OK;
 }
 
@@ -324,7 +327,7 @@ burnish_status cli_parse(const cli_command *command, int argc, char **argv, void
                          cli_call *call, burnish_error *error) {
     cursor at = {argc, 0, argv};
     int flags_ended = 0;
-    *call = (cli_call){0};
+    *call = (cli_call){.arguments = call->arguments};
     while (at.next < argc) {
         const char *argument = argv[at.next++];
         const cli_flag *flag = NULL;
@@ -344,6 +347,9 @@ burnish_status cli_parse(const cli_command *command, int argc, char **argv, void
         }
         if (status == BURNISH_STATUS_OK && flag) {
             status = apply(flag, text, settings, error);
+        }
+        if (call->arguments) {
+            call->arguments[call->argument_count++] = (cli_argument){flag, flag ? text : argument};
         }
         if (status != BURNISH_STATUS_OK) {
             return status;

@@ -10,9 +10,10 @@
 /* X(code, text) of every exit code that is no burnish_status. */
 #define CLI_EXIT_LIST(X)                                                                           \
     X(8, "a blank picture")                                                                        \
-    X(10, "pictures differ")
+    X(10, "pictures differ")                                                                       \
+    X(11, "some inputs failed")
 
-enum { CLI_EXIT_BLANK = 8, CLI_EXIT_DIFFERENT = 10 };
+enum { CLI_EXIT_BLANK = 8, CLI_EXIT_DIFFERENT = 10, CLI_EXIT_SOME_FAILED = 11 };
 
 /* Longest name of a flag or command, without dashes. */
 #define CLI_NAME_MAX 48
@@ -71,10 +72,18 @@ typedef struct cli_section {
     const char *closing;                     /* NULL: none */
 } cli_section;
 
+/* A flag and its value, which may be NULL; or, where flag is NULL, an operand. */
+typedef struct cli_argument {
+    const cli_flag *flag;
+    const char *text;
+} cli_argument;
+
 /* One call of a command: what parsing leaves besides the settings. */
 typedef struct cli_call {
-    const char *operands[2];
+    const char *operands[2]; /* the first ones */
     size_t operand_count;
+    cli_argument *arguments; /* receives all in their order, has room for argc; NULL: not wanted */
+    size_t argument_count;
     int help;          /* 1: --help was met; the rest is not parsed */
     const char *topic; /* of --help=TOPIC; NULL: none */
     int exit_code;     /* set by the work where success is not 0 */
@@ -130,7 +139,8 @@ void cli_warn(const char *text);
 burnish_status cli_defaults(const cli_command *command, void *settings, burnish_error *error);
 
 /* Reads the arguments: --x=v, --x v, -o v, -ov, switches, `--` before operands. No abbreviations;
- * of a repeated flag the last counts. An unknown flag is answered with the closest known one. Every
+ * of a repeated flag the last counts.
+ * call->arguments is set before. An unknown flag is answered with the closest known one. Every
  * command has -h, --help and --help=TOPIC. */
 burnish_status cli_parse(const cli_command *command, int argc, char **argv, void *settings,
                          cli_call *call, burnish_error *error);

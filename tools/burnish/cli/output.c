@@ -354,6 +354,9 @@ static size_t sequence_length(const unsigned char *text) {
 }
 
 cJSON *cli_json_text(const char *text) {
+    if (!text) {
+        return cJSON_CreateNull();
+    }
     char *copy = strdup(text);
     size_t at = 0;
     while (copy && copy[at]) {

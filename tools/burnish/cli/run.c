@@ -122,9 +122,10 @@ int cli_run(const cli_command *command, int argc, char **argv) {
         return run_part(command, argc, argv);
     }
     void *settings = calloc(1, command->settings_size + 1); /* + 1: none may be needed */
-    burnish_status status =
-        settings ? cli_defaults(command, settings, &error)
-                 : cli_fail(&error, BURNISH_STATUS_MEMORY, "out of memory for the settings");
+    call.arguments = calloc((size_t)argc + 1, sizeof *call.arguments);
+    burnish_status status = settings && call.arguments ? cli_defaults(command, settings, &error)
+                                                       : cli_fail(&error, BURNISH_STATUS_MEMORY,
+                                                                  "out of memory for the settings");
     if (status == BURNISH_STATUS_OK) {
         status = cli_parse(command, argc, argv, settings, &call, &error);
     }
@@ -136,5 +137,6 @@ int cli_run(const cli_command *command, int argc, char **argv) {
         status = cli_finish_output(&error);
     }
     free(settings);
+    free(call.arguments);
     return status == BURNISH_STATUS_OK ? call.exit_code : cli_exit_code(status, &error);
 }

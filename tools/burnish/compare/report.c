@@ -94,7 +94,10 @@ static void add_side(cJSON *root, const comparison *c, int i, int *failed) {
         char lobe[32];
         burnish_lobe_spec_name(&side->cell.lobe, lobe, sizeof lobe);
         cli_json_add(object, "lobe", cJSON_CreateString(lobe), failed);
-        cli_json_add(object, "camera", render_camera_object(&side->cell.camera, failed), failed);
+        cli_json_add(object, "camera",
+                     render_camera_object(&side->cell.camera,
+                                          burnish_mesh_get_view(side->result.mesh)->origin, failed),
+                     failed);
         cli_json_add(object, "facts", facts_object(side, failed), failed);
         cli_json_add(object, "warnings",
                      cli_json_texts(side->result.warning_count, side->result.warnings), failed);

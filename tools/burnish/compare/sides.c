@@ -5,8 +5,10 @@
 #include <string.h>
 
 #include "compare/compare.h"
+#include "import/import.h"
 #include "picture/read_png.h"
 #include "render/camera.h"
+#include "render/origin.h"
 
 /* ---- Reading ---- */
 
@@ -31,9 +33,11 @@ static int is_picture(const char *path) {
     return picture_is_png(head, size) || (path[0] != ':' && ends_in_png(path));
 }
 
-static burnish_load_options load_options(const compare_side *side) {
+/* first: the mesh whose space it shares; NULL: none */
+static burnish_load_options load_options(const compare_side *side, const burnish_mesh *first) {
     burnish_load_options options = render_load_options(&side->settings);
     options.measure = 1;
+    options.origin = first ? burnish_mesh_get_view(first)->origin : NULL;
     return options;
 }
 
@@ -48,31 +52,32 @@ static burnish_status take_mesh(compare_side *side, burnish_status loaded, burni
 }
 
 /* Standard input holds either: its bytes tell. */
-static burnish_status read_standard(compare_side *side, burnish_error *error) {
-    const burnish_load_options options = load_options(side);
+static burnish_status read_standard(compare_side *side, const burnish_load_options *options,
+                                    burnish_error *error) {
     uint8_t *bytes;
     size_t size;
-    burnish_status status = picture_read_bytes("-", options.max_input_bytes, &bytes, &size, error);
+    burnish_status status = picture_read_bytes("-", options->max_input_bytes, &bytes, &size, error);
     if (status == BURNISH_STATUS_OK && picture_is_png(bytes, size)) {
         status = picture_decode_png("standard input", bytes, size, &side->picture, error);
     } else if (status == BURNISH_STATUS_OK) {
         status =
-            burnish_mesh_load_memory(bytes, size, "standard input", &options, &side->owned, error);
+            burnish_mesh_load_memory(bytes, size, "standard input", options, &side->owned, error);
         status = take_mesh(side, status, error);
     }
     free(bytes);
     return status;
 }
 
-static burnish_status read_side(compare_side *side, burnish_error *error) {
-    const burnish_load_options options = load_options(side);
+static burnish_status read_side(compare_side *side, const burnish_mesh *first,
+                                burnish_error *error) {
+    const burnish_load_options options = load_options(side, first);
     if (strcmp(side->input, "-") == 0) {
-        return read_standard(side, error);
+        return read_standard(side, &options, error);
     }
     if (is_picture(side->input)) {
         return picture_read_png(side->input, options.max_input_bytes, &side->picture, error);
     }
-    return take_mesh(side, burnish_mesh_load(side->input, &options, &side->owned, error), error);
+    return take_mesh(side, import_load(side->input, &options, &side->owned, error), error);
 }
 
 /* ---- Drawing ---- */
@@ -235,7 +240,7 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
         describe(c, i);
     }
     for (int i = 0; i < (c->lobes ? 1 : 2) && status == BURNISH_STATUS_OK; ++i) {
-        status = read_side(&c->sides[i], error);
+        status = read_side(&c->sides[i], i > 0 ? c->sides[0].owned : NULL, error);
     }
     if (status == BURNISH_STATUS_OK && c->lobes) {
         if (!c->sides[0].result.mesh) {
@@ -245,6 +250,16 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
                             c->sides[0].input);
         }
         c->sides[1].result.mesh = c->sides[0].result.mesh;
+    }
+    for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
+        compare_side *side = &c->sides[i];
+        if (side->result.mesh) {
+            const char *warning;
+            render_subtract_origin(&side->settings, &side->options,
+                                   burnish_mesh_get_view(side->result.mesh)->origin);
+            status = render_add_own_lights(&side->settings, side->result.mesh, &side->options,
+                                           &warning, error);
+        }
     }
     if (status == BURNISH_STATUS_OK &&
         (compare_is_mesh(&c->sides[0]) || compare_is_mesh(&c->sides[1]))) {

@@ -4,7 +4,9 @@
 
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/origin.h"
 #include "cli/output.h"
+#include "import/import.h"
 
 typedef struct info_settings {
     cli_input load;
@@ -57,6 +59,8 @@ static const cli_term json_terms[] = {
     {"*triangles, vertices*",
      "as read: polygons cut into triangles; equal positions are one vertex"},
     {"*materials*", "after loading: at least 1"},
+    {"*unit*", "of lengths, as a 3MF file says or glTF has it: micron, millimeter, centimeter, "
+               "inch, foot or meter; null: the file does not say"},
     {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, in the units of the "
                        "input"},
     {"*area*", "of all triangles, both of those that coincide"},
@@ -64,6 +68,9 @@ static const cli_term json_terms[] = {
                  "*solid* is true; a surface that is inside out has a negative one; cavities that "
                  "are wound inward are subtracted"},
     {"*center_of_mass*", "of the volume where *solid* is true, else of the surface"},
+    {"*origin*", "what is subtracted from coordinates, in double precision, before they are "
+                 "rounded to single precision: 0, 0, 0, or where the file is far from there, near "
+                 "its middle. Positions here have it added, so that they are the file's"},
     {"*solid*", "true where the surface is closed, its winding consistent and its volume not 0"},
     {"*closed*", "true where every edge belongs to an even number of triangles"},
     {"*consistent_winding*", "true where *inconsistent_edges* is 0"},
@@ -85,10 +92,10 @@ static const cli_term json_terms[] = {
 
 static const cli_section sections[] = {
     {.heading = "FACTS IN JSON",
-     .text =
-         "What *burnish info --json* prints: one object. Lengths are in the units of the input, "
-         "which no mesh file of these formats states; numbers read back as exactly the values "
-         "that were computed, in double precision from single precision coordinates.",
+     .text = "What *burnish info --json* prints: one object. Lengths are in *unit*; numbers read "
+             "back as "
+             "exactly the values that were computed, in double precision from single precision "
+             "coordinates.",
      .terms = json_terms},
     {.heading = NULL},
 };
@@ -138,13 +145,16 @@ static cJSON *warning_at(const void *mesh, size_t i) {
 static void add_sizes(cJSON *root, const report *r, int *failed) {
     const burnish_mesh_facts *f = r->facts;
     cJSON *box = cJSON_CreateObject();
-    cli_json_add(box, "min", cli_json_floats(3, r->view->bounds_min), failed);
-    cli_json_add(box, "max", cli_json_floats(3, r->view->bounds_max), failed);
+    cli_json_add(box, "min", cli_json_position(r->view->bounds_min, r->view->origin), failed);
+    cli_json_add(box, "max", cli_json_position(r->view->bounds_max, r->view->origin), failed);
     cli_json_add(box, "size", cli_json_floats(3, r->size), failed);
+    cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(r->mesh)->unit), failed);
     cli_json_add(root, "bounding_box", box, failed);
     cli_json_add(root, "area", cli_json_real(f->area), failed);
     cli_json_add(root, "volume", cli_json_real(f->volume), failed);
-    cli_json_add(root, "center_of_mass", cli_json_reals(3, f->center_of_mass), failed);
+    cli_json_add(root, "center_of_mass", cli_json_real_position(f->center_of_mass, r->view->origin),
+                 failed);
+    cli_json_add(root, "origin", cli_json_reals(3, r->view->origin), failed);
 }
 
 static void add_counts(cJSON *root, const burnish_mesh_facts *f, int *failed) {
@@ -190,12 +200,32 @@ static void print_count(FILE *stream, const char *name, size_t count) {
     fprintf(stream, "  %-20s  %zu\n", name, count);
 }
 
-static void print_vector(FILE *stream, const char *name, const double v[3], const char *separator) {
-    fprintf(stream, "  %-20s  %.6g%s%.6g%s%.6g", name, v[0], separator, v[1], separator, v[2]);
+/* Digits that tell a coordinate as exactly as 6 do one of the mesh's own size. */
+static int coordinate_digits(double origin, double size) {
+    int digits = 6;
+    for (double reach = size; reach > 0 && reach < fabs(origin) && digits < DBL_DECIMAL_DIG;
+         reach *= 10) {
+        ++digits;
+    }
+    return digits;
 }
 
-static void print_floats(FILE *stream, const char *name, const float v[3], const char *separator) {
-    print_vector(stream, name, (double[]){v[0], v[1], v[2]}, separator);
+static void print_vector(FILE *stream, const char *name, const double v[3], const report *r,
+                         const char *separator) {
+    const double size = fmax(r->size[0], fmax(r->size[1], r->size[2]));
+    fprintf(stream, "  %-20s  ", name);
+    for (int k = 0; k < 3; ++k) {
+        fprintf(stream, "%s%.*g", k > 0 ? separator : "",
+                coordinate_digits(r->view->origin[k], size), v[k]);
+    }
+}
+
+static void print_position(FILE *stream, const char *name, const float v[3], const report *r) {
+    const double *origin = r->view->origin;
+    const double file[3] = {cli_file_coordinate(v[0], origin[0]),
+                            cli_file_coordinate(v[1], origin[1]),
+                            cli_file_coordinate(v[2], origin[2])};
+    print_vector(stream, name, file, r, ", ");
     fputc('\n', stream);
 }
 
@@ -215,16 +245,23 @@ static double snap(double value, double rounding) {
 
 static void print_sizes(FILE *stream, const report *r) {
     const burnish_mesh_facts *f = r->facts;
+    const char *unit = burnish_mesh_get_info(r->mesh)->unit;
     const double size = fmax(r->size[0], fmax(r->size[1], r->size[2])), *c = f->center_of_mass;
     const double rounding = 4 * FLT_EPSILON * size; /* of the coordinates */
-    const double center[3] = {snap(c[0], rounding), snap(c[1], rounding), snap(c[2], rounding)};
-    print_floats(stream, "size", r->size, " x ");
-    print_floats(stream, "from", r->view->bounds_min, ", ");
-    print_floats(stream, "to", r->view->bounds_max, ", ");
+    const double *o = r->view->origin;
+    const double center[3] = {snap(c[0], rounding) + o[0], snap(c[1], rounding) + o[1],
+                              snap(c[2], rounding) + o[2]};
+    if (unit) {
+        fprintf(stream, "  %-20s  %s\n", "unit", unit);
+    }
+    fprintf(stream, "  %-20s  %.6g x %.6g x %.6g\n", "size", (double)r->size[0], (double)r->size[1],
+            (double)r->size[2]);
+    print_position(stream, "from", r->view->bounds_min, r);
+    print_position(stream, "to", r->view->bounds_max, r);
     fprintf(stream, "  %-20s  %.6g\n", "area", f->area);
     fprintf(stream, "  %-20s  %.6g%s\n", "volume", snap(f->volume, 1e-12 * f->area * size),
             volume_remark(f));
-    print_vector(stream, "centre of mass", center, ", ");
+    print_vector(stream, "centre of mass", center, r, ", ");
     fprintf(stream, " (of the %s)\n", f->is_solid ? "solid" : "surface");
 }
 
@@ -281,7 +318,7 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     }
     options.threads = settings->threads;
     options.measure = 1;
-    burnish_status status = burnish_mesh_load(call->operands[0], &options, &mesh, error);
+    burnish_status status = import_load(call->operands[0], &options, &mesh, error);
     for (size_t i = 0; i < burnish_mesh_warning_count(mesh) && !settings->quiet; ++i) {
         cli_warn(burnish_mesh_warning(mesh, i));
     }

@@ -1,4 +1,5 @@
 /* `burnish render --clip`: cuts, and what there is to say of them. */
+#include "render/origin.h"
 #include "render/report.h"
 
 /* Why a cut is not filled. */
@@ -32,7 +33,7 @@ burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_err
             render_result_warn(result, 1,
                                "%.300s: nothing of the mesh is beyond the plane %g,%g,%g,%g",
                                result->settings->input, plane->normal[0], plane->normal[1],
-                               plane->normal[2], plane->offset);
+                               plane->normal[2], render_file_offset(plane, view->origin));
         }
     }
     if (status == BURNISH_STATUS_OK && view->cut_count > 0 &&

@@ -11,8 +11,9 @@
 #include "cli/limits.h"
 #include "cli/run.h"
 #include "font/utf8.h"
-#include "render/annotate.h"
 #include "render/camera.h"
+#include "render/many.h"
+#include "render/origin.h"
 #include "render/reference.h"
 #include "render/report.h"
 #include "render/settings.h"
@@ -82,39 +83,6 @@ static void label_cell(const render_settings *settings, size_t index, render_cel
     }
 }
 
-static void warn_about_cell(render_result *result, const render_cell *cell) {
-    const char *input = result->settings->input;
-    const char *picture = result->cell_count > 1 ? cell->label : "the picture";
-    if (cell->report.lobe_fallbacks > 0) {
-        char lobe[32];
-        burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
-        render_result_warn(result, 1,
-                           "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
-                           "with a lower order",
-                           input, cell->report.lobe_fallbacks,
-                           burnish_mesh_material_count(result->mesh), lobe);
-    }
-    if (cell->report.layers_dropped > 0) {
-        render_result_warn(
-            result, 1,
-            "%.300s: some samples show more than %d transparent layers; the farthest "
-            "ones are left out",
-            input, BURNISH_TRANSPARENT_LAYERS_MAX);
-    }
-    if (cell->report.covered_pixels == 0) {
-        ++result->blank_cells;
-        render_result_warn(result, !result->settings->fail_on_blank,
-                           "%.300s: %s is blank: nothing of the object is in it; check the camera",
-                           input, picture);
-    } else if (cell->has_one_color) {
-        ++result->blank_cells;
-        render_result_warn(result, !result->settings->fail_on_blank,
-                           "%.300s: %s has one colour: the object can't be seen in it; check "
-                           "colours, lights and background",
-                           input, picture);
-    }
-}
-
 /* The one line of a run that --fail-on-blank ends. */
 static void report_blank(const render_result *result) {
     const char *input = result->settings->input;
@@ -137,20 +105,6 @@ static void report_blank(const render_result *result) {
     fprintf(stderr, "burnish: %s\n", error.text);
 }
 
-/* The pixels of a cell, or of a frame of a turntable, without annotations; *depth as render_draw.
- */
-static burnish_status draw_pixels(render_result *result, burnish_renderer *renderer,
-                                  burnish_render_options *options, render_cell *cell, float **depth,
-                                  burnish_error *error) {
-    options->lobe = cell->lobe;
-    options->camera = cell->camera;
-    render_upward(result->mesh, result->settings, options->up);
-    burnish_status status = render_draw(result, renderer, options, cell, depth, error);
-    result->seconds.transform += cell->report.seconds_transform;
-    result->seconds.draw += cell->report.seconds_draw;
-    return status;
-}
-
 /* What a turntable draws its frames by: without annotations, so that no depth is wanted, and for
  * no report. */
 static burnish_status draw_frame(render_result *result, burnish_renderer *renderer,
@@ -158,32 +112,8 @@ static burnish_status draw_frame(render_result *result, burnish_renderer *render
                                  burnish_error *error) {
     float *depth = NULL;
     options->counts = BURNISH_COUNTS_PIXELS;
-    burnish_status status = draw_pixels(result, renderer, options, cell, &depth, error);
+    burnish_status status = render_draw_pixels(result, renderer, options, cell, &depth, error);
     free(depth);
-    return status;
-}
-
-burnish_status render_draw_cell(render_result *result, burnish_renderer *renderer,
-                                burnish_render_options *options, render_cell *cell,
-                                burnish_error *error) {
-    float *depth = NULL;
-    options->counts = result->settings->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
-    burnish_status status = draw_pixels(result, renderer, options, cell, &depth, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    if (result->settings->json) {
-        cell->tones = render_measure_tones(&cell->image, cell->report.covered_pixels, options);
-    }
-    if (result->settings->json || result->settings->fail_on_blank) {
-        cell->has_one_color = render_has_one_color(&cell->image);
-    }
-    warn_about_cell(result, cell);
-    status = render_annotate(result, options, cell, depth, error);
-    free(depth);
-    if (result->settings->json && status == BURNISH_STATUS_OK) {
-        cell->hash = burnish_image_hash(&cell->image);
-    }
     return status;
 }
 
@@ -331,10 +261,11 @@ static burnish_status open_font(render_result *result, burnish_error *error) {
     if (result->cell_count < 2 || result->settings->no_labels || (!foreign && !file)) {
         return BURNISH_STATUS_OK;
     }
-    if (!file && !font_is_available) {
-        render_result_warn(result, 1,
-                           "--labels: this program was built without HarfBuzz, FriBidi and "
-                           "fontconfig; letters beyond ASCII are drawn as ?");
+    if (!file && (!font_is_available || result->settings->opens_no_font)) {
+        render_result_warn(result, 1, "--labels: %s; letters beyond ASCII are drawn as ?",
+                           font_is_available ? "no font may be opened here"
+                                             : "this program was built without HarfBuzz, FriBidi "
+                                               "and fontconfig");
         return BURNISH_STATUS_OK;
     }
     const burnish_status status = font_open(file, &result->font, error);
@@ -384,6 +315,9 @@ static burnish_status report(void *context, burnish_error *error) {
     double now = seconds_now();
     result->seconds.write = now - result->encoded;
     result->seconds.total = now - result->start;
+    if (result->settings->tell) {
+        result->settings->tell(result->settings->tell_context, result);
+    }
     return result->settings->json ? render_write_json(result, error) : BURNISH_STATUS_OK;
 }
 
@@ -452,7 +386,9 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
         status = compose(result, sheet, error);
         result->picture = sheet;
         result->hash =
-            status == BURNISH_STATUS_OK && result->settings->json ? burnish_image_hash(sheet) : 0;
+            status == BURNISH_STATUS_OK && (result->settings->json || result->settings->tell)
+                ? burnish_image_hash(sheet)
+                : 0;
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -461,12 +397,14 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
         return report(result, error);
     }
     const render_turntable turntable = {result, renderer, options, draw_frame, report};
-    return result->settings->turntable ? render_write_turntable(&turntable, error)
-                                       : write_picture(result, error);
+    return result->settings->frame_runner ? render_serve_turntable(&turntable, error)
+           : result->settings->turntable  ? render_write_turntable(&turntable, error)
+                                          : write_picture(result, error);
 }
 
 /* Loads the mesh, prints its warnings and settles which way is up. */
-static burnish_status load(render_result *result, render_settings *settings, burnish_error *error) {
+static burnish_status load(render_result *result, render_settings *settings,
+                           burnish_render_options *options, burnish_error *error) {
     burnish_mesh *mesh = NULL;
     burnish_status status = render_load(settings, &mesh, error);
     result->mesh = mesh;
@@ -479,7 +417,15 @@ static burnish_status load(render_result *result, render_settings *settings, bur
     for (size_t i = 0; i < burnish_mesh_warning_count(mesh); ++i) {
         render_result_warn(result, 1, "%s", burnish_mesh_warning(mesh, i));
     }
-    status = render_cut(result, mesh, error);
+    const char *warning;
+    render_subtract_origin(settings, options, burnish_mesh_get_view(mesh)->origin);
+    status = render_add_own_lights(settings, mesh, options, &warning, error);
+    if (status == BURNISH_STATUS_OK && warning) {
+        render_result_warn(result, 1, "%s", warning);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_cut(result, mesh, error);
+    }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -505,7 +451,7 @@ static burnish_status render(render_result *result, render_settings *settings,
         status = render_read_reference(result, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = load(result, settings, error);
+        status = load(result, settings, options, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_create(NULL, &renderer, error);
@@ -563,13 +509,51 @@ static burnish_status begin(const render_settings *settings, int *code, burnish_
     return sandbox_begin(&plan, code, error);
 }
 
+burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error) {
+    render_result result = {.settings = settings};
+    cli_prepare_memory();
+    result.seconds.start = processor_seconds();
+    result.start = seconds_now();
+    burnish_render_options options = render_make_options(settings);
+    result.options = &options;
+    result.cell_count =
+        (settings->views.count > 0 ? settings->views.count : 1) * settings->lobes.count;
+    result.columns = choose_columns(settings, result.cell_count);
+    result.cells = calloc(result.cell_count, sizeof *result.cells);
+    burnish_status status = result.cells
+                                ? render(&result, settings, &options, error)
+                                : cli_fail(error, BURNISH_STATUS_MEMORY,
+                                           "out of memory for %zu pictures", result.cell_count);
+    if (status == BURNISH_STATUS_OK && result.blank_cells > 0 && settings->fail_on_blank) {
+        report_blank(&result);
+        *exit_code = CLI_EXIT_BLANK;
+    } else if (status == BURNISH_STATUS_OK && render_report_difference(&result)) {
+        *exit_code = CLI_EXIT_DIFFERENT;
+    }
+    release(&result);
+    return status;
+}
+
+/* Whether pictures are named after inputs. */
+static int is_template(const char *output) {
+    static const char *const words[] = {"{model}", "{folder}", "{ending}", "{view}"};
+    for (size_t i = 0; output && i < sizeof words / sizeof *words; ++i) {
+        if (strstr(output, words[i])) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     render_settings *settings = from;
-    render_result result = {.settings = settings};
     if (call->operand_count == 0) {
         return cli_fail(
             error, BURNISH_STATUS_ARGUMENT,
             "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
+    }
+    if (call->operand_count > 1 || settings->output_dir || is_template(settings->output)) {
+        return render_many(settings, call, error);
     }
     settings->input = call->operands[0];
     int code = -1;
@@ -581,24 +565,5 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
         call->exit_code = code;
         return status;
     }
-    cli_prepare_memory();
-    result.seconds.start = processor_seconds();
-    result.start = seconds_now();
-    burnish_render_options options = render_make_options(settings);
-    result.options = &options;
-    result.cell_count =
-        (settings->views.count > 0 ? settings->views.count : 1) * settings->lobes.count;
-    result.columns = choose_columns(settings, result.cell_count);
-    result.cells = calloc(result.cell_count, sizeof *result.cells);
-    status = result.cells ? render(&result, settings, &options, error)
-                          : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu pictures",
-                                     result.cell_count);
-    if (status == BURNISH_STATUS_OK && result.blank_cells > 0 && settings->fail_on_blank) {
-        report_blank(&result);
-        call->exit_code = CLI_EXIT_BLANK;
-    } else if (status == BURNISH_STATUS_OK && render_report_difference(&result)) {
-        call->exit_code = CLI_EXIT_DIFFERENT;
-    }
-    release(&result);
-    return status;
+    return render_run(settings, &call->exit_code, error);
 }

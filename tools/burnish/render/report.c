@@ -9,9 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/origin.h"
 #include "cli/output.h"
 #include "cli/run.h"
 #include "render/camera.h"
+#include "render/origin.h"
 #include "render/reference.h"
 
 void render_result_warn(render_result *result, int printed, const char *format, ...) {
@@ -42,10 +44,11 @@ static cJSON *hash_text(uint64_t hash) {
     return cJSON_CreateString(text);
 }
 
-cJSON *render_camera_object(const burnish_camera *camera, int *failed) {
+cJSON *render_camera_object(const burnish_camera *camera, const double origin[3], int *failed) {
     cJSON *object = cJSON_CreateObject();
-    cli_json_add(object, "position", cli_json_reals(3, camera->position), failed);
-    cli_json_add(object, "focal_point", cli_json_reals(3, camera->focal_point), failed);
+    cli_json_add(object, "position", cli_json_real_position(camera->position, origin), failed);
+    cli_json_add(object, "focal_point", cli_json_real_position(camera->focal_point, origin),
+                 failed);
     cli_json_add(object, "view_up", cli_json_reals(3, camera->view_up), failed);
     cli_json_add(object, "view_angle", cli_json_real(camera->view_angle), failed);
     cli_json_add(object, "orthographic_height", cli_json_real(camera->orthographic_height), failed);
@@ -83,7 +86,9 @@ int render_is_blank(const render_cell *cell) {
 }
 
 /* The keys that a single picture and a cell share. */
-static void add_picture(cJSON *object, const render_cell *cell, int *failed) {
+static void add_picture(cJSON *object, const render_result *result, const render_cell *cell,
+                        int *failed) {
+    const double *origin = burnish_mesh_get_view(result->mesh)->origin;
     char lobe[32];
     burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
     cli_json_add(object, "triangles_drawn", cli_json_count(cell->report.triangles_drawn), failed);
@@ -96,7 +101,7 @@ static void add_picture(cJSON *object, const render_cell *cell, int *failed) {
     cli_json_add(object, "near_black", cli_json_real(cell->tones.near_black), failed);
     cli_json_add(object, "like_ground", cli_json_real(cell->tones.like_ground), failed);
     cli_json_add(object, "contrast", cli_json_real(cell->tones.contrast), failed);
-    cli_json_add(object, "camera", render_camera_object(&cell->camera, failed), failed);
+    cli_json_add(object, "camera", render_camera_object(&cell->camera, origin, failed), failed);
     const double height = cell->camera.orthographic_height;
     cli_json_add(object, "pixels_per_unit",
                  cli_json_real(height > 0 ? cell->image.height / height : (double)NAN), failed);
@@ -115,7 +120,7 @@ static void add_cells(cJSON *root, const render_result *result, int *failed) {
         }
         cli_json_add(object, "width", cJSON_CreateNumber(cell->image.width), failed);
         cli_json_add(object, "height", cJSON_CreateNumber(cell->image.height), failed);
-        add_picture(object, cell, failed);
+        add_picture(object, result, cell, failed);
         cli_json_add(object, "blank", cJSON_CreateBool(render_is_blank(cell)), failed);
         cli_json_add(object, "hash", hash_text(cell->hash), failed);
         if (!object || !cJSON_AddItemToArray(cells, object)) {
@@ -131,7 +136,7 @@ static void add_cuts(cJSON *root, const burnish_mesh_view *view, int *failed) {
     for (int i = 0; i < view->cut_count; ++i) {
         const burnish_clip_plane *plane = &view->cuts[i];
         const double values[4] = {plane->normal[0], plane->normal[1], plane->normal[2],
-                                  plane->offset};
+                                  render_file_offset(plane, view->origin)};
         cJSON *cut = cli_json_reals(4, values);
         if (!cut || !cJSON_AddItemToArray(cuts, cut)) {
             cJSON_Delete(cut);
@@ -167,9 +172,11 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "textures", cli_json_count(burnish_mesh_texture_count(result->mesh)),
                  failed);
     cli_json_add(root, "exponents", exponents_array(result->mesh), failed);
-    cli_json_add(box, "min", cli_json_floats(3, view->bounds_min), failed);
-    cli_json_add(box, "max", cli_json_floats(3, view->bounds_max), failed);
+    cli_json_add(box, "min", cli_json_position(view->bounds_min, view->origin), failed);
+    cli_json_add(box, "max", cli_json_position(view->bounds_max, view->origin), failed);
     cli_json_add(root, "bounding_box", box, failed);
+    cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(result->mesh)->unit), failed);
+    cli_json_add(root, "origin", cli_json_reals(3, view->origin), failed);
     add_cuts(root, view, failed);
     cli_json_add(root, "up", cJSON_CreateString(render_up_name(result->mesh, result->settings)),
                  failed);
@@ -260,7 +267,7 @@ static burnish_status print_json(FILE *stream, const render_result *result, burn
             cli_json_add(root, "view", cJSON_CreateString(render_view_name(result->cells[0].view)),
                          &failed);
         }
-        add_picture(root, &result->cells[0], &failed);
+        add_picture(root, result, &result->cells[0], &failed);
     }
     if (result->settings->turntable) {
         cli_json_add(root, "frames", cJSON_CreateNumber(result->settings->frames), &failed);

@@ -56,6 +56,11 @@ burnish_status render_draw_cell(render_result *result, burnish_renderer *rendere
                                 burnish_render_options *options, render_cell *cell,
                                 burnish_error *error);
 
+/* Only its pixels, without annotations; *depth as render_draw. */
+burnish_status render_draw_pixels(render_result *result, burnish_renderer *renderer,
+                                  burnish_render_options *options, render_cell *cell, float **depth,
+                                  burnish_error *error);
+
 /* 1: nothing of the object is in the picture, or it can't be told from the background. */
 int render_is_blank(const render_cell *cell);
 
@@ -68,8 +73,9 @@ __attribute__((format(printf, 3, 4))) void render_result_warn(render_result *res
  * those of burnish_mesh_clip. */
 burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_error *error);
 
-/* A camera in JSON; NULL when out of memory. *failed becomes 1 where a part of it is missing. */
-cJSON *render_camera_object(const burnish_camera *camera, int *failed);
+/* A camera of a mesh with an origin in JSON; NULL when out of memory. *failed becomes 1 where a
+ * part of it is missing. */
+cJSON *render_camera_object(const burnish_camera *camera, const double origin[3], int *failed);
 
 /* Writes the JSON object where --json says. Errors: MEMORY, WRITE. */
 burnish_status render_write_json(const render_result *result, burnish_error *error);

@@ -51,7 +51,8 @@ typedef struct render_lobes {
 } render_lobes;
 
 typedef struct render_lights {
-    int given; /* 1: these instead of the default rig */
+    int given;   /* 1: these instead of the default rig */
+    int of_file; /* 1: the input's own too */
     burnish_light items[BURNISH_LIGHT_MAX];
     int count;
 } render_lights;
@@ -82,16 +83,28 @@ typedef struct render_background {
     float srgb[3];
 } render_background;
 
+/* Names of flags of a picture, for commands that draw as this one does: those of its topics
+ * picture, files and report that belong to neither a file nor a limit. */
+#define RENDER_PICTURE_FLAGS                                                                       \
+    "cull-back-faces,samples,background-color,no-background,views,annotate,columns,labels,"        \
+    "no-labels,quality,dpi,input-format,clip,crease-angle,tessellation,animation-time,animation,"  \
+    "point-size,strict,no-textures,no-libraries,fail-on-blank"
+
+struct render_result;
+
 typedef struct render_settings {
     const char *input;
-    const char *output; /* NULL until render_finish */
-    int overwrite;      /* 1: a name made from the input's replaces a file */
-    int format;         /* picture_format; AUTO until render_finish */
-    int quality;        /* 0: not given */
+    const char *output;     /* NULL until render_finish */
+    const char *output_dir; /* NULL: not given */
+    int overwrite;          /* 1: a name made from the input's replaces a file */
+    int format;             /* picture_format; AUTO until render_finish */
+    int quality;            /* 0: not given */
     cli_real dots_per_inch;
     render_planes planes;
     const char *turntable; /* NULL: a picture */
     int frames, fps;
+    int frame_runners; /* sockets from descriptor 3 on, to others that draw frames */
+    int frame_runner;  /* 1: this is such a one */
 
     int size[2];
     int samples;
@@ -143,11 +156,27 @@ typedef struct render_settings {
     const char *reference, *reference_difference; /* files; NULL: none */
     cli_real reference_threshold;
 
+    /* Gets the result when the picture is drawn, before it is in place; NULL: not wanted. For
+     * callers in C, beside --json. */
+    void (*tell)(void *context, const struct render_result *result);
+    void *tell_context;
+
+    /* Loads the input; NULL: sandbox_load does. For callers that have it in memory. */
+    burnish_status (*load_mesh)(void *context, const char *input,
+                                const burnish_load_options *options, burnish_mesh **mesh,
+                                burnish_error *error);
+    void *load_context;
+    int opens_no_font; /* 1: letters beyond ASCII are drawn as ? */
+
     char default_output[512]; /* what output points to when the name is made from the input's */
 } render_settings;
 
 /* What the subcommand does once its flags are read. */
 cli_work render_work;
+
+/* The part of it after render_finish and what the system limits: draws, writes and reports. Sets
+ * *exit_code where success is not 0. */
+burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error);
 
 /* Checks flags that exclude each other, and chooses the instruction set. */
 burnish_status render_check(render_settings *settings, burnish_error *error);
@@ -181,7 +210,8 @@ typedef struct render_preset {
 extern const render_preset render_presets[];
 extern const cli_word render_preset_words[];
 
-extern const cli_word render_look_words[]; /* burnish_look */
+extern const cli_word render_look_words[];  /* burnish_look */
+extern const cli_section render_sections[]; /* of the man page, beside the flags */
 
 /* Handlers for the flags that only this command has; target types as in render_settings. */
 cli_handler render_flag_background;    /* render_background */

@@ -299,8 +299,22 @@ burnish_status render_check(render_settings *settings, burnish_error *error) {
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
 }
 
+static burnish_status check_runners(const render_settings *settings, burnish_error *error) {
+    const char *flag = settings->frame_runner        ? "runner"
+                       : settings->frame_runners > 0 ? "runners"
+                                                     : NULL;
+    if (flag && (!settings->turntable || settings->sandbox)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: others draw frames of a --turntable, without --sandbox", flag);
+    }
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status render_finish(render_settings *settings, burnish_error *error) {
     burnish_status status = render_check(settings, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_runners(settings, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = check_labels(settings, error);
     }
@@ -335,7 +349,9 @@ burnish_load_options render_load_options(const render_settings *settings) {
 burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
                            burnish_error *error) {
     const burnish_load_options options = render_load_options(settings);
-    return sandbox_load(settings->input, &options, mesh, error);
+    return settings->load_mesh
+               ? settings->load_mesh(settings->load_context, settings->input, &options, mesh, error)
+               : sandbox_load(settings->input, &options, mesh, error);
 }
 
 /* One material as the flags want it. */

@@ -12,6 +12,7 @@
 #include "cli/file.h"
 #include "picture/animation.h"
 #include "render/camera.h"
+#include "render/frames.h"
 
 #define PI 3.14159265358979323846
 
@@ -216,9 +217,10 @@ enum { SAMPLED = 8 };
 typedef struct stream {
     const render_turntable *turntable;
     picture_animation *animation;
-    burnish_camera first; /* the first frame's camera */
-    int frame;            /* that comes next; after the last one the end, then nothing */
-    size_t taken;         /* bytes of animation->out that are written */
+    render_frames *frames; /* NULL: all are drawn here */
+    burnish_camera first;  /* the first frame's camera */
+    int frame;             /* that comes next; after the last one the end, then nothing */
+    size_t taken;          /* bytes of animation->out that are written */
     int progress;
     burnish_status status;
     burnish_error error;
@@ -230,8 +232,9 @@ static double seconds_now(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Draws a frame into the cell. */
-static burnish_status draw_frame(stream *s, int frame, burnish_error *error) {
+/* Draws a frame into the cell; render_frame_drawer. */
+static burnish_status draw_frame(void *context, int frame, burnish_error *error) {
+    const stream *s = context;
     const render_turntable *t = s->turntable;
     render_cell *cell = &t->result->cells[0];
     const burnish_render_report first = cell->report;
@@ -252,7 +255,8 @@ static burnish_status next_frame(stream *s, burnish_error *error) {
                 count);
     }
     if (s->frame < count) {
-        status = draw_frame(s, s->frame, error);
+        status = s->frames ? render_frames_take(s->frames, s->frame, error)
+                           : draw_frame(s, s->frame, error);
     }
     if (status == BURNISH_STATUS_OK) {
         const double start = seconds_now();
@@ -315,6 +319,24 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
     return status;
 }
 
+static render_frames_plan plan_frames(stream *s) {
+    const render_result *result = s->turntable->result;
+    const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
+    return (render_frames_plan){.runners = result->settings->frame_runners,
+                                .count = result->settings->frames,
+                                .triangles = view->triangle_count,
+                                .vertices = view->vertex_count,
+                                .image = &result->cells[0].image,
+                                .draw = draw_frame,
+                                .context = s};
+}
+
+burnish_status render_serve_turntable(const render_turntable *turntable, burnish_error *error) {
+    stream s = {.turntable = turntable, .first = turntable->result->cells[0].camera};
+    const render_frames_plan plan = plan_frames(&s);
+    return render_frames_serve(&plan, error);
+}
+
 burnish_status render_write_turntable(const render_turntable *turntable, burnish_error *error) {
     render_result *result = turntable->result;
     const render_settings *settings = result->settings;
@@ -337,6 +359,10 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     if (status == BURNISH_STATUS_OK) {
         status = picture_animation_create(&options, &s.animation, error);
     }
+    if (status == BURNISH_STATUS_OK && settings->frame_runners > 0) {
+        const render_frames_plan plan = plan_frames(&s);
+        status = render_frames_create(&plan, &s.frames, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         s.taken = s.animation->out.size; /* the file's head comes with the first frame */
         status = cli_file_write_stream_then(settings->output, take_bytes, &s, finish, error);
@@ -344,6 +370,7 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     if (s.progress) {
         fprintf(stderr, "\r\033[K");
     }
+    render_frames_destroy(s.frames);
     picture_animation_destroy(s.animation);
     return status;
 }

@@ -29,4 +29,7 @@ typedef struct render_turntable {
  * of drawing, of the format and of writing, after which no file appears. */
 burnish_status render_write_turntable(const render_turntable *turntable, burnish_error *error);
 
+/* Draws the frames that --runner is asked for, and writes nothing. */
+burnish_status render_serve_turntable(const render_turntable *turntable, burnish_error *error);
+
 #endif

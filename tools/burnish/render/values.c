@@ -156,7 +156,8 @@ static const char *read_light(const char *text, burnish_light *light) {
         }
     }
     if (!word) {
-        return "the kind is one of directional, point, world-directional, world-point, none";
+        return "the kind is one of directional, point, world-directional, world-point; or the "
+               "whole is none or file";
     }
     *light = (burnish_light){.kind = word->kind, .follows_camera = word->follows_camera};
     length = text ? cli_next_item(&text, ':', &item) : 0;
@@ -186,7 +187,11 @@ burnish_status render_flag_light(const cli_flag *flag, const char *text, void *t
     render_lights *lights = target;
     lights->given = 1;
     if (strcmp(text, "none") == 0) {
-        lights->count = 0;
+        lights->count = lights->of_file = 0;
+        return BURNISH_STATUS_OK;
+    }
+    if (strcmp(text, "file") == 0) {
+        lights->of_file = 1;
         return BURNISH_STATUS_OK;
     }
     if (lights->count == BURNISH_LIGHT_MAX) {

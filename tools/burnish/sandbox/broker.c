@@ -14,17 +14,22 @@
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "cli/limits.h"
+#include "cli/write.h"
+#include "import/folder.h"
+#include "import/import.h"
 #include "sandbox/channel.h"
 #include "sandbox/worker.h"
+
+#define DECODE_MAX ((uint64_t)4 << 30) /* bytes that a worker may have decoded */
 
 typedef struct broker {
     const sandbox_plan *plan;
     int channel;
+    int input;  /* open; -1: none */
     int folder; /* the input's; -1: it has none */
     int depth;  /* outputs that are being written: one, or the report of one */
     int broken; /* 1: the worker does not keep to the protocol, or is gone */
@@ -77,6 +82,12 @@ static int is_planned(const sandbox_plan *plan, const char *path) {
     return 0;
 }
 
+static void tell(broker *b, burnish_status status, const burnish_error *error) {
+    const char *text = status == BURNISH_STATUS_OK ? "" : error->text;
+    b->broken =
+        b->broken || !channel_send(b->channel, MESSAGE_DONE, (uint64_t)status, text, strlen(text));
+}
+
 static void write_output(broker *b, const char *path) {
     static char unread[MESSAGE_DATA_MAX];
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -90,67 +101,72 @@ static void write_output(broker *b, const char *path) {
     b->depth -= 1;
     while (take_data(&o, unread, sizeof unread) > 0) { /* of an output that can't be written */
     }
-    if (!b->broken) {
-        const char *text = status == BURNISH_STATUS_OK ? "" : error.text;
-        b->broken = !channel_send(b->channel, MESSAGE_DONE, (uint64_t)status, text, strlen(text));
-    }
+    tell(b, status, &error);
 }
 
 /* ---- Files beside the input ---- */
 
-/* Not above the folder, also by a link, nor anything but a regular file. Returns a descriptor, or
- * -1 with errno. */
-static int open_beside(const broker *b, const char *name) {
-    enum { FLAGS = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK };
-    struct {
-        uint64_t flags, mode, resolve;
-    } how = {FLAGS, 0, 0x08 | 0x02}; /* RESOLVE_BENEATH, RESOLVE_NO_MAGICLINKS */
-    struct stat state;
-    if (b->folder < 0) {
-        errno = ENOENT;
-        return -1;
-    }
-    int file = (int)syscall(437 /* openat2 */, b->folder, name, &how, sizeof how);
-    if (file < 0 && errno == ENOSYS && !strchr(name, '/')) {
-        file = openat(b->folder, name, FLAGS | O_NOFOLLOW);
-    }
-    if (file >= 0 && (fstat(file, &state) != 0 || !S_ISREG(state.st_mode))) {
-        close(file);
-        errno = EACCES;
-        return -1;
-    }
-    return file;
-}
-
-static void refuse_file(broker *b, burnish_status status, const char *name, const char *why) {
-    char text[MESSAGE_TEXT_MAX];
-    snprintf(text, sizeof text, "%.200s: can't be opened: %s", name, why);
-    b->broken = !channel_send(b->channel, MESSAGE_DONE, (uint64_t)status, text, strlen(text));
-}
-
 static void send_file(broker *b, const char *name, uint64_t max_bytes) {
-    const int file = open_beside(b, name);
-    struct stat state;
-    if (file < 0 || fstat(file, &state) != 0) {
-        refuse_file(b, BURNISH_STATUS_READ, name, strerror(errno));
-        return;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    void *bytes = NULL;
+    size_t size = 0;
+    const burnish_status status = folder_load(b->folder, name, max_bytes, &bytes, &size, &error);
+    if (b->plan->see_file) {
+        b->plan->see_file(b->plan->context, name, status == BURNISH_STATUS_OK ? bytes : NULL, size);
     }
-    const uint64_t size = state.st_size > 0 ? (uint64_t)state.st_size : 0;
-    char *bytes = size <= max_bytes && size < SIZE_MAX ? malloc((size_t)size + 1) : NULL;
-    if (size > max_bytes) {
-        refuse_file(b, BURNISH_STATUS_LIMIT, name, "it is larger than the limit of bytes");
-    } else if (!bytes) {
-        refuse_file(b, BURNISH_STATUS_MEMORY, name, "out of memory");
+    if (status != BURNISH_STATUS_OK) {
+        tell(b, status, &error);
     } else {
-        size_t got = 0;
-        ssize_t count;
-        while (got < size && (count = read(file, bytes + got, (size_t)size - got)) > 0) {
-            got += (size_t)count;
-        }
-        b->broken = !channel_send(b->channel, MESSAGE_BYTES, 0, bytes, got);
+        b->broken = !channel_send(b->channel, MESSAGE_BYTES, 0, bytes, size);
     }
     free(bytes);
-    close(file);
+}
+
+/* ---- Importers ---- */
+
+static int send_piece(void *context, const void *bytes, size_t size) {
+    broker *b = context;
+    b->broken = b->broken || !channel_send(b->channel, MESSAGE_BYTES, 0, bytes, size);
+    return !b->broken;
+}
+
+static void import(broker *b, uint64_t max_bytes) {
+    const import_program *importer = import_find(b->plan->input);
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    if (!importer || b->input < 0) {
+        b->broken = 1;
+        return;
+    }
+    tell(b, import_run(importer, b->plan->input, b->input, max_bytes, send_piece, b, &error),
+         &error);
+}
+
+/* What the worker wants decoded goes into a file of memory. */
+static void decode(broker *b, uint64_t size) {
+    static char piece[MESSAGE_DATA_MAX];
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    const int file = import_unnamed_file();
+    int is_kept = file >= 0 && size <= DECODE_MAX;
+    message head;
+    while (size > 0 && !b->broken) {
+        b->broken = !channel_receive(b->channel, &head) || head.kind != MESSAGE_DATA ||
+                    head.size > sizeof piece || head.size > size || head.size == 0 ||
+                    !channel_read(b->channel, piece, (size_t)head.size);
+        if (!b->broken) {
+            size -= head.size;
+            is_kept = is_kept && cli_write_all(file, piece, (size_t)head.size);
+        }
+    }
+    if (!b->broken) {
+        tell(b,
+             is_kept ? import_decode(b->plan->input, file, send_piece, b, &error)
+                     : cli_fail(&error, BURNISH_STATUS_MEMORY,
+                                "%.200s: out of memory for what has to be decoded", b->plan->input),
+             &error);
+    }
+    if (file >= 0) {
+        close(file);
+    }
 }
 
 /* ---- Messages ---- */
@@ -168,6 +184,10 @@ static burnish_status serve(broker *b, burnish_error *error) {
             write_output(b, name);
         } else if (head.kind == MESSAGE_FILE && strlen(name) == head.size) {
             send_file(b, name, head.value);
+        } else if (head.kind == MESSAGE_IMPORT && head.size == 0) {
+            import(b, head.value);
+        } else if (head.kind == MESSAGE_DECODE && head.size == 0) {
+            decode(b, head.value);
         } else if (head.kind == MESSAGE_STATUS && b->depth > 0 &&
                    head.value < BURNISH_STATUS_COUNT) {
             return head.value == BURNISH_STATUS_OK
@@ -184,39 +204,18 @@ static burnish_status serve(broker *b, burnish_error *error) {
 /* ---- Processes ---- */
 
 /* The exit code of the worker; 1 where it did not end by itself. */
-static int wait_for_worker(pid_t worker) {
+static int wait_for_worker(pid_t worker, burnish_error *ended) {
+    burnish_error line;
     int state = 0;
     while (waitpid(worker, &state, 0) < 0 && errno == EINTR) {
     }
-    if (WIFEXITED(state)) {
-        return WEXITSTATUS(state);
+    const int code = sandbox_explain_end(state, &line);
+    if (!WIFEXITED(state) && ended) {
+        *ended = line;
+    } else if (!WIFEXITED(state)) {
+        fprintf(stderr, "burnish: %s\n", line.text);
     }
-    const int number = WTERMSIG(state);
-    if (number == SIGSYS) {
-        fprintf(stderr, "burnish: the sandbox ended the program: it asked the system for what "
-                        "drawing does not need; report the input, or use --no-sandbox\n");
-    } else if (number == SIGKILL) {
-        fprintf(stderr, "burnish: out of memory: the system ended the program\n");
-        return burnish_status_exit_code(BURNISH_STATUS_MEMORY);
-    } else {
-        fprintf(stderr,
-                "burnish: the program ended in its sandbox by signal %d (%s); report the "
-                "input\n",
-                number, strsignal(number));
-    }
-    return 1;
-}
-
-static int open_folder(const char *input) {
-    char folder[MESSAGE_NAME_MAX];
-    const char *slash = strrchr(input, '/');
-    if (*input == ':' || strcmp(input, "-") == 0 ||
-        (slash && (size_t)(slash - input) + 2 > sizeof folder)) {
-        return -1;
-    }
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - input) + 1 : 1,
-             slash ? input : ".");
-    return open(folder, O_PATH | O_DIRECTORY | O_CLOEXEC);
+    return code;
 }
 
 static burnish_status open_input(const char *input, int *file, burnish_error *error) {
@@ -278,22 +277,22 @@ burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error 
             cli_fail(error, BURNISH_STATUS_MEMORY, "--sandbox: no process: %s", strerror(errno));
     }
     close(ends[1]);
-    if (input >= 0) {
-        close(input);
-    }
     if (worker > 0) {
-        broker b = {plan, ends[0], open_folder(plan->input), 0, 0};
+        broker b = {plan, ends[0], input, folder_open(plan->input), 0, 0};
         cli_limit_child(worker);
         serve(&b, error);
         close(ends[0]); /* a worker that still speaks hears that nobody listens */
-        *code = wait_for_worker(worker);
+        *code = wait_for_worker(worker, plan->ended);
         cli_limit_child(0);
         if (b.folder >= 0) {
             close(b.folder);
         }
-        return BURNISH_STATUS_OK;
+    } else {
+        close(ends[0]);
     }
-    close(ends[0]);
+    if (input >= 0) {
+        close(input);
+    }
     return status;
 }
 
@@ -302,7 +301,9 @@ burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error 
 burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error *error) {
     (void)plan;
     *code = -1;
-    return sandbox_lock(0, error);
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--sandbox: this program was built without libseccomp; install libseccomp-dev "
+                    "and build again, or use --no-sandbox");
 }
 
 #endif

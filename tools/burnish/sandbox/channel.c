@@ -1,22 +1,11 @@
 #include "sandbox/channel.h"
 
-#if BURNISH_HAS_SECCOMP
+#ifndef _WIN32
 
 #include <errno.h>
 #include <unistd.h>
 
-static int write_fully(int channel, const void *bytes, size_t size) {
-    const char *next = bytes;
-    while (size > 0) {
-        const ssize_t count = write(channel, next, size);
-        if (count < 0 && errno != EINTR) {
-            return 0;
-        }
-        next += count > 0 ? count : 0;
-        size -= count > 0 ? (size_t)count : 0;
-    }
-    return 1;
-}
+#include "cli/write.h"
 
 int channel_read(int channel, void *bytes, size_t size) {
     char *next = bytes;
@@ -33,7 +22,7 @@ int channel_read(int channel, void *bytes, size_t size) {
 
 int channel_send(int channel, message_kind kind, uint64_t value, const void *bytes, size_t size) {
     const message head = {.value = value, .size = size, .kind = (uint32_t)kind};
-    return write_fully(channel, &head, sizeof head) && write_fully(channel, bytes, size);
+    return cli_write_all(channel, &head, sizeof head) && cli_write_all(channel, bytes, size);
 }
 
 int channel_receive(int channel, message *head) {

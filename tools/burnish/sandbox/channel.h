@@ -12,10 +12,12 @@ typedef enum message_kind {
     MESSAGE_END,       /* all of them were sent */
     MESSAGE_STATUS,    /* what the last step said: value is the status, text the error's line */
     MESSAGE_FILE,      /* a file beside the input is wanted: its name; value: the most bytes */
+    MESSAGE_IMPORT,    /* an importer is to read the input; value: the most bytes of that */
+    MESSAGE_DECODE,    /* an importer is to read `value` bytes, which follow by MESSAGE_DATA */
     /* broker to worker */
     MESSAGE_READY, /* the output is written but for its last step */
     MESSAGE_DONE,  /* value: the status; text: the error's line */
-    MESSAGE_BYTES  /* the file's */
+    MESSAGE_BYTES  /* the file's; the importer's as they come, then MESSAGE_DONE */
 } message_kind;
 
 typedef struct message {
@@ -28,6 +30,8 @@ enum { MESSAGE_NAME_MAX = 4096, MESSAGE_DATA_MAX = 1 << 16, MESSAGE_TEXT_MAX = 4
 /* All of these return 1, or 0 when the other side is gone. */
 int channel_send(int channel, message_kind kind, uint64_t value, const void *bytes, size_t size);
 int channel_receive(int channel, message *head);
+
+/* All of the bytes. */
 int channel_read(int channel, void *bytes, size_t size);
 
 #endif

@@ -5,6 +5,8 @@
  *           writes outputs of its list  <-   draws; its outputs go through a socket
  *           opens files of the input's  <-   asks for material libraries and textures
  *           folder, sends their bytes
+ *           runs an importer, sends     <-   asks for it where the input's name says so
+ *           what it writes
  *
  * The worker holds the input's descriptor, the socket and the standard streams. The broker parses
  * nothing that comes from the input; it checks lengths, names and that outputs are those of the
@@ -21,6 +23,12 @@ typedef struct sandbox_plan {
     const char *input; /* a file, "-", or a built-in object */
     const char *outputs[SANDBOX_OUTPUTS_MAX];
     size_t output_count;
+    /* Gets each file beside the input that the worker asks for; bytes are NULL where it can't have
+     * it. NULL: nobody wants to know. */
+    void (*see_file)(void *context, const char *name, const void *bytes, size_t size);
+    void *context;
+    burnish_error *ended; /* receives the line about a worker that did not end by itself; NULL: goes
+                             to standard error */
 } sandbox_plan;
 
 /* Forks. In the worker *code is -1, outputs go to the broker from now on, and sandbox_close is to
@@ -28,14 +36,18 @@ typedef struct sandbox_plan {
  * Errors: ARGUMENT, READ (the input), MEMORY. */
 burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error *error);
 
+/* The exit code of a process that waitpid tells `state` of; where it did not end by itself, the
+ * line about that and the code that goes with it. */
+int sandbox_explain_end(int state, burnish_error *line);
+
 /* Whether this is a worker. */
 int sandbox_is_worker(void);
 
 /* Locks the worker; nothing elsewhere. */
 burnish_status sandbox_close(burnish_error *error);
 
-/* burnish_mesh_load by the descriptor that the broker has opened and the files that it hands out.
- */
+/* import_load; in a worker by the descriptor that the broker has opened, the files that it hands
+ * out and the importer that it runs. */
 burnish_status sandbox_load(const char *input, const burnish_load_options *options,
                             burnish_mesh **mesh, burnish_error *error);
 

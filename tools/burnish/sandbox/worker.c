@@ -2,6 +2,8 @@
 
 #include "sandbox/sandbox.h"
 
+#include "import/import.h"
+
 #if BURNISH_HAS_SECCOMP
 
 #include <stdio.h>
@@ -106,17 +108,79 @@ burnish_status sandbox_close(burnish_error *error) {
     }
     burnish_processor_count(); /* reads files, once */
     setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
-    return sandbox_lock((broker > input_file ? broker : input_file) + 1, error);
+    const int code = sandbox_lock((broker > input_file ? broker : input_file) + 1, 0);
+    return code == 0 ? BURNISH_STATUS_OK
+                     : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--sandbox: this system can't (seccomp: %s); use --no-sandbox",
+                                strerror(code));
+}
+
+/* What the importer writes, as the broker hands it on. */
+static burnish_status take_stream(import_stream *stream, burnish_error *error) {
+    static char piece[MESSAGE_DATA_MAX];
+    message head;
+    while (channel_receive(broker, &head) && head.kind == MESSAGE_BYTES) {
+        if (head.size > sizeof piece || !channel_read(broker, piece, (size_t)head.size)) {
+            return fail_broker(error);
+        }
+        import_keep(stream, piece, (size_t)head.size); /* the rest is taken where memory is out */
+    }
+    return head.kind == MESSAGE_DONE ? take_status(&head, error) : fail_broker(error);
+}
+
+static burnish_status decode_by_broker(const char *name, const void *bytes, size_t size,
+                                       import_stream *stream, burnish_error *error) {
+    const char *next = bytes;
+    (void)name;
+    int is_there = channel_send(broker, MESSAGE_DECODE, size, NULL, 0);
+    while (is_there && size > 0) {
+        const size_t part = size < MESSAGE_DATA_MAX ? size : MESSAGE_DATA_MAX;
+        is_there = channel_send(broker, MESSAGE_DATA, 0, next, part);
+        next += part;
+        size -= part;
+    }
+    return is_there ? take_stream(stream, error) : fail_broker(error);
+}
+
+static burnish_status import(const import_program *importer, const char *input,
+                             const burnish_load_options *options, burnish_mesh **mesh,
+                             burnish_error *error) {
+    import_stream stream = {0};
+    burnish_status status = channel_send(broker, MESSAGE_IMPORT, options->max_input_bytes, NULL, 0)
+                                ? take_stream(&stream, error)
+                                : fail_broker(error);
+    *mesh = NULL;
+    if (status == BURNISH_STATUS_OK) {
+        status = import_build(importer, input, &stream, options, options->companions, mesh, error);
+    }
+    free(stream.bytes);
+    return status;
 }
 
 burnish_status sandbox_load(const char *input, const burnish_load_options *options,
                             burnish_mesh **mesh, burnish_error *error) {
     burnish_load_options handed = *options;
-    if (!sandbox_is_worker() || *input == ':' || strcmp(input, "-") == 0) {
-        return burnish_mesh_load(input, options, mesh, error);
+    if (!sandbox_is_worker()) {
+        return import_load(input, options, mesh, error);
+    }
+    handed.decoder = import_decoder(input);
+    import_set_decode(decode_by_broker);
+    if (*input == ':' || strcmp(input, "-") == 0) {
+        return burnish_mesh_load(input, &handed, mesh, error);
     }
     handed.companions = (burnish_file_loader){load_by_broker, release_file, NULL};
-    return burnish_mesh_load_descriptor(input_file, input, &handed, mesh, error);
+    const import_program *importer =
+        options->format == BURNISH_FORMAT_AUTO ? import_find(input) : NULL;
+    burnish_error native;
+    burnish_status status =
+        importer ? import(importer, input, &handed, mesh, error)
+                 : burnish_mesh_load_descriptor(input_file, input, &handed, mesh, error);
+    if (importer && import_may_be_other(status) &&
+        burnish_mesh_load_descriptor(input_file, input, &handed, mesh, &native) ==
+            BURNISH_STATUS_OK) {
+        status = BURNISH_STATUS_OK;
+    }
+    return status;
 }
 
 #else
@@ -132,7 +196,7 @@ burnish_status sandbox_close(burnish_error *error) {
 
 burnish_status sandbox_load(const char *input, const burnish_load_options *options,
                             burnish_mesh **mesh, burnish_error *error) {
-    return burnish_mesh_load(input, options, mesh, error);
+    return import_load(input, options, mesh, error);
 }
 
 #endif

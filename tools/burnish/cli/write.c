@@ -1,0 +1,21 @@
+#include "cli/write.h"
+
+#ifndef _WIN32
+
+#include <errno.h>
+#include <unistd.h>
+
+int cli_write_all(int descriptor, const void *bytes, size_t size) {
+    const char *next = bytes;
+    while (size > 0) {
+        const ssize_t count = write(descriptor, next, size);
+        if (count < 0 && errno != EINTR) {
+            return 0;
+        }
+        next += count > 0 ? count : 0;
+        size -= count > 0 ? (size_t)count : 0;
+    }
+    return 1;
+}
+
+#endif

@@ -1,0 +1,343 @@
+#include "render/frames.h"
+
+#ifdef _WIN32
+
+burnish_status render_frames_create(const render_frames_plan *plan, render_frames **frames,
+                                    burnish_error *error) {
+    (void)plan;
+    *frames = NULL;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not on this system");
+}
+
+void render_frames_destroy(render_frames *frames) {
+    (void)frames;
+}
+
+burnish_status render_frames_take(render_frames *frames, int frame, burnish_error *error) {
+    (void)frames, (void)frame;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not on this system");
+}
+
+burnish_status render_frames_serve(const render_frames_plan *plan, burnish_error *error) {
+    (void)plan;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runner: not on this system");
+}
+
+#else
+
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "cli/write.h"
+#include "sandbox/channel.h"
+
+enum {
+    CHANNEL = 3, /* the first socket */
+    NOTHING = -1,
+    AHEAD = 2,             /* frames that a runner has at a time */
+    SLOW_SECONDS = 3,      /* until what another has is drawn here, too */
+    WINDOW_BYTES = 1 << 30 /* of frames that wait for their turn */
+};
+
+/* What a runner is asked for; all but the frame is the same for all. */
+typedef struct order {
+    char version[24];
+    uint64_t triangles, vertices;
+    int32_t width, height, channels, count, frame, unused;
+} order;
+
+typedef struct answer {
+    int32_t frame, unused;
+    uint64_t size;
+} answer;
+
+typedef struct runner {
+    int channel; /* NOTHING: gone */
+    int frames[AHEAD];
+    double start; /* of the oldest */
+} runner;
+
+enum { STATE_FREE, STATE_LENT, STATE_HERE };
+
+typedef struct slot {
+    int state;
+    uint8_t *pixels; /* HERE: to be freed */
+} slot;
+
+struct render_frames {
+    render_frames_plan plan;
+    order order;
+    size_t size; /* bytes of a frame */
+    runner *runners;
+    slot *slots; /* of each frame */
+    struct pollfd *ready;
+    int window; /* frames that may be in work or waiting */
+};
+
+static double seconds_now(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static order make_order(const render_frames_plan *plan) {
+    order o = {.triangles = plan->triangles,
+               .vertices = plan->vertices,
+               .width = plan->image->width,
+               .height = plan->image->height,
+               .channels = plan->image->channels,
+               .count = plan->count};
+    snprintf(o.version, sizeof o.version, "%s", burnish_version());
+    return o;
+}
+
+static size_t frame_size(const render_frames_plan *plan) {
+    return (size_t)plan->image->width * (size_t)plan->image->height * (size_t)plan->image->channels;
+}
+
+static burnish_status check_socket(const char *flag, int channel, burnish_error *error) {
+    struct stat state;
+    return fstat(channel, &state) == 0 && S_ISSOCK(state.st_mode)
+               ? BURNISH_STATUS_OK
+               : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--%s: descriptor %d is no socket; burnish-mpi opens it", flag, channel);
+}
+
+/* ---- Here ---- */
+
+burnish_status render_frames_create(const render_frames_plan *plan, render_frames **frames,
+                                    burnish_error *error) {
+    render_frames *f = *frames = calloc(1, sizeof *f);
+    const size_t count = (size_t)plan->runners;
+    if (f) {
+        f->plan = *plan;
+        f->order = make_order(plan);
+        f->size = frame_size(plan);
+        f->runners = calloc(count + 1, sizeof *f->runners);
+        f->ready = calloc(count + 1, sizeof *f->ready);
+        f->slots = calloc((size_t)plan->count, sizeof *f->slots);
+    }
+    burnish_status status =
+        f && f->runners && f->ready && f->slots
+            ? BURNISH_STATUS_OK
+            : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory: --runners");
+    for (int i = 0; i < plan->runners && status == BURNISH_STATUS_OK; ++i) {
+        f->runners[i] = (runner){CHANNEL + i, {NOTHING, NOTHING}, 0};
+        status = check_socket("runners", CHANNEL + i, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        render_frames_destroy(f);
+        *frames = NULL;
+        return status;
+    }
+    const size_t fit = f->size > 0 ? WINDOW_BYTES / f->size : 1, wanted = 2 * AHEAD * (count + 1);
+    f->window = (int)(fit < 2 ? 2 : fit < wanted ? fit : wanted);
+    return status;
+}
+
+void render_frames_destroy(render_frames *frames) {
+    if (frames) {
+        for (int i = 0; frames->slots && i < frames->plan.count; ++i) {
+            free(frames->slots[i].pixels);
+        }
+        for (int i = 0; frames->runners && i < frames->plan.runners; ++i) {
+            if (frames->runners[i].channel != NOTHING) {
+                close(frames->runners[i].channel);
+            }
+        }
+        free(frames->slots);
+        free(frames->runners);
+        free(frames->ready);
+        free(frames);
+    }
+}
+
+static void lose(render_frames *f, runner *r) {
+    close(r->channel);
+    r->channel = NOTHING;
+    for (int i = 0; i < AHEAD; ++i) {
+        slot *s = r->frames[i] != NOTHING ? &f->slots[r->frames[i]] : NULL;
+        if (s && s->state == STATE_LENT) {
+            s->state = STATE_FREE;
+        }
+        r->frames[i] = NOTHING;
+    }
+}
+
+/* The first frame from `frame` on that nobody has; NOTHING within the window. */
+static int find_free(const render_frames *f, int frame) {
+    const int end = f->plan.count - frame < f->window ? f->plan.count : frame + f->window;
+    for (int i = frame; i < end; ++i) {
+        if (f->slots[i].state == STATE_FREE) {
+            return i;
+        }
+    }
+    return NOTHING;
+}
+
+/* All get a first frame before one gets a second. */
+static void hand_out(render_frames *f, int frame) {
+    for (int depth = 0; depth < AHEAD; ++depth) {
+        for (int i = 0; i < f->plan.runners; ++i) {
+            runner *r = &f->runners[i];
+            const int next = r->channel != NOTHING && r->frames[depth] == NOTHING
+                                 ? find_free(f, frame)
+                                 : NOTHING;
+            if (next == NOTHING) {
+                continue;
+            }
+            r->start = depth == 0 ? seconds_now() : r->start;
+            r->frames[depth] = next;
+            f->slots[next].state = STATE_LENT;
+            f->order.frame = next;
+            if (!cli_write_all(r->channel, &f->order, sizeof f->order)) {
+                lose(f, r);
+            }
+        }
+    }
+}
+
+/* The runner's oldest frame. One that is too late is dropped. */
+static void take_answer(render_frames *f, runner *r) {
+    answer a;
+    uint8_t *pixels = NULL;
+    int is_whole = channel_read(r->channel, &a, sizeof a) && r->frames[0] != NOTHING &&
+                   a.frame == r->frames[0] && a.size == f->size;
+    if (is_whole) {
+        pixels = malloc(f->size);
+        is_whole = pixels && channel_read(r->channel, pixels, f->size);
+    }
+    slot *s = is_whole ? &f->slots[a.frame] : NULL;
+    if (s && s->state == STATE_LENT) {
+        *s = (slot){STATE_HERE, pixels};
+    } else {
+        free(pixels);
+    }
+    if (!is_whole) {
+        lose(f, r);
+        return;
+    }
+    memmove(r->frames, r->frames + 1, (AHEAD - 1) * sizeof *r->frames);
+    r->frames[AHEAD - 1] = NOTHING;
+    r->start = seconds_now();
+}
+
+static void collect(render_frames *f, int milliseconds) {
+    for (int i = 0; i < f->plan.runners; ++i) {
+        f->ready[i] = (struct pollfd){f->runners[i].channel, POLLIN, 0};
+    }
+    if (poll(f->ready, (nfds_t)f->plan.runners, milliseconds) > 0) {
+        for (int i = 0; i < f->plan.runners; ++i) {
+            if (f->ready[i].fd >= 0 && f->ready[i].revents) {
+                take_answer(f, &f->runners[i]);
+            }
+        }
+    }
+}
+
+static int is_slow(const render_frames *f, int frame) {
+    for (int i = 0; i < f->plan.runners; ++i) {
+        const runner *r = &f->runners[i];
+        for (int k = 0; k < AHEAD; ++k) {
+            if (r->frames[k] == frame) {
+                return seconds_now() - r->start > SLOW_SECONDS;
+            }
+        }
+    }
+    return 1;
+}
+
+static void copy_rows(const burnish_image *image, uint8_t *packed, const uint8_t *given) {
+    const burnish_pixels pixels = burnish_image_pixels(image);
+    const size_t row = (size_t)image->width * (size_t)image->channels;
+    for (int y = 0; y < image->height; ++y) {
+        uint8_t *at = (uint8_t *)pixels.pixels + (size_t)y * pixels.stride;
+        if (given) {
+            memcpy(at, given + (size_t)y * row, row);
+        } else {
+            memcpy(packed + (size_t)y * row, at, row);
+        }
+    }
+}
+
+/* Another frame than the one that is waited for; without memory it is drawn again later. */
+static burnish_status draw_ahead(render_frames *f, int frame, burnish_error *error) {
+    f->slots[frame].state = STATE_LENT;
+    const burnish_status status = f->plan.draw(f->plan.context, frame, error);
+    uint8_t *pixels = status == BURNISH_STATUS_OK ? malloc(f->size) : NULL;
+    if (pixels) {
+        copy_rows(f->plan.image, pixels, NULL);
+    }
+    f->slots[frame] = (slot){pixels ? STATE_HERE : STATE_FREE, pixels};
+    return status;
+}
+
+burnish_status render_frames_take(render_frames *f, int frame, burnish_error *error) {
+    slot *s = &f->slots[frame];
+    burnish_status status = BURNISH_STATUS_OK;
+    while (s->state != STATE_HERE && status == BURNISH_STATUS_OK) {
+        collect(f, 0);
+        if (s->state == STATE_FREE) {
+            s->state = STATE_LENT; /* to this process */
+            hand_out(f, frame);
+            return f->plan.draw(f->plan.context, frame, error);
+        }
+        hand_out(f, frame);
+        const int next = find_free(f, frame);
+        if (s->state == STATE_LENT && is_slow(f, frame)) {
+            return f->plan.draw(f->plan.context, frame, error);
+        }
+        if (s->state == STATE_LENT && next != NOTHING) {
+            status = draw_ahead(f, next, error);
+        } else if (s->state == STATE_LENT) {
+            collect(f, 500);
+        }
+    }
+    if (status == BURNISH_STATUS_OK) {
+        copy_rows(f->plan.image, NULL, s->pixels);
+        free(s->pixels);
+        s->pixels = NULL;
+        hand_out(f, frame);
+    }
+    return status;
+}
+
+/* ---- Elsewhere ---- */
+
+burnish_status render_frames_serve(const render_frames_plan *plan, burnish_error *error) {
+    const size_t size = frame_size(plan);
+    uint8_t *pixels = malloc(size);
+    burnish_status status = check_socket("runner", CHANNEL, error);
+    if (status == BURNISH_STATUS_OK && !pixels) {
+        status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory: --runner");
+    }
+    for (order o; status == BURNISH_STATUS_OK && channel_read(CHANNEL, &o, sizeof o);) {
+        order own = make_order(plan);
+        own.frame = o.frame;
+        if (memcmp(&own, &o, sizeof o) != 0 || o.frame < 0 || o.frame >= plan->count) {
+            status =
+                cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                         "--runner: burnish %s here is another version, or has another mesh or "
+                         "other flags; see that all are the same",
+                         burnish_version());
+            break;
+        }
+        status = plan->draw(plan->context, o.frame, error);
+        const answer a = {.frame = o.frame, .size = size};
+        if (status == BURNISH_STATUS_OK) {
+            copy_rows(plan->image, pixels, NULL);
+            if (!cli_write_all(CHANNEL, &a, sizeof a) || !cli_write_all(CHANNEL, pixels, size)) {
+                break;
+            }
+        }
+    }
+    free(pixels);
+    return status;
+}
+
+#endif

@@ -1,0 +1,59 @@
+#include "render/origin.h"
+
+static void subtract(double position[3], const double origin[3]) {
+    for (int k = 0; k < 3; ++k) {
+        position[k] -= origin[k];
+    }
+}
+
+/* normal . origin: what an offset is larger by in coordinates of the file */
+static double along(const burnish_clip_plane *plane, const double origin[3]) {
+    const double *n = plane->normal;
+    return n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2];
+}
+
+double render_file_offset(const burnish_clip_plane *plane, const double origin[3]) {
+    return plane->offset + along(plane, origin);
+}
+
+void render_subtract_origin(render_settings *settings, burnish_render_options *options,
+                            const double origin[3]) {
+    subtract(settings->position.values, origin);
+    subtract(settings->focal_point.values, origin);
+    for (int i = 0; i < settings->clip.count; ++i) {
+        settings->clip.items[i].offset -= along(&settings->clip.items[i], origin);
+    }
+    for (int i = 0; i < options->light_count; ++i) {
+        burnish_light *light = &options->lights[i];
+        if (light->kind == BURNISH_LIGHT_POINT && !light->follows_camera) {
+            subtract(light->vector, origin);
+        }
+    }
+}
+
+burnish_status render_add_own_lights(const render_settings *settings, const burnish_mesh *mesh,
+                                     burnish_render_options *options, const char **warning,
+                                     burnish_error *error) {
+    const size_t count = burnish_mesh_light_count(mesh);
+    *warning = NULL;
+    if (!settings->lights.of_file) {
+        return BURNISH_STATUS_OK;
+    }
+    if (count == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--light=file: the input has no lights of its own; leave it out");
+    }
+    if (count > (size_t)(BURNISH_LIGHT_MAX - options->light_count)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--light: %d and %zu of the input are more than %d lights; leave some out",
+                        options->light_count, count, BURNISH_LIGHT_MAX);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const burnish_file_light *own = burnish_mesh_light(mesh, i);
+        options->lights[options->light_count++] = own->light;
+        if (own->is_spot) {
+            *warning = "--light=file: spot lights shine to all sides, as point lights do";
+        }
+    }
+    return BURNISH_STATUS_OK;
+}

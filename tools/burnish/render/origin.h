@@ -1,0 +1,21 @@
+/* What the command line says in coordinates of the file, in those of a mesh with an origin. */
+#ifndef BURNISH_RENDER_ORIGIN_H
+#define BURNISH_RENDER_ORIGIN_H
+
+#include "render/settings.h"
+
+/* Subtracts an origin: from the camera and the planes of the settings, from the options' lights. */
+void render_subtract_origin(render_settings *settings, burnish_render_options *options,
+                            const double origin[3]);
+
+/* Adds the mesh's own lights to the options', where the settings ask for them, in coordinates of
+ * the mesh. *warning: what is drawn otherwise than the file says, NULL for nothing. Errors:
+ * ARGUMENT, a mesh without lights, or too many. */
+burnish_status render_add_own_lights(const render_settings *settings, const burnish_mesh *mesh,
+                                     burnish_render_options *options, const char **warning,
+                                     burnish_error *error);
+
+/* The offset of a plane in coordinates of the file. */
+double render_file_offset(const burnish_clip_plane *plane, const double origin[3]);
+
+#endif
