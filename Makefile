@@ -1,7 +1,7 @@
 # The front door. `make help` lists what there is; ./make does the same where make itself is missing.
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo formats gallery test test-all check asan tsan msan clang scalar fuzz fuzz-briefly fuzz-lines build-fuzz sweep bench \
-	bench-load bench-peers bench-scale format format-check golden abi figures mcu operations prove-q15 rtl rtl-prove cross install check-targets short-docs clean
+.PHONY: help deps build demo formats gallery importers mpi view test test-all check asan tsan msan clang scalar fuzz fuzz-briefly fuzz-lines fuzz-report build-fuzz sweep bench \
+	bench-load bench-peers bench-scale format format-check golden abi figures shaders mcu operations prove-q15 rtl rtl-prove cross npm npm-browser web web-serve web-test web-bench install check-targets short-docs clean
 
 PRESET ?= release
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -56,14 +56,30 @@ test: ## build and run the tests that need no special tools; ONLY=NAME or ONLY=N
 	@$(DEPS) build test
 	@$(MAKE) --no-print-directory ctest-$(PRESET) CTEST='$(if $(ONLY),,-L "unit|cli")'
 
-test-all: ## those, other processors, hardware, firmware, figures, and six builds (minutes)
+test-all: ## those, other processors, hardware, firmware, figures, and other compilers (minutes)
 	@$(DEPS) build test-all demo
-	@$(MAKE) --no-print-directory ctest-$(PRESET)
+	@$(if $(SHORT),BITS=short )$(MAKE) --no-print-directory ctest-$(PRESET)
+
+importers: short-docs ## build burnish-import-assimp (FBX, COLLADA ...), -draco (glTF), -occt (STEP ...), test them, fill docs/importers.md
+	@$(DEPS) build test importers
+	@cmake --preset release -DBURNISH_IMPORT_ASSIMP=ON -DBURNISH_IMPORT_DRACO=ON -DBURNISH_IMPORT_OCCT=ON >/dev/null
+	@$(MAKE) --no-print-directory ctest-release CTEST='-L importers'
+	@./scripts/importers-table build/release $(DOCS)/importers.md
+
+mpi: ## build burnish-mpi, batches on many machines, and test it with ranks that die, sleep and hang
+	@$(DEPS) build test mpi
+	@cmake --preset release -DBURNISH_MPI=ON >/dev/null
+	@cmake --build --preset release -j $(JOBS) --target burnish_cli burnish_mpi
+	@./mpi/test/run build/release/burnish build/mpi-test build/release/burnish-mpi $(if $(SHORT),short)
+
+view: ## build burnish with its window (SDL2), and test that and what desktops need
+	@$(DEPS) build test view
+	@$(MAKE) --no-print-directory ctest-release CTEST='-L view'
 
 only_test = $(firstword $(subst :, ,$(ONLY)))
 only_case = $(word 2,$(subst :, ,$(ONLY)))
 ctest-%:
-	@cmake --preset $* >/dev/null
+	@cmake --preset $* $(CMAKE_FLAGS) >/dev/null
 	@cmake --build --preset $* -j $(JOBS)
 	@BURNISH_TEST_ONLY='$(only_case)' ctest --preset $* --no-tests=error -j $(JOBS) $(CTEST) $(if $(ONLY),-V -R '^$(only_test)$$')
 
@@ -71,14 +87,18 @@ check: format-check asan tsan msan fuzz-briefly ## format, tests under sanitizer
 
 asan: ## tests with the address and undefined behaviour sanitizers
 	@$(DEPS) build test check
-	@$(MAKE) --no-print-directory ctest-asan
+	@$(MAKE) --no-print-directory ctest-asan CMAKE_FLAGS=-DBURNISH_WIDE_VECTORS=$(if $(SHORT),OFF,ON)
 
 # What runs in one thread and shares nothing is left out, and so are scripts that draw what unit tests draw.
-one_thread = theory|lobe|shade_q15|kernel|elementary|srgb|numbers|layers|options|text|camera|visibility|large_triangles
-one_thread_cli = headers|abi|exports|tables|shell|sheet|command_lines|cli_(figures|lobe|help|complete|bench|render|turntable|planes|info)
+one_thread = theory|lobe|shade_q15|arrays_q15|kernel|elementary|srgb|numbers|layers|options|text|camera|visibility|large_triangles
+one_thread_cli = serve_http|headers|abi|exports|links|tables|shell|sheet|shaders|command_lines|cli_(batch|serve|import|view|compare|faults|figures|lobe|help|complete|bench|render|turntable|planes|info)
+several_threads = tasks|context|render_context|reader_threads|obj_threads|ply_binary|load|decode|gltf|picture|png|lines|occlusion|shadow|texture|transparency|target|render
+threads_briefly = cmake --preset tsan >/dev/null && \
+	cmake --build --preset tsan -j $(JOBS) --target $(addprefix test_,$(subst |, ,$(several_threads))) && \
+	ctest --preset tsan --no-tests=error -j $(JOBS) -R '^($(several_threads))$$'
 tsan: ## tests with the thread sanitizer
 	@$(DEPS) build test check
-	@$(MAKE) --no-print-directory ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'"
+	@$(if $(SHORT),$(threads_briefly),$(MAKE) --no-print-directory ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'")
 
 msan: ## unit tests with the memory sanitizer
 	@$(DEPS) build test check
@@ -94,9 +114,9 @@ scalar: ## tests of a build without vector instructions
 
 # The short form of a whole build's tests: its pictures.
 golden-%:
-	@cmake --preset $* >/dev/null
-	@cmake --build --preset $* -j $(JOBS) --target burnish_cli
-	@GOLDEN_HOW=each ./test/cli/golden.sh build/$*/burnish build/$*/golden
+	@cmake --preset $* -B build/short/$* -DBURNISH_WIDE_VECTORS=OFF -DCMAKE_C_FLAGS_RELEASE="-O1 -DNDEBUG" >/dev/null
+	@cmake --build build/short/$* -j $(JOBS) --target burnish_cli
+	@GOLDEN_HOW=each ./test/cli/golden.sh build/short/$*/burnish build/short/$*/golden
 
 # The same 20,000 inputs every time.
 fuzz-briefly: build-fuzz
@@ -106,6 +126,9 @@ fuzz-briefly: build-fuzz
 fuzz: build-fuzz ## look for files that break loading and drawing: 10 minutes, or FUZZ_SECONDS=N
 	@./test/fuzz/run $(FUZZ_SECONDS) $(FUZZ_FORMAT)
 	@$(if $(FUZZ_FORMAT),,$(MAKE) --no-print-directory fuzz-lines)
+
+fuzz-report: short-docs build-fuzz ## fuzz every kind of input with 1,000,000 inputs, and fill docs/security.md (hours)
+	@./test/fuzz/report $(if $(SHORT),500,1000000) $(DOCS)/security.md
 
 FUZZ_LINES = $(if $(SHORT),500,20000)
 fuzz-lines: ## random command lines of the program: 20,000, or FUZZ_LINES=N
@@ -120,6 +143,12 @@ build-fuzz:
 sweep: ## every lobe over all 2^32 floats (minutes)
 	@$(MAKE) --no-print-directory program-sweep_lobe
 	@build/release/test/sweep_lobe $(if $(SHORT),65537)
+
+.PHONY: sweep-gpu
+sweep-gpu: ## a lobe over all 2^32 floats on every Vulkan driver that is here (minutes)
+	@$(DEPS) shaders
+	@$(MAKE) --no-print-directory program-gpu_values
+	@./test/shaders/gpu.sh $(CURDIR)/build/release/test/gpu_values $(CURDIR) $(CURDIR)/build/sweep-gpu $(if $(SHORT),,--all)
 
 prove-q15: ## prove the integer lobes over every input and exponent (minutes)
 	@$(MAKE) --no-print-directory program-prove_q15
@@ -146,6 +175,10 @@ golden: build ## rewrite test/golden/pixels.txt after a deliberate change of pix
 short-docs:
 	@$(if $(SHORT),mkdir -p build/short && rm -rf $(DOCS) && cp -R docs $(DOCS))
 
+shaders: ## write shaders/ from shaders/burnish.shade again
+	@$(DEPS) test
+	@./scripts/shaders $(if $(SHORT),build/short/shaders)
+
 abi: ## rewrite test/golden/abi.txt after a deliberate change of the binary interface
 	@$(DEPS) check
 	@./test/cli/abi.sh . build/abi --update $(if $(SHORT),build/short/abi.txt)
@@ -159,7 +192,14 @@ figures: short-docs ## draw the figures and fill the tables of docs/theory.md ag
 mcu: short-docs ## run the firmware in simulators, check every pixel, count cycles (minutes); rewrites docs/firmware.md
 	@$(DEPS) mcu mcu-float
 	@$(MAKE) --no-print-directory program-prove_q15 program-firmware_sheet
-	@./scripts/firmware-tables build/release $(DOCS)/firmware.md $(DOCS)/images/firmware.png $(if $(SHORT),short)
+	@./scripts/firmware-tables build/release $(DOCS)/firmware.md $(DOCS)/images $(if $(SHORT),short)
+
+.PHONY: arduino
+arduino: ## build the library for Arduino, PlatformIO and the Pico into build/arduino and build/burnish-arduino-VERSION.zip; compile and run its examples
+	@$(DEPS) build mcu
+	@$(MAKE) --no-print-directory build
+	@./arduino/pack build
+	@./arduino/test/run $(if $(SHORT),check,all) build/arduino-test $(BUILD)/burnish
 
 operations: short-docs ## count the operations of W, W_0.5 and Schlick's lobe in machine code and circuits; fills docs/theory.md
 	@$(DEPS) build mcu rtl
@@ -171,6 +211,50 @@ cross: short-docs ## the golden hashes on musl, aarch64, armhf, i386, riscv64, s
 	@$(DEPS) build $(if $(SHORT),systems-short,systems)
 	@./scripts/cross --page $(DOCS)/portability.md $(if $(SHORT),--short musl s390x,$(TARGETS))
 
+WASM = cmake -S wasm -B build/wasm -G Ninja $(if $(SHORT),-DCMAKE_BUILD_TYPE=Short,-DCMAKE_BUILD_TYPE=Release) >/dev/null && \
+	cmake --build build/wasm -j $(JOBS) && ./npm/pack build/wasm build
+
+npm: ## build the npm package, WebAssembly inside, into build/npm and build/burnish-VERSION.tgz; its pixels are the program's
+	@$(DEPS) build npm
+	@$(MAKE) --no-print-directory build
+	@$(WASM)
+	@./npm/test/run $(BUILD)/burnish build/burnish-*.tgz build/npm-test
+
+.PHONY: python
+python: ## build the wheel for Python, the library inside, into build/python, and test it in a virtual environment
+	@$(DEPS) build python
+	@$(MAKE) --no-print-directory build
+	@./python/test/run $(BUILD) $(BUILD)/burnish build/python
+
+npm-browser: npm ## the package in Chromium: a worker, and its highlights by three.js' renderers; fetches three.js and playwright-core
+	@! command -v npm >/dev/null || $(DEPS) browser
+	@./npm/test/browser/run build/burnish-*.tgz build/npm-browser
+
+web: ## build the explorer, a page of lobes beside the power, into build/web; fetches uPlot from npm
+	@$(DEPS) build npm
+	@$(WASM)
+	@./web/build build/npm build/web
+
+web-serve: web ## the same, served at http://127.0.0.1:8000
+	@$(if $(SHORT),:,node web/serve.mjs build/web)
+
+web-test: web ## click through the explorer in Chromium: its hashes are the program's
+	@! command -v npm >/dev/null || $(DEPS) browser
+	@$(MAKE) --no-print-directory build
+	@./web/test/run $(BUILD)/burnish build/web build/web-test
+
+web-bench: web ## how soon the explorer has its first picture, and how many a second it draws (medians; Chromium)
+	@! command -v npm >/dev/null || $(DEPS) browser
+	@./web/test/run --bench build/web build/web-test $(if $(SHORT),short)
+
+.PHONY: docs
+SITE = $(if $(SHORT),build/short/site,build/docs)
+docs: ## make the documentation into build/docs: guides, manual, the reference of the headers, search; links are checked
+	@$(DEPS) build docs
+	@$(MAKE) --no-print-directory build
+	@./docs/site/build $(BUILD)/burnish build/web $(SITE)
+	@python3 test/cli/links.py --site $(SITE)
+
 rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)
 	@$(DEPS) rtl figures
 	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/$(DOCS)/images/rtl-teapot.png ./rtl/test/run $(BUILD)/rtl short errors picture
@@ -180,7 +264,22 @@ rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/ha
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
 	@$(DEPS) rtl
 	@./rtl/test/run $(BUILD)/rtl $(if $(SHORT),short events proofs,full)
+	@./rtl/test/protocol $(BUILD)/rtl/protocol
 	$(if $(SHORT),,@./rtl/test/run $(BUILD)/rtl short newest)
+
+DEMO = BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a ./rtl/demo/run $(BUILD)/demo
+.PHONY: demo-icebreaker demo-film demo-window
+demo-icebreaker: build ## build build/release/demo/icebreaker.bin: a sphere and a teapot on an iCEBreaker's screen (minutes)
+	@$(DEPS) rtl boards
+	@$(if $(SHORT),PICTURES=2 $(DEMO) tables compare,$(DEMO) tables compare icebreaker netlist)
+
+demo-film: short-docs build ## draw the board's film for docs/hardware.md by Verilator
+	@$(DEPS) rtl boards
+	@$(if $(SHORT),PICTURES=2 )FILM=$(CURDIR)/$(DOCS)/images/rtl-demo.gif STILL=$(CURDIR)/$(DOCS)/images/rtl-demo.png $(DEMO) tables film
+
+demo-window: build ## run the simulated board in a window: keys 1, 2, 3 are its buttons
+	@$(DEPS) rtl view
+	@$(if $(SHORT),SDL_VIDEODRIVER=dummy WINDOW_PICTURES=2 )$(DEMO) tables window
 
 bench: short-docs ## time kernels, frames and whole processes (medians); rewrites docs/performance.md
 	@$(DEPS) build demo bench
@@ -189,6 +288,14 @@ bench: short-docs ## time kernels, frames and whole processes (medians); rewrite
 	@./scripts/performance build/release/kernels.csv >build/release/performance.md
 	@sed -n '/^## Scale/,$$p' docs/performance.md >>build/release/performance.md
 	@mv build/release/performance.md $(DOCS)/performance.md
+
+.PHONY: bench-q15
+bench-q15: short-docs ## time the integer arrays beside the kernels in floating point (seconds); fills docs/fixed-point.md
+	@$(DEPS) build
+	@$(MAKE) --no-print-directory program-bench_q15
+	@rm -rf build/q15 && mkdir -p build/q15
+	@./build/release/bench_q15 build/q15 $(if $(SHORT),quick)
+	@./scripts/fill-tables build/q15 $(DOCS)/fixed-point.md
 
 bench-scale: short-docs ## time and memory up to MOST=100000000 triangles and 16384x16384 pixels; rewrites their tables
 	@$(MAKE) --no-print-directory program-all CMAKE_FLAGS=-DBURNISH_BENCH=ON
@@ -209,11 +316,32 @@ bench-load: short-docs ## time loading meshes beside other libraries; fills docs
 	@./bench/load/run build/release/bench/load build/load/torus $(if $(SHORT),1 40)
 	$(if $(FILES),,@./scripts/fill-tables build/load $(DOCS)/loading.md)
 
+.PHONY: bench-serve
+bench-serve: short-docs ## time pictures one after another, by requests to serve-stdio and by a process each; fills docs/serve.md
+	@$(MAKE) --no-print-directory program-bench_serve CMAKE_FLAGS=-DBURNISH_BENCH=ON
+	@mkdir -p build/serve/tables
+	@build/release/bench_serve build/release/burnish build/serve $(if $(SHORT),10) >build/serve/tables/latency
+	@./scripts/fill-tables build/serve/tables $(DOCS)/serve.md
+
+.PHONY: bench-shaders
+bench-shaders: short-docs ## time highlights in a full-screen pass on this machine's OpenGL ES; fills docs/shaders.md
+	@$(DEPS) shaders
+	@$(MAKE) --no-print-directory program-bench_shaders CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON
+	@$(MAKE) --no-print-directory program-half_table
+	@./scripts/shader-tables build/release/bench/shaders/bench_shaders build/release/test/half_table build/release $(DOCS)/shaders.md $(if $(SHORT),3)
+
 install: ## install program, libraries, headers and man page (DESTDIR, PREFIX), building nothing else
 	@$(DEPS) build
 	@cmake --preset $(PRESET) >/dev/null
 	@cmake --build --preset $(PRESET) -j $(JOBS) --target burnish_installed
 	@$(if $(SHORT),DESTDIR=$(CURDIR)/build/short/install )cmake --install $(BUILD) $(if $(PREFIX),--prefix $(PREFIX))
+
+.PHONY: dist
+DIST = $(if $(SHORT),build/short/dist,build/dist)
+dist: ## build what is released into build/dist, twice with the same bytes, and test it (long; its chroot needs root)
+	@$(DEPS) build test $(if $(SHORT),,dist)
+	@./packaging/dist $(DIST) headers $(if $(SHORT),,static windows debian arduino)
+	@./packaging/test/run $(DIST) build/dist-test
 
 check-targets: ## every other target of this list in its short form
 	@./scripts/check-targets

@@ -4,7 +4,8 @@
 include(CheckCSourceCompiles)
 check_c_source_compiles("#if !defined(__SSE2__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_SSE2)
 check_c_source_compiles("#if !defined(__aarch64__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_NEON)
-if(BURNISH_HAS_SSE2)
+option(BURNISH_WIDE_VECTORS "Compile AVX2 and AVX-512, which takes compilers half of their time" ON)
+if(BURNISH_HAS_SSE2 AND BURNISH_WIDE_VECTORS)
   set(avx2_flags -mavx2)
   set(avx2_bench_flags -mfma) # the benchmark's contenders need not keep bits: they may fuse
   set(avx512_flags -mavx512f -mavx512dq -mavx512bw -mavx512vl -mprefer-vector-width=512)
@@ -21,14 +22,16 @@ endif()
 file(GLOB BURNISH_ISA_NAMES CONFIGURE_DEPENDS src/simd/isa_*.c)
 list(TRANSFORM BURNISH_ISA_NAMES REPLACE "^.*/isa_([a-z0-9]+)\\.c$" "\\1")
 # Checked vector code takes clang minutes per file at -O2, half of that at -O1, and a quarter without what
-# `undefined` knows of pointers; the tests of the asan preset have that, inputs of the fuzzer need it not.
-if(CMAKE_C_FLAGS MATCHES "sanitize=.*undefined")
-  set(checked_flags -O1)
-  if(CMAKE_C_FLAGS MATCHES "fuzzer")
-    list(APPEND checked_flags -fno-sanitize=null,alignment,object-size,pointer-overflow)
-  endif()
-endif()
+# `undefined` knows of pointers. The templates have those checks where the scalar set includes them; inputs of
+# the fuzzer need none of them.
 foreach(isa ${BURNISH_ISA_NAMES})
+  set(checked_flags)
+  if(CMAKE_C_FLAGS MATCHES "sanitize=.*undefined")
+    set(checked_flags -O1)
+    if(NOT isa STREQUAL scalar OR CMAKE_C_FLAGS MATCHES "fuzzer")
+      list(APPEND checked_flags -fno-sanitize=null,alignment,object-size,pointer-overflow)
+    endif()
+  endif()
   set_source_files_properties(src/simd/isa_${isa}.c PROPERTIES COMPILE_OPTIONS "${${isa}_flags};${checked_flags}")
 endforeach()
 # Its code must take one value at a time.

@@ -29,7 +29,7 @@ if command -v bash >/dev/null; then
     check "bash: syntax" bash -n burnish.bash
     touch part.stl
     offers "render" burnish ren
-    offers "render compare info lobe help --help --version" burnish ""
+    offers "render view batch serve-stdio compare info lobe help --help --version" burnish ""
     offers "table" burnish lobe ta
     offers "--camera-position=" burnish render x --camera-pos
     offers "--json" burnish render x --js

@@ -7,7 +7,7 @@
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
 
 lobe="table claims choose fit boundary sample plot"
-screens="--help;-h;help;render --help;render -h;help render;info --help;help info;compare --help;compare -h;help compare;help --help;lobe --help;lobe -h;help lobe"
+screens="--help;-h;help;render --help;render -h;view --help;help render;info --help;help info;batch --help;help batch;serve-stdio --help;help serve-stdio;compare --help;compare -h;help compare;help --help;lobe --help;lobe -h;help lobe"
 for part in $lobe; do
     screens="$screens;lobe $part --help;help lobe $part"
 done
@@ -30,6 +30,21 @@ cat "$out" >>lobe.txt
 for topic in comparing picture camera light report; do
     run compare --help=$topic
     check "burnish compare --help=$topic does not fit 40 lines of 100 columns" fits "$out"
+    cat "$out" >>lobe.txt
+done
+for topic in window camera light report; do
+    run view --help=$topic
+    check "burnish view --help=$topic does not fit 40 lines of 100 columns" fits "$out"
+    cat "$out" >>lobe.txt
+done
+for topic in batch picture camera light report; do
+    run batch --help=$topic
+    check "burnish batch --help=$topic does not fit 40 lines of 100 columns" fits "$out"
+    cat "$out" >>lobe.txt
+done
+for topic in server picture files camera light report; do
+    run serve-stdio --help=$topic
+    check "burnish serve-stdio --help=$topic does not fit 40 lines of 100 columns" fits "$out"
     cat "$out" >>lobe.txt
 done
 run --help

@@ -122,6 +122,35 @@ run info "$name" --json
 check "JSON with an odd file name is valid" valid_json
 rm -f ./*
 
+# Far from the origin: a picture and a size as at the origin, and coordinates of the file, also on the command line.
+get() { sed -n "s/^.*\"$1\":[[:space:]]*//p" "$2" | sed 's/,$//;q'; } # KEY FILE
+moved() { # X Y Z
+    for p in '0 0 0' '1 0 0' '0 2 0' '0 0 3'; do
+        echo "$p" | awk -v x="$1" -v y="$2" -v z="$3" '{printf "v %.6f %.6f %.6f\n", $1 + x, $2 + y, $3 + z}'
+    done
+    printf 'f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'
+}
+moved 0 0 0 >near.obj
+moved 500000 4100000.5 -300 >far.obj
+run info far.obj --json=far.json
+check "far from the origin: from" [ "$(get min far.json)" = "[500000, 4100000.5, -300]" ]
+check "far from the origin: to" [ "$(get max far.json)" = "[500001, 4100002.5, -297]" ]
+check "far from the origin: volume" [ "$(get volume far.json)" = 1 ]
+for where in near:9,8,7:1.5 far:500009,4100008.5,-293:-298.5; do
+    name=${where%%:*} rest=${where#*:}
+    run render "$name.obj" --size=64 --camera-position="${rest%:*}" --clip=0,0,1,"${rest#*:}" -o "$name.png" --json="$name.json"
+done
+check "far from the origin: the same picture" [ "$(get hash near.json)" = "$(get hash far.json)" ]
+check "far from the origin: the camera" [ "$(get position far.json)" = "[500009, 4100008.5, -293]" ]
+check "far from the origin: the cut" [ "$(get cuts far.json)" = "[[0, 0, 1, -298.5]]" ]
+run render - --size=64 --camera-position=500009,4100008.5,-293 --clip=0,0,1,-298.5 -o stream.png --json=far.json <far.obj
+check "far from the origin: a stream" [ "$(get hash near.json)" = "$(get hash far.json)" ]
+moved 500000.3 4100000.5 -300 >beside.obj
+run compare far.obj beside.obj --size=64 --json=far.json
+check "far from the origin: what lies 0.3 beside it is elsewhere, code $code" [ "$code" = 10 ]
+check "far from the origin: and is no larger" [ "$(grep -c '"size_x":[[:space:]]*1,' far.json)" = 2 ]
+rm -f ./*
+
 # Errors.
 expect 2 'burnish: info: no INPUT; try "burnish info :teapot" or "burnish info --help"' info
 expect 2 'burnish: info: "b.stl" is one operand too many; usage: burnish info INPUT [options]' info a.stl b.stl

@@ -43,6 +43,31 @@ CODE
 check "the C array with exponents does not compile" gcc -std=c99 -pedantic-errors -Wall -Wextra -Werror -o words main.c
 check "signed words" [ "$(./words | tr '\n' ' ')" = "127 33 4 " ]
 
+# The same words by the reader that is printed with them, and in an AVR's program memory.
+run lobe boundary --exponents=1-40 --as=progmem -o ok.c --name=table
+cat >at.c <<'CODE'
+#include <stdio.h>
+#include "ok.c"
+int main(void) {
+    for (uint16_t i = 0; i < 40; ++i) {
+        printf("%d\n", (int)table_at(i));
+    }
+    return 0;
+}
+CODE
+check "progmem does not compile" gcc -std=c99 -pedantic-errors -Wall -Wextra -Werror -o words at.c
+check "progmem holds other words" sh -c "./words >a.txt; sed 1d words.csv | cut -d, -f2 | cmp - a.txt && [ -s a.txt ]"
+for format in UQ0.7 UQ0.15 Q0.31; do
+    run lobe boundary --exponents=1,10,100.5 --format-word=$format --lambda --as=progmem -o ok.c --name=table
+    check "progmem, $format, does not compile" gcc -std=c99 -pedantic-errors -Wall -Wextra -Werror -fsyntax-only ok.c
+    if command -v avr-gcc >/dev/null; then
+        printf '#include "ok.c"\nfloat user(uint16_t i);\nfloat user(uint16_t i) { return table_at(i) + table_exponents_at(i); }\n' >user.c
+        check "progmem, $format, does not compile on AVR" avr-gcc -mmcu=atmega328p -std=c99 -Os -Wall -Wextra -Werror -c user.c -o user.o
+        check "progmem, $format, is not in program memory" sh -c "avr-objdump -t user.o | grep -q '[.]progmem.*table_exponents' && avr-objdump -d user.o | grep -q lpm"
+    fi
+done
+expect 2 'burnish: --as=progmem: 16384 numbers of 2 bytes; an array on AVR has at most 32767 bytes: give fewer --exponents' lobe boundary --as=progmem --exponents=1-16384
+
 run lobe boundary --exponents=1-40 --as=mem -o words.mem
 check "mem: words, comments and an address only" awk '/^\/\// || /^@0$/ { next }
     !/^[0-9a-f][0-9a-f][0-9a-f][0-9a-f] \/\/ n = [0-9]+$/ { exit 1 }' words.mem
@@ -67,7 +92,7 @@ expect 2 'burnish: --name: "2x" is not a name in C: letters, digits and _' lobe 
 expect 2 'burnish: --lobe: "power,gx" is 2 lobes; a memory holds one' lobe boundary --lobe=power,gx
 expect 2 'burnish: --format-word: "Q40" is not a fixed-point format; use UQ0.15 (unsigned, 0 integer and 15 fraction bits), Q0.15 (and a sign bit) or Q15, at most 32 bits' lobe boundary --format-word=Q40
 expect 2 'burnish: boundary: 0.5 threshold bits; use 1 to 1024, or 0 for the lobe'"'"'s zero' lobe boundary --bits=0.5
-expect 2 'burnish: --as: "hex" is not one of c, mem, csv' lobe boundary --as=hex
+expect 2 'burnish: --as: "hex" is not one of c, progmem, mem, csv' lobe boundary --as=hex
 
 # ---- Samples ----
 

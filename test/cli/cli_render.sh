@@ -245,6 +245,23 @@ for flag in --samples=8 --up=+Z --camera-azimuth-angle=20 --camera-elevation-ang
     --light=point:0,0,0 --light=none --ambient=0.5 --tessellation=3 --cull-back-faces --look=plain --look=clay --occlusion=none --occlusion=9; do
     differs "$flag" "$plain" "$(hash :teapot --size=64 $flag)"
 done
+lit_gltf() { # TYPE
+    printf '%s' '{"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],' \
+        '"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],' \
+        '"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"extensions":{"KHR_lights_punctual":{"lights":[{"type":"'"$1"'",' \
+        '"intensity":900,"color":[1,0,0]}]}},"nodes":[{"mesh":0},{"translation":[0.5,0.5,2],"extensions":{"KHR_lights_punctual":{"light":0}}}]}'
+}
+for type in directional point; do
+    where=0.5,0.5,2
+    [ $type = point ] || where=0,0,1
+    lit_gltf $type >lit.gltf
+    same "$type light of the file" "$(hash lit.gltf --size=32 --light=file)" \
+        "$(hash lit.gltf --size=32 --light=world-$type:$where:1:#f00)"
+done
+lit_gltf spot >lit.gltf
+expect 0 'burnish: warning: --light=file: spot lights shine to all sides, as point lights do' render lit.gltf --size=16 --light=file -o lit.png
+expect 2 'burnish: --light=file: the input has no lights of its own; leave it out' render :sphere --size=16 --light=file -o lit.png
+rm -f lit.gltf lit.png
 same "no light and no ambient light is black" "$(hash :teapot --size=64 --light=none --ambient=0 --specular=1)" \
     "$(hash :teapot --size=64 --light=none --ambient=0 --color=red)"
 same "a closed surface has no back that shows" "$(hash :sphere --size=64 --samples=1)" \

@@ -10,7 +10,7 @@ expect 2 'burnish: "bunny.obj": unknown command; did you mean burnish render bun
 expect 2 'burnish: ":teapot": unknown command; did you mean burnish render :teapot?' :teapot
 expect 2 'burnish: --json: a command comes first, as in "burnish render INPUT"; burnish --help lists the commands' --json
 expect 2 'burnish: render: no INPUT; try "burnish render :teapot" or "burnish render --help"' render
-expect 2 'burnish: render: "b" is one operand too many; usage: burnish render INPUT [options]' render a b
+expect 2 'burnish: info: "b" is one operand too many; usage: burnish info INPUT [options]' info a b
 expect 2 'burnish: --sampels: unknown flag; did you mean --samples?' render :sphere --sampels=4
 expect 2 'burnish: --view-angle: unknown flag; did you mean --camera-view-angle?' render :sphere --view-angle 4
 expect 2 'burnish: --samp: unknown flag; did you mean --samples?' render :sphere --samp=4
@@ -30,7 +30,7 @@ expect 2 'burnish: --camera-position: it is the focal point; move one of them' r
 expect 2 'burnish: --camera-view-up: it is parallel to the direction of view; give another vector' render :sphere --camera-position=0,9,0 --camera-focal-point=0,0,0 --camera-view-up=0,1,0
 expect 2 'burnish: --camera-position: --views already says where the camera looks from; leave one out' render :sphere --views=top --camera-position=1,2,3
 expect 2 'burnish: --camera-azimuth-angle: --camera-position already says where the camera looks from; leave one out' render :sphere --camera-position=1,2,3 --camera-azimuth-angle=30
-expect 2 'burnish: --light: "sun:1,2,3" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: the kind is one of directional, point, world-directional, world-point, none' render :sphere --light=sun:1,2,3
+expect 2 'burnish: --light: "sun:1,2,3" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: the kind is one of directional, point, world-directional, world-point; or the whole is none or file' render :sphere --light=sun:1,2,3
 expect 2 'burnish: --ambient: "-1" is not a number from 0 to 16, nor a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name' render :sphere --ambient=-1
 expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polished, metal' render :sphere --material=wood
 expect 2 'burnish: sheet: 2 pictures of 16384 x 16 in 2 columns exceed 16384 pixels; use smaller pictures or another number of columns' render :sphere --views=front,top --resolution=16384,16

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Each public header compiles alone as strict C99, C17 and C++; lobe.h also without any other header, the integer headers with
-# nothing but the compiler's own stdint.h. Every source that computes refuses -ffast-math.
+# nothing but the compiler's own headers. Every source that computes refuses -ffast-math.
 # Usage: headers.sh SOURCE_DIR SCRATCH
 set -u
 source=$1
@@ -64,6 +64,20 @@ for compiler in $c_compilers; do
     try $compiler -std=c99 -pedantic-errors -ffreestanding "$scratch/integers.c"
     # no floating point and no 64 bits
     sed 's,/\*.*\*/,,' "$scratch/lobe_q15.h" "$scratch/shade_q15.h" | grep -nE '\b(float|double|u?int64_t|long long)\b' | grep -v '^[0-9]*: \*' && failures=$((failures + 1))
+done
+
+# the arrays beside them, with and without vectors
+cp "$source/include/burnish/arrays_q15.h" "$source/include/burnish/vector_q15.h" "$scratch"
+cat >"$scratch/arrays.c" <<'CODE'
+#include "arrays_q15.h"
+void highlights(const burnish_lobe_q15 *lobe, uint16_t *values);
+void highlights(const burnish_lobe_q15 *lobe, uint16_t *values) {
+    burnish_lobe_q15_fast_array(lobe, 1000, values, values);
+}
+CODE
+for compiler in $c_compilers; do
+    try $compiler -std=c99 -pedantic-errors -Wno-unused-function "$scratch/arrays.c"
+    try $compiler -std=c99 -pedantic-errors -ffreestanding -DBURNISH_Q15_PLAIN_C -Wno-unused-function "$scratch/arrays.c"
 done
 
 # every source that computes refuses what would change bits, with a sentence

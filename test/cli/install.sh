@@ -23,7 +23,7 @@ libdir=$(dirname "$(find "$scratch/moved" -name libburnish.a)")
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 export LD_LIBRARY_PATH="$libdir"
 "$scratch/moved/bin/burnish" render :teapot --look=plain -o "$scratch/expected.png" || fail "the installed program"
-for text in man/man1/burnish.1 bash-completion/completions/burnish zsh/site-functions/_burnish fish/vendor_completions.d/burnish.fish; do
+for text in man/man1/burnish.1 burnish/shaders/burnish.glsl bash-completion/completions/burnish zsh/site-functions/_burnish fish/vendor_completions.d/burnish.fish; do
     [ -s "$scratch/moved/share/$text" ] || fail "no $text"
 done
 
@@ -43,6 +43,8 @@ shared=shared
 [ -f "$libdir/libburnish.so" ] || shared=static
 cp "$source/docs/examples/picture.c" "$scratch/picture.c"
 cp "$source/docs/examples/picture.c" "$scratch/picture.cpp"
+prefix=$(pkg-config --variable=prefix burnish)
+[ "$(realpath "$prefix")" = "$scratch/moved" ] || fail "pkg-config's prefix is $prefix, not $scratch/moved"
 pkg-config --atleast-version=0.1 burnish || fail "pkg-config does not know burnish 0.1"
 for language in c cpp; do
     compiler="gcc -std=c99"
@@ -81,12 +83,24 @@ sed 's/burnish 0.1 /burnish 0.2 /' "$scratch/project/CMakeLists.txt" >"$scratch/
 mv "$scratch/project/later" "$scratch/project/CMakeLists.txt"
 cmake -S "$scratch/project" -B "$scratch/project/later" -DCMAKE_PREFIX_PATH="$scratch/moved" >/dev/null 2>&1 && fail "version 0.2 was found"
 
-# the README's lines are the example's
-sed -n '/^```c$/,/^```$/p' "$source/README.md" | awk '/^```c$/ {block = ""; next} /^```$/ {if (block ~ /burnish_mesh_load/) printf "%s", block; next} {block = block $0 "\n"}' >"$scratch/readme.txt"
-[ -s "$scratch/readme.txt" ] || fail "README.md has no example that loads a mesh"
+# the page's lines are the example's
+sed -n '/^```c$/,/^```$/p' "$source/docs/api.md" | awk '/^```c$/ {block = ""; next} /^```$/ {if (block ~ /burnish_mesh_load/) printf "%s", block; next} {block = block $0 "\n"}' >"$scratch/page.txt"
+[ -s "$scratch/page.txt" ] || fail "docs/api.md has no example that loads a mesh"
 while read -r line; do
-    [ -z "$line" ] || grep -qF -- "$line" "$source/docs/examples/picture.c" || fail "README.md: not in docs/examples/picture.c: $line"
-done <"$scratch/readme.txt"
+    [ -z "$line" ] || grep -qF -- "$line" "$source/docs/examples/picture.c" || fail "docs/api.md: not in docs/examples/picture.c: $line"
+done <"$scratch/page.txt"
+
+# `make install` builds what is installed, and nothing else
+if ninja -C "$build" -t commands burnish_installed >"$scratch/commands" 2>/dev/null; then
+    grep -oE -- '-o (CMakeFiles/)?(test|bench|python|importers|burnish_(bench|python|import))[^ ]*' "$scratch/commands" | head -n 3 >"$scratch/others"
+    [ ! -s "$scratch/others" ] || fail "make install also builds: $(cat "$scratch/others")"
+    grep -oE "\"$build/[^\"]+\"" "$build/cmake_install.cmake" | tr -d '"' | grep -vE '\.cmake$|\.pc$|MANIFEST' | sort -u >"$scratch/built"
+    [ "$(wc -l <"$scratch/built")" -gt 4 ] || fail "cmake_install.cmake names no files"
+    while read -r file; do
+        name=$(basename "$(readlink -f "$file")")
+        grep -qE "(-o|>|qc) $name( |\$)" "$scratch/commands" || fail "make install does not build $name"
+    done <"$scratch/built"
+fi
 
 echo "install: $checks pictures, $failures failed"
 [ "$checks" -eq 8 ] && [ "$failures" -eq 0 ]

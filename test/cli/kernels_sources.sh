@@ -15,7 +15,7 @@ sources() {
 renderer_sources() {
     echo "-pthread -I$1/include -I$1/src -I$1/test"
     echo "$1"/src/simd/*.c "$1"/src/raster/*.c "$1"/src/shading/*.c "$1"/src/render/surface.c "$1"/src/render/caps.c "$1"/src/render/occlusion_share.c "$1"/src/render/texture_points.c "$1"/src/render/texture_shade.c
-    for file in context elementary error memory processors srgb tasks; do
+    for file in context elementary error memory processors srgb tasks pool; do
         echo "$1/src/core/$file.c"
     done
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The kernels as WebAssembly with SIMD128: test_kernels and test_kernel_values under node. Skipped (77) without the tools.
+# The kernels as WebAssembly with SIMD128: test_kernels, test_kernel_values and test_arrays_q15 under node. Skipped (77) without the tools.
 # Usage: kernels_wasm.sh SOURCE_DIR SCRATCH
 set -eu
 for tool in clang-14 wasm-ld-14 node; do
@@ -23,3 +23,7 @@ for name in kernels kernel_values; do
     grep -q "^$name: .* 0 failed" "$2/$name.txt"
 done
 grep -q 'instruction sets: scalar wasm' "$2/kernels.txt"
+# shellcheck disable=SC2086
+clang-14 --target=wasm32-wasi -msimd128 $flags -I"$1/include" -I"$1/test" "$1/test/test_arrays_q15.c" -o "$2/test_arrays_q15.wasm"
+node --no-warnings "$2/run.mjs" "$2/test_arrays_q15.wasm" | tee "$2/arrays_q15.txt"
+grep -q 'lanes: 8' "$2/arrays_q15.txt" && grep -q '^arrays_q15: .* 0 failed' "$2/arrays_q15.txt"

@@ -32,6 +32,13 @@ run() {
     code=$?
 }
 
+# The instruction sets that this build has and this processor runs.
+instruction_sets() {
+    for isa in scalar sse2 avx2 avx512 neon; do
+        "$burnish" render :sphere --size=16 --isa=$isa -o - >/dev/null 2>&1 && echo $isa
+    done
+}
+
 # expect CODE LINE ARGUMENTS...: that exit code, exactly that one line on standard error ("" for none),
 # nothing on standard output.
 expect() {

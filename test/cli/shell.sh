@@ -20,7 +20,7 @@ printf '#!/bin/sh\nset -eu\n! true || { echo passes >&2; exit 1; }\n' >right
 idle wrong >/dev/null || { echo "shell: the search finds nothing" >&2; exit 1; }
 if idle right; then exit 1; fi
 
-find "$source/.ci" "$source/bench" "$source/firmware" "$source/packaging" "$source/rtl" "$source/scripts" \
+find "$source/.ci" "$source/arduino" "$source/bench" "$source/firmware" "$source/packaging" "$source/rtl" "$source/scripts" \
     "$source/test" -type f ! -name '*.[chv]' -size -64k >files 2>/dev/null || true
 [ "$(wc -l <files)" -gt 20 ]
 xargs awk 'FNR == 1 && /^#!.*sh$/ { print FILENAME }' <files >shells
