@@ -89,6 +89,7 @@ burnish_status import_build(const import_program *importer, const char *name,
                             burnish_error *error) {
     burnish_load_options handed = *options;
     char whole[256];
+    *mesh = NULL;
     if (stream->is_short) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "%.200s: out of memory for what %s makes",
                         shown(name), importer->name);

@@ -11,8 +11,6 @@
 #define VIEW_SDL_CALLS(X)                                                                          \
     X(SDL_CreateSystemCursor)                                                                      \
     X(SDL_CreateWindow)                                                                            \
-    X(SDL_DestroyWindow)                                                                           \
-    X(SDL_FreeCursor)                                                                              \
     X(SDL_GetCurrentVideoDriver)                                                                   \
     X(SDL_GetError)                                                                                \
     X(SDL_GetWindowSurface)                                                                        \
@@ -20,7 +18,6 @@
     X(SDL_PeepEvents)                                                                              \
     X(SDL_PollEvent)                                                                               \
     X(SDL_PumpEvents)                                                                              \
-    X(SDL_Quit)                                                                                    \
     X(SDL_SetCursor)                                                                               \
     X(SDL_SetHint)                                                                                 \
     X(SDL_SetWindowFullscreen)                                                                     \

@@ -351,16 +351,12 @@ static burnish_status open_window(viewer *v, burnish_error *error) {
     return resize(v, error);
 }
 
+/* The window goes with the process: where SDL waits under X11 it sends its window messages through
+   a second connection, and one that arrives after the window was destroyed would end the program
+   with an X error. */
 static void close_window(viewer *v) {
-    for (int i = 0; i < 2 && v->window; ++i) {
-        v->sdl.SDL_FreeCursor(v->cursors[i]);
-    }
-    if (v->window) {
-        v->sdl.SDL_DestroyWindow(v->window);
-    }
-    if (v->sdl.SDL_Quit) {
+    if (v->sdl.SDL_free) {
         v->sdl.SDL_free(v->dropped);
-        v->sdl.SDL_Quit();
     }
     for (int i = 0; i < 3; ++i) {
         free(v->pixels[i]);
