@@ -85,24 +85,29 @@ ctest-%:
 
 check: format-check asan tsan msan fuzz-briefly ## format, tests under sanitizers, a little fuzzing
 
+# Their short forms compile with little optimisation and without wide vectors, and leave out what is slow and reads and draws
+# nothing that the rest does not.
+briefly = -DBURNISH_WIDE_VECTORS=OFF -DCMAKE_C_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only"
 asan: ## tests with the address and undefined behaviour sanitizers
 	@$(DEPS) build test check
-	@$(MAKE) --no-print-directory ctest-asan CMAKE_FLAGS=-DBURNISH_WIDE_VECTORS=$(if $(SHORT),OFF,ON)
+	@$(MAKE) --no-print-directory ctest-asan $(if $(SHORT),CMAKE_FLAGS='$(briefly)' CTEST="-E '^($(no_memory))'")
 
 # What runs in one thread and shares nothing is left out, and so are scripts that draw what unit tests draw.
 one_thread = theory|lobe|shade_q15|arrays_q15|kernel|elementary|srgb|numbers|layers|options|text|camera|visibility|large_triangles
 one_thread_cli = serve_http|headers|abi|exports|links|tables|shell|sheet|shaders|command_lines|cli_(batch|serve|import|view|compare|faults|figures|lobe|help|complete|bench|render|turntable|planes|info)
 several_threads = tasks|context|render_context|reader_threads|obj_threads|ply_binary|load|decode|gltf|picture|png|lines|occlusion|shadow|texture|transparency|target|render
-threads_briefly = cmake --preset tsan >/dev/null && \
+threads_briefly = cmake --preset tsan $(briefly) >/dev/null && \
 	cmake --build --preset tsan -j $(JOBS) --target $(addprefix test_,$(subst |, ,$(several_threads))) && \
 	ctest --preset tsan --no-tests=error -j $(JOBS) -R '^($(several_threads))$$'
 tsan: ## tests with the thread sanitizer
 	@$(DEPS) build test check
 	@$(if $(SHORT),$(threads_briefly),$(MAKE) --no-print-directory ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'")
 
+no_memory = theory|headers|abi|exports|links|tables|shell|shaders|sheet|cli_figures|cli_bench
+no_files = $(no_memory)|memory|lobe|shade_q15|arrays_q15|large_triangles
 msan: ## unit tests with the memory sanitizer
 	@$(DEPS) build test check
-	@$(MAKE) --no-print-directory ctest-msan CTEST='-L unit'
+	@$(MAKE) --no-print-directory ctest-msan CTEST="-L unit$(if $(SHORT), -E '^($(no_files))')" $(if $(SHORT),CMAKE_FLAGS='$(briefly)')
 
 clang: ## tests of the optimised clang build
 	@$(DEPS) build test check
@@ -112,9 +117,11 @@ scalar: ## tests of a build without vector instructions
 	@$(DEPS) build test
 	@$(MAKE) --no-print-directory $(if $(SHORT),golden-scalar,ctest-scalar)
 
-# The short form of a whole build's tests: its pictures.
+# The short form of a whole build's tests: its pictures. clang may use FMA there, and must not.
+short_clang = -O1 -march=native
+short_scalar = -O1
 golden-%:
-	@cmake --preset $* -B build/short/$* -DBURNISH_WIDE_VECTORS=OFF -DCMAKE_C_FLAGS_RELEASE="-O1 -DNDEBUG" >/dev/null
+	@cmake --preset $* -B build/short/$* -DBURNISH_WIDE_VECTORS=OFF -DCMAKE_C_FLAGS_RELEASE="$(short_$*) -DNDEBUG" >/dev/null
 	@cmake --build build/short/$* -j $(JOBS) --target burnish_cli
 	@GOLDEN_HOW=each ./test/cli/golden.sh build/short/$*/burnish build/short/$*/golden
 

@@ -9,20 +9,27 @@ for tool in $compiler qemu-aarch64; do
     command -v "$tool" >/dev/null || { echo "skipped: no $tool; scripts/install-deps cross"; exit 77; }
 done
 . "$(dirname "$0")/kernels_sources.sh"
-mkdir -p "$2"
-for name in kernels kernel_values; do
+mkdir -p "$2/objects"
+rm -f "$2"/objects/*
+# Everything once, then a link for each test.
+# shellcheck disable=SC2046,SC2086
+(cd "$2/objects" && $compiler $flags -c -pthread $(includes "$1") $(renderer_sources "$1") && ar rcs renderer.a ./*.o)
+
+# program NAME: test_NAME.c for that processor.
+program() {
     # shellcheck disable=SC2046,SC2086
-    $compiler $flags -static $(sources "$1" $name) -lm -o "$2/test_${name}_neon"
-    qemu-aarch64 "$2/test_${name}_neon" >"$2/$name.txt" || { cat "$2/$name.txt"; exit 1; }
-    cat "$2/$name.txt"
+    $compiler $flags -static -pthread $(includes "$source") "$source/test/test_$1.c" "$scratch/objects/renderer.a" -lm -o "$scratch/test_$1_neon"
+}
+source=$1
+scratch=$2
+for name in kernels kernel_values arrays_q15; do
+    program $name
+    qemu-aarch64 "$scratch/test_${name}_neon" >"$scratch/$name.txt" || { cat "$scratch/$name.txt"; exit 1; }
+    cat "$scratch/$name.txt"
 done
-grep -q 'instruction sets: scalar neon' "$2/kernels.txt"
-# shellcheck disable=SC2086
-$compiler $flags -static -I"$1/include" -I"$1/test" "$1/test/test_arrays_q15.c" -lm -o "$2/test_arrays_q15_neon"
-qemu-aarch64 "$2/test_arrays_q15_neon" | tee "$2/arrays_q15.txt"
-grep -q 'lanes: 8' "$2/arrays_q15.txt" && grep -q '^arrays_q15: .* 0 failed' "$2/arrays_q15.txt"
-for test in visibility large_triangles; do
-    # shellcheck disable=SC2046,SC2086
-    $compiler $flags -static "$1/test/test_$test.c" $(renderer_sources "$1") -lm -o "$2/test_${test}_neon"
-    qemu-aarch64 "$2/test_${test}_neon" --scenes 100 --only scenes
+grep -q 'instruction sets: scalar neon' "$scratch/kernels.txt"
+grep -q 'lanes: 8' "$scratch/arrays_q15.txt" && grep -q '^arrays_q15: .* 0 failed' "$scratch/arrays_q15.txt"
+for name in visibility large_triangles; do
+    program $name
+    qemu-aarch64 "$scratch/test_${name}_neon" --scenes 100 --only scenes
 done

@@ -2,19 +2,23 @@
 # shellcheck disable=SC2034
 flags="-std=c17 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror -D_GNU_SOURCE"
 
-# sources SOURCE_DIR NAME: of test_NAME
-sources() {
-    echo "-I$1/include -I$1/src -I$1/test $1/test/test_$2.c"
+# includes SOURCE_DIR
+includes() { echo "-I$1/include -I$1/src -I$1/test"; }
+
+# kernel_sources SOURCE_DIR
+kernel_sources() {
     echo "$1"/src/simd/*.c
     for file in shading/kernels shading/lobe_fit shading/lobe_words shading/shader core/elementary core/error core/memory; do
         echo "$1/src/$file.c"
     done
 }
 
-# renderer_sources SOURCE_DIR
+# renderer_sources SOURCE_DIR: those of the kernels are among them
 renderer_sources() {
-    echo "-pthread -I$1/include -I$1/src -I$1/test"
-    echo "$1"/src/simd/*.c "$1"/src/raster/*.c "$1"/src/shading/*.c "$1"/src/render/surface.c "$1"/src/render/caps.c "$1"/src/render/occlusion_share.c "$1"/src/render/texture_points.c "$1"/src/render/texture_shade.c
+    echo "$1"/src/simd/*.c "$1"/src/raster/*.c "$1"/src/shading/*.c
+    for file in surface caps occlusion_share texture_points texture_shade; do
+        echo "$1/src/render/$file.c"
+    done
     for file in context elementary error memory processors srgb tasks pool; do
         echo "$1/src/core/$file.c"
     done

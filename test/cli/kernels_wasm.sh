@@ -16,14 +16,16 @@ const module = await WebAssembly.compile(await readFile(process.argv[2]));
 const imports = { wasi_snapshot_preview1: wasi.wasiImport };
 wasi.start(await WebAssembly.instantiate(module, imports));
 END
-for name in kernels kernel_values; do
+mkdir -p "$2/objects"
+rm -f "$2"/objects/*
+compiler="clang-14 --target=wasm32-wasi -msimd128"
+# shellcheck disable=SC2046,SC2086
+(cd "$2/objects" && $compiler $flags -c $(includes "$1") $(kernel_sources "$1"))
+for name in kernels kernel_values arrays_q15; do
     # shellcheck disable=SC2046,SC2086
-    clang-14 --target=wasm32-wasi -msimd128 $flags $(sources "$1" $name) -o "$2/test_$name.wasm"
+    $compiler $flags $(includes "$1") "$1/test/test_$name.c" "$2"/objects/*.o -o "$2/test_$name.wasm"
     node --no-warnings "$2/run.mjs" "$2/test_$name.wasm" | tee "$2/$name.txt"
     grep -q "^$name: .* 0 failed" "$2/$name.txt"
 done
 grep -q 'instruction sets: scalar wasm' "$2/kernels.txt"
-# shellcheck disable=SC2086
-clang-14 --target=wasm32-wasi -msimd128 $flags -I"$1/include" -I"$1/test" "$1/test/test_arrays_q15.c" -o "$2/test_arrays_q15.wasm"
-node --no-warnings "$2/run.mjs" "$2/test_arrays_q15.wasm" | tee "$2/arrays_q15.txt"
-grep -q 'lanes: 8' "$2/arrays_q15.txt" && grep -q '^arrays_q15: .* 0 failed' "$2/arrays_q15.txt"
+grep -q 'lanes: 8' "$2/arrays_q15.txt"
