@@ -116,6 +116,37 @@ BURNISH_API burnish_status burnish_png_write(const burnish_pixels *pixels, const
 BURNISH_API burnish_status burnish_image_write_png(const burnish_image *image, const char *path,
                                                    burnish_error *error);
 
+/* A PNG that is made of rows as they come, from the top, so that nobody has to hold the whole
+ * picture: the bytes of burnish_png_encode. */
+typedef struct burnish_png_stream burnish_png_stream;
+
+/* Begins one.
+ *   width, height  of the whole picture
+ *   format         of all rows
+ *   options        NULL for the defaults
+ *   stream         receives it, NULL on error; release it with burnish_png_stream_destroy
+ * Errors: as burnish_png_encode. */
+BURNISH_API burnish_status burnish_png_stream_create(int width, int height,
+                                                     burnish_pixel_format format,
+                                                     const burnish_png_options *options,
+                                                     burnish_png_stream **stream,
+                                                     burnish_error *error);
+
+/* Takes the next rows, any number of them; they are compressed by threads where they are more than
+ * 128 KiB. With the last one the file is complete.
+ *   rows   only read, and not needed afterwards
+ *   bytes  receives the next bytes of the file, NULL where there are none yet and on error; give
+ *          them to burnish_release() with the options' context
+ *   size   receives how many there are
+ * Errors: as burnish_png_encode, and ARGUMENT (another width or format, more rows than are
+ * missing). After any but ARGUMENT the stream can only be destroyed. */
+BURNISH_API burnish_status burnish_png_stream_add(burnish_png_stream *stream,
+                                                  const burnish_pixels *rows, uint8_t **bytes,
+                                                  size_t *size, burnish_error *error);
+
+/* NULL is allowed. */
+BURNISH_API void burnish_png_stream_destroy(burnish_png_stream *stream);
+
 /* ---- Comparing ---- */
 
 /* What takes longer than looking at every pixel once; a sum of these. */

@@ -94,6 +94,8 @@ typedef struct burnish_render_options {
     uint32_t cookie;                /* set by burnish_render_options_default() */
     const burnish_context *context; /* of burnish_render; with a renderer NULL, or its own */
     int width, height;              /* pixels, [1, BURNISH_IMAGE_MAX_SIZE] */
+    int first_row, row_count;       /* what is drawn of the picture: row_count rows from first_row
+                                       on; 0, 0: all. See "Rows of a picture" below */
     int samples;                    /* coverage samples per pixel: 1, 4, 8 or 16 */
     int threads; /* [1, 1024] or BURNISH_THREADS_AUTO; never changes the pixels */
     const burnish_kernels *kernels; /* NULL: burnish_kernels_best(); never change the pixels */
@@ -164,6 +166,24 @@ BURNISH_API burnish_status burnish_render_options_set_look(burnish_render_option
 BURNISH_API burnish_status burnish_look_set_materials(burnish_look look, burnish_mesh *mesh,
                                                       burnish_error *error);
 
+/* ---- Rows of a picture ----
+ *
+ * Many machines can draw one picture, and one machine a picture larger than its memory: with
+ * options.first_row and row_count a call draws these rows alone, and they have the bits that they
+ * have in the whole picture, whatever the other options are. Images and targets then hold row_count
+ * rows, the first of them first_row. Nothing of the picture's other rows is shaded or kept, but
+ * where there are edges, whose lines are found from depths and triangles of all rows: 8 bytes per
+ * pixel of the whole picture.
+ *
+ * Any rows will do; no work is done twice where first_row and row_count are multiples of 64. A
+ * renderer that draws rows of one mesh and view one call after the other transforms and culls the
+ * mesh in the first of them, and finds its lines there.
+ *
+ * Of the report, covered_pixels and bounds are those of the rows drawn, bounds in the whole
+ * picture's coordinates; triangles_drawn, hidden_share and layers_dropped may count the rows up to
+ * the next multiples of 64 too; overdraw is the whole picture's, and so is what max_overdraw
+ * refuses. */
+
 /* What was drawn. */
 typedef struct burnish_render_report {
     size_t triangles;       /* of the mesh */
@@ -224,7 +244,7 @@ BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,
  * one. */
 typedef struct burnish_target {
     uint32_t cookie;        /* set by burnish_target_default() */
-    burnish_pixels pixels;  /* of options.width x options.height; pixels.pixels NULL: nothing is
+    burnish_pixels pixels;  /* of options.width x the rows drawn; pixels.pixels NULL: nothing is
                                shaded. RGB8 not with options.transparent */
     float *depth;           /* distance from the camera along its axis, in the mesh's units; where
                                nothing shows infinity */

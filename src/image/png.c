@@ -119,24 +119,6 @@ static void filter_row(const burnish_pixels *image, const uint8_t *restrict row,
     }
 }
 
-/* Every row as its difference to the row above: of the filters, the one with the best ratio of size
- * to time for rendered pictures. */
-static void filter_rows(const burnish_pixels *image, int first, int end,
-                        uint8_t *restrict filtered) {
-    const size_t size = burnish_pixels_row(image);
-    for (int y = first; y < end; ++y) {
-        const uint8_t *row = image->pixels + image->stride * (size_t)y;
-        *filtered++ = FILTER_UP;
-        if (y > 0) {
-            filter_row(image, row, row - image->stride, filtered);
-        } else {
-            memcpy(filtered, row, size);
-        }
-        reorder(image, filtered);
-        filtered += size;
-    }
-}
-
 /* ---- bands: compressed side by side, an IDAT chunk each ---- */
 
 typedef struct band {
@@ -154,18 +136,46 @@ typedef struct band_maker {
     uint8_t *packed;
 } band_maker;
 
-typedef struct encoder {
+/* A file on its way: a picture's rows come in one piece or in several. */
+struct burnish_png_stream {
     burnish_tasks tasks;
     const burnish_context *context;
-    const burnish_pixels *image;
-    const burnish_png_options *options;
+    burnish_pixels image; /* the whole picture; without pixels */
+    burnish_png_options options;
+    burnish_pixels piece; /* the rows at hand, ... */
+    int piece_row;        /* ... the first of them, ... */
+    uint8_t *kept;        /* ... and those before them that are needed yet, nothing between them */
+    int kept_row;
     int rows; /* per band */
-    int band_count;
+    int band_count, bands_made;
     band *bands;
     int maker_count;
     band_maker *makers;
     atomic_int done; /* bands */
-} encoder;
+};
+typedef struct burnish_png_stream encoder;
+
+static const uint8_t *row_at(const encoder *e, int y) {
+    return y >= e->piece_row ? e->piece.pixels + e->piece.stride * (size_t)(y - e->piece_row)
+                             : e->kept + burnish_pixels_row(&e->image) * (size_t)(y - e->kept_row);
+}
+
+/* Every row as its difference to the row above: of the filters, the one with the best ratio of size
+ * to time for rendered pictures. */
+static void filter_rows(const encoder *e, int first, int end, uint8_t *restrict filtered) {
+    const burnish_pixels *image = &e->image;
+    const size_t size = burnish_pixels_row(image);
+    for (int y = first; y < end; ++y) {
+        *filtered++ = FILTER_UP;
+        if (y > 0) {
+            filter_row(image, row_at(e, y), row_at(e, y - 1), filtered);
+        } else {
+            memcpy(filtered, row_at(e, y), size);
+        }
+        reorder(image, filtered);
+        filtered += size;
+    }
+}
 
 /* The Adler-32 checksum of two pieces, the second of `size` bytes (RFC 1950: b is the sum of all
  * intermediate a, all modulo 65521). */
@@ -180,15 +190,16 @@ static uint32_t join_adler(uint32_t first, uint32_t second, uint64_t size) {
 
 /* Bands depend on the picture's size only, so that the file does not depend on the threads. */
 static void divide(encoder *e) {
-    size_t all = row_size(e->image) * (size_t)e->image->height;
+    const int height = e->image.height;
+    size_t all = row_size(&e->image) * (size_t)height;
     int count = (int)((all + BAND_SIZE - 1) / BAND_SIZE);
-    count = count < e->image->height ? count : e->image->height;
-    e->rows = (e->image->height + count - 1) / count;
-    e->band_count = (e->image->height + e->rows - 1) / e->rows;
+    count = count < height ? count : height;
+    e->rows = (height + count - 1) / count;
+    e->band_count = (height + e->rows - 1) / e->rows;
 }
 
 static size_t band_bytes(const encoder *e) {
-    return row_size(e->image) * (size_t)e->rows;
+    return row_size(&e->image) * (size_t)e->rows;
 }
 
 static void create_makers(encoder *e, burnish_memory *memory) {
@@ -218,6 +229,7 @@ static void destroy_encoder(encoder *e) {
     }
     burnish_release(e->context, e->bands);
     burnish_release(e->context, e->makers);
+    burnish_release(e->context, e->kept);
 }
 
 /* The chunk of one band; the first one begins the stream, the last one leaves room for its end. */
@@ -225,9 +237,9 @@ static burnish_status make_band(const encoder *e, int index, band_maker *maker) 
     band *made = &e->bands[index];
     int first = index * e->rows, end = first + e->rows;
     int last = index + 1 == e->band_count;
-    end = last ? e->image->height : end;
-    size_t bytes = row_size(e->image) * (size_t)(end - first);
-    filter_rows(e->image, first, end, maker->filtered);
+    end = last ? e->image.height : end;
+    size_t bytes = row_size(&e->image) * (size_t)(end - first);
+    filter_rows(e, first, end, maker->filtered);
     made->filtered = bytes;
     made->adler = burnish_deflate_adler32(maker->filtered, bytes);
     size_t packed = burnish_deflate_band(maker->deflate, maker->filtered, bytes, last,
@@ -254,7 +266,8 @@ static burnish_status make_band(const encoder *e, int index, band_maker *maker) 
 
 static void band_task(void *context, size_t index, int thread) {
     encoder *e = context;
-    e->bands[index].status = make_band(e, (int)index, &e->makers[thread]);
+    const int number = e->bands_made + (int)index;
+    e->bands[number].status = make_band(e, number, &e->makers[thread]);
     const int done = atomic_fetch_add(&e->done, 1) + 1;
     if (thread == 0) {
         burnish_tasks_progress(&e->tasks, BURNISH_STAGE_ENCODE, (double)done / e->band_count);
@@ -279,14 +292,19 @@ static uint32_t whole_adler(const encoder *e) {
     return adler;
 }
 
-static void put_file(encoder *e, burnish_memory *memory, uint8_t **bytes, size_t *size) {
-    band *last = &e->bands[e->band_count - 1];
-    put_u32(last->chunk + 8 + last->size - ADLER_SIZE, whole_adler(e));
-    put_chunk_frame(last->chunk, "IDAT", last->size);
+/* The file's bytes from the bands [e->bands_made, end), which are released. */
+static void put_bytes(encoder *e, int end, burnish_memory *memory, uint8_t **bytes, size_t *size) {
+    const int first = e->bands_made, is_last = end == e->band_count;
     uint8_t head[HEAD_MAX];
-    const size_t head_size = (size_t)(put_header(head, e->image, e->options) - head);
-    size_t sum = head_size + CHUNK_FRAME;
-    for (int i = 0; i < e->band_count; ++i) {
+    const size_t head_size =
+        first == 0 ? (size_t)(put_header(head, &e->image, &e->options) - head) : 0;
+    if (is_last) {
+        band *last = &e->bands[end - 1];
+        put_u32(last->chunk + 8 + last->size - ADLER_SIZE, whole_adler(e));
+        put_chunk_frame(last->chunk, "IDAT", last->size);
+    }
+    size_t sum = head_size + (is_last ? CHUNK_FRAME : 0);
+    for (int i = first; i < end; ++i) {
         sum += CHUNK_FRAME + e->bands[i].size;
     }
     *bytes = burnish_allocate(memory, sum, 1, "the PNG file");
@@ -296,13 +314,15 @@ static void put_file(encoder *e, burnish_memory *memory, uint8_t **bytes, size_t
     *size = sum;
     memcpy(*bytes, head, head_size);
     uint8_t *to = *bytes + head_size;
-    for (int i = 0; i < e->band_count; ++i) {
+    for (int i = first; i < end; ++i) {
         memcpy(to, e->bands[i].chunk, CHUNK_FRAME + e->bands[i].size);
         to += CHUNK_FRAME + e->bands[i].size;
         burnish_release(e->context, e->bands[i].chunk);
         e->bands[i].chunk = NULL;
     }
-    put_chunk_frame(to, "IEND", 0);
+    if (is_last) {
+        put_chunk_frame(to, "IEND", 0);
+    }
 }
 
 static burnish_status fail_bands(burnish_status status, burnish_error *error) {
@@ -312,14 +332,44 @@ static burnish_status fail_bands(burnish_status status, burnish_error *error) {
                             : "PNG: the compressed rows outgrow their bound; write a smaller one");
 }
 
-static burnish_status encode(encoder *e, uint8_t **bytes, size_t *size, burnish_error *error) {
-    burnish_memory memory = burnish_memory_of(e->context, error);
+/* ---- Pieces ---- */
+
+/* Keeps the rows that the next bands need: theirs, and the one above them. */
+static void keep_rows(encoder *e, int end, burnish_memory *memory) {
+    const size_t size = burnish_pixels_row(&e->image);
+    const int first = e->bands_made > 0 ? e->bands_made * e->rows - 1 : 0;
+    if (!e->kept && end < e->image.height) {
+        e->kept = burnish_allocate(memory, (size_t)e->rows, size, "the PNG's rows");
+    }
+    for (int y = first; e->kept && y < end; ++y) {
+        memmove(e->kept + size * (size_t)(y - first), row_at(e, y), size);
+    }
+    e->kept_row = first;
+    e->piece_row = end;
+}
+
+static burnish_status begin(encoder *e, const burnish_pixels *image,
+                            const burnish_png_options *options, burnish_error *error) {
+    const burnish_png_options defaults = burnish_png_options_default();
+    burnish_memory memory = burnish_memory_of(options ? options->context : NULL, error);
+    e->image = *image;
+    e->image.pixels = NULL;
+    e->options = options ? *options : defaults;
+    e->context = e->options.context;
+    burnish_tasks_begin(&e->tasks, e->context, e->options.threads);
     divide(e);
     create_makers(e, &memory);
-    if (memory.status != BURNISH_STATUS_OK) {
-        return memory.status;
-    }
-    burnish_tasks_run(&e->tasks, (size_t)e->band_count, 1, e->maker_count, band_task, e);
+    return memory.status;
+}
+
+static burnish_status add_piece(encoder *e, const burnish_pixels *piece, uint8_t **bytes,
+                                size_t *size, burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(e->context, error);
+    const int end = e->piece_row + piece->height;
+    const int bands = end == e->image.height ? e->band_count : end / e->rows;
+    const int count = bands - e->bands_made;
+    e->piece = *piece;
+    burnish_tasks_run(&e->tasks, (size_t)count, 1, e->maker_count, band_task, e);
     burnish_status status = burnish_tasks_check(&e->tasks, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -328,7 +378,11 @@ static burnish_status encode(encoder *e, uint8_t **bytes, size_t *size, burnish_
     if (status != BURNISH_STATUS_OK) {
         return fail_bands(status, error);
     }
-    put_file(e, &memory, bytes, size);
+    if (count > 0) {
+        put_bytes(e, bands, &memory, bytes, size);
+        e->bands_made = bands;
+    }
+    keep_rows(e, end, &memory);
     return memory.status;
 }
 
@@ -354,10 +408,7 @@ static burnish_status check_options(const burnish_png_options *options, burnish_
 
 burnish_status burnish_png_encode(const burnish_pixels *pixels, const burnish_png_options *options,
                                   uint8_t **bytes, size_t *size, burnish_error *error) {
-    const burnish_png_options defaults = burnish_png_options_default();
-    encoder e = {.image = pixels,
-                 .options = options ? options : &defaults,
-                 .context = options ? options->context : NULL};
+    encoder e = {.bands_made = 0};
     *bytes = NULL;
     *size = 0;
     burnish_status status = check_options(options, error);
@@ -365,11 +416,67 @@ burnish_status burnish_png_encode(const burnish_pixels *pixels, const burnish_pn
         status = burnish_pixels_check(pixels, "PNG", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        burnish_tasks_begin(&e.tasks, e.context, options ? options->threads : 0);
-        status = encode(&e, bytes, size, error);
+        status = begin(&e, pixels, options, error);
+        if (status == BURNISH_STATUS_OK) {
+            status = add_piece(&e, pixels, bytes, size, error);
+        }
         destroy_encoder(&e);
     }
     return status;
+}
+
+burnish_status burnish_png_stream_create(int width, int height, burnish_pixel_format format,
+                                         const burnish_png_options *options,
+                                         burnish_png_stream **stream, burnish_error *error) {
+    uint8_t none = 0; /* no pixel is read */
+    const burnish_pixels image = {width, height, format, SIZE_MAX, &none};
+    *stream = NULL;
+    burnish_status status = check_options(options, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_pixels_check(&image, "PNG", error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    burnish_memory memory = burnish_memory_of(options ? options->context : NULL, error);
+    encoder *e = burnish_allocate_zeroed(&memory, 1, sizeof *e, "a PNG");
+    if (!e) {
+        return memory.status;
+    }
+    status = begin(e, &image, options, error);
+    if (status != BURNISH_STATUS_OK) {
+        burnish_png_stream_destroy(e);
+        return status;
+    }
+    *stream = e;
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_png_stream_add(burnish_png_stream *stream, const burnish_pixels *rows,
+                                      uint8_t **bytes, size_t *size, burnish_error *error) {
+    *bytes = NULL;
+    *size = 0;
+    const burnish_status status = burnish_pixels_check(rows, "PNG", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    const int left = stream->image.height - stream->piece_row;
+    if (rows->width != stream->image.width || rows->format != stream->image.format ||
+        rows->height > left) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "PNG: rows of %d x %d pixels, format %d; expected %d x at most %d, "
+                            "format %d",
+                            rows->width, rows->height, (int)rows->format, stream->image.width, left,
+                            (int)stream->image.format);
+    }
+    return add_piece(stream, rows, bytes, size, error);
+}
+
+void burnish_png_stream_destroy(burnish_png_stream *stream) {
+    if (stream) {
+        destroy_encoder(stream);
+        burnish_release(stream->context, stream);
+    }
 }
 
 burnish_status burnish_png_write(const burnish_pixels *pixels, const char *path,

@@ -181,10 +181,12 @@ static int prepare(const burnish_stroke *stroke, int width, int height, burnish_
 
 typedef struct figure {
     const burnish_pixels *pixels;
+    int first_row, end_row; /* of the picture, that pixels hold */
+    int height;             /* of the picture */
     const burnish_stroke *strokes;
     size_t count;
     const burnish_ink *ink;
-    int bands;
+    int bands;         /* of the picture, down to the last one that is drawn */
     int first_band;    /* of those that entries hold */
     size_t *ends;      /* one past each band's entries; before they are filled, their starts */
     uint32_t *entries; /* strokes of each band */
@@ -192,16 +194,18 @@ typedef struct figure {
     burnish_tasks *tasks;
 } figure;
 
-/* The bands that a stroke touches: [*first, *end). */
+/* The bands with rows of the pixels that a stroke touches: [*first, *end). */
 static void stroke_bands(const figure *f, size_t index, int *first, int *end) {
     burnish_stroke stroke;
     *first = *end = 0;
-    if (prepare(&f->strokes[index], f->pixels->width, f->pixels->height, &stroke)) {
+    if (prepare(&f->strokes[index], f->pixels->width, f->height, &stroke)) {
         const burnish_rectangle bounds =
-            burnish_stroke_bounds(&stroke, f->pixels->width, f->pixels->height);
-        if (bounds.left < bounds.right && bounds.top < bounds.bottom) {
-            *first = bounds.top / BAND;
-            *end = (bounds.bottom - 1) / BAND + 1;
+            burnish_stroke_bounds(&stroke, f->pixels->width, f->height);
+        const int top = bounds.top > f->first_row ? bounds.top : f->first_row;
+        const int bottom = bounds.bottom < f->end_row ? bounds.bottom : f->end_row;
+        if (bounds.left < bounds.right && top < bottom) {
+            *first = top / BAND;
+            *end = (bottom - 1) / BAND + 1;
         }
     }
 }
@@ -209,7 +213,7 @@ static void stroke_bands(const figure *f, size_t index, int *first, int *end) {
 static void cover_band(const figure *f, const burnish_stroke *stroke, int top, int rows,
                        float *coverage, int bounds[BAND][2]) {
     const int width = f->pixels->width;
-    const burnish_rectangle touched = burnish_stroke_bounds(stroke, width, f->pixels->height);
+    const burnish_rectangle touched = burnish_stroke_bounds(stroke, width, f->height);
     const int first_row = touched.top > top ? touched.top : top;
     const int end_row = touched.bottom < top + rows ? touched.bottom : top + rows;
     for (int row = first_row; row < end_row; ++row) {
@@ -226,9 +230,10 @@ static void cover_band(const figure *f, const burnish_stroke *stroke, int top, i
 
 static void draw_band(void *context, size_t index, int thread) {
     const figure *f = context;
-    const int width = f->pixels->width, height = f->pixels->height;
-    const int band = f->first_band + (int)index, top = band * BAND;
-    const int rows = height - top < BAND ? height - top : BAND;
+    const int width = f->pixels->width, band = f->first_band + (int)index;
+    const int top = band * BAND > f->first_row ? band * BAND : f->first_row;
+    const int bottom = (band + 1) * BAND < f->end_row ? (band + 1) * BAND : f->end_row;
+    const int rows = bottom - top;
     float *coverage = f->coverage + (size_t)thread * BAND * (size_t)width;
     const size_t end = f->ends[band];
     const size_t first = index > 0 ? f->ends[band - 1] : 0;
@@ -243,12 +248,13 @@ static void draw_band(void *context, size_t index, int thread) {
     }
     for (size_t i = first; i < end; ++i) {
         burnish_stroke stroke;
-        prepare(&f->strokes[f->entries[i]], width, height, &stroke);
+        prepare(&f->strokes[f->entries[i]], width, f->height, &stroke);
         cover_band(f, &stroke, top, rows, coverage, bounds);
     }
     for (int row = 0; row < rows; ++row) {
         if (bounds[row][0] < bounds[row][1]) {
-            burnish_ink_blend(f->pixels, top + row, bounds[row][0], bounds[row][1] - bounds[row][0],
+            burnish_ink_blend(f->pixels, top + row - f->first_row, bounds[row][0],
+                              bounds[row][1] - bounds[row][0],
                               coverage + (size_t)row * (size_t)width + bounds[row][0], f->ink);
         }
     }
@@ -358,15 +364,26 @@ static burnish_status check(const burnish_pixels *pixels, const burnish_stroke *
 burnish_status burnish_strokes_draw(const burnish_pixels *pixels, const burnish_stroke *strokes,
                                     size_t count, const burnish_ink *ink, burnish_tasks *tasks,
                                     burnish_memory *memory) {
+    return burnish_strokes_draw_rows(pixels, 0, pixels->height, strokes, count, ink, tasks, memory);
+}
+
+burnish_status burnish_strokes_draw_rows(const burnish_pixels *pixels, int first_row, int height,
+                                         const burnish_stroke *strokes, size_t count,
+                                         const burnish_ink *ink, burnish_tasks *tasks,
+                                         burnish_memory *memory) {
     burnish_status status = check(pixels, strokes, count, memory->error);
     if (status != BURNISH_STATUS_OK || count == 0) {
         return status;
     }
     figure f = {.pixels = pixels,
+                .first_row = first_row,
+                .end_row = first_row + pixels->height,
+                .height = height,
                 .strokes = strokes,
                 .count = count,
                 .ink = ink,
-                .bands = (pixels->height + BAND - 1) / BAND,
+                .bands = (first_row + pixels->height + BAND - 1) / BAND,
+                .first_band = first_row / BAND,
                 .tasks = tasks};
     f.ends = burnish_allocate_zeroed(memory, (size_t)f.bands, sizeof *f.ends, "bands of strokes");
     status = f.ends ? draw_figure(&f, memory) : memory->status;

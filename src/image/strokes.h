@@ -41,6 +41,13 @@ burnish_status burnish_strokes_draw(const burnish_pixels *pixels, const burnish_
                                     size_t count, const burnish_ink *ink, burnish_tasks *tasks,
                                     burnish_memory *memory);
 
+/* The same where pixels hold rows of a picture `height` rows high, from first_row on: they get the
+ * bits that they have in the whole picture. */
+burnish_status burnish_strokes_draw_rows(const burnish_pixels *pixels, int first_row, int height,
+                                         const burnish_stroke *strokes, size_t count,
+                                         const burnish_ink *ink, burnish_tasks *tasks,
+                                         burnish_memory *memory);
+
 /* ---- The same in pieces, without memory of its own ---- */
 
 typedef struct burnish_rectangle {

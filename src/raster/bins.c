@@ -130,6 +130,7 @@ static burnish_status fill_band(burnish_bins *bins, const burnish_isa_ops *ops,
 void burnish_bins_begin(burnish_bins *bins, const burnish_context *context) {
     bins->context = context;
     bins->first_row = bins->end_row = 0;
+    bins->row_limit = BURNISH_MAX_TILES;
     bins->entry_budget = ENTRY_BUDGET;
 }
 
@@ -157,6 +158,7 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_isa_ops *ops,
                                  burnish_tasks *tasks, burnish_error *error) {
     bins->columns = (view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     bins->rows = (view->height + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
+    bins->rows = bins->rows < bins->row_limit ? bins->rows : bins->row_limit;
     bins->first_row = bins->end_row;
     burnish_status status = make_slices(bins, geometry, burnish_tasks_threads(tasks), error);
     if (status != BURNISH_STATUS_OK) {

@@ -56,7 +56,8 @@ typedef struct burnish_bin_slice {
 
 typedef struct burnish_bins {
     const burnish_context *context;
-    int columns, rows; /* tiles of the whole image */
+    int columns, rows; /* tiles: of the image's width; of its height, down to the limit */
+    int row_limit;     /* rows of tiles from it on are not drawn */
     int first_row, end_row;
     burnish_bin_slice *slices;
     size_t slice_count, slice_capacity;
@@ -64,7 +65,8 @@ typedef struct burnish_bins {
 } burnish_bins;
 
 /* Bins before a frame's first band; all zero before the first frame. The context, which may be
- * NULL, is the same in every frame. */
+ * NULL, is the same in every frame. To draw a part of the image set end_row to its first row of
+ * tiles afterwards, and row_limit. */
 void burnish_bins_begin(burnish_bins *bins, const burnish_context *context);
 
 /* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries

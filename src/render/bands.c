@@ -23,10 +23,18 @@ static size_t tile_grain(int count, int threads) {
 
 burnish_status burnish_bands_draw(const burnish_bands *bands, burnish_tile_function *draw,
                                   void *context, burnish_error *error) {
+    return burnish_bands_draw_rows(bands, 0, BURNISH_MAX_TILES, draw, context, error);
+}
+
+burnish_status burnish_bands_draw_rows(const burnish_bands *bands, int first_row, int end_row,
+                                       burnish_tile_function *draw, void *context,
+                                       burnish_error *error) {
     burnish_bins *bins = bands->bins;
     burnish_status status = BURNISH_STATUS_OK;
     band_context band = {bins, draw, context};
     burnish_bins_begin(bins, bands->context);
+    bins->end_row = first_row;
+    bins->row_limit = end_row;
     do {
         status =
             burnish_bin_tiles(bins, bands->ops, bands->geometry, bands->view, bands->tasks, error);

@@ -24,4 +24,9 @@ typedef void burnish_tile_function(void *context, int column, int row, int threa
 burnish_status burnish_bands_draw(const burnish_bands *bands, burnish_tile_function *draw,
                                   void *context, burnish_error *error);
 
+/* The same for the rows of tiles [first_row, end_row) alone. */
+burnish_status burnish_bands_draw_rows(const burnish_bands *bands, int first_row, int end_row,
+                                       burnish_tile_function *draw, void *context,
+                                       burnish_error *error);
+
 #endif

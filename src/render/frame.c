@@ -90,13 +90,14 @@ static uint64_t row_bits(const burnish_tile_worker *worker, int y) {
 }
 
 /* Counts the pixels of a block row that show something, and their bounds. */
-static void count_block_row(burnish_tile_worker *worker, int number) {
+static void count_block_row(const burnish_output *output, burnish_tile_worker *worker, int number) {
     const burnish_tile *tile = &worker->tile;
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
     int *bounds = worker->bounds;
-    for (int y = 0; y < BURNISH_BLOCK_SIZE; ++y) {
+    for (int y = rows.first; y < rows.end; ++y) {
         const uint64_t bits = row_bits(worker, y);
         const int row = tile->y + number * BURNISH_BLOCK_SIZE + y;
-        if (!bits || number * BURNISH_BLOCK_SIZE + y >= tile->height) {
+        if (!bits) {
             continue;
         }
         const int first = tile->x + __builtin_ctzll(bits);
@@ -129,22 +130,38 @@ static void draw_block_row(const burnish_frame *frame, burnish_tile_worker *work
         row->pixels.covered[x] |= worker->sums.layers->covered[number * BURNISH_TILE_BLOCKS + x];
     }
     if (frame->counts_pixels) {
-        count_block_row(worker, number);
+        count_block_row(&frame->output, worker, number);
     }
+}
+
+/* The rows of blocks of a tile that hold some of the rows drawn. A tile that lies in them in part
+ * is rasterised whole, as which pixels share a look-up of the sky may depend on it, but no more. */
+static burnish_row_range keep_drawn_rows(const burnish_output *output, burnish_tile *tile) {
+    const int top = output->rows.first - tile->y, bottom = output->rows.end - tile->y;
+    const int height = bottom < tile->height ? bottom : tile->height;
+    const burnish_row_range drawn = {top > 0 ? top / BURNISH_BLOCK_SIZE : 0,
+                                     (height + BURNISH_BLOCK_SIZE - 1) / BURNISH_BLOCK_SIZE};
+    for (int number = 0; number < BURNISH_TILE_BLOCKS; ++number) {
+        if (number < drawn.first || number >= drawn.end) {
+            tile->buffer.dirty_blocks[number] = 0;
+        }
+    }
+    return drawn;
 }
 
 static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
                       burnish_tile_worker *worker, int column, int row) {
-    const burnish_tile *tile = &worker->tile;
+    burnish_tile *tile = &worker->tile;
     const int is_covered = rasterize(frame, bins, worker, column, row);
     shade_layers(frame, worker);
+    const burnish_row_range drawn = keep_drawn_rows(&frame->output, tile);
     if (frame->output.has_planes) {
         burnish_planes_clear(&frame->output, tile, &worker->sums);
     }
     if (is_covered && frame->output.samples > 1) {
         shade_complex_pixels(frame, worker);
     }
-    for (int number = 0; number * BURNISH_BLOCK_SIZE < tile->height; ++number) {
+    for (int number = drawn.first; number < drawn.end; ++number) {
         if (is_covered && tile->buffer.dirty_blocks[number]) {
             draw_block_row(frame, worker, number);
         } else {
@@ -180,17 +197,30 @@ typedef struct frame_context {
     const burnish_frame *frame;
     const burnish_bins *bins;
     burnish_tile_worker *workers;
+    size_t tile_count;
     atomic_size_t tiles_done;
 } frame_context;
+
+/* The rows of tiles that are drawn. */
+static burnish_row_range tile_rows(const burnish_frame *frame) {
+    const burnish_row_range rows = frame->output.rows;
+    return (burnish_row_range){rows.first / BURNISH_TILE_SIZE,
+                               (rows.end + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE};
+}
+
+static size_t tile_count(const burnish_frame *frame) {
+    const int columns = (frame->surface.view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
+    const burnish_row_range rows = tile_rows(frame);
+    return (size_t)columns * (size_t)(rows.end - rows.first);
+}
 
 /* Only the thread that called tells how far the frame is. */
 static void report_progress(frame_context *context, int thread) {
     const size_t done =
         1 + atomic_fetch_add_explicit(&context->tiles_done, 1, memory_order_relaxed);
     if (thread == 0) {
-        const size_t all = (size_t)context->bins->columns * (size_t)context->bins->rows;
         burnish_tasks_progress(context->frame->tasks, BURNISH_STAGE_DRAW,
-                               (double)done / (double)all);
+                               (double)done / (double)context->tile_count);
     }
 }
 
@@ -203,11 +233,12 @@ static void draw_task(void *from, int column, int row, int thread) {
 
 static burnish_status draw_tiles(const burnish_frame *frame, burnish_tiles *tiles,
                                  burnish_error *error) {
-    frame_context context = {frame, &tiles->bins, tiles->workers, 0};
+    const burnish_row_range rows = tile_rows(frame);
+    frame_context context = {frame, &tiles->bins, tiles->workers, tile_count(frame), 0};
     const burnish_bands bands = {&tiles->bins,        frame->ops,   frame->geometry,
                                  frame->surface.view, frame->tasks, tiles->worker_count,
                                  frame->context};
-    return burnish_bands_draw(&bands, draw_task, &context, error);
+    return burnish_bands_draw_rows(&bands, rows.first, rows.end, draw_task, &context, error);
 }
 
 /* Counts are sums and bounds extremes: their order does not matter. */
@@ -270,10 +301,9 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
 
 /* A worker per thread, but no more than there are tiles. */
 static int worker_count(const burnish_frame *frame) {
-    const int columns = (frame->surface.view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
-    const int rows = (frame->surface.view->height + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;
     const int threads = burnish_tasks_threads(frame->tasks);
-    return threads < columns * rows ? threads : columns * rows;
+    const size_t tiles = tile_count(frame);
+    return (size_t)threads < tiles ? threads : (int)tiles;
 }
 
 /* Workers that can draw the frame: those of the last one where they do. */

@@ -22,6 +22,16 @@ burnish_status burnish_render_options_check_cookie(const burnish_render_options 
 burnish_status burnish_render_options_check(const burnish_render_options *options,
                                             burnish_error *error);
 
+/* The rows of the picture that are drawn: [first, end). */
+typedef struct burnish_row_range {
+    int first, end;
+} burnish_row_range;
+
+static inline burnish_row_range burnish_drawn_rows(const burnish_render_options *options) {
+    const int count = options->row_count ? options->row_count : options->height;
+    return (burnish_row_range){options->first_row, options->first_row + count};
+}
+
 /* What the look, one of the list, says of options. */
 void burnish_look_apply(burnish_look look, burnish_render_options *options);
 
@@ -67,6 +77,7 @@ burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_rende
 /* Where a frame's pixels go, and what background and alpha look like there. */
 typedef struct burnish_output {
     burnish_target target;
+    burnish_row_range rows; /* of the picture, that the target holds */
     const burnish_isa_ops *ops;
     const burnish_srgb_encoder *encoder;
     const burnish_view *view;
@@ -91,6 +102,15 @@ typedef struct burnish_output_row {
 /* Whether a target fits checked options. Errors: ARGUMENT. */
 burnish_status burnish_target_check(const burnish_target *target,
                                     const burnish_render_options *options, burnish_error *error);
+
+/* The pixel rows of row `number` of a tile's blocks, from its own first one on, that are drawn. */
+static inline burnish_row_range burnish_output_rows(const burnish_output *output,
+                                                    const burnish_tile *tile, int number) {
+    const int top = tile->y + number * BURNISH_BLOCK_SIZE;
+    const int first = output->rows.first - top, end = output->rows.end - top;
+    return (burnish_row_range){first > 0 ? first : 0,
+                               end < BURNISH_BLOCK_SIZE ? end : BURNISH_BLOCK_SIZE};
+}
 
 /* ops, encoder, view and ground are the caller's to set. Errors: MEMORY. */
 burnish_status burnish_output_begin(burnish_output *output, const burnish_target *target,
@@ -163,8 +183,8 @@ typedef struct burnish_tiles {
     int worker_count;
 } burnish_tiles;
 
-/* Draws every tile. report gets covered_pixels and bounds where they are counted. Errors: MEMORY,
- * CANCELLED. */
+/* Draws every tile of the output's rows. report gets covered_pixels and bounds where they are
+ * counted. Errors: MEMORY, CANCELLED. */
 burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_tiles *tiles,
                                   burnish_render_report *report, burnish_error *error);
 void burnish_tiles_destroy(burnish_tiles *tiles, const burnish_context *context);

@@ -532,6 +532,14 @@ burnish_status burnish_line_art_planes(burnish_line_art *art, const burnish_rend
     return memory->status;
 }
 
+void burnish_line_art_drop_planes(burnish_line_art *art, const burnish_context *context) {
+    burnish_release(context, art->depth);
+    burnish_release(context, art->triangles);
+    art->depth = NULL;
+    art->triangles = NULL;
+    art->depth_capacity = art->triangle_capacity = 0;
+}
+
 burnish_status burnish_line_art_draw(const burnish_line_art *art,
                                      const burnish_render_options *options,
                                      const burnish_pixels *pixels, burnish_tasks *tasks,
@@ -550,7 +558,8 @@ burnish_status burnish_line_art_draw(const burnish_line_art *art,
             strokes[made++] = (burnish_stroke){p[0], p[1], p[2], p[3], lines->widths[i] * 0.5f};
         }
     }
-    const burnish_status status = burnish_strokes_draw(pixels, strokes, made, &ink, tasks, memory);
+    const burnish_status status = burnish_strokes_draw_rows(
+        pixels, options->first_row, options->height, strokes, made, &ink, tasks, memory);
     burnish_release(memory->context, strokes);
     return status;
 }

@@ -62,6 +62,9 @@ burnish_render_options burnish_line_art_resolve(const burnish_render_options *op
 burnish_status burnish_line_art_planes(burnish_line_art *art, const burnish_render_options *options,
                                        burnish_target *target, burnish_memory *memory);
 
+/* Releases the planes that it has added. */
+void burnish_line_art_drop_planes(burnish_line_art *art, const burnish_context *context);
+
 /* Finds the lines of a frame that was drawn into the target's planes. Errors: MEMORY, LIMIT,
  * CANCELLED; there are then no lines. */
 burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh_view *mesh,
@@ -70,7 +73,7 @@ burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh
                                        const burnish_target *target, burnish_tasks *tasks,
                                        burnish_memory *memory);
 
-/* Draws the lines into pixels. Errors: MEMORY, CANCELLED. */
+/* Draws the lines into pixels, which hold the options' rows. Errors: MEMORY, CANCELLED. */
 burnish_status burnish_line_art_draw(const burnish_line_art *art,
                                      const burnish_render_options *options,
                                      const burnish_pixels *pixels, burnish_tasks *tasks,

@@ -7,9 +7,15 @@ int burnish_planes_are_wanted(const burnish_target *target) {
     return target->depth || target->triangles || target->normals || target->coverage;
 }
 
-/* Where pixel (x, y) of the image lies in a plane, NULL where the plane is not wanted. */
+/* Where pixel x of a plane's row y lies, NULL where the plane is not wanted. */
 static void *plane_at(void *plane, size_t stride, int x, int y, size_t size) {
     return plane ? (char *)plane + (size_t)y * stride + (size_t)x * size : NULL;
+}
+
+/* The row of the planes that a pixel of a tile lies in; -1 where it is none of the rows drawn. */
+static int plane_row(const burnish_output *output, const burnish_tile *tile, int pixel) {
+    const int y = tile->y + burnish_pixel_y(pixel);
+    return y >= output->rows.first && y < output->rows.end ? y - output->rows.first : -1;
 }
 
 /* What a pixel of each plane holds. */
@@ -47,7 +53,9 @@ void burnish_planes_clear(const burnish_output *output, const burnish_tile *tile
                           burnish_tile_sums *sums) {
     const burnish_target *t = &output->target;
     const size_t width = (size_t)tile->width;
-    for (int y = tile->y; y < tile->y + tile->height; ++y) {
+    const int top = tile->y - output->rows.first, bottom = top + tile->height;
+    const int count = output->rows.end - output->rows.first;
+    for (int y = top > 0 ? top : 0; y < bottom && y < count; ++y) {
         float *depths = plane_at(t->depth, t->depth_stride, tile->x, y, sizeof *depths);
         uint32_t *triangles =
             plane_at(t->triangles, t->triangle_stride, tile->x, y, sizeof *triangles);
@@ -98,15 +106,15 @@ void burnish_planes_store_fragments(const burnish_output *output, const burnish_
     unit_normals(output, batch->normal, batch->count, normals);
     for (int i = 0; i < batch->count; ++i) {
         const int at = fragments->pixels[i];
-        const int x = burnish_pixel_x(at), y = burnish_pixel_y(at);
-        if (fragments->weight[i] <= weights[at] || x >= tile->width || y >= tile->height) {
+        const int x = burnish_pixel_x(at), y = plane_row(output, tile, at);
+        if (fragments->weight[i] <= weights[at] || x >= tile->width || y < 0) {
             continue;
         }
         const float depth = output->target.depth ? fragments->depth[i] : 0;
         const plane_pixel pixel =
             pixel_of(output, depth, fragments->primitives[i].id_and_facing, normals, i);
         weights[at] = fragments->weight[i];
-        store_pixel(&output->target, tile->x + x, tile->y + y, &pixel);
+        store_pixel(&output->target, tile->x + x, y, &pixel);
     }
 }
 
@@ -130,8 +138,8 @@ void burnish_planes_store_row(const burnish_output *output, const burnish_tile *
     float normals[3][BURNISH_SHADE_BATCH];
     unit_normals(output, normal, BURNISH_BLOCK_ROW_PIXELS, normals);
     for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
-        const int x = burnish_pixel_x(base + i), y = burnish_pixel_y(base + i);
-        if (x >= tile->width || y >= tile->height) {
+        const int x = burnish_pixel_x(base + i), y = plane_row(output, tile, base + i);
+        if (x >= tile->width || y < 0) {
             continue;
         }
         const int simple = pixels->simple[i];
@@ -140,11 +148,11 @@ void burnish_planes_store_row(const burnish_output *output, const burnish_tile *
                 target->triangles ? burnish_tile_id_and_facing(tile, number, i, simple) : 0;
             const plane_pixel pixel =
                 pixel_of(output, tile->buffer.center_depths[base + i], source, normals, i);
-            store_pixel(target, tile->x + x, tile->y + y, &pixel);
+            store_pixel(target, tile->x + x, y, &pixel);
         }
         const int covered = simple >= 0            ? output->samples
                             : output->samples == 1 ? 0
                                                    : sums->covered[base + i];
-        store_coverage(output, tile->x + x, tile->y + y, covered);
+        store_coverage(output, tile->x + x, y, covered);
     }
 }

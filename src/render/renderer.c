@@ -11,6 +11,17 @@
 
 /* ---- Renderers ---- */
 
+/* A picture whose rows are drawn in several calls: what their geometry and lines depend on. No
+ * padding counts: it is all 0 before it is filled. */
+typedef struct picture_key {
+    uint64_t mesh, transparent; /* serial, 0: no picture; key of the transparent triangles */
+    burnish_camera camera;
+    burnish_raster_view view;
+    int ignore_colors, edges;
+    float edge_width, edge_opacity;
+    uint8_t edge_color[3];
+} picture_key;
+
 /* What is kept from frame to frame. */
 struct burnish_renderer {
     const burnish_context *context;
@@ -30,6 +41,8 @@ struct burnish_renderer {
     const burnish_kernels *best; /* asking the processor takes as long as drawing a tile */
     uint8_t *drawn;              /* a byte per triangle */
     size_t drawn_capacity;
+    picture_key picture;   /* whose geometry is there */
+    int has_picture_lines; /* 1: its lines are, too */
 };
 
 burnish_status burnish_renderer_create(const burnish_context *context, burnish_renderer **renderer,
@@ -85,23 +98,49 @@ static const burnish_transparency *transparency_of(const drawing *d) {
     return d->renderer->transparency.has_some ? &d->renderer->transparency : NULL;
 }
 
-/* Vertices to the screen, triangles to batches. */
+static int is_part(const drawing *d) {
+    return d->options->row_count > 0;
+}
+
+static picture_key key_of(const drawing *d) {
+    const burnish_render_options *options = d->options;
+    picture_key key;
+    memset(&key, 0, sizeof key);
+    key.mesh = burnish_mesh_get_view(d->mesh)->serial;
+    key.transparent = d->renderer->transparency.key;
+    key.camera = options->camera;
+    key.view = d->view.raster;
+    key.ignore_colors = options->ignore_colors;
+    key.edges = options->edges;
+    key.edge_width = options->edge_width;
+    key.edge_opacity = options->edge_opacity;
+    memcpy(key.edge_color, options->edge_color, sizeof key.edge_color);
+    return key;
+}
+
+/* Vertices to the screen, triangles to batches; for rows of a picture only once. */
 static burnish_status transform(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
     const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
                                          mesh->triangle_count,
                                          transparency_of(d) ? renderer->transparency.masks : NULL};
-    burnish_status status =
-        burnish_geometry_update(&renderer->geometry, d->view.shading.ops, &d->view.raster,
-                                &triangles, &renderer->tasks, d->memory.error);
+    const picture_key key = key_of(d);
+    const int is_done = is_part(d) && memcmp(&key, &renderer->picture, sizeof key) == 0;
+    burnish_status status = BURNISH_STATUS_OK;
+    memset(&renderer->picture, 0, sizeof renderer->picture);
+    renderer->has_picture_lines &= is_done;
+    if (!is_done) {
+        status = burnish_geometry_update(&renderer->geometry, d->view.shading.ops, &d->view.raster,
+                                         &triangles, &renderer->tasks, d->memory.error);
+    }
     if (status == BURNISH_STATUS_OK) {
         d->report.overdraw = burnish_geometry_overdraw(&renderer->geometry, &d->view.raster);
         status = burnish_geometry_check_overdraw(&renderer->geometry, &d->view.raster,
                                                  d->options->max_overdraw, "the picture",
                                                  d->memory.error);
     }
-    if (status == BURNISH_STATUS_OK) {
+    if (status == BURNISH_STATUS_OK && !is_done) {
         status = burnish_attributes_update(&renderer->attributes, &renderer->geometry, mesh,
                                            d->options->ignore_colors, &renderer->tasks, &d->memory);
     }
@@ -111,6 +150,9 @@ static burnish_status transform(drawing *d) {
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_tasks_check(&renderer->tasks, d->memory.error);
+    }
+    if (status == BURNISH_STATUS_OK && is_part(d)) {
+        renderer->picture = key;
     }
     burnish_tasks_progress(&renderer->tasks, BURNISH_STAGE_TRANSFORM, 1);
     return status;
@@ -283,13 +325,50 @@ static burnish_status draw_tiles(drawing *d) {
     return status;
 }
 
-/* Edges over what is drawn. */
-static burnish_status draw_lines(drawing *d) {
+/* Lines from the target's depths and triangles. */
+static burnish_status find_lines(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    return burnish_line_art_update(&renderer->line_art, burnish_mesh_get_view(d->mesh), &d->view,
+                                   d->options, &d->target, &renderer->tasks, &d->memory);
+}
+
+/* The lines of all rows, where some are drawn: which show depends on what lies along them. */
+static burnish_status find_picture_lines(const drawing *d) {
+    burnish_line_art *art = &d->renderer->line_art;
+    burnish_render_options options = *d->options;
+    drawing whole = *d;
+    options.first_row = options.row_count = 0;
+    whole.options = &options;
+    whole.target = burnish_target_default();
+    whole.counts = BURNISH_COUNTS_NONE;
+    burnish_status status = burnish_line_art_planes(art, &options, &whole.target, &whole.memory);
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_tiles(&whole);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = find_lines(&whole);
+    }
+    burnish_line_art_drop_planes(art, d->memory.context);
+    d->renderer->has_picture_lines = status == BURNISH_STATUS_OK;
+    return status;
+}
+
+/* Tiles, and edges over them. */
+static burnish_status draw_edged(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     burnish_line_art *art = &renderer->line_art;
-    burnish_status status =
-        burnish_line_art_update(art, burnish_mesh_get_view(d->mesh), &d->view, d->options,
-                                &d->target, &renderer->tasks, &d->memory);
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!renderer->has_picture_lines) {
+        memset(&art->lines, 0, sizeof art->lines);
+        status = is_part(d) ? find_picture_lines(d)
+                            : burnish_line_art_planes(art, d->options, &d->target, &d->memory);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_tiles(d);
+    }
+    if (status == BURNISH_STATUS_OK && !is_part(d)) {
+        status = find_lines(d);
+    }
     if (status == BURNISH_STATUS_OK && d->target.pixels.pixels && art->lines.line_count > 0) {
         status =
             burnish_line_art_draw(art, d->options, &d->target.pixels, &renderer->tasks, &d->memory);
@@ -340,15 +419,12 @@ static burnish_status draw(drawing *d) {
         status = transform(d);
         d->report.seconds_transform = burnish_seconds_now() - start;
     }
-    if (status == BURNISH_STATUS_OK && d->options->edges) {
-        status = burnish_line_art_planes(&renderer->line_art, d->options, &d->target, &d->memory);
+    if (status != BURNISH_STATUS_OK || !d->options->edges) {
+        memset(&renderer->line_art.lines, 0, sizeof renderer->line_art.lines);
+        renderer->has_picture_lines = 0;
     }
-    memset(&renderer->line_art.lines, 0, sizeof renderer->line_art.lines);
     if (status == BURNISH_STATUS_OK) {
-        status = draw_tiles(d);
-    }
-    if (status == BURNISH_STATUS_OK && d->options->edges) {
-        status = draw_lines(d);
+        status = (d->options->edges ? draw_edged : draw_tiles)(d);
     }
     if (status == BURNISH_STATUS_OK) {
         d->report.seconds_draw = burnish_seconds_now() - start - d->report.seconds_transform;
@@ -404,16 +480,18 @@ burnish_status burnish_renderer_draw_into(burnish_renderer *renderer, const burn
     return status;
 }
 
-/* An image of the options' size: the one that is there if it fits. */
+/* An image of the options' rows: the one that is there if it fits. */
 static burnish_status prepare_image(burnish_image *image, const burnish_render_options *options,
                                     burnish_error *error) {
     const int channels = options->transparent ? 4 : 3;
-    if (image->pixels && image->width == options->width && image->height == options->height &&
+    const burnish_row_range rows = burnish_drawn_rows(options);
+    const int height = rows.end - rows.first;
+    if (image->pixels && image->width == options->width && image->height == height &&
         image->channels == channels) {
         return BURNISH_STATUS_OK;
     }
     burnish_image_destroy(image);
-    return burnish_image_create(image, options->width, options->height, channels, error);
+    return burnish_image_create(image, options->width, height, channels, error);
 }
 
 burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_mesh *mesh,

@@ -44,10 +44,11 @@ static burnish_status check_pixels(const burnish_pixels *pixels,
                             "RGBA_FLOAT",
                             (int)pixels->format);
     }
-    if (pixels->width != options->width || pixels->height != options->height) {
+    const burnish_row_range rows = burnish_drawn_rows(options);
+    if (pixels->width != options->width || pixels->height != rows.end - rows.first) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "target: %d x %d pixels, but the options ask for %d x %d",
-                            pixels->width, pixels->height, options->width, options->height);
+                            pixels->width, pixels->height, options->width, rows.end - rows.first);
     }
     if (options->transparent && pixels->format == BURNISH_PIXELS_RGB8) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -214,7 +215,8 @@ static void pack_codes(const burnish_output *output, const uint32_t *codes, int 
 }
 
 static uint8_t *row_at(const burnish_output *output, const burnish_tile *tile, int y) {
-    return output->target.pixels.pixels + (size_t)(tile->y + y) * output->target.pixels.stride +
+    const size_t row = (size_t)(tile->y + y - output->rows.first);
+    return output->target.pixels.pixels + row * output->target.pixels.stride +
            (size_t)tile->x * output->pixel_size;
 }
 
@@ -304,16 +306,11 @@ void burnish_output_add_fragments(const burnish_output *output, const burnish_ti
     }
 }
 
-/* Rows of pixels in a row of blocks: fewer at the image's lower edge. */
-static int rows_of(const burnish_tile *tile, int number) {
-    const int rest = tile->height - number * BURNISH_BLOCK_SIZE;
-    return rest < BURNISH_BLOCK_SIZE ? rest : BURNISH_BLOCK_SIZE;
-}
-
 static void store_coded(const burnish_output *output, const burnish_tile *tile, int number,
                         const uint32_t *codes) {
     const int is_packed = output->target.pixels.format == BURNISH_PIXELS_RGB8;
-    for (int y = 0, top = number * BURNISH_BLOCK_SIZE; y < rows_of(tile, number); ++y) {
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
+    for (int y = rows.first, top = number * BURNISH_BLOCK_SIZE; y < rows.end; ++y) {
         (is_packed ? pack_codes : store_codes)(output, codes + y * BURNISH_BLOCK_SIZE, tile->width,
                                                row_at(output, tile, top + y));
     }
@@ -321,9 +318,10 @@ static void store_coded(const burnish_output *output, const burnish_tile *tile, 
 
 static void store_pixels(const burnish_output *output, const burnish_tile *tile,
                          const burnish_tile_sums *sums, int number, const burnish_row_light *row) {
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
     uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
     if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
-        for (int y = 0, top = number * BURNISH_BLOCK_SIZE; y < rows_of(tile, number); ++y) {
+        for (int y = rows.first, top = number * BURNISH_BLOCK_SIZE; y < rows.end; ++y) {
             store_light(output, sums, number, row, y, tile->width, row_at(output, tile, top + y));
         }
         return;
@@ -403,11 +401,12 @@ static void store_on_ground(const burnish_output *output, const burnish_tile *ti
                             const burnish_tile_sums *sums, int number, const float *shadow,
                             burnish_row_light *row) {
     const float *const rgb[3] = {row->rgb[0], row->rgb[1], row->rgb[2]};
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
     float alpha[BURNISH_BLOCK_ROW_PIXELS];
     uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
     darken_background(output, sums, number, shadow, row, alpha);
     if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
-        for (int y = 0, top = number * BURNISH_BLOCK_SIZE; y < rows_of(tile, number); ++y) {
+        for (int y = rows.first, top = number * BURNISH_BLOCK_SIZE; y < rows.end; ++y) {
             store_resolved(row, alpha, y, tile->width, row_at(output, tile, top + y));
         }
         return;
@@ -440,7 +439,8 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
 
 void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
                                      int number) {
-    const int first = number * BURNISH_BLOCK_SIZE, end = first + BURNISH_BLOCK_SIZE;
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
+    const int top = number * BURNISH_BLOCK_SIZE;
     float shadow[BURNISH_BLOCK_ROW_PIXELS];
     if (output->ground && output->target.pixels.pixels &&
         find_shadow(output, tile, number, shadow)) {
@@ -448,8 +448,8 @@ void burnish_output_store_background(const burnish_output *output, const burnish
         store_on_ground(output, tile, NULL, number, shadow, &row);
         return;
     }
-    for (int y = first; output->target.pixels.pixels && y < end && y < tile->height; ++y) {
-        memcpy(row_at(output, tile, y), output->background,
+    for (int y = rows.first; output->target.pixels.pixels && y < rows.end; ++y) {
+        memcpy(row_at(output, tile, top + y), output->background,
                (size_t)tile->width * output->pixel_size);
     }
 }
@@ -472,6 +472,7 @@ burnish_status burnish_output_begin(burnish_output *output, const burnish_target
     const size_t width = (size_t)options->width;
     uint8_t pixel[16];
     output->target = *target;
+    output->rows = burnish_drawn_rows(options);
     output->has_planes = burnish_planes_are_wanted(target);
     output->samples = options->samples;
     output->transparent = options->transparent;
