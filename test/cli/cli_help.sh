@@ -109,6 +109,8 @@ run render :sphere --size=16 --plane=depth:d.npy --json -o p.png
 json_keys >>keys.txt
 run render :sphere --size=17 --reference=p.png --json -o q.png # of another size: no numbers
 json_keys >>keys.txt
+run render :sphere --size=16 --rows=4:8 --json -o q.png
+json_keys >>keys.txt
 run render :sphere --size=16 --frames=2 --turntable=t.gif --json
 json_keys >>keys.txt
 sort -u keys.txt >written.txt

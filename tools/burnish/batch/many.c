@@ -23,6 +23,7 @@ static burnish_status check(const render_settings *settings, burnish_error *erro
                         : settings->turntable      ? "turntable"
                         : settings->reference      ? "reference"
                         : settings->timing         ? "timing"
+                        : settings->rows.count > 0 ? "rows"
                                                    : NULL;
     return alone ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "--%s: is of one picture; draw one INPUT, without --output-dir", alone)

@@ -8,6 +8,7 @@
 static void warn_about_cell(render_result *result, const render_cell *cell) {
     const char *input = result->settings->input;
     const char *picture = result->cell_count > 1 ? cell->label : "the picture";
+    const int is_told = !result->settings->fail_on_blank && result->settings->rows.count == 0;
     if (cell->report.lobe_fallbacks > 0) {
         char lobe[32];
         burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
@@ -26,12 +27,12 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
     }
     if (cell->report.covered_pixels == 0) {
         ++result->blank_cells;
-        render_result_warn(result, !result->settings->fail_on_blank,
+        render_result_warn(result, is_told,
                            "%.300s: %s is blank: nothing of the object is in it; check the camera",
                            input, picture);
     } else if (cell->has_one_color) {
         ++result->blank_cells;
-        render_result_warn(result, !result->settings->fail_on_blank,
+        render_result_warn(result, is_told,
                            "%.300s: %s has one colour: the object can't be seen in it; check "
                            "colours, lights and background",
                            input, picture);

@@ -123,6 +123,19 @@ static const cli_flag flags[] = {
      .manual = "The same as *--resolution=*_N_*,*_N_.",
      .handler = cli_flag_square,
      TARGET(size)},
+    {.name = "rows",
+     .value = "FIRST:COUNT",
+     .help = "of the picture, alone",
+     .default_label = "all",
+     .manual =
+         "Draws _COUNT_ rows of the picture from row _FIRST_ on, counted from 0, and no others: "
+         "the "
+         "file holds these rows, with the bits that they have in the whole picture, whatever the "
+         "other flags are. So many machines can draw one picture (docs/scale.md). Multiples of 64 "
+         "take least time. Without sheets, turntables, *--annotate* and SVG; what warns of a blank "
+         "picture is silent; depths in PNG have the range of these rows.",
+     .handler = render_flag_rows,
+     TARGET(rows)},
     {.name = "cull-back-faces",
      .aliases = "backface-culling",
      .help = "leave out triangles seen from their back",

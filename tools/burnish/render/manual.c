@@ -75,6 +75,8 @@ static const cli_term json_terms[] = {
     {"*burnish*", "the version"},
     {"*input, format, output*", "*output* is null when nothing is written"},
     {"*width, height*", "of the picture, in pixels"},
+    {"*rows*", "with *--rows*: the first row and how many; *height* is their number, too, and "
+               "*pixel_bounds* counts from the whole picture's first row"},
     {"*triangles, vertices, materials, textures, exponents*", "of the mesh after loading"},
     {"*points, lines*", "of an input without faces: each is drawn as a small solid"},
     {"*bounding_box, unit*", "*min* and *max* of the object; millimeter or the like where the "

@@ -96,13 +96,14 @@ burnish_status render_draw_planes(burnish_renderer *renderer, const burnish_mesh
                                   const burnish_render_options *options, unsigned kinds,
                                   render_plane_data *data, burnish_error *error) {
     const size_t row = (size_t)options->width * sizeof(float);
-    *data = (render_plane_data){.width = options->width, .height = options->height};
+    const int height = options->row_count > 0 ? options->row_count : options->height;
+    *data = (render_plane_data){.width = options->width, .height = height};
     if (!allocate_planes(data, kinds)) {
         return fail_memory(error);
     }
     burnish_target target = burnish_target_default();
-    target.pixels = (burnish_pixels){options->width, options->height, BURNISH_PIXELS_RGBA_FLOAT,
-                                     4 * row, (uint8_t *)data->color};
+    target.pixels = (burnish_pixels){options->width, height, BURNISH_PIXELS_RGBA_FLOAT, 4 * row,
+                                     (uint8_t *)data->color};
     target.depth = data->depth;
     target.depth_stride = row;
     target.normals = data->normals;

@@ -126,7 +126,8 @@ static void describe_cells(render_result *result) {
         cell->view = settings->views.count > 0 ? settings->views.items[view] : VIEW_FREE;
         cell->lobe = settings->lobes.items[i % settings->lobes.count];
         cell->image.width = result->options->width;
-        cell->image.height = result->options->height;
+        cell->image.height =
+            settings->rows.count > 0 ? settings->rows.count : result->options->height;
         cell->image.channels = result->options->transparent ? 4 : 3;
         label_cell(settings, i, cell);
     }

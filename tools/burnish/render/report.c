@@ -104,7 +104,8 @@ static void add_picture(cJSON *object, const render_result *result, const render
     cli_json_add(object, "camera", render_camera_object(&cell->camera, origin, failed), failed);
     const double height = cell->camera.orthographic_height;
     cli_json_add(object, "pixels_per_unit",
-                 cli_json_real(height > 0 ? cell->image.height / height : (double)NAN), failed);
+                 cli_json_real(height > 0 ? result->options->height / height : (double)NAN),
+                 failed);
     cli_json_add(object, "lobe", cJSON_CreateString(lobe), failed);
 }
 
@@ -161,6 +162,10 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
                  failed);
     cli_json_add(root, "width", cJSON_CreateNumber(result->picture->width), failed);
     cli_json_add(root, "height", cJSON_CreateNumber(result->picture->height), failed);
+    if (result->settings->rows.count > 0) {
+        const int rows[2] = {result->settings->rows.first, result->settings->rows.count};
+        cli_json_add(root, "rows", cli_json_integers(2, rows), failed);
+    }
     cli_json_add(root, "triangles", cli_json_count(view->triangle_count), failed);
     cli_json_add(root, "vertices", cli_json_count(view->vertex_count), failed);
     cli_json_add(root, "points", cli_json_count(burnish_mesh_get_info(result->mesh)->point_count),

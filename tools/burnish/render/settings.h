@@ -62,6 +62,11 @@ typedef struct render_clip {
     int count;
 } render_clip;
 
+/* Rows of the picture that are drawn; count 0: all. */
+typedef struct render_rows {
+    int first, count;
+} render_rows;
+
 typedef struct render_ambient {
     int given;
     float linear[3];
@@ -107,6 +112,7 @@ typedef struct render_settings {
     int frame_runner;  /* 1: this is such a one */
 
     int size[2];
+    render_rows rows;
     int samples;
     int threads;
     const char *isa_name; /* as the flag says */
@@ -216,6 +222,7 @@ extern const cli_section render_sections[]; /* of the man page, beside the flags
 /* Handlers for the flags that only this command has; target types as in render_settings. */
 cli_handler render_flag_background;    /* render_background */
 cli_handler render_flag_no_background; /* render_background */
+cli_handler render_flag_rows;          /* render_rows */
 cli_handler render_flag_views;         /* render_views */
 cli_handler render_flag_lobes;         /* render_lobes */
 cli_handler render_flag_light;         /* render_lights */

@@ -109,6 +109,11 @@ static burnish_status choose_svg(render_settings *settings, burnish_error *error
                         "--look=drawing, or end the name in .png",
                         settings->output);
     }
+    if (settings->rows.count > 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--rows: an SVG holds the lines of all rows; leave it out, or end the name "
+                        "in .png");
+    }
     if (settings->views.count > 1 || settings->lobes.count > 1) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--output: \"%.200s\": an SVG holds one picture; ask for one view, or end "
@@ -299,6 +304,23 @@ burnish_status render_check(render_settings *settings, burnish_error *error) {
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
 }
 
+/* Rows are those of one picture that nothing is drawn over. */
+static burnish_status check_rows(const render_settings *settings, burnish_error *error) {
+    const char *extra = settings->turntable         ? "turntable"
+                        : settings->annotations     ? "annotate"
+                        : settings->views.count > 1 ? "views"
+                        : settings->lobes.count > 1 ? "lobe"
+                                                    : NULL;
+    if (settings->rows.first > settings->size[1] - settings->rows.count) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--rows: the picture has no row %d; its %d are counted from 0",
+                        settings->rows.first + settings->rows.count - 1, settings->size[1]);
+    }
+    return extra ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: not with --rows, which are of one picture; leave one out", extra)
+                 : BURNISH_STATUS_OK;
+}
+
 static burnish_status check_runners(const render_settings *settings, burnish_error *error) {
     const char *flag = settings->frame_runner        ? "runner"
                        : settings->frame_runners > 0 ? "runners"
@@ -314,6 +336,9 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
     burnish_status status = render_check(settings, error);
     if (status == BURNISH_STATUS_OK) {
         status = check_runners(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK && settings->rows.count > 0) {
+        status = check_rows(settings, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_labels(settings, error);
@@ -404,6 +429,8 @@ burnish_render_options render_make_options(const render_settings *settings) {
     burnish_render_options_set_look(&options, (burnish_look)settings->look, NULL);
     options.width = settings->size[0];
     options.height = settings->size[1];
+    options.first_row = settings->rows.first;
+    options.row_count = settings->rows.count;
     options.samples = settings->samples;
     options.max_overdraw = settings->max_overdraw.value;
     options.threads = settings->threads;

@@ -54,6 +54,31 @@ static burnish_status fail_list(const cli_flag *flag, burnish_error *error) {
                     flag->name, RENDER_LIST_MAX);
 }
 
+burnish_status render_flag_rows(const cli_flag *flag, const char *text, void *target,
+                                burnish_error *error) {
+    render_rows *rows = target;
+    const char *first, *rest = text;
+    const size_t length = cli_next_item(&rest, ':', &first);
+    cli_flag from = *flag, count = *flag;
+    render_rows read;
+    char number[16];
+    burnish_error ignored;
+    from.low = 0;
+    from.high = BURNISH_IMAGE_MAX_SIZE - 1;
+    count.low = 1;
+    count.high = BURNISH_IMAGE_MAX_SIZE;
+    snprintf(number, sizeof number, "%.*s", (int)(length < 15 ? length : 15), first);
+    if (!rest || cli_flag_integer(&from, number, &read.first, &ignored) != BURNISH_STATUS_OK ||
+        cli_flag_integer(&count, rest, &read.count, &ignored) != BURNISH_STATUS_OK) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not a first row, counted from 0, and a number of rows, "
+                        "such as 0:64",
+                        flag->name, text);
+    }
+    *rows = read;
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status render_flag_views(const cli_flag *flag, const char *text, void *target,
                                  burnish_error *error) {
     render_views *views = target;
