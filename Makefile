@@ -218,7 +218,7 @@ cross: short-docs ## the golden hashes on musl, aarch64, armhf, i386, riscv64, s
 	@$(DEPS) build $(if $(SHORT),systems-short,systems)
 	@./scripts/cross --page $(DOCS)/portability.md $(if $(SHORT),--short musl s390x,$(TARGETS))
 
-WASM = cmake -S wasm -B build/wasm -G Ninja $(if $(SHORT),-DCMAKE_BUILD_TYPE=Short,-DCMAKE_BUILD_TYPE=Release) >/dev/null && \
+WASM = ./scripts/debian-sources build/sources zlib expat && cmake -S wasm -B build/wasm -G Ninja $(if $(SHORT),-DCMAKE_BUILD_TYPE=Short,-DCMAKE_BUILD_TYPE=Release) >/dev/null && \
 	cmake --build build/wasm -j $(JOBS) && ./npm/pack build/wasm build
 
 npm: ## build the npm package, WebAssembly inside, into build/npm and build/burnish-VERSION.tgz; its pixels are the program's

@@ -203,7 +203,7 @@ export interface Burnish {
   readonly threads: number;
   /** Words of one lobe of each sort. */
   readonly lobes: string[];
-  /** Unpacks no gzip, decodes no texture. */
+  /** Decodes no texture. */
   open(input: Input, options?: LoadOptions): Mesh;
   /** The same with both. */
   read(input: Input, options?: ReadOptions): Promise<Mesh>;

@@ -76,17 +76,6 @@ async function fetchBytes(url) {
   return response.arrayBuffer();
 }
 
-const isGzip = (bytes) => bytes.length > 2 && bytes[0] === 0x1f && bytes[1] === 0x8b;
-
-async function unpack(bytes, name) {
-  try {
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-    return new Uint8Array(await new Response(stream).arrayBuffer());
-  } catch {
-    throw new BurnishError(`${name}: the gzip file is damaged or truncated; fetch it again`, "FORMAT");
-  }
-}
-
 // What a browser decodes: codes of 8 bits as they are, whatever profile the file states. They come back by way of WebGL,
 // since a 2D canvas multiplies alpha in and out.
 async function decodeByBrowser(bytes) {
@@ -254,21 +243,19 @@ class Burnish {
     return decoded;
   }
 
-  /** open(), with gzip unpacked and textures decoded. */
+  /** open(), with textures decoded. */
   async read(input, { decode = usualDecoder, ...options } = {}) {
     const before = this.#reading;
     let end;
     this.#reading = new Promise((resolve) => (end = resolve));
     await before; // pictures that are wanted belong to one mesh at a time
     try {
-      const isPacked = typeof input !== "string" && isGzip(asBytes(input));
-      const plain = isPacked ? await unpack(asBytes(input), options.name ?? "memory") : input;
-      const mesh = this.open(plain, options);
+      const mesh = this.open(input, options);
       if (!decode || (await this.#decodePictures(decode)) === 0) {
         return mesh;
       }
       mesh.close();
-      return this.open(plain, options);
+      return this.open(input, options);
     } finally {
       this.#exports.picture_forget();
       end();
@@ -448,7 +435,7 @@ export async function load({ simd = hasSimd(), threads = 1, module } = {}) {
 
 let shared;
 
-/** One picture by an instance that all calls share; gzip is unpacked, textures are decoded. */
+/** One picture by an instance that all calls share; textures are decoded. */
 export async function render(input, options = {}) {
   shared ??= load();
   const mesh = await (await shared).read(input, options);

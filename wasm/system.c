@@ -3,6 +3,7 @@
  * preview 1, with its names of results. */
 #include <errno.h>
 #include <stdint.h>
+#include <string.h>
 #include <wasi/api.h>
 
 #include "burnish/core.h"
@@ -47,6 +48,13 @@ _Noreturn void __imported_wasi_snapshot_preview1_proc_exit(int32_t code);
 void __imported_wasi_snapshot_preview1_proc_exit(int32_t code) {
     (void)code;
     __builtin_trap();
+}
+
+/* expat's salt against files whose names collide. There is nothing random where nothing is
+   imported; such a file slows down its own instance. */
+void arc4random_buf(void *bytes, size_t size);
+void arc4random_buf(void *bytes, size_t size) {
+    memset(bytes, 0x5a, size);
 }
 
 /* ---- What burnish has of its own for systems ---- */

@@ -1,35 +1,7 @@
 /* What needs a library that the modules do not have. */
 #include <cjson/cJSON.h>
-#include <stddef.h>
 
-#include "core/error.h"
-#include "image/gunzip.h"
-
-burnish_inflate *burnish_inflate_create(burnish_memory *memory, int is_raw) {
-    (void)is_raw;
-    memory->status = burnish_fail(memory->error, BURNISH_STATUS_ARGUMENT,
-                                  "gzip: this build unpacks none; unpack the file first");
-    return NULL;
-}
-
-void burnish_inflate_destroy(const burnish_context *context, burnish_inflate *inflate) {
-    (void)context, (void)inflate;
-}
-
-burnish_inflate_result burnish_inflate_step(burnish_inflate *inflate, const uint8_t **from,
-                                            size_t *left, uint8_t *to, size_t room,
-                                            size_t *written) {
-    (void)inflate, (void)from, (void)left, (void)to, (void)room;
-    *written = 0;
-    return BURNISH_INFLATE_DAMAGED;
-}
-
-uint32_t burnish_inflate_crc32(uint32_t crc, const uint8_t *bytes, size_t size) {
-    (void)crc, (void)bytes, (void)size;
-    return 0;
-}
-
-/* ---- JSON: there is none, and what prints it says so ---- */
+/* JSON: there is none, and what prints it says so. */
 
 #define NO_ITEM(name, ...)                                                                         \
     cJSON *name(__VA_ARGS__) {                                                                     \
