@@ -59,10 +59,10 @@ module icebreaker (
     // Registers in the pins; the transmitter reads at the rising edge, so its clock is the complement.
     wire [14:0] pins;
     assign {dvi_r, dvi_g, dvi_b, dvi_hsync, dvi_vsync, dvi_de} = pins;
+    wire [14:0] leaving = {color, control};
     genvar k;
     generate
         for (k = 0; k < 15; k = k + 1) begin : pin
-            wire [14:0] leaving = {color, control};
             SB_IO #(.PIN_TYPE(6'b010101)) register (
                 .PACKAGE_PIN(pins[k]), .OUTPUT_CLK(clk), .D_OUT_0(leaving[k]), .D_OUT_1(1'b0));
         end

@@ -3,8 +3,9 @@
  * Usage: tables FOLDER
  *
  * Into FOLDER: sqrt.mem, srgb.mem, light.mem, names.mem and exponents.mem for memories that the
- * bitstream fills; teapot.mem, the teapot's normals as burnish draws them, and teapot.bin, the same
- * for a flash memory, most significant byte first. The same bytes everywhere: no libm.
+ * bitstream fills; teapot.mem, the teapot's normals as burnish draws them; teapot.bin, the same for
+ * a flash memory, most significant byte first; spans.mem and normals.mem, the same without what is
+ * left and right of the teapot. The same bytes everywhere: no libm.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -19,6 +20,7 @@
 #include "burnish/shade_q15.h"
 
 enum { MAP_WIDTH = 256, MAP_HEIGHT = 128, NAME_WIDTH = 128, NUMBER_WIDTH = 64, LABEL_HEIGHT = 16 };
+enum { SPAN_WORDS = 18432 }; /* of demo_span_map */
 
 static void fail(const char *what, const char *why) {
     fprintf(stderr, "tables: %s: %s\n", what, why);
@@ -226,8 +228,39 @@ static void draw_normals(float *normals, double axes[3][3]) {
     burnish_mesh_destroy(mesh);
 }
 
+/* Per row the words from the first to the last that is not 0, and where they lie; see demo_span_map. */
+static void write_spans(const char *folder, const uint32_t *map) {
+    FILE *spans = create(folder, "spans.mem"), *words = create(folder, "normals.mem");
+    int place = 0;
+    for (int y = 0; y < MAP_HEIGHT; ++y) {
+        const uint32_t *row = map + y * MAP_WIDTH;
+        int first = 0, end = MAP_WIDTH;
+        while (first < end && !row[end - 1]) {
+            --end;
+        }
+        while (first < end && !row[first]) {
+            ++first;
+        }
+        fprintf(spans, "%08x\n",
+                (uint32_t)(end - first) << 23 | (uint32_t)first << 15 |
+                    ((uint32_t)(place - first) & 0x7FFF));
+        for (int x = first; x < end; ++x, ++place) {
+            fprintf(words, "%08x\n", row[x]);
+        }
+    }
+    if (place > SPAN_WORDS) {
+        fail("normals.mem", "the teapot needs more words than demo_span_map has");
+    }
+    for (; place < SPAN_WORDS; ++place) {
+        fprintf(words, "%08x\n", 0);
+    }
+    finish(spans, "spans.mem");
+    finish(words, "normals.mem");
+}
+
 static void write_map(const char *folder) {
     static float normals[MAP_WIDTH * MAP_HEIGHT * 3];
+    static uint32_t map[MAP_WIDTH * MAP_HEIGHT];
     double axes[3][3];
     draw_normals(normals, axes);
     FILE *file = create(folder, "teapot.mem"), *flash = create(folder, "teapot.bin");
@@ -242,6 +275,7 @@ static void write_map(const char *folder) {
             normalize(seen);
             word = packed(seen);
         }
+        map[i] = word;
         fprintf(file, "%08x\n", word);
         for (int shift = 24; shift >= 0; shift -= 8) {
             fputc((int)(word >> shift & 255u), flash);
@@ -249,6 +283,7 @@ static void write_map(const char *folder) {
     }
     finish(file, "teapot.mem");
     finish(flash, "teapot.bin");
+    write_spans(folder, map);
 }
 
 int main(int argc, char **argv) {
