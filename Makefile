@@ -278,11 +278,11 @@ DEMO = BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a ./rtl/demo/run $(BUILD)/d
 .PHONY: demo-icebreaker demo-ulx3s demo-film demo-window
 demo-icebreaker: build ## build build/release/demo/icebreaker.bin: a sphere and a teapot on an iCEBreaker's screen (minutes)
 	@$(DEPS) rtl boards
-	@$(if $(SHORT),PICTURES=2 $(DEMO) tables compare_icebreaker,$(DEMO) tables compare_icebreaker icebreaker netlist)
+	@$(if $(SHORT),PICTURES=2 $(DEMO) tables compare_icebreaker,$(DEMO) tables compare_icebreaker icebreaker icebreaker_netlist)
 
 demo-ulx3s: build ## build build/release/demo/ulx3s.bit, the same on a ULX3S of ULX3S_CELLS=12 (or 25, 45, 85; thousands)
 	@$(DEPS) rtl boards
-	@$(DEMO) tables tmds $(if $(SHORT),,compare_ulx3s ulx3s)
+	@$(DEMO) tables tmds $(if $(SHORT),,compare_ulx3s ulx3s_circuit ulx3s_netlist ulx3s)
 
 demo-film: short-docs build ## draw the board's film for docs/hardware.md by Verilator
 	@$(DEPS) rtl boards

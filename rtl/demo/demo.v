@@ -3,7 +3,7 @@
 // One pixel a clock without a frame buffer: what is at a pixel follows from its column and row, its normal from a table
 // or a map, its light from one dot product, N.H; see demo_reflect for N.L.
 //
-// Clock      25.2 MHz within half a per cent: 640 x 480 at 60 Hz
+// Clock      25.175 MHz for 640 x 480 at 60 Hz; monitors take 25 to 25.2
 // Latency    37 clocks from column to colour
 // Parameters TABLES  prefix of the tables' files
 // Ports      buttons      {hold the light, next exponent, next lobe on the right, on the left}: 1 while pressed,
