@@ -18,8 +18,8 @@ expect 2 'burnish: --no-background: Y4M has no alpha; write PNG or WebP' render 
 expect 2 'burnish: --dpi: only PNG and JPEG hold it; leave it out' render :sphere --turntable=t.png --dpi=100
 expect 2 'burnish: --quality: only JPEG and WebP lose any; leave it out' render :sphere --turntable=t.gif --quality=50
 expect 2 'burnish: --output: "t.gif": pictures are written as PNG, JPEG, WebP, EXR or NPY; end the name in .png, .jpg, .webp, .exr or .npy' render :sphere -o t.gif
-expect 2 'burnish: --runners: others draw frames of a --turntable, without --sandbox' render :sphere -o s.png --runners=1
-expect 2 'burnish: --runner: others draw frames of a --turntable, without --sandbox' render :sphere --turntable=t.gif --runner --sandbox
+expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
+expect 2 'burnish: --runner: others draw without --sandbox; leave one out' render :sphere --turntable=t.gif --runner --sandbox
 expect 2 'burnish: --runner: descriptor 3 is no socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runner
 expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runners=2
 nothing_left "wrong usage"

@@ -24,6 +24,8 @@ static burnish_status check(const render_settings *settings, burnish_error *erro
                         : settings->reference      ? "reference"
                         : settings->timing         ? "timing"
                         : settings->rows.count > 0 ? "rows"
+                        : settings->runners > 0    ? "runners"
+                        : settings->runner         ? "runner"
                                                    : NULL;
     return alone ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "--%s: is of one picture; draw one INPUT, without --output-dir", alone)

@@ -5,7 +5,7 @@
 #include "render/camera.h"
 #include "render/report.h"
 
-static void warn_about_cell(render_result *result, const render_cell *cell) {
+void render_warn_about_cell(render_result *result, const render_cell *cell) {
     const char *input = result->settings->input;
     const char *picture = result->cell_count > 1 ? cell->label : "the picture";
     const int is_told = !result->settings->fail_on_blank && result->settings->rows.count == 0;
@@ -39,12 +39,17 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
     }
 }
 
-burnish_status render_draw_pixels(render_result *result, burnish_renderer *renderer,
-                                  burnish_render_options *options, render_cell *cell, float **depth,
-                                  burnish_error *error) {
+void render_aim_options(const render_result *result, burnish_render_options *options,
+                        const render_cell *cell) {
     options->lobe = cell->lobe;
     options->camera = cell->camera;
     render_upward(result->mesh, result->settings, options->up);
+}
+
+burnish_status render_draw_pixels(render_result *result, burnish_renderer *renderer,
+                                  burnish_render_options *options, render_cell *cell, float **depth,
+                                  burnish_error *error) {
+    render_aim_options(result, options, cell);
     burnish_status status = render_draw(result, renderer, options, cell, depth, error);
     result->seconds.transform += cell->report.seconds_transform;
     result->seconds.draw += cell->report.seconds_draw;
@@ -66,7 +71,7 @@ burnish_status render_draw_cell(render_result *result, burnish_renderer *rendere
     if (result->settings->json || result->settings->tell || result->settings->fail_on_blank) {
         cell->has_one_color = render_has_one_color(&cell->image);
     }
-    warn_about_cell(result, cell);
+    render_warn_about_cell(result, cell);
     status = render_annotate(result, options, cell, depth, error);
     free(depth);
     if ((result->settings->json || result->settings->tell) && status == BURNISH_STATUS_OK) {

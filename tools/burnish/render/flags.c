@@ -312,16 +312,19 @@ static const cli_flag flags[] = {
      .low = 0,
      .high = 65536,
      .manual =
-         "Frames of a turntable are drawn by others too, to whom the sockets from descriptor 3 "
-         "on lead: *burnish render --runner* with the same flags. *burnish-mpi* starts both "
-         "(docs/scale.md). The file has the same bytes.",
+         "Frames of a turntable, or bands of one picture, are drawn by others too, to whom the "
+         "sockets from descriptor 3 on lead: *burnish render --runner* with the same flags. "
+         "*burnish-mpi* starts both (docs/scale.md). The file has the same bytes. A picture is "
+         "written as PNG, and as it is never whole in memory there are no sheets, *--rows*, "
+         "*--annotate*, *--plane*, *--reference*, *--json* and *--fail-on-blank*.",
      .handler = cli_flag_integer,
-     TARGET(frame_runners)},
+     TARGET(runners)},
     {.name = "runner",
      .help = "be one of those",
-     .manual = "Draws the frames that the socket at descriptor 3 asks for, and writes no file.",
+     .manual =
+         "Draws the frames or bands that the socket at descriptor 3 asks for, and writes no file.",
      .handler = cli_flag_switch,
-     TARGET(frame_runner)},
+     TARGET(runner)},
     {.name = "overwrite",
      .help = "replace a file with INPUT's name and .png, whoever wrote it",
      .manual = "Replaces a file that has the name made from _INPUT_'s, whoever wrote it. Without "

@@ -11,6 +11,7 @@
 #include "cli/limits.h"
 #include "cli/run.h"
 #include "font/utf8.h"
+#include "render/bands.h"
 #include "render/camera.h"
 #include "render/many.h"
 #include "render/origin.h"
@@ -376,10 +377,24 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
     return status;
 }
 
+/* A picture that others draw, too. */
+static burnish_status make_bands(render_result *result, burnish_renderer *renderer,
+                                 burnish_render_options *options, burnish_error *error) {
+    const render_bands bands = {result, renderer, options, report};
+    const burnish_status status = aim_cells(result, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    return (result->settings->runner ? render_serve_bands : render_write_bands)(&bands, error);
+}
+
 /* Draws, composes and writes; leaves in result what there is to report. */
 static burnish_status make_picture(render_result *result, burnish_renderer *renderer,
                                    burnish_render_options *options, burnish_image *sheet,
                                    burnish_error *error) {
+    if (render_is_shared(result->settings) && !result->settings->turntable) {
+        return make_bands(result, renderer, options, error);
+    }
     burnish_status status = draw_cells(result, renderer, options, error);
     result->picture = &result->cells[0].image;
     result->hash = result->cells[0].hash;
@@ -398,9 +413,9 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
         return report(result, error);
     }
     const render_turntable turntable = {result, renderer, options, draw_frame, report};
-    return result->settings->frame_runner ? render_serve_turntable(&turntable, error)
-           : result->settings->turntable  ? render_write_turntable(&turntable, error)
-                                          : write_picture(result, error);
+    return result->settings->runner      ? render_serve_turntable(&turntable, error)
+           : result->settings->turntable ? render_write_turntable(&turntable, error)
+                                         : write_picture(result, error);
 }
 
 /* Loads the mesh, prints its warnings and settles which way is up. */

@@ -61,6 +61,13 @@ burnish_status render_draw_pixels(render_result *result, burnish_renderer *rende
                                   burnish_render_options *options, render_cell *cell, float **depth,
                                   burnish_error *error);
 
+/* Gives options the cell's camera and lobe. */
+void render_aim_options(const render_result *result, burnish_render_options *options,
+                        const render_cell *cell);
+
+/* What a drawn cell's report gives cause to warn of. */
+void render_warn_about_cell(render_result *result, const render_cell *cell);
+
 /* 1: nothing of the object is in the picture, or it can't be told from the background. */
 int render_is_blank(const render_cell *cell);
 

@@ -108,8 +108,8 @@ typedef struct render_settings {
     render_planes planes;
     const char *turntable; /* NULL: a picture */
     int frames, fps;
-    int frame_runners; /* sockets from descriptor 3 on, to others that draw frames */
-    int frame_runner;  /* 1: this is such a one */
+    int runners; /* sockets from descriptor 3 on, to others that draw frames or bands */
+    int runner;  /* 1: this is such a one */
 
     int size[2];
     render_rows rows;
@@ -187,7 +187,10 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
 /* Checks flags that exclude each other, and chooses the instruction set. */
 burnish_status render_check(render_settings *settings, burnish_error *error);
 
-/* The same, and the output's name and what depends on it. */
+/* Whether others draw, or this one draws for another. */
+int render_is_shared(const render_settings *settings);
+
+/* Checks flags as render_check, and finds the output's name and what depends on it. */
 burnish_status render_finish(render_settings *settings, burnish_error *error);
 
 /* The library's options for loading as the flags say, and loading by them. */

@@ -321,20 +321,36 @@ static burnish_status check_rows(const render_settings *settings, burnish_error 
                  : BURNISH_STATUS_OK;
 }
 
+/* Others draw frames of a turntable, or bands of a picture, of which nothing but its file is made:
+ * nobody holds all of it. */
 static burnish_status check_runners(const render_settings *settings, burnish_error *error) {
-    const char *flag = settings->frame_runner        ? "runner"
-                       : settings->frame_runners > 0 ? "runners"
+    const char *flag = settings->runner ? "runner" : "runners";
+    const char *extra = settings->turntable          ? NULL
+                        : settings->rows.count > 0   ? "rows"
+                        : settings->planes.count > 0 ? "plane"
+                        : settings->annotations      ? "annotate"
+                        : settings->reference        ? "reference"
+                        : settings->views.count > 1  ? "views"
+                        : settings->lobes.count > 1  ? "lobe"
+                        : settings->json             ? "json"
+                        : settings->fail_on_blank    ? "fail-on-blank"
                                                      : NULL;
-    if (flag && (!settings->turntable || settings->sandbox)) {
+    if (settings->sandbox) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: others draw frames of a --turntable, without --sandbox", flag);
+                        "--%s: others draw without --sandbox; leave one out", flag);
     }
-    return BURNISH_STATUS_OK;
+    return extra ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: not of a picture that others draw parts of; leave it out", extra)
+                 : BURNISH_STATUS_OK;
+}
+
+int render_is_shared(const render_settings *settings) {
+    return settings->runner || settings->runners > 0;
 }
 
 burnish_status render_finish(render_settings *settings, burnish_error *error) {
     burnish_status status = render_check(settings, error);
-    if (status == BURNISH_STATUS_OK) {
+    if (status == BURNISH_STATUS_OK && render_is_shared(settings)) {
         status = check_runners(settings, error);
     }
     if (status == BURNISH_STATUS_OK && settings->rows.count > 0) {
@@ -351,6 +367,12 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_output(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK && render_is_shared(settings) && !settings->turntable &&
+        settings->format != PICTURE_PNG) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--output: others draw parts of a PNG or of a --turntable; end the name "
+                          "in .png");
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_planes(settings, error);

@@ -12,7 +12,7 @@
 #include "cli/file.h"
 #include "picture/animation.h"
 #include "render/camera.h"
-#include "render/frames.h"
+#include "render/pieces.h"
 
 #define PI 3.14159265358979323846
 
@@ -217,7 +217,7 @@ enum { SAMPLED = 8 };
 typedef struct stream {
     const render_turntable *turntable;
     picture_animation *animation;
-    render_frames *frames; /* NULL: all are drawn here */
+    render_pieces *pieces; /* NULL: all are drawn here */
     burnish_camera first;  /* the first frame's camera */
     int frame;             /* that comes next; after the last one the end, then nothing */
     size_t taken;          /* bytes of animation->out that are written */
@@ -232,7 +232,7 @@ static double seconds_now(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Draws a frame into the cell; render_frame_drawer. */
+/* Draws a frame into the cell; render_piece_drawer. */
 static burnish_status draw_frame(void *context, int frame, burnish_error *error) {
     const stream *s = context;
     const render_turntable *t = s->turntable;
@@ -255,7 +255,7 @@ static burnish_status next_frame(stream *s, burnish_error *error) {
                 count);
     }
     if (s->frame < count) {
-        status = s->frames ? render_frames_take(s->frames, s->frame, error)
+        status = s->pieces ? render_pieces_take(s->pieces, s->frame, error)
                            : draw_frame(s, s->frame, error);
     }
     if (status == BURNISH_STATUS_OK) {
@@ -319,10 +319,10 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
     return status;
 }
 
-static render_frames_plan plan_frames(stream *s) {
+static render_pieces_plan plan_pieces(stream *s) {
     const render_result *result = s->turntable->result;
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
-    return (render_frames_plan){.runners = result->settings->frame_runners,
+    return (render_pieces_plan){.runners = result->settings->runners,
                                 .count = result->settings->frames,
                                 .triangles = view->triangle_count,
                                 .vertices = view->vertex_count,
@@ -333,8 +333,8 @@ static render_frames_plan plan_frames(stream *s) {
 
 burnish_status render_serve_turntable(const render_turntable *turntable, burnish_error *error) {
     stream s = {.turntable = turntable, .first = turntable->result->cells[0].camera};
-    const render_frames_plan plan = plan_frames(&s);
-    return render_frames_serve(&plan, error);
+    const render_pieces_plan plan = plan_pieces(&s);
+    return render_pieces_serve(&plan, error);
 }
 
 burnish_status render_write_turntable(const render_turntable *turntable, burnish_error *error) {
@@ -359,9 +359,9 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     if (status == BURNISH_STATUS_OK) {
         status = picture_animation_create(&options, &s.animation, error);
     }
-    if (status == BURNISH_STATUS_OK && settings->frame_runners > 0) {
-        const render_frames_plan plan = plan_frames(&s);
-        status = render_frames_create(&plan, &s.frames, error);
+    if (status == BURNISH_STATUS_OK && settings->runners > 0) {
+        const render_pieces_plan plan = plan_pieces(&s);
+        status = render_pieces_create(&plan, &s.pieces, error);
     }
     if (status == BURNISH_STATUS_OK) {
         s.taken = s.animation->out.size; /* the file's head comes with the first frame */
@@ -370,7 +370,7 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     if (s.progress) {
         fprintf(stderr, "\r\033[K");
     }
-    render_frames_destroy(s.frames);
+    render_pieces_destroy(s.pieces);
     picture_animation_destroy(s.animation);
     return status;
 }

@@ -1,24 +1,24 @@
-#include "render/frames.h"
+#include "render/pieces.h"
 
 #ifdef _WIN32
 
-burnish_status render_frames_create(const render_frames_plan *plan, render_frames **frames,
+burnish_status render_pieces_create(const render_pieces_plan *plan, render_pieces **pieces,
                                     burnish_error *error) {
     (void)plan;
-    *frames = NULL;
+    *pieces = NULL;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not on this system");
 }
 
-void render_frames_destroy(render_frames *frames) {
-    (void)frames;
+void render_pieces_destroy(render_pieces *pieces) {
+    (void)pieces;
 }
 
-burnish_status render_frames_take(render_frames *frames, int frame, burnish_error *error) {
-    (void)frames, (void)frame;
+burnish_status render_pieces_take(render_pieces *pieces, int piece, burnish_error *error) {
+    (void)pieces, (void)piece;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not on this system");
 }
 
-burnish_status render_frames_serve(const render_frames_plan *plan, burnish_error *error) {
+burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error *error) {
     (void)plan;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runner: not on this system");
 }
@@ -39,44 +39,46 @@ burnish_status render_frames_serve(const render_frames_plan *plan, burnish_error
 enum {
     CHANNEL = 3, /* the first socket */
     NOTHING = -1,
-    AHEAD = 2,             /* frames that a runner has at a time */
+    AHEAD = 2,             /* pieces that a runner has at a time */
     SLOW_SECONDS = 3,      /* until what another has is drawn here, too */
-    WINDOW_BYTES = 1 << 30 /* of frames that wait for their turn */
+    WINDOW_BYTES = 1 << 30 /* of pieces that wait for their turn */
 };
 
-/* What a runner is asked for; all but the frame is the same for all. */
+/* What a runner is asked for; all but the piece is the same for all. */
 typedef struct order {
     char version[24];
     uint64_t triangles, vertices;
-    int32_t width, height, channels, count, frame, unused;
+    int32_t width, height, channels, count, piece, unused;
 } order;
 
 typedef struct answer {
-    int32_t frame, unused;
+    int32_t piece, unused;
     uint64_t size;
+    uint64_t notes[RENDER_PIECE_NOTES];
 } answer;
 
 typedef struct runner {
     int channel; /* NOTHING: gone */
-    int frames[AHEAD];
+    int pieces[AHEAD];
     double start; /* of the oldest */
 } runner;
 
-enum { STATE_FREE, STATE_LENT, STATE_HERE };
+enum { STATE_FREE, STATE_LENT, STATE_HERE, STATE_TAKEN };
 
 typedef struct slot {
     int state;
     uint8_t *pixels; /* HERE: to be freed */
+    uint64_t notes[RENDER_PIECE_NOTES];
 } slot;
 
-struct render_frames {
-    render_frames_plan plan;
+struct render_pieces {
+    render_pieces_plan plan;
     order order;
-    size_t size; /* bytes of a frame */
+    size_t size; /* bytes of a piece */
     runner *runners;
-    slot *slots; /* of each frame */
+    slot *slots; /* of each piece */
     struct pollfd *ready;
-    int window; /* frames that may be in work or waiting */
+    int window; /* pieces that may be in work or waiting */
 };
 
 static double seconds_now(void) {
@@ -85,7 +87,7 @@ static double seconds_now(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static order make_order(const render_frames_plan *plan) {
+static order make_order(const render_pieces_plan *plan) {
     order o = {.triangles = plan->triangles,
                .vertices = plan->vertices,
                .width = plan->image->width,
@@ -96,7 +98,7 @@ static order make_order(const render_frames_plan *plan) {
     return o;
 }
 
-static size_t frame_size(const render_frames_plan *plan) {
+static size_t piece_size(const render_pieces_plan *plan) {
     return (size_t)plan->image->width * (size_t)plan->image->height * (size_t)plan->image->channels;
 }
 
@@ -110,14 +112,14 @@ static burnish_status check_socket(const char *flag, int channel, burnish_error 
 
 /* ---- Here ---- */
 
-burnish_status render_frames_create(const render_frames_plan *plan, render_frames **frames,
+burnish_status render_pieces_create(const render_pieces_plan *plan, render_pieces **pieces,
                                     burnish_error *error) {
-    render_frames *f = *frames = calloc(1, sizeof *f);
+    render_pieces *f = *pieces = calloc(1, sizeof *f);
     const size_t count = (size_t)plan->runners;
     if (f) {
         f->plan = *plan;
         f->order = make_order(plan);
-        f->size = frame_size(plan);
+        f->size = piece_size(plan);
         f->runners = calloc(count + 1, sizeof *f->runners);
         f->ready = calloc(count + 1, sizeof *f->ready);
         f->slots = calloc((size_t)plan->count, sizeof *f->slots);
@@ -131,8 +133,8 @@ burnish_status render_frames_create(const render_frames_plan *plan, render_frame
         status = check_socket("runners", CHANNEL + i, error);
     }
     if (status != BURNISH_STATUS_OK) {
-        render_frames_destroy(f);
-        *frames = NULL;
+        render_pieces_destroy(f);
+        *pieces = NULL;
         return status;
     }
     const size_t fit = f->size > 0 ? WINDOW_BYTES / f->size : 1, wanted = 2 * AHEAD * (count + 1);
@@ -140,39 +142,39 @@ burnish_status render_frames_create(const render_frames_plan *plan, render_frame
     return status;
 }
 
-void render_frames_destroy(render_frames *frames) {
-    if (frames) {
-        for (int i = 0; frames->slots && i < frames->plan.count; ++i) {
-            free(frames->slots[i].pixels);
+void render_pieces_destroy(render_pieces *pieces) {
+    if (pieces) {
+        for (int i = 0; pieces->slots && i < pieces->plan.count; ++i) {
+            free(pieces->slots[i].pixels);
         }
-        for (int i = 0; frames->runners && i < frames->plan.runners; ++i) {
-            if (frames->runners[i].channel != NOTHING) {
-                close(frames->runners[i].channel);
+        for (int i = 0; pieces->runners && i < pieces->plan.runners; ++i) {
+            if (pieces->runners[i].channel != NOTHING) {
+                close(pieces->runners[i].channel);
             }
         }
-        free(frames->slots);
-        free(frames->runners);
-        free(frames->ready);
-        free(frames);
+        free(pieces->slots);
+        free(pieces->runners);
+        free(pieces->ready);
+        free(pieces);
     }
 }
 
-static void lose(render_frames *f, runner *r) {
+static void lose(render_pieces *f, runner *r) {
     close(r->channel);
     r->channel = NOTHING;
     for (int i = 0; i < AHEAD; ++i) {
-        slot *s = r->frames[i] != NOTHING ? &f->slots[r->frames[i]] : NULL;
+        slot *s = r->pieces[i] != NOTHING ? &f->slots[r->pieces[i]] : NULL;
         if (s && s->state == STATE_LENT) {
             s->state = STATE_FREE;
         }
-        r->frames[i] = NOTHING;
+        r->pieces[i] = NOTHING;
     }
 }
 
-/* The first frame from `frame` on that nobody has; NOTHING within the window. */
-static int find_free(const render_frames *f, int frame) {
-    const int end = f->plan.count - frame < f->window ? f->plan.count : frame + f->window;
-    for (int i = frame; i < end; ++i) {
+/* The first piece from `piece` on that nobody has; NOTHING within the window. */
+static int find_free(const render_pieces *f, int piece) {
+    const int end = f->plan.count - piece < f->window ? f->plan.count : piece + f->window;
+    for (int i = piece; i < end; ++i) {
         if (f->slots[i].state == STATE_FREE) {
             return i;
         }
@@ -180,21 +182,21 @@ static int find_free(const render_frames *f, int frame) {
     return NOTHING;
 }
 
-/* All get a first frame before one gets a second. */
-static void hand_out(render_frames *f, int frame) {
+/* All get a first piece before one gets a second. */
+static void hand_out(render_pieces *f, int piece) {
     for (int depth = 0; depth < AHEAD; ++depth) {
         for (int i = 0; i < f->plan.runners; ++i) {
             runner *r = &f->runners[i];
-            const int next = r->channel != NOTHING && r->frames[depth] == NOTHING
-                                 ? find_free(f, frame)
+            const int next = r->channel != NOTHING && r->pieces[depth] == NOTHING
+                                 ? find_free(f, piece)
                                  : NOTHING;
             if (next == NOTHING) {
                 continue;
             }
             r->start = depth == 0 ? seconds_now() : r->start;
-            r->frames[depth] = next;
+            r->pieces[depth] = next;
             f->slots[next].state = STATE_LENT;
-            f->order.frame = next;
+            f->order.piece = next;
             if (!cli_write_all(r->channel, &f->order, sizeof f->order)) {
                 lose(f, r);
             }
@@ -202,19 +204,20 @@ static void hand_out(render_frames *f, int frame) {
     }
 }
 
-/* The runner's oldest frame. One that is too late is dropped. */
-static void take_answer(render_frames *f, runner *r) {
+/* The runner's oldest piece. One that is too late is dropped. */
+static void take_answer(render_pieces *f, runner *r) {
     answer a;
     uint8_t *pixels = NULL;
-    int is_whole = channel_read(r->channel, &a, sizeof a) && r->frames[0] != NOTHING &&
-                   a.frame == r->frames[0] && a.size == f->size;
+    int is_whole = channel_read(r->channel, &a, sizeof a) && r->pieces[0] != NOTHING &&
+                   a.piece == r->pieces[0] && a.size == f->size;
     if (is_whole) {
         pixels = malloc(f->size);
         is_whole = pixels && channel_read(r->channel, pixels, f->size);
     }
-    slot *s = is_whole ? &f->slots[a.frame] : NULL;
+    slot *s = is_whole ? &f->slots[a.piece] : NULL;
     if (s && s->state == STATE_LENT) {
-        *s = (slot){STATE_HERE, pixels};
+        *s = (slot){.state = STATE_HERE, .pixels = pixels};
+        memcpy(s->notes, a.notes, sizeof s->notes);
     } else {
         free(pixels);
     }
@@ -222,12 +225,12 @@ static void take_answer(render_frames *f, runner *r) {
         lose(f, r);
         return;
     }
-    memmove(r->frames, r->frames + 1, (AHEAD - 1) * sizeof *r->frames);
-    r->frames[AHEAD - 1] = NOTHING;
+    memmove(r->pieces, r->pieces + 1, (AHEAD - 1) * sizeof *r->pieces);
+    r->pieces[AHEAD - 1] = NOTHING;
     r->start = seconds_now();
 }
 
-static void collect(render_frames *f, int milliseconds) {
+static void collect(render_pieces *f, int milliseconds) {
     for (int i = 0; i < f->plan.runners; ++i) {
         f->ready[i] = (struct pollfd){f->runners[i].channel, POLLIN, 0};
     }
@@ -240,11 +243,11 @@ static void collect(render_frames *f, int milliseconds) {
     }
 }
 
-static int is_slow(const render_frames *f, int frame) {
+static int is_slow(const render_pieces *f, int piece) {
     for (int i = 0; i < f->plan.runners; ++i) {
         const runner *r = &f->runners[i];
         for (int k = 0; k < AHEAD; ++k) {
-            if (r->frames[k] == frame) {
+            if (r->pieces[k] == piece) {
                 return seconds_now() - r->start > SLOW_SECONDS;
             }
         }
@@ -265,32 +268,50 @@ static void copy_rows(const burnish_image *image, uint8_t *packed, const uint8_t
     }
 }
 
-/* Another frame than the one that is waited for; without memory it is drawn again later. */
-static burnish_status draw_ahead(render_frames *f, int frame, burnish_error *error) {
-    f->slots[frame].state = STATE_LENT;
-    const burnish_status status = f->plan.draw(f->plan.context, frame, error);
+static void copy_notes(const render_pieces_plan *plan, uint64_t *to, const uint64_t *given) {
+    for (int i = 0; i < RENDER_PIECE_NOTES && plan->notes; ++i) {
+        if (given) {
+            plan->notes[i] = given[i];
+        } else {
+            to[i] = plan->notes[i];
+        }
+    }
+}
+
+/* Another piece than the one that is waited for; without memory it is drawn again later. */
+static burnish_status draw_ahead(render_pieces *f, int piece, burnish_error *error) {
+    f->slots[piece].state = STATE_LENT;
+    const burnish_status status = f->plan.draw(f->plan.context, piece, error);
     uint8_t *pixels = status == BURNISH_STATUS_OK ? malloc(f->size) : NULL;
     if (pixels) {
         copy_rows(f->plan.image, pixels, NULL);
     }
-    f->slots[frame] = (slot){pixels ? STATE_HERE : STATE_FREE, pixels};
+    slot *s = &f->slots[piece];
+    *s = (slot){.state = pixels ? STATE_HERE : STATE_FREE, .pixels = pixels};
+    copy_notes(&f->plan, s->notes, NULL);
     return status;
 }
 
-burnish_status render_frames_take(render_frames *f, int frame, burnish_error *error) {
-    slot *s = &f->slots[frame];
+/* Draws the piece that is asked for. What another makes of it is dropped when it comes. */
+static burnish_status draw_now(render_pieces *f, int piece, burnish_error *error) {
+    f->slots[piece].state = STATE_TAKEN;
+    return f->plan.draw(f->plan.context, piece, error);
+}
+
+burnish_status render_pieces_take(render_pieces *f, int piece, burnish_error *error) {
+    slot *s = &f->slots[piece];
     burnish_status status = BURNISH_STATUS_OK;
     while (s->state != STATE_HERE && status == BURNISH_STATUS_OK) {
         collect(f, 0);
         if (s->state == STATE_FREE) {
             s->state = STATE_LENT; /* to this process */
-            hand_out(f, frame);
-            return f->plan.draw(f->plan.context, frame, error);
+            hand_out(f, piece);
+            return draw_now(f, piece, error);
         }
-        hand_out(f, frame);
-        const int next = find_free(f, frame);
-        if (s->state == STATE_LENT && is_slow(f, frame)) {
-            return f->plan.draw(f->plan.context, frame, error);
+        hand_out(f, piece);
+        const int next = find_free(f, piece);
+        if (s->state == STATE_LENT && is_slow(f, piece)) {
+            return draw_now(f, piece, error);
         }
         if (s->state == STATE_LENT && next != NOTHING) {
             status = draw_ahead(f, next, error);
@@ -300,17 +321,18 @@ burnish_status render_frames_take(render_frames *f, int frame, burnish_error *er
     }
     if (status == BURNISH_STATUS_OK) {
         copy_rows(f->plan.image, NULL, s->pixels);
+        copy_notes(&f->plan, NULL, s->notes);
         free(s->pixels);
-        s->pixels = NULL;
-        hand_out(f, frame);
+        *s = (slot){.state = STATE_TAKEN};
+        hand_out(f, piece);
     }
     return status;
 }
 
 /* ---- Elsewhere ---- */
 
-burnish_status render_frames_serve(const render_frames_plan *plan, burnish_error *error) {
-    const size_t size = frame_size(plan);
+burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error *error) {
+    const size_t size = piece_size(plan);
     uint8_t *pixels = malloc(size);
     burnish_status status = check_socket("runner", CHANNEL, error);
     if (status == BURNISH_STATUS_OK && !pixels) {
@@ -318,8 +340,8 @@ burnish_status render_frames_serve(const render_frames_plan *plan, burnish_error
     }
     for (order o; status == BURNISH_STATUS_OK && channel_read(CHANNEL, &o, sizeof o);) {
         order own = make_order(plan);
-        own.frame = o.frame;
-        if (memcmp(&own, &o, sizeof o) != 0 || o.frame < 0 || o.frame >= plan->count) {
+        own.piece = o.piece;
+        if (memcmp(&own, &o, sizeof o) != 0 || o.piece < 0 || o.piece >= plan->count) {
             status =
                 cli_fail(error, BURNISH_STATUS_ARGUMENT,
                          "--runner: burnish %s here is another version, or has another mesh or "
@@ -327,9 +349,10 @@ burnish_status render_frames_serve(const render_frames_plan *plan, burnish_error
                          burnish_version());
             break;
         }
-        status = plan->draw(plan->context, o.frame, error);
-        const answer a = {.frame = o.frame, .size = size};
+        status = plan->draw(plan->context, o.piece, error);
+        answer a = {.piece = o.piece, .size = size};
         if (status == BURNISH_STATUS_OK) {
+            copy_notes(plan, a.notes, NULL);
             copy_rows(plan->image, pixels, NULL);
             if (!cli_write_all(CHANNEL, &a, sizeof a) || !cli_write_all(CHANNEL, pixels, size)) {
                 break;
