@@ -52,6 +52,8 @@ export interface ReadOptions extends LoadOptions {
 
 /** How a picture is drawn: flags of `burnish render`, with its defaults. */
 export interface DrawOptions {
+  /** true: pixels of four channels, as ImageData wants them, whether the picture has alpha or not. */
+  rgba?: boolean;
   /** [width, height], [1024, 768]. */
   resolution?: [number, number] | string;
   /** Width and height in one. */
@@ -120,7 +122,7 @@ export interface DrawOptions {
   edgeColor?: string | [number, number, number];
   /** How often large triangles may cover the picture, 1000. */
   maxOverdraw?: number;
-  /** "auto", "scalar" or "wasm": never changes the pixels. */
+  /** "auto", or what the module has: "wasm" with SIMD128, "scalar" without. Never changes the pixels. */
   isa?: string;
 }
 
@@ -196,6 +198,8 @@ export type Conversion =
 
 /** An instance of the module. It belongs to one thread. */
 export interface Burnish {
+  /** Starts the threads that load() was told not to start. */
+  startThreads(): void;
   readonly version: string;
   /** Whether the module uses SIMD128. */
   readonly simd: boolean;
@@ -225,9 +229,10 @@ export function hasSimd(): boolean;
 
 /**
  * Makes an instance. simd: by default what the engine runs; module: instead of the file of the package; threads: 1, or
- * more in a worker of a page that is cross-origin isolated. The pixels are the same.
+ * more in a worker of a page that is cross-origin isolated; startThreads: false has one draw until startThreads() is called, so that
+ * a first picture need not wait beside workers that start. The pixels are the same.
  */
-export function load(how?: { simd?: boolean; threads?: number; module?: URL | string | BufferSource | WebAssembly.Module }): Promise<Burnish>;
+export function load(how?: { simd?: boolean; threads?: number; startThreads?: boolean; module?: URL | string | BufferSource | WebAssembly.Module }): Promise<Burnish>;
 
 /** One picture, by an instance that all calls share: read, render, close. */
 export function render(input: Input, options?: ReadOptions & DrawOptions): Promise<Picture>;

@@ -41,7 +41,7 @@ const CONVERSIONS = [
   "blinnFromPhong",
 ];
 
-const NO_FLAGS = new Set(["name", "files", "decode"]);
+const NO_FLAGS = new Set(["name", "files", "decode", "rgba"]);
 
 // What is left for a picture.
 const drawing = (options) => Object.fromEntries(Object.entries(options).filter(([key]) => !LOADING.has(key)));
@@ -64,16 +64,18 @@ function flags(options, isWanted) {
   return list;
 }
 
-async function fetchBytes(url) {
+async function compileFile(url) {
   if (url.protocol === "file:" && globalThis.process?.versions?.node) {
     const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs/promises");
-    return readFile(url);
+    return WebAssembly.compile(await readFile(url));
   }
   const response = await fetch(url);
   if (!response.ok) {
     throw new BurnishError(`${url}: can't be fetched: ${response.status} ${response.statusText}`, "READ");
   }
-  return response.arrayBuffer();
+  // while it arrives, and kept compiled in the browser's cache, where the server names its type
+  const isNamed = response.headers.get("content-type")?.trim().toLowerCase() === "application/wasm";
+  return isNamed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 // What a browser decodes: codes of 8 bits as they are, whatever profile the file states. They come back by way of WebGL,
@@ -112,11 +114,20 @@ class Burnish {
   #decoder = new TextDecoder();
   #reading = Promise.resolve();
 
-  constructor(exports, simd, threads) {
+  #startThreads;
+
+  constructor(exports, simd, threads, startThreads) {
     this.#exports = exports;
     this.simd = simd;
     this.threads = threads;
+    this.#startThreads = startThreads;
     this.version = this.#text(exports.version());
+  }
+
+  /** Starts the threads that load() was told not to start; more calls do nothing. */
+  startThreads() {
+    this.#startThreads();
+    this.#startThreads = () => {};
   }
 
   // ---- Memory ----
@@ -198,7 +209,8 @@ class Burnish {
     });
     const numbers = Array.from({ length: 15 }, (_, i) => e.session_number(session, i));
     const facts = Object.fromEntries(NUMBERS.map((key, i) => [key, numbers[i]]));
-    const size = facts.width * facts.height * facts.channels;
+    const pixels = options.rgba ? this.#rgba(session, 4 * facts.width * facts.height)
+      : new Uint8Array(e.memory.buffer, e.session_pixels(session), facts.width * facts.height * facts.channels).slice();
     const camera = [...new Float64Array(e.memory.buffer, e.session_camera(session), 11)];
     const warnings = [];
     for (let at, i = 0; (at = e.session_warning(session, i)) !== 0; ++i) {
@@ -208,8 +220,8 @@ class Burnish {
     return {
       width: facts.width,
       height: facts.height,
-      channels: facts.channels,
-      pixels: new Uint8Array(e.memory.buffer, e.session_pixels(session), size).slice(),
+      channels: options.rgba ? 4 : facts.channels,
+      pixels,
       hash: hex(facts.hashHigh) + hex(facts.hashLow),
       coveredPixels: facts.coveredPixels,
       triangles: facts.triangles,
@@ -225,6 +237,14 @@ class Burnish {
       },
       warnings,
     };
+  }
+
+  #rgba(session, size) {
+    const at = this.#allocate(size);
+    this.#exports.session_rgba(session, at);
+    const pixels = new Uint8Array(this.#exports.memory.buffer, at, size).slice();
+    this.#exports.release(at);
+    return pixels;
   }
 
   // Has each picture decoded that the last mesh wanted; returns how many there are now.
@@ -392,7 +412,7 @@ const usedFile = (simd, threads) =>
   : new URL("./burnish.wasm", import.meta.url);
 
 // Workers that share the module's memory. Nobody waits for them: what begins before they are there goes without them.
-function startThreads(count, module, memory, exports) {
+function startWorkers(count, module, memory, exports) {
   for (let i = 1; i < count; ++i) {
     const worker = new Worker(new URL("./wasm-thread.js", import.meta.url), { type: "module" });
     worker.postMessage({ module, memory, stack: exports.threads_add() });
@@ -408,29 +428,35 @@ function sharedMemory() {
   }
 }
 
+// A module that imports its memory is the one with threads.
+const importsMemory = (module) => WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory");
+
 /**
  * Makes an instance of the module.
  * @param {object} [how]
  * @param {boolean} [how.simd]  false: the module without SIMD128; by default what the engine runs
  * @param {number} [how.threads]  so many at once, 1; more where the page is cross-origin isolated and the caller is a worker, else 1
+ * @param {boolean} [how.startThreads]  false: startThreads() starts them, and until then one draws
  * @param {URL|string|BufferSource|WebAssembly.Module} [how.module]  instead of the file beside this one
  */
-export async function load({ simd = hasSimd(), threads = 1, module } = {}) {
-  const mayShare = simd && !module && globalThis.crossOriginIsolated && typeof WorkerGlobalScope === "function";
-  const memory = mayShare && threads > 1 ? sharedMemory() : null;
+export async function load({ simd = hasSimd(), threads = 1, startThreads = true, module } = {}) {
+  const mayShare = simd && globalThis.crossOriginIsolated && typeof WorkerGlobalScope === "function";
+  const isForThreads = module instanceof WebAssembly.Module ? importsMemory(module) : !module && threads > 1;
+  const memory = mayShare && isForThreads ? sharedMemory() : null;
   const count = memory ? Math.min(threads, 64) : 1;
   let source = module ?? usedFile(simd, count);
   if (typeof source === "string" || source instanceof URL) {
-    source = await fetchBytes(new URL(source, import.meta.url));
+    source = await compileFile(new URL(source, import.meta.url));
   }
   const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const instance = await WebAssembly.instantiate(compiled, memory ? { env: { memory } } : {});
   const exports = memory ? { ...instance.exports, memory } : instance.exports;
   exports._initialize();
-  if (memory) {
-    startThreads(count, compiled, memory, exports);
+  const burnish = new Burnish(exports, simd, count, () => startWorkers(count, compiled, memory, exports));
+  if (startThreads) {
+    burnish.startThreads();
   }
-  return new Burnish(exports, simd, count);
+  return burnish;
 }
 
 let shared;

@@ -1,4 +1,6 @@
 /* Meshes and their pictures, by the flags of `burnish render`: an argument here is one there. */
+#include <string.h>
+
 #include "module.h"
 #include "session.h"
 
@@ -13,6 +15,7 @@ int open_load(session *s, const char *name, const void *bytes, size_t size, cons
               int count);
 WASM_EXPORT(session_draw) int open_draw(session *s, const char *arguments, int count);
 WASM_EXPORT(session_pixels) const uint8_t *open_pixels(const session *s);
+WASM_EXPORT(session_rgba) void open_rgba(const session *s, uint8_t *to);
 WASM_EXPORT(session_number) double open_number(const session *s, int which);
 WASM_EXPORT(session_warning) const char *open_warning(const session *s, size_t index);
 WASM_EXPORT(session_camera) const burnish_camera *open_camera(const session *s);
@@ -54,6 +57,23 @@ const char *open_warning(const session *s, size_t index) {
 /* Rows from the top without gaps, until the next picture. */
 const uint8_t *open_pixels(const session *s) {
     return session_image(s)->pixels;
+}
+
+/* The same with four channels each, alpha 255 where the picture has none. */
+void open_rgba(const session *s, uint8_t *to) {
+    const burnish_image *image = session_image(s);
+    const size_t count = (size_t)image->width * (size_t)image->height;
+    const uint8_t *from = image->pixels;
+    if (image->channels == 4) {
+        memcpy(to, from, 4 * count);
+        return;
+    }
+    for (size_t i = 0; i < count; ++i, from += 3, to += 4) {
+        uint32_t pixel = 0; /* WebAssembly is little-endian */
+        memcpy(&pixel, from, 3);
+        pixel |= 0xff000000u;
+        memcpy(to, &pixel, sizeof pixel);
+    }
 }
 
 const burnish_camera *open_camera(const session *s) {

@@ -1,16 +1,16 @@
-// The page: what shows the state, and the hands that change it.
+// The page: what shows the state, and the hands that change it. It comes after the first picture (first.js).
 import { ask, latest } from "./ask.js";
 import { besideCurve, besideName, isBeside, openBeside, watchBeside } from "./beside.js";
 import { tellClaims } from "./claims.js";
 import { codeOf } from "./code.js";
 import { numberOf, parseCsv } from "./csv.js";
-import { makeCurves } from "./curves.js";
+import { whole } from "./first.js";
 import { FRONT, commandLine, divideByHand, draw, open, paint, turn, turnByHand } from "./picture.js";
-import { ONE_ORDER, WITHOUT_ORDER, addressOfState, at, lobeOf, own, show, state } from "./state.js";
+import { ONE_ORDER, WITHOUT_ORDER, addressOfState, at, lobeOf, mostOrder, own, settleOrder, show, state } from "./state.js";
 
 // ---- Curves, cost, code ----
 
-const curves = makeCurves();
+const curves = whole.then(async () => (await import("./curves.js")).makeCurves());
 const POINTS = 361;
 
 const real = (x) => (Number.isFinite(x) ? (x === 0 ? "0" : x < 0.001 ? x.toExponential(1) : x.toFixed(3)) : "–");
@@ -35,7 +35,7 @@ const compute = latest(async () => {
     const [exact] = await ask("theory", { lobes: ["power"], exponent, angles: radians(beside.angles) });
     beside.power = [...exact.values];
   }
-  curves.overAngle(steps, [...lobe.values], [...other.values], [...power.values], beside);
+  (await curves).overAngle(steps, [...lobe.values], [...other.values], [...power.values], beside);
   at("cost").innerHTML = ROWS.map(([name, text]) =>
     `<tr><th scope="row">${name}</th><td>${text(lobe.facts, power.facts)}</td><td>${text(other.facts, power.facts)}</td></tr>`).join("");
   await tellCode(lobe.facts);
@@ -72,20 +72,17 @@ const tabulate = latest(async () => {
   const lobe = await tableOf(lobeOf(state));
   const other = await tableOf(state.against);
   const power = await tableOf("power");
-  curves.overExponent(power.n, lobe, other, power);
+  (await curves).overExponent(power.n, lobe, other, power);
 }, show);
 
 // ---- What shows the state ----
 
-// The orders that exist at the exponent; the next lower one takes the place of one that does not.
-function settleOrder() {
+// The orders that exist at the exponent.
+function showOrder() {
   const isFixed = WITHOUT_ORDER.includes(state.fit);
-  while (Number(state.order) > 2 && Number(state.order) > Number(state.n)) {
-    state.order = String(Number(state.order) / 2);
-  }
   for (const button of at("order").children) {
     const isOnly = ONE_ORDER.includes(state.fit) && button.value === "2";
-    button.disabled = isFixed ? !isOnly : Number(button.value) > Math.max(2, Number(state.n));
+    button.disabled = isFixed ? !isOnly : Number(button.value) > mostOrder(state.n);
     button.setAttribute("aria-pressed", String(isFixed ? isOnly : button.value === state.order));
   }
 }
@@ -99,7 +96,8 @@ const exponentOf = (slider) => {
 const key = (color, text) => `<i style="background:var(--${color})"></i>${text.replaceAll("&", "&amp;").replaceAll("<", "&lt;")}`;
 
 function settle() {
-  settleOrder();
+  settleOrder(state);
+  showOrder();
   for (const id of ["fit", "against", "look", "resolution"]) {
     at(id).value = state[id];
   }
@@ -125,7 +123,8 @@ function settle() {
   at("cost-right").textContent = state.against;
   at("key").innerHTML = key("lobe", lobeOf(state)) + key("other", state.against) + (besideName() ? key("beside", besideName()) : "");
   at("command").textContent = commandLine();
-  curves.setExponent(Number(state.n));
+  const exponent = Number(state.n);
+  curves.then((made) => made.setExponent(exponent));
   history.replaceState(null, "", addressOfState());
 }
 
@@ -262,13 +261,10 @@ at("share").addEventListener("click", () => {
 });
 addEventListener("hashchange", () => location.reload());
 
-// ---- The first picture, then the rest ----
+// ---- What waits for the picture (first.js) ----
 
 settle();
-await open(state.mesh, {}, () => {
-  draw(true);
-  draw(false);
-});
+await whole;
 compute();
 tabulate();
 const about = await ask("about");

@@ -1,6 +1,6 @@
 // Questions to the worker, which draws and computes.
 
-const worker = new Worker("./worker.js", { type: "module" });
+const { worker } = window; // index.html starts it
 const waiting = new Map();
 let calls = 0;
 

@@ -7,6 +7,21 @@ const context = canvas.getContext("2d", { alpha: false });
 let drawn = null; // what the worker sent last
 let shown = null; // its pictures, to be put side by side
 
+// Drafts, from the whole picture down: what its sides are divided by, and samples per pixel.
+const DRAFTS = [[1, 4], [1, 1], [2, 1], [3, 1], [5, 1]];
+const FRAME = 1000 / 30; // milliseconds that a draft may take
+let draft = 2;
+let held = 0; // drafts until a finer one is tried again
+
+function chooseDraft(milliseconds) {
+  if (milliseconds > FRAME && draft < DRAFTS.length - 1) {
+    ++draft;
+    held = 30;
+  } else if (milliseconds < FRAME / 2 && draft > 0 && --held < 0) {
+    --draft;
+  }
+}
+
 function options(size) {
   return {
     resolution: size.join(","), look: state.look, equation: state.equation, exponent: Number(state.n),
@@ -40,7 +55,9 @@ export function paint() {
   }
   const x = isSplit ? Math.round((width * Number(state.divider)) / 100) : 0;
   const last = pictures.length - 1;
-  context.putImageData(pictures[isSplit || state.view === "against" ? last : 0], 0, 0);
+  if (x < width) {
+    context.putImageData(pictures[isSplit || state.view === "against" ? last : 0], 0, 0, x, 0, width - x, height);
+  }
   if (x > 0) {
     context.putImageData(pictures[0], 0, 0, 0, 0, x, height);
   }
@@ -65,16 +82,26 @@ function tell() {
   }
 }
 
+// Set only when it changes, so that a screen reader need not say it for each picture.
+function tellDraft(samples) {
+  const text = `draft: ${drawn.width} × ${drawn.height}, ${samples === 1 ? "one sample" : `${samples} samples`} per pixel`;
+  if (at("numbers").textContent !== text) {
+    at("numbers").textContent = text;
+    at("numbers").title = "";
+  }
+}
+
 // aria-busy from a hand's move until the whole picture of what was asked for last is there: while a mesh is opened, too.
 let asked = 0;
 let isDrawing = false;
 let opening = 0;
 const tellBusy = () => at("picture").setAttribute("aria-busy", String(isDrawing || opening > 0));
 
+/** Comes back when it is drawn, at once where another one is being drawn. */
 export function draw(isDraft) {
   isDrawing = true;
   tellBusy();
-  drawNumber(isDraft, ++asked);
+  return drawNumber(isDraft, ++asked);
 }
 
 const drawNumber = latest(async (isDraft, number) => {
@@ -88,9 +115,11 @@ const drawNumber = latest(async (isDraft, number) => {
 
 async function drawNow(isDraft) {
   const full = state.resolution.split(",").map(Number);
-  const size = isDraft ? full.map((side) => Math.round(side / (full[0] > 1000 ? 3 : 2))) : full;
+  const [share, samples] = DRAFTS[isDraft ? draft : 0];
+  const size = full.map((side) => Math.round(side / share));
   const lobes = { lobe: [lobeOf(state)], against: [state.against] }[state.view] ?? [lobeOf(state), state.against];
-  drawn = await ask("draw", { lobes, options: options(size), map: state.view === "error" });
+  const start = performance.now();
+  drawn = await ask("draw", { lobes, options: { ...options(size), ...(isDraft && { samples }) }, map: state.view === "error" });
   const image = (pixels) => new ImageData(pixels, drawn.width, drawn.height);
   shown = {
     width: drawn.width, height: drawn.height, pictures: drawn.pictures.map((picture) => image(picture.rgba)),
@@ -101,6 +130,11 @@ async function drawNow(isDraft) {
   performance.mark("picture");
   if (!isDraft) {
     tell();
+    return;
+  }
+  tellDraft(samples);
+  if (rest !== 0) {
+    chooseDraft(performance.now() - start);
   }
 }
 
@@ -110,7 +144,7 @@ export async function open(input, loading, opened) {
   tellBusy();
   try {
     await ask("open", { input, options: loading });
-    opened();
+    await opened();
   } catch (error) {
     show(error.message);
   } finally {
@@ -121,13 +155,17 @@ export async function open(input, loading, opened) {
 
 // ---- Hands ----
 
-// A small picture at once, the whole one when the hand rests.
-let rest = 0;
+// Drafts at once, the whole picture when the hand rests.
+let rest = 0; // the timer; 0: it rests
 let rested = () => {};
 export function turn() {
+  if (rest === 0) {
+    held = 0;
+  }
   draw(true); // and aria-busy stays until the rest
   clearTimeout(rest);
   rest = setTimeout(() => {
+    rest = 0;
     draw(false);
     rested();
   }, 160);

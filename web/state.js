@@ -23,7 +23,18 @@ function stateOfAddress() {
   return found;
 }
 
+/** The highest order that an exponent has. */
+export const mostOrder = (n) => Math.max(2, Number(n));
+
+/** The next lower order takes the place of one that the exponent has not. */
+export function settleOrder(state) {
+  while (Number(state.order) > mostOrder(state.n)) {
+    state.order = String(Number(state.order) / 2);
+  }
+}
+
 export const state = stateOfAddress();
+settleOrder(state);
 
 /** The reader's own mesh, which no address holds: its name. */
 export const own = { mesh: null };

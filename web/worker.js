@@ -1,19 +1,19 @@
 // Draws and computes, so that the page stays at hand.
 import { load } from "./burnish/wasm.js";
-import { heat } from "./heat.js";
 
-const instance = load({ threads: navigator.hardwareConcurrency });
 let mesh = null;
 
-const rgba = ({ pixels, width, height, channels }) => {
-  const to = new Uint32Array(width * height);
-  for (let i = 0, at = 0; i < to.length; ++i, at += channels) {
-    to[i] = 0xff000000 | (pixels[at + 2] << 16) | (pixels[at + 1] << 8) | pixels[at];
-  }
-  return new Uint8ClampedArray(to.buffer);
-};
+// With the module that the page has compiled meanwhile, if it could. Threads would start beside the first picture.
+async function start(module) {
+  const how = { threads: navigator.hardwareConcurrency, startThreads: false };
+  return load({ ...how, module }).catch(() => load(how));
+}
+let begin;
+const instance = new Promise((resolve) => (begin = resolve));
 
 const calls = {
+  startThreads: (burnish) => burnish.startThreads(),
+
   about: ({ version, simd, threads, endings }) => ({ version, simd, threads, endings }),
 
   async open(burnish, { input, options }) {
@@ -23,14 +23,15 @@ const calls = {
   },
 
   // Pictures of the lobes, and with both of them how they differ.
-  draw(burnish, { lobes, options, map }) {
+  async draw(burnish, { lobes, options, map }) {
+    const { heat } = map ? await import("./heat.js") : {};
     const start = performance.now();
-    const pictures = lobes.map((lobe) => mesh.render({ ...options, lobe }));
+    const pictures = lobes.map((lobe) => mesh.render({ ...options, lobe, rgba: true }));
     const milliseconds = (performance.now() - start) / lobes.length;
     const { width, height } = pictures[0];
     return {
       width, height, milliseconds,
-      pictures: pictures.map((picture) => ({ hash: picture.hash, warnings: picture.warnings, triangles: picture.triangles, rgba: rgba(picture) })),
+      pictures: pictures.map(({ hash, warnings, triangles, pixels }) => ({ hash, warnings, triangles, rgba: new Uint8ClampedArray(pixels.buffer) })),
       difference: map ? heat(pictures[0], pictures[1]) : null,
     };
   },
@@ -44,7 +45,11 @@ const calls = {
   },
 };
 
-onmessage = async ({ data: { id, call, argument } }) => {
+onmessage = async ({ data: { module, id, call, argument } }) => {
+  if (!call) {
+    begin(start(module));
+    return;
+  }
   try {
     const result = await calls[call](await instance, argument);
     const buffers = call === "draw" ? result.pictures.map((picture) => picture.rgba.buffer) : [];

@@ -3,8 +3,9 @@
 import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { gzipSync, inflateSync } from "node:zlib";
+import { gzipSync } from "node:zlib";
 import { hasSimd, load, render } from "burnish/wasm";
+import { decodePng } from "./png.mjs";
 
 const [golden, data, program, seeds] = process.argv.slice(2);
 let failures = 0;
@@ -30,34 +31,6 @@ function optionsOf(flags) {
 
 // Sheets are the program's.
 const isSheet = (flags) => flags.some((flag) => /^--(views|lobe)=.*,/.test(flag) || flag === "--same-scale");
-
-// A PNG of 8 bits per channel without a palette, for textures.
-function decodePng(bytes) {
-  const png = Buffer.from(bytes);
-  const [width, height, channels] = [png.readUInt32BE(16), png.readUInt32BE(20), { 0: 1, 2: 3, 6: 4 }[png[25]]];
-  const packed = [];
-  for (let at = 8; at < png.length; at += 12 + png.readUInt32BE(at)) {
-    if (png.toString("latin1", at + 4, at + 8) === "IDAT") {
-      packed.push(png.subarray(at + 8, at + 8 + png.readUInt32BE(at)));
-    }
-  }
-  const rows = inflateSync(Buffer.concat(packed));
-  const stride = width * channels;
-  const codes = new Uint8Array(stride * height);
-  for (let y = 0; y < height; ++y) {
-    const filter = rows[y * (stride + 1)];
-    for (let x = 0; x < stride; ++x) {
-      const left = x < channels ? 0 : codes[y * stride + x - channels];
-      const up = y === 0 ? 0 : codes[(y - 1) * stride + x];
-      const corner = x < channels || y === 0 ? 0 : codes[(y - 1) * stride + x - channels];
-      const paeth = [left, up, corner].sort((a, b) => Math.abs(left + up - corner - a) - Math.abs(left + up - corner - b))[0];
-      codes[y * stride + x] = rows[y * (stride + 1) + 1 + x] + [0, left, up, (left + up) >> 1, paeth][filter];
-    }
-  }
-  const pixels = Uint8Array.from({ length: 4 * width * height }, (_, i) =>
-    i % 4 === 3 ? (channels === 4 ? codes[i] : 255) : codes[(i >> 2) * channels + (channels === 1 ? 0 : i % 4)]);
-  return { width, height, pixels };
-}
 
 const files = Object.fromEntries(readdirSync(data).map((name) => [name, readFileSync(join(data, name))]));
 const inputOf = (input) => (input.startsWith(":") ? input : files[input]);
@@ -157,6 +130,17 @@ check("a sheet", errorOf(() => burnish.render(":sphere", { views: ["front,top"] 
 check("loading", errorOf(() => burnish.open(":sphere").render({ clip: "1,0,0,0" })),
   "ARGUMENT --clip: it is for loading; give it to open()");
 check("no such object", errorOf(() => burnish.render(":cow")).split(" ")[0], "ARGUMENT");
+
+// ---- Four channels ----
+
+for (const noBackground of [false, true]) {
+  const [straight, four] = [false, true].map((rgba) => burnish.render(":sphere", { size: 40, noBackground, rgba }));
+  const { channels, pixels } = straight;
+  const expected = Uint8Array.from({ length: 4 * 40 * 40 }, (_, i) => (i % 4 < channels ? pixels[(i >> 2) * channels + (i % 4)] : 255));
+  check(`four channels from ${channels}`, `${four.channels} ${four.hash} ${Buffer.from(four.pixels).equals(Buffer.from(expected))}`, `4 ${straight.hash} true`);
+}
+check("scalar kernels with SIMD", errorOf(() => burnish.render(":sphere", { isa: "scalar" })).split(" ")[0], "ARGUMENT");
+burnish.startThreads(); // has none to start here
 
 // ---- Lobes and theory ----
 

@@ -1,5 +1,5 @@
-// Times of the page in Debian's Chromium, headless: first picture, and pictures of 100,352 triangles. Medians of the faster half, which a
-// busy machine disturbs least.
+// Times of the page in Debian's Chromium, headless: first picture, pictures of 100,352 triangles, and how often they come while a hand turns
+// them. Medians of the faster half, which a busy machine disturbs least.
 // Usage: node bench.mjs PAGE SERVER [short]
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -60,31 +60,56 @@ async function firstPicture(home) {
   return time;
 }
 
-// Pictures one after the other, each put on the canvas, as an orbit has them.
-async function orbit(home, size, lobes) {
+async function openTorus(home, address = "") {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
-  await page.goto(home);
+  await page.goto(home + address);
   await ready(page);
   await page.setInputFiles("#file", join(scratch, "torus.stl"));
   await page.waitForFunction(() => document.getElementById("file-name").textContent === "torus.stl");
   await ready(page);
-  const times = await page.evaluate(async ([pictures, resolution, list]) => {
+  return page;
+}
+
+// Pictures one after the other, each put on a canvas.
+async function pictures(home, options) {
+  const page = await openTorus(home);
+  const times = await page.evaluate(async ([count, given]) => {
     const { ask } = await import("./ask.js");
     const context = document.createElement("canvas").getContext("2d");
     const found = [];
-    for (let i = 0; i < pictures; ++i) {
+    for (let i = 0; i < count; ++i) {
       const start = performance.now();
-      const options = { resolution, look: "lobes", exponent: 40, cameraAzimuthAngle: 3 * i, cameraElevationAngle: 20 };
-      const { pictures: drawn, width, height } = await ask("draw", { lobes: list, options });
-      for (const { rgba } of drawn) {
-        context.putImageData(new ImageData(rgba, width, height), 0, 0);
-      }
+      const options = { resolution: "800,600", look: "lobes", exponent: 40, cameraAzimuthAngle: 3 * i, cameraElevationAngle: 20, ...given };
+      const { pictures: [{ rgba }], width, height } = await ask("draw", { lobes: ["energy:2"], options });
+      context.putImageData(new ImageData(rgba, width, height), 0, 0);
       found.push(performance.now() - start);
     }
     return found;
-  }, [PICTURES, size, lobes]);
+  }, [PICTURES, options]);
   await page.close();
   return median(times);
+}
+
+// Between pictures on the page's canvas while an arrow key is held, and what it says of them.
+async function orbit(home, view) {
+  const page = await openTorus(home, `#view=${view}&resolution=800,600`);
+  const { times, draft } = await page.evaluate(async (count) => {
+    const canvas = document.getElementById("canvas");
+    const numbers = document.getElementById("numbers");
+    const timesOfPictures = () => performance.getEntriesByName("picture").map(({ startTime }) => startTime);
+    const before = timesOfPictures().length;
+    const hand = setInterval(() => canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight" })), 4);
+    let draft = "";
+    while (timesOfPictures().length < before + 20 + count) { // 20: until a size is chosen
+      await new Promise((resolve) => setTimeout(resolve, 20));
+      draft = numbers.textContent;
+    }
+    clearInterval(hand);
+    const after = timesOfPictures().slice(before + 19);
+    return { times: after.slice(1).map((time, i) => time - after[i]), draft };
+  }, PICTURES);
+  await page.close();
+  return { time: median(times), draft };
 }
 
 try {
@@ -97,9 +122,13 @@ try {
       loads.push(await firstPicture(home));
     }
     console.log(`${what}: first picture after ${median(loads).toFixed(0)} ms`);
-    for (const [name, size, lobes] of [["800 x 600", "800,600", ["energy:2"]], ["400 x 300, both lobes, as the page does while it turns", "400,300", ["energy:2", "power"]]]) {
-      const time = await orbit(home, size, lobes);
-      console.log(`${what}: 100,352 triangles, ${name}: ${time.toFixed(1)} ms, ${(1000 / time).toFixed(0)} a second`);
+    for (const samples of [4, 1]) {
+      const time = await pictures(home, { samples });
+      console.log(`${what}: 100,352 triangles, 800 x 600, ${samples} sample${samples > 1 ? "s" : ""} per pixel: ${time.toFixed(1)} ms, ${(1000 / time).toFixed(0)} a second`);
+    }
+    for (const [name, view] of [["one lobe", "lobe"], ["both lobes", "split"]]) {
+      const { time, draft } = await orbit(home, view);
+      console.log(`${what}: the same, ${name}, while the page turns it: ${time.toFixed(1)} ms, ${(1000 / time).toFixed(0)} a second (${draft})`);
     }
     served.kill();
   }

@@ -1,12 +1,14 @@
-// Usage: node explorer.mjs BURNISH PAGE SERVER DATA RTL
+// Usage: node explorer.mjs BURNISH PAGE SERVER DATA RTL        SCREENS=FOLDER: screenshots of the page at every width
 import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { createRequire } from "node:module";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
+import { layoutFaults, pictureFaults } from "./screens.mjs";
 
 const [burnish, folder, server, data, rtl] = process.argv.slice(2);
+const { SCREENS } = process.env;
 const PORT = 8127;
 const HOME = `http://127.0.0.1:${PORT}/`;
 const scratch = mkdtempSync(join(tmpdir(), "burnish-"));
@@ -227,13 +229,41 @@ try {
   }
   other.kill();
 
+  // ---- What is on the screen, to the byte ----
+  const split = await openPage("#resolution=480,360&divider=40&look=studio&mesh=:knot");
+  const line = await split.textContent("#command");
+  const drawnBy = (lobe) => {
+    const png = join(scratch, `${lobe}.png`);
+    execFileSync("sh", ["-c", `${line.replace(/^burnish/, `'${burnish}'`).replace(/--lobe=\S+/, `--lobe=${lobe}`)} -o '${png}'`]);
+    return png;
+  };
+  check("the screen beside the program's PNG", await pictureFaults(split, drawnBy("energy:2"), drawnBy("power")), "");
+  // ---- While a hand turns it ----
+  await split.focus("#canvas");
+  await split.keyboard.press("ArrowRight");
+  await split.waitForFunction(() => document.getElementById("numbers").textContent.startsWith("draft: "));
+  check("a draft is no whole picture", await split.getAttribute("#picture", "aria-busy"), "true");
+  check("it says what it is", /^draft: \d+ × \d+, (one sample|4 samples) per pixel$/.test(await split.textContent("#numbers")), true);
+  await agrees(split, "after drafts");
+  await split.close();
+
   // ---- Widths, schemes, access ----
   const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-  for (const [width, height, colorScheme] of [[1280, 900, "light"], [390, 844, "dark"], [800, 1000, "light"]]) {
+  for (const [width, height, colorScheme] of [[1440, 900, "light"], [360, 800, "dark"], [768, 1024, "light"]]) {
     const shown = await openPage("", { width, height, colorScheme });
     const name = `${width} ${colorScheme}`;
-    check(`${name}: nothing is wider than the page`, await shown.evaluate(() => document.documentElement.scrollWidth > innerWidth), false);
     check(`${name}: nothing moved`, await shown.evaluate(() => Math.round(window.shifts * 1000)), 0);
+    const grounds = [];
+    for (const scheme of ["light", "dark"]) {
+      await shown.emulateMedia({ colorScheme: scheme, reducedMotion: "reduce" });
+      check(`${width} ${scheme}: layout`, await layoutFaults(shown), "");
+      grounds.push(await shown.evaluate(() => Number(getComputedStyle(document.body).backgroundColor.match(/\d+/)[0])));
+      if (SCREENS) {
+        await shown.screenshot({ path: join(SCREENS, `${width}-${scheme}.png`), fullPage: true });
+      }
+    }
+    check(`${width}: light and dark`, grounds[0] > 200 && grounds[1] < 60, true);
+    await shown.emulateMedia({ colorScheme });
     await shown.evaluate(axe);
     const found = await shown.evaluate(async () => (await globalThis.axe.run()).violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(" ")}`).join("; "));
     check(`${name}: axe`, found, "");

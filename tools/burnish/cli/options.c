@@ -107,10 +107,12 @@ burnish_status cli_fail_unknown(burnish_error *error, const char *where, const c
 
 /* Whether the name is an item of a list with commas, which may be NULL. */
 static int in_list(const char *list, const char *name, size_t length) {
-    for (; list; list = strchr(list, ',') ? strchr(list, ',') + 1 : NULL) {
-        if (strcspn(list, ",") == length && memcmp(list, name, length) == 0) {
+    while (list) { /* often: every picture of a session has its flags parsed */
+        if (strncmp(list, name, length) == 0 && (list[length] == ',' || list[length] == 0)) {
             return 1;
         }
+        const char *comma = strchr(list, ',');
+        list = comma ? comma + 1 : NULL;
     }
     return 0;
 }
