@@ -2,7 +2,7 @@
 import uPlot from "./uplot.js";
 
 const color = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-const FONT = "12px ui-monospace, Menlo, Consolas, 'DejaVu Sans Mono', monospace";
+const FONT = "12px ui-monospace, Menlo, Consolas, monospace";
 const HEIGHT = 210;
 
 function axis(format) {
