@@ -8,9 +8,9 @@ let drawn = null; // what the worker sent last
 let shown = null; // its pictures, to be put side by side
 
 // Drafts, from the whole picture down: what its sides are divided by, and samples per pixel.
-const DRAFTS = [[1, 4], [1, 1], [2, 1], [3, 1], [5, 1]];
+const DRAFTS = [[1, 4], [1, 1], [1.5, 1], [2, 1], [3, 1], [5, 1]];
 const FRAME = 1000 / 30; // milliseconds that a draft may take
-let draft = 2;
+let draft = 3;
 let held = 0; // drafts until a finer one is tried again
 
 function chooseDraft(milliseconds) {
