@@ -6,11 +6,10 @@
 #include "burnish/mesh.h"
 #include "core/memory.h"
 #include "core/vector.h"
+#include "raster/maps.h"
 #include "raster/tile.h"
 
-/* Depths are stored in 16 bits, [0, BURNISH_MAP_CODES]; 0 where nothing is. They cover this much of
- * the raster's space. */
-#define BURNISH_MAP_CODES 65535.0
+/* Codes of depth, [0, BURNISH_MAP_CODES], cover this much of the raster's space. */
 #define BURNISH_MAP_RANGE 4.0
 
 /* What a map shows of the raster's space. */
@@ -32,6 +31,11 @@ typedef struct burnish_map_drawer {
     burnish_bins bins;
     burnish_tile *tiles; /* one per thread */
     int tile_count;
+    burnish_map_vertex *vertices; /* of each thread's pair of maps */
+    uint16_t *large;              /* per map and batch: burnish_maps.large */
+    uint32_t *indices;            /* of a map's large triangles */
+    uint16_t *masks;              /* per batch of these: which are transparent */
+    size_t vertex_capacity, large_capacity, index_capacity, mask_capacity;
     /* triangles that are left out, the caller's to set: burnish_transparency's masks and key, or
      * NULL and 0 */
     const uint16_t *transparent;
@@ -59,6 +63,15 @@ burnish_map_rows burnish_map_rows_make(const burnish_map_view *view, const doubl
 burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
                                 const burnish_mesh_view *mesh, const burnish_map_view *view,
                                 uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory);
+
+/* Draws `count` maps of the same size, which is a multiple of 16 and at most BURNISH_MAPS_SIZE: the
+ * same codes, sooner where triangles are small.
+ *   depths  receives the maps, each `stride` codes after the last */
+burnish_status burnish_maps_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
+                                 const burnish_mesh_view *mesh, const burnish_map_view *views,
+                                 int count, uint16_t *depths, size_t stride, burnish_tasks *tasks,
+                                 burnish_memory *memory);
+
 void burnish_map_drawer_destroy(burnish_map_drawer *drawer, const burnish_context *context);
 
 #endif

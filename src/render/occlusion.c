@@ -82,14 +82,18 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_
     occlusion->depths =
         burnish_reserve_discard(memory, occlusion->depths, &occlusion->capacity,
                                 (size_t)count * texels, sizeof *occlusion->depths, "depth maps");
+    burnish_map_view views[BURNISH_OCCLUSION_MAX];
     burnish_status status = memory->status;
+    for (int i = 0; i < count; ++i) {
+        views[i] = burnish_occlusion_view(i, count, size);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_maps_draw(&occlusion->drawer, ops, mesh, views, count, occlusion->depths,
+                                   texels, tasks, memory);
+    }
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        const burnish_map_view view = burnish_occlusion_view(i, count, size);
         uint16_t *depths = occlusion->depths + (size_t)i * texels;
-        status = burnish_map_draw(&occlusion->drawer, ops, mesh, &view, depths, tasks, memory);
-        if (status == BURNISH_STATUS_OK) {
-            find_blockers(depths, edge, depths + edge * edge);
-        }
+        find_blockers(depths, edge, depths + edge * edge);
     }
     if (status == BURNISH_STATUS_OK) {
         occlusion->mesh = mesh->serial;

@@ -21,6 +21,7 @@ struct burnish_fragments;
 struct burnish_geometry;
 struct burnish_ground_view;
 struct burnish_occlusion_lookup;
+struct burnish_maps;
 struct burnish_raster_view;
 struct burnish_screen_vertices;
 struct burnish_shadow_lookup;
@@ -65,6 +66,16 @@ typedef struct burnish_isa_ops {
      * there when it has more: what that batch has already added is not added twice. */
     size_t (*bin_batches)(const struct burnish_bins *bins, struct burnish_bin_slice *slice,
                           const struct burnish_geometry *geometry, size_t first, size_t end);
+
+    /* ---- raster: depth maps ---- */
+
+    /* Projects `count` positions by a view per map, which have one size and origin and are parallel
+     * projections. Returns 0 where one falls outside: such maps are not to be drawn. */
+    int (*project_to_maps)(const struct burnish_raster_view *views, const float *positions,
+                           size_t count, const struct burnish_maps *maps);
+
+    /* Draws the small triangles over what is in the maps. */
+    void (*draw_maps)(struct burnish_maps *maps);
 
     /* ---- raster: a tile ---- */
 

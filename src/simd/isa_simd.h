@@ -3,6 +3,7 @@
 #include "raster/bins_simd.h"
 #include "raster/fragments_simd.h"
 #include "raster/geometry_simd.h"
+#include "raster/maps_simd.h"
 #include "raster/tile_simd.h"
 #include "render/encode_simd.h"
 #include "render/ground_simd.h"
@@ -89,6 +90,8 @@ static const burnish_isa_ops OPS = {
     OP(transform_vertices),
     OP(cull_and_bound),
     OP(bin_batches),
+    OP(project_to_maps),
+    OP(draw_maps),
     OP(draw_tile),
     OP(classify_block_row),
     OP(next_fragments),

@@ -23,7 +23,11 @@
  *   vf_and_mask          x where the mask holds, +0 elsewhere
  *   vf_blend, vi_blend   a where the mask holds, b elsewhere
  *   vf_bits, vf_from_bits  the same 32 bits as the other type
- *   vf_from_int          rounded to nearest even
+ *   vf_from_int          rounded to nearest even; vi_truncate: toward 0, of what fits 32 bits
+ *
+ *   vi_permute           x[index] per lane, index below LANES
+ *   vi_compress          stores the lanes that bits select one after another; returns how many; may
+ *                        write a vector's memory
  *
  *   vi_add, vi_sub, vi_and, vi_or, vi_xor; vi_mul: the low 32 bits
  *   vi_shl, vi_shr, vi_sar  shifts by a constant: left, right, right with the sign
@@ -56,6 +60,26 @@
 #include "simd/vector_wasm.h"
 #else
 #include "simd/vector_scalar.h"
+#endif
+
+#if !defined(BURNISH_VECTOR_AVX512) && !defined(BURNISH_VECTOR_AVX2) /* others have to use memory  \
+                                                                      */
+static inline vi vi_permute(vi x, vi index) {
+    int32_t lanes[LANES];
+    vi_store(lanes, x);
+    return vi_gather(lanes, index);
+}
+static inline int vi_compress(unsigned bits, int32_t *to, vi x) {
+    int32_t lanes[LANES];
+    int count = 0;
+    if (bits) { /* rarely */
+        vi_store(lanes, x);
+    }
+    for (; bits; bits &= bits - 1) {
+        to[count++] = lanes[__builtin_ctz(bits)];
+    }
+    return count;
+}
 #endif
 
 #define BURNISH_INLINE static inline __attribute__((always_inline))

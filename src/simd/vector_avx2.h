@@ -118,6 +118,28 @@ static inline vf vf_gather(const float *table, vi index) {
 static inline vf vf_from_int(vi x) {
     return _mm256_cvtepi32_ps(x);
 }
+static inline vi vi_truncate(vf x) {
+    return _mm256_cvttps_epi32(x);
+}
+static inline vi vi_permute(vi x, vi index) {
+    return _mm256_permutevar8x32_epi32(x, index);
+}
+/* Half after half: the lanes of a half that 4 bits select come first. */
+static inline int vi_compress(unsigned bits, int32_t *to, vi x) {
+    static const int32_t first[16][4] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0},
+                                         {2, 0, 0, 0}, {0, 2, 0, 0}, {1, 2, 0, 0}, {0, 1, 2, 0},
+                                         {3, 0, 0, 0}, {0, 3, 0, 0}, {1, 3, 0, 0}, {0, 1, 3, 0},
+                                         {2, 3, 0, 0}, {0, 2, 3, 0}, {1, 2, 3, 0}, {0, 1, 2, 3}};
+    const __m128 low = _mm_castsi128_ps(_mm256_castsi256_si128(x));
+    const __m128 high = _mm_castsi128_ps(_mm256_extracti128_si256(x, 1));
+    const __m128i *table = (const __m128i *)(const void *)first;
+    const int count = __builtin_popcount(bits & 15);
+    _mm_storeu_ps((float *)(void *)to,
+                  _mm_permutevar_ps(low, _mm_loadu_si128(table + (bits & 15))));
+    _mm_storeu_ps((float *)(void *)(to + count),
+                  _mm_permutevar_ps(high, _mm_loadu_si128(table + (bits >> 4))));
+    return count + __builtin_popcount(bits >> 4);
+}
 static inline vi vi_ramp(int32_t step) {
     return _mm256_mullo_epi32(_mm256_set1_epi32(step), _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0));
 }

@@ -115,6 +115,16 @@ static inline vf vf_gather(const float *table, vi index) {
 static inline vf vf_from_int(vi x) {
     return _mm512_cvtepi32_ps(x);
 }
+static inline vi vi_truncate(vf x) {
+    return _mm512_cvttps_epi32(x);
+}
+static inline vi vi_permute(vi x, vi index) {
+    return _mm512_permutexvar_epi32(index, x);
+}
+static inline int vi_compress(unsigned bits, int32_t *to, vi x) {
+    _mm512_storeu_si512((void *)to, _mm512_maskz_compress_epi32((__mmask16)bits, x));
+    return __builtin_popcount(bits);
+}
 static inline vi vi_ramp(int32_t step) {
     const vi lanes = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
     return _mm512_mullo_epi32(_mm512_set1_epi32(step), lanes);

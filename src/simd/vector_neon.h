@@ -131,6 +131,9 @@ static inline vf vf_gather(const float *table, vi index) {
 static inline vf vf_from_int(vi x) {
     return vcvtq_f32_s32(x);
 }
+static inline vi vi_truncate(vf x) {
+    return vcvtq_s32_f32(x);
+}
 static inline vi vi_ramp(int32_t step) {
     const int32_t lanes[4] = {0, 1, 2, 3};
     return vmulq_n_s32(vld1q_s32(lanes), step);

@@ -128,6 +128,9 @@ static inline vf vf_gather(const float *table, vi index) {
 static inline vf vf_from_int(vi x) {
     return (float)(int32_t)x;
 }
+static inline vi vi_truncate(vf x) {
+    return (uint32_t)(int32_t)x;
+}
 static inline vi vi_ramp(int32_t step) {
     return 0 * (uint32_t)step;
 }

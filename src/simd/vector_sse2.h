@@ -134,6 +134,9 @@ static inline vf vf_gather(const float *table, vi index) {
 static inline vf vf_from_int(vi x) {
     return _mm_cvtepi32_ps(x);
 }
+static inline vi vi_truncate(vf x) {
+    return _mm_cvttps_epi32(x);
+}
 static inline vi vi_ramp(int32_t step) {
     return _mm_set_epi32(3 * step, 2 * step, step, 0);
 }

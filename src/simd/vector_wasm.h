@@ -136,6 +136,9 @@ static inline vf vf_gather(const float *table, vi index) {
 static inline vf vf_from_int(vi x) {
     return wasm_f32x4_convert_i32x4(x);
 }
+static inline vi vi_truncate(vf x) {
+    return wasm_i32x4_trunc_sat_f32x4(x);
+}
 static inline vi vi_ramp(int32_t step) {
     return wasm_i32x4_mul(wasm_i32x4_splat(step), wasm_i32x4_make(0, 1, 2, 3));
 }
