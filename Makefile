@@ -334,6 +334,13 @@ bench-serve: short-docs ## time pictures one after another, by requests to serve
 	@build/release/bench_serve build/release/burnish build/serve $(if $(SHORT),10) >build/serve/tables/latency
 	@./scripts/fill-tables build/serve/tables $(DOCS)/serve.md
 
+.PHONY: bench-batch
+bench-batch: short-docs ## processor time of a picture of burnish batch, in the plain and the default look; fills docs/batch.md
+	@$(MAKE) --no-print-directory program-bench_batch CMAKE_FLAGS=-DBURNISH_BENCH=ON
+	@mkdir -p build/batch/tables
+	@build/release/bench_batch build/release/burnish build/batch $(if $(SHORT),1) >build/batch/tables/rate
+	@./scripts/fill-tables build/batch/tables $(DOCS)/batch.md
+
 .PHONY: bench-shaders
 bench-shaders: short-docs ## time highlights in a full-screen pass on this machine's OpenGL ES; fills docs/shaders.md
 	@$(DEPS) shaders

@@ -156,7 +156,7 @@ BURNISH_INLINE void cover_narrow(const map_triangles *triangles, unsigned lanes,
     const vi ramp = vi_ramp(256);
     const vi wide = vi_load(triangles->wide), high = vi_load(triangles->high);
     vi row[3], right[3], down[3];
-    int columns = 1;
+    int columns = 1, count = texels->count;
     for (int i = 0; i < 3; ++i) {
         const vi slope = vi_load(triangles->slope[i]);
         row[i] = vi_load(triangles->start[i]);
@@ -170,8 +170,8 @@ BURNISH_INLINE void cover_narrow(const map_triangles *triangles, unsigned lanes,
         vi e[3] = {row[0], row[1], row[2]};
         for (int x = 0; x < columns; ++x) {
             const vm inside = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
-            texels->count += vi_compress(vm_bits(inside) & lanes, texels->items + texels->count,
-                                         vi_add(ramp, vi_set(x | y << 16)));
+            count += vi_compress(vm_bits(inside) & lanes, texels->items + count,
+                                 vi_add(ramp, vi_set(x | y << 16)));
             for (int i = 0; i < 3; ++i) {
                 e[i] = vi_add(e[i], right[i]);
             }
@@ -180,12 +180,14 @@ BURNISH_INLINE void cover_narrow(const map_triangles *triangles, unsigned lanes,
             row[i] = vi_add(row[i], down[i]);
         }
     }
+    texels->count = count;
 }
 
 /* Finds the texels that a triangle covers, stamp by stamp from the first texel of its bounds. */
 BURNISH_INLINE void cover_wide(const map_triangles *triangles, int lane, map_texels *texels) {
     const int wide = triangles->wide[lane], high = triangles->high[lane];
     const vi stamp = vi_load(STAMP_PIXELS);
+    int count = texels->count;
     vi row[3], right[3], down[3];
     vi at_row = vi_add(stamp, vi_set(lane << 8));
     for (int i = 0; i < 3; ++i) {
@@ -199,7 +201,7 @@ BURNISH_INLINE void cover_wide(const map_triangles *triangles, int lane, map_tex
         vi e[3] = {row[0], row[1], row[2]}, at = at_row;
         for (int x = 0; x <= wide; x += STAMP_WIDTH) {
             const vm inside = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
-            texels->count += vi_compress(vm_bits(inside), texels->items + texels->count, at);
+            count += vi_compress(vm_bits(inside), texels->items + count, at);
             at = vi_add(at, vi_set(STAMP_WIDTH));
             for (int i = 0; i < 3; ++i) {
                 e[i] = vi_add(e[i], right[i]);
@@ -210,6 +212,7 @@ BURNISH_INLINE void cover_wide(const map_triangles *triangles, int lane, map_tex
             row[i] = vi_add(row[i], down[i]);
         }
     }
+    texels->count = count;
 }
 
 /* E of edge i less its bias, `steps` away from the first texel of triangles. */

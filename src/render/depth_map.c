@@ -252,7 +252,7 @@ static size_t collect_large(burnish_map_drawer *drawer, const burnish_mesh_view 
     const size_t batches = batches_of(mesh);
     size_t count = 0, found = 0;
     for (size_t i = 0; i < batches; ++i) {
-        count += (size_t)__builtin_popcount(large[i]);
+        count += large[i] ? (size_t)__builtin_popcount(large[i]) : 0;
     }
     if (count == 0) {
         return 0;

@@ -48,24 +48,39 @@ static int choose_count(const burnish_mesh_view *mesh) {
     return 16;
 }
 
-/* Texels of a map and its blockers. */
+/* Numbers of a map and its blockers. */
 static size_t map_texels(int size) {
     const size_t edge = (size_t)size, cells = edge / BURNISH_OCCLUSION_CELL;
-    return edge * edge + cells * cells;
+    return edge * edge + 2 * cells * cells;
 }
 
-/* The largest depth of each cell. */
+/* The largest depth of each cell, then of each 2 x 2 cells; the last row and column have none. */
 static void find_blockers(const uint16_t *depths, size_t size, uint16_t *blockers) {
     const size_t cells = size / BURNISH_OCCLUSION_CELL;
-    memset(blockers, 0, cells * cells * sizeof *blockers);
-    for (size_t y = 0; y < size; ++y) {
-        uint16_t *row = blockers + y / BURNISH_OCCLUSION_CELL * cells;
-        for (size_t cell = 0; cell < cells; ++cell) {
-            uint16_t largest = row[cell];
-            for (int x = 0; x < BURNISH_OCCLUSION_CELL; ++x, ++depths) {
-                largest = *depths > largest ? *depths : largest;
+    uint16_t *quads = blockers + cells * cells;
+    for (size_t y = 0; y < cells; ++y) {
+        uint16_t columns[BURNISH_OCCLUSION_LARGE] = {0};
+        for (int i = 0; i < BURNISH_OCCLUSION_CELL; ++i, depths += size) {
+            for (size_t x = 0; x < size; ++x) {
+                columns[x] = depths[x] > columns[x] ? depths[x] : columns[x];
             }
-            row[cell] = largest;
+        }
+        for (size_t cell = 0; cell < cells; ++cell) {
+            const uint16_t *from = columns + cell * BURNISH_OCCLUSION_CELL;
+            uint16_t largest = 0;
+            for (int x = 0; x < BURNISH_OCCLUSION_CELL; ++x) {
+                largest = from[x] > largest ? from[x] : largest;
+            }
+            blockers[y * cells + cell] = largest;
+        }
+    }
+    memset(quads, 0, cells * cells * sizeof *quads);
+    for (size_t y = 0; y + 1 < cells; ++y) {
+        for (size_t x = 0; x + 1 < cells; ++x) {
+            const uint16_t *at = blockers + y * cells + x;
+            const uint16_t upper = at[0] > at[1] ? at[0] : at[1];
+            const uint16_t lower = at[cells] > at[cells + 1] ? at[cells] : at[cells + 1];
+            quads[y * cells + x] = upper > lower ? upper : lower;
         }
     }
 }

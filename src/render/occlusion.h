@@ -15,8 +15,9 @@ enum { BURNISH_OCCLUSION_SMALL = 128, BURNISH_OCCLUSION_LARGE = 256, BURNISH_OCC
 typedef struct burnish_occlusion_direction {
     float toward[3], weight; /* unit vector; of its part of the sky */
     burnish_map_rows map;
-    const uint16_t *depths;   /* size^2, growing toward the sky */
-    const uint16_t *blockers; /* (size / CELL)^2: the largest of each cell */
+    const uint16_t *depths; /* size^2, growing toward the sky */
+    /* (size / CELL)^2: the largest of each cell; after them that of each 2 x 2 from a cell on */
+    const uint16_t *blockers;
 } burnish_occlusion_direction;
 
 /* What points are looked up with. */

@@ -15,10 +15,12 @@ BURNISH_INLINE vf map_magnitude(vf x) {
 }
 
 /* How far above a point the blockers around it reach, in codes: the coarse map's maxima, bilinear,
- * less what the point's own plane rises in a cell. */
+ * less what the point's own plane rises in a cell. Most have none there, which one look-up says.
+ * Lanes that do not face the direction get anything. */
 BURNISH_INLINE vf blocker_distance(const burnish_occlusion_lookup *lookup,
                                    const burnish_occlusion_direction *direction,
-                                   const map_point *point) {
+                                   const map_point *point, vm facing) {
+    const int size = lookup->size / BURNISH_OCCLUSION_CELL;
     const vf scale = vf_set(1.0f / BURNISH_OCCLUSION_CELL);
     const vf middle = vf_set(0.5f / BURNISH_OCCLUSION_CELL - 0.5f);
     map_point coarse = *point;
@@ -28,8 +30,13 @@ BURNISH_INLINE vf blocker_distance(const burnish_occlusion_lookup *lookup,
         point->depth, vf_mul(vf_add(map_magnitude(point->slope_x), map_magnitude(point->slope_y)),
                              vf_set(BURNISH_OCCLUSION_CELL)));
     coarse.slope_x = coarse.slope_y = vf_set(0.0f);
-    return map_over(direction->blockers, lookup->size / BURNISH_OCCLUSION_CELL, &coarse,
-                    vf_set(0x1p17f), vf_set(1.0f));
+    const vi cell = texel_index(texel_before(coarse.x, size), texel_before(coarse.y, size), size);
+    const vi greatest =
+        vi_and(vi_gather_pair(direction->blockers + size * size, cell), vi_set(0xffff));
+    if (!vm_any(vm_and(facing, vf_greater(vf_from_int(greatest), coarse.depth)))) {
+        return vf_set(0.0f);
+    }
+    return map_over(direction->blockers, size, &coarse, vf_set(0x1p17f), vf_set(1.0f));
 }
 
 BURNISH_INLINE vf look_up_wide(const burnish_occlusion_lookup *lookup,
@@ -49,19 +56,21 @@ BURNISH_INLINE vf look_up_wide(const burnish_occlusion_lookup *lookup,
     return vf_mul(hidden, vf_set(0.25f));
 }
 
-/* The share of a direction's sky that is hidden from points. A direction stands for a cone, whose
- * width where the blockers are is the radius of the filter. */
+/* The share of a direction's sky that is hidden from points that face it; others get anything. A
+ * direction stands for a cone, whose width where the blockers are is the radius of the filter. */
 BURNISH_INLINE vf look_up(const burnish_occlusion_lookup *lookup,
-                          const burnish_occlusion_direction *direction, const map_point *point) {
+                          const burnish_occlusion_direction *direction, const map_point *point,
+                          vm facing) {
     const vf one = vf_set(1.0f), factor = vf_set(lookup->slope);
     const vf least = vf_set(lookup->least_radius), most = vf_set(lookup->most_radius);
-    const vf radius = vf_mul(blocker_distance(lookup, direction, point), vf_set(lookup->cone));
+    const vf radius =
+        vf_mul(blocker_distance(lookup, direction, point, facing), vf_set(lookup->cone));
     const vm wide = vf_greater(radius, least);
     vf hidden = vf_set(0.0f);
-    if (vm_any(wide)) {
+    if (vm_any(vm_and(facing, wide))) {
         hidden = look_up_wide(lookup, direction, point, vf_min(radius, most));
     }
-    if (vm_any(vm_not(wide))) {
+    if (vm_any(vm_and_not(facing, wide))) {
         hidden =
             vf_blend(wide, hidden, map_over(direction->depths, lookup->size, point, one, factor));
     }
@@ -80,14 +89,15 @@ static void occlude(const burnish_occlusion_lookup *lookup, const float *const p
         for (int d = 0; d < lookup->count; ++d) {
             const burnish_occlusion_direction *direction = &lookup->directions[d];
             const vf cosine = map_dot(direction->toward, n);
-            if (!vm_any(vf_greater(cosine, vf_set(0.0f)))) {
+            const vm facing = vf_greater(cosine, vf_set(0.0f));
+            if (!vm_any(facing)) {
                 continue;
             }
             const map_point point =
                 map_locate(&direction->map, p, n, vf_max(cosine, vf_set(0.125f)), lookup->plane);
             const vf weight = vf_mul(vf_max(cosine, vf_set(0.0f)), vf_set(direction->weight));
             sky = vf_add(sky, weight);
-            hidden = vf_add(hidden, vf_mul(weight, look_up(lookup, direction, &point)));
+            hidden = vf_add(hidden, vf_mul(weight, look_up(lookup, direction, &point, facing)));
         }
         const vf lost = vf_mul(vf_set(lookup->strength), vf_div(hidden, sky));
         vf_store(open + i, vf_sub(vf_set(1.0f), lost));
