@@ -11,12 +11,15 @@ let shown = null; // its pictures, to be put side by side
 const DRAFTS = [[1, 4], [1, 1], [1.5, 1], [2, 1], [3, 1], [5, 1]];
 const FRAME = 1000 / 30; // milliseconds that a draft may take
 let draft = 3;
+let slow = 0; // drafts in a row that took longer: one alone is the machine's other work
 let held = 0; // drafts until a finer one is tried again
 
 function chooseDraft(milliseconds) {
-  if (milliseconds > FRAME && draft < DRAFTS.length - 1) {
+  slow = milliseconds > FRAME ? slow + 1 : 0;
+  if (slow > 1 && draft < DRAFTS.length - 1) {
     ++draft;
-    held = 30;
+    slow = 0;
+    held = 15;
   } else if (milliseconds < FRAME / 2 && draft > 0 && --held < 0) {
     --draft;
   }
