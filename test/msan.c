@@ -13,6 +13,12 @@ void isal_deflate_init(struct isal_zstream *stream) {
     __msan_unpoison(stream, sizeof *stream);
 }
 
+int isal_deflate_set_dict(struct isal_zstream *stream, uint8_t *bytes, uint32_t size) {
+    int code = REAL(isal_deflate_set_dict)(stream, bytes, size);
+    __msan_unpoison(&code, sizeof code);
+    return code;
+}
+
 int isal_deflate(struct isal_zstream *stream) {
     uint8_t *out = stream->next_out;
     int code = REAL(isal_deflate)(stream);

@@ -1,5 +1,6 @@
 /* PNG files against libpng. */
 #include <png.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include "burnish/image.h"
@@ -353,6 +354,59 @@ static void test_context(void) {
     burnish_image_destroy(&image);
 }
 
+enum { HEAD = 64 }; /* before what is allocated: its size */
+
+/* Memory at an address that is another one each time. */
+static void *placed_allocate(void *user_data, size_t size, size_t alignment) {
+    uint64_t *state = user_data;
+    const uint64_t place = (test_random32(state) % 0x50000000) << 16;
+    (void)alignment; /* 64 at most */
+    size_t *head = mmap((void *)(uintptr_t)(place + 0x100000000), size + HEAD,
+                        PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (head == MAP_FAILED) {
+        return NULL;
+    }
+    *head = size + HEAD;
+    return (uint8_t *)head + HEAD;
+}
+
+static void placed_release(void *user_data, void *memory) {
+    size_t *head = (size_t *)((uint8_t *)memory - HEAD);
+    (void)user_data;
+    munmap(head, *head);
+}
+
+/* The file's bytes don't depend on where its memory lies. */
+static void test_places(void) {
+    uint64_t state = test_seed(1);
+    burnish_context_options wanted = burnish_context_options_default();
+    wanted.allocator = (burnish_allocator){placed_allocate, placed_release, &state};
+    burnish_png_options options = burnish_png_options_default();
+    options.threads = 1;
+    CHECK_STATUS(burnish_context_create(&wanted, &options.context, NULL), BURNISH_STATUS_OK);
+    uint8_t *first = NULL;
+    size_t first_size = 0;
+    int others = 0;
+    burnish_image image = make(32, 16, 3);
+    memset(image.pixels, 200, (size_t)32 * 16 * 3);
+    const burnish_pixels pixels = burnish_image_pixels(&image);
+    for (int i = 0; i < 6000; ++i) {
+        uint8_t *bytes;
+        size_t size;
+        CHECK_STATUS(burnish_png_encode(&pixels, &options, &bytes, &size, NULL), BURNISH_STATUS_OK);
+        if (!first) {
+            first = bytes, first_size = size;
+            continue;
+        }
+        others += size != first_size || memcmp(bytes, first, size) != 0;
+        burnish_release(options.context, bytes);
+    }
+    CHECK(others == 0, "%d of 6000 files are others", others);
+    burnish_release(options.context, first);
+    burnish_image_destroy(&image);
+    burnish_context_destroy(options.context);
+}
+
 #define PATH TEST_BINARY_DIR "/test_png.png"
 
 static void test_write_png(void) {
@@ -469,6 +523,7 @@ int main(int count, char **arguments) {
     RUN(test_density());
     RUN(test_bad_views());
     RUN(test_context());
+    RUN(test_places());
     RUN(test_write_png());
     return test_end("png");
 }

@@ -2,13 +2,16 @@
  * another hash: 3 % longer. */
 #include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
+#include <string.h>
 
 #include "image/deflate.h"
 
 enum {
     LEVEL = 1, /* level 2 takes 3 % longer and saves nothing, level 0 adds a fifth */
     SEARCH_SIZE = ISAL_DEF_LVL1_DEFAULT,
-    BLOCK_FRAME = 1024 /* room for what is added to bytes that nothing shortens */
+    BLOCK_FRAME = 1024, /* room for what is added to bytes that nothing shortens */
+    PLAIN = 16,         /* bytes of a band's start that are stored as they are */
+    PLAIN_FRAME = 5
 };
 
 struct burnish_deflate {
@@ -28,22 +31,47 @@ size_t burnish_deflate_bound(size_t bytes) {
     return bytes + bytes / 8 + BLOCK_FRAME;
 }
 
+/* A stored block (RFC 1951, 3.2.4) that begins and ends with a byte. */
+static uint8_t *put_stored(uint8_t *to, const uint8_t *bytes, size_t size, int last) {
+    const uint8_t frame[PLAIN_FRAME] = {(uint8_t)(last != 0), (uint8_t)size, 0, (uint8_t)~size,
+                                        UINT8_MAX};
+    memcpy(to, frame, PLAIN_FRAME);
+    memcpy(to + PLAIN_FRAME, bytes, size);
+    return to + PLAIN_FRAME + size;
+}
+
+/* ISA-L 2.30 takes the hash of the stream's address for that of the second byte where nothing comes
+ * before a band (write_first_byte of igzip_icf_body_h1_gr_bt.asm), so that one process of a
+ * thousand would pack otherwise. What has a dictionary does not go there: a band's first bytes are
+ * stored, and are the dictionary of the rest. */
 size_t burnish_deflate_band(burnish_deflate *deflate, const uint8_t *bytes, size_t size, int last,
                             uint8_t *packed, size_t room) {
     struct isal_zstream *stream = &deflate->stream;
+    const size_t plain = size < PLAIN ? size : PLAIN;
+    if (room < PLAIN_FRAME + plain) {
+        return 0;
+    }
+    uint8_t *begin = put_stored(packed, bytes, plain, last && plain == size);
+    if (plain == size) {
+        return (size_t)(begin - packed);
+    }
     isal_deflate_init(stream);
     stream->level = LEVEL;
     stream->level_buf = deflate->search;
     stream->level_buf_size = SEARCH_SIZE;
     stream->flush = FULL_FLUSH; /* a band starts without a history */
     stream->end_of_stream = (uint16_t)last;
-    stream->next_in = (uint8_t *)bytes; /* only read */
-    stream->avail_in = (uint32_t)size;
-    stream->next_out = packed;
-    stream->avail_out = (uint32_t)room;
+    if (isal_deflate_set_dict(stream, (uint8_t *)bytes, (uint32_t)plain) != COMP_OK) {
+        return 0;
+    }
+    stream->next_in = (uint8_t *)bytes + plain; /* only read */
+    stream->avail_in = (uint32_t)(size - plain);
+    stream->next_out = begin;
+    stream->avail_out = (uint32_t)(room - (size_t)(begin - packed));
     const int code = isal_deflate(stream);
-    return code == COMP_OK && stream->avail_in == 0 && stream->avail_out > 0 ? stream->total_out
-                                                                             : 0;
+    return code == COMP_OK && stream->avail_in == 0 && stream->avail_out > 0
+               ? (size_t)(begin - packed) + stream->total_out
+               : 0;
 }
 
 uint32_t burnish_deflate_crc32(const uint8_t *bytes, size_t size) {
