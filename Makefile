@@ -85,18 +85,18 @@ ctest-%:
 
 check: format-check asan tsan msan fuzz-briefly ## format, tests under sanitizers, a little fuzzing
 
-# Their short forms compile with little optimisation and without wide vectors, and leave out what is slow and reads and draws
+# Their short forms compile without wide vectors and most of what debuggers need, and leave out what is slow and reads and draws
 # nothing that the rest does not.
-briefly = -DBURNISH_WIDE_VECTORS=OFF -DCMAKE_C_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only"
+briefly = -DBURNISH_WIDE_VECTORS=OFF -DCMAKE_C_FLAGS_RELWITHDEBINFO="$1 -gline-tables-only"
 asan: ## tests with the address and undefined behaviour sanitizers
 	@$(DEPS) build test check
-	@$(MAKE) --no-print-directory ctest-asan $(if $(SHORT),CMAKE_FLAGS='$(briefly)' CTEST="-E '^($(no_memory))'")
+	@$(MAKE) --no-print-directory ctest-asan $(if $(SHORT),CMAKE_FLAGS='$(call briefly,-O1)' CTEST="-E '^($(no_memory))'")
 
 # What runs in one thread and shares nothing is left out, and so are scripts that draw what unit tests draw.
 one_thread = theory|lobe|shade_q15|arrays_q15|kernel|elementary|srgb|numbers|layers|options|text|camera|visibility|large_triangles
 one_thread_cli = serve_http|headers|abi|exports|links|tables|shell|sheet|shaders|command_lines|cli_(batch|serve|import|view|compare|faults|figures|lobe|help|complete|bench|render|turntable|planes|info)
 several_threads = tasks|context|render_context|reader_threads|obj_threads|ply_binary|load|decode|gltf|picture|png|lines|occlusion|shadow|texture|transparency|target|render
-threads_briefly = cmake --preset tsan $(briefly) >/dev/null && \
+threads_briefly = cmake --preset tsan $(call briefly,-O2) >/dev/null && \
 	cmake --build --preset tsan -j $(JOBS) --target $(addprefix test_,$(subst |, ,$(several_threads))) && \
 	ctest --preset tsan --no-tests=error -j $(JOBS) -R '^($(several_threads))$$'
 tsan: ## tests with the thread sanitizer
@@ -104,10 +104,10 @@ tsan: ## tests with the thread sanitizer
 	@$(if $(SHORT),$(threads_briefly),$(MAKE) --no-print-directory ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'")
 
 no_memory = theory|headers|abi|exports|links|tables|shell|shaders|sheet|cli_figures|cli_bench
-no_files = $(no_memory)|memory|lobe|shade_q15|arrays_q15|large_triangles
+no_files = $(no_memory)|memory|lobe|shade_q15|arrays_q15|large_triangles|rows|depth_maps
 msan: ## unit tests with the memory sanitizer
 	@$(DEPS) build test check
-	@$(MAKE) --no-print-directory ctest-msan CTEST="-L unit$(if $(SHORT), -E '^($(no_files))')" $(if $(SHORT),CMAKE_FLAGS='$(briefly)')
+	@$(MAKE) --no-print-directory ctest-msan CTEST="-L unit$(if $(SHORT), -E '^($(no_files))')" $(if $(SHORT),CMAKE_FLAGS='$(call briefly,-O2)')
 
 clang: ## tests of the optimised clang build
 	@$(DEPS) build test check
