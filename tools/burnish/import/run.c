@@ -135,13 +135,16 @@ static void become(const run *r, int input, int output, int nothing, pid_t paren
 }
 
 static burnish_status start(run *r, int input, uint64_t memory) {
-    char program[64], ending[32];
+    char program[64], ending[IMPORT_ENDING_SIZE];
     char *const arguments[] = {program, ending, NULL};
     int ends[2];
     const pid_t self = getpid();
     snprintf(program, sizeof program, "%s", r->importer->name);
-    snprintf(ending, sizeof ending, "%.30s",
-             r->importer->argument ? r->importer->argument : strrchr(r->name, '.') + 1);
+    if (r->importer->argument) {
+        snprintf(ending, sizeof ending, "%s", r->importer->argument);
+    } else {
+        import_get_ending(r->name, ending);
+    }
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     if (nothing < 0 || pipe(ends) != 0) {
         const int code = errno;
