@@ -30,7 +30,7 @@ static const struct layer {
     {"tools/burnish/cli", "burnish"},
     {"tools/burnish/compare", "cli import render picture burnish"},
     {"tools/burnish/font", "cli burnish"},
-    {"tools/burnish/import", "cli burnish"},
+    {"tools/burnish/import", "cli core/beneath.h burnish"},
     {"tools/burnish/info", "cli import burnish"},
     {"tools/burnish/lobe", "cli plot burnish"},
     {"tools/burnish/picture", "cli burnish"},
