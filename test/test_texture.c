@@ -200,7 +200,7 @@ static void test_level_texels(void) {
         CHECK1(burnish_texture_levels_create(&levels, &texture, BURNISH_TEXTURE_NUMBERS, NULL,
                                              &memory) == BURNISH_STATUS_OK);
         const int lw = w > 1 ? w / 2 : 1, lh = h > 1 ? h / 2 : 1;
-        const uint16_t *next = levels.texels + 4 * levels.offset[1];
+        const uint8_t *next = levels.codes + 4 * levels.offset[1];
         CHECK1(levels.count == 1 || (levels.width[1] == lw && levels.height[1] == lh));
         for (int i = 0; i < lw * lh && levels.count > 1; ++i) { /* area by 60 x 60 points */
             double sum = 0;
@@ -209,13 +209,14 @@ static void test_level_texels(void) {
                 const double y = (i / lw + (k / 60 + 0.5) / 60) * h / lh;
                 sum += texels[4 * ((int)y * w + (int)x)];
             }
-            const double code = next[4 * (i / lw * (lw + 1) + i % lw)] / 257.0;
+            const double code = next[4 * (i / lw * (lw + 1) + i % lw)];
             CHECK(fabs(sum / 3600 - code) < 2.5, "%d x %d: %g, %g", w, h, sum / 3600, code);
         }
         for (int y = 0; y < h; ++y) { /* a row's last texel has the first one beside it */
-            const uint16_t *row = levels.texels + 4 * y * (w + 1);
-            CHECK1(row[0] == 257 * texels[4 * y * w] && memcmp(row, row + 4 * w, 8) == 0);
+            const uint8_t *row = levels.codes + 4 * y * (w + 1);
+            CHECK1(row[0] == texels[4 * y * w] && memcmp(row, row + 4 * w, 4) == 0);
         }
+        CHECK1(memcmp(levels.codes + 4 * h * (w + 1), levels.codes, 4 * (size_t)(w + 1)) == 0);
         CHECK1(levels.width[levels.count - 1] == 1 && levels.height[levels.count - 1] == 1);
         burnish_texture_levels_destroy(&levels, NULL);
     }
@@ -240,10 +241,10 @@ static void test_level_kinds(void) {
     const burnish_texture bumps = {NULL, 2, 1, normals, 0};
     CHECK1(burnish_texture_levels_create(&levels, &bumps, BURNISH_TEXTURE_NORMALS, NULL, &memory) ==
            BURNISH_STATUS_OK);
-    mean = levels.texels + 4 * levels.offset[1];
-    const double missing = 1 - mean[3] / 65535.0, length = 1 - missing * missing;
-    CHECK(abs(mean[0] - 32768) < 257 && mean[2] == 65535 && fabs(length - sqrt(0.5)) < 0.005,
-          "%d %d %d: %g", mean[0], mean[1], mean[2], length);
+    const uint8_t *normal = levels.codes + 4 * levels.offset[1];
+    const double missing = 1 - normal[3] / 255.0, length = 1 - missing * missing;
+    CHECK(abs(normal[0] - 128) <= 1 && normal[2] == 255 && fabs(length - sqrt(0.5)) < 0.005,
+          "%d %d %d: %g", normal[0], normal[1], normal[2], length);
     burnish_texture_levels_destroy(&levels, NULL);
 }
 

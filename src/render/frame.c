@@ -329,6 +329,7 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
     for (int i = 0; i < tiles->worker_count; ++i) {
         burnish_tile_worker *worker = &tiles->workers[i];
         worker->covered_pixels = 0;
+        burnish_texture_begin(&worker->scratch.texture);
         if (worker->tile.layers) {
             worker->tile.layers->dropped = 0;
         }

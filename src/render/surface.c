@@ -350,15 +350,43 @@ static void find_materials(const burnish_surface *surface, const burnish_tile *t
     }
 }
 
+/* Whether all pixels of a block are simple, and show one triangle unless there is one sample. */
+static int is_plain_block(const burnish_tile *tile, const int32_t *simple) {
+    const int32_t first = tile->options.samples == 1 ? 0 : ~0;
+    int32_t any = 0, different = 0;
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+        any |= simple[i];
+        different |= simple[i] ^ simple[0];
+    }
+    return any >= 0 && (different & first) == 0;
+}
+
 /* The triangles of a run's pixels; complex ones get that of the pixel before. */
 static void find_triangles(const burnish_tile *tile, block_run run, const burnish_block_row *pixels,
                            uint32_t *ids) {
     uint32_t last = 0;
-    for (int i = run.first; i < run.end; ++i) {
-        if (pixels->simple[i] >= 0) {
-            last = burnish_tile_id_and_facing(tile, run.row, i, pixels->simple[i]);
+    for (int block = run.first; block < run.end; block += BURNISH_BLOCK_PIXELS) {
+        const int32_t *simple = pixels->simple + block;
+        uint32_t *to = ids + (block - run.first);
+        if (!is_plain_block(tile, simple)) {
+            for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+                if (simple[i] >= 0) {
+                    last = burnish_tile_id_and_facing(tile, run.row, block + i, simple[i]);
+                }
+                to[i] = last;
+            }
+            continue;
         }
-        ids[i - run.first] = last;
+        if (tile->options.samples == 1) {
+            memcpy(to, tile->buffer.ids + run.row * BURNISH_BLOCK_ROW_PIXELS + block,
+                   BURNISH_BLOCK_PIXELS * sizeof *to);
+        } else {
+            last = burnish_tile_id_and_facing(tile, run.row, block, simple[0]);
+            for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+                to[i] = last;
+            }
+        }
+        last = to[BURNISH_BLOCK_PIXELS - 1];
     }
 }
 

@@ -38,7 +38,7 @@ static const burnish_texture_levels *levels_for(burnish_texturing *texturing,
     const burnish_texture_kind kind = kind_of(material, slot, texture);
     burnish_texture_levels *levels =
         &texturing->levels[number * BURNISH_TEXTURE_KIND_COUNT + (size_t)kind];
-    if (!levels->texels &&
+    if (!levels->texels && !levels->codes &&
         burnish_texture_levels_create(levels, texture, kind, tasks, memory) != BURNISH_STATUS_OK) {
         burnish_texture_levels_destroy(levels, memory->context);
         return NULL;
@@ -55,6 +55,7 @@ static void set_sampler(const burnish_texture_use *use, const burnish_texture_le
     sampler->wrap[0] = use->wrap[0];
     sampler->wrap[1] = use->wrap[1];
     sampler->is_nearest = use->is_nearest;
+    sampler->has_transform = use->has_transform;
     memcpy(sampler->transform, use->has_transform ? use->transform : identity, sizeof identity);
 }
 

@@ -18,6 +18,7 @@ typedef struct burnish_texture_sampler {
     const burnish_texture_levels *levels; /* NULL: none */
     int wrap[2];                          /* burnish_texture_wrap */
     int is_nearest;
+    int has_transform;
     float transform[6]; /* as burnish_texture_use has it */
 } burnish_texture_sampler;
 
@@ -98,24 +99,36 @@ void burnish_texturing_destroy(burnish_texturing *texturing, const burnish_conte
 
 /* ---- Points ---- */
 
-/* A triangle of points, one record of floats: corner 0 from the eye, its edges to the others, and
- * the same in the image. */
+/* A triangle of points, one record of floats: numerators of the weights of corners 1 and 2 and
+ * their denominator as planes over the screen (at its centre, per pixel right, per pixel up), and
+ * corner 0 and the edges from it in the image. Before the kernel makes planes of them, these are
+ * corner 0 from the eye and the edges from it. */
 enum {
     BURNISH_CORNER_P,
     BURNISH_CORNER_E1 = 3,
     BURNISH_CORNER_E2 = 6,
+    BURNISH_CORNER_FIRST = BURNISH_CORNER_P,
+    BURNISH_CORNER_SECOND = BURNISH_CORNER_E1,
+    BURNISH_CORNER_DETERMINANT = BURNISH_CORNER_E2,
     BURNISH_CORNER_UV = 9,
     BURNISH_CORNER_UV1 = 11,
     BURNISH_CORNER_UV2 = 13,
     BURNISH_CORNER_FLOATS = 16
 };
-enum { BURNISH_TEXTURE_RECENT = 64 }; /* a power of two */
+enum {
+    BURNISH_TEXTURE_GROUP = 16,    /* points; a row of blocks is a multiple */
+    BURNISH_TEXTURE_RECENT = 1024, /* a power of two */
+    /* Records that are kept, as the next row of blocks shows many of the triangles again. */
+    BURNISH_TEXTURE_RECORDS = 1024
+};
 
 typedef struct burnish_texture_scratch {
     uint32_t ids[BURNISH_TEXTURE_BATCH];     /* id and facing of each point's triangle */
     uint16_t records[BURNISH_TEXTURE_BATCH]; /* and its number in corners */
-    float corners[1 + BURNISH_TEXTURE_BATCH][BURNISH_CORNER_FLOATS];
-    uint32_t record_ids[1 + BURNISH_TEXTURE_BATCH];
+    uint8_t is_uniform[BURNISH_TEXTURE_BATCH / BURNISH_TEXTURE_GROUP]; /* 1: a group has one */
+    float corners[BURNISH_TEXTURE_RECORDS + BURNISH_TEXTURE_GROUP][BURNISH_CORNER_FLOATS];
+    uint32_t record_ids[BURNISH_TEXTURE_RECORDS];
+    int record_count;                        /* of this frame */
     uint16_t recent[BURNISH_TEXTURE_RECENT]; /* records by the low bits of their triangle */
     float weights[2][BURNISH_TEXTURE_BATCH]; /* barycentric, of corners 1 and 2 */
     float points[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH];
@@ -126,9 +139,13 @@ typedef struct burnish_texture_scratch {
     float normal[3][BURNISH_TEXTURE_BATCH], length[BURNISH_TEXTURE_BATCH];
     float ambient[3][BURNISH_TEXTURE_BATCH], diffuse[3][BURNISH_TEXTURE_BATCH];
     float specular[3][BURNISH_TEXTURE_BATCH], exponent[BURNISH_TEXTURE_BATCH];
+    float open[BURNISH_TEXTURE_BATCH];    /* of ambient light */
     float opacity[BURNISH_TEXTURE_BATCH]; /* of points of one material */
     float alpha[BURNISH_TEXTURE_BATCH];   /* of the batch: what textures leave of the opacity */
 } burnish_texture_scratch;
+
+/* To be called before the first point of a frame: forgets the last frame's triangles. */
+void burnish_texture_begin(burnish_texture_scratch *scratch);
 
 /* Fills scratch->points for scratch->ids; points whose material needs none get some numbers.
  *   materials  of points; NULL: all have material 0 */

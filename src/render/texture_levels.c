@@ -13,6 +13,11 @@ typedef struct level_step {
     burnish_texture_kind kind;
 } level_step;
 
+/* Bytes of a row of codes. */
+static size_t row_size(int width) {
+    return 4 * ((size_t)width + 1);
+}
+
 /* ---- Means ---- */
 
 /* Sum of texels, each times its share of a texel of the next level. */
@@ -137,9 +142,9 @@ static void halve_colors(const uint8_t *from, size_t row, int width, uint8_t *to
 }
 
 static int halve_row(const level_step *step, int y) {
-    const size_t row = 4 * (size_t)step->from_width;
+    const size_t row = row_size(step->from_width);
     const uint8_t *from = step->from + 2 * (size_t)y * row;
-    uint8_t *to = step->to + 4 * (size_t)y * (size_t)step->to_width;
+    uint8_t *to = step->to + (size_t)y * row_size(step->to_width);
     if (step->from_width != 2 * step->to_width || step->from_height != 2 * step->to_height) {
         return 0;
     }
@@ -156,7 +161,7 @@ static void reduce_row(const level_step *step, int y) {
         return;
     }
     const span rows = span_of(y, step->from_height, step->to_height);
-    uint8_t *to = step->to + 4 * (size_t)y * (size_t)step->to_width;
+    uint8_t *to = step->to + (size_t)y * row_size(step->to_width);
     for (int x = 0; x < step->to_width; ++x, to += 4) {
         const span columns = span_of(x, step->from_width, step->to_width);
         texel_sum sum = {0};
@@ -165,7 +170,7 @@ static void reduce_row(const level_step *step, int y) {
                                     : j == rows.end - 1 ? rows.last_share
                                                         : 1;
             const uint8_t *from =
-                step->from + 4 * ((size_t)j * (size_t)step->from_width + (size_t)columns.first);
+                step->from + (size_t)j * row_size(step->from_width) + 4 * (size_t)columns.first;
             for (int i = columns.first; i < columns.end; ++i, from += 4) {
                 const float share = i == columns.first     ? columns.first_share
                                     : i == columns.end - 1 ? columns.last_share
@@ -183,15 +188,26 @@ static void reduce_rows(void *context, size_t first, size_t end) {
     }
 }
 
-/* Level 0 of normals: unit vectors, whatever the image's alpha is. */
-static void normalize_texels(void *context, size_t first, size_t end) {
-    uint8_t *texels = context;
-    for (size_t i = first; i < end; ++i) {
-        float vector[3];
-        texels[4 * i + 3] = 255;
-        load_normal(texels + 4 * i, vector);
-        store_normal(vector, texels + 4 * i);
-        texels[4 * i + 3] = 255;
+/* Level 0 is the image, that of normals unit vectors whatever the image's alpha is. */
+typedef struct level_copy {
+    const uint8_t *from;
+    uint8_t *to;
+    int width, is_normals;
+} level_copy;
+
+static void copy_rows(void *context, size_t first, size_t end) {
+    const level_copy *copy = context;
+    const size_t size = 4 * (size_t)copy->width;
+    for (size_t y = first; y < end; ++y) {
+        uint8_t *to = copy->to + y * row_size(copy->width);
+        memcpy(to, copy->from + y * size, size);
+        for (size_t i = 0; copy->is_normals && i < size; i += 4) {
+            float vector[3];
+            to[i + 3] = 255;
+            load_normal(to + i, vector);
+            store_normal(vector, to + i);
+            to[i + 3] = 255;
+        }
     }
 }
 
@@ -213,7 +229,7 @@ static size_t lay_out(burnish_texture_levels *levels, int width, int height) {
         levels->offset[level] = (int32_t)total;
         levels->width[level] = width;
         levels->height[level] = height;
-        total += ((size_t)width + 1) * (size_t)height;
+        total += ((size_t)width + 1) * ((size_t)height + 1);
         if (width == 1 && height == 1) {
             break;
         }
@@ -236,31 +252,20 @@ typedef struct level_widening {
     uint16_t *to;
     int width;
     int is_weighted;
-    uint16_t color[256], number[256];
+    uint16_t light[256];
 } level_widening;
-
-static void set_meanings(level_widening *widening, burnish_texture_kind kind) {
-    const int is_light = kind == BURNISH_TEXTURE_COLORS || kind == BURNISH_TEXTURE_WEIGHTED;
-    for (int i = 0; i < 256; ++i) {
-        const uint16_t number = (uint16_t)(i * (BURNISH_TEXEL_ONE / 255));
-        widening->number[i] = number;
-        widening->color[i] =
-            is_light ? (uint16_t)(burnish_srgb_to_linear[i] * (float)BURNISH_TEXEL_ONE + 0.5f)
-                     : number;
-    }
-}
 
 static void widen_row(const level_widening *widening, size_t y) {
     const size_t width = (size_t)widening->width;
-    const uint8_t *from = widening->from + 4 * width * y;
+    const uint8_t *from = widening->from + y * row_size(widening->width);
     uint16_t *to = widening->to + 4 * (width + 1) * y;
     for (size_t i = 0; i < 4 * width; i += 4) {
         const uint32_t alpha = from[i + 3];
         for (size_t k = i; k < i + 3; ++k) {
-            const uint32_t color = widening->color[from[k]];
-            to[k] = (uint16_t)(widening->is_weighted ? (color * alpha + 127) / 255 : color);
+            const uint32_t light = widening->light[from[k]];
+            to[k] = (uint16_t)(widening->is_weighted ? (light * alpha + 127) / 255 : light);
         }
-        to[i + 3] = widening->number[alpha];
+        to[i + 3] = (uint16_t)(alpha * (BURNISH_TEXEL_ONE / 255));
     }
     memcpy(to + 4 * width, to, 4 * sizeof *to);
 }
@@ -276,25 +281,50 @@ static size_t row_grain(int width) {
     return 1 + 16384 / (size_t)width;
 }
 
-/* Fills levels from the codes of level 0; codes: room for those of all levels. */
+/* What of level i is wider than the image: rows' ends and a last row. */
+static void repeat_first(burnish_texture_levels *levels, int i, uint8_t *codes) {
+    const size_t size = row_size(levels->width[i]), height = (size_t)levels->height[i];
+    for (size_t y = 0; y < height; ++y) {
+        memcpy(codes + (y + 1) * size - 4, codes + y * size, 4);
+    }
+    memcpy(codes + height * size, codes, size);
+}
+
+static void fill_light(burnish_texture_levels *levels, int i, level_widening *widening,
+                       const uint8_t *codes, burnish_tasks *tasks) {
+    const size_t row = 4 * ((size_t)levels->width[i] + 1), height = (size_t)levels->height[i];
+    widening->from = codes;
+    widening->to = levels->texels + 4 * (size_t)levels->offset[i];
+    widening->width = levels->width[i];
+    burnish_tasks_ranges(tasks, height, row_grain(levels->width[i]), widen_rows, widening);
+    memcpy(widening->to + row * height, widening->to, row * sizeof *widening->to);
+}
+
+/* Fills levels from the codes of level 0; codes: of all levels. */
 static void fill_levels(burnish_texture_levels *levels, uint8_t *codes, burnish_texture_kind kind,
                         burnish_tasks *tasks) {
     level_widening widening = {.is_weighted = levels->is_weighted};
-    set_meanings(&widening, kind);
+    for (int i = 0; i < 256; ++i) {
+        widening.light[i] = (uint16_t)(burnish_srgb_to_linear[i] * (float)BURNISH_TEXEL_ONE + 0.5f);
+    }
     for (int i = 0; i < levels->count; ++i) {
-        const int width = levels->width[i], height = levels->height[i];
-        uint8_t *next = codes + 4 * (size_t)width * (size_t)height;
-        widening.from = codes;
-        widening.to = levels->texels + 4 * (size_t)levels->offset[i];
-        widening.width = width;
-        burnish_tasks_ranges(tasks, (size_t)height, row_grain(width), widen_rows, &widening);
+        uint8_t *level = codes + 4 * (size_t)levels->offset[i];
+        if (levels->texels) {
+            fill_light(levels, i, &widening, level, tasks);
+        } else {
+            repeat_first(levels, i, level);
+        }
         if (i + 1 < levels->count) {
-            level_step step = {
-                codes, next, width, height, levels->width[i + 1], levels->height[i + 1], kind};
+            level_step step = {level,
+                               codes + 4 * (size_t)levels->offset[i + 1],
+                               levels->width[i],
+                               levels->height[i],
+                               levels->width[i + 1],
+                               levels->height[i + 1],
+                               kind};
             burnish_tasks_ranges(tasks, (size_t)step.to_height, row_grain(step.to_width),
                                  reduce_rows, &step);
         }
-        codes = next;
     }
 }
 
@@ -303,19 +333,28 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
                                              burnish_texture_kind kind, burnish_tasks *tasks,
                                              burnish_memory *memory) {
     const size_t count = (size_t)texture->width * (size_t)texture->height;
+    const int is_light = kind == BURNISH_TEXTURE_COLORS || kind == BURNISH_TEXTURE_WEIGHTED;
     const size_t total = lay_out(levels, texture->width, texture->height);
-    uint8_t *codes = burnish_allocate(memory, total, 4, "codes of texture levels");
-    levels->texels = burnish_allocate(memory, total, 4 * sizeof *levels->texels, "texture levels");
-    if (levels->texels && codes) {
-        memcpy(codes, texture->pixels, 4 * count);
-        if (kind == BURNISH_TEXTURE_NORMALS) {
-            burnish_tasks_ranges(tasks, count, 16384, normalize_texels, codes);
-        }
-        find_least(levels, codes, count);
-        levels->is_weighted = kind == BURNISH_TEXTURE_WEIGHTED && levels->least[3] < 255;
-        fill_levels(levels, codes, kind, tasks);
+    levels->codes =
+        burnish_allocate(memory, total + BURNISH_TEXTURE_PAD, 4, "codes of texture levels");
+    if (is_light) {
+        levels->texels =
+            burnish_allocate(memory, total, 4 * sizeof *levels->texels, "texture levels");
     }
-    burnish_release(memory->context, codes);
+    if (memory->status == BURNISH_STATUS_OK) {
+        level_copy copy = {texture->pixels, levels->codes, texture->width,
+                           kind == BURNISH_TEXTURE_NORMALS};
+        burnish_tasks_ranges(tasks, (size_t)texture->height, row_grain(texture->width), copy_rows,
+                             &copy);
+        find_least(levels, texture->pixels, count);
+        levels->is_weighted = kind == BURNISH_TEXTURE_WEIGHTED && levels->least[3] < 255;
+        fill_levels(levels, levels->codes, kind, tasks);
+        memset(levels->codes + 4 * total, 0, sizeof(uint8_t[4]) * BURNISH_TEXTURE_PAD);
+    }
+    if (is_light) {
+        burnish_release(memory->context, levels->codes);
+        levels->codes = NULL;
+    }
     return memory->status != BURNISH_STATUS_OK ? memory->status
                                                : burnish_tasks_check(tasks, memory->error);
 }
@@ -323,5 +362,6 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
 void burnish_texture_levels_destroy(burnish_texture_levels *levels,
                                     const burnish_context *context) {
     burnish_release(context, levels->texels);
+    burnish_release(context, levels->codes);
     *levels = (burnish_texture_levels){0};
 }

@@ -11,6 +11,8 @@
 
 enum { BURNISH_TEXTURE_LEVELS_MAX = 16 }; /* more than log2(BURNISH_TEXTURE_SIZE_MAX) + 1 */
 
+enum { BURNISH_TEXTURE_PAD = 2 }; /* codes are read by four texels */
+
 /* What the mean of texels is. */
 typedef enum burnish_texture_kind {
     BURNISH_TEXTURE_NUMBERS,  /* of codes */
@@ -21,14 +23,16 @@ typedef enum burnish_texture_kind {
     BURNISH_TEXTURE_KIND_COUNT
 } burnish_texture_kind;
 
-enum { BURNISH_TEXEL_ONE = 65535 }; /* what 1 is in levels: of light, or a number's code 255 */
+enum { BURNISH_TEXEL_ONE = 65535 }; /* what 1 is in 16 bits */
 
 /* All zero: none. Owned. */
 typedef struct burnish_texture_levels {
     /* All levels, one after another, rows from the top; r, g, b, a. Colours are linear light, which
-     * 16 bits hold to a twentieth of a step of sRGB's codes. A row ends with its first texel again,
-     * so that two neighbours are 16 bytes of memory whatever the wrap. */
+     * 16 bits hold to a twentieth of a step of sRGB's codes; others are codes, and have no texels.
+     * A row ends with its first texel again, so that two neighbours lie together whatever the wrap,
+     * and a level with its first row. */
     uint16_t *texels;
+    uint8_t *codes;
     /* Of each level, in texels; from count on, those of the last. A row has width + 1. */
     int32_t offset[BURNISH_TEXTURE_LEVELS_MAX];
     int32_t width[BURNISH_TEXTURE_LEVELS_MAX], height[BURNISH_TEXTURE_LEVELS_MAX];

@@ -28,30 +28,32 @@ static void fill_record(const burnish_texturing *texturing, const uint32_t *vert
     }
 }
 
-enum { GROUP = 16 }; /* points; a row of blocks is a multiple */
-
 /* Whether all points of a group show the triangle and material of the first. */
 static int is_uniform(const uint32_t *ids, const int32_t *materials) {
     uint32_t different = 0;
-    for (int i = 1; i < GROUP; ++i) {
+    for (int i = 1; i < BURNISH_TEXTURE_GROUP; ++i) {
         different |= ids[i] ^ ids[0];
     }
-    for (int i = 1; i < (materials ? GROUP : 0); ++i) {
+    for (int i = 1; i < (materials ? BURNISH_TEXTURE_GROUP : 0); ++i) {
         different |= (uint32_t)(materials[i] ^ materials[0]);
     }
     return different == 0;
 }
 
-/* The record of a triangle: one of the last ones, as blocks show the same few triangles row after
- * row, or record *used. */
-static uint16_t record_of(const burnish_texturing *texturing, uint32_t id, int *used,
+void burnish_texture_begin(burnish_texture_scratch *scratch) {
+    scratch->record_count = 1;
+    memset(scratch->recent, 0, sizeof scratch->recent);
+}
+
+/* The record of a triangle: one that was used before, or a new one. */
+static uint16_t record_of(const burnish_texturing *texturing, uint32_t id,
                           burnish_texture_scratch *scratch) {
     uint16_t *recent = &scratch->recent[(id >> 1) % BURNISH_TEXTURE_RECENT];
-    if (*recent == 0 || *recent >= *used || scratch->record_ids[*recent] != id) {
-        scratch->record_ids[*used] = id;
+    if (*recent == 0 || scratch->record_ids[*recent] != id) {
+        *recent = (uint16_t)scratch->record_count++;
+        scratch->record_ids[*recent] = id;
         fill_record(texturing, texturing->mesh->indices + 3 * (size_t)(id >> 1),
-                    scratch->corners[*used]);
-        *recent = (uint16_t)(*used)++;
+                    scratch->corners[*recent]);
     }
     return *recent;
 }
@@ -59,56 +61,47 @@ static uint16_t record_of(const burnish_texturing *texturing, uint32_t id, int *
 /* Record 0 is of points without an image. */
 static void find_records(const burnish_texturing *texturing, const int32_t *materials, int count,
                          burnish_texture_scratch *scratch) {
-    int used = 1;
-    memset(scratch->corners[0], 0, sizeof scratch->corners[0]);
-    for (int first = 0; first < count; first += GROUP) {
-        const uint32_t *ids = scratch->ids + first;
+    for (int first = 0; first < count; first += BURNISH_TEXTURE_GROUP) {
+        uint32_t *ids = scratch->ids + first;
         const int32_t *shown = materials ? materials + first : NULL;
         uint16_t *records = scratch->records + first;
-        const int size = count - first < GROUP ? count - first : GROUP;
-        const int step = size == GROUP && is_uniform(ids, shown) ? GROUP : 1;
-        for (int i = 0; i < size; i += step) {
+        const int size =
+            count - first < BURNISH_TEXTURE_GROUP ? count - first : BURNISH_TEXTURE_GROUP;
+        const int uniform = size == BURNISH_TEXTURE_GROUP && is_uniform(ids, shown);
+        scratch->is_uniform[first / BURNISH_TEXTURE_GROUP] = (uint8_t)uniform;
+        for (int i = 0; i < (uniform ? 1 : size); ++i) {
             records[i] = texturing->materials[shown ? shown[i] : 0].has_textures
-                             ? record_of(texturing, ids[i], &used, scratch)
+                             ? record_of(texturing, ids[i], scratch)
                              : 0;
         }
-        for (int i = step == GROUP ? 1 : size; i < GROUP; ++i) { /* whole vectors are read */
-            records[i] = step == GROUP ? records[0] : 0;
+        for (int i = size; i < BURNISH_TEXTURE_GROUP; ++i) { /* whole vectors are read */
+            records[i] = 0;
+            ids[i] = ids[0];
         }
     }
-}
-
-/* Tangents by the weights that the kernel has found. */
-static void interpolate_tangents(const burnish_texturing *texturing, uint32_t id, int i,
-                                 burnish_texture_scratch *scratch) {
-    const uint32_t *vertices = texturing->mesh->indices + 3 * (size_t)(id >> 1);
-    const float *tangents = texturing->mesh->tangents;
-    const float *a = tangents + 4 * (size_t)vertices[0], *b = tangents + 4 * (size_t)vertices[1];
-    const float *c = tangents + 4 * (size_t)vertices[2];
-    const float side = id & 1 ? -1.0f : 1.0f; /* seen from its back all of the frame turns */
-    const float weight1 = scratch->weights[0][i], weight2 = scratch->weights[1][i];
-    for (int k = 0; k < 3; ++k) {
-        scratch->points[BURNISH_TEXTURE_TANGENT + k][i] =
-            side * ((a[k] + weight1 * (b[k] - a[k])) + weight2 * (c[k] - a[k]));
-    }
-    scratch->points[BURNISH_TEXTURE_SIGN][i] = side * a[3];
 }
 
 void burnish_texture_locate(const burnish_texturing *texturing, const burnish_isa_ops *ops,
                             const burnish_rays *rays, const burnish_screen_points *points,
                             const int32_t *materials, int count, burnish_texture_scratch *scratch) {
-    const uint32_t *ids = scratch->ids;
     float *to[BURNISH_TEXTURE_TANGENT];
     float *const weights[2] = {scratch->weights[0], scratch->weights[1]};
+    if (scratch->record_count + count > BURNISH_TEXTURE_RECORDS) {
+        burnish_texture_begin(scratch);
+    }
+    const int known = scratch->record_count;
     find_records(texturing, materials, count, scratch);
+    ops->plane_records(rays, scratch->corners[known], (size_t)(scratch->record_count - known));
     for (int k = 0; k < BURNISH_TEXTURE_TANGENT; ++k) {
         to[k] = scratch->points[k];
     }
-    ops->locate_points(rays, points, scratch->corners[0], scratch->records, (size_t)count, to,
-                       weights);
-    for (int i = 0; i < count && texturing->needs_tangents; ++i) {
-        if (texturing->materials[materials ? materials[i] : 0].has_normals) {
-            interpolate_tangents(texturing, ids[i], i, scratch);
+    ops->locate_points(points, scratch->corners[0], scratch->records, scratch->is_uniform,
+                       (size_t)count, to, texturing->needs_tangents ? weights : NULL);
+    if (texturing->needs_tangents) {
+        const float *const found[2] = {weights[0], weights[1]};
+        for (int k = 0; k < 4; ++k) {
+            to[k] = scratch->points[BURNISH_TEXTURE_TANGENT + k];
         }
+        ops->interpolate_tangents(texturing->mesh, scratch->ids, found, (size_t)count, to);
     }
 }

@@ -12,15 +12,19 @@ static int same_taps(const burnish_texture_sampler *a, const burnish_texture_sam
     return a->levels->width[0] == b->levels->width[0] &&
            a->levels->height[0] == b->levels->height[0] && a->wrap[0] == b->wrap[0] &&
            a->wrap[1] == b->wrap[1] && a->is_nearest == b->is_nearest &&
+           a->has_transform == b->has_transform &&
            memcmp(a->transform, b->transform, sizeof a->transform) == 0;
 }
 
-/* Samples a slot into scratch->sample; returns 0 where the material has no such texture. */
-static int sample(const burnish_textured_material *material, int slot, const burnish_isa_ops *ops,
-                  const float *const *streams, int count, burnish_texture_scratch *scratch) {
+/* Channels by their bits. */
+enum { RED = 1, GREEN_BLUE = 6, COLOR = 7, ALL = 15 };
+
+/* Samples a slot; channels that are not wanted may be written, too. Returns 0 where the material
+ * has no such texture. */
+static int sample_into(const burnish_textured_material *material, int slot, unsigned channels,
+                       const burnish_isa_ops *ops, const float *const *streams, int count,
+                       burnish_texture_scratch *scratch, float *const out[4]) {
     const burnish_texture_sampler *sampler = &material->samplers[slot];
-    float *const out[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
-                           scratch->sample[3]};
     if (!sampler->levels) {
         return 0;
     }
@@ -28,8 +32,17 @@ static int sample(const burnish_textured_material *material, int slot, const bur
         ops->find_taps(sampler, streams, (size_t)count, &scratch->taps);
         scratch->taps_of = sampler;
     }
-    ops->sample_texture(sampler->levels, &scratch->taps, (size_t)count, out);
+    ops->sample_texture(sampler->levels, &scratch->taps, channels, (size_t)count, out);
     return 1;
+}
+
+/* The same into scratch->sample. */
+static int sample(const burnish_textured_material *material, int slot, unsigned channels,
+                  const burnish_isa_ops *ops, const float *const *streams, int count,
+                  burnish_texture_scratch *scratch) {
+    float *const out[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
+                           scratch->sample[3]};
+    return sample_into(material, slot, channels, ops, streams, count, scratch, out);
 }
 
 static void fill(float *to, int count, float value) {
@@ -43,18 +56,24 @@ static void fill(float *to, int count, float value) {
 static void find_color(const burnish_textured_material *material, const burnish_isa_ops *ops,
                        const burnish_kernels_points *points, const float *const *streams, int count,
                        burnish_texture_scratch *scratch) {
-    const int has_color = sample(material, BURNISH_TEXTURE_COLOR, ops, streams, count, scratch);
     const int takes_alpha = material->material.alpha_mode != BURNISH_ALPHA_IGNORE;
+    float *const out[4] = {scratch->diffuse[0], scratch->diffuse[1], scratch->diffuse[2],
+                           scratch->opacity};
+    const int has_color = sample_into(material, BURNISH_TEXTURE_COLOR, takes_alpha ? ALL : COLOR,
+                                      ops, streams, count, scratch, out);
     for (int k = 0; k < 3; ++k) {
-        for (int i = 0; i < count; ++i) {
-            scratch->diffuse[k][i] = (has_color ? scratch->sample[k][i] : 1.0f) *
-                                     (points->diffuse[k] ? points->diffuse[k][i] : 1.0f);
+        if (!has_color) {
+            fill(scratch->diffuse[k], count, 1.0f);
+        }
+        for (int i = 0; points->diffuse[k] && i < count; ++i) {
+            scratch->diffuse[k][i] *= points->diffuse[k][i];
         }
     }
-    for (int i = 0; i < count; ++i) {
-        scratch->opacity[i] = has_color && takes_alpha ? scratch->sample[3][i] : 1.0f;
+    if (!has_color) {
+        fill(scratch->opacity, count, 1.0f);
     }
-    if (takes_alpha && sample(material, BURNISH_TEXTURE_OPACITY, ops, streams, count, scratch)) {
+    if (takes_alpha &&
+        sample(material, BURNISH_TEXTURE_OPACITY, RED, ops, streams, count, scratch)) {
         for (int i = 0; i < count; ++i) {
             scratch->opacity[i] *= scratch->sample[0][i];
         }
@@ -75,96 +94,42 @@ static void turn_normals(const burnish_textured_material *material, const burnis
                                   scratch->sample[3]};
     float *const to[4] = {scratch->normal[0], scratch->normal[1], scratch->normal[2],
                           scratch->length};
-    sample(material, BURNISH_TEXTURE_NORMAL, ops, streams, count, scratch);
+    sample(material, BURNISH_TEXTURE_NORMAL, ALL, ops, streams, count, scratch);
     ops->turn_normals(material->material.textures[BURNISH_TEXTURE_NORMAL].strength, points->normal,
                       streams + BURNISH_TEXTURE_TANGENT, from, (size_t)count, to);
 }
 
 /* ---- Coefficients of each point ---- */
 
-/* Metal's parameters become coefficients: shading.h has the formulas. */
-static void set_metallic(const burnish_textured_material *material, const burnish_isa_ops *ops,
-                         const float *const *streams, int count, burnish_texture_scratch *scratch) {
-    const burnish_material *from = &material->material;
-    const int has_sample =
-        sample(material, BURNISH_TEXTURE_METALLIC_ROUGHNESS, ops, streams, count, scratch);
-    for (int i = 0; i < count; ++i) {
-        const float roughness = from->roughness * (has_sample ? scratch->sample[1][i] : 1.0f);
-        const float metallic = from->metallic * (has_sample ? scratch->sample[2][i] : 1.0f);
-        const float squared = roughness * roughness, alpha2 = squared * squared;
-        const float wanted = 2.0f / (alpha2 > 0x1p-20f ? alpha2 : 0x1p-20f) - 2.0f;
-        const float n = wanted > 1.0f ? wanted < 65536.0f ? wanted : 65536.0f : 1.0f;
-        scratch->exponent[i] = n;
-        for (int k = 0; k < 3; ++k) {
-            const float base = from->diffuse[k] * scratch->diffuse[k][i];
-            scratch->ambient[k][i] = base;
-            scratch->specular[k][i] = from->reflectance[k] * (1.0f - metallic) + base * metallic;
-            scratch->diffuse[k][i] = base * (1.0f - metallic);
+/* Samples what coefficients are made of; bit k: there is slot k. */
+static unsigned sample_coefficients(const burnish_textured_material *material,
+                                    const burnish_isa_ops *ops, const float *const *streams,
+                                    int count, burnish_texture_scratch *scratch) {
+    float(*const sample)[BURNISH_TEXTURE_BATCH] = scratch->sample;
+    float(*const specular)[BURNISH_TEXTURE_BATCH] = scratch->specular;
+    const struct {
+        int slot;
+        unsigned channels;
+        float *out[4];
+    } wanted[] = {
+        {BURNISH_TEXTURE_OCCLUSION, RED, {scratch->open, sample[1], sample[2], sample[3]}},
+        {BURNISH_TEXTURE_SPECULAR, COLOR, {specular[0], specular[1], specular[2], sample[3]}},
+        {BURNISH_TEXTURE_EXPONENT, RED, {scratch->exponent, sample[1], sample[2], sample[3]}},
+        {BURNISH_TEXTURE_METALLIC_ROUGHNESS,
+         GREEN_BLUE,
+         {sample[0], sample[1], sample[2], sample[3]}}};
+    unsigned sampled = 0;
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; ++i) {
+        const int is_metal = wanted[i].slot == BURNISH_TEXTURE_METALLIC_ROUGHNESS;
+        const int is_phong = wanted[i].slot == BURNISH_TEXTURE_SPECULAR ||
+                             wanted[i].slot == BURNISH_TEXTURE_EXPONENT;
+        if (!(material->material.is_metallic ? is_phong : is_metal)) {
+            sampled |= (unsigned)sample_into(material, wanted[i].slot, wanted[i].channels, ops,
+                                             streams, count, scratch, wanted[i].out)
+                       << wanted[i].slot;
         }
     }
-}
-
-/* Phong's coefficients times what textures say. */
-static void set_phong(const burnish_textured_material *material, const burnish_isa_ops *ops,
-                      const float *const *streams, int count, burnish_texture_scratch *scratch) {
-    const burnish_material *from = &material->material;
-    const int has_specular =
-        sample(material, BURNISH_TEXTURE_SPECULAR, ops, streams, count, scratch);
-    for (int k = 0; k < 3; ++k) {
-        for (int i = 0; i < count; ++i) {
-            const float color = scratch->diffuse[k][i];
-            scratch->ambient[k][i] = from->ambient[k] * color;
-            scratch->diffuse[k][i] = from->diffuse[k] * color;
-            scratch->specular[k][i] =
-                from->specular[k] * (has_specular ? scratch->sample[k][i] : 1.0f);
-        }
-    }
-    fill(scratch->exponent, count, from->exponent);
-    if (sample(material, BURNISH_TEXTURE_EXPONENT, ops, streams, count, scratch)) {
-        for (int i = 0; i < count; ++i) {
-            const float n = from->exponent * scratch->sample[0][i];
-            scratch->exponent[i] = n > 1.0f ? n : 1.0f;
-        }
-    }
-}
-
-/* Normals that differ within a pixel widen its lobe (Toksvig 2005): n l / (l + n (1 - l)). A wide
- * lobe of metal's parameters is lower, so that it reflects as much, and none higher than 1, as
- * glTF's reader has it for materials without textures. */
-static void widen_lobes(const burnish_textured_material *material, int count,
-                        burnish_texture_scratch *scratch) {
-    for (int i = 0; i < count; ++i) {
-        float n = scratch->exponent[i];
-        if (material->has_normals) {
-            const float l = scratch->length[i];
-            n = n * l / (l + n * (1.0f - l));
-            n = n > 1.0f ? n : 1.0f;
-        }
-        const float factor = material->material.is_metallic ? (n + 2.0f) * 0.125f
-                             : material->has_normals ? (n + 1.0f) / (scratch->exponent[i] + 1.0f)
-                                                     : 1.0f;
-        scratch->exponent[i] = n;
-        for (int k = 0; k < 3; ++k) {
-            const float specular = scratch->specular[k][i] * factor;
-            scratch->specular[k][i] =
-                material->material.is_metallic && specular > 1.0f ? 1.0f : specular;
-        }
-    }
-}
-
-/* What of the ambient light arrives. */
-static void occlude(const burnish_textured_material *material, const burnish_isa_ops *ops,
-                    const float *const *streams, int count, burnish_texture_scratch *scratch) {
-    const float strength = material->material.textures[BURNISH_TEXTURE_OCCLUSION].strength;
-    if (!sample(material, BURNISH_TEXTURE_OCCLUSION, ops, streams, count, scratch)) {
-        return;
-    }
-    for (int i = 0; i < count; ++i) {
-        const float open = 1.0f + strength * (scratch->sample[0][i] - 1.0f);
-        for (int k = 0; k < 3; ++k) {
-            scratch->ambient[k][i] *= open > 0.0f ? open : 0.0f;
-        }
-    }
+    return sampled;
 }
 
 static void shade_varied(const burnish_texturing *texturing, const burnish_isa_ops *ops,
@@ -176,16 +141,11 @@ static void shade_varied(const burnish_texturing *texturing, const burnish_isa_o
                                     .slopes = texturing->slopes,
                                     .scales = texturing->scales,
                                     .least_exponent = texturing->least_exponent};
-    if (material->material.is_metallic) {
-        set_metallic(material, ops, streams, count, scratch);
-    } else {
-        set_phong(material, ops, streams, count, scratch);
-    }
     if (material->has_normals) {
         turn_normals(material, ops, points, streams, count, scratch);
     }
-    widen_lobes(material, count, scratch);
-    occlude(material, ops, streams, count, scratch);
+    const unsigned sampled = sample_coefficients(material, ops, streams, count, scratch);
+    ops->vary_points(material, sampled, (size_t)count, scratch);
     for (int k = 0; k < 3; ++k) {
         each.ambient[k] = scratch->ambient[k];
         each.diffuse[k] = scratch->diffuse[k];
@@ -203,7 +163,8 @@ static void add_emissive(const burnish_textured_material *material, const burnis
     if (!(emissive[0] > 0 || emissive[1] > 0 || emissive[2] > 0)) {
         return;
     }
-    const int has_sample = sample(material, BURNISH_TEXTURE_EMISSIVE, ops, streams, count, scratch);
+    const int has_sample =
+        sample(material, BURNISH_TEXTURE_EMISSIVE, COLOR, ops, streams, count, scratch);
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < count; ++i) {
             rgb[k][i] += emissive[k] * (has_sample ? scratch->sample[k][i] : 1.0f);

@@ -22,6 +22,7 @@ struct burnish_geometry;
 struct burnish_ground_view;
 struct burnish_occlusion_lookup;
 struct burnish_maps;
+struct burnish_mesh_view;
 struct burnish_raster_view;
 struct burnish_screen_vertices;
 struct burnish_shadow_lookup;
@@ -29,7 +30,9 @@ struct burnish_silhouette;
 struct burnish_srgb_encoder;
 struct burnish_texture_levels;
 struct burnish_texture_sampler;
+struct burnish_texture_scratch;
 struct burnish_texture_taps;
+struct burnish_textured_material;
 struct burnish_tile;
 struct burnish_triangle_batch;
 
@@ -151,29 +154,48 @@ typedef struct burnish_isa_ops {
     void (*shadow_ground)(const struct burnish_ground_view *view,
                           const burnish_screen_points *points, size_t count, float *shadow);
 
+    /* Makes planes of records of triangles, BURNISH_CORNER_FLOATS each. Reads and writes whole
+     * vectors of them. */
+    void (*plane_records)(const burnish_rays *rays, float *records, size_t count);
+
     /* Where count points of the screen lie in the images of their triangles: the first six of
-     * BURNISH_TEXTURE_STREAMS, and the weights of corners 1 and 2.
-     *   corners  records of BURNISH_CORNER_FLOATS
-     *   records  the number of each point's
+     * BURNISH_TEXTURE_STREAMS, and the weights of corners 1 and 2 unless they are NULL.
+     *   corners     records
+     *   records     the number of each point's
+     *   is_uniform  per BURNISH_TEXTURE_GROUP points: 1: all have the record of the first
      * Reads and writes whole vectors. */
-    void (*locate_points)(const burnish_rays *rays, const burnish_screen_points *points,
-                          const float *corners, const uint16_t *records, size_t count,
-                          float *const *streams, float *const weights[2]);
+    void (*locate_points)(const burnish_screen_points *points, const float *corners,
+                          const uint16_t *records, const uint8_t *is_uniform, size_t count,
+                          float *const *streams, float *const *weights);
 
     /* Which texels count points are means of. streams: the first six of BURNISH_TEXTURE_STREAMS.
      * Reads and writes whole vectors. */
     void (*find_taps)(const struct burnish_texture_sampler *sampler, const float *const *streams,
                       size_t count, struct burnish_texture_taps *taps);
 
-    /* What a texture holds there: red, green, blue, alpha. Reads and writes whole vectors. */
+    /* What a texture holds there: red, green, blue, alpha. Reads and writes whole vectors.
+     *   channels  bit k: channel k is wanted; others may be written, too */
     void (*sample_texture)(const struct burnish_texture_levels *levels,
-                           const struct burnish_texture_taps *taps, size_t count,
+                           const struct burnish_texture_taps *taps, unsigned channels, size_t count,
                            float *const out[4]);
+
+    /* Tangents, x, y, z and the bitangent's sign, of points of triangles `ids` at the weights of
+     * corners 1 and 2. Reads and writes whole vectors. */
+    void (*interpolate_tangents)(const struct burnish_mesh_view *mesh, const uint32_t *ids,
+                                 const float *const weights[2], size_t count, float *const *out);
 
     /* Unit normals as samples of a normal texture turn them, and the mean length that they had.
      * tangent: x, y, z and the bitangent's sign. Reads and writes whole vectors. */
     void (*turn_normals)(float strength, const float *const normal[3], const float *const *tangent,
                          const float *const sample[4], size_t count, float *const out[4]);
+
+    /* The coefficients of count points from what textures hold there: in scratch, diffuse
+     * (colours), and where bit BURNISH_TEXTURE_... of `sampled` is set, specular, exponent,
+     * channels 1 and 2 of sample (METALLIC_ROUGHNESS) and open (OCCLUSION); where there are
+     * normals, length. Fills ambient, diffuse, specular and exponent. Reads and writes whole
+     * vectors. */
+    void (*vary_points)(const struct burnish_textured_material *material, unsigned sampled,
+                        size_t count, struct burnish_texture_scratch *scratch);
 
     /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel,
      * then green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and

@@ -11,6 +11,7 @@
 #include "render/occlusion_simd.h"
 #include "render/shadow_simd.h"
 #include "render/texture_simd.h"
+#include "render/texture_surface_simd.h"
 #include "shading/each_simd.h"
 #include "shading/lobe_simd.h"
 #include "shading/shade_simd.h"
@@ -128,10 +129,13 @@ static const burnish_isa_ops OPS = {
     OP(cast_shadow),
     OP(add_silhouette),
     OP(shadow_ground),
+    OP(plane_records),
     OP(locate_points),
     OP(find_taps),
     OP(sample_texture),
+    OP(interpolate_tangents),
     OP(turn_normals),
+    OP(vary_points),
     OP(encode_pixels),
     OP(pack_groups),
 };

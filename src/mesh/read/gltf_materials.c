@@ -125,9 +125,10 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
         burnish_gltf_read_texture(gltf, metallic, "baseColorTexture", 1, NULL);
     textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS] =
         burnish_gltf_read_texture(gltf, metallic, "metallicRoughnessTexture", 0, NULL);
-    material->is_metallic = textures[BURNISH_TEXTURE_COLOR].texture > 0 ||
-                            textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture > 0 ||
-                            (gltf->has_colors && material->metallic > 0);
+    const int has_color = textures[BURNISH_TEXTURE_COLOR].texture > 0;
+    material->is_metallic = textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture > 0 ||
+                            (has_color && textures[BURNISH_TEXTURE_NORMAL].texture > 0) ||
+                            ((has_color || gltf->has_colors) && material->metallic > 0);
     if (material->is_metallic || material->is_unlit) {
         memcpy(material->diffuse, material->ambient, sizeof material->diffuse);
     }

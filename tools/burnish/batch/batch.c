@@ -9,7 +9,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/clock.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/platform.h"
@@ -425,7 +424,7 @@ static void tell_end(const batch *b, double seconds) {
 }
 
 static burnish_status draw_all(batch *b, const cli_call *call, burnish_error *error) {
-    const double start = cli_seconds_now();
+    const double start = batch_now();
     burnish_status status = check(b, error);
     if (status == BURNISH_STATUS_OK) {
         status = batch_collect(b, call, error);
@@ -460,7 +459,7 @@ static burnish_status draw_all(batch *b, const cli_call *call, burnish_error *er
     }
     if (status == BURNISH_STATUS_OK) {
         list_failures(b);
-        tell_end(b, cli_seconds_now() - start);
+        tell_end(b, batch_now() - start);
     }
     return status;
 }
