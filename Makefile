@@ -96,12 +96,13 @@ asan: ## tests with the address and undefined behaviour sanitizers
 one_thread = theory|lobe|shade_q15|arrays_q15|kernel|elementary|srgb|numbers|layers|options|text|camera|visibility|large_triangles
 one_thread_cli = serve_http|headers|abi|exports|links|tables|shell|sheet|shaders|command_lines|cli_(batch|serve|import|view|compare|faults|figures|lobe|help|complete|bench|render|turntable|planes|info)
 several_threads = tasks|context|render_context|reader_threads|obj_threads|ply_binary|load|decode|gltf|picture|png|lines|occlusion|shadow|texture|transparency|target|render
-threads_briefly = cmake --preset tsan $(call briefly,-O2) >/dev/null && \
-	cmake --build --preset tsan -j $(JOBS) --target $(addprefix test_,$(subst |, ,$(several_threads))) && \
-	ctest --preset tsan --no-tests=error -j $(JOBS) -R '^($(several_threads))$$'
 tsan: ## tests with the thread sanitizer
 	@$(DEPS) build test check
-	@$(if $(SHORT),$(threads_briefly),$(MAKE) --no-print-directory ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'")
+	@$(MAKE) --no-print-directory $(if $(SHORT),threads-briefly,ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'")
+threads-briefly:
+	@cmake --preset tsan $(call briefly,-O2) >/dev/null
+	@cmake --build --preset tsan -j $(JOBS) --target $(addprefix test_,$(subst |, ,$(several_threads)))
+	@ctest --preset tsan --no-tests=error -j $(JOBS) -R '^($(several_threads))$$'
 
 no_memory = theory|headers|abi|exports|links|tables|shell|shaders|sheet|cli_figures|cli_bench
 no_files = $(no_memory)|memory|lobe|shade_q15|arrays_q15|large_triangles|rows|depth_maps

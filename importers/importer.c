@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "core/srgb.h"
+#include "mesh/read/unpack.h"
 #include "sandbox/lock.h"
 
 enum { STREAM = 3, FIRST_READ = 1 << 20, BUFFER = 1 << 16 };
@@ -288,6 +289,24 @@ static importer_input read_input(const char *ending) {
     return (importer_input){bytes, size, ending};
 }
 
+void importer_unpack(importer_input *input) {
+    const burnish_load_options options = {.max_input_bytes = UINT64_MAX};
+    burnish_reader_input wrapped = {
+        .bytes = input->bytes, .size = input->size, .name = "gzip", .options = &options};
+    burnish_error error = {0};
+    burnish_memory memory = burnish_memory_of(NULL, &error);
+    uint8_t *unpacked;
+    const burnish_status status = burnish_unpack_input(&wrapped, &memory, &unpacked);
+    if (status != BURNISH_STATUS_OK) {
+        importer_fail(status == BURNISH_STATUS_LIMIT    ? BURNISH_BMS_LIMIT_ERROR
+                      : status == BURNISH_STATUS_MEMORY ? BURNISH_BMS_MEMORY_ERROR
+                                                        : BURNISH_BMS_FORMAT_ERROR,
+                      error.text);
+    }
+    input->bytes = wrapped.bytes;
+    input->size = wrapped.size;
+}
+
 /* Libraries print what they like: standard output and error lead nowhere from now on. */
 static void redirect(void) {
     const int opened = open("/dev/null", O_RDWR);
@@ -319,7 +338,7 @@ int main(int count, char **arguments) {
     if (code != 0) {
         importer_fail(BURNISH_BMS_FORMAT_ERROR, "can't lock itself in: this kernel has no seccomp");
     }
-    const importer_input input = read_input(ending);
+    importer_input input = read_input(ending);
     importer_import(&input, &mesh);
     put_mesh(&mesh);
     importer_finish();

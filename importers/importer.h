@@ -65,7 +65,7 @@ void importer_prepare(void);
 
 /* After the lock: no file, no network, no process. Ends by importer_fail where it can't, or by
  * importer_finish when it has written what it has to say; else the mesh is written. */
-void importer_import(const importer_input *input, importer_mesh *mesh);
+void importer_import(importer_input *input, importer_mesh *mesh);
 
 /* ---- What it may use ---- */
 
@@ -90,6 +90,9 @@ void importer_put_padded(const void *bytes, size_t size);
 _Noreturn
 #endif
 void importer_finish(void);
+
+/* Takes gzip off, and makes UTF-8 of UTF-16 with a mark; ends the process where it can't. */
+void importer_unpack(importer_input *input);
 
 /* Adds a line to the warnings, once. */
 void importer_warn(importer_mesh *mesh, const char *text);

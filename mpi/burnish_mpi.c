@@ -42,10 +42,34 @@ static const char usage[] =
     "  --help, --version\n\n"
     "Rank 0 draws too; files are on a file system that all ranks share (docs/scale.md).\n";
 
-/* The rank before MPI knows it; -1: mpirun has not started this process. */
 static int number_in(const char *name, int missing) {
     const char *text = getenv(name);
     return text && *text ? atoi(text) : missing;
+}
+
+/* Rank and size before MPI knows them: of mpirun, or of Slurm's srun where that speaks PMIx. Alone
+ * without either. Returns 0 for tasks of srun that could not find each other, and would all draw
+ * the same. */
+static int find_rank(relay *r) {
+    r->rank = number_in("OMPI_COMM_WORLD_RANK", 0);
+    r->size = number_in("OMPI_COMM_WORLD_SIZE", 0);
+    if (r->size > 0) {
+        return 1;
+    }
+    const char *rank = getenv("PMIX_RANK");
+    r->size = number_in("SLURM_STEP_NUM_TASKS", 1);
+    r->rank = number_in("SLURM_PROCID", 0);
+    if (r->size <= 1) {
+        r->size = 1;
+        r->rank = 0;
+    } else if (!rank || atoi(rank) != r->rank) {
+        fputs(r->rank == 0
+                  ? "burnish-mpi: srun starts it without PMIx: use srun --mpi=pmix, or mpirun\n"
+                  : "",
+              stderr);
+        return 0;
+    }
+    return 1;
 }
 
 /* Returns the index of the command; 0: there is nothing to do. */
@@ -107,7 +131,7 @@ static void begin_mpi(relay *r, int argc, char **argv) {
     if (rank != r->rank || size != r->size) {
         fprintf(stderr,
                 "burnish-mpi: MPI says rank %d of %d, the environment %d of %d: start it "
-                "by Open MPI's mpirun\n",
+                "by Open MPI's mpirun, or srun --mpi=pmix\n",
                 rank, size, r->rank, r->size);
         MPI_Abort(MPI_COMM_WORLD, 2);
     }
@@ -170,14 +194,15 @@ static int finish(run *r) {
 }
 
 int main(int argc, char **argv) {
-    run r = {.relay = {.rank = number_in("OMPI_COMM_WORLD_RANK", 0),
-                       .size = number_in("OMPI_COMM_WORLD_SIZE", 1),
-                       .silence = SILENCE_DEFAULT},
+    run r = {.relay = {.silence = SILENCE_DEFAULT},
              .survives = number_in("OMPI_MCA_orte_enable_recovery", 0) > 0};
     int code;
     const int at = read_options(argc, argv, &r, &code);
     if (at == 0) {
         return code;
+    }
+    if (!find_rank(&r.relay)) {
+        return 2;
     }
     signal(SIGPIPE, SIG_IGN);
     if (!begin(&r, argc - at, argv + at)) {

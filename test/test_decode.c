@@ -80,7 +80,8 @@ static void test_formats(void) {
     burnish_image image;
     burnish_error error;
     CHECK1(burnish_image_decode("GIF89a", 6, "x", &image, &error) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(error.text, "x: neither PNG nor JPEG nor WebP nor TGA; convert it to one of them");
+    CHECK_TEXT(error.text,
+               "x: neither PNG nor JPEG nor WebP nor BMP nor TGA; convert it to one of them");
     CHECK1(burnish_image_decode(NULL, 6, "x", &image, &error) == BURNISH_STATUS_ARGUMENT);
 }
 
@@ -195,6 +196,144 @@ static void test_tga_runs(void) {
     CHECK1(burnish_image_decode(bytes, sizeof bytes, "a.tga", &image, &error) ==
            BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "a.tga: the file ends before its pixels; it is truncated");
+}
+
+/* ---- BMP ---- */
+
+typedef struct bmp_case {
+    int header, depth, compression, from_top;
+} bmp_case;
+
+static void put_number(uint8_t *to, uint32_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) {
+        to[i] = (uint8_t)(value >> 8 * i);
+    }
+}
+
+/* The pixel whose colour pixel i has: palettes of 1 bit hold but two. */
+static int bmp_source(const bmp_case *c, int i) {
+    return c->depth == 1 ? i % 2 : i;
+}
+
+/* Masks of compression 3: red lowest, with alpha where the header has room for it. */
+static size_t make_bmp(uint8_t *to, const bmp_case *c) {
+    const int is_core = c->header == 12, colors = c->depth > 8 ? 0 : c->depth == 1 ? 2 : 6;
+    const size_t stride = (size_t)(TGA_WIDTH * c->depth + 31) / 32 * 4;
+    size_t size = 14 + (size_t)c->header;
+    memset(to, 0, 400);
+    memcpy(to, "BM", 2);
+    put_number(to + 14, (uint32_t)c->header, 4);
+    put_number(to + 18, TGA_WIDTH, is_core ? 2 : 4);
+    put_number(to + (is_core ? 20 : 22), c->from_top ? (uint32_t)-TGA_HEIGHT : TGA_HEIGHT,
+               is_core ? 2 : 4);
+    put_number(to + (is_core ? 24 : 28), (uint32_t)c->depth, 2);
+    if (!is_core) {
+        put_number(to + 30, (uint32_t)c->compression, 4);
+        put_number(to + 46, (uint32_t)colors, 4);
+    }
+    if (c->compression == 3) {
+        for (int i = 0; i < (c->header >= 56 ? 4 : 3); ++i) {
+            put_number(to + 54 + 4 * i, 0xFFu << 8 * i, 4);
+        }
+        size = size < 66 ? 66 : size;
+    }
+    for (int i = 0; i < colors; ++i, size += is_core ? 3 : 4) {
+        uint8_t rgba[4];
+        tga_color(i % TGA_WIDTH, i / TGA_WIDTH, rgba);
+        to[size] = rgba[2], to[size + 1] = rgba[1], to[size + 2] = rgba[0];
+    }
+    put_number(to + 10, (uint32_t)size, 4);
+    for (int i = 0; i < TGA_WIDTH * TGA_HEIGHT; ++i) {
+        const int x = i % TGA_WIDTH, y = i / TGA_WIDTH;
+        uint8_t *row = to + size + stride * (size_t)(c->from_top ? y : TGA_HEIGHT - 1 - y), rgba[4];
+        tga_color(x, y, rgba);
+        const uint32_t bgr = (uint32_t)rgba[0] << 16 | (uint32_t)rgba[1] << 8 | rgba[2],
+                       rgb = (uint32_t)rgba[2] << 16 | (uint32_t)rgba[1] << 8 | rgba[0];
+        if (c->depth <= 8) {
+            const int bit = x * c->depth;
+            row[bit / 8] |= (uint8_t)(bmp_source(c, i) << (8 - c->depth - bit % 8));
+        } else if (c->depth == 16) {
+            put_number(row + 2 * x,
+                       (rgba[0] >> 3u) << 10 | (rgba[1] >> 3u) << 5 | (uint32_t)rgba[2] >> 3, 2);
+        } else {
+            put_number(row + c->depth / 8 * x,
+                       c->compression == 3 ? rgb | (uint32_t)rgba[3] << 24 : bgr, c->depth / 8);
+        }
+    }
+    return size + stride * TGA_HEIGHT;
+}
+
+static void test_bmp(void) {
+    static const bmp_case cases[] = {
+        {40, 24, 0, 0},  {40, 24, 0, 1}, {40, 32, 0, 0}, {40, 32, 3, 0},  {56, 32, 3, 1},
+        {124, 32, 3, 0}, {40, 16, 0, 0}, {40, 8, 0, 0},  {40, 4, 0, 1},   {40, 1, 0, 0},
+        {12, 24, 0, 0},  {12, 8, 0, 0},  {12, 1, 0, 0},  {108, 24, 0, 0}, {124, 8, 0, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const bmp_case *c = &cases[i];
+        uint8_t bytes[400];
+        const size_t size = make_bmp(bytes, c);
+        const int channels = c->compression == 3 && c->header >= 56 ? 4 : 3;
+        burnish_image image;
+        burnish_error error;
+        if (!CHECK(burnish_image_decode(bytes, size, "a.bmp", &image, &error) == BURNISH_STATUS_OK,
+                   "%zu: %s", i, error.text)) {
+            continue;
+        }
+        CHECK(image.width == TGA_WIDTH && image.height == TGA_HEIGHT && image.channels == channels,
+              "%zu: %d x %d, %d", i, image.width, image.height, image.channels);
+        for (int k = 0; k < TGA_WIDTH * TGA_HEIGHT; ++k) {
+            uint8_t rgba[4];
+            tga_color(bmp_source(c, k) % TGA_WIDTH, bmp_source(c, k) / TGA_WIDTH, rgba);
+            CHECK(memcmp(image.pixels + channels * k, rgba, (size_t)channels) == 0, "%zu, pixel %d",
+                  i, k);
+        }
+        burnish_image_destroy(&image);
+        const size_t last = (size_t)(TGA_WIDTH * c->depth + 7) / 8, /* padding may be missing */
+            least = size - (size_t)(TGA_WIDTH * c->depth + 31) / 32 * 4 + last;
+        for (size_t n = 2; n < least; ++n) {
+            uint8_t *part = malloc(n);
+            memcpy(part, bytes, n);
+            CHECK(burnish_image_decode(part, n, "a.bmp", &image, &error) == BURNISH_STATUS_FORMAT,
+                  "%zu: %zu of %zu bytes", i, n, size);
+            free(part);
+        }
+    }
+}
+
+/* What is refused before any memory is asked for, and indices beyond the palette. */
+static void test_odd_bmp(void) {
+    static const struct {
+        size_t at;
+        uint32_t value;
+        const char *text;
+    } cases[] = {
+        {30, 1, "a.bmp: a BMP with runs, or of an unknown kind; convert it to PNG"},
+        {28, 7, "a.bmp: a BMP with runs, or of an unknown kind; convert it to PNG"},
+        {18, 1u << 30, "a.bmp: its header is damaged"},
+        {22, 1u << 31, "a.bmp: its header is damaged"},
+        {18, 0, "a.bmp: 0 x 2 pixels; it is damaged"},
+        {22, 0, "a.bmp: the file ends before its pixels; it is truncated"},
+        {22, 70000, "a.bmp: the file ends before its pixels; it is truncated"},
+        {10, 1u << 31, "a.bmp: the file ends before its pixels; it is truncated"},
+        {14, 1u << 31, "a.bmp: the file ends before its pixels; it is truncated"},
+    };
+    const bmp_case plain = {40, 8, 0, 0};
+    uint8_t bytes[400];
+    burnish_image image;
+    burnish_error error;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const size_t size = make_bmp(bytes, &plain);
+        put_number(bytes + cases[i].at, cases[i].value, 4);
+        CHECK(burnish_image_decode(bytes, size, "a.bmp", &image, &error) == BURNISH_STATUS_FORMAT,
+              "case %zu", i);
+        CHECK_TEXT(error.text, cases[i].text);
+    }
+    const size_t size = make_bmp(bytes, &plain);
+    bytes[size - 4] = 200; /* the first pixel of the upper row */
+    if (CHECK1(burnish_image_decode(bytes, size, "a.bmp", &image, &error) == BURNISH_STATUS_OK)) {
+        CHECK1(memcmp(image.pixels, (const uint8_t[3]){0, 0, 0}, 3) == 0);
+        burnish_image_destroy(&image);
+    }
 }
 
 /* ---- Files that name textures ---- */
@@ -417,6 +556,8 @@ int main(int count, char **arguments) {
     RUN(test_formats());
     RUN(test_tga());
     RUN(test_tga_runs());
+    RUN(test_bmp());
+    RUN(test_odd_bmp());
     RUN(test_obj());
     RUN(test_limits());
     RUN(test_side_by_side());

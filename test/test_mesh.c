@@ -1,4 +1,4 @@
-/* Meshes from triangles: welding, generated normals, orientation, order. */
+/* Meshes from triangles: generated normals, orientation, order. */
 #include <math.h>
 
 #include "burnish/mesh.h"
@@ -201,82 +201,6 @@ static void test_double_sided(void) {
         CHECK((k / 3 % 2 == 0) == (z > 0), "corner %d: %g", k, (double)z);
     }
     burnish_mesh_destroy(mesh);
-}
-
-static int compare_positions(const void *a, const void *b) {
-    return memcmp(a, b, 12);
-}
-
-/* Enough random positions for different ones with an equal 32-bit hash (about ten pairs). */
-static void test_weld(void) {
-    enum { COUNT = 300000 };
-    float *positions = malloc(COUNT * 12), *sorted = malloc(COUNT * 12);
-    uint32_t *remap = malloc(COUNT * sizeof *remap);
-    size_t unique = 0, expected = 1, next = 0;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    uint64_t state = test_seed(1);
-    for (size_t i = 0; i < COUNT; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            positions[3 * i + k] = (float)random_bits(&state);
-        }
-        if (i % 3 == 2) {
-            memcpy(positions + 3 * i, positions + 3 * (random_bits(&state) % i), 12);
-        }
-    }
-    memcpy(sorted, positions, COUNT * 12);
-    qsort(sorted, COUNT, 12, compare_positions);
-    for (size_t i = 1; i < COUNT; ++i) {
-        expected += memcmp(sorted + 3 * i, sorted + 3 * i - 3, 12) != 0;
-    }
-    burnish_tasks tasks;
-    burnish_memory memory = burnish_memory_of(NULL, &error);
-    burnish_tasks_begin(&tasks, NULL, 3);
-    CHECK(burnish_weld(positions, COUNT, &tasks, &memory, remap, &unique) == BURNISH_STATUS_OK,
-          "%s", error.text);
-    CHECK(unique == expected, "%zu of %zu", unique, expected);
-    int ordered = 1, equal = 1;
-    for (size_t i = 0; i < COUNT; ++i) {
-        if (remap[i] == next) {
-            memcpy(sorted + 3 * next++, positions + 3 * i, 12);
-        }
-        ordered &= remap[i] < next;
-        equal &= memcmp(sorted + 3 * remap[i], positions + 3 * i, 12) == 0;
-    }
-    CHECK(ordered && next == unique, "numbers are not in order of appearance");
-    CHECK(equal, "different positions share a number");
-    CHECK1(burnish_weld(NULL, 0, NULL, &memory, NULL, &unique) == BURNISH_STATUS_OK && unique == 0);
-    free(positions);
-    free(sorted);
-    free(remap);
-}
-
-static void test_weld_sort(void) {
-    enum { MOST = 300 };
-    burnish_weld_record records[MOST];
-    uint64_t state = test_seed(2);
-    for (size_t count = 0; count < MOST; count += count < 40 ? 1 : 37) {
-        uint64_t sum = 0;
-        for (size_t i = 0; i < count; ++i) {
-            records[i] = (burnish_weld_record){{random_bits(&state) % 3, random_bits(&state) % 3,
-                                                random_bits(&state) % 3, random_bits(&state) % 3},
-                                               (uint32_t)i};
-        }
-        burnish_weld_sort(records, count);
-        int ordered = 1;
-        for (size_t i = 0; i < count; ++i) {
-            sum += records[i].value;
-            for (int k = 0; i > 0 && k < 5; ++k) {
-                uint32_t a = k < 4 ? records[i - 1].key[k] : records[i - 1].value;
-                uint32_t b = k < 4 ? records[i].key[k] : records[i].value;
-                if (a != b) {
-                    ordered &= a < b;
-                    break;
-                }
-            }
-        }
-        CHECK(ordered, "%zu records", count);
-        CHECK(sum == count * (count - (count > 0)) / 2, "%zu records: lost some", count);
-    }
 }
 
 static void test_zero_area(void) {
@@ -562,8 +486,6 @@ int main(int count, char **arguments) {
     RUN(test_large_fan());
     RUN(test_wide_fans());
     RUN(test_double_sided());
-    RUN(test_weld());
-    RUN(test_weld_sort());
     RUN(test_zero_area());
     RUN(test_extreme_sizes());
     RUN(test_given_normals());

@@ -72,6 +72,7 @@ static void test_stl_colors(void) {
          0},
         {"COLOR=\x10\x20\x30\xFF,MATERIAL=", {0x8000, 0x8000, 0x8000}, {{16, 32, 48}}, 1},
         {"COLOR=\x10\x20\x30\xFF", {31, 31, 31}, {{255, 0, 0}}, 1},
+        {"COLOR=\x10\x20\x30\xFF", {0, 0, 0}, {{16, 32, 48}}, 1},
         {"", {0x801F, 0x801F, 0x801F}, {{0, 0, 255}}, 1},
     };
     burnish_load_options options = burnish_load_options_default();

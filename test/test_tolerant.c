@@ -180,6 +180,15 @@ static void test_stl_text(void) {
         {"solid\nfacet normal 0 weird 1\n" LOOP "facet normal nan inf 0\n" LOOP
          "facet normal\n" LOOP "facet normal 1 2\n" LOOP "endsolid\n",
          "a.stl:2: a normal is not 3 numbers; it was ignored (and 2 more like it)", 4},
+        {"solid\nfacet\n" LOOP "facet\n" LOOP "endsolid\n",
+         "a.stl:3: a normal is not 3 numbers; it was ignored (and 1 more like it)", 2},
+        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+         "endloop one\nendfacet two three\nfacet normal 0 0 1\n" LOOP "endsolid\n",
+         "a.stl:7: text in a facet's line was ignored (and 1 more like it)", 2},
+        {"solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop "
+         "endfacet facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop "
+         "endfacet endsolid a\n",
+         NULL, 2},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         burnish_mesh *mesh = load_text("a.stl", cases[i].text, cases[i].warning);
@@ -365,6 +374,9 @@ static void test_libraries(void) {
         {"sub\\C.mtl", NULL, 1},
         {"a b.mtl", NULL, 1},
         {"a\\ b.mtl", NULL, 1},
+        {"Plain.mtl # a comment", NULL, 1},
+        {"a b.mtl\t# a comment # of two", NULL, 1},
+        {"none.mtl # a comment", "No such file", 0},
         {"C:\\Users\\me\\Plain.mtl", "is beside the file", 1},
         {"/home/x/plain.mtl", "is beside the file", 1},
         {"../mtl/Plain.mtl", "is beside the file", 1},

@@ -7,4 +7,4 @@
 #   sbatch --dependency=afterany:JOB --wrap='burnish batch FOLDER -r -d OUT --index [the same FLAGS]'
 parts=$1 input=$2 output=$3
 shift 3
-exec burnish batch "$input" --recursive -d "$output" --shard="$SLURM_ARRAY_TASK_ID/$parts" --quiet "$@"
+exec burnish batch "$input" --recursive -d "$output" -j "$SLURM_CPUS_PER_TASK" --shard="$SLURM_ARRAY_TASK_ID/$parts" --quiet "$@"

@@ -103,6 +103,8 @@ static void close_one(struct aiFileIO *io, struct aiFile *file) {
 typedef struct walk {
     const struct aiScene *scene;
     importer_mesh *mesh;
+    const unsigned *sets; /* of texture coordinates, by material */
+    int has_opaque_colors;
     uint64_t vertices, triangles, points;
     int is_damaged;
     int has_no_normals; /* those that are there are not meant */
@@ -155,6 +157,26 @@ static int has_triangles(const struct aiMesh *mesh) {
     return 0;
 }
 
+/* The coordinates of its material's textures, which may be others than the first. */
+static const struct aiVector3D *coordinates_of(const walk *w, const struct aiMesh *mesh) {
+    const unsigned set =
+        mesh->mMaterialIndex < w->scene->mNumMaterials ? w->sets[mesh->mMaterialIndex] : 0;
+    return set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh->mTextureCoords[set]
+               ? mesh->mTextureCoords[set]
+               : mesh->mTextureCoords[0];
+}
+
+/* Colours that are wholly transparent everywhere stand for none: .amf and .blend files without
+ * have such. */
+static const struct aiColor4D *colors_of(const struct aiMesh *mesh) {
+    for (unsigned i = 0; i < mesh->mNumVertices && mesh->mColors[0]; ++i) {
+        if (mesh->mColors[0][i].a > 0) {
+            return mesh->mColors[0];
+        }
+    }
+    return NULL;
+}
+
 static void count_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix) {
     (void)matrix;
     if (!mesh->mVertices || !has_triangles(mesh)) {
@@ -168,8 +190,8 @@ static void count_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix
         w->triangles += (uint64_t)is_triangle(&mesh->mFaces[i], mesh);
     }
     w->mesh->parts |= (mesh->mNormals && !w->has_no_normals ? BURNISH_BMS_NORMALS : 0) |
-                      (mesh->mColors[0] ? BURNISH_BMS_COLORS : 0) |
-                      (mesh->mTextureCoords[0] ? BURNISH_BMS_TEXCOORDS : 0);
+                      (colors_of(mesh) ? BURNISH_BMS_COLORS : 0) |
+                      (coordinates_of(w, mesh) ? BURNISH_BMS_TEXCOORDS : 0);
 }
 
 /* What normals are multiplied by: the cofactors, which are the inverse's transpose times the
@@ -224,6 +246,8 @@ static uint8_t code_of(float value) {
 
 static void draw_vertices(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix) {
     importer_mesh *to = w->mesh;
+    const struct aiColor4D *colors = colors_of(mesh);
+    const struct aiVector3D *coordinates = coordinates_of(w, mesh);
     double cofactors[9], determinant;
     find_cofactors(matrix, cofactors, &determinant);
     for (unsigned i = 0; i < mesh->mNumVertices; ++i) {
@@ -233,13 +257,14 @@ static void draw_vertices(walk *w, const struct aiMesh *mesh, const struct aiMat
             put_normal(cofactors, determinant < 0 ? -1 : 1, &mesh->mNormals[i],
                        to->normals + 3 * at);
         }
-        if (mesh->mColors[0] && to->colors) {
-            const struct aiColor4D *c = &mesh->mColors[0][i];
-            const uint8_t rgba[4] = {code_of(c->r), code_of(c->g), code_of(c->b), code_of(c->a)};
+        if (colors && to->colors) {
+            const struct aiColor4D *c = &colors[i];
+            const uint8_t rgba[4] = {code_of(c->r), code_of(c->g), code_of(c->b),
+                                     w->has_opaque_colors ? 255 : code_of(c->a)};
             memcpy(to->colors + 4 * at, rgba, sizeof rgba);
         }
-        if (mesh->mTextureCoords[0] && to->texcoords) {
-            const float u = mesh->mTextureCoords[0][i].x, v = mesh->mTextureCoords[0][i].y;
+        if (coordinates && to->texcoords) {
+            const float u = coordinates[i].x, v = coordinates[i].y;
             to->texcoords[2 * at] = isfinite(u) ? u : 0;
             to->texcoords[2 * at + 1] = isfinite(v) ? v : 0;
         }
@@ -279,9 +304,12 @@ static void draw_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4
     w->vertices += mesh->mNumVertices;
 }
 
-/* Blender's vertices have smooth normals also where faces are flat. */
-static void flatten(const struct aiScene *scene, const char *ending, importer_mesh *mesh) {
-    walk counted = {.scene = scene, .mesh = mesh}, drawn = {.scene = scene, .mesh = mesh};
+/* Blender's vertices have smooth normals also where faces are flat. DXF knows no transparency, but
+ * libassimp's grey of what has no colour there has an alpha of 0.6. */
+static void flatten(const struct aiScene *scene, const char *ending, const unsigned *sets,
+                    importer_mesh *mesh) {
+    walk counted = {.scene = scene, .mesh = mesh, .sets = sets}, drawn = counted;
+    drawn.has_opaque_colors = strcmp(ending, "dxf") == 0;
     counted.has_no_normals = strcmp(ending, "blend") == 0;
     for_all(&counted, count_mesh);
     mesh->vertex_count = counted.triangles > 0 ? counted.vertices : counted.points;
@@ -323,10 +351,12 @@ static _Noreturn void fail_by_library(void) {
                   text);
 }
 
-void importer_import(const importer_input *input, importer_mesh *mesh) {
+void importer_import(importer_input *input, importer_mesh *mesh) {
+    importer_unpack(input);
     struct aiFileIO files = {open_one, close_one, (aiUserData)(uintptr_t)input};
     struct aiPropertyStore *properties = aiCreatePropertyStore();
-    const unsigned steps = aiProcess_Triangulate | aiProcess_TransformUVCoords;
+    const unsigned steps =
+        aiProcess_Triangulate | aiProcess_TransformUVCoords | aiProcess_GenUVCoords;
     snprintf(file_name, sizeof file_name, "input.%s", input->ending);
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     const struct aiScene *scene =
@@ -335,6 +365,5 @@ void importer_import(const importer_input *input, importer_mesh *mesh) {
         fail_by_library();
     }
     find_up(input->ending, mesh->up);
-    assimp_read_materials(scene, mesh);
-    flatten(scene, input->ending, mesh);
+    flatten(scene, input->ending, assimp_read_materials(scene, mesh), mesh);
 }

@@ -14,6 +14,8 @@ typedef struct reading {
     const struct aiScene *scene;
     const struct aiMaterial *material;
     importer_mesh *mesh;
+    int has_textures;
+    unsigned set; /* of texture coordinates: that of the first texture */
 } reading;
 
 /* ---- Textures ---- */
@@ -107,8 +109,10 @@ static int read_texture(reading *r, enum aiTextureType type, int slot, int is_co
         return 0;
     }
     path.data[sizeof path.data - 1] = 0;
-    if (mapping != aiTextureMapping_UV || set != 0) {
-        importer_warn(r->mesh, "a texture with other coordinates than the first is left out");
+    path.data[strcspn(path.data, "\"")] = 0; /* of X3D's lists of names the first */
+    if (mapping != aiTextureMapping_UV || (r->has_textures && set != r->set)) {
+        importer_warn(r->mesh, "a texture with other coordinates than the material's first is "
+                               "left out");
         return 0;
     }
     const uint32_t number = number_of(r, path.data, is_color);
@@ -116,6 +120,8 @@ static int read_texture(reading *r, enum aiTextureType type, int slot, int is_co
         return 0;
     }
     to->slots[slot].texture = number;
+    r->has_textures = 1;
+    r->set = set;
     for (int i = 0; i < 2; ++i) { /* "decal" counts as clamped */
         to->slots[slot].wrap[i] = (uint8_t)(modes[i] == aiTextureMapMode_Wrap     ? 0
                                             : modes[i] == aiTextureMapMode_Mirror ? 2
@@ -234,12 +240,15 @@ static void read_material(reading *r, importer_material *to) {
     read_opacity(r, to, name);
 }
 
-void assimp_read_materials(const struct aiScene *scene, importer_mesh *mesh) {
+const unsigned *assimp_read_materials(const struct aiScene *scene, importer_mesh *mesh) {
     mesh->material_count =
         scene->mNumMaterials < MATERIALS_MAX ? scene->mNumMaterials : MATERIALS_MAX;
     mesh->materials = importer_zeroed(mesh->material_count, sizeof *mesh->materials);
+    unsigned *sets = importer_zeroed(scene->mNumMaterials, sizeof *sets);
     for (uint32_t i = 0; i < mesh->material_count; ++i) {
         reading r = {.scene = scene, .material = scene->mMaterials[i], .mesh = mesh};
         read_material(&r, &mesh->materials[i]);
+        sets[i] = r.set;
     }
+    return sets;
 }

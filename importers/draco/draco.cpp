@@ -112,7 +112,7 @@ void put_stream(const uint8_t *bytes, size_t size) {
 
 } // namespace
 
-extern "C" void importer_import(const importer_input *input, importer_mesh *) {
+extern "C" void importer_import(importer_input *input, importer_mesh *) {
     const uint8_t *next = input->bytes, *end = next + input->size;
     try {
         importer_put(magic, 8);

@@ -397,7 +397,8 @@ extern "C" void importer_prepare(void) {
     Message::DefaultMessenger()->ChangePrinters().Clear();
 }
 
-extern "C" void importer_import(const importer_input *input, importer_mesh *mesh) {
+extern "C" void importer_import(importer_input *input, importer_mesh *mesh) {
+    importer_unpack(input);
     scene s;
     s.mesh = mesh;
     s.materials.push_back(importer_default_material());

@@ -1,8 +1,8 @@
 /* burnish/image.h: keep a picture: 8-bit pixels, PNG (also of 16 bits), hash, labels, contact
  * sheets; compare two.
  *
- * It reads TGA, and PNG, JPEG and WebP where it was built with their libraries. What it does not
- * do: resample pictures.
+ * It reads BMP and TGA, and PNG, JPEG and WebP where it was built with their libraries. What it
+ * does not do: resample pictures.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -35,7 +35,7 @@ typedef struct burnish_image {
 BURNISH_API burnish_status burnish_image_create(burnish_image *image, int width, int height,
                                                 int channels, burnish_error *error);
 
-/* Decodes a PNG, JPEG, WebP or TGA, told by its first bytes: codes of 8 bits, taken as sRGB
+/* Decodes a PNG, JPEG, WebP, BMP or TGA, told by its first bytes: codes of 8 bits, taken as sRGB
  * whatever gamma or profile the file states; 16 bits become the nearest 8. RGBA where the file has
  * any transparency, else RGB. Safe for untrusted input: sides are checked before memory is asked
  * for.

@@ -16,6 +16,7 @@ static const struct {
     {0, 8, {137, 'P', 'N', 'G', 13, 10, 26, 10}, burnish_decode_png},
     {0, 3, {0xff, 0xd8, 0xff}, burnish_decode_jpeg},
     {8, 4, {'W', 'E', 'B', 'P'}, burnish_decode_webp},
+    {0, 2, {'B', 'M'}, burnish_decode_bmp},
 };
 
 burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t width, uint64_t height,
@@ -65,8 +66,8 @@ burnish_status burnish_decode(const burnish_encoded *from, burnish_memory *memor
     *picture = (burnish_image){0};
     if (!decode) {
         return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
-                            "%.200s: neither PNG nor JPEG nor WebP nor TGA; convert it to one of "
-                            "them",
+                            "%.200s: neither PNG nor JPEG nor WebP nor BMP nor TGA; convert it to "
+                            "one of them",
                             from->name);
     }
     burnish_outside_begin();

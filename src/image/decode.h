@@ -1,5 +1,5 @@
-/* Pictures from files, which may be hostile: PNG, JPEG, WebP, each where its library is there, and
- * TGA. */
+/* Pictures from files, which may be hostile: PNG, JPEG, WebP, each where its library is there, BMP
+ * and TGA. */
 #ifndef BURNISH_IMAGE_DECODE_H
 #define BURNISH_IMAGE_DECODE_H
 
@@ -33,6 +33,8 @@ burnish_status burnish_decode_jpeg(const burnish_encoded *from, burnish_memory *
 burnish_status burnish_decode_webp(const burnish_encoded *from, burnish_memory *memory,
                                    burnish_image *picture);
 
+burnish_status burnish_decode_bmp(const burnish_encoded *from, burnish_memory *memory,
+                                  burnish_image *picture);
 burnish_status burnish_decode_tga(const burnish_encoded *from, burnish_memory *memory,
                                   burnish_image *picture);
 

@@ -66,14 +66,11 @@ static burnish_status weld(finder *f, burnish_tasks *tasks, burnish_memory *memo
     const size_t count = f->mesh->vertex_count;
     size_t unique = 0;
     burnish_status status =
-        burnish_weld(f->mesh->positions, count, tasks, memory, f->heads, &unique);
+        burnish_weld(f->mesh->positions, count, tasks, memory, f->heads, f->first, &unique);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    for (size_t i = 0, next = 0; i < count; ++i) { /* numbers appear in their order */
-        if (f->heads[i] == next) {
-            f->first[next++] = (uint32_t)i;
-        }
+    for (size_t i = 0; i < count; ++i) {
         f->heads[i] = f->first[f->heads[i]];
     }
     memset(f->first, 0, (count + 2) * sizeof *f->first);

@@ -109,7 +109,7 @@ mkdir programs
 ln -s "$burnish" programs/burnish
 examples=$here/../../docs/examples
 for task in 1 2 3 9; do # more parts than inputs
-    PATH=$scratch/programs:$PATH SLURM_ARRAY_TASK_ID=$task \
+    PATH=$scratch/programs:$PATH SLURM_ARRAY_TASK_ID=$task SLURM_CPUS_PER_TASK=2 \
         "$examples/batch-array.sh" 9 in out --size=16 --no-seconds $memory >"$out" 2>"$err"
 done
 check "an array of jobs: $(cat "$err")" [ "$(find out -name '*.jsonl' | wc -l)" = 4 ]

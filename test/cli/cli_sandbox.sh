@@ -89,6 +89,7 @@ picture() { # LIBRARY
     json hash
 }
 check "a library beside the input is read" [ "$(picture beside.mtl)" != "$(picture none.mtl)" ]
+check "in other case, too" [ "$(picture BESIDE.Mtl)" = "$(picture beside.mtl)" ]
 check "a library elsewhere is not" [ "$(picture link.mtl)" = "$(picture none.mtl)" ]
 rm -rf in secret.mtl
 

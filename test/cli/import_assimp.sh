@@ -16,7 +16,7 @@ holds() {
     check "$1: $(json triangles) triangles, not $2: $(cat "$err")" [ "$(json triangles)" = "$2" ]
     run render "$models/$1" --size=100 --json --quiet -o p.png
     check "$1: up is $(json up), not $3" [ "$(json up)" = "$3" ]
-    check "$1: something is seen" [ "$(json covered_pixels)" -gt 100 ]
+    check "$1: something is seen" [ "$(json covered_pixels)" -gt 100 -a "$(json blank)" = false ]
     run render "$models/$1" --size=100 --sandbox --quiet -o q.png
     check "$1: the same in a sandbox: $(cat "$err")" cmp -s p.png q.png
     rm -f p.png q.png
@@ -28,6 +28,9 @@ holds 3DS/fels.3ds 768 +Y
 holds BLEND/HUMAN.blend 8560 +Z
 holds DXF/wuson.dxf 3732 -Z
 holds AMF/test2.amf 4 +Z
+holds AMF/test1.amf 4 +Z # colours of vertices that are wholly transparent are none
+holds BLEND/BlenderDefault_250.blend 12 +Z
+holds Collada/cube_UTF16LE.dae 12 +Y
 
 # Colours of materials and vertices, and a texture that the archive holds.
 hash() { # FLAGS
@@ -37,6 +40,30 @@ hash() { # FLAGS
 }
 check "a texture in the file is drawn" [ "$(hash $models/Collada/duck.zae)" != "$(hash $models/Collada/duck.zae --no-textures)" ]
 check "materials have colours" [ "$(hash $models/FBX/cubes_with_names.fbx)" != "$(hash $models/FBX/cubes_with_names.fbx --color=1,1,1)" ]
+
+check "coordinates that the file leaves to be made" \
+    [ "$(hash $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo)" != "$(hash $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo --no-textures)" ]
+run render $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo --size=32 -o p.png
+check "no warning of them: $(cat "$err")" [ ! -s "$err" ]
+run info $models/X3D/HelloWorld.x3d
+check "of a list of names the first: $(cat "$err")" sh -c "! grep -q '\"http' '$err'"
+# libassimp's grey of what has no colour has an alpha of 0.6, which DXF does not know
+inside="$models/DXF/wuson.dxf --views=left --camera-zoom-factor=12"
+# shellcheck disable=SC2086
+check "DXF is opaque" [ "$(hash $inside --background-color=1,0,0)" = "$(hash $inside --background-color=0,0,1)" -a -n "$(json hash)" ]
+rm -f p.png
+
+# Packed, and damaged so.
+gzip -c $models/FBX/box.fbx >BOX.FBX.GZ
+check "gzip" [ "$(hash BOX.FBX.GZ)" = "$(hash $models/FBX/box.fbx)" ]
+check "gzip in a sandbox" [ "$(hash BOX.FBX.GZ --sandbox)" = "$(hash $models/FBX/box.fbx)" ]
+head -c 2000 BOX.FBX.GZ >cut.fbx.gz
+expect 4 "burnish: cut.fbx.gz: burnish-import-assimp: gzip: byte 2000: the gzip file is truncated" info cut.fbx.gz
+head -c 9000000 /dev/zero | gzip >large.fbx.gz
+expect 5 "burnish: large.fbx.gz: burnish-import-assimp: gzip: unpacks to more than 200 times its size; unpack it first if that is right" info large.fbx.gz
+run batch . -d out
+check "a folder's: $(cat "$err")" [ -s out/BOX.FBX.png ]
+rm -rf BOX.FBX.GZ cut.fbx.gz large.fbx.gz out
 
 # By hand: a stream is a file like others.
 "$(dirname "$burnish")/burnish-import-assimp" fbx <$models/FBX/spider.fbx >a.bms

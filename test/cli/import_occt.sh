@@ -27,6 +27,12 @@ for file in part.igs part.brep part.brp two.step; do
     rm -f p.png q.png
 done
 
+gzip -c "$files/part.igs" >part.igs.gz
+run render "$files/part.igs" --size=100 -o p.png
+run render part.igs.gz --size=100 -o q.png
+check "gzip: $(cat "$err")" cmp -s p.png q.png
+rm -f part.igs.gz p.png q.png
+
 # An assembly of two, red with one face of another colour.
 run info "$files/two.step" --json
 check "box: $(json size)" [ "$(json size)" = 50,30,10 ]

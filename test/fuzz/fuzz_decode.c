@@ -1,4 +1,4 @@
-/* Fuzzing of pictures: libFuzzer's bytes are decoded as PNG, JPEG, WebP or TGA. What is decoded
+/* Fuzzing of pictures: libFuzzer's bytes are decoded as PNG, JPEG, WebP, BMP or TGA. What is decoded
  * must have a size, and every byte of it must have been written; what is not must say so in one
  * line.
  *

@@ -52,6 +52,8 @@ typedef struct burnish_builder {
     int has_extras;             /* attributes besides position and normal */
     int normals_complete;       /* every corner has a normal of the file's */
 
+    uint32_t *order; /* of each triangle of the mesh, its number at present; NULL: as they are */
+
     uint32_t *first_corner; /* position_count + 1: where a position's corners start in ... */
     uint32_t *corners;      /* ... all corners, by position */
     size_t max_faces;       /* around one position */
@@ -90,9 +92,14 @@ burnish_status burnish_build_measure(burnish_builder *b, const uint32_t *remap);
 
 /* ---- order.c ---- */
 
-/* Orders the triangles in space, so that neighbours there are neighbours in memory; the order
+/* Finds an order of the triangles in space, so that neighbours there are neighbours in memory; it
  * depends on positions and corners only. Errors: MEMORY, CANCELLED. */
 burnish_status burnish_build_order(burnish_builder *b);
+
+/* Moves what there is per triangle into the order, which is released.
+ *   corners  0: what only corners have stays where it is, since it was used in that order
+ * Errors: MEMORY, CANCELLED. */
+burnish_status burnish_build_move(burnish_builder *b, int corners);
 
 /* ---- vertices.c ---- */
 
@@ -121,10 +128,12 @@ burnish_status burnish_build_tangents(burnish_builder *b);
  * count:     [0, 2^32 - 2]
  * tasks:     threads to share the work
  * remap:     count numbers, written
+ * firsts:    room for count: of each number, the first position that has it, written
  * unique:    how many different positions there are, written
  * Errors: MEMORY, LIMIT, CANCELLED. */
 burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *tasks,
-                            burnish_memory *memory, uint32_t *remap, size_t *unique);
+                            burnish_memory *memory, uint32_t *remap, uint32_t *firsts,
+                            size_t *unique);
 
 /* Of items that each tell the first one equal to it, no later than itself: numbers them in the
  * order of those first ones, in place. Returns how many there are; when cancelled, too few. */

@@ -143,6 +143,15 @@ static burnish_status find_order(burnish_builder *b, uint32_t *order) {
     return status;
 }
 
+burnish_status burnish_build_order(burnish_builder *b) {
+    const size_t count = b->triangle_count;
+    if (count < ORDERED_MIN) {
+        return BURNISH_STATUS_OK;
+    }
+    b->order = burnish_allocate(b->memory, count, sizeof *b->order, "ordering");
+    return b->order ? find_order(b, b->order) : b->memory->status;
+}
+
 /* ---- Moving ---- */
 
 /* Items of one size, one per triangle, on their way to a new order. */
@@ -170,40 +179,36 @@ static void move_materials(void *context, size_t first, size_t end) {
 
 /* An array with one item of `size` bytes per triangle in that order; NULL stays. Returns where it
  * is now; on failure as it was. */
-static void *permute(burnish_builder *b, const uint32_t *order, void *array, size_t size,
-                     burnish_range_task *task) {
+static void *permute(burnish_builder *b, void *array, size_t size, burnish_range_task *task) {
     void *made = array ? burnish_allocate(b->memory, b->triangle_count, size, "ordering") : NULL;
     if (!made) {
         return array;
     }
-    move_context context = {order, array, made};
+    move_context context = {b->order, array, made};
     burnish_tasks_ranges(b->data->tasks, b->triangle_count, BURNISH_BUILD_GRAIN, task, &context);
     burnish_release(b->memory->context, array);
     return made;
 }
 
-burnish_status burnish_build_order(burnish_builder *b) {
+burnish_status burnish_build_move(burnish_builder *b, int corners) {
     burnish_mesh_data *data = b->data;
-    const size_t count = b->triangle_count;
-    if (count < ORDERED_MIN) {
+    if (!b->order) {
         return BURNISH_STATUS_OK;
     }
-    uint32_t *order = burnish_allocate(b->memory, count, sizeof *order, "ordering");
-    burnish_status status = order ? find_order(b, order) : b->memory->status;
-    if (status == BURNISH_STATUS_OK) {
-        b->corner_positions = permute(b, order, b->corner_positions, BURNISH_TRIPLE, move_triples);
+    if (corners) {
+        b->corner_positions = permute(b, b->corner_positions, BURNISH_TRIPLE, move_triples);
         for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
             burnish_stream *stream = &data->streams[i];
-            stream->corners = permute(b, order, stream->corners, BURNISH_TRIPLE, move_triples);
-            stream->corner_capacity = stream->corners ? count : 0;
+            stream->corners = permute(b, stream->corners, BURNISH_TRIPLE, move_triples);
+            stream->corner_capacity = stream->corners ? b->triangle_count : 0;
         }
-        data->triangle_materials =
-            permute(b, order, data->triangle_materials, sizeof(uint16_t), move_materials);
-        data->triangle_material_capacity = data->triangle_materials ? count : 0;
-        status = b->memory->status == BURNISH_STATUS_OK
-                     ? burnish_tasks_check(data->tasks, b->memory->error)
-                     : b->memory->status;
     }
-    burnish_release(b->memory->context, order);
-    return status;
+    data->triangle_materials =
+        permute(b, data->triangle_materials, sizeof(uint16_t), move_materials);
+    data->triangle_material_capacity = data->triangle_materials ? b->triangle_count : 0;
+    burnish_release(b->memory->context, b->order);
+    b->order = NULL;
+    return b->memory->status == BURNISH_STATUS_OK
+               ? burnish_tasks_check(data->tasks, b->memory->error)
+               : b->memory->status;
 }

@@ -17,15 +17,19 @@ static void drop_zero_signs(void *context, size_t first, size_t end) {
 static burnish_status weld_positions(burnish_builder *b, uint32_t *remap) {
     float *positions = burnish_positions(b->data);
     const size_t count = b->data->streams[BURNISH_POSITION].count;
-    burnish_tasks_ranges(b->data->tasks, 3 * count, BURNISH_BUILD_STEP, drop_zero_signs, positions);
-    burnish_status status =
-        burnish_weld(positions, count, b->data->tasks, b->memory, remap, &b->position_count);
-    size_t next = 0;
-    for (size_t i = 0; i < count && next < b->position_count && status == BURNISH_STATUS_OK; ++i) {
-        if (remap[i] == next) {
-            memmove(positions + 3 * next++, positions + 3 * i, 3 * sizeof *positions);
-        }
+    uint32_t *firsts = burnish_allocate(b->memory, count, sizeof *firsts, "welding");
+    if (b->memory->status != BURNISH_STATUS_OK) {
+        return b->memory->status;
     }
+    burnish_tasks_ranges(b->data->tasks, 3 * count, BURNISH_BUILD_STEP, drop_zero_signs, positions);
+    burnish_status status = burnish_weld(positions, count, b->data->tasks, b->memory, remap, firsts,
+                                         &b->position_count);
+    for (size_t i = 0; i < b->position_count && status == BURNISH_STATUS_OK; ++i) {
+        float position[3]; /* they move towards the head */
+        memcpy(position, positions + 3 * (size_t)firsts[i], sizeof position);
+        memcpy(positions + 3 * i, position, sizeof position);
+    }
+    burnish_release(b->memory->context, firsts);
     return status;
 }
 
@@ -184,11 +188,14 @@ static void release_corners_of(burnish_builder *b, burnish_attribute attribute) 
 burnish_status burnish_build_triangles(burnish_builder *b) {
     const size_t count = b->data->streams[BURNISH_POSITION].count;
     uint32_t *remap = burnish_allocate(b->memory, count, sizeof *remap, "welding");
-    b->corner_positions =
-        burnish_allocate(b->memory, b->data->triangle_count, BURNISH_TRIPLE, "triangles");
     burnish_status status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
         status = weld_positions(b, remap);
+    }
+    if (status == BURNISH_STATUS_OK) { /* perhaps where welding took place */
+        b->corner_positions =
+            burnish_allocate(b->memory, b->data->triangle_count, BURNISH_TRIPLE, "triangles");
+        status = b->memory->status;
     }
     if (status == BURNISH_STATUS_OK) {
         status = b->measure ? burnish_build_measure(b, remap) : BURNISH_STATUS_OK;
@@ -208,6 +215,8 @@ void burnish_build_release_corners(burnish_builder *b, int extras) {
     burnish_release(b->memory->context, b->corners);
     burnish_release(b->memory->context, b->first_corner);
     burnish_release(b->memory->context, b->corner_positions);
+    burnish_release(b->memory->context, b->order);
+    b->order = NULL;
     b->corners = b->first_corner = b->corner_positions = NULL;
     burnish_mesh_data_drop(b->data, BURNISH_NORMAL);
     if (!extras) {

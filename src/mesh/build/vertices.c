@@ -87,15 +87,19 @@ static void index_corners(void *context, size_t first, size_t end) {
     indexer *x = context;
     const uint32_t *positions = x->b->corner_positions;
     const uint32_t *normals = burnish_stream_corners(x->b->data, BURNISH_NORMAL);
-    uint32_t *indices = x->b->mesh->indices;
+    const uint32_t *order = x->b->order;
+    uint32_t *indices = x->b->mesh->indices + 3 * first;
     for (size_t i = first; i < end && !x->has_many; ++i) {
-        const position_head head = x->heads[positions[i]];
-        uint32_t vertex = head.vertex;
-        if (head.normal != normals[i]) {
-            vertex = find_vertex(x, positions[i], normals[i]);
-            x->has_many = vertex == BURNISH_NONE;
+        const size_t start = 3 * (size_t)(order ? order[i] : i);
+        for (size_t corner = start; corner < start + 3; ++corner) {
+            const position_head head = x->heads[positions[corner]];
+            uint32_t vertex = head.vertex;
+            if (head.normal != normals[corner]) {
+                vertex = find_vertex(x, positions[corner], normals[corner]);
+                x->has_many |= vertex == BURNISH_NONE;
+            }
+            *indices++ = vertex;
         }
-        indices[i] = vertex;
     }
 }
 
@@ -119,8 +123,8 @@ static burnish_status index_file_normals(burnish_builder *b, int *done) {
                                  sizeof *x.vertices, "vertices");
     if (b->memory->status == BURNISH_STATUS_OK) {
         memset(x.heads, 0xff, b->position_count * sizeof *x.heads);
-        burnish_tasks_in_order(b->data->tasks, 3 * b->triangle_count, BURNISH_BUILD_STEP,
-                               index_corners, &x);
+        burnish_tasks_in_order(b->data->tasks, b->triangle_count, BURNISH_BUILD_STEP, index_corners,
+                               &x);
     }
     burnish_release(b->memory->context, x.heads);
     burnish_status status = b->memory->status == BURNISH_STATUS_OK
@@ -552,13 +556,24 @@ static burnish_status build_any(burnish_builder *b) {
     return status;
 }
 
-burnish_status burnish_build_vertices(burnish_builder *b) {
-    int done = b->normals_complete && !b->has_extras;
+static burnish_status allocate_indices(burnish_builder *b) {
     b->mesh->indices =
         burnish_allocate(b->memory, b->triangle_count, 3 * sizeof *b->mesh->indices, "triangles");
-    burnish_status status = b->memory->status;
-    if (status == BURNISH_STATUS_OK && done) {
-        status = index_file_normals(b, &done);
+    return b->memory->status;
+}
+
+burnish_status burnish_build_vertices(burnish_builder *b) {
+    int done = b->normals_complete && !b->has_extras;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (done) {
+        status = allocate_indices(b);
+        status = status == BURNISH_STATUS_OK ? index_file_normals(b, &done) : status;
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_build_move(b, !done);
+    }
+    if (status == BURNISH_STATUS_OK && !b->mesh->indices) { /* perhaps where corners were */
+        status = allocate_indices(b);
     }
     return status == BURNISH_STATUS_OK && !done ? build_any(b) : status;
 }

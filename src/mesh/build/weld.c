@@ -1,20 +1,22 @@
-/* Finding equal positions: they are scattered into buckets by a hash, in order, and each bucket is
- * searched with a small hash table.
+/* Finding equal positions: within slices, whose tables stay in the first-level cache, then among
+ * what the slices keep, by a table per thread for its part of the hashes. Neighbours in a file
+ * mostly are neighbours in space, so that the slices of a soup keep few.
  *
  * Why not meshopt_generateVertexRemap: its hash has no seed and is easily inverted, so that a file
  * of 80,000 positions made for it takes 6.9 s, four times that for each doubling (measured,
  * version 0.18), and it ends the process when memory runs out. Here the hash only makes the usual
- * case fast: a bucket in which looking up takes too many steps is sorted instead, so that the worst
- * case is O(n log n), and every failed allocation is reported. */
+ * case fast: a slice in which looking up takes too many steps keeps all, a part in which it does is
+ * sorted, so that the worst case is O(n log n), and every failed allocation is reported. */
 #include "mesh/build/builder.h"
 
 enum {
-    BUCKET_TARGET = 2048, /* positions per bucket: its table stays in the first-level cache */
-    BUCKET_BITS_MAX = 12, /* more streams than that scatter badly */
-    GRAIN = 1 << 15,      /* positions that are worth a thread, or a slice */
-    SLICES_MAX = 64,      /* between two of them the call can end */
-    BUCKET_MANY = 16,     /* a bucket so many times as large as on average is sorted at once */
-    PROBES = 8            /* per position, on average, before a bucket counts as hostile */
+    SLICE = 4096,     /* positions */
+    TRIAL = 256,      /* positions: where the first ones all differ, a slice keeps all */
+    SLICE_PROBES = 2, /* per position, on average, before it does, too */
+    PART_PROBES = 8,  /* the same, before a part is sorted */
+    AHEAD = 16,       /* items whose slots are fetched before they are looked up */
+    PART_SLICES = 16, /* that are worth a thread */
+    CHECK_SLICES = 64 /* after so many, whether the call should end */
 };
 
 static int record_less(const burnish_weld_record *a, const burnish_weld_record *b) {
@@ -36,132 +38,191 @@ void burnish_weld_sort(burnish_weld_record *records, size_t count) {
     sort_record_array(records, count);
 }
 
-/* A position on its way through a bucket. */
-typedef struct item {
-    uint32_t key[3];
-    uint32_t index;
-} item;
-
 /* What a thread takes memory with. */
 typedef struct weld_thread {
     burnish_memory memory;
     burnish_error error;
 } weld_thread;
 
+/* Items are what slices keep: positions that differ in their slice. Those of slice s are numbered
+ * from s * SLICE on. */
 typedef struct welder {
     const float *positions;
     size_t count;
     burnish_tasks *tasks;
-    int threads;   /* that take part */
-    size_t slices; /* of the positions, each counted and scattered by one thread */
-    int bucket_bits;
-    item *items;         /* by bucket, in the order of their index */
-    size_t *starts;      /* slices * buckets: where each slice's share of a bucket starts */
-    uint32_t *remap;     /* of each position: the first one that is equal */
-    uint32_t *tables;    /* threads * table_size: numbers of items + 1 in the bucket, 0: free */
-    size_t table_size;   /* a power of two, at least twice the largest bucket looked up */
-    weld_thread *memory; /* one per thread */
+    size_t slices;
+    size_t parts;        /* of the hashes, one per thread */
+    uint32_t *remap;     /* of each position: which of its slice's items it is */
+    uint32_t *firsts;    /* of each item, then of each number: its first position */
+    uint32_t *hashes;    /* of each item */
+    uint32_t *numbers;   /* of each item: the first one equal to it; then its number */
+    uint16_t *kept;      /* items of each slice */
+    size_t unique;       /* numbers given */
+    weld_thread *memory; /* one per part */
 } welder;
 
 /* Multiply-xorshift mixing; any function would be correct, a poor one only slower. */
-static uint64_t hash_position(const uint32_t key[3]) {
+static uint32_t hash_position(const float position[3]) {
+    uint32_t key[3];
+    memcpy(key, position, sizeof key);
     uint64_t h = (key[0] ^ ((uint64_t)key[1] << 32)) * 0x9e3779b97f4a7c15u;
     h = (h ^ (h >> 29) ^ key[2]) * 0xbf58476d1ce4e5b9u;
-    return h ^ (h >> 31);
-}
-
-/* The bucket is told by the upper bits of the hash, the slot in its table by the lower ones. */
-static size_t bucket_of(const welder *w, uint64_t hash) {
-    return (size_t)(hash >> 40) >> (24 - w->bucket_bits);
-}
-
-static size_t slice_start(const welder *w, size_t slice) {
-    return slice == w->slices ? w->count : w->count / w->slices * slice;
-}
-
-static void count_slice(void *context, size_t slice, int thread) {
-    const welder *w = context;
-    size_t *counts = w->starts + (slice << w->bucket_bits);
-    (void)thread;
-    memset(counts, 0, sizeof *counts << w->bucket_bits);
-    for (size_t i = slice_start(w, slice), end = slice_start(w, slice + 1); i < end; ++i) {
-        uint32_t key[3];
-        memcpy(key, w->positions + 3 * i, sizeof key);
-        ++counts[bucket_of(w, hash_position(key))];
-    }
-}
-
-static void scatter_slice(void *context, size_t slice, int thread) {
-    const welder *w = context;
-    size_t *next = w->starts + (slice << w->bucket_bits);
-    (void)thread;
-    for (size_t i = slice_start(w, slice), end = slice_start(w, slice + 1); i < end; ++i) {
-        item moved = {.index = (uint32_t)i};
-        memcpy(moved.key, w->positions + 3 * i, sizeof moved.key);
-        w->items[next[bucket_of(w, hash_position(moved.key))]++] = moved;
-    }
-}
-
-/* Counts become starts, bucket by bucket and within them slice by slice; returns the size of the
- * largest bucket. */
-static size_t sum_counts(welder *w) {
-    size_t sum = 0, largest = 0;
-    for (size_t bucket = 0; bucket < (size_t)1 << w->bucket_bits; ++bucket) {
-        size_t before = sum;
-        for (size_t slice = 0; slice < w->slices; ++slice) {
-            size_t *start = &w->starts[(slice << w->bucket_bits) + bucket];
-            size_t size = *start;
-            *start = sum;
-            sum += size;
-        }
-        largest = sum - before > largest ? sum - before : largest;
-    }
-    return largest;
-}
-
-/* Where a bucket ends, once its items have been scattered. */
-static size_t bucket_end(const welder *w, size_t bucket) {
-    return w->starts[((w->slices - 1) << w->bucket_bits) + bucket];
+    return (uint32_t)(h >> 32);
 }
 
 static int same_key(const uint32_t a[3], const uint32_t b[3]) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* Returns 0 for a bucket too large, or when it took too many steps. */
-static int look_up(const welder *w, const item *items, size_t count, uint32_t *table) {
-    size_t size = 16, steps = PROBES * count + 64;
-    if (2 * count > w->table_size) {
-        return 0;
+static int same_position(const welder *w, size_t i, size_t j) {
+    uint32_t a[3], b[3];
+    memcpy(a, w->positions + 3 * i, sizeof a);
+    memcpy(b, w->positions + 3 * j, sizeof b);
+    return same_key(a, b);
+}
+
+/* ---- Slices ---- */
+
+static size_t slice_size(const welder *w, size_t slice) {
+    const size_t rest = w->count - slice * SLICE;
+    return rest < SLICE ? rest : SLICE;
+}
+
+/* Keeps every position: two that are equal become one among the items. */
+static void keep_slice(const welder *w, size_t slice) {
+    const size_t first = slice * SLICE, count = slice_size(w, slice);
+    for (size_t i = first; i < first + count; ++i) {
+        w->remap[i] = (uint32_t)(i - first);
+        w->firsts[i] = (uint32_t)i;
+        w->hashes[i] = hash_position(w->positions + 3 * i);
     }
-    while (size < 2 * count) {
-        size *= 2;
-    }
-    memset(table, 0, size * sizeof *table);
-    for (size_t i = 0; i < count; ++i) {
-        size_t slot = (size_t)hash_position(items[i].key) & (size - 1);
-        while (table[slot] != 0 && !same_key(items[table[slot] - 1].key, items[i].key)) {
-            slot = (slot + 1) & (size - 1);
+    w->kept[slice] = (uint16_t)count;
+}
+
+/* Returns 0 where the slice is to keep all: it seems to have nothing equal, as the vertices of an
+ * indexed mesh, or takes too many steps. */
+static int weld_slice(const welder *w, size_t slice) {
+    enum { SLOTS = 2 * SLICE };
+    const size_t first = slice * SLICE, count = slice_size(w, slice);
+    uint32_t *firsts = w->firsts + first, *hashes = w->hashes + first;
+    uint16_t slots[SLOTS] = {0}; /* items + 1; 0: free */
+    size_t kept = 0, steps = SLICE_PROBES * count + 64;
+    for (size_t i = first; i < first + count; ++i) {
+        const uint32_t hash = hash_position(w->positions + 3 * i);
+        size_t slot = hash % SLOTS;
+        while (slots[slot] != 0 && !same_position(w, firsts[slots[slot] - 1], i)) {
+            slot = (slot + 1) % SLOTS;
             if (--steps == 0) {
                 return 0;
             }
         }
-        if (table[slot] == 0) {
-            table[slot] = (uint32_t)i + 1;
+        if (slots[slot] == 0) {
+            firsts[kept] = (uint32_t)i;
+            hashes[kept] = hash;
+            slots[slot] = (uint16_t)++kept;
         }
-        w->remap[items[i].index] = items[table[slot] - 1].index;
+        w->remap[i] = slots[slot] - 1U;
+        if (kept == TRIAL && i - first == TRIAL - 1) {
+            return 0;
+        }
+    }
+    w->kept[slice] = (uint16_t)kept;
+    return 1;
+}
+
+static void slice_task(void *context, size_t slice, int thread) {
+    const welder *w = context;
+    (void)thread;
+    if (!weld_slice(w, slice)) {
+        keep_slice(w, slice);
+    }
+}
+
+/* ---- Parts ---- */
+
+typedef struct slot {
+    uint32_t hash, item; /* BURNISH_NONE: free */
+} slot;
+
+/* A part of the hashes while one thread welds its items. */
+typedef struct part {
+    const welder *w;
+    size_t number;
+    int thread;
+    slot *slots;
+    size_t mask;  /* slots - 1: a power of two */
+    size_t steps; /* that looking up may still take; 0: too many */
+} part;
+
+/* The items of a slice that are a part's; returns how many. */
+static size_t list_items(const part *p, size_t slice, uint32_t items[SLICE]) {
+    const welder *w = p->w;
+    const size_t first = slice * SLICE, end = first + w->kept[slice];
+    size_t count = 0;
+    for (size_t i = first; i < end; ++i) {
+        items[count] = (uint32_t)i;
+        count += (w->hashes[i] * (uint64_t)w->parts) >> 32 == p->number;
+    }
+    return count;
+}
+
+static void look_up(part *p, uint32_t item) {
+    const welder *w = p->w;
+    const uint32_t hash = w->hashes[item];
+    size_t at = hash & p->mask;
+    while (p->slots[at].item != BURNISH_NONE &&
+           (p->slots[at].hash != hash ||
+            !same_position(w, w->firsts[p->slots[at].item], w->firsts[item]))) {
+        at = (at + 1) & p->mask;
+        if (p->steps == 0) {
+            return;
+        }
+        --p->steps;
+    }
+    if (p->slots[at].item == BURNISH_NONE) {
+        p->slots[at] = (slot){hash, item};
+    }
+    w->numbers[item] = p->slots[at].item;
+}
+
+/* Whether the call should end: asked from time to time. */
+static int is_cancelled(const part *p, size_t slice) {
+    burnish_tasks *tasks = p->w->tasks;
+    return slice % CHECK_SLICES == 0 &&
+           (p->thread == 0 ? burnish_tasks_cancelled(tasks) : atomic_load(&tasks->cancelled));
+}
+
+/* Returns 0 when it took too many steps. */
+static int look_up_part(part *p) {
+    uint32_t items[SLICE + AHEAD];
+    for (size_t slice = 0; slice < p->w->slices && !is_cancelled(p, slice); ++slice) {
+        const size_t count = list_items(p, slice, items);
+        memset(items + count, 0, AHEAD * sizeof *items);
+        for (size_t i = 0; i < count; ++i) {
+            __builtin_prefetch(p->slots + (p->w->hashes[items[i + AHEAD]] & p->mask));
+            look_up(p, items[i]);
+        }
+        if (p->steps == 0) {
+            return 0;
+        }
     }
     return 1;
 }
 
-static void sort_bucket(const welder *w, const item *items, size_t count, burnish_memory *memory) {
+static void sort_part(const part *p, size_t count, burnish_memory *memory) {
+    const welder *w = p->w;
+    uint32_t items[SLICE];
     burnish_weld_record *records = burnish_allocate(memory, count, sizeof *records, "welding");
     if (!records) {
         return;
     }
-    for (size_t i = 0; i < count; ++i) {
-        records[i] = (burnish_weld_record){{items[i].key[0], items[i].key[1], items[i].key[2]},
-                                           items[i].index};
+    for (size_t slice = 0, next = 0; slice < w->slices; ++slice) {
+        const size_t listed = list_items(p, slice, items);
+        for (size_t i = 0; i < listed; ++i, ++next) {
+            records[next] = (burnish_weld_record){{0}, items[i]};
+            memcpy(records[next].key, w->positions + 3 * (size_t)w->firsts[items[i]],
+                   3 * sizeof(float));
+        }
     }
     burnish_weld_sort(records, count);
     uint32_t head = records[0].value;
@@ -169,65 +230,114 @@ static void sort_bucket(const welder *w, const item *items, size_t count, burnis
         if (i > 0 && !same_key(records[i].key, records[i - 1].key)) {
             head = records[i].value;
         }
-        w->remap[records[i].value] = head;
+        w->numbers[records[i].value] = head;
     }
     burnish_release(memory->context, records);
 }
 
-static void bucket_task(void *context, size_t bucket, int thread) {
+static void part_task(void *context, size_t number, int thread) {
+    const welder *w = context;
+    burnish_memory *memory = &w->memory[number].memory;
+    part p = {.w = w, .number = number, .thread = thread};
+    uint32_t items[SLICE];
+    size_t count = 0, size = 64;
+    for (size_t slice = 0; slice < w->slices; ++slice) {
+        count += w->parts == 1 ? w->kept[slice] : list_items(&p, slice, items);
+    }
+    while (2 * size < 3 * count) {
+        size *= 2;
+    }
+    p.mask = size - 1;
+    p.steps = PART_PROBES * count + 64;
+    p.slots = burnish_allocate(memory, size, sizeof *p.slots, "welding");
+    if (!p.slots) {
+        return;
+    }
+    memset(p.slots, 0xff, size * sizeof *p.slots);
+    const int done = look_up_part(&p);
+    burnish_release(memory->context, p.slots);
+    if (!done) {
+        sort_part(&p, count, memory);
+    }
+}
+
+/* ---- Numbers ---- */
+
+/* Items that come first get the next number, others that of theirs. */
+static void number_slices(void *context, size_t first, size_t end) {
     welder *w = context;
-    const size_t start = bucket > 0 ? bucket_end(w, bucket - 1) : 0;
-    const size_t count = bucket_end(w, bucket) - start;
-    if (w->memory[thread].memory.status == BURNISH_STATUS_OK &&
-        !look_up(w, w->items + start, count, w->tables + w->table_size * (size_t)thread)) {
-        sort_bucket(w, w->items + start, count, &w->memory[thread].memory);
+    for (size_t slice = first; slice < end; ++slice) {
+        for (size_t i = slice * SLICE, last = i + w->kept[slice]; i < last; ++i) {
+            if (w->numbers[i] == i) {
+                w->firsts[w->unique] = w->firsts[i];
+                w->numbers[i] = (uint32_t)w->unique++;
+            } else {
+                w->numbers[i] = w->numbers[w->numbers[i]];
+            }
+        }
     }
 }
 
-/* One table per thread: their size is bounded, or a hostile bucket would cost memory per thread. */
-static void allocate_tables(welder *w, size_t largest, burnish_memory *memory) {
-    const size_t max = BUCKET_MANY * ((w->count >> w->bucket_bits) + BUCKET_TARGET);
-    w->table_size = 16;
-    while (w->table_size < 2 * largest && w->table_size < 2 * max) {
-        w->table_size *= 2;
+static void remap_slice(void *context, size_t slice, int thread) {
+    const welder *w = context;
+    const uint32_t *numbers = w->numbers + slice * SLICE;
+    (void)thread;
+    for (size_t i = slice * SLICE, end = i + slice_size(w, slice); i < end; ++i) {
+        w->remap[i] = numbers[w->remap[i]];
     }
-    w->tables =
-        burnish_allocate(memory, (size_t)w->threads * w->table_size, sizeof *w->tables, "welding");
 }
 
-/* Fills remap with first ones. Nothing is read that a cancelled task may have left out. */
-static burnish_status find_equal(welder *w, burnish_memory *memory) {
-    burnish_tasks_run(w->tasks, w->slices, 1, w->threads, count_slice, w);
+/* Nothing is read that a cancelled task may have left out. */
+static burnish_status weld(welder *w, burnish_memory *memory) {
+    burnish_tasks_run(w->tasks, w->slices, 1, 0, slice_task, w);
     burnish_status status = burnish_tasks_check(w->tasks, memory->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    allocate_tables(w, sum_counts(w), memory);
-    if (memory->status != BURNISH_STATUS_OK) {
-        return memory->status;
+    burnish_tasks_run(w->tasks, w->parts, 1, (int)w->parts, part_task, w);
+    for (size_t i = 0; i < w->parts; ++i) {
+        burnish_memory_join(memory, &w->memory[i].memory);
     }
-    burnish_tasks_run(w->tasks, w->slices, 1, w->threads, scatter_slice, w);
-    status = burnish_tasks_check(w->tasks, memory->error);
+    status = memory->status == BURNISH_STATUS_OK ? burnish_tasks_check(w->tasks, memory->error)
+                                                 : memory->status;
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    burnish_tasks_run(w->tasks, (size_t)1 << w->bucket_bits, 1, w->threads, bucket_task, w);
-    for (int thread = 0; thread < w->threads; ++thread) {
-        burnish_memory_join(memory, &w->memory[thread].memory);
-    }
-    return memory->status == BURNISH_STATUS_OK ? burnish_tasks_check(w->tasks, memory->error)
-                                               : memory->status;
+    burnish_tasks_in_order(w->tasks, w->slices, CHECK_SLICES, number_slices, w);
+    burnish_tasks_run(w->tasks, w->slices, 1, 0, remap_slice, w);
+    return burnish_tasks_check(w->tasks, memory->error);
 }
 
-static void allocate_welder(welder *w, burnish_memory *memory) {
+burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *tasks,
+                            burnish_memory *memory, uint32_t *remap, uint32_t *firsts,
+                            size_t *unique) {
     const char *what = "welding";
-    const size_t threads = (size_t)w->threads;
-    w->items = burnish_allocate(memory, w->count, sizeof *w->items, what);
-    w->starts = burnish_allocate(memory, w->slices << w->bucket_bits, sizeof *w->starts, what);
-    w->memory = burnish_allocate(memory, threads, sizeof *w->memory, what);
-    for (int thread = 0; thread < w->threads && w->memory; ++thread) {
-        w->memory[thread].memory = burnish_memory_of(memory->context, &w->memory[thread].error);
+    welder w = {.positions = positions,
+                .count = count,
+                .tasks = tasks,
+                .slices = (count + SLICE - 1) / SLICE,
+                .remap = remap,
+                .firsts = firsts};
+    *unique = 0;
+    if (count == 0) {
+        return BURNISH_STATUS_OK;
     }
+    const size_t worth = w.slices / PART_SLICES, all = (size_t)burnish_tasks_threads(tasks);
+    w.parts = worth <= 1 ? 1 : worth < all ? worth : all;
+    w.hashes = burnish_allocate(memory, count, sizeof *w.hashes, what);
+    w.numbers = burnish_allocate(memory, count, sizeof *w.numbers, what);
+    w.kept = burnish_allocate(memory, w.slices, sizeof *w.kept, what);
+    w.memory = burnish_allocate(memory, w.parts, sizeof *w.memory, what);
+    for (size_t i = 0; i < w.parts && w.memory; ++i) {
+        w.memory[i].memory = burnish_memory_of(memory->context, &w.memory[i].error);
+    }
+    burnish_status status = memory->status == BURNISH_STATUS_OK ? weld(&w, memory) : memory->status;
+    *unique = w.unique;
+    burnish_release(memory->context, w.hashes);
+    burnish_release(memory->context, w.numbers);
+    burnish_release(memory->context, w.kept);
+    burnish_release(memory->context, w.memory);
+    return status;
 }
 
 typedef struct numbering {
@@ -247,31 +357,4 @@ size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count)
     numbering numbers = {heads, 0};
     burnish_tasks_in_order(tasks, count, BURNISH_BUILD_STEP, number_range, &numbers);
     return numbers.next;
-}
-
-burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *tasks,
-                            burnish_memory *memory, uint32_t *remap, size_t *unique) {
-    welder w = {.positions = positions, .count = count, .remap = remap, .tasks = tasks};
-    *unique = 0;
-    if (count == 0) {
-        return BURNISH_STATUS_OK;
-    }
-    const size_t worth = count / GRAIN, all = (size_t)burnish_tasks_threads(tasks);
-    w.slices = worth <= 1 ? 1 : worth < SLICES_MAX ? worth : SLICES_MAX;
-    w.threads = (int)(w.slices < all ? w.slices : all);
-    while (w.bucket_bits < BUCKET_BITS_MAX && count >> w.bucket_bits > BUCKET_TARGET) {
-        ++w.bucket_bits;
-    }
-    allocate_welder(&w, memory);
-    burnish_status status =
-        memory->status == BURNISH_STATUS_OK ? find_equal(&w, memory) : memory->status;
-    burnish_release(memory->context, w.items);
-    burnish_release(memory->context, w.starts);
-    burnish_release(memory->context, w.memory);
-    burnish_release(memory->context, w.tables);
-    if (status == BURNISH_STATUS_OK) {
-        *unique = burnish_number_heads(tasks, remap, count);
-        status = burnish_tasks_check(tasks, memory->error);
-    }
-    return status;
 }

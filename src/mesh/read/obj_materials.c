@@ -220,6 +220,20 @@ static void warn_library(burnish_obj_materials *materials, burnish_token token,
         burnish_token_quote(token).text, why->text);
 }
 
+/* What stands before a comment: a '#' after a blank. File names may hold such, so it is looked at
+ * only where no file has the whole name. */
+static burnish_token cut_comment(burnish_token line) {
+    for (size_t i = 1; i < line.size; ++i) {
+        if (line.bytes[i] == '#' && burnish_is_blank(line.bytes[i - 1])) {
+            line.size = i;
+        }
+    }
+    while (line.size > 0 && burnish_is_blank(line.bytes[line.size - 1])) {
+        --line.size;
+    }
+    return line;
+}
+
 burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burnish_lexer *lexer) {
     burnish_lexer names = *lexer;
     burnish_token whole = burnish_lexer_rest(lexer), token;
@@ -233,6 +247,14 @@ burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burn
         return BURNISH_STATUS_OK;
     }
     burnish_status status = open_library(materials, whole, &why, &missing);
+    const burnish_token plain = cut_comment(whole);
+    if (status == BURNISH_STATUS_OK && missing && plain.size < whole.size) {
+        whole = plain;
+        if (pass_over_library(materials, whole)) {
+            return BURNISH_STATUS_OK;
+        }
+        status = open_library(materials, whole, &why, &missing);
+    }
     if (status != BURNISH_STATUS_OK || !missing) {
         return status;
     }

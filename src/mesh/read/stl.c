@@ -166,7 +166,9 @@ static burnish_status set_material(burnish_mesh_data *mesh, const uint8_t rgba[4
     return mesh->memory.status;
 }
 
-/* Colours, where the file has any: attributes of no bits or all bits are none. */
+/* Colours, where the file has any: attributes of no bits or all bits are none. Of no bits in all
+ * facets neither where the header announces a colour, which then is theirs: programs that write
+ * such headers leave them so more often than they mean black. */
 static burnish_status read_colors(burnish_reader *reader, facet_context *context, size_t count) {
     burnish_mesh_data *mesh = reader->mesh;
     const unsigned any = atomic_load(&context->any), all = atomic_load(&context->all);
@@ -177,7 +179,7 @@ static burnish_status read_colors(burnish_reader *reader, facet_context *context
     }
     if (any == all) {
         uint8_t rgba[4];
-        write_color(context, all, rgba);
+        write_color(context, any > 0 ? all : HAS_COLOR, rgba);
         return set_material(mesh, rgba);
     }
     if (burnish_mesh_data_reserve(mesh, BURNISH_COLOR, 3 * count) == BURNISH_STATUS_OK) {
@@ -218,12 +220,12 @@ static burnish_status read_binary(burnish_reader *reader) {
 /* ---- ASCII ---- */
 
 /* What is noted in the order of the file. */
-enum { NORMAL, END, BEHIND };
+enum { NORMAL, EXTRA, END, BEHIND, NOTE_COUNT };
 
 typedef struct stl_state {
     burnish_reader *reader;
     const uint8_t *first;            /* where the first chunk begins */
-    burnish_warning_group groups[3]; /* by what is noted */
+    burnish_warning_group groups[NOTE_COUNT];
 } stl_state;
 
 typedef struct stl_parser {
@@ -268,6 +270,27 @@ static int fail_number(stl_parser *stl, const char *what, burnish_token word,
     return 0;
 }
 
+/* Words that some write behind "endloop" and "endfacet". */
+static void skip_extra(stl_parser *stl) {
+    static const char *const keywords[] = {"endfacet", "facet", "endsolid", "solid"};
+    const uint8_t *at = stl->lexer.next;
+    while (at < stl->lexer.end && burnish_is_blank(*at)) {
+        ++at;
+    }
+    burnish_lexer line = stl->lexer;
+    burnish_token word;
+    if (at == line.end || burnish_is_line_end(*at) || !burnish_lexer_token(&line, &word)) {
+        return;
+    }
+    for (size_t i = 0; i < sizeof keywords / sizeof *keywords; ++i) {
+        if (burnish_token_is_caseless(word, keywords[i])) {
+            return;
+        }
+    }
+    burnish_chunk_note(stl->chunk, EXTRA, word.bytes);
+    burnish_lexer_rest(&stl->lexer);
+}
+
 /* The three numbers of a normal: passed over, whatever they are, and "outer" after them. */
 static int skip_normal(stl_parser *stl) {
     enum { MOST_WORDS = 16 };
@@ -296,6 +319,20 @@ static int skip_normal(stl_parser *stl) {
     return burnish_token_is_caseless(word, "outer") || fail_expected(stl, "\"outer\"", word);
 }
 
+/* "normal x y z outer": some leave the normal out. */
+static int read_to_outer(stl_parser *stl) {
+    burnish_token word;
+    if (!burnish_lexer_word(&stl->lexer, &word)) {
+        return fail_end(stl, "\"normal\"");
+    }
+    if (burnish_token_is_caseless(word, "outer")) {
+        burnish_chunk_note(stl->chunk, NORMAL, word.bytes);
+        return 1;
+    }
+    return burnish_token_is_caseless(word, "normal") ? skip_normal(stl)
+                                                     : fail_expected(stl, "\"normal\"", word);
+}
+
 static int read_vertex(stl_parser *stl, float position[3]) {
     if (!expect(stl, "vertex")) {
         return 0;
@@ -321,13 +358,18 @@ static int read_vertex(stl_parser *stl, float position[3]) {
 static void read_facet(stl_parser *stl, burnish_token facet) {
     burnish_chunk *chunk = stl->chunk;
     float positions[9];
-    int good = expect(stl, "normal") && skip_normal(stl) && expect(stl, "loop");
+    int good = read_to_outer(stl) && expect(stl, "loop");
     for (int i = 0; i < 3 && good; ++i) {
         good = read_vertex(stl, positions + 3 * i);
     }
-    if (!good || !expect(stl, "endloop") || !expect(stl, "endfacet")) {
+    if (!good || !expect(stl, "endloop")) {
         return;
     }
+    skip_extra(stl);
+    if (!expect(stl, "endfacet")) {
+        return;
+    }
+    skip_extra(stl);
     if (chunk->exact && chunk->triangles_before + chunk->data.triangle_count >=
                             chunk->exact->input->options->max_triangles) {
         chunk->status = burnish_fail_triangles(chunk->exact, facet.bytes);
@@ -400,6 +442,7 @@ static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
 
 static burnish_status accept(void *state, const burnish_chunk *chunk) {
     static const char *const warnings[] = {[NORMAL] = "a normal is not 3 numbers; it was ignored",
+                                           [EXTRA] = "text in a facet's line was ignored",
                                            [END] = "\"endsolid\" is missing",
                                            [BEHIND] = "text after \"endsolid\" was ignored"};
     stl_state *stl = state;

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "cli/clock.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/platform.h"
@@ -424,7 +425,7 @@ static void tell_end(const batch *b, double seconds) {
 }
 
 static burnish_status draw_all(batch *b, const cli_call *call, burnish_error *error) {
-    const double start = batch_now();
+    const double start = cli_seconds_now();
     burnish_status status = check(b, error);
     if (status == BURNISH_STATUS_OK) {
         status = batch_collect(b, call, error);
@@ -459,7 +460,7 @@ static burnish_status draw_all(batch *b, const cli_call *call, burnish_error *er
     }
     if (status == BURNISH_STATUS_OK) {
         list_failures(b);
-        tell_end(b, batch_now() - start);
+        tell_end(b, cli_seconds_now() - start);
     }
     return status;
 }

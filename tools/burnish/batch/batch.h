@@ -161,8 +161,6 @@ void batch_add_seconds(const batch *b, cJSON *object, double seconds, int *faile
 /* Creates the folders of a path that are missing; 0: it can't, with errno. */
 int batch_make_folders(const char *path);
 
-double batch_now(void);
-
 /* The page, index.html in output_dir. Errors: WRITE, MEMORY. */
 burnish_status batch_write_index(const batch *b, burnish_error *error);
 

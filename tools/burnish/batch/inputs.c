@@ -39,7 +39,7 @@ static burnish_status add_item(batch_items *list, const char *input, size_t tree
 
 /* ---- Folders ---- */
 
-/* A format's ending, also with .gz behind it, or that of an importer which is installed. */
+/* A format's ending, or that of an importer which is installed, also with .gz behind it. */
 static int is_mesh(const char *name) {
     const import_program *importer = import_find(name);
     if (importer && import_is_installed(importer)) {

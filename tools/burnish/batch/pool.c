@@ -5,15 +5,8 @@
  * out, an idle runner gets what another machine has had for long; the first answer counts. */
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "batch/batch.h"
-
-double batch_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 #ifndef _WIN32
 
@@ -29,6 +22,7 @@ double batch_now(void) {
 #include <sys/prctl.h>
 #endif
 
+#include "cli/clock.h"
 #include "cli/run.h"
 #include "sandbox/channel.h"
 
@@ -181,7 +175,7 @@ static void keep_line(pool *p, uint32_t index, char *line, const batch_answer *a
 
 /* What another machine has had for longest, and long. */
 static long find_slow(const pool *p) {
-    const double now = batch_now();
+    const double now = cli_seconds_now();
     const worker *slow = NULL;
     for (size_t i = 0; i < p->count; ++i) {
         const worker *w = &p->workers[i];
@@ -223,7 +217,7 @@ static void hand_out(pool *p, worker *w) {
         return;
     }
     p->b->list.items[index].held += 1;
-    w->start = batch_now();
+    w->start = cli_seconds_now();
     if ((w->channel != NOTHING || start_runner(p, w)) &&
         batch_send_order(p->b, w->channel, (uint32_t)index)) {
         w->item = index;
@@ -236,7 +230,7 @@ static void hand_out(pool *p, worker *w) {
 /* A runner is gone, and so is a machine, perhaps. */
 static void lose_runner(pool *p, worker *w) {
     const long index = w->item;
-    const double seconds = batch_now() - w->start;
+    const double seconds = cli_seconds_now() - w->start;
     const int state = end_runner(w, 0);
     if (index == NOTHING || stopped) {
         return;
@@ -288,7 +282,7 @@ static void take_answer(pool *p, worker *w) {
 /* ---- Progress ---- */
 
 static void show_progress(pool *p) {
-    const double now = batch_now(), passed = now - p->start;
+    const double now = cli_seconds_now(), passed = now - p->start;
     const size_t drawn = p->b->done - p->b->kept;
     if (!p->is_terminal || now - p->shown < 0.2 || p->b->done == 0) {
         return;
@@ -403,7 +397,7 @@ static burnish_status begin(pool *p, burnish_error *error) {
 }
 
 burnish_status batch_run(batch *b, burnish_error *error) {
-    pool p = {.b = b, .start = batch_now()};
+    pool p = {.b = b, .start = cli_seconds_now()};
     p.is_terminal = !b->settings->render.quiet && isatty(STDERR_FILENO);
     burnish_status status = begin(&p, error);
     struct pollfd *ready = calloc(p.count + 1, sizeof *ready);

@@ -23,6 +23,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "cli/clock.h"
 #include "cli/limits.h"
 #include "cli/output.h"
 #include "cli/write.h"
@@ -340,7 +341,7 @@ static void set_item(const batch *b, const batch_order *order, render_settings *
 /* The line, to be freed; *answer gets what stands before it. */
 static char *run_item(const runner *r, const batch_order *order, batch_answer *answer) {
     const batch_item *item = &order->item;
-    const double start = batch_now();
+    const double start = cli_seconds_now();
     burnish_error error = {BURNISH_STATUS_OK, ""};
     render_settings settings;
     files seen = {0};
@@ -382,7 +383,7 @@ static char *run_item(const runner *r, const batch_order *order, batch_answer *a
     if (status != BURNISH_STATUS_OK || code != 0 || !told.is_drawn) {
         answer->failed = is_late ? BATCH_LATE : BATCH_FAILED;
     }
-    const double seconds = batch_now() - start;
+    const double seconds = cli_seconds_now() - start;
     char *text = answer->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
                                 : done_line(r->b, item, hash, &told, &seen, seconds);
     release_files(&seen);

@@ -11,11 +11,10 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/syscall.h>
-#endif
 
-enum { FLAGS = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK, NAME_SIZE = 4096 };
+#include "core/beneath.h"
+
+enum { NAME_SIZE = 4096 };
 
 int folder_open(const char *input) {
     char folder[NAME_SIZE];
@@ -32,23 +31,11 @@ int folder_open(const char *input) {
 /* Returns a descriptor, or -1 with errno. */
 static int open_file(int folder, const char *name) {
     struct stat state;
-    int file = -1;
     if (folder < 0) {
         errno = ENOENT;
         return -1;
     }
-#ifdef __linux__
-    struct {
-        uint64_t flags, mode, resolve;
-    } how = {FLAGS, 0, 0x08 | 0x02}; /* RESOLVE_BENEATH, RESOLVE_NO_MAGICLINKS */
-    file = (int)syscall(437 /* openat2 */, folder, name, &how, sizeof how);
-    if (file >= 0 || errno != ENOSYS) {
-        /* found, or forbidden */
-    } else
-#endif
-        if (!strchr(name, '/')) {
-        file = openat(folder, name, FLAGS | O_NOFOLLOW);
-    }
+    const int file = burnish_open_beneath(folder, name);
     if (file >= 0 && (fstat(file, &state) != 0 || !S_ISREG(state.st_mode))) {
         close(file);
         errno = EACCES;

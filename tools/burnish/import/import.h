@@ -17,6 +17,11 @@ typedef struct import_program {
     const char *otherwise; /* what else helps, for a message */
 } import_program;
 
+/* What a name ends with, lower case, without the point and without ".gz" behind it: "fbx"; "":
+ * nothing, or something too long. */
+enum { IMPORT_ENDING_SIZE = 12 };
+void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]);
+
 /* The importer for a name's ending; NULL: readers of burnish know it, or nobody does. */
 const import_program *import_find(const char *name);
 

@@ -24,18 +24,33 @@ static int lower(int c) {
     return c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c;
 }
 
+void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]) {
+    static const char packed[] = ".gz";
+    size_t end = strlen(name), size = sizeof packed - 1, tail = 0;
+    while (tail < size && tail < end && lower(name[end - 1 - tail]) == packed[size - 1 - tail]) {
+        ++tail;
+    }
+    end -= tail == size ? size : 0;
+    size_t first = end;
+    while (first > 0 && name[first - 1] != '.' && name[first - 1] != '/') {
+        --first;
+    }
+    size = first > 0 && name[first - 1] == '.' ? end - first : 0;
+    size = size < IMPORT_ENDING_SIZE ? size : 0;
+    for (size_t i = 0; i < size; ++i) {
+        ending[i] = (char)lower(name[first + i]);
+    }
+    ending[size] = 0;
+}
+
 const import_program *import_find(const char *name) {
 #ifndef _WIN32
-    char word[16] = " ";
-    const char *dot = strrchr(name, '.');
-    const size_t size = dot && *name != ':' ? strlen(dot) : 0;
-    if (size < 2 || size + 3 > sizeof word) {
+    char ending[IMPORT_ENDING_SIZE], word[IMPORT_ENDING_SIZE + 4];
+    import_get_ending(name, ending);
+    if (!*ending || *name == ':') {
         return NULL;
     }
-    for (size_t i = 0; i < size; ++i) {
-        word[i + 1] = (char)lower(dot[i]);
-    }
-    word[size + 1] = ' ';
+    snprintf(word, sizeof word, " .%s ", ending);
     for (int i = 0; i < burnish_format_count(); ++i) {
         const burnish_format_info *info = burnish_format_get_info((burnish_format)i);
         char own[64];
@@ -50,7 +65,7 @@ const import_program *import_find(const char *name) {
         }
     }
 #else
-    (void)name, (void)importers, (void)lower;
+    (void)name, (void)importers;
 #endif
     return NULL;
 }

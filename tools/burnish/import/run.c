@@ -21,6 +21,7 @@
 #include <sys/prctl.h>
 #endif
 
+#include "cli/clock.h"
 #include "cli/limits.h"
 #include "import/folder.h"
 
@@ -44,12 +45,6 @@ typedef struct run {
     double end;
     uint64_t most; /* bytes that it may write */
 } run;
-
-static double now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 static burnish_status fail(const run *r, burnish_status status, const char *what) {
     const size_t size = strlen(r->name);
@@ -124,7 +119,7 @@ static void become(const run *r, int input, int output, int nothing, pid_t paren
     setpgid(0, 0);
     limit(RLIMIT_AS, memory);
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, (uint64_t)(r->end - now()) + 1);
+    limit(RLIMIT_CPU, (uint64_t)(r->end - cli_seconds_now()) + 1);
     /* standard streams may be closed, and so these be below 3 */
     input = fcntl(input, F_DUPFD, 10);
     output = fcntl(output, F_DUPFD, 10);
@@ -140,13 +135,16 @@ static void become(const run *r, int input, int output, int nothing, pid_t paren
 }
 
 static burnish_status start(run *r, int input, uint64_t memory) {
-    char program[64], ending[32];
+    char program[64], ending[IMPORT_ENDING_SIZE];
     char *const arguments[] = {program, ending, NULL};
     int ends[2];
     const pid_t self = getpid();
     snprintf(program, sizeof program, "%s", r->importer->name);
-    snprintf(ending, sizeof ending, "%.30s",
-             r->importer->argument ? r->importer->argument : strrchr(r->name, '.') + 1);
+    if (r->importer->argument) {
+        snprintf(ending, sizeof ending, "%s", r->importer->argument);
+    } else {
+        import_get_ending(r->name, ending);
+    }
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     if (nothing < 0 || pipe(ends) != 0) {
         const int code = errno;
@@ -182,7 +180,7 @@ static burnish_status fail_time(const run *r) {
 /* The next piece of the stream: its size, 0 at the end, -1 after an error. */
 static ssize_t read_piece(const run *r, unsigned char *piece, burnish_status *status) {
     for (;;) {
-        const double left = r->end - now();
+        const double left = r->end - cli_seconds_now();
         struct pollfd ready = {r->pipe, POLLIN, 0};
         const int count = left > 0 ? poll(&ready, 1, (int)(left * 1000) + 1) : 0;
         if (count == 0) {
@@ -225,7 +223,7 @@ static burnish_status end(const run *r, burnish_status status) {
     int state = 0;
     pid_t ended = 0;
     while (status == BURNISH_STATUS_OK && (ended = waitpid(r->process, &state, WNOHANG)) == 0) {
-        if (now() > r->end) {
+        if (cli_seconds_now() > r->end) {
             status = fail_time(r);
         }
         nanosleep(&nap, NULL);
@@ -263,7 +261,8 @@ burnish_status import_run(const import_program *importer, const char *name, int 
                           burnish_error *error) {
     struct stat state;
     const double seconds = cli_seconds_given() > SECONDS ? cli_seconds_given() : SECONDS;
-    run r = {.importer = importer, .name = name, .error = error, .end = now() + seconds};
+    run r = {
+        .importer = importer, .name = name, .error = error, .end = cli_seconds_now() + seconds};
     burnish_status status = find_program(&r);
     if (status != BURNISH_STATUS_OK) {
         return status;

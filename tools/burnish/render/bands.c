@@ -1,12 +1,8 @@
 #include "render/bands.h"
 
-#include <stdio.h>
-#include <string.h>
-#include <time.h>
-#include <unistd.h>
-
-#include "cli/file.h"
+#include "cli/clock.h"
 #include "render/pieces.h"
+#include "render/stream.h"
 
 enum { BAND_ROWS = 64 }; /* a row of the library's tiles, of which none is then drawn twice */
 
@@ -20,19 +16,9 @@ typedef struct stream {
     burnish_png_stream *png;
     render_pieces *pieces;
     uint64_t notes[NOTES], sums[NOTES];
-    int band, count; /* the one that comes next, and how many there are */
-    uint8_t *bytes;  /* of the file: size of them, of which some are taken */
-    size_t size, taken;
-    int progress;
-    burnish_status status;
-    burnish_error error;
+    int count;      /* of bands */
+    uint8_t *bytes; /* of the last one, in the file */
 } stream;
-
-static double seconds_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static int band_rows(const stream *s, int band) {
     const int left = s->bands->options->height - band * BAND_ROWS;
@@ -99,15 +85,26 @@ burnish_status render_serve_bands(const render_bands *bands, burnish_error *erro
 
 /* ---- The file ---- */
 
-/* s->bytes become those of the next band. */
-static burnish_status next_band(stream *s, burnish_error *error) {
-    if (s->progress) {
-        fprintf(stderr, "\rburnish: band %d of %d\033[K", s->band + 1, s->count);
+static void end_report(const stream *s) {
+    render_result *result = s->bands->result;
+    render_cell *cell = &result->cells[0];
+    cell->report.covered_pixels = s->sums[NOTE_COVERED];
+    cell->report.layers_dropped = s->sums[NOTE_LAYERS];
+    cell->report.lobe_fallbacks = s->sums[NOTE_LOBES];
+    render_warn_about_cell(result, cell);
+}
+
+/* render_stream_next */
+static burnish_status next_band(void *context, int band, const uint8_t **bytes, size_t *size,
+                                burnish_error *error) {
+    stream *s = context;
+    if (band == s->count) { /* the file ends with its last band */
+        end_report(s);
+        return BURNISH_STATUS_OK;
     }
     burnish_release(NULL, s->bytes);
     s->bytes = NULL;
-    s->size = s->taken = 0;
-    burnish_status status = render_pieces_take(s->pieces, s->band, error);
+    burnish_status status = render_pieces_take(s->pieces, band, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -115,51 +112,17 @@ static burnish_status next_band(stream *s, burnish_error *error) {
         const uint64_t note = s->notes[i], sum = s->sums[i];
         s->sums[i] = i != NOTE_LOBES ? sum + note : note > sum ? note : sum;
     }
-    const double start = seconds_now();
-    const burnish_pixels pixels = band_pixels(s, s->band++);
-    status = burnish_png_stream_add(s->png, &pixels, &s->bytes, &s->size, error);
-    s->bands->result->seconds.encode += seconds_now() - start;
+    const double start = cli_seconds_now();
+    const burnish_pixels pixels = band_pixels(s, band);
+    status = burnish_png_stream_add(s->png, &pixels, &s->bytes, size, error);
+    s->bands->result->seconds.encode += cli_seconds_now() - start;
+    *bytes = s->bytes;
     return status;
-}
-
-/* burnish_file_source */
-static size_t take_bytes(void *context, char *buffer, size_t size) {
-    stream *s = context;
-    while (s->taken == s->size && s->status == BURNISH_STATUS_OK && s->band < s->count) {
-        s->status = next_band(s, &s->error);
-    }
-    if (s->status != BURNISH_STATUS_OK) {
-        return 0;
-    }
-    const size_t left = s->size - s->taken, count = left < size ? left : size;
-    if (count > 0) {
-        memcpy(buffer, s->bytes + s->taken, count);
-    }
-    s->taken += count;
-    return count;
-}
-
-/* burnish_file_ready */
-static burnish_status finish(void *context, burnish_error *error) {
-    stream *s = context;
-    render_result *result = s->bands->result;
-    render_cell *cell = &result->cells[0];
-    if (s->status != BURNISH_STATUS_OK) {
-        *error = s->error;
-        return s->status;
-    }
-    cell->report.covered_pixels = s->sums[NOTE_COVERED];
-    cell->report.layers_dropped = s->sums[NOTE_LAYERS];
-    cell->report.lobe_fallbacks = s->sums[NOTE_LOBES];
-    render_warn_about_cell(result, cell);
-    result->encoded = seconds_now();
-    result->written = 1;
-    return s->bands->ready(result, error);
 }
 
 burnish_status render_write_bands(const render_bands *bands, burnish_error *error) {
     const render_settings *settings = bands->result->settings;
-    stream s = {.bands = bands, .progress = !settings->quiet && isatty(STDERR_FILENO)};
+    stream s = {.bands = bands};
     burnish_png_options png = burnish_png_options_default();
     png.threads = settings->threads;
     png.dots_per_inch = settings->dots_per_inch.value;
@@ -174,10 +137,13 @@ burnish_status render_write_bands(const render_bands *bands, burnish_error *erro
         status = render_pieces_create(&plan, &s.pieces, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = cli_file_write_stream_then(settings->output, take_bytes, &s, finish, error);
-    }
-    if (s.progress) {
-        fprintf(stderr, "\r\033[K");
+        const render_stream file = {.result = bands->result,
+                                    .noun = "band",
+                                    .count = s.count,
+                                    .next = next_band,
+                                    .context = &s,
+                                    .ready = bands->ready};
+        status = render_stream_write(&file, error);
     }
     render_pieces_destroy(s.pieces);
     burnish_png_stream_destroy(s.png);

@@ -30,9 +30,9 @@ burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "cli/clock.h"
 #include "cli/write.h"
 #include "sandbox/channel.h"
 
@@ -80,12 +80,6 @@ struct render_pieces {
     struct pollfd *ready;
     int window; /* pieces that may be in work or waiting */
 };
-
-static double seconds_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static order make_order(const render_pieces_plan *plan) {
     order o = {.triangles = plan->triangles,
@@ -193,7 +187,7 @@ static void hand_out(render_pieces *f, int piece) {
             if (next == NOTHING) {
                 continue;
             }
-            r->start = depth == 0 ? seconds_now() : r->start;
+            r->start = depth == 0 ? cli_seconds_now() : r->start;
             r->pieces[depth] = next;
             f->slots[next].state = STATE_LENT;
             f->order.piece = next;
@@ -227,7 +221,7 @@ static void take_answer(render_pieces *f, runner *r) {
     }
     memmove(r->pieces, r->pieces + 1, (AHEAD - 1) * sizeof *r->pieces);
     r->pieces[AHEAD - 1] = NOTHING;
-    r->start = seconds_now();
+    r->start = cli_seconds_now();
 }
 
 static void collect(render_pieces *f, int milliseconds) {
@@ -248,7 +242,7 @@ static int is_slow(const render_pieces *f, int piece) {
         const runner *r = &f->runners[i];
         for (int k = 0; k < AHEAD; ++k) {
             if (r->pieces[k] == piece) {
-                return seconds_now() - r->start > SLOW_SECONDS;
+                return cli_seconds_now() - r->start > SLOW_SECONDS;
             }
         }
     }

@@ -7,6 +7,7 @@
 
 #include "burnish/core.h"
 #include "burnish/render.h"
+#include "cli/clock.h"
 #include "cli/file.h"
 #include "cli/limits.h"
 #include "cli/run.h"
@@ -21,12 +22,6 @@
 #include "render/turntable.h"
 #include "render/up.h"
 #include "sandbox/sandbox.h"
-
-static double seconds_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* Processor time so far: of the loader and of what came before loading, as wall time can't tell. */
 static double processor_seconds(void) {
@@ -314,7 +309,7 @@ static burnish_status compose(const render_result *result, burnish_image *sheet,
  * leaves an older picture as it was. */
 static burnish_status report(void *context, burnish_error *error) {
     render_result *result = context;
-    double now = seconds_now();
+    double now = cli_seconds_now();
     result->seconds.write = now - result->encoded;
     result->seconds.total = now - result->start;
     if (result->settings->tell) {
@@ -359,7 +354,7 @@ static burnish_status encode(render_result *result, picture_file *file, burnish_
 static burnish_status write_picture(render_result *result, burnish_error *error) {
     picture_file file = {0};
     burnish_status status = render_judge(result, error);
-    double start = seconds_now();
+    double start = cli_seconds_now();
     if (status == BURNISH_STATUS_OK) {
         status = encode(result, &file, error);
     }
@@ -367,7 +362,7 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
         status = write_planes(result, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        result->encoded = seconds_now();
+        result->encoded = cli_seconds_now();
         result->seconds.encode = result->encoded - start;
         result->written = 1;
         status = cli_file_write_then(result->settings->output, file.bytes, file.size, report,
@@ -424,7 +419,7 @@ static burnish_status load(render_result *result, render_settings *settings,
     burnish_mesh *mesh = NULL;
     burnish_status status = render_load(settings, &mesh, error);
     result->mesh = mesh;
-    result->seconds.load = seconds_now() - result->start;
+    result->seconds.load = cli_seconds_now() - result->start;
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -529,7 +524,7 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
     render_result result = {.settings = settings};
     cli_prepare_memory();
     result.seconds.start = processor_seconds();
-    result.start = seconds_now();
+    result.start = cli_seconds_now();
     burnish_render_options options = render_make_options(settings);
     result.options = &options;
     result.cell_count =

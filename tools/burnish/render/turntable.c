@@ -3,16 +3,14 @@
 #include "render/turntable.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
-#include "cli/file.h"
+#include "cli/clock.h"
 #include "picture/animation.h"
 #include "render/camera.h"
 #include "render/pieces.h"
+#include "render/stream.h"
 
 #define PI 3.14159265358979323846
 
@@ -219,18 +217,7 @@ typedef struct stream {
     picture_animation *animation;
     render_pieces *pieces; /* NULL: all are drawn here */
     burnish_camera first;  /* the first frame's camera */
-    int frame;             /* that comes next; after the last one the end, then nothing */
-    size_t taken;          /* bytes of animation->out that are written */
-    int progress;
-    burnish_status status;
-    burnish_error error;
 } stream;
-
-static double seconds_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* Draws a frame into the cell; render_piece_drawer. */
 static burnish_status draw_frame(void *context, int frame, burnish_error *error) {
@@ -246,55 +233,26 @@ static burnish_status draw_frame(void *context, int frame, burnish_error *error)
     return status;
 }
 
-static burnish_status next_frame(stream *s, burnish_error *error) {
+/* render_stream_next */
+static burnish_status next_frame(void *context, int frame, const uint8_t **bytes, size_t *size,
+                                 burnish_error *error) {
+    stream *s = context;
     render_result *result = s->turntable->result;
-    const int count = result->settings->frames;
+    const int is_frame = frame < result->settings->frames;
     burnish_status status = BURNISH_STATUS_OK;
-    if (s->progress) {
-        fprintf(stderr, "\rburnish: frame %d of %d\033[K", s->frame < count ? s->frame + 1 : count,
-                count);
-    }
-    if (s->frame < count) {
-        status = s->pieces ? render_pieces_take(s->pieces, s->frame, error)
-                           : draw_frame(s, s->frame, error);
+    if (is_frame) {
+        status =
+            s->pieces ? render_pieces_take(s->pieces, frame, error) : draw_frame(s, frame, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        const double start = seconds_now();
-        status = picture_animation_add(s->animation,
-                                       s->frame < count ? &result->cells[0].image : NULL, error);
-        result->seconds.encode += seconds_now() - start;
+        const double start = cli_seconds_now();
+        status =
+            picture_animation_add(s->animation, is_frame ? &result->cells[0].image : NULL, error);
+        result->seconds.encode += cli_seconds_now() - start;
     }
-    ++s->frame;
+    *bytes = s->animation->out.data;
+    *size = s->animation->out.size;
     return status;
-}
-
-/* burnish_file_source */
-static size_t take_bytes(void *context, char *buffer, size_t size) {
-    stream *s = context;
-    while (s->taken == s->animation->out.size && s->status == BURNISH_STATUS_OK &&
-           s->frame <= s->turntable->result->settings->frames) {
-        s->taken = 0;
-        s->status = next_frame(s, &s->error);
-    }
-    if (s->status != BURNISH_STATUS_OK) {
-        return 0;
-    }
-    const size_t left = s->animation->out.size - s->taken, count = left < size ? left : size;
-    memcpy(buffer, s->animation->out.data + s->taken, count);
-    s->taken += count;
-    return count;
-}
-
-/* burnish_file_ready */
-static burnish_status finish(void *context, burnish_error *error) {
-    stream *s = context;
-    if (s->status != BURNISH_STATUS_OK) {
-        *error = s->error;
-        return s->status;
-    }
-    s->turntable->result->encoded = seconds_now();
-    s->turntable->result->written = 1;
-    return s->turntable->ready(s->turntable->result, error);
 }
 
 /* A palette from frames all round. */
@@ -342,9 +300,7 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     const render_settings *settings = result->settings;
     const burnish_image *image = &result->cells[0].image;
     picture_palette palette;
-    stream s = {.turntable = turntable,
-                .first = result->cells[0].camera,
-                .progress = !settings->quiet && isatty(STDERR_FILENO)};
+    stream s = {.turntable = turntable, .first = result->cells[0].camera};
     const picture_animation_options options = {.format = (picture_format)settings->format,
                                                .width = image->width,
                                                .height = image->height,
@@ -364,11 +320,13 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
         status = render_pieces_create(&plan, &s.pieces, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        s.taken = s.animation->out.size; /* the file's head comes with the first frame */
-        status = cli_file_write_stream_then(settings->output, take_bytes, &s, finish, error);
-    }
-    if (s.progress) {
-        fprintf(stderr, "\r\033[K");
+        const render_stream file = {.result = result,
+                                    .noun = "frame",
+                                    .count = settings->frames,
+                                    .next = next_frame,
+                                    .context = &s,
+                                    .ready = turntable->ready};
+        status = render_stream_write(&file, error);
     }
     render_pieces_destroy(s.pieces);
     picture_animation_destroy(s.animation);

@@ -16,12 +16,12 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
 
+#include "cli/clock.h"
 #include "cli/write.h"
 #include "import/import.h"
 #include "sandbox/channel.h"
@@ -68,12 +68,6 @@ typedef struct server {
     int has_ended;     /* 1: no more requests */
     burnish_error end; /* why, where its status is not OK */
 } server;
-
-static double now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 /* ---- Workers ---- */
 
@@ -342,7 +336,7 @@ static void end_request(server *v) {
     v->filling = NULL;
     v->head_size = 0;
     ++v->requests;
-    s->deadline = seconds > 0 ? now() + seconds : INFINITY;
+    s->deadline = seconds > 0 ? cli_seconds_now() + seconds : INFINITY;
     if (s->line || !cli_write_all(s->channel, &s->size, sizeof s->size)) {
         finish(s);
     } else {
@@ -399,7 +393,7 @@ static int look_at_clock(server *v) {
     for (size_t i = 0; i < v->count; ++i) {
         slot *s = &v->slots[i];
         if (s->state == SLOT_WORKING && s->deadline < INFINITY) {
-            const double left = s->deadline - now();
+            const double left = s->deadline - cli_seconds_now();
             if (left <= 0 && !s->is_late) {
                 s->is_late = 1;
                 kill(s->process, SIGKILL);

@@ -7,17 +7,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "cli/clock.h"
 #include "cli/output.h"
 
 static const double slow_frame = 16; /* ms */
 enum { SLOW_FRAMES = 4 };
 
 double viewer_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
+    return 1e3 * cli_seconds_now();
 }
 
 void viewer_say(viewer *v, const char *text) {
