@@ -1,6 +1,6 @@
-/* Fuzzing of pictures: libFuzzer's bytes are decoded as PNG, JPEG, WebP, BMP or TGA. What is decoded
- * must have a size, and every byte of it must have been written; what is not must say so in one
- * line.
+/* Fuzzing of pictures: libFuzzer's bytes are decoded as PNG, JPEG, WebP, BMP or TGA. What is
+ * decoded must have a size, and every byte of it must have been written; what is not must say so in
+ * one line.
  *
  * Built by `make fuzz`; test/fuzz/run starts it. */
 #include <stdio.h>
