@@ -224,7 +224,7 @@ enum { NORMAL, EXTRA, END, BEHIND, NOTE_COUNT };
 
 typedef struct stl_state {
     burnish_reader *reader;
-    const uint8_t *first;            /* where the first chunk begins */
+    const uint8_t *first; /* where the first chunk begins */
     burnish_warning_group groups[NOTE_COUNT];
 } stl_state;
 
