@@ -880,11 +880,11 @@ static void test_compressed_views(void) {
         {PACKED(1, 237, 18, "'mode':'ATTRIBUTES','byteStride':6,'count':3"),
          "byteStride of ATTRIBUTES must be a multiple of 4 up to 256"},
         {PACKED(1, 237, 18, "'mode':'ATTRIBUTES','filter':'QUATERNION','byteStride':12,'count':3"),
-         "byteStride of OCTAHEDRAL must be 4 or 8, of QUATERNION 8"},
+         "byteStride of OCTAHEDRAL and COLOR must be 4 or 8, of QUATERNION 8"},
         {PACKED(1, 237, 18, "'mode':'SOME','byteStride':2,'count':3"),
-         "its mode is none that is known; export the file without EXT_meshopt_compression"},
+         "its mode is none that is known; export the file without meshopt's compression"},
         {PACKED(1, 237, 18, "'mode':'ATTRIBUTES','filter':'X','byteStride':4,'count':3"),
-         "its filter is none that is known; export the file without EXT_meshopt_compression"},
+         "its filter is none that is known; export the file without meshopt's compression"},
         {PACKED(1, 237, 17, "'mode':'TRIANGLES','byteStride':2,'count':3"),
          "its 17 bytes are no 3 elements compressed as TRIANGLES; the file is damaged"},
         {PACKED(1, 237, 99, "'mode':'TRIANGLES','byteStride':2,'count':3"),
@@ -913,6 +913,13 @@ static void test_compressed_views(void) {
         burnish_mesh_data_destroy(&s);
     }
     snprintf(text, sizeof text, head, cases[0].view);
+    for (char *at = text; (at = strstr(at, "EXT_meshopt"));) { /* as Khronos took it over */
+        memcpy(at, "KHR", 3);
+    }
+    CHECK(read_glb(text, &binary, &s, &e) == BURNISH_STATUS_OK && s.triangle_count == 1 &&
+              s.warning_count == 0,
+          "%s", e.text);
+    burnish_mesh_data_destroy(&s);
     for (size_t bit = 0; bit < 8 * binary.size; ++bit) {
         binary.bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
         const burnish_status status = read_glb(text, &binary, &s, &e);

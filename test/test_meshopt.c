@@ -1,4 +1,5 @@
-/* The decoders of EXT_meshopt_compression against meshoptimizer's encoders and decoders. */
+/* The decoders of EXT_ and KHR_meshopt_compression against meshoptimizer's encoders and decoders.
+ */
 #include "mesh/read/meshopt.h"
 
 #include <math.h>
@@ -36,6 +37,10 @@ static void damage(burnish_meshopt_mode mode, size_t size, size_t count, size_t 
         const unsigned char kept = packed[at];
         packed[at] ^= (unsigned char)(1u << test_random32(state) % 8);
         const int good = decode(mode, size, count, stride);
+        if (packed[0] == 0xA1) { /* the version that the library does not have */
+            packed[at] = kept;
+            continue;
+        }
         const int wanted =
             (mode == BURNISH_MESHOPT_ATTRIBUTES
                  ? meshopt_decodeVertexBuffer(expected, count, stride, packed, size)
@@ -69,6 +74,186 @@ static void test_attributes(void) {
             if (count < 200) {
                 damage(BURNISH_MESHOPT_ATTRIBUTES, size, count, stride, &state);
             }
+        }
+    }
+}
+
+/* ---- Version 1, which Debian's meshoptimizer does not have: by an encoder of the test's own ----
+ */
+
+static uint32_t bytes_at(const uint8_t *p, size_t size) {
+    uint32_t value = 0;
+    memcpy(&value, p, size); /* little-endian */
+    return value;
+}
+
+/* What is written for the bytes of an element, by its channels. */
+static void find_differences(const uint8_t *now, const uint8_t *before, size_t stride,
+                             const uint8_t *channels, uint8_t *to) {
+    for (size_t k = 0; k < stride;) {
+        const unsigned mode = channels[k / 4] & 15, turn = channels[k / 4] >> 4;
+        const size_t size = mode == 0 ? 1 : mode == 1 ? 2 : 4;
+        const uint32_t a = bytes_at(now + k, size), b = bytes_at(before + k, size);
+        uint32_t d;
+        if (mode == 2) {
+            const uint32_t x = a ^ b;
+            d = x << turn | x >> ((32 - turn) & 31);
+        } else {
+            const uint32_t top = 1u << (8 * size - 1), all = 2 * top - 1,
+                           difference = (a - b) & all;
+            d = difference & top ? ~(difference << 1) & all : difference << 1;
+        }
+        memcpy(to + k, &d, size);
+        k += size;
+    }
+}
+
+/* Groups of 16 differences in the fewest bits of four choices, or, for one in 8, in any. */
+static unsigned char *put_groups(unsigned char *to, const uint8_t *differences, size_t count,
+                                 const uint8_t bits[4], uint64_t *state) {
+    const size_t groups = (count + 15) / 16;
+    unsigned char *kinds = to;
+    memset(to, 0, (groups + 3) / 4);
+    to += (groups + 3) / 4;
+    for (size_t g = 0; g < groups; ++g) {
+        uint8_t group[16] = {0};
+        memcpy(group, differences + 16 * g, count - 16 * g < 16 ? count - 16 * g : 16);
+        int is_zero = 1;
+        for (int i = 0; i < 16; ++i) {
+            is_zero &= group[i] == 0;
+        }
+        unsigned kind = is_zero ? 0 : 1 + test_random32(state) % 3;
+        kinds[g / 4] |= (unsigned char)(kind << g % 4 * 2);
+        const unsigned width = bits[kind], most = (1u << width) - 1;
+        memset(to, 0, 2 * width);
+        unsigned char *more = to + 2 * width;
+        for (unsigned i = 0; i < 16 && width == 8; ++i) {
+            to[i] = group[i];
+        }
+        for (unsigned i = 0; i < 16 && width > 0 && width < 8; ++i) {
+            const unsigned value = group[i] < most ? group[i] : most, at = i * width;
+            to[at / 8] |= (unsigned char)(value << (width == 1 ? at % 8 : 8 - width - at % 8));
+            if (value == most) {
+                *more++ = group[i];
+            }
+        }
+        to = more;
+    }
+    return to;
+}
+
+static size_t encode_version_1(size_t count, size_t stride, const uint8_t *channels,
+                               uint64_t *state) {
+    static const uint8_t bits[2][4] = {{0, 1, 2, 4}, {1, 2, 4, 8}};
+    static uint8_t differences[256 * 256];
+    const size_t fitting = 8192 / stride / 16 * 16, block = fitting < 256 ? fitting : 256;
+    uint8_t before[256];
+    unsigned char *to = packed;
+    for (size_t k = 0; k < stride; ++k) {
+        before[k] = (uint8_t)test_random32(state);
+    }
+    uint8_t first[256];
+    memcpy(first, before, stride);
+    *to++ = 0xA1;
+    for (size_t start = 0; start < count; start += block) {
+        const size_t some = count - start < block ? count - start : block;
+        unsigned char *controls = to;
+        memset(to, 0, stride / 4);
+        to += stride / 4;
+        for (size_t i = 0; i < some; ++i) {
+            find_differences(data + (start + i) * stride, before, stride, channels,
+                             differences + i * stride);
+            memcpy(before, data + (start + i) * stride, stride);
+        }
+        for (size_t k = 0; k < stride; ++k) {
+            uint8_t column[256];
+            int is_zero = 1;
+            for (size_t i = 0; i < some; ++i) {
+                column[i] = differences[i * stride + k];
+                is_zero &= column[i] == 0;
+            }
+            unsigned control = is_zero ? 2 : test_random32(state) % 3;
+            control += control == 2 && !is_zero; /* 3: as they are */
+            controls[k / 4] |= (unsigned char)(control << k % 4 * 2);
+            if (control == 3) {
+                memcpy(to, column, some);
+                to += some;
+            } else if (control < 2) {
+                to = put_groups(to, column, some, bits[control], state);
+            }
+        }
+    }
+    const size_t used = stride + stride / 4, padding = used < 24 ? 24 - used : 0;
+    memset(to, 0, padding);
+    memcpy(to + padding, first, stride);
+    memcpy(to + padding + stride, channels, stride / 4);
+    return (size_t)(to - packed) + padding + used;
+}
+
+static void test_version_1(void) {
+    static const size_t strides[] = {4, 8, 16, 36, 252, 256};
+    uint64_t state = 11;
+    for (size_t s = 0; s < sizeof strides / sizeof *strides; ++s) {
+        for (size_t count = 1; count <= ELEMENTS; count += 1 + count * 2 / 3) {
+            const size_t stride = strides[s];
+            uint8_t channels[64];
+            for (size_t k = 0; k < stride / 4; ++k) {
+                const unsigned mode = test_random32(&state) % 3;
+                channels[k] = (uint8_t)(mode == 2 ? 2 | test_random32(&state) % 16 << 4 : mode);
+            }
+            for (size_t i = 0; i < count * stride; ++i) {
+                const uint32_t r = test_random32(&state);
+                data[i] = (uint8_t)(i % stride % 4 == 3 ? 5
+                                    : i % 4 == 2        ? r % 2
+                                                        : i / stride + r % 3);
+            }
+            const size_t size = encode_version_1(count, stride, channels, &state);
+            CHECK1(decode(BURNISH_MESHOPT_ATTRIBUTES, size, count, stride));
+            CHECK(memcmp(decoded, data, count * stride) == 0, "%zu of %zu", count, stride);
+            for (size_t cut = 0; cut < size; cut += 1 + size / 50) {
+                CHECK1(!decode(BURNISH_MESHOPT_ATTRIBUTES, cut, count, stride));
+            }
+            for (int i = 0; i < 50; ++i) { /* whatever is turned over, it ends */
+                const size_t at = test_random32(&state) % size;
+                const unsigned char kept = packed[at];
+                packed[at] ^= (unsigned char)(1u << test_random32(&state) % 8);
+                decode(BURNISH_MESHOPT_ATTRIBUTES, size, count, stride);
+                packed[at] = kept;
+            }
+            for (unsigned bad = 3; bad < 256; ++bad) {
+                packed[size - 1] = (unsigned char)bad;
+                const int good = decode(BURNISH_MESHOPT_ATTRIBUTES, size, count, stride);
+                CHECK((bad & 15) == 2 || !good, "channel %u", bad);
+            }
+        }
+    }
+}
+
+/* Luma, differences and alpha of K bits; what they stand for by hand. */
+static void test_colors(void) {
+    static const struct {
+        int16_t in[4];
+        uint16_t out[4];
+        size_t stride;
+    } cases[] = {
+        {{128, 0, 0, 0xFF}, {128, 128, 128, 255}, 4},   /* K = 8 */
+        {{100, 20, -10, 0x80}, {130, 90, 90, 0}, 4},    /* alpha 0 */
+        {{3, 0, 0, 3}, {255, 255, 255, 255}, 4},        /* K = 2 */
+        {{1, 0, 1, 2}, {0, 170, 0, 0}, 4},              /* of 3 */
+        {{100, 100, 100, 0xC0}, {100, 200, 0, 128}, 4}, /* b = -100 is 0 */
+        {{1023, 0, 0, 0x3FF}, {65535, 65535, 65535, 65535}, 8},
+        {{512, -100, 50, 0x200}, {23190, 36003, 36003, 0}, 8},
+        {{0x7FFF, 0, 0, (int16_t)0xFFFF}, {32767, 32767, 32767, 65535}, 8},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        uint8_t bytes[8];
+        for (size_t k = 0; k < 4; ++k) {
+            memcpy(bytes + cases[i].stride / 4 * k, &cases[i].in[k], cases[i].stride / 4);
+        }
+        burnish_meshopt_unfilter(BURNISH_MESHOPT_COLOR, 1, cases[i].stride, bytes);
+        for (size_t k = 0; k < 4; ++k) {
+            const uint32_t found = bytes_at(bytes + cases[i].stride / 4 * k, cases[i].stride / 4);
+            CHECK(found == cases[i].out[k], "case %zu, %zu: %u", i, k, found);
         }
     }
 }
@@ -141,5 +326,7 @@ int main(void) {
     RUN(test_attributes());
     RUN(test_indices());
     RUN(test_filters());
+    RUN(test_version_1());
+    RUN(test_colors());
     return test_end("meshopt");
 }

@@ -232,14 +232,15 @@ static int locate_bytes(burnish_gltf *gltf, uint32_t object, burnish_gltf_bytes 
     return 1;
 }
 
-/* A view that EXT_meshopt_compression holds, decoded when it is first asked for. Its own buffer is
- * for those who can't, and may have no bytes. */
+/* A view that KHR_ or EXT_meshopt_compression holds, decoded when it is first asked for. Its own
+ * buffer is for those who can't, and may have no bytes. */
 static int decode_view(burnish_gltf *gltf, uint32_t view, uint32_t value,
                        burnish_gltf_bytes *bytes) {
     static const char *const modes[] = {"", "ATTRIBUTES", "TRIANGLES", "INDICES"};
-    static const char *const filters[] = {"", "NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
+    static const char *const filters[] = {"",           "NONE",        "OCTAHEDRAL",
+                                          "QUATERNION", "EXPONENTIAL", "COLOR"};
     const int mode = read_word(gltf, value, "mode", modes, 4) - 1;
-    const int filter = read_word(gltf, value, "filter", filters, 5);
+    const int filter = read_word(gltf, value, "filter", filters, 6);
     const size_t count =
         (size_t)burnish_gltf_whole(gltf, value, "count", 0, (uint64_t)BURNISH_VALUE_LIMIT - 1);
     const size_t stride = (size_t)burnish_gltf_whole(gltf, value, "byteStride", 0, 256);
@@ -248,11 +249,11 @@ static int decode_view(burnish_gltf *gltf, uint32_t view, uint32_t value,
     if (gltf->status != BURNISH_STATUS_OK) {
         return 0;
     }
-    if (mode < 0 || mode > 2 || filter > 4) {
+    if (mode < 0 || mode > 2 || filter > 5) {
         return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
                                  "%s is none that is known; export the file without "
-                                 "EXT_meshopt_compression",
-                                 filter > 4 ? "its filter" : "its mode");
+                                 "meshopt's compression",
+                                 filter > 5 ? "its filter" : "its mode");
     }
     const char *wrong = count == 0
                             ? "it has no elements"
@@ -288,7 +289,10 @@ static int decode_view(burnish_gltf *gltf, uint32_t view, uint32_t value,
 int burnish_gltf_view(burnish_gltf *gltf, uint32_t view, burnish_gltf_bytes *bytes,
                       size_t *stride) {
     const uint32_t value = gltf->lists[BURNISH_GLTF_VIEWS][view];
-    const uint32_t meshopt = burnish_gltf_extension(gltf, value, "EXT_meshopt_compression");
+    const uint32_t ratified = burnish_gltf_extension(gltf, value, "KHR_meshopt_compression");
+    const uint32_t meshopt = ratified != BURNISH_JSON_NONE
+                                 ? ratified
+                                 : burnish_gltf_extension(gltf, value, "EXT_meshopt_compression");
     *stride = (size_t)burnish_gltf_whole(gltf, value, "byteStride", 0, 252);
     return meshopt != BURNISH_JSON_NONE ? decode_view(gltf, view, meshopt, bytes)
                                         : locate_bytes(gltf, value, bytes);

@@ -1,5 +1,6 @@
-/* Decoding of EXT_meshopt_compression: bytes of attributes as packed differences, triangles by the
- * edges and vertices seen last, other indices as differences.
+/* Decoding of KHR_meshopt_compression and EXT_meshopt_compression, which is version 0: bytes of
+ * attributes as packed differences, triangles by the edges and vertices seen last, other indices as
+ * differences.
  *
  * Not libmeshoptimizer's decoders: that library brings the run-time library of C++, with which the
  * program starts in 1.9 ms instead of 1.3, and it calls libm, on which no pixel may depend. */
@@ -10,15 +11,16 @@
 #include "core/elementary.h"
 
 enum {
-    HEADER_ATTRIBUTES = 0xA0,
-    HEADER_TRIANGLES = 0xE0, /* and the version, 0 or 1 */
-    HEADER_INDICES = 0xD0,   /* the same */
+    HEADER_ATTRIBUTES = 0xA0, /* and the version, 0 or 1 */
+    HEADER_TRIANGLES = 0xE0,  /* the same */
+    HEADER_INDICES = 0xD0,
     STRIDE_MAX = 256,
     BLOCK_BYTES = 8192,
     BLOCK_MAX = 256,
     GROUP = 16,
-    TAIL_MIN = 32, /* of attributes */
-    TABLE = 16,    /* behind the data of triangles */
+    TAIL_MIN = 32,   /* of attributes */
+    TAIL_MIN_1 = 24, /* in version 1 */
+    TABLE = 16,      /* behind the data of triangles */
     INDICES_TAIL = 4
 };
 
@@ -36,9 +38,10 @@ const char *burnish_meshopt_check(burnish_meshopt_mode mode, burnish_meshopt_fil
     if (mode == BURNISH_MESHOPT_TRIANGLES && count % 3 != 0) {
         return "count of TRIANGLES must be a multiple of 3";
     }
-    if ((filter == BURNISH_MESHOPT_OCTAHEDRAL && stride != 4 && stride != 8) ||
+    if (((filter == BURNISH_MESHOPT_OCTAHEDRAL || filter == BURNISH_MESHOPT_COLOR) && stride != 4 &&
+         stride != 8) ||
         (filter == BURNISH_MESHOPT_QUATERNION && stride != 8)) {
-        return "byteStride of OCTAHEDRAL must be 4 or 8, of QUATERNION 8";
+        return "byteStride of OCTAHEDRAL and COLOR must be 4 or 8, of QUATERNION 8";
     }
     return NULL;
 }
@@ -46,9 +49,8 @@ const char *burnish_meshopt_check(burnish_meshopt_mode mode, burnish_meshopt_fil
 /* ---- Attributes ---- */
 
 /* 16 differences of one byte; returns what follows them, NULL beyond the end. */
-static const uint8_t *read_group(const uint8_t *p, const uint8_t *end, unsigned kind,
+static const uint8_t *read_group(const uint8_t *p, const uint8_t *end, unsigned bits,
                                  uint8_t out[GROUP]) {
-    const unsigned bits = kind == 0 ? 0 : 1u << kind; /* 0, 2, 4, 8 */
     const size_t packed = (size_t)bits * GROUP / 8;
     if ((size_t)(end - p) < packed) {
         return NULL;
@@ -60,8 +62,8 @@ static const uint8_t *read_group(const uint8_t *p, const uint8_t *end, unsigned 
     const unsigned most = (1u << bits) - 1; /* stands for a byte behind the packed ones */
     const uint8_t *more = p + packed;
     for (unsigned i = 0; i < GROUP; ++i) {
-        const unsigned at = i * bits;
-        const unsigned value = (unsigned)p[at / 8] >> (8 - bits - at % 8) & most;
+        const unsigned at = i * bits, shift = bits == 1 ? i % 8 : 8 - bits - at % 8;
+        const unsigned value = (unsigned)p[at / 8] >> shift & most;
         if (value == most && more == end) {
             return NULL;
         }
@@ -70,46 +72,143 @@ static const uint8_t *read_group(const uint8_t *p, const uint8_t *end, unsigned 
     return more;
 }
 
-/* One byte of each of a block's elements, after `last`, that of the element before. */
+/* How the bytes at one place of a block's elements are packed. */
+enum { CONTROL_SMALL, CONTROL_LARGE, CONTROL_ZERO, CONTROL_PLAIN, CONTROL_VERSION_0 };
+
+/* `count` differences of bytes, `stride` apart; where has_sums, their sums from *last on. */
+static void put_differences(const uint8_t *differences, size_t count, size_t stride, int has_sums,
+                            uint8_t *last, uint8_t *out) {
+    uint8_t value = *last;
+    for (size_t i = 0; i < count; ++i) {
+        const unsigned d = differences[i];
+        value = has_sums ? (uint8_t)(value + ((d >> 1) ^ (0u - (d & 1)))) : (uint8_t)d;
+        out[i * stride] = value;
+    }
+    *last = value;
+}
+
+/* One byte of each of a block's elements, `stride` apart: where has_sums, after `last`, that of the
+ * element before; else the difference. */
 static const uint8_t *read_bytes(const uint8_t *p, const uint8_t *end, size_t count, size_t stride,
-                                 uint8_t last, uint8_t *out) {
+                                 unsigned control, int has_sums, uint8_t last, uint8_t *out) {
+    static const uint8_t all_bits[][4] = {[CONTROL_SMALL] = {0, 1, 2, 4},
+                                          [CONTROL_LARGE] = {1, 2, 4, 8},
+                                          [CONTROL_VERSION_0] = {0, 2, 4, 8}};
+    if (control == CONTROL_ZERO) {
+        for (size_t i = 0; i < count; ++i) {
+            out[i * stride] = has_sums ? last : 0;
+        }
+        return p;
+    }
+    if (control == CONTROL_PLAIN) {
+        if ((size_t)(end - p) < count) {
+            return NULL;
+        }
+        put_differences(p, count, stride, has_sums, &last, out);
+        return p + count;
+    }
     const size_t groups = (count + GROUP - 1) / GROUP, header = (groups + 3) / 4;
-    const uint8_t *kinds = p;
+    const uint8_t *kinds = p, *bits = all_bits[control];
     if ((size_t)(end - p) < header) {
         return NULL;
     }
     p += header;
     for (size_t group = 0; group < groups && p; ++group) {
         uint8_t deltas[GROUP];
-        p = read_group(p, end, (unsigned)kinds[group / 4] >> (group % 4 * 2) & 3, deltas);
-        for (size_t i = 0; p && i < GROUP && group * GROUP + i < count; ++i) {
-            const unsigned d = deltas[i];
-            last = (uint8_t)(last + ((d >> 1) ^ (0u - (d & 1))));
-            out[(group * GROUP + i) * stride] = last;
+        p = read_group(p, end, bits[kinds[group / 4] >> (group % 4 * 2) & 3], deltas);
+        const size_t left = count - group * GROUP;
+        if (p) {
+            put_differences(deltas, left < GROUP ? left : GROUP, stride, has_sums, &last,
+                            out + group * GROUP * stride);
         }
     }
     return p;
 }
 
+/* What the differences of four bytes are of: each of them, two of 16 bits, or one of 32 bits that
+ * is combined by XOR and rotated. */
+enum { CHANNEL_BYTES, CHANNEL_PAIRS, CHANNEL_XOR };
+
+static uint32_t get_bytes(const uint8_t *p, size_t size) {
+    uint32_t value = 0;
+    for (size_t k = 0; k < size; ++k) {
+        value |= (uint32_t)p[k] << 8 * k;
+    }
+    return value;
+}
+
+/* `size` bytes of each element, from differences to values. */
+static void undo_differences(uint8_t *at, size_t count, size_t stride, size_t size, int is_xor,
+                             unsigned rotation, const uint8_t *last) {
+    uint32_t value = get_bytes(last, size);
+    for (size_t i = 0; i < count; ++i, at += stride) {
+        const uint32_t d = get_bytes(at, size);
+        value = is_xor ? value ^ (d >> rotation | d << ((32 - rotation) & 31))
+                       : value + ((d >> 1) ^ (0u - (d & 1)));
+        for (size_t k = 0; k < size; ++k) {
+            at[k] = (uint8_t)(value >> 8 * k);
+        }
+    }
+}
+
+/* One channel of a block, but for CHANNEL_BYTES; `last` has the four bytes of the element before.
+ */
+static void undo_channel(uint8_t *at, size_t count, size_t stride, unsigned channel,
+                         const uint8_t *last) {
+    const size_t size = channel == CHANNEL_PAIRS ? 2 : 4;
+    for (size_t k = 0; k < 4; k += size) {
+        undo_differences(at + k, count, stride, size, size == 4, channel >> 4, last + k);
+    }
+}
+
+static int are_channels(const uint8_t *channels, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        if (channels[i] > CHANNEL_PAIRS && (channels[i] & 15) != CHANNEL_XOR) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 static int decode_attributes(const uint8_t *bytes, size_t size, size_t count, size_t stride,
                              uint8_t *out) {
-    const size_t tail = stride < TAIL_MIN ? TAIL_MIN : stride;
-    const size_t fitting = BLOCK_BYTES / stride / GROUP * GROUP;
+    const size_t fitting = BLOCK_BYTES / stride / GROUP * GROUP, quarter = stride / 4;
     const size_t block = fitting < BLOCK_MAX ? fitting : BLOCK_MAX;
-    if (size < 1 + tail || bytes[0] != HEADER_ATTRIBUTES) {
+    const int version = size > 0 ? bytes[0] & 1 : 0;
+    const size_t least = version ? TAIL_MIN_1 : TAIL_MIN, used = stride + (version ? quarter : 0);
+    const size_t tail = used < least ? least : used;
+    if (size < 1 + tail || (bytes[0] & 0xFE) != HEADER_ATTRIBUTES) {
+        return 0;
+    }
+    const uint8_t *channels = bytes + size - quarter; /* in version 1 */
+    if (version && !are_channels(channels, quarter)) {
         return 0;
     }
     const uint8_t *p = bytes + 1, *end = bytes + size - tail;
-    const uint8_t *last = bytes + size - stride; /* the first element's predecessor */
+    const uint8_t *last = bytes + size - used; /* the first element's predecessor */
     for (size_t first = 0; first < count; first += block) {
         const size_t some = count - first < block ? count - first : block;
+        const uint8_t *controls = p;
+        uint8_t *to = out + first * stride;
+        if (version && (size_t)(end - p) < quarter) {
+            return 0;
+        }
+        p += version ? quarter : 0;
         for (size_t k = 0; k < stride; ++k) {
-            p = read_bytes(p, end, some, stride, last[k], out + first * stride + k);
+            const unsigned control =
+                version ? controls[k / 4] >> k % 4 * 2 & 3u : (unsigned)CONTROL_VERSION_0;
+            const int has_sums = !version || channels[k / 4] == CHANNEL_BYTES;
+            p = read_bytes(p, end, some, stride, control, has_sums, last[k], to + k);
             if (!p) {
                 return 0;
             }
         }
-        last = out + (first + some - 1) * stride;
+        for (size_t k = 0; k < quarter && version; ++k) {
+            if (channels[k] != CHANNEL_BYTES) {
+                undo_channel(to + 4 * k, some, stride, channels[k], last + 4 * k);
+            }
+        }
+        last = to + (some - 1) * stride;
     }
     return p == end;
 }
@@ -334,6 +433,25 @@ static void undo_exponential(uint8_t *p) {
     }
 }
 
+/* Red, green, blue and alpha from luma and two differences of K bits; alpha has one bit less, and
+ * the bit above it says what K is. */
+static void undo_color(uint8_t *p, size_t size) {
+    const uint32_t scaled = get_bytes(p + 3 * size, size), most = size == 1 ? 255 : 65535;
+    uint32_t full = scaled; /* all bits up to the highest */
+    for (unsigned shift = 1; shift < 16; shift *= 2) {
+        full |= full >> shift;
+    }
+    const int y = (int)get_bytes(p, size), co = get_signed(p + size, size),
+              cg = get_signed(p + 2 * size, size);
+    const uint32_t alpha = scaled & full >> 1;
+    const int v[4] = {y + co - cg, y + cg, y - co - cg, (int)(alpha << 1 | (alpha & 1))};
+    const double scale = full > 0 ? (double)most / full : 0;
+    for (size_t k = 0; k < 4; ++k) {
+        const double value = v[k] * scale;
+        put_rounded(p + k * size, size, value > 0 ? value < most ? value : most : 0);
+    }
+}
+
 void burnish_meshopt_unfilter(burnish_meshopt_filter filter, size_t count, size_t stride,
                               uint8_t *data) {
     for (size_t i = 0; i < count && filter != BURNISH_MESHOPT_NONE; ++i, data += stride) {
@@ -341,6 +459,8 @@ void burnish_meshopt_unfilter(burnish_meshopt_filter filter, size_t count, size_
             undo_octahedral(data, stride / 4);
         } else if (filter == BURNISH_MESHOPT_QUATERNION) {
             undo_quaternion(data);
+        } else if (filter == BURNISH_MESHOPT_COLOR) {
+            undo_color(data, stride / 4);
         } else {
             for (size_t k = 0; k < stride; k += 4) {
                 undo_exponential(data + k);

@@ -1,5 +1,5 @@
-/* The bit streams of EXT_meshopt_compression (Khronos, glTF 2.0 vendor extensions; appendices A and
- * B of its text). Decoders read nothing outside their bytes and write nothing outside their room,
+/* The bit streams of KHR_meshopt_compression (Khronos, glTF 2.0 extensions; appendices A and B of
+ * its text), whose version 0 is EXT_meshopt_compression. Decoders read nothing outside their bytes and write nothing outside their room,
  * whatever the bytes are; indices may come out of any size. */
 #ifndef BURNISH_MESH_READ_MESHOPT_H
 #define BURNISH_MESH_READ_MESHOPT_H
@@ -17,7 +17,8 @@ typedef enum burnish_meshopt_filter {
     BURNISH_MESHOPT_NONE,
     BURNISH_MESHOPT_OCTAHEDRAL,
     BURNISH_MESHOPT_QUATERNION,
-    BURNISH_MESHOPT_EXPONENTIAL
+    BURNISH_MESHOPT_EXPONENTIAL,
+    BURNISH_MESHOPT_COLOR
 } burnish_meshopt_filter;
 
 /* What is wrong with these numbers, NULL for nothing. */
