@@ -26,13 +26,40 @@ static void default_release(void *items) {
     _aligned_free(items);
 }
 #else
+#ifdef __GLIBC__
+/* Large arrays take whole pages with what glibc puts before them, 16 bytes: so they follow one
+ * another without gaps, and what is given back grows together. Its aligned_alloc() cuts off what
+ * then lies between arrays, keeps it for small requests and so keeps free neighbours apart. */
+enum { LARGE = 1 << 16, PAGE = 1 << 12, HEADER = 16 };
+
+static size_t round_size(size_t bytes) {
+    return bytes < LARGE ? bytes : (bytes + HEADER + PAGE - 1) / PAGE * PAGE - HEADER;
+}
+
+static void *default_allocate(size_t bytes) {
+    if (bytes < LARGE) {
+        return aligned_alloc(BURNISH_ALIGNMENT, bytes);
+    }
+    void *items = malloc(round_size(bytes));
+    if ((uintptr_t)items % BURNISH_ALIGNMENT != 0) {
+        free(items);
+        items = aligned_alloc(PAGE, round_size(bytes));
+    }
+    return items;
+}
+#else
+static size_t round_size(size_t bytes) {
+    return bytes;
+}
+
 static void *default_allocate(size_t bytes) {
     return aligned_alloc(BURNISH_ALIGNMENT, bytes);
 }
+#endif
 
 /* Moves large arrays without copying them, and need not keep their alignment. */
 static void *default_reallocate(void *items, size_t bytes) {
-    return realloc(items, bytes);
+    return realloc(items, round_size(bytes));
 }
 
 static void default_release(void *items) {

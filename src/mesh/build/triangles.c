@@ -13,6 +13,32 @@ static void drop_zero_signs(void *context, size_t first, size_t end) {
     }
 }
 
+/* Moves the different positions to the head of their array or, where that is much larger, to one of
+ * their own. */
+static burnish_status keep_positions(burnish_builder *b, const uint32_t *firsts) {
+    burnish_stream *stream = &b->data->streams[BURNISH_POSITION];
+    const float *from = stream->items;
+    float *to = stream->items;
+    const int moves = b->position_count <= stream->count / 2;
+    if (moves) {
+        to = burnish_allocate(b->memory, b->position_count, 3 * sizeof *to, "positions");
+        if (!to) {
+            return b->memory->status;
+        }
+    }
+    for (size_t i = 0; i < b->position_count; ++i) {
+        float position[3];
+        memcpy(position, from + 3 * (size_t)firsts[i], sizeof position);
+        memcpy(to + 3 * i, position, sizeof position);
+    }
+    if (moves) {
+        burnish_release(b->memory->context, stream->items);
+        stream->items = to;
+        stream->capacity = b->position_count;
+    }
+    return BURNISH_STATUS_OK;
+}
+
 /* remap gives each position of the file its number among the different ones. */
 static burnish_status weld_positions(burnish_builder *b, uint32_t *remap) {
     float *positions = burnish_positions(b->data);
@@ -24,10 +50,8 @@ static burnish_status weld_positions(burnish_builder *b, uint32_t *remap) {
     burnish_tasks_ranges(b->data->tasks, 3 * count, BURNISH_BUILD_STEP, drop_zero_signs, positions);
     burnish_status status = burnish_weld(positions, count, b->data->tasks, b->memory, remap, firsts,
                                          &b->position_count);
-    for (size_t i = 0; i < b->position_count && status == BURNISH_STATUS_OK; ++i) {
-        float position[3]; /* they move towards the head */
-        memcpy(position, positions + 3 * (size_t)firsts[i], sizeof position);
-        memcpy(positions + 3 * i, position, sizeof position);
+    if (status == BURNISH_STATUS_OK) {
+        status = keep_positions(b, firsts);
     }
     burnish_release(b->memory->context, firsts);
     return status;
