@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "burnish/mesh.h"
-#include "mesh/build/builder.h"
+#include "mesh/build/joining.h"
 #include "mesh_arrays.h"
 #include "support.h"
 
@@ -423,15 +423,33 @@ static void test_order(void) {
     burnish_mesh_destroy(other);
 }
 
-/* The bits of normals do not depend on how many faces are compared at once, nor on whether faces
- * were measured before: fans with and without
- * gaps, flat and jagged, of every size that is compared pairwise. */
+/* Sets of a few faces and of any number are the same. */
+static int joins_the_same(burnish_rings *rings, size_t faces, int *crowded) {
+    uint32_t sets[BURNISH_SETS_MAX], seen = 0;
+    const size_t count = burnish_join_few(rings, 0, faces, sets);
+    const int one = burnish_join_many(rings, 0, faces);
+    *crowded += count == 0;
+    for (size_t k = 0; k < count; ++k) {
+        for (uint32_t i = 0; i < faces; ++i) {
+            const int is_in = (int)(sets[k] >> i & 1);
+            const uint32_t first = (uint32_t)__builtin_ctz(sets[k]);
+            if (is_in != (burnish_find_root(rings->parents, i) == first)) {
+                return 0;
+            }
+        }
+        seen += (uint32_t)__builtin_popcount(sets[k]);
+    }
+    return count == 0 || (seen == faces && one == (count == 1));
+}
 
+/* The bits of normals do not depend on how many faces are compared at once, nor on whether faces
+ * were measured before, nor sets on how they are found: fans with and without gaps, flat and
+ * jagged, of few and of many faces. */
 static void test_wide_fans(void) {
-    enum { MOST = 10, ROUNDS = 20000 };
+    enum { MOST = 40, ROUNDS = 20000 };
     burnish_rings rings;
     burnish_memory memory = burnish_memory_of(NULL, NULL);
-    int different = 0, apart = 0;
+    int different = 0, apart = 0, wrong = 0, crowded = 0;
     uint64_t state = test_seed(4);
     const int wide = (int)(burnish_isa_available() >> BURNISH_ISA_AVX2 & 1);
     burnish_rings_create(&rings, MOST, 60, NULL, wide, &memory);
@@ -439,7 +457,8 @@ static void test_wide_fans(void) {
         return;
     }
     for (int round = 0; round < ROUNDS; ++round) {
-        size_t faces = 1 + random_bits(&state) % MOST;
+        size_t faces = 1 + random_bits(&state) % (round % 2 ? MOST : 10);
+        const uint32_t often = round % 8 < 4 ? 8 : 2; /* one edge has so many of the faces */
         float positions[3 * (MOST + 2)], normals[3][3 * MOST];
         uint32_t triangles[3 * MOST], corners[MOST];
         int common[3];
@@ -452,8 +471,9 @@ static void test_wide_fans(void) {
                      second = 2 + (uint32_t)i;
             second = i + 1 == faces && round % 3 ? 1 : second; /* closed, or an edge is free */
             triangles[3 * i + at] = 0;
-            triangles[3 * i + (at + 1) % 3] = random_bits(&state) % 8 ? first : 1;
-            triangles[3 * i + (at + 2) % 3] = second == first ? MOST + 1 : second;
+            triangles[3 * i + (at + 1) % 3] = random_bits(&state) % often ? first : 1;
+            second = second == triangles[3 * i + (at + 1) % 3] ? MOST + 1 : second;
+            triangles[3 * i + (at + 2) % 3] = second;
             corners[i] = (uint32_t)(3 * i) + at;
         }
         burnish_face kept[MOST];
@@ -466,6 +486,9 @@ static void test_wide_fans(void) {
             rings.wide = k ? wide : 0;
             burnish_rings_measure(&rings, corners, faces);
             common[k] = burnish_rings_normals(&rings, 0, faces, normals[k]);
+            if (faces <= BURNISH_SETS_MAX) {
+                wrong += !joins_the_same(&rings, faces, &crowded);
+            }
         }
         for (int k = 1; k < 3; ++k) {
             different +=
@@ -474,7 +497,9 @@ static void test_wide_fans(void) {
         apart += !common[0];
     }
     CHECK(different == 0, "%d of %d fans have other normals", different, ROUNDS);
-    CHECK(apart > ROUNDS / 10 && apart < ROUNDS - ROUNDS / 10, "%d of %d fans are apart", apart,
+    CHECK(wrong == 0, "%d of %d fans have other sets", wrong, 3 * ROUNDS);
+    CHECK(crowded > ROUNDS / 20 && crowded < ROUNDS, "%d fans have an edge of many faces", crowded);
+    CHECK(apart > ROUNDS / 20 && apart < ROUNDS - ROUNDS / 20, "%d of %d fans are apart", apart,
           ROUNDS);
     burnish_rings_destroy(&rings, NULL);
 }

@@ -35,15 +35,10 @@ static face face_of(const burnish_surface *s, uint32_t triangle) {
     return (face){triangle, burnish_vec3_normalize(cross)};
 }
 
-/* The triangle's corner that is not on the edge. */
+/* The triangle's corner that is not on the edge, which is one of its own. */
 static uint32_t third_corner(const burnish_surface *s, uint32_t triangle, uint32_t a, uint32_t b) {
     const uint32_t *corners = s->corner_positions + 3 * (size_t)triangle;
-    for (int i = 0; i < 2; ++i) {
-        if (corners[i] != a && corners[i] != b) {
-            return corners[i];
-        }
-    }
-    return corners[2];
+    return corners[0] ^ corners[1] ^ corners[2] ^ a ^ b;
 }
 
 /* The one other triangle at an edge. Returns 0 where there is none, or several. */
@@ -55,20 +50,19 @@ static int find_across(const burnish_surface *s, uint32_t triangle, uint32_t a, 
     const size_t count = at_b < at_a ? at_b : at_a;
     const uint32_t *corners = s->corners + s->first_corner[here];
     uint32_t found = BURNISH_NONE;
-    for (size_t i = 0; i < count && count <= FACES_MAX; ++i) {
+    int faces = 0;
+    for (size_t i = 0; i < count && count <= FACES_MAX; ++i) { /* which one can't be predicted */
         const uint32_t other = corners[i] / 3;
         const uint32_t *around = s->corner_positions + 3 * (size_t)other;
-        if (other != triangle && (around[0] == there || around[1] == there || around[2] == there)) {
-            if (found != BURNISH_NONE) {
-                return 0;
-            }
-            found = other;
-        }
+        const int shares = (around[0] == there) | (around[1] == there) | (around[2] == there);
+        const uint32_t is_it = (uint32_t)(shares & (other != triangle));
+        found = (other & (0U - is_it)) | (found & (is_it - 1));
+        faces += (int)is_it;
     }
-    if (found != BURNISH_NONE) {
+    if (faces == 1) {
         *across = face_of(s, found);
     }
-    return found != BURNISH_NONE;
+    return faces == 1;
 }
 
 /* ---- curved faces: scans, sculptures, and what simplification left of them ---- */

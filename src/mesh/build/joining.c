@@ -46,14 +46,18 @@ static int join(burnish_rings *rings, uint32_t i, uint32_t j) {
  *   smooth    across a smooth edge
  *   doubtful  across one that may be smooth */
 typedef struct neighbors {
-    uint32_t smooth[BURNISH_PAIRWISE_MAX], doubtful[BURNISH_PAIRWISE_MAX];
+    uint32_t smooth[BURNISH_SETS_MAX], doubtful[BURNISH_SETS_MAX];
     uint32_t any_doubtful;
 } neighbors;
 
-/* Without branches: what a face shares with another can't be predicted. */
+/* Without branches: what a face shares with another can't be predicted. For at most
+ * BURNISH_PAIRWISE_MAX faces. */
 static void find_neighbors(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
     const uint32_t *next = rings->next + first, *previous = rings->previous + first;
-    *n = (neighbors){0};
+    n->any_doubtful = 0;
+    for (size_t i = 0; i < count; ++i) {
+        n->smooth[i] = n->doubtful[i] = 0;
+    }
     for (size_t i = 0; i < count; ++i) {
         burnish_vec3 normal = burnish_ring_normal(rings, first + i);
         for (size_t j = i + 1; j < count; ++j) {
@@ -108,9 +112,78 @@ find_neighbors_avx2(const burnish_rings *rings, size_t first, size_t count, neig
 }
 #endif
 
+/* Of up to BURNISH_SETS_MAX faces those, as bits, that have an edge to position `end`. */
+typedef uint32_t find_edges(const burnish_rings *rings, size_t first, size_t count, uint32_t end);
+
+static uint32_t find_edges_scalar(const burnish_rings *rings, size_t first, size_t count,
+                                  uint32_t end) {
+    uint32_t found = 0;
+    for (size_t i = 0; i < count; ++i) {
+        found |= (uint32_t)((rings->next[first + i] == end) | (rings->previous[first + i] == end))
+                 << i;
+    }
+    return found;
+}
+
+#if defined(__x86_64__)
+/* Reads up to BURNISH_PAIRWISE_MAX entries more. */
+__attribute__((target("avx2"))) static uint32_t
+find_edges_avx2(const burnish_rings *rings, size_t first, size_t count, uint32_t end) {
+    const __m256i ends = _mm256_set1_epi32((int)end);
+    uint32_t found = 0;
+    for (size_t i = 0; i < count; i += 8) {
+        const __m256i next = _mm256_loadu_si256((const __m256i *)(rings->next + first + i));
+        const __m256i previous = _mm256_loadu_si256((const __m256i *)(rings->previous + first + i));
+        const __m256i equal =
+            _mm256_or_si256(_mm256_cmpeq_epi32(next, ends), _mm256_cmpeq_epi32(previous, ends));
+        found |= (uint32_t)_mm256_movemask_ps(_mm256_castsi256_ps(equal)) << i;
+    }
+    return found & (uint32_t)(((uint64_t)1 << count) - 1);
+}
+#endif
+
+/* The same for more faces, few of which share an edge. Returns 0 where an edge has more than
+ * BURNISH_PAIRWISE_MAX. */
+static int find_many_neighbors(const burnish_rings *rings, size_t first, size_t count,
+                               find_edges *find, neighbors *n) {
+    n->any_doubtful = 0;
+    for (size_t i = 0; i < count; ++i) {
+        n->smooth[i] = n->doubtful[i] = 0;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t after = find(rings, first, count, rings->next[first + i]);
+        const uint32_t before = find(rings, first, count, rings->previous[first + i]);
+        if (__builtin_popcount(after) > BURNISH_PAIRWISE_MAX ||
+            __builtin_popcount(before) > BURNISH_PAIRWISE_MAX) {
+            return 0;
+        }
+        const uint32_t later = (after | before) >> i >> 1;
+        for (uint32_t left = later; left != 0; left &= left - 1) {
+            const size_t j = i + 1 + (size_t)__builtin_ctz(left);
+            const double cosine = burnish_vec3_dot(burnish_ring_normal(rings, first + i),
+                                                   burnish_ring_normal(rings, first + j));
+            const uint32_t close = cosine > rings->sharp_cosine;
+            const uint32_t smooth = close & (uint32_t)(cosine > rings->smooth_cosine);
+            n->smooth[i] |= smooth << j;
+            n->smooth[j] |= smooth << i;
+            n->doubtful[i] |= (close ^ smooth) << j;
+            n->any_doubtful |= close ^ smooth;
+        }
+    }
+    return 1;
+}
+
 /* The faces joined with those of a set, so far. */
 static uint32_t grow_set(const neighbors *n, size_t count, uint32_t set) {
     uint32_t before;
+    if (count > BURNISH_PAIRWISE_MAX) {
+        for (uint32_t left = set; left != 0;) {
+            const uint32_t found = n->smooth[__builtin_ctz(left)] & ~set;
+            left = (left & (left - 1)) | found;
+            set |= found;
+        }
+        return set;
+    }
     do {
         before = set;
         for (size_t i = 0; i < count; ++i) {
@@ -125,10 +198,9 @@ static uint32_t grow_set(const neighbors *n, size_t count, uint32_t set) {
 static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
     for (size_t i = 0; i < count; ++i) {
         uint32_t set = n->doubtful[i] ? grow_set(n, count, 1U << i) : 0;
-        for (size_t j = i + 1; j < count; ++j) {
-            const size_t at = first + i, to = first + j;
-            if ((n->doubtful[i] & ~set) >> j & 1 &&
-                ask_surface(rings, at, to, other_end(rings, at, to))) {
+        for (uint32_t left = n->doubtful[i]; left != 0; left &= left - 1) {
+            const size_t j = (size_t)__builtin_ctz(left), at = first + i, to = first + j;
+            if (!(set >> j & 1) && ask_surface(rings, at, to, other_end(rings, at, to))) {
                 n->smooth[i] |= 1U << j;
                 n->smooth[j] |= 1U << i;
                 set = grow_set(n, count, set);
@@ -137,19 +209,33 @@ static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count
     }
 }
 
+/* Returns 0 where an edge has too many faces. */
+static int find_any_neighbors(const burnish_rings *rings, size_t first, size_t count,
+                              neighbors *n) {
+#if defined(__x86_64__)
+    if (rings->wide) {
+        if (count > BURNISH_PAIRWISE_MAX) {
+            return find_many_neighbors(rings, first, count, find_edges_avx2, n);
+        }
+        find_neighbors_avx2(rings, first, count, n);
+        return 1;
+    }
+#endif
+    if (count > BURNISH_PAIRWISE_MAX) {
+        return find_many_neighbors(rings, first, count, find_edges_scalar, n);
+    }
+    find_neighbors(rings, first, count, n);
+    return 1;
+}
+
 size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
-                        uint32_t sets[BURNISH_PAIRWISE_MAX]) {
-    const uint32_t all = (1U << count) - 1;
+                        uint32_t sets[BURNISH_SETS_MAX]) {
+    const uint32_t all = (uint32_t)(((uint64_t)1 << count) - 1);
     uint32_t left = all;
     size_t found = 0;
     neighbors n;
-#if defined(__x86_64__)
-    if (rings->wide) {
-        find_neighbors_avx2(rings, first, count, &n);
-    } else
-#endif
-    {
-        find_neighbors(rings, first, count, &n);
+    if (!find_any_neighbors(rings, first, count, &n)) {
+        return 0;
     }
     sets[0] = grow_set(&n, count, 1);
     if (sets[0] == all) {

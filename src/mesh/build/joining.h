@@ -9,6 +9,9 @@
  * linear. */
 enum { BURNISH_PAIRWISE_MAX = 8 };
 
+/* Faces of a vertex that have bits in sets. */
+enum { BURNISH_SETS_MAX = 32 };
+
 /* Answers that are kept: a power of two. No triangle is its own neighbour, so that zeros are none.
  */
 enum { BURNISH_ANSWERS = 1024 };
@@ -30,12 +33,12 @@ static inline uint32_t burnish_find_root(uint32_t *parents, uint32_t i) {
     return i;
 }
 
-/* Sets of joined faces among a few, at most BURNISH_PAIRWISE_MAX, as bits, in the order of their
- * first faces; returns how many. */
+/* Sets of joined faces among a few, at most BURNISH_SETS_MAX, as bits, in the order of their first
+ * faces. Returns how many; 0 where an edge has more than BURNISH_PAIRWISE_MAX faces. */
 size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
-                        uint32_t sets[BURNISH_PAIRWISE_MAX]);
+                        uint32_t sets[BURNISH_SETS_MAX]);
 
-/* The same for any number, in rings->parents; returns whether all are one. */
+/* Sets among any number, in rings->parents; returns whether all are one. */
 int burnish_join_many(burnish_rings *rings, size_t first, size_t count);
 
 #endif

@@ -12,6 +12,7 @@
 
 /* A sum shorter than this share of its weights is rounding noise around zero. */
 #define CANCELLED 1e-9
+#define LARGEST_ANGLE 4 /* more than pi */
 
 /* A flat face with so many times the area of the other faces gives its normal to all of them. */
 #define FLAT_SHARE 4
@@ -21,8 +22,8 @@
 #define SHORT_LENGTH 0x1p-400
 #define LENGTHEN 0x1p600
 
-void burnish_store_unit(burnish_vec3 v, float unit[3]) {
-    double length = burnish_vec3_length(v);
+/* burnish_store_unit of a vector whose length is known. */
+static void store_unit(burnish_vec3 v, double length, float unit[3]) {
     if (length < SHORT_LENGTH) {
         v = burnish_vec3_scale(v, LENGTHEN);
         length = burnish_vec3_length(v);
@@ -35,6 +36,10 @@ void burnish_store_unit(burnish_vec3 v, float unit[3]) {
         unit[1] = (float)(v.y * scale) + 0.0f;
         unit[2] = (float)(v.z * scale) + 0.0f;
     }
+}
+
+void burnish_store_unit(burnish_vec3 v, float unit[3]) {
+    store_unit(v, burnish_vec3_length(v), unit);
 }
 
 void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle,
@@ -114,11 +119,33 @@ void burnish_measure_faces(const burnish_surface *surface, size_t first, size_t 
     }
 }
 
+/* What the corners a little later in the list will be measured by comes into the cache: first the
+ * numbers of their positions, then these. */
+static inline void fetch_ahead(const burnish_surface *surface, const uint32_t *corners, size_t i,
+                               size_t count) {
+    enum { NUMBERS_AHEAD = 24, POSITIONS_AHEAD = 8 };
+    if (i + NUMBERS_AHEAD < count) {
+        const uint32_t later = corners[i + NUMBERS_AHEAD];
+        __builtin_prefetch(surface->corner_positions + later);
+    }
+    if (i + POSITIONS_AHEAD < count) {
+        const uint32_t later = corners[i + POSITIONS_AHEAD] / 3;
+        const uint32_t *numbers = surface->corner_positions + 3 * (size_t)later;
+        for (int k = 0; k < 3; ++k) {
+            __builtin_prefetch(surface->positions + 3 * (size_t)numbers[k]);
+        }
+        if (surface->faces) {
+            __builtin_prefetch(surface->faces + later);
+        }
+    }
+}
+
 void burnish_rings_measure(burnish_rings *rings, const uint32_t *corners, size_t count) {
     static const uint8_t after[5] = {0, 1, 2, 0, 1};
     const burnish_surface *surface = rings->surface;
     rings->corners = corners;
     for (size_t i = 0; i < count; ++i) {
+        fetch_ahead(surface, corners, i, count);
         const uint32_t triangle = corners[i] / 3, at = corners[i] % 3;
         const uint32_t *numbers = surface->corner_positions + 3 * (size_t)triangle;
         const uint32_t next = numbers[after[at + 1]], previous = numbers[after[at + 2]];
@@ -301,12 +328,14 @@ static int store_common(const burnish_rings *rings, size_t first, size_t count, 
     const burnish_vec3 sum = count <= BURNISH_PAIRWISE_MAX ? sum_few(rings, first, count)
                                                            : sum_many(rings, first, count);
     const double length = burnish_vec3_length(sum);
-    for (size_t i = first; i < first + count; ++i) {
-        if (is_cancelled(length, rings->angles[i])) {
-            return 0;
+    if (is_cancelled(length, LARGEST_ANGLE)) {
+        for (size_t i = first; i < first + count; ++i) {
+            if (is_cancelled(length, rings->angles[i])) {
+                return 0;
+            }
         }
     }
-    burnish_store_unit(sum, normal);
+    store_unit(sum, length, normal);
     return 1;
 }
 
@@ -378,7 +407,7 @@ static void store_few(const burnish_rings *rings, size_t first, const uint32_t *
         const burnish_vec3 sum = sum_set(rings, first, sets[k]);
         const double length = burnish_vec3_length(sum);
         float unit[3];
-        burnish_store_unit(sum, unit);
+        store_unit(sum, length, unit);
         for (uint32_t left = sets[k]; left != 0; left &= left - 1) {
             const size_t i = (size_t)__builtin_ctz(left);
             memcpy(normals + 3 * i, unit, sizeof unit);
@@ -390,15 +419,14 @@ static void store_few(const burnish_rings *rings, size_t first, const uint32_t *
 }
 
 int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, float *normals) {
-    uint32_t sets[BURNISH_PAIRWISE_MAX];
+    uint32_t sets[BURNISH_SETS_MAX];
     if (rings->flat) {
         for (size_t i = 0; i < count; ++i) {
             burnish_store_unit(burnish_ring_normal(rings, first + i), normals + 3 * i);
         }
         return 0;
     }
-    const size_t few =
-        count <= BURNISH_PAIRWISE_MAX ? burnish_join_few(rings, first, count, sets) : 0;
+    const size_t few = count <= BURNISH_SETS_MAX ? burnish_join_few(rings, first, count, sets) : 0;
     const int one = few == 0 ? burnish_join_many(rings, first, count) : few == 1;
     if (one && store_common(rings, first, count, normals)) {
         return 1;

@@ -8,7 +8,8 @@ enum {
     POSITIONS_PER_THREAD = BURNISH_BUILD_GRAIN / 2, /* worth a thread */
     POSITIONS_PER_TASK = 512,
     CORNERS_PER_BATCH = 512, /* measured together; the rings stay in the first-level cache */
-    FEW = 16,                /* corners that are compared one by one */
+    FEW = 16,                /* corners that are compared one by one, ... */
+    FEW_NORMALS = 64,        /* ... where they have nothing but a normal */
     FACES_MAX = 1 << 18      /* triangles whose faces are kept: more would fill no cache */
 };
 
@@ -262,7 +263,7 @@ static void append_vertex(vertex_maker *maker, uint32_t position, uint32_t first
 static void number_by_normal(vertex_maker *maker, uint32_t position, const uint32_t *corners,
                              size_t count) {
     uint32_t *indices = maker->b->mesh->indices;
-    uint32_t heads[FEW];
+    uint32_t heads[FEW_NORMALS];
     size_t found = 0;
     for (size_t i = 0; i < count; ++i) {
         const float *normal = maker->normals + 3 * i;
@@ -287,7 +288,7 @@ static void number_corners(vertex_maker *maker, uint32_t position) {
     const size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
     burnish_weld_record *records = maker->records;
     uint32_t *indices = b->mesh->indices;
-    if (count <= FEW && !b->has_extras) {
+    if (count <= FEW_NORMALS && !b->has_extras) {
         number_by_normal(maker, position, corners, count);
         return;
     }
@@ -457,6 +458,9 @@ static vertex_maker *create_makers(burnish_builder *b, int count) {
         makers[i].wide = wide;
         makers[i].memory = burnish_memory_of(b->memory->context, &makers[i].error);
         create_scratch(&makers[i], corners < CORNERS_PER_BATCH ? corners : CORNERS_PER_BATCH);
+        makers[i].vertices = burnish_reserve(&makers[i].memory, NULL, &makers[i].capacity,
+                                             b->position_count / (size_t)count + 1,
+                                             sizeof *makers[i].vertices, "vertices");
         burnish_memory_join(b->memory, &makers[i].memory);
     }
     return makers;
