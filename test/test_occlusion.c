@@ -206,7 +206,8 @@ static void test_refusals(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_wall(BURNISH_OCCLUSION_MAX, 0.025));
-    RUN(test_wall(48, 0.065));
+    RUN(test_wall(72, 0.065));
+    RUN(test_wall(54, 0.065));
     RUN(test_sphere());
     RUN(test_renderer_again());
     RUN(test_exposure());

@@ -58,8 +58,8 @@ typedef enum burnish_counts {
     BURNISH_COUNTS_AREA /* all, and hidden_share */
 } burnish_counts;
 
-/* Directions of ambient occlusion: at most so many; or chosen by the number of triangles, from 64
- * for up to 8,192 to 16 for more than a million. */
+/* Directions of ambient occlusion: at most so many; or chosen by the number of triangles, from 72
+ * for up to 8,192 to 18 for more than a million. */
 #define BURNISH_OCCLUSION_MAX 256
 #define BURNISH_OCCLUSION_AUTO (-1)
 
@@ -106,7 +106,7 @@ typedef struct burnish_render_options {
                                everywhere */
     float ambient_light[3]; /* Ia, linear */
     int occlusion; /* directions that ambient occlusion is found from, [0, BURNISH_OCCLUSION_MAX];
-                      0: none; or BURNISH_OCCLUSION_AUTO */
+                      0: none; or BURNISH_OCCLUSION_AUTO; an odd number counts as the next one */
     float occlusion_strength; /* [0, 1]: what a point that sees no sky loses of its light */
     double up[3]; /* the direction in which the object stands, of any length, for occlusion's sky
                      and the ground; 0, 0, 0: the mesh's up_axis */

@@ -1,10 +1,9 @@
-/* Depth maps of small triangles: straight from vertices to texels, without lists and tiles, for two
- * maps at once.
+/* Depth maps in pairs: what is seen along a direction, and against it. Both have the same texels,
+ * so what a triangle covers, and how deep, is found once. Triangles go straight from vertices to
+ * texels, without lists and tiles, for two pairs at once.
  *
- * Large triangles, whose depths come from planes (BURNISH_SMALL_EDGE), are left to tiles.
- *
- * A map's texel is the greatest code of the depths of the triangles that cover its centre, so their
- * order does not matter. Coverage and depth have the bits that burnish_tile_draw gives them. */
+ * A texel is the greatest code of the depths of the triangles that cover its centre, so their order
+ * does not matter. */
 #ifndef BURNISH_RASTER_MAPS_H
 #define BURNISH_RASTER_MAPS_H
 
@@ -13,15 +12,16 @@
 
 #include "raster/geometry.h"
 
-/* Depths are stored in 16 bits, [0, BURNISH_MAP_CODES]; 0 where nothing is. */
+/* Depths are stored in 16 bits, [0, BURNISH_MAP_CODES]; 0 where nothing is. Against a direction a
+ * depth is BURNISH_MAP_CODES less what it is along it. */
 #define BURNISH_MAP_CODES 65535.0
 
 enum {
-    BURNISH_MAPS = 2,       /* that are drawn at once, at most */
+    BURNISH_MAPS = 2,       /* pairs that are drawn at once, at most */
     BURNISH_MAPS_SIZE = 256 /* texels along an edge, at most: coordinates fit 16 bits */
 };
 
-/* Where a vertex falls in each of the maps: 16 bytes, loaded as one vector. */
+/* Where a vertex falls in the maps of each pair: 16 bytes, loaded as one vector. */
 typedef struct burnish_map_vertex {
     struct {
         uint32_t at; /* 1/256 texel: packed x and y */
@@ -29,19 +29,16 @@ typedef struct burnish_map_vertex {
     } in[BURNISH_MAPS];
 } burnish_map_vertex;
 
-/* What a mesh's small triangles are drawn from, and into. */
+/* What a mesh is drawn from, and into. */
 typedef struct burnish_maps {
-    int count;                    /* of maps */
+    int count;                    /* of pairs */
     int size;                     /* texels along an edge, a multiple of 16 */
     burnish_map_vertex *vertices; /* one per vertex of the mesh */
     const uint32_t *indices;      /* 3 per triangle */
     size_t triangle_count;
-    const uint16_t *transparent;    /* per batch; bit i: triangle i is left out. NULL: none is */
-    uint16_t *depths[BURNISH_MAPS]; /* size^2 codes, row after row */
-    uint16_t *large[BURNISH_MAPS];  /* receives per batch; bit i: triangle i is large, and may be
-                                       seen */
-    uint64_t cells[BURNISH_MAPS];   /* what small triangles would add to burnish_geometry.cells is
-                                       added */
+    const uint16_t *transparent;       /* per batch; bit i: triangle i is left out. NULL: none is */
+    uint16_t *depths[BURNISH_MAPS][2]; /* size^2 codes, row after row: along, against */
+    uint64_t cells[BURNISH_MAPS];      /* what burnish_geometry.cells would be is added */
 } burnish_maps;
 
 #endif

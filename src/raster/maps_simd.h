@@ -1,40 +1,34 @@
-/* Small triangles into depth maps, by vectors. Which texels triangles cover is found out for as
+/* Triangles into pairs of depth maps, by vectors. Which texels triangles cover is found out for as
  * many triangles at once as a vector has lanes, texel by texel of their bounds, or where these are
  * wide for one triangle after another, stamp by stamp; then depths of as many covered texels at
- * once. */
+ * once. Large triangles go row by row. */
 #ifndef BURNISH_RASTER_MAPS_SIMD_H
 #define BURNISH_RASTER_MAPS_SIMD_H
 
-#include "raster/maps.h"
+#include "raster/maps_long_simd.h"
 #include "raster/stamps_simd.h"
 
-/* Depths that are rounded never leave [0, 1] where those of vertices are this far inside. */
-#define MAPS_LEAST_DEPTH 0x1p-4f
-#define MAPS_MOST_DEPTH (1 - 0x1p-4f)
-
-/* The vertices of LANES positions in one map, of which column and row are packed. Returns where
- * they fall outside it. The view is a parallel projection, in which w is 1. */
-BURNISH_INLINE vm project_to_map(const burnish_raster_view *view, const vf p[3], vi *at,
-                                 vf *depth) {
+/* The vertices of LANES positions in one pair, of which column and row are packed. The view is a
+ * parallel projection, in which w is 1. A mesh fits its maps; whatever rounding leaves outside is
+ * moved to the edge. */
+BURNISH_INLINE void project_to_map(const burnish_raster_view *view, const vf p[3], vi *at,
+                                   vf *depth) {
     vf clip[3];
     for (int i = 0; i < 3; ++i) {
         const float *row = view->rows[i];
         const vf sum = vf_add(vf_mul(vf_set(row[0]), p[0]), vf_mul(vf_set(row[1]), p[1]));
         clip[i] = vf_add(vf_add(sum, vf_mul(vf_set(row[2]), p[2])), vf_set(row[3]));
     }
-    const vi middle = vi_set(view->width * (BURNISH_SUBPIXELS / 2));
+    const vi middle = vi_set(view->width * (BURNISH_SUBPIXELS / 2)), zero = vi_set(0);
     const vi most = vi_set(view->width * BURNISH_SUBPIXELS - 1);
-    const vi x = vi_add(to_fixed(clip[0]), middle), y = vi_sub(middle, to_fixed(clip[1]));
+    const vi x = vi_min(vi_max(vi_add(to_fixed(clip[0]), middle), zero), most);
+    const vi y = vi_min(vi_max(vi_sub(middle, to_fixed(clip[1])), zero), most);
     *at = vi_or(x, vi_shl(y, 16));
-    *depth = clip[2];
-    return vm_or(vm_or(vm_not(vi_not_negative(vi_or(x, y))), vi_greater(vi_max(x, y), most)),
-                 vm_not(vm_and(vf_greater(clip[2], vf_set(MAPS_LEAST_DEPTH)),
-                               vf_greater(vf_set(MAPS_MOST_DEPTH), clip[2]))));
+    *depth = vf_min(vf_max(clip[2], vf_set(0.0f)), vf_set(1.0f));
 }
 
-static int project_to_maps(const burnish_raster_view *views, const float *positions, size_t count,
-                           const burnish_maps *maps) {
-    vm outside = vf_greater(vf_set(0.0f), vf_set(0.0f));
+static void project_to_maps(const burnish_raster_view *views, const float *positions, size_t count,
+                            const burnish_maps *maps) {
     for (size_t i = 0; i < count; i += LANES) {
         float rest[3 * LANES];
         burnish_map_vertex some[LANES];
@@ -52,8 +46,7 @@ static int project_to_maps(const burnish_raster_view *views, const float *positi
         }
         for (int m = 0; m < BURNISH_MAPS; ++m) {
             vi at;
-            const burnish_raster_view *view = &views[m < maps->count ? m : 0];
-            outside = vm_or(outside, project_to_map(view, p, &at, &to[2 * m + 1]));
+            project_to_map(&views[m < maps->count ? m : 0], p, &at, &to[2 * m + 1]);
             to[2 * m] = vf_from_bits(at);
         }
         vf_store_aos4(lanes < LANES ? some : &maps->vertices[i], to[0], to[1], to[2], to[3]);
@@ -61,10 +54,9 @@ static int project_to_maps(const burnish_raster_view *views, const float *positi
             memcpy(&maps->vertices[i], some, lanes * sizeof *some);
         }
     }
-    return !vm_any(outside);
 }
 
-/* Small triangles of a map that are still to be drawn. */
+/* Triangles of a pair that are still to be drawn. */
 typedef struct map_queue {
     int count;
     int32_t at[3][2 * LANES], depth[3][2 * LANES]; /* of their vertices; depths as bits */
@@ -261,9 +253,9 @@ BURNISH_INLINE void find_code(const map_triangles *triangles, int32_t item, int 
     *texel = triangles->texel[lane] + v * size + u;
 }
 
-/* Sets covered texels to the codes of the triangles' depths where these are greater. */
+/* Raises covered texels to the triangles' depths. */
 BURNISH_INLINE void fill_texels(const map_triangles *triangles, map_texels *texels, int size,
-                                uint16_t *depths) {
+                                uint16_t *const depths[2]) {
     enum { AT_ONCE = LANES >= 8 ? LANES : 1 };
     int32_t texel[LANES], code[LANES];
     for (int first = 0; first < texels->count; first += AT_ONCE) {
@@ -274,9 +266,7 @@ BURNISH_INLINE void fill_texels(const map_triangles *triangles, map_texels *texe
             find_code(triangles, texels->items[first], size, texel, code);
         }
         for (int i = 0; i < some; ++i) {
-            uint16_t *to = depths + texel[i];
-            const uint16_t new = (uint16_t)code[i], old = *to;
-            *to = new > old ? new : old;
+            raise_texel(depths, (size_t)texel[i], code[i]);
         }
     }
     texels->count = 0;
@@ -284,7 +274,7 @@ BURNISH_INLINE void fill_texels(const map_triangles *triangles, map_texels *texe
 
 /* Draws the first `count` <= LANES triangles of a queue. */
 BURNISH_INLINE void draw_queue(const map_queue *queue, int count, int are_wide, int size,
-                               uint16_t *depths, map_texels *texels) {
+                               uint16_t *const depths[2], map_texels *texels) {
     map_triangles triangles;
     set_up_map_triangles(queue, size, &triangles);
     if (!are_wide) {
@@ -301,15 +291,15 @@ BURNISH_INLINE void draw_queue(const map_queue *queue, int count, int are_wide, 
     fill_texels(&triangles, texels, size, depths);
 }
 
-/* Small triangles of a pair of maps on their way. */
+/* Triangles on their way into the maps. */
 typedef struct maps_work {
     map_queue narrow[BURNISH_MAPS], wide[BURNISH_MAPS];
     map_texels texels;
 } maps_work;
 
 /* Draws a queue where it has enough for a vector; the others move to the front. */
-BURNISH_INLINE void draw_full_queue(map_queue *queue, int are_wide, int size, uint16_t *depths,
-                                    map_texels *texels) {
+BURNISH_INLINE void draw_full_queue(map_queue *queue, int are_wide, int size,
+                                    uint16_t *const depths[2], map_texels *texels) {
     if (queue->count < LANES) {
         return;
     }
@@ -330,7 +320,8 @@ BURNISH_INLINE void append_triangles(map_queue *queue, unsigned lanes, const vi 
     queue->count += __builtin_popcount(lanes);
 }
 
-/* What small triangles `lanes` add to burnish_geometry.cells: triangle_cells (geometry.c). */
+/* What triangles `lanes` that are not large add to burnish_geometry.cells: triangle_cells
+ * (geometry.c). */
 BURNISH_INLINE uint64_t map_cells(unsigned lanes, const vi x[3], const vi y[3], vi area,
                                   const vi bounds[4]) {
     enum { CELL_BITS = BURNISH_HIZ_BITS + BURNISH_SUBPIXEL_BITS };
@@ -358,11 +349,10 @@ BURNISH_INLINE uint64_t map_cells(unsigned lanes, const vi x[3], const vi y[3], 
     return sum;
 }
 
-/* Queues those triangles `lanes` of map m that are small, have an area and touch a texel, but for
- * `omitted`. Returns those that are large. */
-BURNISH_INLINE unsigned queue_triangles(burnish_maps *maps, int m, const vi at[3],
-                                        const vf depth[3], unsigned lanes, unsigned omitted,
-                                        maps_work *work) {
+/* Queues those triangles `lanes` of pair m that have an area and touch a texel, but for `omitted`,
+ * or draws them. */
+BURNISH_INLINE void queue_triangles(burnish_maps *maps, int m, const vi at[3], const vf depth[3],
+                                    unsigned lanes, unsigned omitted, maps_work *work) {
     vi x[3], y[3], bounds[4];
     for (int i = 0; i < 3; ++i) {
         x[i] = vi_and(at[i], vi_set(0xffff));
@@ -373,7 +363,7 @@ BURNISH_INLINE unsigned queue_triangles(burnish_maps *maps, int m, const vi at[3
     const vi wide = vi_sub(bounds[2], bounds[0]), high = vi_sub(bounds[3], bounds[1]);
     const unsigned touching = lanes & vm_bits(vi_not_negative(vi_or(wide, high)));
     if (!touching) { /* triangles of large meshes */
-        return 0;
+        return;
     }
     const vi area = vi_sub(vi_mul(vi_sub(x[1], x[0]), vi_sub(y[2], y[0])),
                            vi_mul(vi_sub(y[1], y[0]), vi_sub(x[2], x[0])));
@@ -383,7 +373,7 @@ BURNISH_INLINE unsigned queue_triangles(burnish_maps *maps, int m, const vi at[3
     append_triangles(&work->narrow[m], narrow & ~flat & ~omitted, at, depth);
     draw_full_queue(&work->narrow[m], 0, maps->size, maps->depths[m], &work->texels);
     if (touching == narrow) {
-        return 0;
+        return;
     }
     vi longest = vi_set(0);
     for (int i = 0; i < 3; ++i) {
@@ -396,7 +386,9 @@ BURNISH_INLINE unsigned queue_triangles(burnish_maps *maps, int m, const vi at[3
     append_triangles(&work->wide[m], others & ~omitted, at, depth);
     draw_full_queue(&work->wide[m], 1, maps->size, maps->depths[m], &work->texels);
     maps->cells[m] += map_cells(others, x, y, area, bounds);
-    return large;
+    if (large) {
+        draw_long_triangles(maps, m, at, depth, bounds, large, omitted);
+    }
 }
 
 /* The corners of triangles from `first` on. */
@@ -429,9 +421,7 @@ static void draw_maps(burnish_maps *maps) {
             const vi packed[3] = {vf_bits(corner[0][2 * m]), vf_bits(corner[1][2 * m]),
                                   vf_bits(corner[2][2 * m])};
             const vf depth[3] = {corner[0][2 * m + 1], corner[1][2 * m + 1], corner[2][2 * m + 1]};
-            const unsigned large = queue_triangles(maps, m, packed, depth, lanes, omitted, &work);
-            uint16_t *mask = &maps->large[m][batch];
-            *mask = (uint16_t)((at > 0 ? *mask : 0) | large << at);
+            queue_triangles(maps, m, packed, depth, lanes, omitted, &work);
         }
     }
     for (int m = 0; m < maps->count; ++m) {

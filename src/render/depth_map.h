@@ -12,6 +12,8 @@
 /* Codes of depth, [0, BURNISH_MAP_CODES], cover this much of the raster's space. */
 #define BURNISH_MAP_RANGE 4.0
 
+enum { BURNISH_MAP_PAIRS = 128 }; /* that are drawn by one call, at most */
+
 /* What a map shows of the raster's space. */
 typedef struct burnish_map_view {
     burnish_vec3 toward, right, up; /* unit vectors, depth grows toward `toward` */
@@ -31,11 +33,8 @@ typedef struct burnish_map_drawer {
     burnish_bins bins;
     burnish_tile *tiles; /* one per thread */
     int tile_count;
-    burnish_map_vertex *vertices; /* of each thread's pair of maps */
-    uint16_t *large;              /* per map and batch: burnish_maps.large */
-    uint32_t *indices;            /* of a map's large triangles */
-    uint16_t *masks;              /* per batch of these: which are transparent */
-    size_t vertex_capacity, large_capacity, index_capacity, mask_capacity;
+    burnish_map_vertex *vertices; /* of each thread's pairs of maps */
+    size_t vertex_capacity;
     /* triangles that are left out, the caller's to set: burnish_transparency's masks and key, or
      * NULL and 0 */
     const uint16_t *transparent;
@@ -47,6 +46,12 @@ typedef struct burnish_map_drawer {
  * edge.
  *   right  a unit vector across toward */
 burnish_map_view burnish_map_view_make(burnish_vec3 toward, burnish_vec3 right, int size);
+
+/* The view against another one, at the same texels: it is a mirror's. */
+static inline burnish_map_view burnish_map_view_back(burnish_map_view view) {
+    view.toward = burnish_vec3_scale(view.toward, -1);
+    return view;
+}
 
 /* What the slopes of a surface's plane in a map are multiplied with: codes per texel are
  * -burnish_map_plane (normal . column, normal . row) / (normal . toward). */
@@ -64,13 +69,13 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_op
                                 const burnish_mesh_view *mesh, const burnish_map_view *view,
                                 uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory);
 
-/* Draws `count` maps of the same size, which is a multiple of 16 and at most BURNISH_MAPS_SIZE: the
- * same codes, sooner where triangles are small.
- *   depths  receives the maps, each `stride` codes after the last */
-burnish_status burnish_maps_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
-                                 const burnish_mesh_view *mesh, const burnish_map_view *views,
-                                 int count, uint16_t *depths, size_t stride, burnish_tasks *tasks,
-                                 burnish_memory *memory);
+/* Draws `count` <= BURNISH_MAP_PAIRS pairs of maps of the same size, which is a multiple of 16 and
+ * at most BURNISH_MAPS_SIZE: of each view, and of what is seen against it at the same texels, which
+ * is burnish_map_view_back. depths  receives the maps, each `stride` codes after the last */
+burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
+                                      const burnish_mesh_view *mesh, const burnish_map_view *views,
+                                      int count, uint16_t *depths, size_t stride,
+                                      burnish_tasks *tasks, burnish_memory *memory);
 
 void burnish_map_drawer_destroy(burnish_map_drawer *drawer, const burnish_context *context);
 

@@ -60,14 +60,14 @@ BURNISH_INLINE vf pair_over(const uint16_t *depths, vi index, vf depth, vf step,
     return vf_add(left, vf_mul(vf_sub(right, left), u));
 }
 
-/* How far the map is above the points' planes, bilinear over four texels of min(most, max(0, texel
- * - plane) factor). */
-BURNISH_INLINE vf map_over(const uint16_t *depths, int size, const map_point *point, vf most,
-                           vf factor) {
+/* How far the map `shift` codes after `depths` is above the points' planes, bilinear over four
+ * texels of min(most, max(0, texel - plane) factor). */
+BURNISH_INLINE vf map_over(const uint16_t *depths, vi shift, int size, const map_point *point,
+                           vf most, vf factor) {
     const vf x0 = texel_before(point->x, size), y0 = texel_before(point->y, size);
     const vf zero = vf_set(0.0f), one = vf_set(1.0f);
     const vf u = vf_sub(point->x, x0), v = vf_sub(point->y, y0);
-    const vi index = texel_index(x0, y0, size);
+    const vi index = vi_add(texel_index(x0, y0, size), shift);
     const vf depth =
         vf_sub(point->depth, vf_add(vf_mul(u, point->slope_x), vf_mul(v, point->slope_y)));
     const vf inside_u = vf_min(vf_max(u, zero), one), inside_v = vf_min(vf_max(v, zero), one);

@@ -85,7 +85,7 @@ static void shadow_ground(const burnish_ground_view *view, const burnish_screen_
         seen = vm_and(seen, vm_and(vf_greater(end, point.x), vf_greater(end, point.y)));
         vf dark = zero;
         if (vm_any(seen)) {
-            dark = map_over(view->texels, BURNISH_GROUND_SIZE, &point, vf_set(1.0f),
+            dark = map_over(view->texels, vi_set(0), BURNISH_GROUND_SIZE, &point, vf_set(1.0f),
                             vf_set(1.0f / 65535.0f));
         }
         vf_store(shadow + i, vf_and_mask(seen, dark));

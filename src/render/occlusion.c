@@ -22,15 +22,20 @@
 /* The sky below is this bright where above it is 1. */
 #define DARK_SKY 0.35
 
-/* Point i of a spherical Fibonacci set. */
+/* The upper half of a spherical Fibonacci set, each point with the one across. A point of the mesh
+ * faces one of the two, so that both need one look-up, and both maps are drawn at once; the error
+ * of integrals over a hemisphere is that of a whole Fibonacci set of 8/9 as many. */
 burnish_map_view burnish_occlusion_view(int i, int count, int size) {
     const double golden_angle = 2.39996322972865332;
-    const double z = 1 - (2.0 * i + 1) / count, radius = burnish_sqrt(1 - z * z);
+    const int pair = i / 2;
+    const double z = 1 - (2.0 * pair + 1) / count, radius = burnish_sqrt(1 - z * z);
     double sine, cosine;
-    burnish_sincos(golden_angle * i, &sine, &cosine);
-    return burnish_map_view_make((burnish_vec3){radius * cosine, radius * sine, z},
-                                 (burnish_vec3){-sine, cosine, 0}, /* no point is a pole */
-                                 size);
+    burnish_sincos(golden_angle * pair, &sine, &cosine);
+    const burnish_map_view view =
+        burnish_map_view_make((burnish_vec3){radius * cosine, radius * sine, z},
+                              (burnish_vec3){-sine, cosine, 0}, /* no point is a pole */
+                              size);
+    return i % 2 ? burnish_map_view_back(view) : view;
 }
 
 /* As many directions as do not show as silhouettes on large flat faces, which meshes of few
@@ -39,13 +44,13 @@ static int choose_count(const burnish_mesh_view *mesh) {
     static const struct {
         size_t triangles;
         int count;
-    } steps[] = {{8192, 64}, {65536, 48}, {262144, 32}, {1048576, 24}};
+    } steps[] = {{8192, 72}, {65536, 54}, {262144, 36}, {1048576, 28}};
     for (size_t i = 0; i < sizeof steps / sizeof *steps; ++i) {
         if (mesh->triangle_count <= steps[i].triangles) {
             return steps[i].count;
         }
     }
-    return 16;
+    return 18;
 }
 
 /* Numbers of a map and its blockers. */
@@ -97,14 +102,14 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_
     occlusion->depths =
         burnish_reserve_discard(memory, occlusion->depths, &occlusion->capacity,
                                 (size_t)count * texels, sizeof *occlusion->depths, "depth maps");
-    burnish_map_view views[BURNISH_OCCLUSION_MAX];
+    burnish_map_view views[BURNISH_MAP_PAIRS];
     burnish_status status = memory->status;
-    for (int i = 0; i < count; ++i) {
-        views[i] = burnish_occlusion_view(i, count, size);
+    for (int i = 0; i < count / 2; ++i) {
+        views[i] = burnish_occlusion_view(2 * i, count, size);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_maps_draw(&occlusion->drawer, ops, mesh, views, count, occlusion->depths,
-                                   texels, tasks, memory);
+        status = burnish_map_pairs_draw(&occlusion->drawer, ops, mesh, views, count / 2,
+                                        occlusion->depths, texels, tasks, memory);
     }
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         uint16_t *depths = occlusion->depths + (size_t)i * texels;
@@ -124,7 +129,7 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
                                         const double eye[3], const double up[3], double pixel,
                                         burnish_tasks *tasks, burnish_memory *memory,
                                         burnish_occlusion_lookup *lookup) {
-    const int count = wanted == BURNISH_OCCLUSION_AUTO ? choose_count(mesh) : wanted;
+    const int count = wanted == BURNISH_OCCLUSION_AUTO ? choose_count(mesh) : wanted + wanted % 2;
     double texels = 1, plane = 0;
     if (occlusion->mesh != mesh->serial || occlusion->count != count || occlusion->size != size ||
         occlusion->transparent_key != occlusion->drawer.transparent_key) {
@@ -133,22 +138,24 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
             return status;
         }
     }
-    for (int i = 0; i < count; ++i) {
-        const burnish_map_view view = burnish_occlusion_view(i, count, size);
-        burnish_occlusion_direction *direction = &occlusion->directions[i];
+    for (int i = 0; i < count / 2; ++i) {
+        const burnish_map_view view = burnish_occlusion_view(2 * i, count, size);
+        burnish_occlusion_pair *pair = &occlusion->pairs[i];
         texels = view.texels;
         plane = burnish_map_plane(&view);
-        direction->map = burnish_map_rows_make(&view, eye);
-        burnish_space_store(view.toward, direction->toward);
+        pair->map = burnish_map_rows_make(&view, eye);
+        burnish_space_store(view.toward, pair->toward);
         const double height =
-            burnish_vec3_dot(burnish_vec3_loadf(direction->toward), burnish_vec3_load(up));
-        direction->weight = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 + 0.5 * height));
-        direction->depths = burnish_occlusion_depths(occlusion, i);
-        direction->blockers = direction->depths + (size_t)size * (size_t)size;
+            burnish_vec3_dot(burnish_vec3_loadf(pair->toward), burnish_vec3_load(up));
+        pair->weight[0] = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 + 0.5 * height));
+        pair->weight[1] = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 - 0.5 * height));
+        pair->depths = burnish_occlusion_depths(occlusion, 2 * i);
+        pair->blockers = pair->depths + (size_t)size * (size_t)size;
     }
-    lookup->count = count;
+    lookup->count = count / 2;
     lookup->size = size;
-    lookup->directions = occlusion->directions;
+    lookup->pairs = occlusion->pairs;
+    lookup->back = (int32_t)map_texels(size);
     lookup->offset = (float)(OFFSET / texels);
     lookup->slope = (float)(BURNISH_MAP_RANGE * texels / BURNISH_MAP_CODES);
     lookup->plane = (float)plane;

@@ -8,22 +8,26 @@
 #include "burnish/render.h"
 #include "render/depth_map.h"
 
+enum { BURNISH_OCCLUDED_MAX = 256 /* points that are looked up at once */ };
+
 /* Texels along an edge of a depth map, and of a cell, whose nearest depth is kept, too. */
 enum { BURNISH_OCCLUSION_SMALL = 128, BURNISH_OCCLUSION_LARGE = 256, BURNISH_OCCLUSION_CELL = 8 };
 
-/* One direction, for points that count from the eye in the raster's space. */
-typedef struct burnish_occlusion_direction {
-    float toward[3], weight; /* unit vector; of its part of the sky */
+/* A direction and the one against it, for points that count from the eye in the raster's space. A
+ * point faces one of them. */
+typedef struct burnish_occlusion_pair {
+    float toward[3], weight[2]; /* unit vector; of both parts of the sky */
     burnish_map_rows map;
     const uint16_t *depths; /* size^2, growing toward the sky */
     /* (size / CELL)^2: the largest of each cell; after them that of each 2 x 2 from a cell on */
     const uint16_t *blockers;
-} burnish_occlusion_direction;
+} burnish_occlusion_pair;
 
 /* What points are looked up with. */
 typedef struct burnish_occlusion_lookup {
-    int count, size; /* texels along an edge */
-    const burnish_occlusion_direction *directions;
+    int count, size; /* of pairs; texels along an edge */
+    const burnish_occlusion_pair *pairs;
+    int32_t back;   /* from a map's codes to those of the map against it */
     float strength; /* [0, 1]: what a point that sees no sky loses of its light */
     float offset;   /* along the normal, off the surface that the maps show */
     float slope;    /* a texel's width nearer by depth hides all of a point */
@@ -38,14 +42,14 @@ typedef struct burnish_occlusion_lookup {
 typedef struct burnish_occlusion {
     uint64_t mesh;            /* whose maps they are, burnish_mesh_view.serial; 0: nobody's */
     uint64_t transparent_key; /* the drawer's then */
-    int count, size;
-    burnish_occlusion_direction directions[BURNISH_OCCLUSION_MAX];
+    int count, size;          /* of directions */
+    burnish_occlusion_pair pairs[BURNISH_OCCLUSION_MAX / 2];
     uint16_t *depths; /* and each map's blockers after it */
     size_t capacity;
     burnish_map_drawer drawer;
 } burnish_occlusion;
 
-/* What map i of `count` shows. */
+/* What map i of `count`, an even number, shows: i + 1 is against i where i is even. */
 burnish_map_view burnish_occlusion_view(int i, int count, int size);
 
 /* Depth map i. */
@@ -53,7 +57,7 @@ const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int
 
 /* Draws the maps unless they are there, and readies the look-up. The drawer's transparent triangles
  * are the caller's to set.
- *   count  directions, [1, BURNISH_OCCLUSION_MAX], or BURNISH_OCCLUSION_AUTO
+ *   count  directions, [1, BURNISH_OCCLUSION_MAX], or BURNISH_OCCLUSION_AUTO; odd: one more
  *   size   of a map
  *   eye    the camera, in the raster's space
  *   up     the brighter side of the sky, a unit vector

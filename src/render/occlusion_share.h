@@ -8,7 +8,7 @@
 #include "render/occlusion.h"
 
 enum {
-    BURNISH_SHARE_BATCH = 256,
+    BURNISH_SHARE_BATCH = BURNISH_OCCLUDED_MAX,
     BURNISH_SHARE_SQUARES = BURNISH_TILE_PIXELS / 4 /* of 2 x 2 pixels */
 };
 

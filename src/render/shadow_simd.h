@@ -27,7 +27,8 @@ BURNISH_INLINE vf shadow_at(const burnish_shadow_lookup *lookup, const map_point
         tap.x = vf_add(point->x, dx);
         tap.y = vf_add(point->y, dy);
         tap.depth = vf_add(point->depth, rise);
-        hidden = vf_add(hidden, map_over(lookup->depths, lookup->size, &tap, one, factor));
+        hidden =
+            vf_add(hidden, map_over(lookup->depths, vi_set(0), lookup->size, &tap, one, factor));
     }
     return vf_mul(hidden, vf_set(1.0f / SHADOW_TAPS));
 }

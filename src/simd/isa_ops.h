@@ -72,12 +72,12 @@ typedef struct burnish_isa_ops {
 
     /* ---- raster: depth maps ---- */
 
-    /* Projects `count` positions by a view per map, which have one size and origin and are parallel
-     * projections. Returns 0 where one falls outside: such maps are not to be drawn. */
-    int (*project_to_maps)(const struct burnish_raster_view *views, const float *positions,
-                           size_t count, const struct burnish_maps *maps);
+    /* Projects `count` positions by a view per pair of maps, which have one size and origin and are
+     * parallel projections in which the mesh fits. */
+    void (*project_to_maps)(const struct burnish_raster_view *views, const float *positions,
+                            size_t count, const struct burnish_maps *maps);
 
-    /* Draws the small triangles over what is in the maps. */
+    /* Draws the triangles over what is in the maps. */
     void (*draw_maps)(struct burnish_maps *maps);
 
     /* ---- raster: a tile ---- */
@@ -134,9 +134,9 @@ typedef struct burnish_isa_ops {
     void (*scatter_material)(int32_t material, const int32_t *materials, int size,
                              const uint8_t *places, const float *const from[3], float *const to[3]);
 
-    /* What count points keep of their light: 1 less strength times the share of the sky that is
-     * hidden from them. Positions count from the eye, normals are unit vectors. Reads and writes
-     * whole vectors. */
+    /* What count <= BURNISH_OCCLUDED_MAX points keep of their light: 1 less strength times the
+     * share of the sky that is hidden from them. Positions count from the eye, normals are unit
+     * vectors. Reads and writes whole vectors. */
     void (*occlude)(const struct burnish_occlusion_lookup *lookup, const float *const position[3],
                     const float *const normal[3], size_t count, float *open);
 

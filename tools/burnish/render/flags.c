@@ -594,8 +594,8 @@ static const cli_flag flags[] = {
      .high = BURNISH_OCCLUSION_MAX,
      .default_label = "the look's",
      .manual = "Ambient occlusion: creases, holes and undersides, which see less of the sky, are "
-               "darker. From how many directions the sky is looked at, or *none*. More directions "
-               "are smoother and take longer.",
+               "darker. From how many directions the sky is looked at, or *none*; an odd number "
+               "counts as the next even one. More directions are smoother and take longer.",
      .handler = render_flag_occlusion,
      TARGET(occlusion)},
     {.name = "ground",
