@@ -1,6 +1,7 @@
 /* The bit streams of KHR_meshopt_compression (Khronos, glTF 2.0 extensions; appendices A and B of
- * its text), whose version 0 is EXT_meshopt_compression. Decoders read nothing outside their bytes and write nothing outside their room,
- * whatever the bytes are; indices may come out of any size. */
+ * its text), whose version 0 is EXT_meshopt_compression. Decoders read nothing outside their bytes
+ * and write nothing outside their room, whatever the bytes are; indices may come out of any size.
+ */
 #ifndef BURNISH_MESH_READ_MESHOPT_H
 #define BURNISH_MESH_READ_MESHOPT_H
 
