@@ -174,6 +174,17 @@ check "one input, a template: $(cat "$err")" [ -s thumbs/a-obj.png ]
 check "their own names" [ -s thumbs/a.png -a -s thumbs/m.png ]
 expect 2 'burnish: --output: another input would have the picture of "in/a.obj" too, "x.png"; put {folder} or {model} into the name' \
     render in/a.obj in/a.off -o x.png
+# Folders and lists, as batch takes them; a folder alone has no picture.
+expect 3 'burnish: in: is a folder; --output-dir=FOLDER draws all meshes of it' render in
+run render in -r -d thumbs --size=32 $memory
+check "a folder and those below: $(cat "$err")" [ -f thumbs/sub/a.png -a -f thumbs/a.off.png -a ! -e thumbs/burnish-batch.jsonl ]
+rm -rf thumbs
+"$burnish" render --files-from=- -d thumbs --size=32 $memory >"$out" 2>"$err" <<END
+in/a.off
+in/sub/a.obj
+END
+check "a list: $(cat "$err")" [ "$(find thumbs -type f | wc -l)" = 2 ]
+rm -rf thumbs
 expect 2 'burnish: --plane: is of one picture; draw one INPUT, without --output-dir' render in/a.obj in/a.off --plane=depth:d.npy
 expect 2 'burnish: --output: many pictures can'\''t go to standard output; leave it out' render in/a.obj in/a.off -o -
 rm -rf thumbs one.png

@@ -36,7 +36,7 @@ expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polis
 expect 2 'burnish: sheet: 2 pictures of 16384 x 16 in 2 columns exceed 16384 pixels; use smaller pictures or another number of columns' render :sphere --views=front,top --resolution=16384,16
 expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE or --json=FILE' render :sphere -o - --json
 expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE or --json=FILE' render - --json
-expect 2 'burnish: "/" gives the picture no name; name it with --output=FILE' render /
+expect 3 'burnish: /: is a folder; --output-dir=FOLDER draws all meshes of it' render /
 expect 2 'burnish: "nonsense": unknown command; "burnish --help" lists the commands' help nonsense
 expect 2 'burnish: --samples: "?[31m" is not one of 1, 4, 8, 16' render :sphere --samples="$(printf '\033[31m')"
 expect 2 'burnish: --labels: 2 texts for 3 cells; give one text per cell, between commas' render :sphere --views=front,top,iso --labels=one,two
@@ -55,7 +55,7 @@ expect 2 'burnish: --edge-width: "0" is not a number from 0.1 to 100' render :sp
 expect 2 'burnish: --quality: only JPEG and WebP lose any; leave it out' render :sphere --quality=50 -o x.png
 expect 2 'burnish: --quality: "0" is not a whole number from 1 to 100' render :sphere --quality=0 -o x.jpg
 expect 2 'burnish: --dpi: "0" is not a number from 1 to 65535' render :sphere --dpi=0
-expect 2 'burnish: --output-format: "bmp" is not one of auto, png, jpeg, webp, svg, exr, npy, gif, y4m' render :sphere --output-format=bmp
+expect 2 'burnish: --output-format: "bmp" is not one of auto, png, jpeg, jpg, webp, svg, exr, npy, gif, y4m' render :sphere --output-format=bmp
 BURNISH_ISA=foo
 export BURNISH_ISA
 run render :sphere --size=16 -o x.png

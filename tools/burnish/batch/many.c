@@ -59,6 +59,8 @@ burnish_status render_many(const render_settings *settings, cli_call *call, burn
     batch_settings many = {.render = *settings,
                            .output = settings->output,
                            .output_dir = settings->output_dir,
+                           .files_from = settings->files_from,
+                           .recursive = settings->recursive,
                            .report = settings->json,
                            .jobs = settings->threads,
                            .force = 1,

@@ -5,11 +5,17 @@
 #include "cli/output.h"
 #include "render/settings.h"
 
-static const cli_word format_words[] = {{"auto", PICTURE_AUTO}, {"png", PICTURE_PNG},
-                                        {"jpeg", PICTURE_JPEG}, {"webp", PICTURE_WEBP},
-                                        {"svg", PICTURE_SVG},   {"exr", PICTURE_EXR},
-                                        {"npy", PICTURE_NPY},   {"gif", PICTURE_GIF},
-                                        {"y4m", PICTURE_Y4M},   {NULL, 0}};
+static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
+                                        {"png", PICTURE_PNG},
+                                        {"jpeg", PICTURE_JPEG},
+                                        {"jpg", PICTURE_JPEG},
+                                        {"webp", PICTURE_WEBP},
+                                        {"svg", PICTURE_SVG},
+                                        {"exr", PICTURE_EXR},
+                                        {"npy", PICTURE_NPY},
+                                        {"gif", PICTURE_GIF},
+                                        {"y4m", PICTURE_Y4M},
+                                        {NULL, 0}};
 const cli_word render_plane_words[] = {
     {"depth", PLANE_DEPTH},
     {"normal", PLANE_NORMAL},
@@ -102,6 +108,21 @@ static const cli_flag flags[] = {
      .handler = cli_flag_text,
      .takes_file = 1,
      TARGET(output_dir)},
+    {.name = "recursive",
+     .letter = 'r',
+     .help = "folders below an INPUT that is one, too",
+     .manual = "As of *burnish batch*: takes the meshes in all folders below an _INPUT_ that is a "
+               "folder.",
+     .handler = cli_flag_switch,
+     TARGET(recursive)},
+    {.name = "files-from",
+     .aliases = "inputs-from,files0-from,from-file",
+     .value = "FILE",
+     .help = "names of INPUTs; -: standard input",
+     .manual = "As of *burnish batch*: reads names of inputs from _FILE_.",
+     .handler = cli_flag_text,
+     .takes_file = 1,
+     TARGET(files_from)},
     {.name = "resolution",
      .aliases = "width,height,res",
      .common = 1,
@@ -239,9 +260,9 @@ static const cli_flag flags[] = {
      .topic = "files",
      .name = "output-format",
      .value = "NAME",
-     .help = "by name",
-     .default_text = "auto",
-     .manual = "Format of the picture, whatever _FILE_'s ending says: for standard output.",
+     .help = "one of",
+     .manual = "Format of the picture, whatever _FILE_'s ending says: for standard output. *auto*, "
+               "the default, goes by the ending.",
      .handler = cli_flag_word,
      .words = format_words,
      TARGET(format)},

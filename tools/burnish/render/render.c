@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -556,15 +557,27 @@ static int is_template(const char *output) {
     return 0;
 }
 
+static int is_folder(const char *name) {
+    struct stat state;
+    return stat(name, &state) == 0 && S_ISDIR(state.st_mode);
+}
+
 burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     render_settings *settings = from;
-    if (call->operand_count == 0) {
+    const int has_list = settings->files_from != NULL;
+    if (call->operand_count == 0 && !has_list) {
         return cli_fail(
             error, BURNISH_STATUS_ARGUMENT,
             "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
     }
-    if (call->operand_count > 1 || settings->output_dir || is_template(settings->output)) {
+    if (call->operand_count > 1 || settings->output_dir || settings->recursive || has_list ||
+        is_template(settings->output)) {
         return render_many(settings, call, error);
+    }
+    if (is_folder(call->operands[0])) {
+        return cli_fail(error, BURNISH_STATUS_READ,
+                        "%.300s: is a folder; --output-dir=FOLDER draws all meshes of it",
+                        call->operands[0]);
     }
     settings->input = call->operands[0];
     int code = -1;

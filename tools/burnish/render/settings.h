@@ -101,6 +101,8 @@ typedef struct render_settings {
     const char *input;
     const char *output;     /* NULL until render_finish */
     const char *output_dir; /* NULL: not given */
+    const char *files_from; /* NULL: inputs are operands alone */
+    int recursive;          /* 1: folders in folders */
     int overwrite;          /* 1: a name made from the input's replaces a file */
     int format;             /* picture_format; AUTO until render_finish */
     int quality;            /* 0: not given */
