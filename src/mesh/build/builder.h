@@ -48,7 +48,8 @@ typedef struct burnish_builder {
 
     size_t position_count;      /* welded positions, at the head of data's positions */
     size_t triangle_count;      /* triangles with area, at the head of data's arrays */
-    uint32_t *corner_positions; /* 3 per triangle: welded positions */
+    uint32_t *corner_positions; /* 3 per triangle: welded positions; may be those of data's
+                                   positions */
     int has_extras;             /* attributes besides position and normal */
     int normals_complete;       /* every corner has a normal of the file's */
 
@@ -79,16 +80,16 @@ static inline const float *burnish_file_normal(const burnish_mesh_data *data, si
  * file's normals unit vectors. Errors: FORMAT (nothing is left), MEMORY, CANCELLED. */
 burnish_status burnish_build_triangles(burnish_builder *b);
 
-/* Releases what is kept per corner but for `extras`, whose corners are needed until they are
- * written: most of the memory. */
-void burnish_build_release_corners(burnish_builder *b, int extras);
+/* Releases what is kept per corner: most of the memory.
+ *   extras   1: but for them, whose corners are needed until they are written
+ *   normals  1: but for the values of the file's, which are still to be written, and the order */
+void burnish_build_release_corners(burnish_builder *b, int extras, int normals);
 
 /* ---- measure.c ---- */
 
-/* Fills the mesh's facts: before triangles are turned or left out.
- *   remap  number of the welded position of each of the file's
+/* Fills the mesh's facts: once corner_positions are there, before triangles are turned or left out.
  * Errors: MEMORY, CANCELLED. */
-burnish_status burnish_build_measure(burnish_builder *b, const uint32_t *remap);
+burnish_status burnish_build_measure(burnish_builder *b);
 
 /* ---- order.c ---- */
 

@@ -170,20 +170,7 @@ static burnish_status measure_sizes(const burnish_measured *m, burnish_mesh_fact
     return status;
 }
 
-typedef struct welding {
-    const uint32_t *from, *remap;
-    uint32_t *to;
-} welding;
-
-static void weld_corners(void *context, size_t first, size_t end) {
-    const welding *w = context;
-    for (size_t i = first; i < end; ++i) {
-        w->to[i] = w->remap[w->from[i]];
-    }
-}
-
-burnish_status burnish_build_measure(burnish_builder *b, const uint32_t *remap) {
-    welding w = {b->data->streams[BURNISH_POSITION].corners, remap, b->corner_positions};
+burnish_status burnish_build_measure(burnish_builder *b) {
     const burnish_measured m = {.positions = burnish_positions(b->data),
                                 .corners = b->corner_positions,
                                 .position_count = b->position_count,
@@ -191,12 +178,8 @@ burnish_status burnish_build_measure(burnish_builder *b, const uint32_t *remap) 
                                 .tasks = b->data->tasks,
                                 .memory = b->memory};
     burnish_mesh_facts *facts = &b->mesh->facts;
-    burnish_tasks_ranges(m.tasks, 3 * m.triangle_count, BURNISH_BUILD_STEP, weld_corners, &w);
-    burnish_status status = burnish_tasks_check(m.tasks, m.memory->error);
     facts->triangle_count = m.triangle_count;
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_measure_edges(&m, facts);
-    }
+    burnish_status status = burnish_measure_edges(&m, facts);
     if (status == BURNISH_STATUS_OK) {
         status = measure_sizes(&m, facts);
     }

@@ -196,11 +196,15 @@ burnish_status burnish_build_move(burnish_builder *b, int corners) {
         return BURNISH_STATUS_OK;
     }
     if (corners) {
-        b->corner_positions = permute(b, b->corner_positions, BURNISH_TRIPLE, move_triples);
+        if (b->corner_positions != data->streams[BURNISH_POSITION].corners) {
+            b->corner_positions = permute(b, b->corner_positions, BURNISH_TRIPLE, move_triples);
+        }
         for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
             burnish_stream *stream = &data->streams[i];
+            const int is_shared = stream->corners && stream->corners == b->corner_positions;
             stream->corners = permute(b, stream->corners, BURNISH_TRIPLE, move_triples);
             stream->corner_capacity = stream->corners ? b->triangle_count : 0;
+            b->corner_positions = is_shared ? stream->corners : b->corner_positions;
         }
     }
     data->triangle_materials =

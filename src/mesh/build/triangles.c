@@ -112,7 +112,8 @@ static void orient(const burnish_builder *b, size_t triangle, burnish_vec3 cross
     if (burnish_vec3_dot(cross, sum) < 0) {
         swap_corners(b->corner_positions, triangle);
         for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-            swap_corners(b->data->streams[i].corners, triangle);
+            uint32_t *corners = b->data->streams[i].corners;
+            swap_corners(corners != b->corner_positions ? corners : NULL, triangle);
         }
     }
 }
@@ -123,18 +124,24 @@ static burnish_vec3 cross_of(const burnish_builder *b, size_t triangle) {
 
 typedef struct triangles_context {
     burnish_builder *b;
-    const uint32_t *remap;
+    const uint32_t *corners, *remap; /* remap NULL: corner_positions are there */
     atomic_size_t with_area;
 } triangles_context;
 
-static void weld_range(void *context, size_t first, size_t end) {
+static void weld_corners(void *context, size_t first, size_t end) {
+    const triangles_context *c = context;
+    for (size_t i = 3 * first; i < 3 * end; ++i) {
+        c->b->corner_positions[i] = c->remap[c->corners[i]];
+    }
+}
+
+static void look_at_range(void *context, size_t first, size_t end) {
     triangles_context *c = context;
     burnish_builder *b = c->b;
-    const uint32_t *corners = b->data->streams[BURNISH_POSITION].corners;
     size_t with_area = 0;
     for (size_t i = first; i < end; ++i) {
-        for (size_t k = 3 * i; k < 3 * i + 3; ++k) {
-            b->corner_positions[k] = c->remap[corners[k]];
+        if (c->remap) {
+            weld_corners(c, i, i + 1);
         }
         const burnish_vec3 cross = cross_of(b, i);
         with_area += (size_t)burnish_has_area(cross);
@@ -172,13 +179,12 @@ static void drop_triangles(burnish_builder *b, size_t kept) {
     }
 }
 
-/* Fills corner_positions and keeps the triangles with area. */
-static burnish_status keep_triangles(burnish_builder *b, const uint32_t *remap) {
+/* Keeps the triangles with area. */
+static burnish_status keep_triangles(burnish_builder *b, triangles_context *context) {
     const size_t count = b->data->triangle_count;
-    triangles_context context = {.b = b, .remap = remap};
-    burnish_tasks_ranges(b->data->tasks, count, BURNISH_BUILD_GRAIN, weld_range, &context);
+    burnish_tasks_ranges(b->data->tasks, count, BURNISH_BUILD_GRAIN, look_at_range, context);
     burnish_status status = burnish_tasks_check(b->data->tasks, b->memory->error);
-    const size_t kept = atomic_load(&context.with_area);
+    const size_t kept = atomic_load(&context->with_area);
     if (status == BURNISH_STATUS_OK && kept == 0) {
         return burnish_fail(b->memory->error, BURNISH_STATUS_FORMAT,
                             "%s: no triangle has any area; %zu triangles were read, and a mesh "
@@ -209,40 +215,68 @@ static void release_corners_of(burnish_builder *b, burnish_attribute attribute) 
     stream->corner_capacity = 0;
 }
 
+/* Corners get the numbers of welded positions in place, unless some attribute still needs those of
+ * the file. */
+static burnish_status place_corners(burnish_builder *b, triangles_context *context) {
+    burnish_stream *stream = &b->data->streams[BURNISH_POSITION];
+    const int shared = shares_corners(b->data), all_differ = b->position_count == stream->count;
+    context->corners = b->corner_positions = stream->corners;
+    if (shared && !all_differ) {
+        b->corner_positions =
+            burnish_allocate(b->memory, b->data->triangle_count, BURNISH_TRIPLE, "triangles");
+    }
+    if (!shared) {
+        stream->corners = NULL;
+        stream->corner_capacity = 0;
+    }
+    if (all_differ) {
+        context->remap = NULL;
+    }
+    return b->memory->status;
+}
+
 burnish_status burnish_build_triangles(burnish_builder *b) {
     const size_t count = b->data->streams[BURNISH_POSITION].count;
     uint32_t *remap = burnish_allocate(b->memory, count, sizeof *remap, "welding");
+    triangles_context context = {.b = b, .remap = remap};
     burnish_status status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
         status = weld_positions(b, remap);
     }
-    if (status == BURNISH_STATUS_OK) { /* perhaps where welding took place */
-        b->corner_positions =
-            burnish_allocate(b->memory, b->data->triangle_count, BURNISH_TRIPLE, "triangles");
-        status = b->memory->status;
-    }
     if (status == BURNISH_STATUS_OK) {
-        status = b->measure ? burnish_build_measure(b, remap) : BURNISH_STATUS_OK;
+        status = place_corners(b, &context);
+    }
+    if (status == BURNISH_STATUS_OK && b->measure) {
+        if (context.remap) {
+            burnish_tasks_ranges(b->data->tasks, b->data->triangle_count, BURNISH_BUILD_GRAIN,
+                                 weld_corners, &context);
+            context.remap = NULL;
+        }
+        status = burnish_tasks_check(b->data->tasks, b->memory->error);
+        status = status == BURNISH_STATUS_OK ? burnish_build_measure(b) : status;
     }
     if (status == BURNISH_STATUS_OK) {
         normalize_file_normals(b);
-        status = keep_triangles(b, remap);
+        status = keep_triangles(b, &context);
     }
     burnish_release(b->memory->context, remap);
-    if (!shares_corners(b->data)) { /* corner_positions tell all that is still needed */
-        release_corners_of(b, BURNISH_POSITION);
-    }
     return status;
 }
 
-void burnish_build_release_corners(burnish_builder *b, int extras) {
+void burnish_build_release_corners(burnish_builder *b, int extras, int normals) {
+    if (b->corner_positions != b->data->streams[BURNISH_POSITION].corners) {
+        burnish_release(b->memory->context, b->corner_positions);
+    }
     burnish_release(b->memory->context, b->corners);
     burnish_release(b->memory->context, b->first_corner);
-    burnish_release(b->memory->context, b->corner_positions);
-    burnish_release(b->memory->context, b->order);
-    b->order = NULL;
     b->corners = b->first_corner = b->corner_positions = NULL;
-    burnish_mesh_data_drop(b->data, BURNISH_NORMAL);
+    if (normals) {
+        release_corners_of(b, BURNISH_NORMAL);
+    } else {
+        burnish_release(b->memory->context, b->order);
+        b->order = NULL;
+        burnish_mesh_data_drop(b->data, BURNISH_NORMAL);
+    }
     if (!extras) {
         release_corners_of(b, BURNISH_POSITION);
         for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT; ++i) {

@@ -48,15 +48,15 @@ typedef struct indexer {
     position_head *heads; /* one per position */
     indexed_vertex *vertices;
     size_t count, capacity;
-    int has_many; /* 1: a position has many normals, or memory is out */
+    int has_many; /* 1: a position has many normals */
 } indexer;
 
 static int same_normal(const indexer *x, uint32_t a, uint32_t b) {
     return memcmp(x->normals + 3 * (size_t)a, x->normals + 3 * (size_t)b, 3 * sizeof(float)) == 0;
 }
 
-/* The vertex of a position with a normal that is not its last one's: found, or appended. Returns
- * BURNISH_NONE where the position has many, and for want of memory. */
+/* The vertex of a position with a normal that is not its last one's: found, or appended; there is
+ * room. Returns BURNISH_NONE where the position has many. */
 static uint32_t find_vertex(indexer *x, uint32_t position, uint32_t normal) {
     enum { MANY = 16 };
     position_head *head = &x->heads[position];
@@ -69,17 +69,19 @@ static uint32_t find_vertex(indexer *x, uint32_t position, uint32_t normal) {
     if (vertex != BURNISH_NONE || passed >= MANY) {
         return vertex;
     }
-    if (x->count == x->capacity) {
-        x->vertices = burnish_reserve(x->b->memory, x->vertices, &x->capacity, x->count + 1,
-                                      sizeof *x->vertices, "vertices");
-        if (x->b->memory->status != BURNISH_STATUS_OK) {
-            return BURNISH_NONE;
-        }
-    }
     vertex = (uint32_t)x->count++;
     x->vertices[vertex] = (indexed_vertex){position, normal, head->vertex};
     *head = (position_head){vertex, normal};
     return vertex;
+}
+
+/* Room for the vertices of one more triangle. */
+static int has_room(indexer *x) {
+    if (x->capacity - x->count < 3) {
+        x->vertices = burnish_reserve(x->b->memory, x->vertices, &x->capacity, x->count + 3,
+                                      sizeof *x->vertices, "vertices");
+    }
+    return x->b->memory->status == BURNISH_STATUS_OK;
 }
 
 /* Numbers the vertices in the order in which the triangles first use them, into the mesh's indices.
@@ -89,14 +91,20 @@ static void index_corners(void *context, size_t first, size_t end) {
     const uint32_t *positions = x->b->corner_positions;
     const uint32_t *normals = burnish_stream_corners(x->b->data, BURNISH_NORMAL);
     const uint32_t *order = x->b->order;
+    position_head *heads = x->heads;
     uint32_t *indices = x->b->mesh->indices + 3 * first;
-    for (size_t i = first; i < end && !x->has_many; ++i) {
+    for (size_t i = first; i < end && !x->has_many && has_room(x); ++i) {
         const size_t start = 3 * (size_t)(order ? order[i] : i);
         for (size_t corner = start; corner < start + 3; ++corner) {
-            const position_head head = x->heads[positions[corner]];
+            const uint32_t position = positions[corner], normal = normals[corner];
+            const position_head head = heads[position];
             uint32_t vertex = head.vertex;
-            if (head.normal != normals[corner]) {
-                vertex = find_vertex(x, positions[corner], normals[corner]);
+            if (vertex == BURNISH_NONE) {
+                vertex = (uint32_t)x->count++;
+                x->vertices[vertex] = (indexed_vertex){position, normal, BURNISH_NONE};
+                heads[position] = (position_head){vertex, normal};
+            } else if (head.normal != normal) {
+                vertex = find_vertex(x, position, normal);
                 x->has_many |= vertex == BURNISH_NONE;
             }
             *indices++ = vertex;
@@ -120,7 +128,7 @@ static void write_indexed(void *context, size_t first, size_t end) {
 static burnish_status index_file_normals(burnish_builder *b, int *done) {
     indexer x = {.b = b, .normals = burnish_normals(b->data)};
     x.heads = burnish_allocate(b->memory, b->position_count, sizeof *x.heads, "vertices");
-    x.vertices = burnish_reserve(b->memory, NULL, &x.capacity, b->position_count,
+    x.vertices = burnish_reserve(b->memory, NULL, &x.capacity, b->position_count + 3,
                                  sizeof *x.vertices, "vertices");
     if (b->memory->status == BURNISH_STATUS_OK) {
         memset(x.heads, 0xff, b->position_count * sizeof *x.heads);
@@ -134,6 +142,7 @@ static burnish_status index_file_normals(burnish_builder *b, int *done) {
     *done = !x.has_many;
     if (status == BURNISH_STATUS_OK && *done) {
         b->vertex_count = x.count;
+        burnish_build_release_corners(b, 0, 1); /* vertices take their memory */
         status = allocate_vertices(b);
     }
     if (status == BURNISH_STATUS_OK && *done) {
@@ -545,7 +554,7 @@ static burnish_status build_any(burnish_builder *b) {
     }
     burnish_release(b->memory->context, b->surface.faces);
     if (status == BURNISH_STATUS_OK) {
-        burnish_build_release_corners(b, b->has_extras);
+        burnish_build_release_corners(b, b->has_extras, 0);
         status = allocate_vertices(b);
     }
     if (status == BURNISH_STATUS_OK) {
