@@ -45,7 +45,9 @@ static const char head[] =
     "li{padding:2px 0}\n"
     "#none{display:none;padding:40px 20px;text-align:center;color:var(--soft)}\n"
     "@media(max-width:560px){header{padding:12px}h1{flex:1 1 40%}#count{margin:0}"
-    "input{flex:1 1 120px;max-width:none}main{grid-template-columns:repeat(2,1fr);gap:10px;padding:12px}h2{font-size:14px;"
+    "input{flex:1 1 "
+    "120px;max-width:none}main{grid-template-columns:repeat(2,1fr);gap:10px;padding:12px}h2{font-"
+    "size:14px;"
     "padding:8px 10px 0}p{padding:2px 10px 10px;font-size:12px}section{padding:0 12px 20px}"
     "article{border-radius:10px}}\n"
     "</style>\n";
