@@ -95,6 +95,10 @@ local function show(image)
   return image
 end
 
+local function scrolling(block)
+  return pandoc.Div({ block }, pandoc.Attr('', { 'table' }, { { 'tabindex', '0' } }))
+end
+
 -- A table of nothing but pictures, and words in its first column: its pictures, with their words below.
 local function picture_table(simple)
   local figures = pandoc.List()
@@ -300,7 +304,9 @@ function Pandoc(document)
       end
     elseif block.t == 'Table' then
       local simple = utils.to_simple_table(block)
-      body[at] = #simple.rows > 0 and picture_table(simple) or pandoc.Div({ block }, pandoc.Attr('', { 'table' }, { { 'tabindex', '0' } }))
+      body[at] = #simple.rows > 0 and picture_table(simple) or scrolling(block)
+    elseif block.t == 'BulletList' or block.t == 'OrderedList' then
+      body[at] = block:walk({ Table = scrolling })
     end
   end
   local meta = document.meta
