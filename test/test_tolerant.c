@@ -200,6 +200,11 @@ static void test_stl_text(void) {
 /* The size tells how many facets there are, unless nothing fits it. */
 static void test_stl_count(void) {
     static const uint32_t counts[] = {0, 11, 13, UINT32_MAX};
+    byte_list other = {.size = 0}; /* a size that fits is believed whatever the name is */
+    put_stl(&other, "size counts", 12);
+    burnish_mesh *named = load_tolerantly("a.obj", other.bytes, other.size, NULL);
+    CHECK(triangles_of(named) == 12, "%zu", triangles_of(named));
+    burnish_mesh_destroy(named);
     for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
         byte_list list = {.size = 0};
         char warning[128];
@@ -489,12 +494,16 @@ static void test_utf16(void) {
 static void test_foreign(void) {
     static const struct {
         const char *name, *bytes, *what;
-    } cases[] = {{"x", "ISO-10303-21;\nHEADER;\n", "a STEP file, which is not read; convert it"},
-                 {"a.xml", "<?xml version=\"1.0\"?>\n<COLLADA>\n", "a COLLADA file"},
-                 {"a.igs", "                  S      1\n", "an IGES file"},
-                 {"a.bin", "what is this", "neither its name nor its first bytes"},
-                 {"a.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n",
-                  "a pointer of Git LFS"}};
+    } cases[] = {
+        {"x", "ISO-10303-21;\nHEADER;\n", "a STEP file, which is not read; convert it"},
+        {"a.xml", "<?xml version=\"1.0\"?>\n<COLLADA>\n", "a COLLADA file"},
+        {"a.igs", "                  S      1\n", "an IGES file"},
+        {"a.bin", "what is this", "neither its name nor its first bytes"},
+        {"a.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n",
+         "a pointer of Git LFS"},
+        {"a.glb", "\n\n<!DOCTYPE html>\n<html>", "a.glb: a web page, not what its name says"},
+        {"a.stl", "\r\n <html>", "a.stl: a web page, not what its name says"},
+        {"a.obj", "ISO-10303-21;\nHEADER;\n", "a STEP file, not what its name says"}};
     burnish_load_options options = burnish_load_options_default();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         burnish_mesh *mesh;

@@ -249,6 +249,22 @@ void put_normal(const Handle(Geom_Surface) & surface, const gp_Pnt2d &at, const 
     to[2] = static_cast<float>(sign * normal.Z());
 }
 
+bool has_area(const importer_mesh &mesh, uint64_t triangle) {
+    double edges[2][3];
+    for (size_t k = 0; k < 6; ++k) {
+        const uint32_t *corners = mesh.indices + 3 * triangle;
+        edges[k / 3][k % 3] = static_cast<double>(mesh.positions[3 * static_cast<size_t>(corners[1 + k / 3]) + k % 3]) -
+                              static_cast<double>(mesh.positions[3 * static_cast<size_t>(corners[0]) + k % 3]);
+    }
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t a = (k + 1) % 3, b = (k + 2) % 3;
+        if (edges[0][a] * edges[1][b] != edges[0][b] * edges[1][a]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void draw_face(scene &s, const drawn_face &drawn, uint64_t &vertices, uint64_t &triangles) {
     TopLoc_Location location, of_surface;
     const Handle(Poly_Triangulation) net = triangles_of(drawn, location);
@@ -274,7 +290,7 @@ void draw_face(scene &s, const drawn_face &drawn, uint64_t &vertices, uint64_t &
                        s.mesh->normals + 3 * (vertices + static_cast<uint64_t>(i) - 1));
         }
     }
-    for (int i = 1; i <= net->NbTriangles(); ++i, ++triangles) {
+    for (int i = 1; i <= net->NbTriangles(); ++i) {
         int corners[3];
         net->Triangle(i).Get(corners[0], corners[1], corners[2]);
         for (int k = 0; k < 3; ++k) {
@@ -283,6 +299,7 @@ void draw_face(scene &s, const drawn_face &drawn, uint64_t &vertices, uint64_t &
                 static_cast<uint32_t>(vertices + static_cast<uint64_t>(corners[corner]) - 1);
         }
         s.mesh->triangle_materials[triangles] = drawn.material;
+        triangles += has_area(*s.mesh, triangles) ? 1 : 0; // there are such at poles, which is no fault of the file
     }
     vertices += static_cast<uint64_t>(net->NbNodes());
 }
@@ -309,6 +326,10 @@ void draw(scene &s) {
     importer_allocate(s.mesh);
     for (const drawn_face &drawn : s.faces) {
         draw_face(s, drawn, vertices, triangles);
+    }
+    s.mesh->triangle_count = triangles;
+    if (triangles == 0) {
+        importer_fail(BURNISH_BMS_FORMAT_ERROR, "no surfaces; export solids or faces");
     }
     s.mesh->material_count = static_cast<uint32_t>(s.materials.size());
     s.mesh->materials = static_cast<importer_material *>(importer_zeroed(s.materials.size(), sizeof(importer_material)));

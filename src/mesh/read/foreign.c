@@ -95,6 +95,10 @@ static const char *describe_ending(const char *name) {
 
 const char *burnish_describe_foreign(const uint8_t *bytes, size_t size, const char *name) {
     size_t start = begins(bytes, size, 0, "\357\273\277") ? 3 : 0;
+    while (start < size &&
+           (bytes[start] == ' ' || (bytes[start] >= '\t' && bytes[start] <= '\r'))) {
+        ++start;
+    }
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
         if (begins(bytes, size, start + rows[i].offset, rows[i].first)) {
             return rows[i].what;

@@ -127,7 +127,8 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes,
                                    "the file is empty");
     }
-    if (*format == BURNISH_FORMAT_AUTO) {
+    const int is_guessed = *format == BURNISH_FORMAT_AUTO;
+    if (is_guessed) {
         *format = burnish_guess_format(input->bytes, input->size, input->name);
     }
     burnish_status status;
@@ -140,6 +141,15 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
                                 "a pointer of Git LFS, not the file; fetch that (git lfs pull)");
     } else if (formats[*format].read) {
         status = formats[*format].read(reader);
+        const char *what = status == BURNISH_STATUS_FORMAT && is_guessed &&
+                                   !formats[*format].recognise(input->bytes, input->size)
+                               ? burnish_describe_foreign(input->bytes, input->size, NULL)
+                               : NULL;
+        if (what) {
+            status =
+                burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                    "%s, not what its name says; fetch or export it again", what);
+        }
     } else {
 #define NAME(name, word, ...) ", " #word
         static const char names[] = BURNISH_FORMAT_LIST(NAME);

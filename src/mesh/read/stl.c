@@ -511,8 +511,9 @@ static int is_text(const uint8_t *bytes, size_t size) {
     return starts_as_text(bytes, size);
 }
 
+/* A size that fits the count is no accident, whatever the file is called. */
 int burnish_recognise_stl(const uint8_t *bytes, size_t size) {
-    return is_exact_binary(bytes, size) || starts_as_text(bytes, size);
+    return is_exact_binary(bytes, size) ? 1 + (size > HEADER_SIZE) : starts_as_text(bytes, size);
 }
 
 burnish_status burnish_read_stl(burnish_reader *reader) {
