@@ -35,7 +35,7 @@ static const struct layer {
     {"tools/burnish/lobe", "cli plot burnish"},
     {"tools/burnish/picture", "cli burnish"},
     {"tools/burnish/plot", "cli lobe picture burnish"},
-    {"tools/burnish/render", "cli font lobe picture sandbox burnish"},
+    {"tools/burnish/render", "cli font import lobe picture sandbox burnish"},
     {"tools/burnish/sandbox", "cli import burnish"},
     {"tools/burnish/serve", "cli import render sandbox burnish"},
     {"tools/burnish/view", "cli picture render burnish"},

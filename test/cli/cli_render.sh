@@ -285,7 +285,7 @@ same "STL stands on +Z" "$(hash in/part.v2.stl --size=32)" "$(hash in/part.v2.st
     head -c 6 /dev/zero
 } >in/header.stl
 run render in/header.stl --size=32
-check "what begins as a PLY is read as one: exit code $code" [ "$code" = 4 ]
+check "a size that fits says more than a title that begins as a PLY: exit code $code" [ "$code" = 0 ]
 same "--input-format" "$(hash in/part.v2.stl --size=32)" "$(hash in/header.stl --size=32 --input-format=stl)"
 
 # Sheets.

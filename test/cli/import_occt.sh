@@ -18,6 +18,7 @@ for file in part.igs part.brep part.brp two.step; do
     wanted=$volume
     [ $file != two.step ] || wanted=$(awk "BEGIN { print 2 * $volume }")
     check "$file: volume $(json volume), not $wanted: $(cat "$err")" near "$(json volume)" "$wanted"
+    check "$file: called $(json format)" [ "$(json format)" = "${file#*.}" ]
     check "$file: closed" [ "$(json closed)" = true ]
     run render "$files/$file" --size=100 --json -o p.png
     check "$file: up is $(json up)" [ "$(json up)" = +Z ]
@@ -31,6 +32,11 @@ gzip -c "$files/part.igs" >part.igs.gz
 run render "$files/part.igs" --size=100 -o p.png
 run render part.igs.gz --size=100 -o q.png
 check "gzip: $(cat "$err")" cmp -s p.png q.png
+run render part.igs.gz --size=100 --json -o q.png
+check "gzip: called $(json format)" [ "$(json format)" = igs ]
+run batch part.igs.gz -d out --size=16
+check "a batch calls it so, too" grep -q '"format":"igs"' out/burnish-batch.jsonl
+rm -rf out
 rm -f part.igs.gz p.png q.png
 
 # An assembly of two, red with one face of another colour.

@@ -27,6 +27,7 @@
 #include "cli/limits.h"
 #include "cli/output.h"
 #include "cli/write.h"
+#include "import/import.h"
 #include "render/report.h"
 #include "sandbox/channel.h"
 #include "sandbox/sandbox.h"
@@ -285,6 +286,7 @@ static void add_warnings(cJSON *object, facts *f, int *failed) {
 static char *done_line(const batch *b, const batch_item *item, uint64_t hash, facts *f,
                        const files *seen, double seconds) {
     const int has_format = f->format >= 0 && f->format < burnish_format_count();
+    char ending[IMPORT_ENDING_SIZE];
     int failed = 0;
     cJSON *object = cJSON_CreateObject();
     add_hash(object, "id", item->id, &failed);
@@ -294,10 +296,11 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
     add_hash(object, "hash", hash, &failed);
     add_hash(object, "picture", f->picture, &failed);
-    cli_json_add(object, "format",
-                 cJSON_CreateString(
-                     has_format ? burnish_format_get_info((burnish_format)f->format)->name : ""),
-                 &failed);
+    cli_json_add(
+        object, "format",
+        cJSON_CreateString(
+            has_format ? import_format_word(item->input, (burnish_format)f->format, ending) : ""),
+        &failed);
     cli_json_add(object, "triangles", cli_json_count((size_t)f->triangles), &failed);
     cli_json_add(object, "vertices", cli_json_count((size_t)f->vertices), &failed);
     cli_json_add(object, "size", cli_json_floats(3, f->size), &failed);

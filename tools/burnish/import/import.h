@@ -25,6 +25,11 @@ void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]);
 /* The importer for a name's ending; NULL: readers of burnish know it, or nobody does. */
 const import_program *import_find(const char *name);
 
+/* What to call a mesh's format: of a file that an importer read its ending, and not that of the
+ * stream between them. */
+const char *import_format_word(const char *name, burnish_format format,
+                               char ending[IMPORT_ENDING_SIZE]);
+
 /* Whether its program is there. */
 int import_is_installed(const import_program *importer);
 

@@ -70,6 +70,15 @@ const import_program *import_find(const char *name) {
     return NULL;
 }
 
+const char *import_format_word(const char *name, burnish_format format,
+                               char ending[IMPORT_ENDING_SIZE]) {
+    if (format == BURNISH_FORMAT_BMS && import_find(name)) {
+        import_get_ending(name, ending);
+        return ending;
+    }
+    return burnish_format_get_info(format)->name;
+}
+
 int import_keep(void *context, const void *bytes, size_t size) {
     import_stream *stream = context;
     if (size > stream->capacity - stream->size) {

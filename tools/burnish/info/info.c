@@ -132,8 +132,8 @@ typedef struct report {
     float size[3];
 } report;
 
-static const char *format_name(const report *r) {
-    return burnish_format_get_info(burnish_mesh_get_info(r->mesh)->format)->name;
+static const char *format_name(const report *r, char ending[IMPORT_ENDING_SIZE]) {
+    return import_format_word(r->input, burnish_mesh_get_info(r->mesh)->format, ending);
 }
 
 /* ---- JSON ---- */
@@ -180,10 +180,11 @@ static void add_counts(cJSON *root, const burnish_mesh_facts *f, int *failed) {
 
 static burnish_status print_json(FILE *stream, const report *r, burnish_error *error) {
     int failed = 0;
+    char ending[IMPORT_ENDING_SIZE];
     cJSON *root = cJSON_CreateObject();
     cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
     cli_json_add(root, "input", cli_json_text(r->input), &failed);
-    cli_json_add(root, "format", cJSON_CreateString(format_name(r)), &failed);
+    cli_json_add(root, "format", cJSON_CreateString(format_name(r, ending)), &failed);
     cli_json_add(root, "triangles", cli_json_count(r->facts->triangle_count), &failed);
     cli_json_add(root, "vertices", cli_json_count(r->facts->vertex_count), &failed);
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(r->mesh)), &failed);
@@ -268,8 +269,9 @@ static void print_sizes(FILE *stream, const report *r) {
 static void print_text(FILE *stream, const report *r) {
     const burnish_mesh_facts *f = r->facts;
     const size_t materials = burnish_mesh_material_count(r->mesh);
+    char ending[IMPORT_ENDING_SIZE];
     fprintf(stream, "%s (%s): %zu triangles, %zu vertices, %zu material%s\n\n", r->input,
-            format_name(r), f->triangle_count, f->vertex_count, materials,
+            format_name(r, ending), f->triangle_count, f->vertex_count, materials,
             materials == 1 ? "" : "s");
     print_sizes(stream, r);
     fprintf(stream, "\n  %-20s  %s\n", "closed", f->is_closed ? "yes" : "no");

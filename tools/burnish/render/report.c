@@ -12,6 +12,7 @@
 #include "cli/origin.h"
 #include "cli/output.h"
 #include "cli/run.h"
+#include "import/import.h"
 #include "render/camera.h"
 #include "render/origin.h"
 #include "render/reference.h"
@@ -151,12 +152,13 @@ static void add_cuts(cJSON *root, const burnish_mesh_view *view, int *failed) {
 }
 
 static void add_mesh(cJSON *root, const render_result *result, int *failed) {
-    const burnish_format_info *format =
-        burnish_format_get_info(burnish_mesh_get_info(result->mesh)->format);
+    char ending[IMPORT_ENDING_SIZE];
+    const char *format = import_format_word(result->settings->input,
+                                            burnish_mesh_get_info(result->mesh)->format, ending);
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
     cJSON *box = cJSON_CreateObject();
     cli_json_add(root, "input", cli_json_text(result->settings->input), failed);
-    cli_json_add(root, "format", cJSON_CreateString(format->name), failed);
+    cli_json_add(root, "format", cJSON_CreateString(format), failed);
     cli_json_add(root, "output",
                  result->written ? cli_json_text(result->settings->output) : cJSON_CreateNull(),
                  failed);
