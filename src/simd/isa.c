@@ -1,6 +1,7 @@
 /* Which instruction sets there are, and which to take. */
 #include "simd/isa_ops.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -51,7 +52,7 @@ uint32_t burnish_isa_from_cpuid(const burnish_cpuid *cpuid) {
 }
 
 #if defined(__x86_64__) || defined(__i386__)
-static uint32_t processor_mask(void) {
+static uint32_t ask_processor(void) {
     burnish_cpuid cpuid = {0, 0, 0, 0};
     unsigned a, b, c, d;
     if (__get_cpuid(1, &a, &b, &c, &d)) {
@@ -67,6 +68,18 @@ static uint32_t processor_mask(void) {
         cpuid.leaf7_ebx = b;
     }
     return burnish_isa_from_cpuid(&cpuid);
+}
+
+/* Asked once per process and those that it forks: in a virtual machine the answers take longer than
+ * a small mesh. */
+static uint32_t processor_mask(void) {
+    static atomic_uint_least32_t known; /* 0: not yet */
+    uint32_t mask = atomic_load_explicit(&known, memory_order_relaxed);
+    if (mask == 0) {
+        mask = ask_processor();
+        atomic_store_explicit(&known, mask, memory_order_relaxed);
+    }
+    return mask;
 }
 #else
 static uint32_t processor_mask(void) {

@@ -9,6 +9,7 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 enum {
     ROOM = 24 << 20, /* what drawing a common mesh takes at once; only touched pages count */
@@ -21,7 +22,11 @@ void cli_prepare_memory(void) {
         !mallopt(M_ARENA_MAX, 1)) {
         return;
     }
+    /* What the heap has before its next large page is taken for good and never touched: memory
+     * begins with large pages. */
+    void *volatile skipped = malloc(LARGE_PAGE - (uintptr_t)sbrk(0) % LARGE_PAGE);
     char *room = malloc(ROOM);
+    (void)skipped;
 #ifdef MADV_HUGEPAGE
     if (room) {
         uintptr_t first = ((uintptr_t)room + LARGE_PAGE - 1) & ~(uintptr_t)(LARGE_PAGE - 1);
