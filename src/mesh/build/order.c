@@ -12,8 +12,8 @@ enum {
     ORDERED_MIN = 4096, /* triangles: fewer keep the order of the file */
     MAX_BITS = 6,       /* of a cell's number along an axis */
     CELL_TARGET = 512,  /* triangles per cell, on a surface of 4^bits cells */
-    SLICES = 8,         /* counted separately, whatever the number of threads */
-    SLICE_MIN = 1 << 17 /* triangles that are worth slices */
+    SLICES_MAX = 8,     /* counted separately: a megabyte each for large meshes */
+    SLICE_MIN = 1 << 16 /* triangles that are worth one */
 };
 
 typedef struct sorter {
@@ -115,11 +115,18 @@ static void sum_counts(sorter *s, size_t slices) {
     }
 }
 
+/* Two per thread; the order does not depend on it. */
+static size_t count_slices(size_t count, const burnish_tasks *tasks) {
+    const size_t threads = (size_t)burnish_tasks_threads(tasks), worth = count / SLICE_MIN;
+    const size_t most = 2 * threads < SLICES_MAX ? 2 * threads : SLICES_MAX;
+    return threads == 1 || worth <= 1 ? 1 : worth < most ? worth : most;
+}
+
 /* Writes the numbers of the triangles in their order. */
 static burnish_status find_order(burnish_builder *b, uint32_t *order) {
     burnish_tasks *tasks = b->data->tasks;
     burnish_memory *memory = b->memory;
-    const size_t count = b->triangle_count, slices = count < SLICE_MIN ? 1 : SLICES;
+    const size_t count = b->triangle_count, slices = count_slices(count, tasks);
     sorter s = {.positions = burnish_positions(b->data),
                 .corners = b->corner_positions,
                 .count = count,
