@@ -263,7 +263,7 @@ static void test_given_normals(void) {
 
 /* A flat cone: as many normals of the file meet in its tip as it has sides. */
 static void test_many_normals(void) {
-    enum { MOST = 40 };
+    enum { MOST = 100 };
     for (uint32_t sides = 3; sides <= MOST; ++sides) {
         float positions[9 * MOST], normals[9 * MOST];
         uint32_t indices[3 * MOST];
@@ -293,6 +293,62 @@ static void test_many_normals(void) {
               (double)view->bounds_min[1], (double)view->bounds_min[2],
               (double)view->bounds_max[2]);
         burnish_mesh_destroy(mesh);
+    }
+}
+
+/* An OBJ whose corners name positions, normals and texture coordinates at random, several of them
+ * equal; tail: what follows each position. */
+static burnish_mesh *load_named(const char *tail, size_t triangles) {
+    enum { POSITIONS = 60, NORMALS = 12, TEXCOORDS = 9 };
+    static const int names[3] = {POSITIONS, TEXCOORDS, NORMALS};
+    uint64_t state = test_seed(5);
+    char *text = malloc(POSITIONS * 64 + 4096 + triangles * 40);
+    size_t size = 0;
+    for (int i = 0; i < POSITIONS; ++i) {
+        size += (size_t)sprintf(text + size, "v %d %d %d%s\n", i % 5, i / 5 % 4, i / 20, tail);
+    }
+    for (int i = 0; i < NORMALS; ++i) {
+        size += (size_t)sprintf(text + size, "vn %d %d 1\n", i % 3, i % 2);
+    }
+    for (int i = 0; i < TEXCOORDS; ++i) {
+        size += (size_t)sprintf(text + size, "vt 0.%d 0.5\n", i % 4);
+    }
+    for (size_t i = 0; i < triangles; ++i) {
+        size += (size_t)sprintf(text + size, "f");
+        for (int k = 0; k < 9; ++k) {
+            size += (size_t)sprintf(text + size, "%c%u", k % 3 ? '/' : ' ',
+                                    1 + random_bits(&state) % (uint32_t)names[k % 3]);
+        }
+        text[size++] = '\n';
+    }
+    burnish_load_options options = burnish_load_options_default();
+    options.keep_texture_coordinates = 1;
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    CHECK(burnish_mesh_load_memory(text, size, "named.obj", &options, &mesh, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    free(text);
+    return mesh;
+}
+
+/* Vertices found by numbers are those found by values, as a mesh with colours finds them. */
+static void test_named_vertices(void) {
+    for (size_t triangles = 20; triangles <= 20000; triangles *= 10) {
+        burnish_mesh *by_numbers = load_named("", triangles);
+        burnish_mesh *by_values = load_named(" 1 1 1", triangles);
+        const burnish_mesh_view *a = burnish_mesh_get_view(by_numbers);
+        const burnish_mesh_view *b = burnish_mesh_get_view(by_values);
+        const size_t count = a->vertex_count;
+        CHECK(count == b->vertex_count && a->triangle_count == b->triangle_count && !a->colors &&
+                  b->colors,
+              "%zu and %zu vertices", count, b->vertex_count);
+        CHECK1(memcmp(a->indices, b->indices, a->triangle_count * 12) == 0);
+        CHECK1(memcmp(a->positions, b->positions, count * 12) == 0);
+        CHECK1(memcmp(a->normals, b->normals, count * 12) == 0);
+        CHECK1(memcmp(a->texture_coordinates, b->texture_coordinates, count * 8) == 0);
+        burnish_mesh_destroy(by_numbers);
+        burnish_mesh_destroy(by_values);
     }
 }
 
@@ -515,6 +571,7 @@ int main(int count, char **arguments) {
     RUN(test_extreme_sizes());
     RUN(test_given_normals());
     RUN(test_many_normals());
+    RUN(test_named_vertices());
     RUN(test_colors());
     RUN(test_order());
     return test_end("mesh");

@@ -112,7 +112,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
         b.has_extras |= data->streams[i].count > 0;
     }
     burnish_status status = build(&b);
-    burnish_build_release_corners(&b, 0, 0);
+    burnish_build_release_corners(&b, 0);
     if (status != BURNISH_STATUS_OK) {
         burnish_mesh_destroy(b.mesh);
         return status;

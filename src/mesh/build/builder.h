@@ -12,6 +12,7 @@ enum {
                                      worth a thread */
     BURNISH_BUILD_STEP = 1 << 16, /* items of a serial loop before it asks whether to end */
     BURNISH_EXTRA_ATTRIBUTES = BURNISH_NORMAL + 1, /* the first one that is only passed on */
+    BURNISH_ATTRIBUTE_BYTES = 16,                  /* of the largest attribute's items */
     BURNISH_TRIPLE = 3 * sizeof(uint32_t)          /* bytes of a triangle's corners */
 };
 
@@ -80,10 +81,12 @@ static inline const float *burnish_file_normal(const burnish_mesh_data *data, si
  * file's normals unit vectors. Errors: FORMAT (nothing is left), MEMORY, CANCELLED. */
 burnish_status burnish_build_triangles(burnish_builder *b);
 
-/* Releases what is kept per corner: most of the memory.
- *   extras   1: but for them, whose corners are needed until they are written
- *   normals  1: but for the values of the file's, which are still to be written, and the order */
-void burnish_build_release_corners(burnish_builder *b, int extras, int normals);
+/* Releases what is kept per corner but for `extras`, whose corners are needed until they are
+ * written: most of the memory. */
+void burnish_build_release_corners(burnish_builder *b, int extras);
+
+/* Releases all numbers that corners have; the values, and the order, stay. */
+void burnish_build_release_numbers(burnish_builder *b);
 
 /* ---- measure.c ---- */
 
@@ -107,6 +110,34 @@ burnish_status burnish_build_move(burnish_builder *b, int corners);
 /* The mesh's vertices and indices: generates normals where the file has none. Errors: MEMORY,
  * CANCELLED. */
 burnish_status burnish_build_vertices(burnish_builder *b);
+
+burnish_status burnish_build_allocate_indices(burnish_builder *b);
+
+/* The arrays of vertex_count vertices. */
+burnish_status burnish_build_allocate_vertices(burnish_builder *b);
+
+/* Lists the attributes besides position and normal. */
+void burnish_build_find_extras(burnish_builder *b);
+
+/* Copies an item by its number; returns the bytes that it takes. */
+static inline size_t burnish_copy_extra(const burnish_extra *extra, uint32_t number, uint8_t *to) {
+    const size_t size = burnish_attribute_size(extra->attribute);
+    if (number == BURNISH_NONE) {
+        memset(to, extra->attribute == BURNISH_COLOR ? 255 : 0, size);
+    } else if (size == 4) {
+        memcpy(to, extra->items + 4 * (size_t)number, 4);
+    } else {
+        memcpy(to, extra->items + size * number, size);
+    }
+    return size;
+}
+
+/* ---- indexed.c ---- */
+
+/* Indices and vertices of a mesh with the file's normals and at most one attribute besides, by
+ * their numbers. *done becomes 0, and no vertex is made, for others and where a position has many.
+ * Errors: MEMORY, CANCELLED. */
+burnish_status burnish_build_indexed(burnish_builder *b, int *done);
 
 /* ---- textures.c ---- */
 

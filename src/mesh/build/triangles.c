@@ -263,20 +263,25 @@ burnish_status burnish_build_triangles(burnish_builder *b) {
     return status;
 }
 
-void burnish_build_release_corners(burnish_builder *b, int extras, int normals) {
+void burnish_build_release_numbers(burnish_builder *b) {
+    if (b->corner_positions != b->data->streams[BURNISH_POSITION].corners) {
+        burnish_release(b->memory->context, b->corner_positions);
+    }
+    b->corner_positions = NULL;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        release_corners_of(b, (burnish_attribute)i);
+    }
+}
+
+void burnish_build_release_corners(burnish_builder *b, int extras) {
     if (b->corner_positions != b->data->streams[BURNISH_POSITION].corners) {
         burnish_release(b->memory->context, b->corner_positions);
     }
     burnish_release(b->memory->context, b->corners);
     burnish_release(b->memory->context, b->first_corner);
-    b->corners = b->first_corner = b->corner_positions = NULL;
-    if (normals) {
-        release_corners_of(b, BURNISH_NORMAL);
-    } else {
-        burnish_release(b->memory->context, b->order);
-        b->order = NULL;
-        burnish_mesh_data_drop(b->data, BURNISH_NORMAL);
-    }
+    burnish_release(b->memory->context, b->order);
+    b->corners = b->first_corner = b->corner_positions = b->order = NULL;
+    burnish_mesh_data_drop(b->data, BURNISH_NORMAL);
     if (!extras) {
         release_corners_of(b, BURNISH_POSITION);
         for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT; ++i) {

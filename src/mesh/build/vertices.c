@@ -13,8 +13,15 @@ enum {
     FACES_MAX = 1 << 18      /* triangles whose faces are kept: more would fill no cache */
 };
 
-/* The mesh's arrays of vertex_count vertices. Errors: MEMORY. */
-static burnish_status allocate_vertices(burnish_builder *b) {
+/* ---- what the two ways to vertices share ---- */
+
+burnish_status burnish_build_allocate_indices(burnish_builder *b) {
+    b->mesh->indices =
+        burnish_allocate(b->memory, b->triangle_count, 3 * sizeof *b->mesh->indices, "triangles");
+    return b->memory->status;
+}
+
+burnish_status burnish_build_allocate_vertices(burnish_builder *b) {
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         if (i < BURNISH_EXTRA_ATTRIBUTES || b->data->streams[i].count > 0) {
             b->mesh->attributes[i] =
@@ -25,134 +32,16 @@ static burnish_status allocate_vertices(burnish_builder *b) {
     return b->memory->status;
 }
 
-/* ---- Normals of the file alone ----
- *
- * Where the file has all normals and nothing else, a vertex is a position with a normal, found by
- * their numbers in the order of the triangles. The general way below would find the same vertices
- * by what corners hold, which takes longer. */
-
-/* A vertex: numbers of the welded position and of the file's normal. */
-typedef struct indexed_vertex {
-    uint32_t position, normal;
-    uint32_t next; /* of the same position, or BURNISH_NONE */
-} indexed_vertex;
-
-/* The vertex of a position that was found last: mostly the only one. */
-typedef struct position_head {
-    uint32_t vertex, normal; /* BURNISH_NONE: none yet */
-} position_head;
-
-typedef struct indexer {
-    burnish_builder *b;
-    const float *normals;
-    position_head *heads; /* one per position */
-    indexed_vertex *vertices;
-    size_t count, capacity;
-    int has_many; /* 1: a position has many normals */
-} indexer;
-
-static int same_normal(const indexer *x, uint32_t a, uint32_t b) {
-    return memcmp(x->normals + 3 * (size_t)a, x->normals + 3 * (size_t)b, 3 * sizeof(float)) == 0;
-}
-
-/* The vertex of a position with a normal that is not its last one's: found, or appended; there is
- * room. Returns BURNISH_NONE where the position has many. */
-static uint32_t find_vertex(indexer *x, uint32_t position, uint32_t normal) {
-    enum { MANY = 16 };
-    position_head *head = &x->heads[position];
-    uint32_t vertex = head->vertex;
-    int passed = 0;
-    while (vertex != BURNISH_NONE && !same_normal(x, x->vertices[vertex].normal, normal)) {
-        vertex = x->vertices[vertex].next;
-        ++passed;
-    }
-    if (vertex != BURNISH_NONE || passed >= MANY) {
-        return vertex;
-    }
-    vertex = (uint32_t)x->count++;
-    x->vertices[vertex] = (indexed_vertex){position, normal, head->vertex};
-    *head = (position_head){vertex, normal};
-    return vertex;
-}
-
-/* Room for the vertices of one more triangle. */
-static int has_room(indexer *x) {
-    if (x->capacity - x->count < 3) {
-        x->vertices = burnish_reserve(x->b->memory, x->vertices, &x->capacity, x->count + 3,
-                                      sizeof *x->vertices, "vertices");
-    }
-    return x->b->memory->status == BURNISH_STATUS_OK;
-}
-
-/* Numbers the vertices in the order in which the triangles first use them, into the mesh's indices.
- */
-static void index_corners(void *context, size_t first, size_t end) {
-    indexer *x = context;
-    const uint32_t *positions = x->b->corner_positions;
-    const uint32_t *normals = burnish_stream_corners(x->b->data, BURNISH_NORMAL);
-    const uint32_t *order = x->b->order;
-    position_head *heads = x->heads;
-    uint32_t *indices = x->b->mesh->indices + 3 * first;
-    for (size_t i = first; i < end && !x->has_many && has_room(x); ++i) {
-        const size_t start = 3 * (size_t)(order ? order[i] : i);
-        for (size_t corner = start; corner < start + 3; ++corner) {
-            const uint32_t position = positions[corner], normal = normals[corner];
-            const position_head head = heads[position];
-            uint32_t vertex = head.vertex;
-            if (vertex == BURNISH_NONE) {
-                vertex = (uint32_t)x->count++;
-                x->vertices[vertex] = (indexed_vertex){position, normal, BURNISH_NONE};
-                heads[position] = (position_head){vertex, normal};
-            } else if (head.normal != normal) {
-                vertex = find_vertex(x, position, normal);
-                x->has_many |= vertex == BURNISH_NONE;
-            }
-            *indices++ = vertex;
+void burnish_build_find_extras(burnish_builder *b) {
+    b->extra_count = 0;
+    for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        if (b->data->streams[i].count > 0) {
+            b->extras[b->extra_count++] = (burnish_extra){
+                (burnish_attribute)i, burnish_stream_corners(b->data, (burnish_attribute)i),
+                b->data->streams[i].items};
         }
     }
 }
-
-static void write_indexed(void *context, size_t first, size_t end) {
-    const indexer *x = context;
-    const float *positions = burnish_positions(x->b->data);
-    float *to_positions = x->b->mesh->attributes[BURNISH_POSITION];
-    float *to_normals = x->b->mesh->attributes[BURNISH_NORMAL];
-    for (size_t i = first; i < end; ++i) {
-        const indexed_vertex *vertex = &x->vertices[i];
-        memcpy(to_positions + 3 * i, positions + 3 * (size_t)vertex->position, 3 * sizeof(float));
-        memcpy(to_normals + 3 * i, x->normals + 3 * (size_t)vertex->normal, 3 * sizeof(float));
-    }
-}
-
-/* *done becomes 0, and nothing is made, where a position has many normals. */
-static burnish_status index_file_normals(burnish_builder *b, int *done) {
-    indexer x = {.b = b, .normals = burnish_normals(b->data)};
-    x.heads = burnish_allocate(b->memory, b->position_count, sizeof *x.heads, "vertices");
-    x.vertices = burnish_reserve(b->memory, NULL, &x.capacity, b->position_count + 3,
-                                 sizeof *x.vertices, "vertices");
-    if (b->memory->status == BURNISH_STATUS_OK) {
-        memset(x.heads, 0xff, b->position_count * sizeof *x.heads);
-        burnish_tasks_in_order(b->data->tasks, b->triangle_count, BURNISH_BUILD_STEP, index_corners,
-                               &x);
-    }
-    burnish_release(b->memory->context, x.heads);
-    burnish_status status = b->memory->status == BURNISH_STATUS_OK
-                                ? burnish_tasks_check(b->data->tasks, b->memory->error)
-                                : b->memory->status;
-    *done = !x.has_many;
-    if (status == BURNISH_STATUS_OK && *done) {
-        b->vertex_count = x.count;
-        burnish_build_release_corners(b, 0, 1); /* vertices take their memory */
-        status = allocate_vertices(b);
-    }
-    if (status == BURNISH_STATUS_OK && *done) {
-        burnish_tasks_ranges(b->data->tasks, x.count, BURNISH_BUILD_GRAIN, write_indexed, &x);
-    }
-    burnish_release(b->memory->context, x.vertices);
-    return status;
-}
-
-/* ---- Any mesh ---- */
 
 /* One vertex of the result while they are collected. */
 typedef struct built_vertex {
@@ -221,37 +110,14 @@ static int needs_normal(const burnish_builder *b, const uint32_t *corners, size_
     return 0;
 }
 
-static void find_extras(burnish_builder *b) {
-    for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        if (b->data->streams[i].count > 0) {
-            b->extras[b->extra_count++] = (burnish_extra){
-                (burnish_attribute)i, burnish_stream_corners(b->data, (burnish_attribute)i),
-                b->data->streams[i].items};
-        }
-    }
-}
-
-/* Copies what a corner has of it; returns the bytes that this takes. */
-static inline size_t copy_item(const burnish_extra *extra, uint32_t corner, uint8_t *to) {
-    const size_t size = burnish_attribute_size(extra->attribute);
-    const uint32_t number = extra->corners[corner];
-    if (number == BURNISH_NONE) {
-        memset(to, extra->attribute == BURNISH_COLOR ? 255 : 0, size);
-    } else if (size == 4) {
-        memcpy(to, extra->items + 4 * (size_t)number, 4);
-    } else {
-        memcpy(to, extra->items + size * number, size);
-    }
-    return size;
-}
-
 static void describe_corner(const burnish_builder *b, uint32_t corner, const float *normal,
                             burnish_weld_record *record) {
     size_t used = 3 * sizeof(float);
     *record = (burnish_weld_record){{0}, corner};
     memcpy(record->key, normal, used);
     for (int i = 0; i < b->extra_count; ++i) {
-        used += copy_item(&b->extras[i], corner, (uint8_t *)record->key + used);
+        used += burnish_copy_extra(&b->extras[i], b->extras[i].corners[corner],
+                                   (uint8_t *)record->key + used);
     }
 }
 
@@ -529,8 +395,8 @@ static void write_range(void *context, size_t first, size_t end) {
         for (int i = 0; i < b->extra_count; ++i) {
             const burnish_attribute attribute = b->extras[i].attribute;
             uint8_t *to = attributes[attribute];
-            copy_item(&b->extras[i], vertex->corner,
-                      to + burnish_attribute_size(attribute) * number);
+            burnish_copy_extra(&b->extras[i], b->extras[i].corners[vertex->corner],
+                               to + burnish_attribute_size(attribute) * number);
         }
     }
 }
@@ -543,7 +409,7 @@ static burnish_status build_any(burnish_builder *b) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    find_extras(b);
+    burnish_build_find_extras(b);
     b->surface = (burnish_surface){burnish_positions(b->data), b->corner_positions, b->first_corner,
                                    b->corners, NULL};
     keep_faces(b);
@@ -554,8 +420,8 @@ static burnish_status build_any(burnish_builder *b) {
     }
     burnish_release(b->memory->context, b->surface.faces);
     if (status == BURNISH_STATUS_OK) {
-        burnish_build_release_corners(b, b->has_extras, 0);
-        status = allocate_vertices(b);
+        burnish_build_release_corners(b, b->has_extras);
+        status = burnish_build_allocate_vertices(b);
     }
     if (status == BURNISH_STATUS_OK) {
         /* In the order in which the triangles first use them. */
@@ -569,24 +435,14 @@ static burnish_status build_any(burnish_builder *b) {
     return status;
 }
 
-static burnish_status allocate_indices(burnish_builder *b) {
-    b->mesh->indices =
-        burnish_allocate(b->memory, b->triangle_count, 3 * sizeof *b->mesh->indices, "triangles");
-    return b->memory->status;
-}
-
 burnish_status burnish_build_vertices(burnish_builder *b) {
-    int done = b->normals_complete && !b->has_extras;
-    burnish_status status = BURNISH_STATUS_OK;
-    if (done) {
-        status = allocate_indices(b);
-        status = status == BURNISH_STATUS_OK ? index_file_normals(b, &done) : status;
-    }
+    int done;
+    burnish_status status = burnish_build_indexed(b, &done);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_build_move(b, !done);
     }
     if (status == BURNISH_STATUS_OK && !b->mesh->indices) { /* perhaps where corners were */
-        status = allocate_indices(b);
+        status = burnish_build_allocate_indices(b);
     }
     return status == BURNISH_STATUS_OK && !done ? build_any(b) : status;
 }
