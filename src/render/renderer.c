@@ -6,6 +6,7 @@
 #include "core/memory.h"
 #include "core/tasks.h"
 #include "core/vector.h"
+#include "render/casters.h"
 #include "render/frame.h"
 #include "render/lines.h"
 
@@ -30,6 +31,7 @@ struct burnish_renderer {
     burnish_geometry geometry;
     burnish_attributes attributes;
     burnish_transparency transparency;
+    burnish_casters casters;
     burnish_texturing texturing;
     burnish_tiles tiles;
     burnish_occlusion occlusion;
@@ -69,6 +71,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_shadow_destroy(&renderer->shadow, context);
         burnish_attributes_destroy(&renderer->attributes, context);
         burnish_transparency_destroy(&renderer->transparency, context);
+        burnish_casters_destroy(&renderer->casters, context);
         burnish_texturing_destroy(&renderer->texturing, context);
         burnish_geometry_destroy(&renderer->geometry);
         burnish_release(context, renderer->shaders.items);
@@ -166,13 +169,15 @@ static burnish_vec3 up_of(const drawing *d) {
                : burnish_vec3_normalize(burnish_vec3_load(up));
 }
 
-/* Transparent triangles cast no shadow. */
-static void set_drawer(drawing *d) {
+/* Blended triangles cast no shadow, masked ones by their pieces. */
+static burnish_status set_drawer(drawing *d) {
     burnish_renderer *renderer = d->renderer;
-    renderer->occlusion.drawer.transparent =
-        transparency_of(d) ? renderer->transparency.masks : NULL;
+    const burnish_status status = burnish_casters_update(
+        &renderer->casters, burnish_mesh_get_view(d->mesh), transparency_of(d), &d->memory);
+    renderer->occlusion.drawer.transparent = renderer->casters.transparent;
     renderer->occlusion.drawer.transparent_key = renderer->transparency.key;
     renderer->occlusion.drawer.max_overdraw = d->options->max_overdraw;
+    return status;
 }
 
 /* The depth maps, for points that count from `eye`. */
@@ -183,9 +188,12 @@ static burnish_status update_maps(drawing *d, const double eye[3],
     const int side = options->width < options->height ? options->width : options->height;
     double up[3];
     burnish_vec3_store(up_of(d), up);
-    set_drawer(d);
+    const burnish_status status = set_drawer(d);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
     return burnish_occlusion_update(
-        &renderer->occlusion, d->view.shading.ops, burnish_mesh_get_view(d->mesh),
+        &renderer->occlusion, d->view.shading.ops, &renderer->casters.mesh,
         options->occlusion ? options->occlusion : BURNISH_OCCLUSION_AUTO,
         side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE, eye, up, d->view.pixel,
         &renderer->tasks, &d->memory, lookup);
@@ -213,11 +221,14 @@ static burnish_status update_shadow(drawing *d) {
     if (!options->shadow || !d->target.pixels.pixels) {
         return BURNISH_STATUS_OK;
     }
-    set_drawer(d);
+    const burnish_status status = set_drawer(d);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
     d->view.shading.shadow = &d->view.shadow;
     d->report.shadow = 1;
     return burnish_shadow_update(&renderer->shadow, &renderer->occlusion.drawer,
-                                 d->view.shading.ops, burnish_mesh_get_view(d->mesh), d->view.key,
+                                 d->view.shading.ops, &renderer->casters.mesh, d->view.key,
                                  side <= BURNISH_SHADOW_SMALL ? BURNISH_SHADOW_SMALL
                                                               : BURNISH_SHADOW_LARGE,
                                  d->view.eye, &renderer->tasks, &d->memory, &d->view.shadow);
