@@ -9,18 +9,18 @@
 
 /* ---- Closed form ---- */
 
-enum { SQUARES = 40, SIZE = 24 };
+enum { SQUARES = 260, SIZE = 24 };
 
 typedef struct stack {
     int count;
     float heights[SQUARES], transparency[SQUARES], color[SQUARES][3]; /* colours linear */
 } stack;
 
-static stack make_stack(int count, uint64_t *state) {
+static stack make_stack(int count, float least, uint64_t *state) {
     stack s = {.count = count};
     for (int i = 0; i < count; ++i) {
-        s.heights[i] = (float)i * 0.25f; /* the first one is the farthest */
-        s.transparency[i] = test_uniform_float(state, 0.05f, 0.95f);
+        s.heights[i] = (float)i * 0.0625f; /* the first one is the farthest */
+        s.transparency[i] = test_uniform_float(state, least, least < 0.9f ? 0.95f : 0.999f);
         for (int k = 0; k < 3; ++k) {
             s.color[i][k] = test_uniform_float(state, 0, 1);
         }
@@ -111,9 +111,10 @@ static void draw_floats(const burnish_mesh *mesh, const burnish_render_options *
     burnish_renderer_destroy(renderer);
 }
 
-static void check_squares(int count, int samples, int transparent, int is_odd, uint64_t *state) {
+static void check_squares(int count, float least, int samples, int transparent, int is_odd,
+                          uint64_t *state) {
     static float pixels[(SIZE + 1) * (SIZE + 1)][4];
-    const stack s = make_stack(count, state);
+    const stack s = make_stack(count, least, state);
     burnish_mesh *mesh = make_squares(&s, state);
     burnish_render_options options = square_options(samples, is_odd);
     burnish_render_report report;
@@ -156,17 +157,22 @@ static void test_squares(void) {
     uint64_t state = test_seed(1);
     for (int round = 0; round < 24; ++round) {
         static const int counts[] = {1, 4, 8, 16};
-        check_squares(1 + round % 12 * 2, counts[round % 4], round / 4 % 2, round / 8 % 2, &state);
+        check_squares(1 + round % 12 * 2, 0.05f, counts[round % 4], round / 4 % 2, round / 8 % 2,
+                      &state);
     }
-    check_squares(BURNISH_LAYERS_MAX, 4, 1, 0, &state);
+    check_squares(BURNISH_LAYERS_MAX, 0.05f, 4, 1, 0, &state);
+    check_squares(BURNISH_LAYERS_MAX + 1, 0.97f, 4, 0, 0, &state);
+    check_squares(BURNISH_LAYERS_MAX * 5 / 2, 0.97f, 1, 1, 0, &state);
+    check_squares(BURNISH_TRANSPARENT_LAYERS_MAX, 0.98f, 4, 1, 0, &state);
 }
 
 /* Of more layers than are kept the nearest stay, and the others are counted. */
 static void test_limit(void) {
     static float more[SIZE * SIZE][4], kept[SIZE * SIZE][4];
     uint64_t state = test_seed(2);
-    const int extra = SQUARES - BURNISH_LAYERS_MAX;
-    stack s = make_stack(SQUARES, &state), nearest = {.count = BURNISH_LAYERS_MAX};
+    const int extra = SQUARES - BURNISH_TRANSPARENT_LAYERS_MAX;
+    stack s = make_stack(SQUARES, 0.98f, &state);
+    stack nearest = {.count = BURNISH_TRANSPARENT_LAYERS_MAX};
     for (int i = 0; i < nearest.count; ++i) {
         nearest.heights[i] = s.heights[i + extra];
         nearest.transparency[i] = s.transparency[i + extra];

@@ -65,7 +65,7 @@ typedef enum burnish_counts {
 
 /* Transparent surfaces that a sample shows at most: the nearest ones; those behind them are left
  * out, and counted in the report. */
-#define BURNISH_TRANSPARENT_LAYERS_MAX 32
+#define BURNISH_TRANSPARENT_LAYERS_MAX 256
 /* Edges that are drawn as lines, hidden ones removed. */
 enum {
     BURNISH_EDGES_SILHOUETTES = 1, /* where the surface turns away, and what is behind it is

@@ -122,3 +122,23 @@ int burnish_layers_next(const burnish_tile *tile, const burnish_raster_view *vie
     }
     return fragments->count > 0;
 }
+
+int burnish_layers_deeper(burnish_tile *tile, const float *through, float least) {
+    burnish_tile_layers *layers = tile->layers;
+    const size_t last = (size_t)(BURNISH_LAYERS_MAX - 1) * (size_t)layers->block_samples;
+    const int count = BLOCKS * layers->block_samples;
+    int is_any = 0;
+    if (layers->dropped == layers->dropped_before || layers->pass == BURNISH_LAYER_PASSES - 1) {
+        return 0;
+    }
+    for (int i = 0; i < count; ++i) {
+        const int is_open = layers->counts[i] == BURNISH_LAYERS_MAX && through[i] > least;
+        layers->fronts[i] =
+            is_open ? layers->depths[burnish_layer_index(layers, i) + last] : 2 * BURNISH_FARTHEST;
+        layers->counts[i] = 0;
+        is_any |= is_open;
+    }
+    layers->dropped = layers->dropped_before; /* what nobody would have seen does not count */
+    layers->pass += is_any;
+    return is_any;
+}

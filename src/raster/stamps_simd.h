@@ -84,6 +84,9 @@ enum {
  * is one vector, so the time does not depend on the order in which layers come. */
 BURNISH_INLINE void keep_layers(const burnish_tile *tile, vm lanes, vf depth, vi id, int sample) {
     burnish_tile_layers *layers = tile->layers;
+    if (layers->pass > 0) {
+        lanes = vm_and(lanes, vf_greater(vf_load(layers->fronts + sample), depth));
+    }
     const unsigned bits = vm_bits(lanes);
     const size_t first = burnish_layer_index(layers, sample), step = (size_t)layers->block_samples;
     int32_t counts[LANES], most = 0, least = BURNISH_LAYERS_MAX;

@@ -28,6 +28,7 @@ static burnish_tile_layers *create_layers(size_t samples, burnish_memory *memory
         layers->depths = burnish_allocate(memory, count, sizeof *layers->depths, "layers");
         layers->indices = burnish_allocate(memory, count, sizeof *layers->indices, "layers");
         layers->counts = burnish_allocate(memory, samples, sizeof *layers->counts, "layers");
+        layers->fronts = burnish_allocate(memory, samples, sizeof *layers->fronts, "layers");
     }
     return layers;
 }
@@ -37,6 +38,7 @@ static void destroy_layers(burnish_tile_layers *layers, const burnish_context *c
         burnish_release(context, layers->depths);
         burnish_release(context, layers->indices);
         burnish_release(context, layers->counts);
+        burnish_release(context, layers->fronts);
         burnish_release(context, layers);
     }
 }
@@ -125,7 +127,8 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
     tile->width = right < BURNISH_TILE_SIZE ? right : BURNISH_TILE_SIZE;
     tile->height = below < BURNISH_TILE_SIZE ? below : BURNISH_TILE_SIZE;
     if (tile->layers) {
-        tile->layers->has_some = 0;
+        tile->layers->has_some = tile->layers->pass = 0;
+        tile->layers->dropped_before = tile->layers->dropped;
     }
     if (burnish_list_is_empty(burnish_list_begin(bins, column, row, 0)) &&
         burnish_list_is_empty(burnish_list_begin(bins, column, row, 1))) {

@@ -104,17 +104,21 @@ enum {
     BURNISH_TILE_PRIMITIVES_EXTRA = 16 /* that a vector may write past the last one */
 };
 
-/* Layers of a sample that are kept: the nearest ones (render.h: BURNISH_TRANSPARENT_LAYERS_MAX). */
-enum { BURNISH_LAYERS_MAX = 32 };
+/* Layers of a sample that are kept at once: the nearest ones; and how often those behind are
+ * collected (render.h: BURNISH_TRANSPARENT_LAYERS_MAX). */
+enum { BURNISH_LAYERS_MAX = 32, BURNISH_LAYER_PASSES = 8 };
 
 typedef struct burnish_tile_layers {
     /* BURNISH_LAYERS_MAX per sample: burnish_layer_index */
     float *depths;
-    uint32_t *indices; /* the primitive's * 2, + 1 when it is back-facing */
-    uint8_t *counts;   /* per sample; of the current tile where it has some */
-    int block_samples; /* of a block */
-    int has_some;      /* 1: the current tile lists a transparent triangle */
-    size_t dropped;    /* since the tile was created, or since it was set to 0 */
+    uint32_t *indices;     /* the primitive's * 2, + 1 when it is back-facing */
+    uint8_t *counts;       /* per sample; of the current tile where it has some */
+    int block_samples;     /* of a block */
+    int has_some;          /* 1: the current tile lists a transparent triangle */
+    int pass;              /* 0: the nearest layers are collected; else those behind fronts */
+    float *fronts;         /* per sample: the last layer of the pass before */
+    size_t dropped;        /* since the tile was created, or since it was set to 0 */
+    size_t dropped_before; /* the current tile */
 } burnish_tile_layers;
 
 /* Where the nearest layer of a sample lies, in the order of burnish_sample_index. The next one

@@ -443,4 +443,10 @@ static void draw_tile(burnish_tile *tile, const burnish_geometry *geometry,
     }
 }
 
+static void draw_deeper_layers(burnish_tile *tile, const burnish_geometry *geometry,
+                               const burnish_bins *bins, int column, int row) {
+    draw_list(tile, geometry, burnish_list_begin(bins, column, row, 0), 0, 1, 1);
+    draw_list(tile, geometry, burnish_list_begin(bins, column, row, 1), 1, 1, 1);
+}
+
 #endif

@@ -19,6 +19,9 @@ struct burnish_tile_worker {
     int bounds[4];
 };
 
+/* What lets no more light through hides the layers behind it, where they are many. */
+#define UNSEEN 0x1p-12f
+
 /* ---- A tile ---- */
 
 /* Visibility: which triangle every sample shows, and the layers in front of it. Returns 0 where
@@ -48,34 +51,46 @@ static void shade_complex_pixels(const burnish_frame *frame, burnish_tile_worker
     }
 }
 
-/* The light of the tile's layers, to which the sums then refer. */
-static void shade_layers(const burnish_frame *frame, burnish_tile_worker *worker) {
-    burnish_surface surface = frame->surface;
+/* The light of the layers that the tile holds. */
+static void shade_pass(const burnish_frame *frame, const burnish_surface *surface,
+                       burnish_tile_worker *worker) {
     const burnish_tile *tile = &worker->tile;
     burnish_fragments *fragments = &worker->fragments;
     float *const light[3] = {worker->light[0], worker->light[1], worker->light[2]};
     const float *const shaded[3] = {light[0], light[1], light[2]};
     const int wanted = frame->output.target.pixels.pixels != NULL;
-    const int samples = frame->output.samples;
-    const burnish_texturing *texturing = surface.shading->texturing;
+    const burnish_texturing *texturing = surface->shading->texturing;
     const int has_alpha = wanted && texturing && texturing->has_alpha;
     burnish_layer_cursor cursor = {0};
+    while (burnish_layers_next(tile, surface->view, frame->geometry, &cursor, fragments)) {
+        burnish_shade_fragments(surface, tile, fragments, &worker->scratch, wanted ? light : NULL);
+        burnish_layer_light_add(worker->layers, surface, fragments, wanted ? shaded : NULL,
+                                has_alpha ? worker->scratch.texture.alpha : NULL,
+                                frame->output.samples, frame->output.limit);
+        for (int i = 0; i < fragments->count && frame->drawn; ++i) {
+            __atomic_store_n(&frame->drawn[fragments->primitives[i].id_and_facing >> 1], 1,
+                             __ATOMIC_RELAXED);
+        }
+    }
+}
+
+/* The light of the tile's layers, to which the sums then refer: the nearest ones, then those
+ * behind. */
+static void shade_layers(const burnish_frame *frame, const burnish_bins *bins,
+                         burnish_tile_worker *worker, int column, int row) {
+    burnish_surface surface = frame->surface;
+    burnish_tile *tile = &worker->tile;
     worker->sums.layers = NULL;
     surface.caps = NULL; /* one looks into a transparent solid anyway */
     if (!surface.transparency || !tile->layers->has_some) {
         return;
     }
     worker->sums.layers = worker->layers;
-    burnish_layer_light_clear(worker->layers, samples);
-    while (burnish_layers_next(tile, surface.view, frame->geometry, &cursor, fragments)) {
-        burnish_shade_fragments(&surface, tile, fragments, &worker->scratch, wanted ? light : NULL);
-        burnish_layer_light_add(worker->layers, &surface, fragments, wanted ? shaded : NULL,
-                                has_alpha ? worker->scratch.texture.alpha : NULL, samples,
-                                frame->output.limit);
-        for (int i = 0; i < fragments->count && frame->drawn; ++i) {
-            __atomic_store_n(&frame->drawn[fragments->primitives[i].id_and_facing >> 1], 1,
-                             __ATOMIC_RELAXED);
-        }
+    burnish_layer_light_clear(worker->layers, frame->output.samples);
+    shade_pass(frame, &surface, worker);
+    while (burnish_layers_deeper(tile, worker->layers->through, UNSEEN)) {
+        frame->ops->draw_deeper_layers(tile, frame->geometry, bins, column, row);
+        shade_pass(frame, &surface, worker);
     }
 }
 
@@ -153,7 +168,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
                       burnish_tile_worker *worker, int column, int row) {
     burnish_tile *tile = &worker->tile;
     const int is_covered = rasterize(frame, bins, worker, column, row);
-    shade_layers(frame, worker);
+    shade_layers(frame, bins, worker, column, row);
     const burnish_row_range drawn = keep_drawn_rows(&frame->output, tile);
     if (frame->output.has_planes) {
         burnish_planes_clear(&frame->output, tile, &worker->sums);

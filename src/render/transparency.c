@@ -4,7 +4,8 @@
 
 #include "burnish/render.h"
 
-_Static_assert((int)BURNISH_LAYERS_MAX == BURNISH_TRANSPARENT_LAYERS_MAX, "what render.h says");
+_Static_assert((int)BURNISH_LAYERS_MAX *(int)BURNISH_LAYER_PASSES == BURNISH_TRANSPARENT_LAYERS_MAX,
+               "what render.h says");
 
 /* ---- Triangles ---- */
 

@@ -86,6 +86,10 @@ typedef struct burnish_isa_ops {
     void (*draw_tile)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
                       const struct burnish_bins *bins, int column, int row);
 
+    /* Collects the layers of the tile (column, row), which has been drawn, once more. */
+    void (*draw_deeper_layers)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
+                               const struct burnish_bins *bins, int column, int row);
+
     /* Finds which pixels of a block row are covered, and which of them are simple. */
     void (*classify_block_row)(const struct burnish_tile *tile, int row,
                                struct burnish_block_row *pixels);

@@ -94,6 +94,7 @@ static const burnish_isa_ops OPS = {
     OP(project_to_maps),
     OP(draw_maps),
     OP(draw_tile),
+    OP(draw_deeper_layers),
     OP(classify_block_row),
     OP(next_fragments),
     OP(mark_drawn),

@@ -537,7 +537,8 @@ static const cli_flag flags[] = {
      .manual =
          "Opacity of the whole object, from 0 to 1, times that of the input's materials (*d*, "
          "*Tr*) and colours (alpha). Transparent surfaces are drawn in the order of their "
-         "depths at every sample, both sides of them, and cast no shadows.",
+         "depths at every sample, both sides of them, and cast no shadows, "
+         "unless they are opaque but for a mask.",
      .handler = cli_flag_real,
      TARGET(opacity)},
     {.name = "specular",
