@@ -70,7 +70,7 @@ done
 importer "echo \"\$*\" >'$bin/arguments'; cat >'$bin/input'; ls /proc/self/fd >'$bin/descriptors'; cat '$bin/all.bms'"
 run render a.fbx --size=64 --json -o p.png
 check "drawn: $(cat "$err")" [ "$code" = 0 ]
-check "its format" [ "$(json format)" = bms ]
+check "its format" [ "$(json format)" = fbx ]
 check "the ending" [ "$(cat "$bin/arguments")" = fbx ]
 check "the file" cmp -s a.fbx "$bin/input"
 check "descriptors: $(cat "$bin/descriptors")" [ "$(wc -l <"$bin/descriptors")" -le 4 ] # ls has one of its own
