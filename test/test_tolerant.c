@@ -502,6 +502,10 @@ static void test_foreign(void) {
         {"a.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n",
          "a pointer of Git LFS"},
         {"a.glb", "\n\n<!DOCTYPE html>\n<html>", "a.glb: a web page, not what its name says"},
+        {"a.stl",
+         "# made by hand, and so\nsolid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+         "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n",
+         "a.stl:1: text that does not begin with \"solid\" is no STL"},
         {"a.stl", "\r\n <html>", "a.stl: a web page, not what its name says"},
         {"a.obj", "ISO-10303-21;\nHEADER;\n", "a STEP file, not what its name says"}};
     burnish_load_options options = burnish_load_options_default();

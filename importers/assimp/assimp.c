@@ -342,13 +342,25 @@ static void find_up(const char *ending, float up[3]) {
     }
 }
 
+/* What the library says, and what to do where it does not say that. */
 static _Noreturn void fail_by_library(void) {
-    const char *text = aiGetErrorString();
+    static const struct {
+        const char *part, *advice;
+    } rows[] = {{"Missing file input", "; parts in files beside it are not read: convert it whole"},
+                {"old format version", "; save it as one of these, or as glTF"}};
+    const char *text = aiGetErrorString(), *advice = "";
+    char line[400];
     if (!text || !*text) {
         text = "libassimp says nothing of what is wrong";
     }
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
+        advice = strstr(text, rows[i].part) ? rows[i].advice : advice;
+    }
+    const int length = (int)strcspn(text, "\r\n"), end = length > 250 ? 250 : length;
+    snprintf(line, sizeof line, "%.*s%s",
+             *advice && end > 0 && text[end - 1] == '.' ? end - 1 : end, text, advice);
     importer_fail(strstr(text, "bad_alloc") ? BURNISH_BMS_MEMORY_ERROR : BURNISH_BMS_FORMAT_ERROR,
-                  text);
+                  line);
 }
 
 void importer_import(importer_input *input, importer_mesh *mesh) {

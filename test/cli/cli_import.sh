@@ -65,6 +65,15 @@ for flag in --no-sandbox $boxed; do
     sleep 0.1
     check "the importer has ended" [ -z "$(cut -d' ' -f3 "/proc/$(cat "$bin/number")/stat" 2>/dev/null | grep -v Z)" ]
 done
+start=$(date +%s)
+for flag in --no-sandbox $boxed; do
+    # shellcheck disable=SC2086
+    run batch a.fbx -d out --max-seconds=0.3 ${flag#--sandbox}
+    check "a batch goes on: $code, $(cat "$err")" grep -q '^burnish: a.fbx: not done after 0.3 seconds (--max-seconds)' "$err"
+    rm -rf out
+done
+check "at once" [ $(($(date +%s) - start)) -lt 20 ]
+check "the batch's importer has ended" [ -z "$(cut -d' ' -f3 "/proc/$(cat "$bin/number")/stat" 2>/dev/null | grep -v Z)" ]
 
 # One that works: it gets the ending, the file as standard input, and no other descriptor.
 importer "echo \"\$*\" >'$bin/arguments'; cat >'$bin/input'; ls /proc/self/fd >'$bin/descriptors'; cat '$bin/all.bms'"

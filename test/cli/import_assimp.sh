@@ -65,6 +65,9 @@ run batch . -d out
 check "a folder's: $(cat "$err")" [ -s out/BOX.FBX.png ]
 rm -rf BOX.FBX.GZ cut.fbx.gz large.fbx.gz out
 
+expect 4 "burnish: $models/MDL/MDL (HL1)/man.mdl: burnish-import-assimp: Missing file inputT.mdl; parts in files beside it are not read: convert it whole" \
+    info "$models/MDL/MDL (HL1)/man.mdl"
+
 # By hand: a stream is a file like others.
 "$(dirname "$burnish")/burnish-import-assimp" fbx <$models/FBX/spider.fbx >a.bms
 check "a saved stream" [ "$(hash a.bms)" = "$(hash $models/FBX/spider.fbx)" ]

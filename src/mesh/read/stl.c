@@ -501,14 +501,14 @@ static int starts_as_text(const uint8_t *bytes, size_t size) {
 
 /* Text shows no control characters; a binary file has zeros in the upper bytes of its count at the
  * latest. */
-static int is_text(const uint8_t *bytes, size_t size) {
+static int has_no_controls(const uint8_t *bytes, size_t size) {
     for (size_t i = 0; i < size && i < LOOKED_AT; ++i) {
         uint8_t c = bytes[i];
         if ((c < 32 && !(c >= '\t' && c <= '\r')) || c == 127) {
             return 0;
         }
     }
-    return starts_as_text(bytes, size);
+    return 1;
 }
 
 /* A size that fits the count is no accident, whatever the file is called. */
@@ -519,8 +519,14 @@ int burnish_recognise_stl(const uint8_t *bytes, size_t size) {
 burnish_status burnish_read_stl(burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
     burnish_status status;
-    if (!is_exact_binary(input->bytes, input->size) && is_text(input->bytes, input->size)) {
+    const int is_text =
+        !is_exact_binary(input->bytes, input->size) && has_no_controls(input->bytes, input->size);
+    if (is_text && starts_as_text(input->bytes, input->size)) {
         status = read_text(reader);
+    } else if (is_text && input->size >= HEADER_SIZE) {
+        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes,
+                                   "text that does not begin with \"solid\" is no STL; export the "
+                                   "mesh again");
     } else if (input->size < HEADER_SIZE) {
         reader->is_binary = 1;
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes + input->size,

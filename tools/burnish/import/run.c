@@ -173,6 +173,11 @@ static burnish_status start(run *r, int input, uint64_t memory) {
 
 /* ---- What it says ---- */
 
+/* Also when the time of the process that waits for the mesh is over, as in a batch. */
+static int is_late(const run *r) {
+    return cli_child_was_late() || cli_seconds_now() > r->end;
+}
+
 static burnish_status fail_time(const run *r) {
     return fail(r, BURNISH_STATUS_LIMIT, "takes too long; simplify the file");
 }
@@ -180,7 +185,7 @@ static burnish_status fail_time(const run *r) {
 /* The next piece of the stream: its size, 0 at the end, -1 after an error. */
 static ssize_t read_piece(const run *r, unsigned char *piece, burnish_status *status) {
     for (;;) {
-        const double left = r->end - cli_seconds_now();
+        const double left = is_late(r) ? 0 : r->end - cli_seconds_now();
         struct pollfd ready = {r->pipe, POLLIN, 0};
         const int count = left > 0 ? poll(&ready, 1, (int)(left * 1000) + 1) : 0;
         if (count == 0) {
@@ -223,7 +228,7 @@ static burnish_status end(const run *r, burnish_status status) {
     int state = 0;
     pid_t ended = 0;
     while (status == BURNISH_STATUS_OK && (ended = waitpid(r->process, &state, WNOHANG)) == 0) {
-        if (cli_seconds_now() > r->end) {
+        if (is_late(r)) {
             status = fail_time(r);
         }
         nanosleep(&nap, NULL);

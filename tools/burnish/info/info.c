@@ -270,9 +270,9 @@ static void print_text(FILE *stream, const report *r) {
     const burnish_mesh_facts *f = r->facts;
     const size_t materials = burnish_mesh_material_count(r->mesh);
     char ending[IMPORT_ENDING_SIZE];
-    fprintf(stream, "%s (%s): %zu triangles, %zu vertices, %zu material%s\n\n", r->input,
-            format_name(r, ending), f->triangle_count, f->vertex_count, materials,
-            materials == 1 ? "" : "s");
+    fprintf(stream, "%s (%s): %zu triangle%s, %zu vertices, %zu material%s\n\n", r->input,
+            format_name(r, ending), f->triangle_count, f->triangle_count == 1 ? "" : "s",
+            f->vertex_count, materials, materials == 1 ? "" : "s");
     print_sizes(stream, r);
     fprintf(stream, "\n  %-20s  %s\n", "closed", f->is_closed ? "yes" : "no");
     fprintf(stream, "  %-20s  %s\n", "consistent winding", f->is_consistent ? "yes" : "no");
