@@ -65,6 +65,11 @@ for flag in --no-sandbox $boxed; do
     sleep 0.1
     check "the importer has ended" [ -z "$(cut -d' ' -f3 "/proc/$(cat "$bin/number")/stat" 2>/dev/null | grep -v Z)" ]
 done
+importer "ulimit -v >'$bin/memory'"
+run batch a.fbx -d out --max-memory=1G
+check "its memory in a batch: $(cat "$bin/memory")" [ "$(cat "$bin/memory")" = 1048576 ]
+rm -rf out
+importer "echo \$\$ >'$bin/number'; exec sleep 60"
 start=$(date +%s)
 for flag in --no-sandbox $boxed; do
     # shellcheck disable=SC2086

@@ -229,6 +229,7 @@ static burnish_status run_worker(const runner *r, render_settings *settings, fil
                                .ended = &ended};
     memset(r->shared, 0, sizeof *r->shared);
     cli_limit_child_seconds(settings->max_seconds.value);
+    cli_set_child_memory(settings->max_memory);
     burnish_status status = settings->sandbox ? sandbox_begin(&plan, code, &error)
                                               : run_plainly(r, settings, code, &ended, &error);
     if (status == BURNISH_STATUS_OK && *code < 0) {

@@ -3,9 +3,18 @@
 #include "cli/options.h"
 
 static double given;
+static uint64_t given_memory;
 
 double cli_seconds_given(void) {
     return given;
+}
+
+void cli_set_child_memory(uint64_t bytes) {
+    given_memory = bytes;
+}
+
+uint64_t cli_child_memory(void) {
+    return given_memory;
 }
 
 #ifdef _WIN32

@@ -15,6 +15,11 @@ double cli_seconds_given(void);
  * more ends as where memory is short, with exit code 6. 0: no limit. Errors: ARGUMENT. */
 burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error);
 
+/* Memory that a process may have which is begun for another one's sake, as an importer for the
+ * worker of a batch; 0: no limit but its own. */
+void cli_set_child_memory(uint64_t bytes);
+uint64_t cli_child_memory(void);
+
 /* A process that is ended with the program; 0: none. */
 void cli_limit_child(long process);
 

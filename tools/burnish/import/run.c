@@ -282,7 +282,8 @@ burnish_status import_run(const import_program *importer, const char *name, int 
     }
     const uint64_t counted = size < UINT64_MAX / 1024 ? size : UINT64_MAX / 1024;
     r.most = MOST_FIXED + counted * MOST_FACTOR;
-    status = start(&r, input, MEMORY_FIXED + counted * MEMORY_FACTOR);
+    const uint64_t own = MEMORY_FIXED + counted * MEMORY_FACTOR, allowed = cli_child_memory();
+    status = start(&r, input, allowed > 0 && allowed < own ? allowed : own);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
