@@ -47,29 +47,41 @@ static burnish_pixels plane(const viewer *v, int index) {
                             (uint8_t *)v->pixels[index]};
 }
 
-/* Doubles a picture of half the size that lies at the start of the plane. */
-static void enlarge(uint32_t *pixels, int width, int height) {
-    const size_t half = (size_t)(width + 1) / 2;
-    for (int y = height - 1; y >= 0; --y) {
-        const uint32_t *from = pixels + (size_t)(y / 2) * half;
-        uint32_t *to = pixels + (size_t)y * (size_t)width;
-        for (int x = width - 1; x >= 0; --x) {
+/* The window's own pixels. Returns 0 where their size has just changed: an event says so. */
+static int window_pixels(const viewer *v, burnish_pixels *pixels) {
+    const SDL_Surface *surface = v->sdl.SDL_GetWindowSurface(v->window);
+    if (!surface || surface->w != v->width || surface->h != v->height) {
+        return 0;
+    }
+    *pixels = (burnish_pixels){v->width, v->height, BURNISH_PIXELS_BGRA8, (size_t)surface->pitch,
+                               surface->pixels};
+    return 1;
+}
+
+/* Doubles a picture of half the size, which may lie at the start of the other. */
+static void enlarge(const uint32_t *half, const burnish_pixels *pixels) {
+    const size_t width = (size_t)(pixels->width + 1) / 2;
+    for (int y = pixels->height - 1; y >= 0; --y) {
+        const uint32_t *from = half + (size_t)(y / 2) * width;
+        uint32_t *to = (uint32_t *)(void *)(pixels->pixels + (size_t)y * pixels->stride);
+        for (int x = pixels->width - 1; x >= 0; --x) {
             to[x] = from[x / 2];
         }
     }
 }
 
-static burnish_status draw_lobe(viewer *v, int index, view_quality quality, burnish_error *error) {
-    burnish_pixels pixels = plane(v, index);
+static burnish_status draw_lobe(viewer *v, int index, view_quality quality,
+                                const burnish_pixels *pixels, burnish_error *error) {
+    burnish_pixels half = plane(v, index);
     if (quality != VIEW_COARSE) {
-        return view_scene_draw(&v->scene, &v->lobes[index], quality, &pixels, error);
+        return view_scene_draw(&v->scene, &v->lobes[index], quality, pixels, error);
     }
-    pixels.width = (v->width + 1) / 2;
-    pixels.height = (v->height + 1) / 2;
-    pixels.stride = 4 * (size_t)pixels.width;
+    half.width = (v->width + 1) / 2;
+    half.height = (v->height + 1) / 2;
+    half.stride = 4 * (size_t)half.width;
     const burnish_status status =
-        view_scene_draw(&v->scene, &v->lobes[index], quality, &pixels, error);
-    enlarge(v->pixels[index], v->width, v->height);
+        view_scene_draw(&v->scene, &v->lobes[index], quality, &half, error);
+    enlarge(v->pixels[index], pixels);
     return status;
 }
 
@@ -84,12 +96,14 @@ static void adapt(viewer *v, double took) {
 
 burnish_status viewer_draw(viewer *v, view_quality quality, burnish_error *error) {
     const double start = viewer_now();
-    burnish_status status = draw_lobe(v, 0, quality, error);
+    const burnish_pixels a = plane(v, 0), b = plane(v, 1), map = plane(v, 2);
+    burnish_pixels window;
+    v->is_in_window = quality != VIEW_STILL && !v->split && !v->errors && window_pixels(v, &window);
+    burnish_status status = draw_lobe(v, 0, quality, v->is_in_window ? &window : &a, error);
     if (status == BURNISH_STATUS_OK && (v->split || v->errors)) {
-        status = draw_lobe(v, 1, quality, error);
+        status = draw_lobe(v, 1, quality, &b, error);
     }
     if (status == BURNISH_STATUS_OK && v->errors) {
-        const burnish_pixels a = plane(v, 0), b = plane(v, 1), map = plane(v, 2);
         v->difference = view_paint_differences(&a, &b, &map, &v->scale);
     }
     const double took = viewer_now() - start;
@@ -186,13 +200,13 @@ static void paint_split(const viewer *v, const burnish_pixels *window) {
 }
 
 void viewer_present(viewer *v) {
-    SDL_Surface *surface = v->sdl.SDL_GetWindowSurface(v->window);
-    if (!surface || surface->w != v->width || surface->h != v->height) {
-        return; /* its size has just changed: an event says so */
+    burnish_pixels window;
+    if (!window_pixels(v, &window)) {
+        return;
     }
-    const burnish_pixels window = {v->width, v->height, BURNISH_PIXELS_BGRA8,
-                                   (size_t)surface->pitch, surface->pixels};
-    viewer_compose(v, &window);
+    if (!v->is_in_window) {
+        viewer_compose(v, &window);
+    }
     if (v->split && !v->errors) {
         paint_split(v, &window);
     }

@@ -35,6 +35,7 @@ typedef struct viewer {
     double divider; /* share of the width */
 
     uint32_t *pixels[3]; /* of both lobes, and of their difference */
+    int is_in_window;    /* 1: what was drawn last is in the window alone, as moving pictures are */
     int width, height;
     view_difference difference;
     int scale; /* of the map */

@@ -193,7 +193,7 @@ static burnish_status update(viewer *v, burnish_error *error) {
         v->toast[0] = 0;
         v->repaint = 1;
     }
-    if (v->is_dirty) {
+    if (v->is_dirty || (v->repaint && v->is_in_window)) {
         if (v->is_still &&
             v->moving > VIEW_PLAIN) { /* a movement begins: perhaps there is more time now */
             --v->moving;
