@@ -112,7 +112,7 @@ static void draw_pairs(const soup *from, burnish_map_drawer *drawer, const burni
     memset(run, 0, sizeof *run);
     memset(run->depths, 0x55, sizeof run->depths);
     run->status = burnish_map_pairs_draw(drawer, burnish_isa_ops_for(isa), &from->mesh, views,
-                                         count, run->depths, texels, &tasks, &memory);
+                                         count, run->depths, texels, NULL, &tasks, &memory);
     memset(run->depths + 2 * (size_t)count * texels, 0,
            sizeof run->depths - 2 * (size_t)count * texels * sizeof *run->depths);
 }

@@ -190,6 +190,7 @@ typedef struct maps_context {
     int count;
     uint16_t *depths;
     size_t stride;
+    burnish_map_finish *finish;
     uint64_t cells[BURNISH_MAP_PAIRS]; /* that each pair's triangles touch */
 } maps_context;
 
@@ -217,16 +218,20 @@ static void draw_pairs(void *context, size_t index, int thread) {
     all->ops->draw_maps(&maps);
     for (int i = 0; i < maps.count; ++i) {
         all->cells[first + i] = maps.cells[i];
+        for (int side = 0; side < 2 && all->finish; ++side) {
+            all->finish(maps.depths[i][side], (size_t)maps.size);
+        }
     }
 }
 
 burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
                                       const burnish_mesh_view *mesh, const burnish_map_view *views,
                                       int count, uint16_t *depths, size_t stride,
-                                      burnish_tasks *tasks, burnish_memory *memory) {
+                                      burnish_map_finish *finish, burnish_tasks *tasks,
+                                      burnish_memory *memory) {
     const size_t fit = VERTEX_BUDGET / sizeof *drawer->vertices / (mesh->vertex_count + 1) + 1;
     const size_t all = (size_t)burnish_tasks_threads(tasks), threads = all < fit ? all : fit;
-    maps_context pairs = {drawer, ops, mesh, views, count, depths, stride, {0}};
+    maps_context pairs = {drawer, ops, mesh, views, count, depths, stride, finish, {0}};
     drawer->vertices = burnish_reserve_discard(memory, drawer->vertices, &drawer->vertex_capacity,
                                                threads * mesh->vertex_count,
                                                sizeof *drawer->vertices, "vertices of depth maps");

@@ -69,13 +69,20 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_op
                                 const burnish_mesh_view *mesh, const burnish_map_view *view,
                                 uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory);
 
+/* What is made of a map of size^2 codes as soon as it is drawn, while it is in cache. */
+typedef void burnish_map_finish(uint16_t *depths, size_t size);
+
+/* What is made of a map of size^2 codes as soon as it is drawn, while it is in cache. */
+typedef void burnish_map_finish(uint16_t *depths, size_t size);
+
 /* Draws `count` <= BURNISH_MAP_PAIRS pairs of maps of the same size, which is a multiple of 16 and
  * at most BURNISH_MAPS_SIZE: of each view, and of what is seen against it at the same texels, which
  * is burnish_map_view_back. depths  receives the maps, each `stride` codes after the last */
 burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
                                       const burnish_mesh_view *mesh, const burnish_map_view *views,
                                       int count, uint16_t *depths, size_t stride,
-                                      burnish_tasks *tasks, burnish_memory *memory);
+                                      burnish_map_finish *finish, burnish_tasks *tasks,
+                                      burnish_memory *memory);
 
 void burnish_map_drawer_destroy(burnish_map_drawer *drawer, const burnish_context *context);
 

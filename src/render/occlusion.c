@@ -59,10 +59,11 @@ static size_t map_texels(int size) {
     return edge * edge + 2 * cells * cells;
 }
 
-/* The largest depth of each cell, then of each 2 x 2 cells; the last row and column have none. */
-static void find_blockers(const uint16_t *depths, size_t size, uint16_t *blockers) {
+/* After a map's depths the largest of each cell, then of each 2 x 2 cells; the last row and column
+ * have none. */
+static void find_blockers(uint16_t *depths, size_t size) {
     const size_t cells = size / BURNISH_OCCLUSION_CELL;
-    uint16_t *quads = blockers + cells * cells;
+    uint16_t *blockers = depths + size * size, *quads = blockers + cells * cells;
     for (size_t y = 0; y < cells; ++y) {
         uint16_t columns[BURNISH_OCCLUSION_LARGE] = {0};
         for (int i = 0; i < BURNISH_OCCLUSION_CELL; ++i, depths += size) {
@@ -97,7 +98,7 @@ const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int
 static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
                                 const burnish_mesh_view *mesh, int count, int size,
                                 burnish_tasks *tasks, burnish_memory *memory) {
-    const size_t texels = map_texels(size), edge = (size_t)size;
+    const size_t texels = map_texels(size);
     occlusion->mesh = 0;
     occlusion->depths =
         burnish_reserve_discard(memory, occlusion->depths, &occlusion->capacity,
@@ -109,11 +110,7 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_map_pairs_draw(&occlusion->drawer, ops, mesh, views, count / 2,
-                                        occlusion->depths, texels, tasks, memory);
-    }
-    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        uint16_t *depths = occlusion->depths + (size_t)i * texels;
-        find_blockers(depths, edge, depths + edge * edge);
+                                        occlusion->depths, texels, find_blockers, tasks, memory);
     }
     if (status == BURNISH_STATUS_OK) {
         occlusion->mesh = mesh->serial;
