@@ -117,15 +117,16 @@ static void check_atan2(void) {
     CHECK1(isnan(burnish_atan2(NAN, 1)) && isnan(burnish_atan2(1, NAN)));
 }
 
-/* Arrays of every length up to 9, every bit of them: ordinary points, axes, diagonals, and what any
- * bits make, the infinite and NaN left out. */
+/* Arrays of every length up to 17, every bit of them: ordinary points, axes, diagonals, and what
+ * any bits make, the infinite and NaN left out. */
 static void check_atan2_array(void) {
     const int has_avx2 = (int)(burnish_isa_available() >> BURNISH_ISA_AVX2 & 1);
+    const int widest = (int)(burnish_isa_available() >> BURNISH_ISA_AVX512 & 1) ? 2 : has_avx2;
     uint64_t state = test_seed(5);
     int equal = 1;
     for (int round = 0; round < 40000; ++round) {
-        double y[9], x[9], angles[9];
-        size_t count = (size_t)round % 10;
+        double y[17], x[17], angles[17];
+        size_t count = (size_t)round % 18;
         for (size_t i = 0; i < count; ++i) {
             static const double special[] = {0, -0.0, 1, -1, DBL_MIN, -0x1p-1074, DBL_MAX};
             uint64_t bits[2];
@@ -146,7 +147,7 @@ static void check_atan2_array(void) {
                 x[i] = special[bits[1] / 8 % 7];
             }
         }
-        for (int wide = 0; wide <= has_avx2; ++wide) {
+        for (int wide = 0; wide <= widest; ++wide) {
             burnish_atan2_array(y, x, angles, count, wide);
             for (size_t i = 0; i < count; ++i) {
                 double one = burnish_atan2(y[i], x[i]);

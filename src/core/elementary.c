@@ -174,11 +174,18 @@ double burnish_atan2(double y, double x) {
 #define ARCTANGENT_TARGET __attribute__((target("avx2")))
 #define ARCTANGENT(name) four_##name
 #include "core/arctangent_simd.h"
+#define ARCTANGENT_LANES 8
+#define ARCTANGENT_TARGET __attribute__((target("avx512f,avx512dq")))
+#define ARCTANGENT(name) eight_##name
+#include "core/arctangent_simd.h"
 #endif
 
 void burnish_atan2_array(const double *y, const double *x, double *angles, size_t count, int wide) {
     size_t i = 0;
 #if defined(__x86_64__)
+    if (wide > 1) {
+        i = eight_array(y, x, angles, i, count);
+    }
     if (wide) {
         i = four_array(y, x, angles, i, count);
     }

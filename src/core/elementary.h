@@ -27,7 +27,7 @@ double burnish_atan2(double y, double x);
  * y, x:   count numbers each, finite
  * angles: count numbers, written; may be y or x
  * count:  any
- * wide:   1: the processor has AVX2, which is faster */
+ * wide:   1: the processor has AVX2, 2: AVX-512, which are faster */
 void burnish_atan2_array(const double *y, const double *x, double *angles, size_t count, int wide);
 
 /* Arc cosine in [0, pi], within 2.5 ulp also near 1 (measured 2.06); arguments outside [-1, 1] are

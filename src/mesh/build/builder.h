@@ -225,7 +225,7 @@ typedef struct burnish_rings {
     int asks;                /* 1: edges in between ask the surface; 0: there are none */
     const uint32_t *corners; /* those measured */
     int flat;                /* crease angle 0: no edge is smooth */
-    int wide;                /* eight faces are compared at once: the processor has AVX2 */
+    int wide;                /* eight faces are compared at once: as burnish_atan2_array has it */
     size_t capacity;
     /* arrays of `capacity` and eight more, so that eight can be read from anywhere */
     double *x, *y, *z;         /* unit normals of the corners' faces */
@@ -240,10 +240,10 @@ typedef struct burnish_rings {
 } burnish_rings;
 
 /* Scratch for one thread and `capacity` corners at a time.
- *   surface       measured; decides where crease_angle is BURNISH_CREASE_AUTO. Stays until the
- * rings go crease_angle  degrees, [0, 180], or BURNISH_CREASE_AUTO wide          1: the processor
- * has AVX2; the results have the same bits Errors: memory->status; the arrays are then incomplete.
- */
+ *
+ * surface:      measured; decides where crease_angle is BURNISH_CREASE_AUTO. Stays until the rings
+ * go crease_angle: degrees, [0, 180], or BURNISH_CREASE_AUTO wide:         as burnish_atan2_array
+ * has it; the results have the same bits Errors: memory->status; the arrays are then incomplete. */
 void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle,
                           const burnish_surface *surface, int wide, burnish_memory *memory);
 

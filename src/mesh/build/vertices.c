@@ -316,16 +316,18 @@ static void create_scratch(vertex_maker *maker, size_t capacity) {
     maker->records = burnish_allocate(&maker->memory, capacity, sizeof *maker->records, "vertices");
 }
 
-/* Whether the instruction set that kernels would take has AVX2. */
-static int takes_avx2(void) {
+/* 2 where the instruction set that kernels would take has AVX-512, 1 for AVX2, else 0. */
+static int find_width(void) {
     burnish_isa isa;
     const burnish_status status = burnish_isa_choose(NULL, &isa, NULL);
-    return status == BURNISH_STATUS_OK && (isa == BURNISH_ISA_AVX2 || isa == BURNISH_ISA_AVX512);
+    return status != BURNISH_STATUS_OK ? 0
+           : isa == BURNISH_ISA_AVX512 ? 2
+                                       : isa == BURNISH_ISA_AVX2;
 }
 
 static vertex_maker *create_makers(burnish_builder *b, int count) {
     const size_t corners = 3 * b->triangle_count;
-    const int wide = takes_avx2();
+    const int wide = find_width();
     vertex_maker *makers =
         burnish_allocate_zeroed(b->memory, (size_t)count, sizeof *makers, "vertices");
     for (int i = 0; i < count && makers; ++i) {
