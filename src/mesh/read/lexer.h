@@ -167,6 +167,31 @@ static inline unsigned burnish_scan_digits(const uint8_t **text, uint64_t *value
     return count;
 }
 
+/* Moves past the next word of this line or a later one where it is `word`, in any case: up to eight
+ * small letters, known to the compiler. Returns 0, and moves nothing, for any other one and near
+ * the end of the text. */
+static inline __attribute__((always_inline)) int burnish_lexer_skip_word(burnish_lexer *lexer,
+                                                                         const char *word) {
+    const size_t size = strlen(word);
+    uint8_t letters[8] = {0};
+    burnish_lexer after = *lexer;
+    burnish_lexer_skip_blank_lines(&after);
+    if (after.end - after.next <= 8) {
+        return 0;
+    }
+    memcpy(letters, word, size);
+    /* No other characters become small letters with this bit. */
+    const uint64_t text = burnish_load_characters(after.next) | UINT64_C(0x2020202020202020);
+    const uint64_t other = text ^ burnish_load_characters(letters);
+    const uint8_t behind = after.next[size];
+    if (other << (64 - 8 * size) != 0 ||
+        !(burnish_is_blank(behind) || burnish_is_line_end(behind))) {
+        return 0;
+    }
+    lexer->next = after.next + size;
+    return 1;
+}
+
 /* mantissa * 10^exponent to the nearest double, ties to even; 0 where that needs more than the
  * bits of two words. mantissa > 0. */
 static inline int burnish_scale_decimal(uint64_t mantissa, int64_t exponent, double *value) {

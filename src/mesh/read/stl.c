@@ -251,8 +251,8 @@ static int fail_expected(stl_parser *stl, const char *expected, burnish_token wo
     return 0;
 }
 
-/* Reads one keyword, in any case. */
-static int expect(stl_parser *stl, const char *expected) {
+/* Reads one keyword, in any case, or says what stands there instead. */
+static int expect_slowly(stl_parser *stl, const char *expected) {
     burnish_token word;
     char quoted[16];
     const int found = burnish_lexer_word(&stl->lexer, &word);
@@ -261,6 +261,11 @@ static int expect(stl_parser *stl, const char *expected) {
     }
     snprintf(quoted, sizeof quoted, "\"%s\"", expected);
     return found ? fail_expected(stl, quoted, word) : fail_end(stl, quoted);
+}
+
+/* The same, faster where it is as nearly always. */
+static inline __attribute__((always_inline)) int expect(stl_parser *stl, const char *expected) {
+    return burnish_lexer_skip_word(&stl->lexer, expected) || expect_slowly(stl, expected);
 }
 
 static int fail_number(stl_parser *stl, const char *what, burnish_token word,
@@ -322,6 +327,9 @@ static int skip_normal(stl_parser *stl) {
 /* "normal x y z outer": some leave the normal out. */
 static int read_to_outer(stl_parser *stl) {
     burnish_token word;
+    if (burnish_lexer_skip_word(&stl->lexer, "normal")) {
+        return skip_normal(stl);
+    }
     if (!burnish_lexer_word(&stl->lexer, &word)) {
         return fail_end(stl, "\"normal\"");
     }
