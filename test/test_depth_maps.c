@@ -178,7 +178,7 @@ static void test_overdraw(void) {
                                            burnish_occlusion_view(2 * ((i + 1) % 32), 64, 128)};
         make_soup(&made, TRIANGLES, &state);
         drawer.transparent = i % 4 == 0 ? made.transparent : NULL;
-        drawer.max_overdraw = 1 << test_random32(&state) % 10;
+        drawer.max_overdraw = (1 << test_random32(&state) % 10) / 16.0;
         check_soup(&made, views, 2, &drawer, &state, "limit");
         draw_pairs(&made, &drawer, views, 2, BURNISH_ISA_SCALAR, 1, &run);
         refused += run.status == BURNISH_STATUS_LIMIT;

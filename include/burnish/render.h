@@ -127,12 +127,13 @@ typedef struct burnish_render_options {
     int ignore_colors;     /* 1: the mesh's vertex colours are not used */
     int cull_back_faces; /* 1: triangles seen from their back are not drawn: a closed surface looks
                             the same and takes less time; otherwise both sides are lit */
-    double max_overdraw; /* [1, infinity]: how often large triangles may cover the picture, and each
-                            depth map that shadows need, before it is refused with LIMIT: a bound of
-                            time. Of every triangle that may be seen and whose bounds are more than
-                            16 pixels wide or high its 8 x 8 pixel cells count, hidden or not: those
-                            of its bounds or, where fewer, of its area and outline; those of
-                            transparent triangles 16 times */
+    double max_overdraw; /* [1, infinity]: how often large triangles may cover the picture (one of
+                            less than 512 x 512 pixels as many times more), and, twice as often,
+                            each depth map that shadows need (256 x 256), before it is refused with
+                            LIMIT: a bound of time. Of every triangle that may be seen and whose
+                            bounds are more than 16 pixels wide or high its 8 x 8 pixel cells count,
+                            hidden or not: those of its bounds or, where fewer, of its area and
+                            outline; those of transparent triangles 16 times */
     burnish_counts counts; /* of the report; never changes the pixels */
 } burnish_render_options;
 

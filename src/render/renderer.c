@@ -121,6 +121,13 @@ static picture_key key_of(const drawing *d) {
     return key;
 }
 
+/* What a picture may be covered: small ones more often, as they have few pixels. */
+static double find_overdraw_limit(const burnish_render_options *options) {
+    enum { LEAST_AREA = 512 * 512 };
+    const double area = (double)options->width * options->height;
+    return options->max_overdraw * (area < LEAST_AREA ? LEAST_AREA / area : 1);
+}
+
 /* Vertices to the screen, triangles to batches; for rows of a picture only once. */
 static burnish_status transform(drawing *d) {
     burnish_renderer *renderer = d->renderer;
@@ -140,7 +147,7 @@ static burnish_status transform(drawing *d) {
     if (status == BURNISH_STATUS_OK) {
         d->report.overdraw = burnish_geometry_overdraw(&renderer->geometry, &d->view.raster);
         status = burnish_geometry_check_overdraw(&renderer->geometry, &d->view.raster,
-                                                 d->options->max_overdraw, "the picture",
+                                                 find_overdraw_limit(d->options), "the picture",
                                                  d->memory.error);
     }
     if (status == BURNISH_STATUS_OK && !is_done) {
@@ -417,6 +424,9 @@ static burnish_status draw(drawing *d) {
             burnish_transparency_update(&renderer->transparency, d->mesh, texturing,
                                         d->options->ignore_colors, &renderer->tasks, &d->memory);
     }
+    if (status == BURNISH_STATUS_OK) { /* first: what covers the picture too often needs no map */
+        status = transform(d);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = update_shadow(d);
     }
@@ -427,7 +437,6 @@ static burnish_status draw(drawing *d) {
         status = update_occlusion(d);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = transform(d);
         d->report.seconds_transform = burnish_seconds_now() - start;
     }
     if (status != BURNISH_STATUS_OK || !d->options->edges) {

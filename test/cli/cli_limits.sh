@@ -44,7 +44,7 @@ if command -v python3 >/dev/null; then
         same-120000.obj transparent-500.ply >/dev/null
     too_much sheets-4000.stl "the picture" --views=top --occlusion=none
     too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front
-    too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front --occlusion=none --shadow
+    too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front --occlusion=none --shadow --max-overdraw=250
     too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --occlusion=none --ground
     too_much same-120000.obj "the picture" --views=front --look=drawing
     too_much transparent-500.ply "the picture" --views=front --occlusion=none
@@ -53,6 +53,18 @@ if command -v python3 >/dev/null; then
     check "a higher limit: exit code $code" [ "$code" = 0 ]
     # 500 sheets of half the object's square, 0.9 of the picture's side each: a little more for cells at their edges
     check "overdraw: $(json overdraw)" awk "BEGIN { exit !($(json overdraw) >= 202 && $(json overdraw) < 320) }"
+    # A bundle of long thin triangles, as tubes in a tube have: at any size, also with the sky's depth maps.
+    awk 'BEGIN {
+        for (i = 0; i < 4000; ++i) {
+            a = i * 2.399963; c = cos(a); s = sin(a); z = i / 4000
+            printf "v %.4f %.4f %.4f\nv %.4f %.4f %.4f\nv %.4f %.4f %.4f\n", -c, -s, z, c, s, z, c + .004, s + .004, z + .002
+        }
+        for (i = 0; i < 4000; ++i) print "f", 3 * i + 1, 3 * i + 2, 3 * i + 3
+    }' >bundle.obj
+    for size in 64 256 768; do
+        run render bundle.obj --size=$size --max-overdraw=120 -o h.png
+        check "a bundle at $size: $(cat "$err")" [ "$code" = 0 ]
+    done
     rm -f ./*.stl ./*.obj ./*.ply h.png
 else
     echo "cli_limits: SKIPPED: hostile files, since python3 is missing"

@@ -727,10 +727,11 @@ static const cli_flag flags[] = {
      .high = 1e9,
      .manual =
          "A bound of time: refuses (exit code 5) to draw a mesh whose large triangles, hidden ones "
-         "included, cover the picture more than _N_ times; the same holds for each depth map of "
-         "ambient occlusion, ground and shadow. Transparent triangles count 16 times. Triangles of "
-         "up to 16 pixels are not counted, and "
-         "*--max-triangles* limits these. *overdraw* of *--json* tells the number.",
+         "included, cover the picture more than _N_ times (of less than 512 x 512 pixels: as many "
+         "pixels as _N_ pictures of these have), or a depth map of ambient occlusion, "
+         "ground or shadow more than 2 _N_ times. Transparent triangles count 16 times. Triangles "
+         "of up to 16 pixels are not counted, and *--max-triangles* limits these. *overdraw* of "
+         "*--json* tells the number.",
      .handler = cli_flag_real,
      TARGET(max_overdraw)},
     {.name = "max-seconds",
