@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "core/elementary.h"
 #include "core/srgb.h"
 
 /* From one level to the next. */
@@ -26,41 +25,54 @@ typedef struct texel_sum {
     float plain[3]; /* WEIGHTED: without alpha, for where all of it is 0 */
 } texel_sum;
 
-/* The vector of a texel of normals, its length below 1 where it is a mean. */
-static void load_normal(const uint8_t *texel, float vector[3]) {
-    const float shortened = 1.0f - (float)texel[3] * (1.0f / 255);
-    float squared = 0;
-    for (int k = 0; k < 3; ++k) {
-        vector[k] = (float)texel[k] * (2.0f / 255) - 1.0f;
-        squared += vector[k] * vector[k];
-    }
-    const float scale = squared > 0 ? (1.0f - shortened * shortened) / burnish_sqrtf(squared) : 0;
-    for (int k = 0; k < 3; ++k) {
-        vector[k] *= scale;
+/* Vectors of texels of normals, so many at a time that loops over them become vectors. */
+enum { NORMALS_AT_ONCE = 64 };
+typedef struct normal_vectors {
+    float v[3][NORMALS_AT_ONCE];
+} normal_vectors;
+
+/* Lengths are below 1 where normals are means. */
+static void load_normals(const uint8_t *texels, int count, normal_vectors *to) {
+    for (int i = 0; i < count; ++i) {
+        const float shortened = 1.0f - (float)texels[4 * i + 3] * (1.0f / 255);
+        const float x = (float)texels[4 * i] * (2.0f / 255) - 1.0f;
+        const float y = (float)texels[4 * i + 1] * (2.0f / 255) - 1.0f;
+        const float z = (float)texels[4 * i + 2] * (2.0f / 255) - 1.0f;
+        const float squared = (x * x + y * y) + z * z;
+        const float divisor = squared > 0 ? squared : 1;
+        const float scaled = (1.0f - shortened * shortened) / __builtin_sqrtf(divisor);
+        const float scale = squared > 0 ? scaled : 0;
+        to->v[0][i] = x * scale;
+        to->v[1][i] = y * scale;
+        to->v[2][i] = z * scale;
     }
 }
 
-static void store_normal(const float vector[3], uint8_t *texel) {
-    const float length =
-        burnish_sqrtf((vector[0] * vector[0] + vector[1] * vector[1]) + vector[2] * vector[2]);
-    const float missing = length < 1 ? 1 - length : 0;
-    for (int k = 0; k < 3; ++k) {
-        const float unit = length > 0 ? vector[k] / length : (float)(k == 2);
-        texel[k] = (uint8_t)((unit * 0.5f + 0.5f) * 255.0f + 0.5f);
+static void store_normals(const normal_vectors *from, int count, uint8_t *texels) {
+    for (int i = 0; i < count; ++i) {
+        const float x = from->v[0][i], y = from->v[1][i], z = from->v[2][i];
+        const float length = __builtin_sqrtf((x * x + y * y) + z * z);
+        const float missing = length < 1 ? 1 - length : 0;
+        const float divisor = length > 0 ? length : 1;
+        const float up = length > 0 ? z / divisor : 1;
+        const float shortened = 1.0f - __builtin_sqrtf(missing);
+        texels[4 * i] = (uint8_t)(int)((x / divisor * 0.5f + 0.5f) * 255.0f + 0.5f);
+        texels[4 * i + 1] = (uint8_t)(int)((y / divisor * 0.5f + 0.5f) * 255.0f + 0.5f);
+        texels[4 * i + 2] = (uint8_t)(int)((up * 0.5f + 0.5f) * 255.0f + 0.5f);
+        texels[4 * i + 3] = (uint8_t)(int)(shortened * 255.0f + 0.5f);
     }
-    texel[3] = (uint8_t)((1.0f - burnish_sqrtf(missing)) * 255.0f + 0.5f);
 }
 
 static void add_texel(burnish_texture_kind kind, const uint8_t *texel, float share,
                       texel_sum *sum) {
-    float vector[3];
+    normal_vectors normal;
     sum->weight += share;
     sum->alpha += share * (float)texel[3];
     switch (kind) {
     case BURNISH_TEXTURE_NORMALS:
-        load_normal(texel, vector);
+        load_normals(texel, 1, &normal);
         for (int k = 0; k < 3; ++k) {
-            sum->color[k] += share * vector[k];
+            sum->color[k] += share * normal.v[k][0];
         }
         break;
     case BURNISH_TEXTURE_NUMBERS:
@@ -80,9 +92,11 @@ static void add_texel(burnish_texture_kind kind, const uint8_t *texel, float sha
 static void store_texel(burnish_texture_kind kind, const texel_sum *sum, uint8_t *texel) {
     const int is_weighted = kind == BURNISH_TEXTURE_WEIGHTED && sum->alpha > 0;
     if (kind == BURNISH_TEXTURE_NORMALS) {
-        const float mean[3] = {sum->color[0] / sum->weight, sum->color[1] / sum->weight,
-                               sum->color[2] / sum->weight};
-        store_normal(mean, texel);
+        normal_vectors mean;
+        for (int k = 0; k < 3; ++k) {
+            mean.v[k][0] = sum->color[k] / sum->weight;
+        }
+        store_normals(&mean, 1, texel);
         return;
     }
     for (int k = 0; k < 3; ++k) {
@@ -141,6 +155,24 @@ static void halve_colors(const uint8_t *from, size_t row, int width, uint8_t *to
     }
 }
 
+static void halve_normals(const uint8_t *from, size_t row, int width, uint8_t *to) {
+    enum { HALF = NORMALS_AT_ONCE / 2 };
+    for (int x = 0; x < width; x += HALF) {
+        const int count = width - x < HALF ? width - x : HALF;
+        normal_vectors upper, lower, mean;
+        load_normals(from + 8 * (size_t)x, 2 * count, &upper);
+        load_normals(from + 8 * (size_t)x + row, 2 * count, &lower);
+        for (int k = 0; k < 3; ++k) {
+            for (int i = 0; i < count; ++i) {
+                mean.v[k][i] = (((upper.v[k][2 * i] + upper.v[k][2 * i + 1]) + lower.v[k][2 * i]) +
+                                lower.v[k][2 * i + 1]) *
+                               0.25f;
+            }
+        }
+        store_normals(&mean, count, to + 4 * (size_t)x);
+    }
+}
+
 static int halve_row(const level_step *step, int y) {
     const size_t row = row_size(step->from_width);
     const uint8_t *from = step->from + 2 * (size_t)y * row;
@@ -152,8 +184,10 @@ static int halve_row(const level_step *step, int y) {
         halve_numbers(from, row, step->to_width, to);
     } else if (step->kind == BURNISH_TEXTURE_COLORS) {
         halve_colors(from, row, step->to_width, to);
+    } else if (step->kind == BURNISH_TEXTURE_NORMALS) {
+        halve_normals(from, row, step->to_width, to);
     }
-    return step->kind == BURNISH_TEXTURE_NUMBERS || step->kind == BURNISH_TEXTURE_COLORS;
+    return step->kind != BURNISH_TEXTURE_WEIGHTED;
 }
 
 static void reduce_row(const level_step *step, int y) {
@@ -195,18 +229,28 @@ typedef struct level_copy {
     int width, is_normals;
 } level_copy;
 
+static void unit_normals(uint8_t *texels, int count) {
+    normal_vectors vectors;
+    for (int i = 0; i < count; ++i) {
+        texels[4 * i + 3] = 255;
+    }
+    load_normals(texels, count, &vectors);
+    store_normals(&vectors, count, texels);
+    for (int i = 0; i < count; ++i) {
+        texels[4 * i + 3] = 255;
+    }
+}
+
 static void copy_rows(void *context, size_t first, size_t end) {
     const level_copy *copy = context;
     const size_t size = 4 * (size_t)copy->width;
     for (size_t y = first; y < end; ++y) {
         uint8_t *to = copy->to + y * row_size(copy->width);
         memcpy(to, copy->from + y * size, size);
-        for (size_t i = 0; copy->is_normals && i < size; i += 4) {
-            float vector[3];
-            to[i + 3] = 255;
-            load_normal(to + i, vector);
-            store_normal(vector, to + i);
-            to[i + 3] = 255;
+        for (int x = 0; copy->is_normals && x < copy->width; x += NORMALS_AT_ONCE) {
+            const int rest = copy->width - x;
+            const int count = rest < NORMALS_AT_ONCE ? rest : NORMALS_AT_ONCE;
+            unit_normals(to + 4 * (size_t)x, count);
         }
     }
 }
