@@ -23,24 +23,35 @@ typedef struct long_triangle {
 } long_triangle;
 
 /* The texels that a row of texel centres has inside all edges: [*first, *last].
- *   e  floor(E / 256) at the centre of column 0, and its step to the next column */
-BURNISH_INLINE void clip_row(const int32_t e[3], const int32_t step[3], int *first, int *last) {
+ *   e        floor(E / 256) at the centre of column 0, and its step to the next column
+ *   columns  -1 / step: a quotient is whole or 2^-16 from it, so that EPSILON decides */
+BURNISH_INLINE void clip_row(const int32_t e[3], const int32_t step[3], const double columns[3],
+                             int *first, int *last) {
+    const double epsilon = 0x1p-20;
     for (int i = 0; i < 3; ++i) {
+        const double column = (double)e[i] * columns[i];
         if (step[i] > 0) {
-            const int from = e[i] >= 0 ? 0 : (int)((-e[i] + step[i] - 1) / step[i]);
+            const int from = e[i] >= 0 ? 0 : (int)(column + (1 - epsilon));
             *first = from > *first ? from : *first;
         } else {
-            const int to = e[i] < 0 ? -1 : step[i] == 0 ? *last : (int)(e[i] / -step[i]);
+            const int to = e[i] < 0 ? -1 : step[i] == 0 ? *last : (int)(column + epsilon);
             *last = to < *last ? to : *last;
         }
     }
 }
 
+enum { FEW_IN_A_ROW = 3 };
+
 /* Raises `count` texels in a row to codes that are linear along it, limited to those of the
  * vertices. */
 BURNISH_INLINE void raise_row(uint16_t *const depths[2], size_t texel, int count, float code,
                               float step, const float limits[2]) {
-    for (int x = 0; x < count; x += LANES) {
+    for (int x = 0; x < count && count <= FEW_IN_A_ROW; ++x) { /* as a vector does */
+        const float exact = code + (float)x * step, most = limits[1];
+        const float limited = exact > limits[0] ? exact : limits[0];
+        raise_texel(depths, texel + (size_t)x, (int32_t)(limited < most ? limited : most));
+    }
+    for (int x = 0; x < count && count > FEW_IN_A_ROW; x += LANES) {
         int32_t codes[LANES];
         const int some = count - x < LANES ? count - x : LANES;
         const vf along = vf_from_int(vi_add(vi_ramp(1), vi_set(x)));
@@ -52,13 +63,15 @@ BURNISH_INLINE void raise_row(uint16_t *const depths[2], size_t texel, int count
     }
 }
 
-/* Row by row: the texels between the edges are found by whole divisions, depths lie in a plane. */
+/* Row by row: the texels between the edges are found by quotients, depths lie in a plane. */
 BURNISH_INLINE void draw_long(const long_triangle *t, int size, uint16_t *const depths[2]) {
-    const double codes = BURNISH_MAP_CODES, inverse_area = 1 / (double)t->area;
-    const double step1 = t->depth[1] - t->depth[0], step2 = t->depth[2] - t->depth[0];
+    const double codes = BURNISH_MAP_CODES, scale = codes / (double)t->area;
+    const double step1 = (t->depth[1] - t->depth[0]) * scale;
+    const double step2 = (t->depth[2] - t->depth[0]) * scale;
     float limits[2] = {(float)(t->depth[0] * codes + 0.5), (float)(t->depth[0] * codes + 0.5)};
     int64_t start[3], dx[3], dy[3];
     int32_t e[3], right[3];
+    double columns[3];
     for (int i = 0; i < 3; ++i) {
         const int a = i == 2 ? 0 : i + 1, b = i == 0 ? 2 : i - 1;
         const float limit = (float)(t->depth[i] * codes + 0.5);
@@ -70,23 +83,22 @@ BURNISH_INLINE void draw_long(const long_triangle *t, int size, uint16_t *const 
         const int is_top_or_left = dy[i] < 0 || (dy[i] == 0 && dx[i] > 0);
         e[i] = (int32_t)((start[i] - !is_top_or_left) >> BURNISH_SUBPIXEL_BITS);
         right[i] = (int32_t)-dy[i];
+        columns[i] = dy[i] ? 1 / (double)dy[i] : 0;
         limits[0] = limit < limits[0] ? limit : limits[0];
         limits[1] = limit > limits[1] ? limit : limits[1];
     }
-    const double scale = codes * inverse_area;
-    const double per_x =
-        -BURNISH_SUBPIXELS * ((double)dy[1] * step1 + (double)dy[2] * step2) * scale;
-    for (int y = t->first_y; y <= t->last_y; ++y) {
-        int first = 0, last = t->last_x - t->first_x;
-        clip_row(e, right, &first, &last);
+    const double code =
+        t->depth[0] * codes + 0.5 + ((double)start[1] * step1 + (double)start[2] * step2);
+    const double per_x = -BURNISH_SUBPIXELS * ((double)dy[1] * step1 + (double)dy[2] * step2);
+    const double per_y = BURNISH_SUBPIXELS * ((double)dx[1] * step1 + (double)dx[2] * step2);
+    const int rows = t->last_y - t->first_y, wide = t->last_x - t->first_x;
+    size_t texel = (size_t)t->first_y * (size_t)size + (size_t)t->first_x;
+    for (int y = 0; y <= rows; ++y, texel += (size_t)size) {
+        int first = 0, last = wide;
+        clip_row(e, right, columns, &first, &last);
         if (first <= last) {
-            const int64_t down = y - t->first_y;
-            const int64_t e1 = start[1] + BURNISH_SUBPIXELS * (dx[1] * down - dy[1] * first);
-            const int64_t e2 = start[2] + BURNISH_SUBPIXELS * (dx[2] * down - dy[2] * first);
-            const double code =
-                t->depth[0] * codes + ((double)e1 * step1 + (double)e2 * step2) * scale + 0.5;
-            raise_row(depths, (size_t)y * (size_t)size + (size_t)(t->first_x + first),
-                      last - first + 1, (float)code, (float)per_x, limits);
+            raise_row(depths, texel + (size_t)first, last - first + 1,
+                      (float)(code + y * per_y + first * per_x), (float)per_x, limits);
         }
         for (int i = 0; i < 3; ++i) {
             e[i] += (int32_t)dx[i];
