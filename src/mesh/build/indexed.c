@@ -71,7 +71,7 @@ static uint32_t find_vertex(indexer *x, uint32_t position, uint32_t normal, uint
 }
 
 /* Room for the vertices of one more triangle. */
-static int has_room(indexer *x) {
+static inline int has_room(indexer *x) {
     burnish_memory *memory = x->b->memory;
     if (x->capacity - x->count < 3) {
         x->vertices = burnish_reserve(memory, x->vertices, &x->capacity, x->count + 3,

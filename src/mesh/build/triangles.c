@@ -103,10 +103,11 @@ static void swap_corners(uint32_t *corners, size_t triangle) {
  * generated, because those follow the winding. */
 static void orient(const burnish_builder *b, size_t triangle, burnish_vec3 cross) {
     burnish_vec3 sum = {0, 0, 0};
-    for (size_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-        const float *normal = burnish_file_normal(b->data, corner);
-        if (normal) {
-            sum = burnish_vec3_add(sum, burnish_vec3_loadf(normal));
+    const uint32_t *numbers = burnish_stream_corners(b->data, BURNISH_NORMAL) + 3 * triangle;
+    const float *normals = burnish_normals(b->data);
+    for (int i = 0; i < 3; ++i) {
+        if (b->normals_complete || numbers[i] != BURNISH_NONE) { /* no direction adds 0 */
+            sum = burnish_vec3_add(sum, burnish_vec3_loadf(normals + 3 * (size_t)numbers[i]));
         }
     }
     if (burnish_vec3_dot(cross, sum) < 0) {
