@@ -167,28 +167,47 @@ static void test_squares(void) {
 }
 
 /* Of more layers than are kept the nearest stay, and the others are counted. */
-static void test_limit(void) {
+static void check_limit(int limit, double max_overdraw) {
     static float more[SIZE * SIZE][4], kept[SIZE * SIZE][4];
     uint64_t state = test_seed(2);
-    const int extra = SQUARES - BURNISH_TRANSPARENT_LAYERS_MAX;
+    const int extra = SQUARES - limit;
     stack s = make_stack(SQUARES, 0.98f, &state);
-    stack nearest = {.count = BURNISH_TRANSPARENT_LAYERS_MAX};
+    stack nearest = {.count = limit};
     for (int i = 0; i < nearest.count; ++i) {
         nearest.heights[i] = s.heights[i + extra];
         nearest.transparency[i] = s.transparency[i + extra];
         memcpy(nearest.color[i], s.color[i + extra], sizeof s.color[i]);
     }
-    const burnish_render_options options = square_options(4, 0);
+    burnish_render_options options = square_options(4, 0);
     burnish_mesh *first = make_squares(&s, &state), *second = make_squares(&nearest, &state);
     burnish_render_report report;
+    options.max_overdraw = max_overdraw;
     draw_floats(first, &options, more[0], &report);
-    CHECK(report.layers_dropped == (size_t)extra * 4 * SIZE * SIZE / 4, "%zu",
-          report.layers_dropped);
+    CHECK(report.layers_dropped == (size_t)extra * 4 * SIZE * SIZE / 4, "%d of %g: %zu", limit,
+          report.overdraw, report.layers_dropped);
     draw_floats(second, &options, kept[0], &report);
     CHECK1(report.layers_dropped == 0);
     CHECK1(memcmp(more, kept, sizeof more) == 0);
     burnish_mesh_destroy(first);
     burnish_mesh_destroy(second);
+}
+
+/* Collecting layers takes as many passes as max_overdraw allows, and no more than are kept. */
+static void test_limit(void) {
+    uint64_t state = test_seed(2);
+    stack s = make_stack(SQUARES, 0.98f, &state);
+    burnish_mesh *mesh = make_squares(&s, &state);
+    const burnish_render_options options = square_options(4, 0);
+    static float pixels[SIZE * SIZE][4];
+    burnish_render_report report;
+    draw_floats(mesh, &options, pixels[0], &report);
+    burnish_mesh_destroy(mesh);
+    const int passes = BURNISH_TRANSPARENT_LAYERS_MAX / BURNISH_LAYERS_MAX;
+    check_limit(BURNISH_TRANSPARENT_LAYERS_MAX, HUGE_VAL);
+    const double small = SIZE * SIZE / (512.0 * 512.0); /* pictures may be covered more often */
+    for (int pass = 1; pass <= passes; ++pass) {
+        check_limit(pass * BURNISH_LAYERS_MAX, (pass + 0.01) * report.overdraw * small);
+    }
 }
 
 /* ---- Layers against triangles drawn one by one ---- */

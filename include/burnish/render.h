@@ -63,8 +63,9 @@ typedef enum burnish_counts {
 #define BURNISH_OCCLUSION_MAX 256
 #define BURNISH_OCCLUSION_AUTO (-1)
 
-/* Transparent surfaces that a sample shows at most: the nearest ones; those behind them are left
- * out, and counted in the report. */
+/* Transparent surfaces that a sample shows at most: the nearest ones, fewer (32 at least) where
+ * large ones are so many that more would exceed max_overdraw; those behind them are left out, and
+ * counted in the report. */
 #define BURNISH_TRANSPARENT_LAYERS_MAX 256
 /* Edges that are drawn as lines, hidden ones removed. */
 enum {

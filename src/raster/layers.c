@@ -123,12 +123,12 @@ int burnish_layers_next(const burnish_tile *tile, const burnish_raster_view *vie
     return fragments->count > 0;
 }
 
-int burnish_layers_deeper(burnish_tile *tile, const float *through, float least) {
+int burnish_layers_deeper(burnish_tile *tile, const float *through, float least, int passes) {
     burnish_tile_layers *layers = tile->layers;
     const size_t last = (size_t)(BURNISH_LAYERS_MAX - 1) * (size_t)layers->block_samples;
     const int count = BLOCKS * layers->block_samples;
     int is_any = 0;
-    if (layers->dropped == layers->dropped_before || layers->pass == BURNISH_LAYER_PASSES - 1) {
+    if (layers->dropped == layers->dropped_before) {
         return 0;
     }
     for (int i = 0; i < count; ++i) {
@@ -137,6 +137,9 @@ int burnish_layers_deeper(burnish_tile *tile, const float *through, float least)
             is_open ? layers->depths[burnish_layer_index(layers, i) + last] : 2 * BURNISH_FARTHEST;
         layers->counts[i] = 0;
         is_any |= is_open;
+    }
+    if (is_any && layers->pass + 1 >= passes) {
+        return 0;
     }
     layers->dropped = layers->dropped_before; /* what nobody would have seen does not count */
     layers->pass += is_any;

@@ -25,10 +25,11 @@ int burnish_layers_next(const burnish_tile *tile, const burnish_raster_view *vie
                         burnish_fragments *fragments);
 
 /* After the last layer has been handed over: prepares the tile for those that were too many, and
- * returns 0 where there are none, or passes are at an end. Then draw_deeper_layers collects them,
- * to be handed over from the start.
+ * returns 0 where there are none, or no pass is left. Then draw_deeper_layers collects them, to be
+ * handed over from the start.
  *   through  per sample: what passes of the light behind its layers so far
- *   least    samples that let no more through have had all that matters */
-int burnish_layers_deeper(burnish_tile *tile, const float *through, float least);
+ *   least    samples that let no more through have had all that matters
+ *   passes   [1, BURNISH_LAYER_PASSES], the first one included */
+int burnish_layers_deeper(burnish_tile *tile, const float *through, float least, int passes);
 
 #endif

@@ -88,7 +88,7 @@ static void shade_layers(const burnish_frame *frame, const burnish_bins *bins,
     worker->sums.layers = worker->layers;
     burnish_layer_light_clear(worker->layers, frame->output.samples);
     shade_pass(frame, &surface, worker);
-    while (burnish_layers_deeper(tile, worker->layers->through, UNSEEN)) {
+    while (burnish_layers_deeper(tile, worker->layers->through, UNSEEN, frame->layer_passes)) {
         frame->ops->draw_deeper_layers(tile, frame->geometry, bins, column, row);
         shade_pass(frame, &surface, worker);
     }

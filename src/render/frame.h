@@ -170,6 +170,7 @@ typedef struct burnish_frame {
     burnish_surface surface;
     burnish_output output;
     int counts_pixels; /* 1: covered pixels and their bounds are counted */
+    int layer_passes;  /* of transparent layers, [1, BURNISH_LAYER_PASSES] */
     uint8_t *drawn;    /* a byte per triangle of the mesh, set when it shows in a sample; or NULL */
     burnish_tasks *tasks;
     const burnish_context *context; /* whose memory is used */

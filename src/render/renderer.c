@@ -313,6 +313,13 @@ static void measure_hidden(drawing *d) {
     d->report.hidden_share = all > 0 ? hidden / all : 0;
 }
 
+/* How often a tile may collect transparent layers: all passes together are the work that
+ * max_overdraw allows. */
+static int layer_passes(const drawing *d) {
+    const double passes = find_overdraw_limit(d->options) / d->report.overdraw; /* by 0: inf */
+    return passes < BURNISH_LAYER_PASSES ? (int)passes : BURNISH_LAYER_PASSES;
+}
+
 /* Tiles to pixels. */
 static burnish_status draw_tiles(drawing *d) {
     burnish_renderer *renderer = d->renderer;
@@ -328,6 +335,7 @@ static burnish_status draw_tiles(drawing *d) {
                                       .view = &d->view,
                                       .ground = d->report.ground ? &d->view.ground : NULL},
                            .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
+                           .layer_passes = layer_passes(d),
                            .drawn = clear_drawn(d),
                            .tasks = &renderer->tasks,
                            .context = renderer->context};

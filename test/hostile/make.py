@@ -112,7 +112,7 @@ def growing(count):
                  i / count] for i in range(count)])
 
 
-def transparent(count):
+def transparent(count, alpha=20):
     """PLY with alpha."""
     header = ("ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty float x\n"
               "property float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
@@ -121,7 +121,7 @@ def transparent(count):
     out = [header.encode()]
     for i in range(count):
         t = sheet(i / count)
-        out += [struct.pack("<3f4B", *t[3 * k:3 * k + 3], 200, 100, 50, 20) for k in range(3)]
+        out += [struct.pack("<3f4B", *t[3 * k:3 * k + 3], 200, 100, 50, alpha) for k in range(3)]
     out += [struct.pack("<B3i", 3, 3 * i, 3 * i + 1, 3 * i + 2) for i in range(count)]
     return b"".join(out)
 
@@ -181,6 +181,7 @@ CASES = {
     "fan-450000.obj": (lambda: fan(450000), "--views=front"),
     "transparent-500.ply": (lambda: transparent(500), "--views=front"),
     "transparent-15000.ply": (lambda: transparent(15000), "--views=front"),
+    "faint-350.ply": (lambda: transparent(350, 1), ""),
     "libraries-50000.obj": (lambda: many_libraries(50000), ""),
     "libraries-400000.obj": (lambda: many_libraries(400000), ""),
     "libraries-long.obj": (lambda: long_libraries(900000), ""),

@@ -21,8 +21,8 @@ void render_warn_about_cell(render_result *result, const render_cell *cell) {
     if (cell->report.layers_dropped > 0) {
         render_result_warn(
             result, 1,
-            "%.300s: some samples show more than %d transparent layers; the farthest "
-            "ones are left out",
+            "%.300s: some samples have more transparent layers than %d, or than --max-overdraw "
+            "allows; the farthest ones are left out",
             input, BURNISH_TRANSPARENT_LAYERS_MAX);
     }
     if (cell->report.covered_pixels == 0) {

@@ -92,7 +92,8 @@ static const cli_term json_terms[] = {
     {"*covered_pixels, pixel_bounds*",
      "pixels that show the object; x0, y0, x1, y1, ends excluded"},
     {"*overdraw*", "how often large triangles cover the picture: what *--max-overdraw* limits"},
-    {"*layers_dropped*", "transparent layers of samples that were left out: beyond 256"},
+    {"*layers_dropped*", "transparent layers of samples that were left out: beyond 256, or 32 "
+                         "and more where *--max-overdraw* allows no more"},
     {"*cuts*", "the planes of *--clip* that cut something off, _X_,_Y_,_Z_,_D_ each"},
     {"*filled*", "true when the cuts are filled"},
     {"*near_white, near_black*",
