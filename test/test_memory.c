@@ -198,8 +198,9 @@ static void test_files(void) {
 
 /* ---- A renderer, used again ---- */
 
-/* Inside a coloured box: every kind of array is needed, those of clipped triangles too. */
-static burnish_mesh *make_box(int is_textured) {
+/* Inside a coloured box: every kind of array is needed, those of clipped triangles too. mode: of
+ * its textures' alpha; -1: it has none. */
+static burnish_mesh *make_box(int mode) {
     static const float POSITIONS[24] = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1,
                                         -1, -1, 1,  1, -1, 1,  -1, 1, 1,  1, 1, 1};
     static const uint32_t FACES[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
@@ -217,8 +218,9 @@ static burnish_mesh *make_box(int is_textured) {
     for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
         material.textures[slot].texture = 1;
     }
-    material.alpha_mode = BURNISH_ALPHA_BLEND;
-    if (is_textured) {
+    material.alpha_mode = mode < 0 ? BURNISH_ALPHA_IGNORE : (burnish_alpha_mode)mode;
+    material.alpha_cutoff = 0.15f; /* of the product of two */
+    if (mode >= 0) {
         arrays.texture_coordinates = (burnish_array){POSITIONS, 8, 12};
         arrays.materials = &material;
         arrays.textures = &texture;
@@ -271,8 +273,8 @@ static int fail_one(const burnish_mesh *mesh, const burnish_render_options *opti
     return has_failed;
 }
 
-static void test_renderer(int samples, int threads, int is_textured) {
-    burnish_mesh *mesh = make_box(is_textured);
+static void test_renderer(int samples, int threads, int mode) {
+    burnish_mesh *mesh = make_box(mode);
     const burnish_render_options options = box_options(samples, threads);
     burnish_image image;
     CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
@@ -289,7 +291,7 @@ static void test_renderer(int samples, int threads, int is_textured) {
 /* All that a renderer takes comes from its context, and goes back there; it runs short there too.
  */
 static void test_context(int samples, int threads) {
-    burnish_mesh *mesh = make_box(1);
+    burnish_mesh *mesh = make_box(BURNISH_ALPHA_BLEND);
     burnish_render_options options = box_options(samples, threads);
     counts own;
     burnish_context *context = make_context(&own);
@@ -334,9 +336,10 @@ static void test_context(int samples, int threads) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_files());
-    RUN(test_renderer(1, 1, 0));
-    RUN(test_renderer(4, 1, 1));
-    RUN(test_renderer(8, 3, 0));
+    RUN(test_renderer(1, 1, -1));
+    RUN(test_renderer(4, 1, BURNISH_ALPHA_BLEND));
+    RUN(test_renderer(1, 1, BURNISH_ALPHA_MASK));
+    RUN(test_renderer(8, 3, -1));
     RUN(test_context(1, 1));
     RUN(test_context(4, 3));
     return test_end("memory");
