@@ -517,7 +517,7 @@ static void test_long_name(void) {
     static const char line[] = "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n";
     CHECK1(burnish_mesh_load_memory(line, sizeof line - 1, name, &options, &scene, &error) ==
            BURNISH_STATUS_FORMAT);
-    CHECK(strstr(error.text, "xxx.obj: no triangle has any area; 1 triangles were read"), "%s",
+    CHECK(strstr(error.text, "xxx.obj: no triangle has any area; 1 triangle was read"), "%s",
           error.text);
     CHECK1(burnish_mesh_load_memory(NULL, 3, "a", &options, &scene, &error) ==
            BURNISH_STATUS_ARGUMENT);

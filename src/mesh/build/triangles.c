@@ -187,10 +187,11 @@ static burnish_status keep_triangles(burnish_builder *b, triangles_context *cont
     burnish_status status = burnish_tasks_check(b->data->tasks, b->memory->error);
     const size_t kept = atomic_load(&context->with_area);
     if (status == BURNISH_STATUS_OK && kept == 0) {
-        return burnish_fail(b->memory->error, BURNISH_STATUS_FORMAT,
-                            "%s: no triangle has any area; %zu triangles were read, and a mesh "
-                            "needs at least one whose corners are not on a line",
-                            burnish_show_name(b->name).text, count);
+        return burnish_fail(
+            b->memory->error, BURNISH_STATUS_FORMAT,
+            "%s: no triangle has any area; %zu triangle%s read, and a mesh needs at "
+            "least one whose corners are not on a line",
+            burnish_show_name(b->name).text, count, count == 1 ? " was" : "s were");
     }
     if (status == BURNISH_STATUS_OK && kept < count) {
         drop_triangles(b, kept);
