@@ -75,6 +75,17 @@ static void test_nameless_material(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* A name that has none of the library's names may end before a comment. */
+static void test_material_comment(void) {
+    library = "newmtl a\nKd 1 0 0\nnewmtl a # b\nKd 0 1 0\n";
+    burnish_mesh *mesh = load_text(
+        "a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a # c\nf 1 2 3\nusemtl a # b\nf 1 2 3\n", NULL);
+    CHECK1(mesh && burnish_mesh_material_count(mesh) == 2 &&
+           color_is(burnish_mesh_material(mesh, 0)->diffuse, 1, 0, 0) &&
+           color_is(burnish_mesh_material(mesh, 1)->diffuse, 0, 1, 0));
+    burnish_mesh_destroy(mesh);
+}
+
 /* What was read before and after the fault counts. */
 static void test_library_fault(void) {
     library = "newmtl a\nKd 0 1 0\nKs x 1 1\nNs 7\n";
@@ -521,6 +532,7 @@ static void test_foreign(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_nameless_material());
+    RUN(test_material_comment());
     RUN(test_library_fault());
     RUN(test_strict_build());
     RUN(test_missing_normals());

@@ -333,6 +333,22 @@ static void match_runs(void **runs, size_t run_count, void **entries, size_t ent
     }
 }
 
+static int compare_key(const void *name, const void *entry) {
+    return -compare_names(*(const burnish_mtl_entry *const *)entry, *(const burnish_token *)name);
+}
+
+/* Gives heads whose whole name is that of no entry the one that is named before a comment. */
+static void match_before_comments(burnish_obj_materials *materials, void **entries, size_t count) {
+    for (size_t i = 0; i < materials->run_count; ++i) {
+        burnish_obj_run *run = &materials->runs[i];
+        const burnish_token plain = cut_comment(run->name);
+        if (run->head == run && !run->entry && plain.size < run->name.size) {
+            void **entry = bsearch(&plain, entries, count, sizeof *entries, compare_key);
+            run->entry = entry ? *entry : NULL;
+        }
+    }
+}
+
 static burnish_status add_material(burnish_obj_materials *materials,
                                    const burnish_material *material, uint32_t *index) {
     burnish_mesh_data *mesh = materials->reader->mesh;
@@ -458,6 +474,7 @@ burnish_status burnish_obj_resolve_materials(burnish_obj_materials *materials) {
     burnish_status status = memory->status;
     if (status == BURNISH_STATUS_OK) {
         match_runs(runs, materials->run_count, entries, materials->library.count);
+        match_before_comments(materials, entries, materials->library.count);
         status = number_materials(materials);
     }
     burnish_release(memory->context, entries);
