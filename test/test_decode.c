@@ -265,9 +265,10 @@ static size_t make_bmp(uint8_t *to, const bmp_case *c) {
 
 static void test_bmp(void) {
     static const bmp_case cases[] = {
-        {40, 24, 0, 0},  {40, 24, 0, 1}, {40, 32, 0, 0}, {40, 32, 3, 0},  {56, 32, 3, 1},
-        {124, 32, 3, 0}, {40, 16, 0, 0}, {40, 8, 0, 0},  {40, 4, 0, 1},   {40, 1, 0, 0},
-        {12, 24, 0, 0},  {12, 8, 0, 0},  {12, 1, 0, 0},  {108, 24, 0, 0}, {124, 8, 0, 0}};
+        {40, 24, 0, 0}, {40, 24, 0, 1}, {40, 32, 0, 0},  {40, 32, 3, 0},
+        {44, 32, 3, 0}, {56, 32, 3, 1}, {124, 32, 3, 0}, {40, 16, 0, 0},
+        {40, 8, 0, 0},  {40, 4, 0, 1},  {40, 1, 0, 0},   {12, 24, 0, 0},
+        {12, 8, 0, 0},  {12, 1, 0, 0},  {108, 24, 0, 0}, {124, 8, 0, 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         const bmp_case *c = &cases[i];
         uint8_t bytes[400];
@@ -328,6 +329,14 @@ static void test_odd_bmp(void) {
               "case %zu", i);
         CHECK_TEXT(error.text, cases[i].text);
     }
+    /* masks that the header has no room for, beyond the end of the file */
+    static const bmp_case masked = {44, 32, 3, 0};
+    make_bmp(bytes, &masked);
+    put_number(bytes + 10, 58, 4);
+    put_number(bytes + 18, 1, 4);
+    put_number(bytes + 22, 1, 4);
+    CHECK1(burnish_image_decode(bytes, 62, "a.bmp", &image, &error) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(error.text, "a.bmp: the file ends before its pixels; it is truncated");
     const size_t size = make_bmp(bytes, &plain);
     bytes[size - 4] = 200; /* the first pixel of the upper row */
     if (CHECK1(burnish_image_decode(bytes, size, "a.bmp", &image, &error) == BURNISH_STATUS_OK)) {

@@ -75,7 +75,8 @@ static const char *read_header(const burnish_encoded *from, bmp *b) {
         return "its header is damaged";
     }
     b->stride = (b->width * b->depth + 31) / 32 * 4;
-    const size_t masks_size = has_masks && header == INFO ? 12 : 0;
+    const size_t masks_end = INFO + 12, /* of a shorter header the masks follow it */
+        masks_size = has_masks && header < masks_end ? masks_end - header : 0;
     const size_t palette_at = FILE_HEADER + header + masks_size;
     const size_t last_row = (b->width * b->depth + 7) / 8; /* whose padding may be missing */
     if (palette_at > b->size || b->pixels_at > b->size || b->height < 1 ||
