@@ -65,15 +65,17 @@ for flag in --no-sandbox $boxed; do
     sleep 0.1
     check "the importer has ended" [ -z "$(cut -d' ' -f3 "/proc/$(cat "$bin/number")/stat" 2>/dev/null | grep -v Z)" ]
 done
-importer "ulimit -v >'$bin/memory'"
-run batch a.fbx -d out --max-memory=1G
-check "its memory in a batch: $(cat "$bin/memory")" [ "$(cat "$bin/memory")" = 1048576 ]
-rm -rf out
+if [ "$boxed" ]; then # a sanitizer can't bear limits of memory
+    importer "ulimit -v >'$bin/memory'"
+    run batch a.fbx -d out --max-memory=1G
+    check "its memory in a batch: $(cat "$bin/memory")" [ "$(cat "$bin/memory")" = 1048576 ]
+    rm -rf out
+fi
 importer "echo \$\$ >'$bin/number'; exec sleep 60"
 start=$(date +%s)
 for flag in --no-sandbox $boxed; do
     # shellcheck disable=SC2086
-    run batch a.fbx -d out --max-seconds=0.3 ${flag#--sandbox}
+    run batch a.fbx -d out --max-seconds=0.3 --max-memory=8000000000G ${flag#--sandbox}
     check "a batch goes on: $code, $(cat "$err")" grep -q '^burnish: a.fbx: not done after 0.3 seconds (--max-seconds)' "$err"
     rm -rf out
 done
