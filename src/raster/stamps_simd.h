@@ -104,8 +104,8 @@ BURNISH_INLINE void keep_layers(const burnish_tile *tile, vm lanes, vf depth, vi
     }
     most = most < BURNISH_LAYERS_MAX ? most : BURNISH_LAYERS_MAX - 1;
     depth = vf_blend(lanes, depth, vf_set(NOTHING_TO_ADD));
-    if (least == BURNISH_LAYERS_MAX &&
-        !vm_any(vf_greater(depth, vf_load(layers->depths + first + (size_t)most * step)))) {
+    const vf farthest = vf_load(layers->depths + first + (size_t)most * step);
+    if (least == BURNISH_LAYERS_MAX && !vm_any(vm_and(lanes, vf_greater(depth, farthest)))) {
         return;
     }
     vm moved = vm_and_not(lanes, lanes); /* those behind the new one move on */
