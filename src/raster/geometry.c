@@ -153,23 +153,25 @@ static uint64_t batch_cells(const burnish_geometry *geometry, size_t number,
     return cells;
 }
 
-double burnish_geometry_overdraw(const burnish_geometry *geometry,
-                                 const burnish_raster_view *view) {
+double burnish_overdraw(uint64_t cells, const burnish_raster_view *view) {
     enum { PIXELS = BURNISH_HIZ_PIXELS * BURNISH_HIZ_PIXELS };
-    return (double)geometry->cells * PIXELS / ((double)view->width * view->height);
+    return (double)cells * PIXELS / ((double)view->width * view->height);
 }
 
-burnish_status burnish_geometry_check_overdraw(const burnish_geometry *geometry,
-                                               const burnish_raster_view *view, double most,
-                                               const char *what, burnish_error *error) {
-    const double overdraw = burnish_geometry_overdraw(geometry, view);
-    if (overdraw <= most) {
+double burnish_overdraw_limit(const burnish_raster_view *view, double most, double least_area) {
+    const double area = (double)view->width * view->height;
+    return most * (area < least_area ? least_area / area : 1);
+}
+
+burnish_status burnish_check_overdraw(double overdraw, double limit, const char *what,
+                                      burnish_error *error) {
+    if (overdraw <= limit) {
         return BURNISH_STATUS_OK;
     }
     return burnish_fail(error, BURNISH_STATUS_LIMIT,
                         "the triangles cover %s %.0f times, which takes long; the limit is %.0f: "
                         "raise max-overdraw, or leave out what is hidden",
-                        what, overdraw, most);
+                        what, overdraw, limit);
 }
 
 /* ---- Culling ---- */

@@ -146,13 +146,17 @@ burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish
                                        const burnish_triangles *triangles, burnish_tasks *tasks,
                                        burnish_error *error);
 
-/* How often the large triangles cover the picture: geometry->cells over its own cells. */
-double burnish_geometry_overdraw(const burnish_geometry *geometry, const burnish_raster_view *view);
+/* How often large triangles that touch so many cells (geometry.cells) cover a picture. */
+double burnish_overdraw(uint64_t cells, const burnish_raster_view *view);
 
-/* LIMIT where that is more than `most`; "the triangles cover `what` N times ...". */
-burnish_status burnish_geometry_check_overdraw(const burnish_geometry *geometry,
-                                               const burnish_raster_view *view, double most,
-                                               const char *what, burnish_error *error);
+/* How often they may: `most` times, and a picture of less than least_area pixels as many times
+ * more.
+ */
+double burnish_overdraw_limit(const burnish_raster_view *view, double most, double least_area);
+
+/* LIMIT where they do more often than that limit; "the triangles cover `what` N times ...". */
+burnish_status burnish_check_overdraw(double overdraw, double limit, const char *what,
+                                      burnish_error *error);
 
 void burnish_geometry_destroy(burnish_geometry *geometry);
 

@@ -147,7 +147,7 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
     for (int i = 0; i < BURNISH_HIZ_SIZE * BURNISH_HIZ_SIZE; ++i) {
         tile->hiz.cells[i] = BURNISH_FARTHEST;
     }
-    tile->is_overdrawn = burnish_geometry_overdraw(geometry, view) >= BURNISH_TILE_OVERDRAWN;
+    tile->is_overdrawn = burnish_overdraw(geometry->cells, view) >= BURNISH_TILE_OVERDRAWN;
     memset(tile->buffer.dirty_blocks, 0, sizeof tile->buffer.dirty_blocks);
     tile->primitives.count = 0;
     fill_outside(tile, BURNISH_NEAREST); /* nothing is drawn there, and HiZ does not wait for it */

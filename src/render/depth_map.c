@@ -1,5 +1,6 @@
 #include "render/depth_map.h"
 
+#include <stdatomic.h>
 #include <string.h>
 
 #include "render/bands.h"
@@ -145,14 +146,16 @@ static burnish_status prepare_tiles(burnish_map_drawer *drawer, int threads,
 /* Maps have few texels and hold nothing but depth, so they may be covered more often, small ones as
  * many times more: bundles of tubes, whose hidden long triangles HiZ rejects, reach 1500 in maps of
  * 256 x 256 texels, 3000 in smaller ones, and take 0.1 s. */
-static burnish_status check_overdraw(const burnish_map_drawer *drawer,
-                                     const burnish_raster_view *view, burnish_memory *memory) {
+static double overdraw_limit(const burnish_map_drawer *drawer, const burnish_raster_view *view) {
     enum { FACTOR = 2, LEAST_AREA = 256 * 256 };
-    const double area = (double)view->width * view->height;
-    const double most = drawer->max_overdraw * FACTOR * (area < LEAST_AREA ? LEAST_AREA / area : 1);
-    return burnish_geometry_check_overdraw(&drawer->geometry, view, most,
-                                           "a depth map (ambient occlusion, ground, shadow)",
-                                           memory->error);
+    return burnish_overdraw_limit(view, FACTOR * drawer->max_overdraw, LEAST_AREA);
+}
+
+static burnish_status check_overdraw(const burnish_map_drawer *drawer,
+                                     const burnish_raster_view *view, uint64_t cells,
+                                     burnish_memory *memory) {
+    return burnish_check_overdraw(burnish_overdraw(cells, view), overdraw_limit(drawer, view),
+                                  "a depth map (ambient occlusion, ground, shadow)", memory->error);
 }
 
 burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
@@ -171,7 +174,7 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_op
                                          memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = check_overdraw(drawer, &raster, memory);
+        status = check_overdraw(drawer, &raster, drawer->geometry.cells, memory);
     }
     if (status == BURNISH_STATUS_OK) {
         const burnish_bands bands = {&drawer->bins,  ops,   &drawer->geometry,
@@ -198,7 +201,16 @@ typedef struct maps_context {
     size_t stride;
     burnish_map_finish *finish;
     uint64_t cells[BURNISH_MAP_PAIRS]; /* that each pair's triangles touch */
+    atomic_int refused;                /* the first pair that is covered too often so far */
 } maps_context;
+
+/* The first of all pairs that is covered too often ends the call, so those after it may be left
+ * out, and none before it. */
+static void refuse_from(maps_context *all, int pair) {
+    int first = atomic_load(&all->refused);
+    while (pair < first && !atomic_compare_exchange_weak(&all->refused, &first, pair)) {
+    }
+}
 
 /* Draws BURNISH_MAPS pairs. */
 static void draw_pairs(void *context, size_t index, int thread) {
@@ -206,6 +218,9 @@ static void draw_pairs(void *context, size_t index, int thread) {
     const burnish_mesh_view *mesh = all->mesh;
     const int first = (int)index * BURNISH_MAPS, rest = all->count - first;
     burnish_raster_view views[BURNISH_MAPS];
+    if (first > atomic_load(&all->refused)) {
+        return;
+    }
     burnish_maps maps = {.count = rest < BURNISH_MAPS ? rest : BURNISH_MAPS,
                          .size = all->views->size,
                          .vertices = all->drawer->vertices + (size_t)thread * mesh->vertex_count,
@@ -224,6 +239,9 @@ static void draw_pairs(void *context, size_t index, int thread) {
     all->ops->draw_maps(&maps);
     for (int i = 0; i < maps.count; ++i) {
         all->cells[first + i] = maps.cells[i];
+        if (burnish_overdraw(maps.cells[i], &views[i]) > overdraw_limit(all->drawer, &views[i])) {
+            refuse_from(all, first + i);
+        }
         for (int side = 0; side < 2 && all->finish; ++side) {
             all->finish(maps.depths[i][side], (size_t)maps.size);
         }
@@ -237,7 +255,7 @@ burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_
                                       burnish_memory *memory) {
     const size_t fit = VERTEX_BUDGET / sizeof *drawer->vertices / (mesh->vertex_count + 1) + 1;
     const size_t all = (size_t)burnish_tasks_threads(tasks), threads = all < fit ? all : fit;
-    maps_context pairs = {drawer, ops, mesh, views, count, depths, stride, finish, {0}};
+    maps_context pairs = {drawer, ops, mesh, views, count, depths, stride, finish, {0}, count};
     drawer->vertices = burnish_reserve_discard(memory, drawer->vertices, &drawer->vertex_capacity,
                                                threads * mesh->vertex_count,
                                                sizeof *drawer->vertices, "vertices of depth maps");
@@ -249,8 +267,7 @@ burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_
     burnish_status status = burnish_tasks_check(tasks, memory->error);
     for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         const burnish_raster_view raster = raster_view(&views[i], mesh);
-        drawer->geometry.cells = pairs.cells[i];
-        status = check_overdraw(drawer, &raster, memory);
+        status = check_overdraw(drawer, &raster, pairs.cells[i], memory);
     }
     return status;
 }

@@ -121,11 +121,9 @@ static picture_key key_of(const drawing *d) {
     return key;
 }
 
-/* What a picture may be covered: small ones more often, as they have few pixels. */
-static double find_overdraw_limit(const burnish_render_options *options) {
+static double overdraw_limit(const drawing *d) {
     enum { LEAST_AREA = 512 * 512 };
-    const double area = (double)options->width * options->height;
-    return options->max_overdraw * (area < LEAST_AREA ? LEAST_AREA / area : 1);
+    return burnish_overdraw_limit(&d->view.raster, d->options->max_overdraw, LEAST_AREA);
 }
 
 /* Vertices to the screen, triangles to batches; for rows of a picture only once. */
@@ -145,10 +143,9 @@ static burnish_status transform(drawing *d) {
                                          &triangles, &renderer->tasks, d->memory.error);
     }
     if (status == BURNISH_STATUS_OK) {
-        d->report.overdraw = burnish_geometry_overdraw(&renderer->geometry, &d->view.raster);
-        status = burnish_geometry_check_overdraw(&renderer->geometry, &d->view.raster,
-                                                 find_overdraw_limit(d->options), "the picture",
-                                                 d->memory.error);
+        d->report.overdraw = burnish_overdraw(renderer->geometry.cells, &d->view.raster);
+        status = burnish_check_overdraw(d->report.overdraw, overdraw_limit(d), "the picture",
+                                        d->memory.error);
     }
     if (status == BURNISH_STATUS_OK && !is_done) {
         status = burnish_attributes_update(&renderer->attributes, &renderer->geometry, mesh,
@@ -316,7 +313,7 @@ static void measure_hidden(drawing *d) {
 /* How often a tile may collect transparent layers: all passes together are the work that
  * max_overdraw allows. */
 static int layer_passes(const drawing *d) {
-    const double passes = find_overdraw_limit(d->options) / d->report.overdraw; /* by 0: inf */
+    const double passes = overdraw_limit(d) / d->report.overdraw; /* by 0: inf */
     return passes < BURNISH_LAYER_PASSES ? (int)passes : BURNISH_LAYER_PASSES;
 }
 

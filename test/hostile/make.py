@@ -177,6 +177,7 @@ CASES = {
     "near-copies-20000.stl": (lambda: near_copies(20000), TOP),
     "same-1250.obj": (lambda: same(1250), "--views=front"),
     "same-120000.obj": (lambda: same(120000), "--views=front"),
+    "same-edge-on-120000.obj": (lambda: same(120000), "--views=top"),
     "same-turned-120000.obj": (lambda: same_turned(120000), "--views=front"),
     "fan-450000.obj": (lambda: fan(450000), "--views=front"),
     "transparent-500.ply": (lambda: transparent(500), "--views=front"),

@@ -239,11 +239,10 @@ typedef struct burnish_rings {
         *answers; /* what the surface said last: an edge is asked from both ends */
 } burnish_rings;
 
-/* Scratch for one thread and `capacity` corners at a time.
- *
- * surface:      measured; decides where crease_angle is BURNISH_CREASE_AUTO. Stays until the rings
- * go crease_angle: degrees, [0, 180], or BURNISH_CREASE_AUTO wide:         as burnish_atan2_array
- * has it; the results have the same bits Errors: memory->status; the arrays are then incomplete. */
+/* Scratch for one thread and `capacity` corners at a time. crease_angle is in degrees, [0, 180], or
+ * BURNISH_CREASE_AUTO: then the measured surface, which stays until the rings go, decides. `wide`
+ * is as burnish_atan2_array has it; the results have the same bits. Errors: memory->status; the
+ * arrays are then incomplete. */
 void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle,
                           const burnish_surface *surface, int wide, burnish_memory *memory);
 

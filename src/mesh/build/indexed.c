@@ -163,11 +163,11 @@ burnish_status burnish_build_indexed(burnish_builder *b, int *done) {
         return BURNISH_STATUS_OK;
     }
     x.extra = b->extra_count > 0 ? b->extras : NULL;
-    burnish_status status = burnish_build_allocate_indices(b);
+    burnish_build_allocate_indices(b);
     x.heads = burnish_allocate(b->memory, b->position_count, sizeof *x.heads, "vertices");
     x.vertices = burnish_reserve(b->memory, NULL, &x.capacity, b->position_count + 3,
                                  sizeof *x.vertices, "vertices");
-    status = b->memory->status;
+    burnish_status status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
         memset(x.heads, 0xff, b->position_count * sizeof *x.heads);
         burnish_tasks_in_order(b->data->tasks, b->triangle_count, BURNISH_BUILD_STEP, index_corners,
