@@ -106,6 +106,56 @@ expect 5 'burnish: a.fbx: larger than the limit of 3 bytes; raise the limit or s
     render a.fbx --max-input-bytes=3 -o r.png
 run render a.fbx --input-format=stl -o r.png
 check "a format that is named is not imported" [ "$code" = 4 ]
+
+# Whatever the name, and through standard input: --input-format says what it is.
+cp a.fbx a.dat
+importer "echo \"\$*\" >'$bin/arguments'; cat >'$bin/input'; cat '$bin/all.bms'"
+same_as_fbx() { # TEXT, of a picture r.png
+    check "$1: exit code $code, $(cat "$err")" [ "$code" = 0 ]
+    check "$1: the ending" [ "$(cat "$bin/arguments")" = dae ]
+    check "$1: the file" cmp -s a.fbx "$bin/input"
+    rm -f "$bin/arguments" "$bin/input"
+}
+for flag in --no-sandbox $boxed; do
+    run render a.dat --input-format=dae --size=64 "$flag" --json -o q.png
+    same_as_fbx "another ending, $flag"
+    check "the same picture, another ending, $flag" cmp -s p.png q.png
+    check "its format is the one named" [ "$(json format)" = dae ]
+    run_with() { # FILE-OR-PIPE ARGUMENTS...
+        "$burnish" "$@" >"$out" 2>"$err"
+        code=$?
+    }
+    run_with render - --input-format=dae --size=64 "$flag" -o q.png <a.fbx
+    same_as_fbx "standard input, $flag"
+    check "it has no folder: $(cat "$err")" grep -q 'warning: standard input: burnish-import-assimp: texture "a.png" is left out' "$err"
+    # shellcheck disable=SC2002
+    cat a.fbx | "$burnish" render - --input-format=dae --no-textures --size=64 "$flag" -o r.png 2>"$err"
+    code=$?
+    same_as_fbx "a pipe, $flag"
+    { read -r line && run_with render - --input-format=dae --no-textures --size=64 "$flag" -o r.png; } <a.fbx
+    check "what was left of standard input, $flag" [ "$line" = "an FBX" -a ! -s "$bin/input" ]
+    yes | run_with render - --input-format=dae --max-input-bytes=1M "$flag" -o s.png
+    check "a stream without end, $flag: $(cat "$err")" grep -qx 'burnish: standard input: larger than the limit of 1048576 bytes; raise the limit or simplify the mesh' "$err"
+done
+run_with info - --input-format=dae --json <a.fbx
+same_as_fbx info
+check "info's format" [ "$(json format)" = dae ]
+run_with compare - a.fbx --input-format=dae <a.fbx
+same_as_fbx compare
+importer "cat '$bin/error.bms'"
+cp "$here/../data/colors.ply" other.dat
+expect 4 "burnish: other.dat: $name: text" render other.dat --input-format=dae -o s.png
+rm other.dat
+expect 2 'burnish: --input-format: "exe" is not one of auto, gltf, obj, off, ply, stl, 3mf, bms, nor an ending that an importer reads (fbx, step ...; docs/importers.md)' info a.fbx --input-format=exe
+mkfifo "$bin/open"
+exec 5<>"$bin/open"
+for flag in --no-sandbox $boxed; do # it does not wait for input that nobody would read
+    BURNISH_IMPORTERS=$bin/none run_with render - --input-format=dae --max-seconds=60 "$flag" -o s.png <&5
+    check "no importer, $flag: $(cat "$err")" grep -q "^burnish: standard input: $name reads such files and is not there" "$err"
+done
+exec 5<&-
+rm -f a.dat
+importer "cat '$bin/all.bms'"
 expect 3 "burnish: none.fbx: can't be opened: No such file or directory" render none.fbx -o r.png
 
 # Folders of a batch: importers' files where the importer is installed.

@@ -142,6 +142,9 @@ static burnish_status begin(session *s, const char *name, session_flags flags,
     burnish_status status = s->name ? parse(&session_open_command, flags, &s->settings, error)
                                     : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     if (status == BURNISH_STATUS_OK) {
+        status = cli_refuse_foreign(s->settings.load.format, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
         *options = render_load_options(&s->settings);
         options->context = s->context;
     }

@@ -222,6 +222,7 @@ static burnish_status run_worker(const runner *r, render_settings *settings, fil
                                  int *is_late, burnish_error *line) {
     burnish_error error = {BURNISH_STATUS_OK, ""}, ended = {BURNISH_STATUS_OK, ""};
     const sandbox_plan plan = {.input = settings->input,
+                               .format = settings->load.format,
                                .outputs = {settings->output},
                                .output_count = 1,
                                .see_file = see_file,
@@ -297,11 +298,12 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
     add_hash(object, "hash", hash, &failed);
     add_hash(object, "picture", f->picture, &failed);
-    cli_json_add(
-        object, "format",
-        cJSON_CreateString(
-            has_format ? import_format_word(item->input, (burnish_format)f->format, ending) : ""),
-        &failed);
+    cli_json_add(object, "format",
+                 cJSON_CreateString(
+                     has_format ? import_format_word(item->input, b->settings->render.load.format,
+                                                     (burnish_format)f->format, ending)
+                                : ""),
+                 &failed);
     cli_json_add(object, "triangles", cli_json_count((size_t)f->triangles), &failed);
     cli_json_add(object, "vertices", cli_json_count((size_t)f->vertices), &failed);
     cli_json_add(object, "size", cli_json_floats(3, f->size), &failed);

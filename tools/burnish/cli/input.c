@@ -10,8 +10,48 @@
 const cli_word cli_input_formats[] = {{"auto", BURNISH_FORMAT_AUTO} BURNISH_FORMAT_LIST(WORD),
                                       {NULL, 0}};
 #define MANUAL(name, word, ...) "*" #word "*, "
-const char cli_input_format_manual[] = "Format of _INPUT_: " BURNISH_FORMAT_LIST(
-    MANUAL) "or *auto*, which looks at the name's ending and the first bytes.";
+#define FOREIGN_MANUAL(word) " *" #word "*"
+const char cli_input_format_manual[] = "Format of _INPUT_, whatever its name: " BURNISH_FORMAT_LIST(
+    MANUAL) "or *auto*, which looks at the name's ending and the first bytes. Also, where the "
+            "importer is installed (docs/importers.md), the endings of what it reads, without the "
+            "point:" CLI_OCCT_LIST(FOREIGN_MANUAL) CLI_ASSIMP_LIST(FOREIGN_MANUAL) ".";
+
+#define LISTED(name, word, ...) ", " #word
+#define FOREIGN_NAME(word) #word,
+static const char *const foreign[] = {CLI_OCCT_LIST(FOREIGN_NAME) CLI_ASSIMP_LIST(FOREIGN_NAME)};
+
+const char *cli_foreign_ending(int format) {
+    return format > CLI_FOREIGN_BEFORE && format < CLI_FOREIGN_COUNT
+               ? foreign[format - CLI_FOREIGN_BEFORE - 1]
+               : NULL;
+}
+
+burnish_status cli_refuse_foreign(int format, burnish_error *error) {
+    const char *ending = cli_foreign_ending(format);
+    return ending ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                             "--input-format: %s needs an importer, and none is run here; convert "
+                             "the file to glTF, OBJ, PLY or STL",
+                             ending)
+                  : BURNISH_STATUS_OK;
+}
+
+burnish_status cli_flag_input_format(const cli_flag *flag, const char *text, void *target,
+                                     burnish_error *error) {
+    for (int i = CLI_FOREIGN_BEFORE + 1; i < CLI_FOREIGN_COUNT; ++i) {
+        if (strcmp(cli_foreign_ending(i), text) == 0) {
+            *(int *)target = i;
+            return BURNISH_STATUS_OK;
+        }
+    }
+    burnish_error unused;
+    return cli_flag_word(flag, text, target, &unused) == BURNISH_STATUS_OK
+               ? BURNISH_STATUS_OK
+               : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--%s: \"%.60s\" is not one of auto" BURNISH_FORMAT_LIST(
+                              LISTED) ", nor an ending that an importer reads (fbx, step ...; "
+                                      "docs/importers.md)",
+                          flag->name, text);
+}
 
 burnish_load_options cli_load_options(const cli_input *input) {
     burnish_load_options options = burnish_load_options_default();

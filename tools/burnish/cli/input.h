@@ -5,15 +5,41 @@
 #include "burnish/mesh.h"
 #include "cli/values.h"
 
+/* What --input-format names besides burnish's own formats: endings of files that importers read
+ * (docs/importers.md). Of two importers with the same one the first counts. Endings that mean other
+ * things more often (.xml, .raw, .bvh, .csm ...) are left out. */
+#define CLI_OCCT_LIST(X) X(step) X(stp) X(p21) X(iges) X(igs) X(brep) X(brp)
+#define CLI_ASSIMP_LIST(X)                                                                         \
+    X(3ds)                                                                                         \
+    X(ac)                                                                                          \
+    X(ac3d)                                                                                        \
+    X(acc) X(amf) X(ase) X(ask) X(b3d) X(blend) X(cob) X(dae) X(dxf) X(enff) X(fbx) X(hmp) X(ifc)  \
+        X(ifczip) X(iqm) X(irrmesh) X(lwo) X(lxo) X(md2) X(md3) X(md5mesh) X(mdc) X(mdl) X(mesh)   \
+            X(ms3d) X(ndo) X(nff) X(ogex) X(pmx) X(q3o) X(q3s) X(scn) X(sib) X(smd) X(ter) X(x)    \
+                X(x3d) X(x3db) X(xgl) X(zae) X(zgl)
+#define CLI_FOREIGN_ENUM(word) CLI_FOREIGN_##word,
+typedef enum cli_foreign {
+    CLI_FOREIGN_BEFORE = 1000, /* beyond every burnish_format */
+    CLI_OCCT_LIST(CLI_FOREIGN_ENUM) CLI_ASSIMP_LIST(CLI_FOREIGN_ENUM) CLI_FOREIGN_COUNT
+} cli_foreign;
+
+/* The ending that such a format is, without the point; NULL: a burnish_format. */
+const char *cli_foreign_ending(int format);
+
+/* ARGUMENT where a format is such an ending, for what runs no importers; else OK. */
+burnish_status cli_refuse_foreign(int format, burnish_error *error);
+
 typedef struct cli_input {
-    int format, tessellation, strict, no_textures, no_libraries;
+    int format; /* burnish_format or cli_foreign */
+    int tessellation, strict, no_textures, no_libraries;
     cli_real animation_time;
     const char *animation;
     cli_real point_size;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
 } cli_input;
 
-/* The library's options as the flags say. */
+/* The library's options as the flags say. A cli_foreign stays in them as it is, for import_load and
+ * sandbox_load: the library knows none. */
 burnish_load_options cli_load_options(const cli_input *input);
 
 #define CLI_INPUT_ENDING(name, word, endings, ...) " " endings
@@ -37,11 +63,12 @@ burnish_file_loader cli_companion_loader(cli_companions *companions);
 /* Tables for the flags' rows. */
 extern const cli_word cli_input_formats[];
 extern const char cli_input_format_manual[];
+cli_handler cli_flag_input_format;
 
 /* The rows; `type` has the cli_input `member`. The first one's group stands before it. */
 #define CLI_INPUT_FORMAT_FLAG(type, member)                                                        \
-    .name = "input-format", .aliases = "format", .value = "NAME", .help = "of INPUT",              \
-    .default_text = "auto", .manual = cli_input_format_manual, .handler = cli_flag_word,           \
+    .name = "input-format", .aliases = "format", .value = "NAME", .help = "fbx ... or",            \
+    .default_text = "auto", .manual = cli_input_format_manual, .handler = cli_flag_input_format,   \
     .words = cli_input_formats, .offset = offsetof(type, member.format)
 
 #define CLI_TESSELLATION_FLAG(type, member)                                                        \

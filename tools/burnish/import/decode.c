@@ -32,7 +32,7 @@ int import_unnamed_file(void) {
 
 burnish_status import_decode(const char *name, int file, import_taker *take, void *context,
                              burnish_error *error) {
-    return import_run(&draco, name, file, UINT64_MAX, take, context, error);
+    return import_run(&draco, name, "", file, UINT64_MAX, take, context, error);
 }
 
 static burnish_status decode_here(const char *name, const void *bytes, size_t size,

@@ -25,16 +25,23 @@ void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]);
 /* The importer for a name's ending; NULL: readers of burnish know it, or nobody does. */
 const import_program *import_find(const char *name);
 
+/* The importer for an input: that of the cli_foreign (cli/input.h) which --input-format named,
+ * else, of a file whose format is to be guessed, that of its name's ending. NULL: none. ending
+ * receives what it is told */
+const import_program *import_choose(const char *input, int format, char ending[IMPORT_ENDING_SIZE]);
+
 /* What to call a mesh's format: of a file that an importer read its ending, and not that of the
- * stream between them. */
-const char *import_format_word(const char *name, burnish_format format,
+ * stream between them.
+ *   asked  what --input-format said */
+const char *import_format_word(const char *name, int asked, burnish_format format,
                                char ending[IMPORT_ENDING_SIZE]);
 
 /* Whether its program is there. */
 int import_is_installed(const import_program *importer);
 
 /* Runs it over an open input.
- *   name   of the input, for messages and for its ending
+ *   name   of the input, for messages
+ *   ending what it is told, if the program has no argument of its own
  *   input  a descriptor, which is read from its start where it has one, and stays open
  *   max_bytes  a larger file is refused
  *   take   gets the stream's bytes as they come; returns 0 to end the importer
@@ -43,8 +50,8 @@ int import_is_installed(const import_program *importer);
  * input where that is not given, and --max-seconds, at least 300.
  * Errors: FORMAT (no such program, it crashed), LIMIT (time, bytes), MEMORY, READ. */
 typedef int import_taker(void *context, const void *bytes, size_t size);
-burnish_status import_run(const import_program *importer, const char *name, int input,
-                          uint64_t max_bytes, import_taker *take, void *context,
+burnish_status import_run(const import_program *importer, const char *name, const char *ending,
+                          int input, uint64_t max_bytes, import_taker *take, void *context,
                           burnish_error *error);
 
 /* A taker that keeps them all: start from zeros, free(bytes) at the end. */
@@ -75,15 +82,30 @@ void import_set_decode(import_decode_function *function);
 burnish_status import_decode(const char *name, int file, import_taker *take, void *context,
                              burnish_error *error);
 
+/* An input for import_run: a file, or what standard input ("-") holds, copied to a file without a
+ * name where it is none or has been read from. At most max_bytes are copied, and 1 GiB: a stream
+ * need not end. Errors: READ, LIMIT, MEMORY. */
+burnish_status import_open(const char *path, uint64_t max_bytes, int *input, burnish_error *error);
+
+/* import_run over what `path` names, or over an open descriptor of it, held; -1: none. Standard
+ * input is not read where the program is not there. */
+burnish_status import_run_over(const import_program *importer, const char *ending, const char *path,
+                               int held, uint64_t max_bytes, import_taker *take, void *context,
+                               burnish_error *error);
+
+/* What messages call an input. */
+const char *import_shown(const char *path);
+
 /* A descriptor of an empty file without a name; -1: there is none. */
 int import_unnamed_file(void);
 
-/* burnish_mesh_load, through an importer where one reads files of such a name. */
+/* burnish_mesh_load, through an importer where import_choose has one for the path and
+ * options->format. */
 burnish_status import_load(const char *path, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error);
 
 /* Whether what an importer refused shall be tried by burnish's own readers: files are called
- * anything. */
-int import_may_be_other(burnish_status status);
+ * anything, unless --input-format says what they are. */
+int import_may_be_other(burnish_status status, int format);
 
 #endif

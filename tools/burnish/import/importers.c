@@ -3,22 +3,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/input.h"
 #include "cli/options.h"
 #include "import/folder.h"
 #include "import/import.h"
 
-/* Of two with the same ending the first counts. Endings that mean other things more often (.xml,
- * .raw, .bvh, .csm ...) are left out. */
+#define ENDING(word) "." #word " "
 static const char otherwise[] = "convert the file to glTF, OBJ, PLY or STL";
 static const import_program importers[] = {
     {"burnish-import-occt", "-DBURNISH_IMPORT_OCCT=ON, Debian's libocct-data-exchange-dev",
-     " .step .stp .p21 .iges .igs .brep .brp ", NULL, otherwise},
+     " " CLI_OCCT_LIST(ENDING), NULL, otherwise},
     {"burnish-import-assimp", "-DBURNISH_IMPORT_ASSIMP=ON, Debian's libassimp-dev",
-     " .3ds .ac .ac3d .acc .amf .ase .ask .b3d .blend .cob .dae .dxf .enff .fbx .hmp .ifc "
-     ".ifczip .iqm .irrmesh .lwo .lxo .md2 .md3 .md5mesh .mdc .mdl .mesh .ms3d .ndo .nff .ogex "
-     ".pmx "
-     ".q3o .q3s .scn .sib .smd .ter .x .x3d .x3db .xgl .zae .zgl ",
-     NULL, otherwise}};
+     " " CLI_ASSIMP_LIST(ENDING), NULL, otherwise}};
 
 static int lower(int c) {
     return c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c;
@@ -43,8 +39,19 @@ void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]) {
     ending[size] = 0;
 }
 
-const import_program *import_find(const char *name) {
+/* The one whose endings have that word: " .fbx ". */
+static const import_program *find_word(const char *word) {
+    for (size_t i = 0; i < sizeof importers / sizeof *importers; ++i) {
+        if (strstr(importers[i].endings, word)) {
+            return &importers[i];
+        }
+    }
+    return NULL;
+}
+
 #ifndef _WIN32
+
+const import_program *import_find(const char *name) {
     char ending[IMPORT_ENDING_SIZE], word[IMPORT_ENDING_SIZE + 4];
     import_get_ending(name, ending);
     if (!*ending || *name == ':') {
@@ -59,24 +66,42 @@ const import_program *import_find(const char *name) {
             return NULL;
         }
     }
-    for (size_t i = 0; i < sizeof importers / sizeof *importers; ++i) {
-        if (strstr(importers[i].endings, word)) {
-            return &importers[i];
-        }
+    return find_word(word);
+}
+
+const import_program *import_choose(const char *input, int format,
+                                    char ending[IMPORT_ENDING_SIZE]) {
+    const char *named = cli_foreign_ending(format);
+    char word[IMPORT_ENDING_SIZE + 4];
+    if (!named) {
+        import_get_ending(input, ending);
+        return format == BURNISH_FORMAT_AUTO && strcmp(input, "-") != 0 ? import_find(input) : NULL;
     }
+    snprintf(ending, IMPORT_ENDING_SIZE, "%s", named);
+    snprintf(word, sizeof word, " .%s ", named);
+    return *input == ':' ? NULL : find_word(word);
+}
+
 #else
-    (void)name, (void)importers;
-#endif
+
+const import_program *import_find(const char *name) {
+    (void)name, (void)find_word;
     return NULL;
 }
 
-const char *import_format_word(const char *name, burnish_format format,
+const import_program *import_choose(const char *input, int format,
+                                    char ending[IMPORT_ENDING_SIZE]) {
+    (void)input, (void)format, (void)ending;
+    return NULL;
+}
+
+#endif
+
+const char *import_format_word(const char *name, int asked, burnish_format format,
                                char ending[IMPORT_ENDING_SIZE]) {
-    if (format == BURNISH_FORMAT_BMS && import_find(name)) {
-        import_get_ending(name, ending);
-        return ending;
-    }
-    return burnish_format_get_info(format)->name;
+    return format == BURNISH_FORMAT_BMS && import_choose(name, asked, ending)
+               ? ending
+               : burnish_format_get_info(format)->name;
 }
 
 int import_keep(void *context, const void *bytes, size_t size) {
@@ -129,6 +154,10 @@ burnish_status import_build(const import_program *importer, const char *name,
     return burnish_mesh_load_memory(stream->bytes, stream->size, whole, &handed, mesh, error);
 }
 
-int import_may_be_other(burnish_status status) {
-    return status == BURNISH_STATUS_FORMAT;
+int import_may_be_other(burnish_status status, int format) {
+    return status == BURNISH_STATUS_FORMAT && !cli_foreign_ending(format);
+}
+
+const char *import_shown(const char *path) {
+    return strcmp(path, "-") == 0 ? "standard input" : path;
 }

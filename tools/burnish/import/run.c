@@ -1,6 +1,7 @@
 /* Runs an importer. */
 #include "import/import.h"
 
+#include "cli/input.h"
 #include "cli/options.h"
 
 #ifndef _WIN32
@@ -37,7 +38,7 @@ enum {
 /* A run of an importer. */
 typedef struct run {
     const import_program *importer;
-    const char *name;
+    const char *name, *ending;
     burnish_error *error;
     char path[4096];
     pid_t process;
@@ -140,11 +141,8 @@ static burnish_status start(run *r, int input, uint64_t memory) {
     int ends[2];
     const pid_t self = getpid();
     snprintf(program, sizeof program, "%s", r->importer->name);
-    if (r->importer->argument) {
-        snprintf(ending, sizeof ending, "%s", r->importer->argument);
-    } else {
-        import_get_ending(r->name, ending);
-    }
+    snprintf(ending, sizeof ending, "%s",
+             r->importer->argument ? r->importer->argument : r->ending);
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     if (nothing < 0 || pipe(ends) != 0) {
         const int code = errno;
@@ -261,13 +259,16 @@ static burnish_status end(const run *r, burnish_status status) {
     return fail(r, BURNISH_STATUS_FORMAT, what);
 }
 
-burnish_status import_run(const import_program *importer, const char *name, int input,
-                          uint64_t max_bytes, import_taker *take, void *context,
+burnish_status import_run(const import_program *importer, const char *name, const char *ending,
+                          int input, uint64_t max_bytes, import_taker *take, void *context,
                           burnish_error *error) {
     struct stat state;
     const double seconds = cli_seconds_given() > SECONDS ? cli_seconds_given() : SECONDS;
-    run r = {
-        .importer = importer, .name = name, .error = error, .end = cli_seconds_now() + seconds};
+    run r = {.importer = importer,
+             .name = name,
+             .ending = ending,
+             .error = error,
+             .end = cli_seconds_now() + seconds};
     burnish_status status = find_program(&r);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -295,54 +296,51 @@ burnish_status import_run(const import_program *importer, const char *name, int 
 
 /* ---- Loading ---- */
 
-static burnish_status open_input(const char *path, int *input, burnish_error *error) {
-    struct stat state;
-    *input = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
-    if (*input < 0) {
-        return cli_fail(error, BURNISH_STATUS_READ, "%.300s: can't be opened: %s", path,
-                        strerror(errno));
-    }
-    burnish_status status = BURNISH_STATUS_OK;
-    if (fstat(*input, &state) != 0 || S_ISDIR(state.st_mode)) {
-        status =
-            cli_fail(error, BURNISH_STATUS_READ, "%.300s: can't be read: Is a directory", path);
+burnish_status import_run_over(const import_program *importer, const char *ending, const char *path,
+                               int held, uint64_t max_bytes, import_taker *take, void *context,
+                               burnish_error *error) {
+    run r = {.importer = importer, .name = import_shown(path), .error = error};
+    int input = held;
+    burnish_status status = strcmp(path, "-") == 0 ? find_program(&r) : BURNISH_STATUS_OK;
+    if (status == BURNISH_STATUS_OK && held < 0) {
+        status = import_open(path, max_bytes, &input, error);
     }
     if (status != BURNISH_STATUS_OK) {
-        close(*input);
+        return status;
+    }
+    status = import_run(importer, r.name, ending, input, max_bytes, take, context, error);
+    if (held < 0) {
+        close(input);
     }
     return status;
 }
 
 burnish_status import_load(const char *path, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error) {
-    const import_program *importer =
-        options->format == BURNISH_FORMAT_AUTO ? import_find(path) : NULL;
+    char ending[IMPORT_ENDING_SIZE];
+    const int asked = (int)options->format;
+    const import_program *importer = import_choose(path, asked, ending);
     burnish_load_options handed = *options;
     import_stream stream = {0};
     burnish_error native;
-    int input;
     *mesh = NULL;
     handed.decoder = import_decoder(path);
     if (!importer) {
-        return burnish_mesh_load(path, &handed, mesh, error);
+        handed.format = cli_foreign_ending(asked) ? BURNISH_FORMAT_AUTO : options->format;
+        return burnish_mesh_load(path, &handed, mesh, error); /* a built-in object */
     }
-    burnish_status status = open_input(path, &input, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    status =
-        import_run(importer, path, input, options->max_input_bytes, import_keep, &stream, error);
-    close(input);
+    burnish_status status = import_run_over(importer, ending, path, -1, options->max_input_bytes,
+                                            import_keep, &stream, error);
     if (status == BURNISH_STATUS_OK || stream.is_short) {
         int folder = folder_open(path);
-        status =
-            import_build(importer, path, &stream, options, folder_loader(&folder), mesh, error);
+        status = import_build(importer, import_shown(path), &stream, options,
+                              folder_loader(&folder), mesh, error);
         if (folder >= 0) {
             close(folder);
         }
     }
     free(stream.bytes);
-    return import_may_be_other(status) &&
+    return import_may_be_other(status, asked) &&
                    burnish_mesh_load(path, &handed, mesh, &native) == BURNISH_STATUS_OK
                ? BURNISH_STATUS_OK
                : status;
@@ -357,7 +355,9 @@ int import_is_installed(const import_program *importer) {
 
 burnish_status import_load(const char *path, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error) {
-    return burnish_mesh_load(path, options, mesh, error);
+    const burnish_status status =
+        *path == ':' ? BURNISH_STATUS_OK : cli_refuse_foreign((int)options->format, error);
+    return status == BURNISH_STATUS_OK ? burnish_mesh_load(path, options, mesh, error) : status;
 }
 
 #endif

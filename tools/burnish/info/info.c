@@ -126,6 +126,7 @@ const cli_command info_command = {
 /* What there is to tell. */
 typedef struct report {
     const char *input;
+    int asked; /* by --input-format */
     const burnish_mesh *mesh;
     const burnish_mesh_view *view;
     const burnish_mesh_facts *facts;
@@ -133,7 +134,7 @@ typedef struct report {
 } report;
 
 static const char *format_name(const report *r, char ending[IMPORT_ENDING_SIZE]) {
-    return import_format_word(r->input, burnish_mesh_get_info(r->mesh)->format, ending);
+    return import_format_word(r->input, r->asked, burnish_mesh_get_info(r->mesh)->format, ending);
 }
 
 /* ---- JSON ---- */
@@ -290,6 +291,7 @@ static void print_text(FILE *stream, const report *r) {
 static burnish_status print(const info_settings *settings, const char *input,
                             const burnish_mesh *mesh, burnish_error *error) {
     report r = {.input = input,
+                .asked = settings->load.format,
                 .mesh = mesh,
                 .view = burnish_mesh_get_view(mesh),
                 .facts = burnish_mesh_get_facts(mesh)};

@@ -153,7 +153,7 @@ static void add_cuts(cJSON *root, const burnish_mesh_view *view, int *failed) {
 
 static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     char ending[IMPORT_ENDING_SIZE];
-    const char *format = import_format_word(result->settings->input,
+    const char *format = import_format_word(result->settings->input, result->settings->load.format,
                                             burnish_mesh_get_info(result->mesh)->format, ending);
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
     cJSON *box = cJSON_CreateObject();

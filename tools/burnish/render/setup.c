@@ -396,9 +396,13 @@ burnish_load_options render_load_options(const render_settings *settings) {
 burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
                            burnish_error *error) {
     const burnish_load_options options = render_load_options(settings);
-    return settings->load_mesh
+    if (!settings->load_mesh) {
+        return sandbox_load(settings->input, &options, mesh, error);
+    }
+    const burnish_status status = cli_refuse_foreign(settings->load.format, error);
+    return status == BURNISH_STATUS_OK
                ? settings->load_mesh(settings->load_context, settings->input, &options, mesh, error)
-               : sandbox_load(settings->input, &options, mesh, error);
+               : status;
 }
 
 /* One material as the flags want it. */

@@ -131,13 +131,16 @@ static int send_piece(void *context, const void *bytes, size_t size) {
 }
 
 static void import(broker *b, uint64_t max_bytes) {
-    const import_program *importer = import_find(b->plan->input);
+    char ending[IMPORT_ENDING_SIZE];
+    const import_program *importer = import_choose(b->plan->input, b->plan->format, ending);
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    if (!importer || b->input < 0) {
+    if (!importer) {
         b->broken = 1;
         return;
     }
-    tell(b, import_run(importer, b->plan->input, b->input, max_bytes, send_piece, b, &error),
+    tell(b,
+         import_run_over(importer, ending, b->plan->input, b->input, max_bytes, send_piece, b,
+                         &error),
          &error);
 }
 

@@ -21,6 +21,7 @@ enum { SANDBOX_OUTPUTS_MAX = 16 };
 
 typedef struct sandbox_plan {
     const char *input; /* a file, "-", or a built-in object */
+    int format;        /* of the input, as --input-format says: which importer may be run */
     const char *outputs[SANDBOX_OUTPUTS_MAX];
     size_t output_count;
     /* Gets each file beside the input that the worker asks for; bytes are NULL where it can't have

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "cli/file.h"
+#include "cli/input.h"
 #include "cli/options.h"
 #include "sandbox/channel.h"
 
@@ -165,17 +166,20 @@ burnish_status sandbox_load(const char *input, const burnish_load_options *optio
     }
     handed.decoder = import_decoder(input);
     import_set_decode(decode_by_broker);
-    if (*input == ':' || strcmp(input, "-") == 0) {
+    const int asked = (int)options->format, is_standard = strcmp(input, "-") == 0;
+    char ending[IMPORT_ENDING_SIZE];
+    const import_program *importer = import_choose(input, asked, ending);
+    if (!importer && (*input == ':' || is_standard)) {
+        handed.format = cli_foreign_ending(asked) ? BURNISH_FORMAT_AUTO : options->format;
         return burnish_mesh_load(input, &handed, mesh, error);
     }
-    handed.companions = (burnish_file_loader){load_by_broker, release_file, NULL};
-    const import_program *importer =
-        options->format == BURNISH_FORMAT_AUTO ? import_find(input) : NULL;
+    handed.companions = is_standard ? (burnish_file_loader){0}
+                                    : (burnish_file_loader){load_by_broker, release_file, NULL};
     burnish_error native;
     burnish_status status =
-        importer ? import(importer, input, &handed, mesh, error)
+        importer ? import(importer, import_shown(input), &handed, mesh, error)
                  : burnish_mesh_load_descriptor(input_file, input, &handed, mesh, error);
-    if (importer && import_may_be_other(status) &&
+    if (importer && import_may_be_other(status, asked) &&
         burnish_mesh_load_descriptor(input_file, input, &handed, mesh, &native) ==
             BURNISH_STATUS_OK) {
         status = BURNISH_STATUS_OK;
