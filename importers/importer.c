@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "archive.h"
 #include "core/srgb.h"
 #include "mesh/read/unpack.h"
 #include "sandbox/lock.h"
@@ -296,15 +297,18 @@ void importer_unpack(importer_input *input) {
     burnish_error error = {0};
     burnish_memory memory = burnish_memory_of(NULL, &error);
     uint8_t *unpacked;
-    const burnish_status status = burnish_unpack_input(&wrapped, &memory, &unpacked);
+    burnish_status status = burnish_unpack_input(&wrapped, &memory, &unpacked);
+    input->bytes = wrapped.bytes;
+    input->size = wrapped.size;
+    if (status == BURNISH_STATUS_OK) {
+        status = importer_unpack_archive(input, &error);
+    }
     if (status != BURNISH_STATUS_OK) {
         importer_fail(status == BURNISH_STATUS_LIMIT    ? BURNISH_BMS_LIMIT_ERROR
                       : status == BURNISH_STATUS_MEMORY ? BURNISH_BMS_MEMORY_ERROR
                                                         : BURNISH_BMS_FORMAT_ERROR,
                       error.text);
     }
-    input->bytes = wrapped.bytes;
-    input->size = wrapped.size;
 }
 
 /* Libraries print what they like: standard output and error lead nowhere from now on. */

@@ -91,7 +91,8 @@ _Noreturn
 #endif
 void importer_finish(void);
 
-/* Takes gzip off, and makes UTF-8 of UTF-16 with a mark; ends the process where it can't. */
+/* Takes gzip and zip off, and makes UTF-8 of UTF-16 with a mark; ends the process where it can't.
+ */
 void importer_unpack(importer_input *input);
 
 /* Adds a line to the warnings, once. */

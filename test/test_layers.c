@@ -41,7 +41,7 @@ static const struct layer {
     {"tools/burnish/view", "cli picture render burnish"},
     {"tools/generate", ""},
     {"tools/session", "cli render burnish"},
-    {"importers", "mesh/read/bms.h mesh/read/unpack.h core/srgb.h sandbox/lock.h"},
+    {"importers", "mesh/read/bms.h mesh/read/unpack.h mesh/read/zip.h core/srgb.h sandbox/lock.h"},
     {"importers/assimp", "importers"},
     {"importers/draco", "importers"},
     {"importers/occt", "importers"},

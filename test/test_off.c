@@ -75,6 +75,56 @@ static void test_vertices(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* Without a prefix: three or four numbers behind the coordinates are colours or normals. */
+static void test_unnamed_values(void) {
+    static const struct {
+        const char *rows[3];
+        unsigned color; /* of the first vertex; 0: there are none */
+        int has_normals;
+    } cases[] = {
+        {{"255 128 0", "0 0 1", "9 9 9"}, 0xFF8000FF, 0},
+        {{"255 128 0 64", "0 0 1 255", "9 9 9 255"}, 0xFF800040, 0},
+        {{"1 0.5 0", "0 0 1", "0 0 0"}, 0xFF8000FF, 0},
+        {{"1 0 0", "0 0.25 1", "1 1 1"}, 0xFF0000FF, 0}, /* the row alone would be 1/255 */
+        {{"1 0 0", "0 1 0", "0 0 1"}, 0xFF0000FF, 0},    /* of length 1, but pure */
+        {{"0 0.6 0.8", "0 0 -1", "1 0 0"}, 0, 1},
+        {{"0 0.6 0.8", "0.6 0 0.8", "0.6 0.8 0"}, 0, 1}, /* no colours are so all over */
+        {{"0 0.6 0.8", "0.6 0.6 0.8", "0.2 0 0"}, 0x0099CCFF, 0},
+        {{"0 300 1", "0 0 1", "0 0 1"}, 0, 0}, /* neither */
+        {{"0 -2 1", "0 0 1", "3 0 1"}, 0, 0},
+        {{"9 9", "9 9", "9 9"}, 0, 0},
+        {{"9 9 9", "9 9", "9 9 9"}, 0, 0},
+        {{"9 9 9", "9 9 9 9", "9 9 9"}, 0, 0},
+        {{"nan 0 0", "0 0 1", "0 0 1"}, 0, 0},
+        {{"9 9 9 9 9", "9 9 9 9 9", "9 9 9 9 9"}, 0, 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char text[200];
+        snprintf(text, sizeof text,
+                 "OFF\n# c\n3 1 0\n0 0 0 %s\n\n1 0 0 %s # c\n0 1 0 %s\n3 0 1 2\n", cases[i].rows[0],
+                 cases[i].rows[1], cases[i].rows[2]);
+        burnish_mesh *mesh = load(text, NULL);
+        const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+        if (CHECK(view, "case %zu", i)) {
+            const float *normal = view->normals + 3 * vertex_at(view, 0, 0);
+            CHECK((view->colors != NULL) == (cases[i].color != 0), "case %zu", i);
+            CHECK(!view->colors || color_is_at(mesh, 0, 0, cases[i].color), "case %zu", i);
+            CHECK((normal[1] == 0.6f && normal[2] == 0.8f) == cases[i].has_normals, "case %zu", i);
+        }
+        burnish_mesh_destroy(mesh);
+    }
+    burnish_mesh *mesh = load("STOFF\n3 1 0\n0 0 0 255 0 0 0.5 1\n1 0 0 0 0 9 0 0\n"
+                              "0 1 0 0 0 9 0 0\n3 0 1 2\n",
+                              NULL);
+    CHECK1(mesh && color_is_at(mesh, 0, 0, 0xFF0000FF) &&
+           burnish_mesh_get_view(mesh)
+                   ->texture_coordinates[2 * vertex_at(burnish_mesh_get_view(mesh), 0, 0)] == 0.5f);
+    burnish_mesh_destroy(mesh);
+    mesh = load("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 0.5 0 1\n0 1 0 0 0 0 1\n3 0 1 2\n", NULL);
+    CHECK1(mesh && color_is_at(mesh, 0, 0, 0xFF0000FF));
+    burnish_mesh_destroy(mesh);
+}
+
 /* A vertex of two faces has both their colours; a face without one is white. */
 static void test_face_colors(void) {
     burnish_mesh *mesh =
@@ -215,6 +265,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_plain());
     RUN(test_vertices());
+    RUN(test_unnamed_values());
     RUN(test_face_colors());
     RUN(test_odd_lines());
     RUN(test_long_wrapped());

@@ -289,6 +289,42 @@ static void test_ply_lines(void) {
     }
 }
 
+/* Comments in the body, where the format has none, and blank lines, which are none. Lines keep
+ * their numbers. */
+static void test_ply_comments(void) {
+    static const struct {
+        const char *body, *warning;
+    } cases[] = {
+        {"comment by hand\n0 0 0 9 2 3\n1 0 0 9 2 3\n0 1 0 9 2 3\n3 0 1 2\n",
+         "a.ply:13: a comment among the rows was passed over"},
+        {"0 0 0 9 2 3\n\n# 1\n1 0 0 9 2 3\r\n  comment 5 5 5\r\n0 1 0 9 2 3\n\nobj_info 3 0 1 2\n"
+         "3 0 1 2\n",
+         "a.ply:15: a comment among the rows was passed over (and 2 more like it)"},
+        {"0 0 0 9 2 3\n\n\n1 0 0 9 2 3\n0 1 0 9 2 3\n   \n3 0 1 2\n", NULL},
+        {"0 0 0 9 2 3\n1 0 0 9 2 3\n0 1 0 9 2 3\n3 0 1 2\ncomment the end\n", NULL},
+    };
+    char text[1024];
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        snprintf(text, sizeof text, "%s%s", PLY_HEAD(""), cases[i].body);
+        burnish_mesh *mesh = load_text("a.ply", text, cases[i].warning);
+        CHECK(triangles_of(mesh) == 1 && color_at_is(mesh, 0, 1, 9, 2, 3), "case %zu", i);
+        burnish_mesh_destroy(mesh);
+    }
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error;
+    snprintf(text, sizeof text, "%s%s", PLY_HEAD(""),
+             "# c\n0 0 0 9 2 3\n1 0 x 9 2 3\n0 1 0 9 2 3\n3 0 1 2\n");
+    CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==
+           BURNISH_STATUS_FORMAT);
+    CHECK(strncmp(error.text, "a.ply:15: value \"x\"", 19) == 0, "%s", error.text);
+    snprintf(text, sizeof text, "%s%s", PLY_HEAD(""),
+             "# c\n0 0 0 9 2 3\n1 0 1 9 2 3\n# d\n0 1 0 9 2 3\n");
+    CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==
+           BURNISH_STATUS_FORMAT);
+    CHECK(strstr(error.text, "truncated"), "%s", error.text);
+}
+
 /* A vertex of two faces has two colours; polygons have one. In all encodings the same. */
 static void test_face_colors(void) {
     static const char *const encodings[] = {"ascii", "binary_little_endian", "binary_big_endian"};
@@ -541,6 +577,7 @@ int main(int count, char **arguments) {
     RUN(test_stl_count());
     RUN(test_ply_header());
     RUN(test_ply_lines());
+    RUN(test_ply_comments());
     RUN(test_face_colors());
     RUN(test_libraries());
     RUN(test_gzip());

@@ -63,6 +63,25 @@ head -c 9000000 /dev/zero | gzip >large.fbx.gz
 expect 5 "burnish: large.fbx.gz: burnish-import-assimp: gzip: unpacks to more than 200 times its size; unpack it first if that is right" info large.fbx.gz
 run batch . -d out
 check "a folder's: $(cat "$err")" [ -s out/BOX.FBX.png ]
+
+# An archive of one file, as AMF often is, whatever the file is called; a bomb; and one that ends early.
+zipped() { # NAME PART: NAME holds the file PART
+    python3 -c 'import sys, zipfile; zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED).write(sys.argv[2])' "$1" "$2"
+}
+cp $models/AMF/test2.amf box.amf
+cp $models/AMF/test2.amf model.xml
+zipped zip.amf box.amf
+zipped other.amf model.xml
+check "AMF in an archive: $(cat "$err")" [ "$(hash zip.amf)" = "$(hash $models/AMF/test2.amf)" ]
+check "in one of another name" [ "$(hash other.amf)" = "$(hash $models/AMF/test2.amf)" ]
+check "through standard input" [ "$("$burnish" render - --input-format=amf --size=64 --json --quiet -o p.png <zip.amf | grep '"hash"')" = \
+    "$("$burnish" render zip.amf --size=64 --json --quiet -o p.png | grep '"hash"')" ]
+head -c 300 zip.amf >cut.amf
+expect 4 "burnish: cut.amf: burnish-import-assimp: zip: the archive has no end; the file is truncated" info cut.amf
+{ cat box.amf && head -c 20000000 /dev/zero; } >bomb.xml
+zipped bomb.amf bomb.xml
+expect 5 "burnish: bomb.amf: burnish-import-assimp: zip: bomb.xml: the archive unpacks to more than 200 times its size, or to more than the limit of 17179869184 bytes" info bomb.amf
+rm -f ./*.amf ./*.xml p.png
 rm -rf BOX.FBX.GZ cut.fbx.gz large.fbx.gz out
 
 expect 4 "burnish: $models/MDL/MDL (HL1)/man.mdl: burnish-import-assimp: Missing file inputT.mdl; parts in files beside it are not read: convert it whole" \

@@ -1,21 +1,23 @@
 /* OFF (Geomview, "OFF Files"): vertices and faces, each on a line of its own; normals, colours and
  * texture coordinates of vertices, colours of faces.
  *
- * The first word says what a vertex has: [ST][C][N]OFF. Colours count to 255 where they are written
- * without a point, to 1 with one. */
+ * The first word says what a vertex has: [ST][C][N]OFF. Many files have plain OFF and colours all
+ * the same, as MeshLab writes it, or normals: what the rows hold tells (see settle_values). Colours
+ * count to 255 where they are written without a point, to 1 with one. */
 #include "mesh/read/chunks.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/points.h"
 #include "mesh/read/textures.h"
 
-enum { COUNT_MOST = 3, VALUES_MOST = 12 };
+enum { COUNT_MOST = 3, VALUES_MOST = 12, SAMPLE_ROWS = 4096 };
 
 /* What is noted in the order of the file. */
 enum { FEW_CORNERS, BAD_COLOR };
 
 typedef struct off_state {
     burnish_reader *reader;
-    int has_normals, has_colors, has_texcoords; /* of vertices, by the first word */
+    int has_normals, has_colors, has_texcoords; /* of vertices */
+    int counts_to_1; /* colours of vertices do, also where a row has no point */
     int keeps_texcoords;
     int in_faces;
     size_t vertex_count, face_count;
@@ -147,8 +149,9 @@ static int read_values(off_parser *p, double *values, uint8_t *is_whole, int mos
 
 /* `count` numbers, 3 or 4: sRGB and alpha. Where all are written as whole numbers they count to
  * 255. */
-static void write_color(const double *values, const uint8_t *is_whole, int count, uint8_t *rgba) {
-    int to_255 = 1;
+static void write_color(const double *values, const uint8_t *is_whole, int count, int counts_to_1,
+                        uint8_t *rgba) {
+    int to_255 = !counts_to_1;
     for (int i = 0; i < count; ++i) {
         to_255 &= is_whole[i];
     }
@@ -158,6 +161,76 @@ static void write_color(const double *values, const uint8_t *is_whole, int count
         rgba[i] = (uint8_t)(c > 0 ? c < 255 ? c + 0.5 : 255 : 0);
     }
 }
+
+/* ---- What the rows of vertices hold ---- */
+
+/* Of the numbers behind the coordinates, in the first rows. */
+typedef struct off_sample {
+    size_t rows, of_unit_length, on_axes; /* their first three */
+    int count;                            /* of a row; -1: they differ */
+    int any_negative, any_above_1, any_above_255, any_point;
+} off_sample;
+
+static void add_row(off_sample *sample, const double *values, const uint8_t *is_whole, int count) {
+    double length = 0;
+    int zeros = 0;
+    for (int i = 0; i < count; ++i) {
+        sample->any_negative |= !(values[i] >= 0); /* or not finite */
+        sample->any_above_1 |= values[i] > 1;
+        sample->any_above_255 |= values[i] > 255;
+        sample->any_point |= !is_whole[i];
+        length += i < 3 ? values[i] * values[i] : 0;
+        zeros += i < 3 && values[i] == 0;
+    }
+    sample->count = sample->rows == 0 || sample->count == count ? count : -1;
+    sample->of_unit_length += length > 0.99 && length < 1.01;
+    sample->on_axes += zeros == 2;
+    ++sample->rows;
+}
+
+static off_sample take_sample(const off_state *off, const uint8_t *at) {
+    const burnish_reader_input *input = off->reader->input;
+    off_parser p = {off, NULL, {at, input->bytes + input->size, 0}};
+    off_sample sample = {.count = -1};
+    double values[VALUES_MOST];
+    uint8_t is_whole[VALUES_MOST];
+    const int others = (off->has_normals ? 3 : 0), last = off->has_texcoords ? 2 : 0;
+    while (sample.rows < SAMPLE_ROWS && sample.rows < off->vertex_count &&
+           skip_empty_lines(&p.lexer)) {
+        const int first = 3 + others, count = read_values(&p, values, is_whole, VALUES_MOST);
+        if (count < first + last) {
+            break;
+        }
+        add_row(&sample, values + first, is_whole + first, count - first - last);
+        burnish_lexer_rest(&p.lexer);
+    }
+    return sample;
+}
+
+/* Whether rows without a prefix hold normals: three numbers of length 1 on nearly all rows, and
+ * what colours do not have: a number below 0, or only such lengths that are not all pure red, green
+ * or blue. */
+static int are_normals(const off_sample *sample) {
+    return sample->count == 3 && 10 * sample->of_unit_length >= 9 * sample->rows &&
+           (sample->any_negative ||
+            (sample->of_unit_length == sample->rows && sample->on_axes < sample->rows));
+}
+
+/* What the first word leaves open. Where it is plain OFF, three or four numbers behind the
+ * coordinates are normals or colours; others, and what fits neither, are passed over. */
+static void settle_values(off_state *off, const uint8_t *at) {
+    const int is_plain = !off->has_normals && !off->has_colors;
+    const off_sample sample =
+        is_plain || off->has_colors ? take_sample(off, at) : (off_sample){.count = -1};
+    if (is_plain && (sample.count == 3 || sample.count == 4)) {
+        off->has_normals = are_normals(&sample);
+        off->has_colors = !off->has_normals && !sample.any_negative &&
+                          !(sample.any_point ? sample.any_above_1 : sample.any_above_255);
+    }
+    off->counts_to_1 = sample.rows > 0 && off->has_colors && !sample.any_above_1;
+}
+
+/* ---- Rows, as values of the mesh ---- */
 
 static void append_position(off_parser *p, const double values[3]) {
     const double *origin = p->off->reader->mesh->origin;
@@ -216,7 +289,7 @@ static void read_vertex(off_parser *p) {
         const int left = count - at - (off->has_texcoords ? 2 : 0), size = left >= 4 ? 4 : 3;
         uint8_t *rgba = burnish_chunk_append(p->chunk, BURNISH_COLOR);
         if (rgba && left >= 3) {
-            write_color(values + at, is_whole + at, size, rgba);
+            write_color(values + at, is_whole + at, size, off->counts_to_1, rgba);
         } else if (rgba) {
             memset(rgba, 255, 4);
             burnish_chunk_note(p->chunk, BAD_COLOR, token.bytes);
@@ -235,7 +308,7 @@ static void append_face_colors(off_parser *p, size_t triangles) {
     uint8_t is_whole[4], rgba[4] = {255, 255, 255, 0};
     const int count = read_values(p, values, is_whole, 4);
     if (count >= 3) {
-        write_color(values, is_whole, count, rgba);
+        write_color(values, is_whole, count, 0, rgba);
         rgba[3] = rgba[3] > 0 ? rgba[3] : 1;
     }
     for (size_t i = 0; i < triangles && p->chunk->status == BURNISH_STATUS_OK; ++i) {
@@ -399,6 +472,7 @@ burnish_status burnish_read_off(burnish_reader *reader) {
     reader->is_wide = 1;
     off.keeps_texcoords = burnish_reader_keeps_coordinates(reader, 0);
     if (status == BURNISH_STATUS_OK) {
+        settle_values(&off, at);
         status = read_rows(&off, &at, off.vertex_count);
     }
     off.in_faces = 1;

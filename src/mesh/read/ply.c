@@ -264,7 +264,7 @@ static int rows_are_lines(const burnish_ply_state *ply) {
 }
 
 /* Reads the body once more, from the beginning. */
-static burnish_status read_again(burnish_ply_state *ply, int by_lines) {
+static burnish_status read_again(burnish_ply_state *ply, int by_lines, size_t *left) {
     burnish_reader *reader = ply->reader;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         burnish_mesh_data_drop(reader->mesh, (burnish_attribute)i);
@@ -274,8 +274,28 @@ static burnish_status read_again(burnish_ply_state *ply, int by_lines) {
         *reader->error = (burnish_error){0};
     }
     ply->by_lines = by_lines;
-    size_t unused;
-    return read_elements(ply, &unused);
+    return read_elements(ply, left);
+}
+
+/* What could not be read may have comments, or lines that hold too little or too much. */
+static burnish_status read_otherwise(burnish_ply_state *ply, burnish_status first, size_t *left) {
+    int any;
+    burnish_status status = burnish_ply_hide_comments(ply, &any);
+    if (status == BURNISH_STATUS_OK && any) {
+        atomic_store(ply->is_odd, 0);
+        status = first = read_again(ply, 0, left);
+    } else if (status == BURNISH_STATUS_OK) {
+        status = first;
+    }
+    if ((status == BURNISH_STATUS_FORMAT ||
+         (status == BURNISH_STATUS_OK && atomic_load(ply->is_odd) && *left > 0)) &&
+        rows_are_lines(ply)) {
+        status = read_again(ply, 1, left);
+        if (status == BURNISH_STATUS_FORMAT && first == BURNISH_STATUS_OK) {
+            status = read_again(ply, 0, left);
+        }
+    }
+    return status;
 }
 
 /* Alpha 0 everywhere comes from programs that do not fill it. */
@@ -322,13 +342,8 @@ static burnish_status read_body(burnish_ply_state *ply) {
     burnish_status status = read_elements(ply, &left);
     if (!ply->reader->is_binary &&
         (status == BURNISH_STATUS_FORMAT ||
-         (status == BURNISH_STATUS_OK && atomic_load(&is_odd) && left > 0)) &&
-        rows_are_lines(ply)) {
-        const burnish_status first = status;
-        status = read_again(ply, 1);
-        if (status == BURNISH_STATUS_FORMAT && first == BURNISH_STATUS_OK) {
-            status = read_again(ply, 0);
-        }
+         (status == BURNISH_STATUS_OK && atomic_load(&is_odd) && left > 0))) {
+        status = read_otherwise(ply, status, &left);
     }
     if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0 && !has_faces &&
         ply->vertex_count > 0) {
@@ -347,6 +362,7 @@ static burnish_status read_body(burnish_ply_state *ply) {
 static void warn_undrawn(const burnish_ply_state *ply) {
     burnish_reader_warn_group(ply->reader, &ply->few_corners);
     burnish_reader_warn_group(ply->reader, &ply->fields);
+    burnish_reader_warn_group(ply->reader, &ply->comments);
     if (ply->header.has_face_colors && !ply->takes_face_colors) {
         burnish_reader_warn(ply->reader, NULL, "colours of faces are not drawn%s",
                             ply->header.has_vertex_colors ? ", those of vertices are" : "");
@@ -370,6 +386,7 @@ burnish_status burnish_read_ply(burnish_reader *reader) {
     if (status == BURNISH_STATUS_OK) {
         status = burnish_cut_polygons(reader);
     }
+    burnish_ply_show_comments(&ply);
     burnish_ply_destroy_header(reader->mesh->memory.context, &ply.header);
     return status;
 }

@@ -141,9 +141,11 @@ typedef struct burnish_ply_state {
     unsigned per_triangle;      /* bits 1 << attribute: what triangles append */
     size_t run_start;           /* triangles from here on show run_texture */
     int run_texture;
-    burnish_warning_group few_corners, fields;
+    burnish_warning_group few_corners, fields, comments;
     int by_lines;       /* rows are lines of an ASCII file, whatever they hold */
     atomic_int *is_odd; /* becomes 1 where a line does not hold a row */
+    const burnish_reader_input *with_comments; /* the reader's own input, where it has been given */
+    burnish_reader_input without;              /* this one */
 } burnish_ply_state;
 
 static inline int burnish_ply_has_roles(const burnish_ply_state *ply, int first, int last) {
@@ -165,6 +167,15 @@ static inline const uint8_t *burnish_ply_line_end(const uint8_t *from, const uin
 
 /* `rows` rows of the element at hand from *at on, which moves past them. */
 burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at, size_t rows);
+
+/* ---- ply_comments.c: lines in an ASCII body which are none of the header's ---- */
+
+/* Gives the reader an input whose body has blanks where it had comments; *any: 1 where there are
+ * some. Errors: MEMORY. */
+burnish_status burnish_ply_hide_comments(burnish_ply_state *ply, int *any);
+
+/* Gives it its own input back. */
+void burnish_ply_show_comments(burnish_ply_state *ply);
 
 /* ---- ply_triangles.c: what triangles have that vertices have not ---- */
 

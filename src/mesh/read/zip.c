@@ -1,7 +1,5 @@
 #include "mesh/read/zip.h"
 
-#if BURNISH_HAS_3MF /* which alone needs it */
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -316,5 +314,3 @@ burnish_status burnish_zip_read(burnish_zip *zip, const burnish_zip_part *part, 
     }
     return status;
 }
-
-#endif

@@ -1,6 +1,7 @@
 /* ZIP archives in memory (PKWARE, APPNOTE.TXT 6.3.9), as far as Open Packaging uses them: parts
- * stored or deflated, also of more than 4 GiB. Nothing of an archive is believed: what a part
- * unpacks to is bounded, together with all others, and its size and checksum are compared.
+ * stored or deflated, also of more than 4 GiB: for 3MF, and for importers. Nothing of an archive is
+ * believed: what a part unpacks to is bounded, together with all others, and its size and checksum
+ * are compared.
  *
  * libzip was measured: with what it loads (OpenSSL, bzip2) every run of the program would take a
  * millisecond longer, twice as long; and it takes memory from nobody but malloc. */

@@ -1,0 +1,13 @@
+/* Files packed by zip. */
+#ifndef BURNISH_IMPORTER_ARCHIVE_H
+#define BURNISH_IMPORTER_ARCHIVE_H
+
+#include "importer.h"
+#include "mesh/read/zip.h"
+
+/* Where the file is an archive that holds a file of its own ending, or is AMF and holds one file,
+ * the input becomes that; formats that are archives themselves (.zae, .ifczip) stay. It unpacks to
+ * at most 200 times its size, and 1 MiB. Errors: FORMAT, LIMIT, MEMORY. */
+burnish_status importer_unpack_archive(importer_input *input, burnish_error *error);
+
+#endif
