@@ -383,8 +383,8 @@ typedef struct sheet_mesh {
     uint32_t indices[3 * SHEET_TRIANGLES];
 } sheet_mesh;
 
+/* Row after row. */
 static void make_sheet(sheet_mesh *mesh) {
-    uint64_t state = test_seed(3);
     memset(mesh, 0, sizeof *mesh);
     for (uint32_t i = 0; i < SHEET_VERTICES; ++i) {
         mesh->positions[3 * i] = (float)(i % (SHEET + 1));
@@ -397,6 +397,10 @@ static void make_sheet(sheet_mesh *mesh) {
                        c = a + SHEET + 1, d = c + 1;
         memcpy(mesh->indices + 3 * i, i % 2 ? (uint32_t[]){b, d, c} : (uint32_t[]){a, b, c}, 12);
     }
+}
+
+static void shuffle_sheet(sheet_mesh *mesh) {
+    uint64_t state = test_seed(3);
     for (uint32_t i = SHEET_TRIANGLES - 1; i > 0; --i) {
         const uint32_t j = random_bits(&state) % (i + 1);
         uint32_t kept[3];
@@ -446,6 +450,7 @@ static void test_order(void) {
     static sheet_mesh sheet;
     static uint8_t seen[SHEET_TRIANGLES];
     make_sheet(&sheet);
+    shuffle_sheet(&sheet);
     burnish_mesh *mesh = build_sheet(&sheet, 1), *other = build_sheet(&sheet, 3);
     if (!CHECK1(mesh != NULL && other != NULL)) {
         return;
@@ -477,6 +482,35 @@ static void test_order(void) {
     CHECK(way / SHEET_TRIANGLES < 10, "neighbours are %g apart", way / SHEET_TRIANGLES);
     burnish_mesh_destroy(mesh);
     burnish_mesh_destroy(other);
+}
+
+/* A file whose neighbours are near each other stays as it is; one whose neighbours are far apart
+ * does not, even where every other is the next one in space. */
+static void test_order_of_files(void) {
+    static sheet_mesh sheet;
+    for (int apart = 0; apart < 2; ++apart) {
+        make_sheet(&sheet);
+        for (size_t i = 0; apart && i < SHEET_TRIANGLES / 2; i += 2) {
+            uint32_t kept[3], *near = sheet.indices + 3 * i,
+                              *far = near + 3 * (SHEET_TRIANGLES / 2);
+            memcpy(kept, near, sizeof kept);
+            memcpy(near, far, sizeof kept);
+            memcpy(far, kept, sizeof kept);
+        }
+        burnish_mesh *mesh = build_sheet(&sheet, 2);
+        if (!CHECK1(mesh != NULL)) {
+            return;
+        }
+        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+        size_t moved = 0;
+        for (size_t i = 0; i < SHEET_TRIANGLES; ++i) {
+            moved += sheet_number(view->positions, view->indices + 3 * i) !=
+                     sheet_number(sheet.positions, sheet.indices + 3 * i);
+        }
+        CHECK(apart ? moved > SHEET_TRIANGLES / 2 : moved == 0, "%d: %zu triangles moved", apart,
+              moved);
+        burnish_mesh_destroy(mesh);
+    }
 }
 
 /* Sets of a few faces and of any number are the same. */
@@ -574,5 +608,6 @@ int main(int count, char **arguments) {
     RUN(test_named_vertices());
     RUN(test_colors());
     RUN(test_order());
+    RUN(test_order_of_files());
     return test_end("mesh");
 }

@@ -1,7 +1,8 @@
 /* Triangles in an order in which neighbours in space are neighbours in memory, so that sixteen
  * neighbours mostly fall into one tile and share vertices. They are sorted by cells of space, which
  * follow one another along a Z-order curve (G. M. Morton, "A computer oriented geodetic data base",
- * IBM, 1966); within a cell they keep their order. O(n).
+ * IBM, 1966); within a cell they keep their order. O(n). Most files come in such an order already,
+ * as modellers, meshers and scanners go over a surface; those stay as they are.
  *
  * meshoptimizer's vertex cache order is left out on purpose: it helps hardware that transforms a
  * vertex once per use, burnish transforms each once, and its cost is quadratic in the faces around
@@ -9,12 +10,18 @@
 #include "mesh/build/builder.h"
 
 enum {
-    ORDERED_MIN = 4096, /* triangles: fewer keep the order of the file */
-    MAX_BITS = 6,       /* of a cell's number along an axis */
-    CELL_TARGET = 512,  /* triangles per cell, on a surface of 4^bits cells */
-    SLICES_MAX = 8,     /* counted separately: a megabyte each for large meshes */
-    SLICE_MIN = 1 << 16 /* triangles that are worth one */
+    ORDERED_MIN = 4096,  /* triangles: fewer keep the order of the file */
+    MAX_BITS = 6,        /* of a cell's number along an axis */
+    CELL_TARGET = 512,   /* triangles per cell, on a surface of 4^bits cells */
+    SLICES_MAX = 8,      /* counted separately: a megabyte each for large meshes */
+    SLICE_MIN = 1 << 16, /* triangles that are worth one */
+    GROUP = 16,          /* triangles that are drawn together */
+    GROUPS_SEEN = 512    /* of the file, at even distances */
 };
+
+/* Sorted groups are about as wide as a cell. Files whose groups are no wider than this many cells
+ * on average draw as fast as sorted ones (bench/NOTES.md). */
+static const double WIDEST = 1.5;
 
 typedef struct sorter {
     const float *positions;
@@ -122,31 +129,58 @@ static size_t count_slices(size_t count, const burnish_tasks *tasks) {
     return threads == 1 || worth <= 1 ? 1 : worth < most ? worth : most;
 }
 
+/* The longest side of the box around a group. */
+static double group_width(const sorter *s, size_t first) {
+    float low[3], high[3];
+    double width = 0;
+    memcpy(low, s->positions + 3 * (size_t)s->corners[3 * first], sizeof low);
+    memcpy(high, low, sizeof high);
+    for (size_t i = 3 * first + 1; i < 3 * (first + GROUP); ++i) {
+        const float *position = s->positions + 3 * (size_t)s->corners[i];
+        for (size_t k = 0; k < 3; ++k) {
+            low[k] = position[k] < low[k] ? position[k] : low[k];
+            high[k] = position[k] > high[k] ? position[k] : high[k];
+        }
+    }
+    for (size_t k = 0; k < 3; ++k) {
+        const double side = (double)high[k] - (double)low[k];
+        width = side > width ? side : width;
+    }
+    return width;
+}
+
+/* Whether the file's order will do. It depends on the mesh alone, as equal depths go to what is
+ * drawn first. */
+static int is_ordered(const sorter *s) {
+    const size_t groups = s->count / GROUP, step = groups / GROUPS_SEEN + 1;
+    double sum = 0;
+    size_t seen = 0;
+    for (size_t group = 0; group < groups; group += step, ++seen) {
+        sum += group_width(s, group * GROUP);
+    }
+    return sum * s->cells_per_unit <= WIDEST * (double)seen;
+}
+
 /* Writes the numbers of the triangles in their order. */
-static burnish_status find_order(burnish_builder *b, uint32_t *order) {
+static burnish_status find_order(burnish_builder *b, sorter *s) {
     burnish_tasks *tasks = b->data->tasks;
     burnish_memory *memory = b->memory;
-    const size_t count = b->triangle_count, slices = count_slices(count, tasks);
-    sorter s = {.positions = burnish_positions(b->data),
-                .corners = b->corner_positions,
-                .count = count,
-                .slice_size = (count + slices - 1) / slices,
-                .order = order};
-    make_grid(&s, b->position_count);
-    s.cells = burnish_allocate(memory, count, sizeof *s.cells, "ordering");
-    s.offsets = burnish_allocate(memory, slices * cell_count(&s), sizeof *s.offsets, "ordering");
+    const size_t slices = count_slices(s->count, tasks);
+    s->slice_size = (s->count + slices - 1) / slices;
+    s->cells = burnish_allocate(memory, s->count, sizeof *s->cells, "ordering");
+    s->offsets = burnish_allocate(memory, slices * cell_count(s), sizeof *s->offsets, "ordering");
     burnish_status status = memory->status;
     if (status == BURNISH_STATUS_OK) {
-        burnish_tasks_run(tasks, slices, 1, 0, count_slice, &s);
+        burnish_tasks_run(tasks, slices, 1, 0, count_slice, s);
         status = burnish_tasks_check(tasks, memory->error);
     }
     if (status == BURNISH_STATUS_OK) { /* offsets are sums of what every slice counted */
-        sum_counts(&s, slices);
-        burnish_tasks_run(tasks, slices, 1, 0, scatter_slice, &s);
+        sum_counts(s, slices);
+        burnish_tasks_run(tasks, slices, 1, 0, scatter_slice, s);
         status = burnish_tasks_check(tasks, memory->error);
     }
-    burnish_release(memory->context, s.cells);
-    burnish_release(memory->context, s.offsets);
+    burnish_release(memory->context, s->cells);
+    burnish_release(memory->context, s->offsets);
     return status;
 }
 
@@ -155,8 +189,14 @@ burnish_status burnish_build_order(burnish_builder *b) {
     if (count < ORDERED_MIN) {
         return BURNISH_STATUS_OK;
     }
-    b->order = burnish_allocate(b->memory, count, sizeof *b->order, "ordering");
-    return b->order ? find_order(b, b->order) : b->memory->status;
+    sorter s = {
+        .positions = burnish_positions(b->data), .corners = b->corner_positions, .count = count};
+    make_grid(&s, b->position_count);
+    if (is_ordered(&s)) {
+        return BURNISH_STATUS_OK;
+    }
+    b->order = s.order = burnish_allocate(b->memory, count, sizeof *b->order, "ordering");
+    return b->order ? find_order(b, &s) : b->memory->status;
 }
 
 /* ---- Moving ---- */
