@@ -223,6 +223,9 @@ static const cli_example examples[] = {
 
 static const cli_term report_terms[] = {
     {"*burnish, options*", "in the first line: the version, and the flags that say what is drawn"},
+    {"*passed_over*",
+     "there too, where there are any: files of folders with an ending of a mesh that are "
+     "something else by their first bytes"},
     {"*id*", "of input and output, 16 hexadecimal digits"},
     {"*input, output*", "names; bytes that are not UTF-8 are ?"},
     {"*status*", "*done* or *failed*"},

@@ -82,7 +82,8 @@ typedef struct batch {
     uint64_t drawer; /* of version and options: runners have the same */
     batch_past past;
     size_t done, kept, failed;
-    int is_stopped; /* 1: by a signal */
+    size_t passed_over; /* files of folders that are no meshes, whatever their endings say */
+    int is_stopped;     /* 1: by a signal */
 } batch;
 
 /* The whole command. Errors: ARGUMENT, READ, WRITE, MEMORY. */

@@ -39,11 +39,17 @@ static burnish_status add_item(batch_items *list, const char *input, size_t tree
 
 /* ---- Folders ---- */
 
-/* A format's ending, or that of an importer which is installed, also with .gz behind it. */
-static int is_mesh(const char *name) {
+typedef enum file_kind {
+    FILE_OTHER,
+    FILE_MESH,       /* a format's ending, or that of an importer which is installed, also with .gz
+                        behind it */
+    FILE_PASSED_OVER /* such an ending, of a file that is something else */
+} file_kind;
+
+static file_kind kind_of(const char *name, const char *path) {
     const import_program *importer = import_find(name);
     if (importer && import_is_installed(importer)) {
-        return 1;
+        return import_may_hold_mesh(path) ? FILE_MESH : FILE_PASSED_OVER;
     }
     const size_t length = strlen(name);
     for (int i = 0; i < burnish_format_count(); ++i) {
@@ -55,13 +61,13 @@ static int is_mesh(const char *name) {
                 if (size > 0 && length > tail &&
                     strncasecmp(name + length - tail, ending, size) == 0 &&
                     (!is_packed || strcasecmp(name + length - 3, ".gz") == 0)) {
-                    return 1;
+                    return FILE_MESH;
                 }
             }
             ending += size + (ending[size] == ' ');
         }
     }
-    return 0;
+    return FILE_OTHER;
 }
 
 static int is_shown(const struct dirent *entry) {
@@ -101,8 +107,12 @@ static burnish_status add_folder(batch *b, const char *folder, size_t tree, int 
                 /* gone meanwhile */
             } else if (S_ISDIR(link.st_mode) && b->settings->recursive && depth < DEPTH_MAX) {
                 status = add_folder(b, path, tree, depth + 1, error);
-            } else if (S_ISREG(state.st_mode) && is_mesh(name)) {
-                status = add_item(&b->list, path, tree, (uint64_t)state.st_size, error);
+            } else if (S_ISREG(state.st_mode)) {
+                const file_kind kind = kind_of(name, path);
+                b->passed_over += kind == FILE_PASSED_OVER;
+                status = kind == FILE_MESH
+                             ? add_item(&b->list, path, tree, (uint64_t)state.st_size, error)
+                             : status;
             }
         }
         free(path);

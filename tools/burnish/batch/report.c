@@ -76,6 +76,14 @@ static int add_line(batch_past *past, uint64_t id, const char *line, int is_same
     return 1;
 }
 
+/* Whether a line is the first one of a report with the same flags, by the same version: what was
+ * passed over in folders comes after those. */
+static int is_head(const char *line, const char *head) {
+    const size_t size = strlen(head) - 1; /* without the brace */
+    return strncmp(line, head, size) == 0 &&
+           (strcmp(line + size, "}") == 0 || strncmp(line + size, ",\"passed_over\":", 15) == 0);
+}
+
 /* The lines of a text but the last one where a run was cut off in it. */
 static int list_lines(batch_past *past, char *text, const char *head) {
     int is_same = 0;
@@ -90,7 +98,7 @@ static int list_lines(batch_past *past, char *text, const char *head) {
                 return 0;
             }
         } else if (end) {
-            is_same = strcmp(line, head) == 0;
+            is_same = is_head(line, head);
         }
         line = end ? end + 1 : NULL;
     }
@@ -283,7 +291,11 @@ burnish_status batch_write_report(const batch *b, burnish_error *error) {
     FILE *stream = cli_open_memory(&text, &size);
     burnish_status status = BURNISH_STATUS_OK;
     if (stream && head) {
-        fprintf(stream, "%s\n", head);
+        fprintf(stream, "%.*s", (int)strlen(head) - 1, head);
+        if (b->passed_over > 0) {
+            fprintf(stream, ",\"passed_over\":%zu", b->passed_over);
+        }
+        fprintf(stream, "}\n");
         for (size_t i = 0; i < b->list.count; ++i) {
             if (b->list.items[i].line) {
                 fprintf(stream, "%s\n", b->list.items[i].line);

@@ -25,6 +25,11 @@ void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]);
 /* The importer for a name's ending; NULL: readers of burnish know it, or nobody does. */
 const import_program *import_find(const char *name);
 
+/* Whether a file of a folder may be what its ending says to import_find: endings that other
+ * programs use for other things (.ac, .mdl, .x ...) count where the file begins as their format
+ * does. */
+int import_may_hold_mesh(const char *path);
+
 /* The importer for an input: that of the cli_foreign (cli/input.h) which --input-format named,
  * else, of a file whose format is to be guessed, that of its name's ending. NULL: none. ending
  * receives what it is told */

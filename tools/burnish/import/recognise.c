@@ -1,0 +1,97 @@
+/* Endings that other programs use for other things: whether a file of a folder is a mesh. */
+#include <stdio.h>
+#include <string.h>
+
+#include "import/import.h"
+
+enum { LOOKED_AT = 512 };
+
+/* How files of an ending begin; of several rows one has to fit. */
+static const struct {
+    const char *ending, *first;
+    size_t size; /* of `first`, where it holds a 0; else 0 */
+} rows[] = {
+    {"3ds", "MM", 0},  /* games of a console */
+    {"ac", "AC3D", 0}, /* autoconf */
+    {"ac3d", "AC3D", 0},
+    {"acc", "AC3D", 0},
+    {"amf", "<", 0}, /* Flash, music */
+    {"amf", "PK\3\4", 0},
+    {"ase", "*3DSMAX_ASCIIEXPORT", 0}, /* sprites, swatches of colours */
+    {"ask", "*3DSMAX_ASCIIEXPORT", 0},
+    {"b3d", "BB3D", 0},
+    {"cob", "Caligari", 0}, /* COBOL */
+    {"hmp", "HMP", 0},
+    {"lwo", "FORM", 0},
+    {"lxo", "FORM", 0},
+    {"md2", "IDP2", 0},
+    {"md3", "IDP3", 0},
+    {"mdc", "IDPC", 0}, /* Markdown */
+    {"mdl", "IDPO", 0}, /* Simulink; a game's sequences, which are in files of their own (IDSQ) */
+    {"mdl", "IDST", 0},
+    {"mdl", "MDL", 0},
+    {"mesh", "\0\x10[MeshSerializer", 17}, /* Medit */
+    {"mesh", "\x10\0[MeshSerializer", 17},
+    {"ms3d", "MS3D", 0},
+    {"ndo", "nendo", 0},
+    {"p21", "ISO-10303-21", 0},
+    {"p21", "/*", 0},
+    {"pmx", "PMX", 0},
+    {"q3o", "quick3D", 0},
+    {"q3s", "quick3D", 0},
+    {"scn", "Caligari", 0}, /* Godot */
+    {"smd", "version", 0},  /* games of a console */
+    {"smd", "//", 0},
+    {"ter", "TERRAGENTERRAIN", 0},
+    {"x", "xof ", 0}, /* lex, RPC */
+};
+
+/* What may stand before text, and before everything: a mark of UTF-8, blanks. */
+static size_t skip_blanks(const unsigned char *bytes, size_t size) {
+    size_t at = size >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    while (at < size && (bytes[at] == ' ' || (bytes[at] >= '\t' && bytes[at] <= '\r'))) {
+        ++at;
+    }
+    return at;
+}
+
+static int begins(const unsigned char *bytes, size_t size, const char *first, size_t first_size) {
+    const size_t length = first_size > 0 ? first_size : strlen(first);
+    return size >= length && memcmp(bytes, first, length) == 0;
+}
+
+/* Bytes that say nothing here: packed by gzip, UTF-16, a file that Git LFS has not fetched. */
+static int is_wrapped(const unsigned char *bytes, size_t size) {
+    return begins(bytes, size, "\x1F\x8B", 0) || begins(bytes, size, "\xFF\xFE", 0) ||
+           begins(bytes, size, "\xFE\xFF", 0) ||
+           begins(bytes, size, "version https://git-lfs.github.com/spec/", 0);
+}
+
+int import_may_hold_mesh(const char *path) {
+    unsigned char bytes[LOOKED_AT];
+    char ending[IMPORT_ENDING_SIZE];
+    size_t size = 0;
+    int is_known = 0, fits = 0;
+    import_get_ending(path, ending);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows && !fits; ++i) {
+        if (strcmp(rows[i].ending, ending) != 0) {
+            continue;
+        }
+        if (!is_known) {
+            FILE *file = fopen(path, "rb");
+            if (!file) {
+                return 1; /* it is told when it is to be drawn */
+            }
+            size = fread(bytes, 1, sizeof bytes, file);
+            fclose(file);
+            if (is_wrapped(bytes, size)) {
+                return 1;
+            }
+        }
+        is_known = 1;
+        const size_t at = skip_blanks(bytes, size);
+        fits = begins(bytes, size, rows[i].first, rows[i].size) ||
+               begins(bytes + at, size - at, rows[i].first, rows[i].size);
+    }
+    return fits || !is_known;
+}
