@@ -16,7 +16,10 @@
 
 const char importer_name[] = "burnish-import-assimp";
 
-enum { DEPTH_MAX = 500 /* of nodes */ };
+enum {
+    DEPTH_MAX = 500, /* of nodes */
+    GREY = 158       /* importer_default_material's, as a code of sRGB */
+};
 
 void importer_prepare(void) {
     aiGetImportFormatCount(); /* makes all readers once, and with them what they load */
@@ -167,10 +170,11 @@ static const struct aiVector3D *coordinates_of(const walk *w, const struct aiMes
 }
 
 /* Colours that are wholly transparent everywhere stand for none: .amf and .blend files without
- * have such. */
+ * have such. So does libassimp's grey of what has none in .dxf. */
 static const struct aiColor4D *colors_of(const struct aiMesh *mesh) {
     for (unsigned i = 0; i < mesh->mNumVertices && mesh->mColors[0]; ++i) {
-        if (mesh->mColors[0][i].a > 0) {
+        const struct aiColor4D *c = &mesh->mColors[0][i];
+        if (c->a > 0 && !(c->r == 0.6f && c->g == 0.6f && c->b == 0.6f && c->a == 0.6f)) {
             return mesh->mColors[0];
         }
     }
@@ -248,6 +252,8 @@ static void draw_vertices(walk *w, const struct aiMesh *mesh, const struct aiMat
     importer_mesh *to = w->mesh;
     const struct aiColor4D *colors = colors_of(mesh);
     const struct aiVector3D *coordinates = coordinates_of(w, mesh);
+    const int is_grey = mesh->mMaterialIndex < to->material_count &&
+                        !(to->materials[mesh->mMaterialIndex].flags & BURNISH_BMS_HAS_DIFFUSE);
     double cofactors[9], determinant;
     find_cofactors(matrix, cofactors, &determinant);
     for (unsigned i = 0; i < mesh->mNumVertices; ++i) {
@@ -262,6 +268,8 @@ static void draw_vertices(walk *w, const struct aiMesh *mesh, const struct aiMat
             const uint8_t rgba[4] = {code_of(c->r), code_of(c->g), code_of(c->b),
                                      w->has_opaque_colors ? 255 : code_of(c->a)};
             memcpy(to->colors + 4 * at, rgba, sizeof rgba);
+        } else if (to->colors && is_grey) {
+            memset(to->colors + 4 * at, GREY, 3);
         }
         if (coordinates && to->texcoords) {
             const float u = coordinates[i].x, v = coordinates[i].y;
@@ -326,19 +334,26 @@ static void flatten(const struct aiScene *scene, const char *ending, const unsig
 
 /* Which way is up. libassimp turns most formats to +Y; of others it leaves +Z as it is, or turns
  * them away from it. */
-static void find_up(const char *ending, float up[3]) {
+static void find_up(const struct aiScene *scene, const char *ending, float up[3]) {
     static const struct {
         const char *ending;
         float z;
-    } rows[] = {{"ac", -1},  {"ac3d", -1}, {"acc", -1}, {"amf", 1},  {"blend", 1},
-                {"cob", 1},  {"dxf", -1},  {"hmp", 1},  {"ogex", 1}, {"q3o", -1},
-                {"q3s", -1}, {"scn", 1},   {"smd", 1}};
+    } rows[] = {{"ac", -1},  {"ac3d", -1}, {"acc", -1}, {"amf", 1}, {"blend", 1}, {"cob", 1},
+                {"dxf", -1}, {"hmp", 1},   {"ogex", 1}, {"q3o", 1}, {"scn", 1},   {"smd", 1}};
     up[1] = 1;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
         if (strcmp(rows[i].ending, ending) == 0) {
             up[1] = 0;
             up[2] = rows[i].z;
         }
+    }
+    if (strcmp(ending, "nff") == 0 && scene->mNumCameras > 0) { /* the file says it */
+        const struct aiVector3D *own = &scene->mCameras[0]->mUp;
+        const float axes[3] = {own->x, own->y, own->z};
+        for (int i = 0; i < 3; ++i) {
+            up[i] = fabsf(axes[i]) > 0.9f ? axes[i] > 0 ? 1 : -1 : 0;
+        }
+        up[1] = up[0] == 0 && up[1] == 0 && up[2] == 0 ? 1 : up[1];
     }
 }
 
@@ -376,6 +391,6 @@ void importer_import(importer_input *input, importer_mesh *mesh) {
     if (!scene || !scene->mRootNode) {
         fail_by_library();
     }
-    find_up(input->ending, mesh->up);
-    flatten(scene, input->ending, assimp_read_materials(scene, mesh), mesh);
+    find_up(scene, input->ending, mesh->up);
+    flatten(scene, input->ending, assimp_read_materials(scene, input->ending, mesh), mesh);
 }

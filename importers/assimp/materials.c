@@ -2,6 +2,7 @@
 
 #include <assimp/cimport.h>
 #include <assimp/material.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -208,14 +209,41 @@ static void read_metal(const reading *r, importer_material *to) {
     }
 }
 
-static void read_material(reading *r, importer_material *to) {
+static int has_property(const reading *r, const char *key) {
+    const struct aiMaterialProperty *found;
+    return aiGetMaterialProperty(r->material, key, UINT_MAX, UINT_MAX, &found) == aiReturn_SUCCESS;
+}
+
+/* Whether the library made a material up: the file has none. Readers call theirs by its default
+ * name, so does that of NFF all of them, or leave it empty; that of 3DS has a name of its own, and
+ * that of MDL5 makes black of a skin that it does not find. */
+static int is_made_up(const reading *r, const char *ending) {
+    float color[3] = {-1, -1, -1}, specular[3] = {0, 0, 0};
+    struct aiString title = {0};
+    aiGetMaterialString(r->material, KEY(AI_MATKEY_NAME), 0, 0, &title);
+    get_color(r, KEY(AI_MATKEY_COLOR_DIFFUSE), color);
+    get_color(r, KEY(AI_MATKEY_COLOR_SPECULAR), specular);
+    if (strcmp(title.data, AI_DEFAULT_MATERIAL_NAME) == 0) {
+        return strcmp(ending, "nff") != 0 && strcmp(ending, "enff") != 0;
+    }
+    return r->material->mNumProperties == 0 || strcmp(title.data, "%%%DEFAULT") == 0 ||
+           (strcmp(ending, "mdl") == 0 && color[0] == 0 && is_black(color) && is_black(specular) &&
+            !has_property(r, KEY(AI_MATKEY_TEXTURE_DIFFUSE(0))));
+}
+
+/* Of formats that were drawn by OpenGL as it once was, whose textures multiply all light, that of
+ * the material too. */
+static int glows_through_texture(const char *ending) {
+    return strcmp(ending, "ms3d") == 0 || strcmp(ending, "x") == 0 || strncmp(ending, "ac", 2) == 0;
+}
+
+static void read_material(reading *r, const char *ending, importer_material *to) {
     char name[1024] = "", unused[1024];
     float color[3] = {0.6f, 0.6f, 0.6f};
-    struct aiString title = {0};
     *to = importer_default_material();
-    if (aiGetMaterialString(r->material, KEY(AI_MATKEY_NAME), 0, 0, &title) == aiReturn_SUCCESS &&
-        strcmp(title.data, AI_DEFAULT_MATERIAL_NAME) == 0) {
-        return; /* the file has none */
+    if (is_made_up(r, ending)) {
+        to->flags &= ~(uint32_t)BURNISH_BMS_HAS_DIFFUSE; /* colours of vertices take its place */
+        return;
     }
     if (!get_color(r, KEY(AI_MATKEY_BASE_COLOR), color)) {
         get_color(r, KEY(AI_MATKEY_COLOR_DIFFUSE), color);
@@ -236,18 +264,22 @@ static void read_material(reading *r, importer_material *to) {
         is_black(to->emissive)) {
         to->emissive[0] = to->emissive[1] = to->emissive[2] = 1;
     }
+    if (glows_through_texture(ending) && to->slots[SLOT_EMISSIVE].texture == 0) {
+        to->slots[SLOT_EMISSIVE] = to->slots[SLOT_COLOR];
+    }
     read_texture(r, aiTextureType_SPECULAR, SLOT_SPECULAR, 1, to, unused);
     read_opacity(r, to, name);
 }
 
-const unsigned *assimp_read_materials(const struct aiScene *scene, importer_mesh *mesh) {
+const unsigned *assimp_read_materials(const struct aiScene *scene, const char *ending,
+                                      importer_mesh *mesh) {
     mesh->material_count =
         scene->mNumMaterials < MATERIALS_MAX ? scene->mNumMaterials : MATERIALS_MAX;
     mesh->materials = importer_zeroed(mesh->material_count, sizeof *mesh->materials);
     unsigned *sets = importer_zeroed(scene->mNumMaterials, sizeof *sets);
     for (uint32_t i = 0; i < mesh->material_count; ++i) {
         reading r = {.scene = scene, .material = scene->mMaterials[i], .mesh = mesh};
-        read_material(&r, &mesh->materials[i]);
+        read_material(&r, ending, &mesh->materials[i]);
         sets[i] = r.set;
     }
     return sets;

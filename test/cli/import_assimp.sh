@@ -53,6 +53,50 @@ inside="$models/DXF/wuson.dxf --views=left --camera-zoom-factor=12"
 check "DXF is opaque" [ "$(hash $inside --background-color=1,0,0)" = "$(hash $inside --background-color=0,0,1)" -a -n "$(json hash)" ]
 rm -f p.png
 
+# What libassimp makes up where a file says nothing is burnish's grey; what a file says is drawn.
+printf 'v 0 0 0\nv 1 0 0\nv 0 0 -1\nf 1 2 3\n' >grey.obj
+printf '0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n0\n22\n1\n32\n0\n13\n0\n23\n1\n33\n0\n0\nENDSEC\n0\nEOF\n' >grey.dxf
+check "DXF without colours" [ "$(hash grey.dxf)" = "$(hash grey.obj --up=-Z)" ]
+holds Q3D/earth.q3o 2937 +Z
+vertex() {
+    printf '<vertex><coordinates><x>%s</x><y>%s</y><z>0</z></coordinates><color><r>%s</r><g>%s</g><b>%s</b></color></vertex>' "$@"
+}
+{
+    printf '<?xml version="1.0"?><amf unit="millimeter"><object id="0"><mesh><vertices>'
+    vertex 0 0 1 0 0 && vertex 1 0 0 1 0 && vertex 0 1 0 0 1
+    printf '</vertices><volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object></amf>'
+} >colors.amf
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red
+property uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header
+0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n' >colors.ply
+check "colours of vertices are those of the file" [ "$(hash colors.amf)" = "$(hash colors.ply --up=+Z)" ]
+nff() { # COLOUR UP
+    printf 'v\nfrom 0 -5 0\nat 0 0 0\nup %s\nangle 40\nhither 1\nresolution 9 9\n' "$2"
+    printf 'f %s 1 0 0 0 0\np 3\n0 0 0\n1 0 0\n0 1 0\n' "$1"
+}
+nff '1 0 0' '0 1 0' >red.nff
+nff '0 1 0' '0 0 1' >green.nff
+check "materials of NFF" [ "$(hash red.nff --up=+Y)" != "$(hash green.nff --up=+Y)" ]
+hash green.nff >/dev/null
+check "NFF says what is up: $(json up)" [ "$(json up)" = +Z ]
+hash red.nff >/dev/null
+check "it may be Y: $(json up)" [ "$(json up)" = +Y ]
+glowing() { # EMISSIVE: a .x with a black texture
+    printf 'xof 0303txt 0032\nMesh m {\n 3;\n 0;0;0;,\n 1;0;0;,\n 0;1;0;;\n 1;\n 3;0,2,1;;\n MeshTextureCoords {\n 3;\n 0;0;,\n 0;1;,\n 1;0;;\n }\n'
+    printf 'MeshMaterialList {\n 1;\n 1;\n 0;;\n Material a {\n 1;1;1;1;;\n 0;\n 0;0;0;;\n %s;;\n TextureFilename { "black.png"; }\n }\n }\n}\n' "$1"
+}
+python3 -c "
+import struct, sys, zlib
+def chunk(name, data):
+    return struct.pack('>I', len(data)) + name + data + struct.pack('>I', zlib.crc32(name + data))
+sys.stdout.buffer.write(b'\\x89PNG\\r\\n\\x1a\\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', 1, 1, 8, 2, 0, 0, 0)) +
+                        chunk(b'IDAT', zlib.compress(bytes(4))) + chunk(b'IEND', b''))" >black.png
+glowing '0;0;0' >dark.x
+glowing '1;1;1' >bright.x
+check "light of a material goes through its texture" [ "$(hash dark.x)" = "$(hash bright.x)" ]
+check "it is there without: $(hash bright.x --no-textures)" [ "$(hash dark.x --no-textures)" != "$(hash bright.x --no-textures)" ]
+rm -f grey.* colors.* red.nff green.nff dark.x bright.x black.png
+
 # Packed, and damaged so.
 gzip -c $models/FBX/box.fbx >BOX.FBX.GZ
 check "gzip" [ "$(hash BOX.FBX.GZ)" = "$(hash $models/FBX/box.fbx)" ]
