@@ -33,6 +33,13 @@ static inline void burnish_set_binary(int file) {
 #endif
 }
 
+/* Reading at an offset, by several threads side by side. */
+#if defined(_WIN32) || defined(__wasm__)
+#define BURNISH_HAS_PREAD 0
+#else
+#define BURNISH_HAS_PREAD 1
+#endif
+
 /* Files without a name, which vanish with the process unless they are given one. */
 #if defined(__linux__) && defined(O_TMPFILE)
 #define BURNISH_HAS_NAMELESS_FILES 1

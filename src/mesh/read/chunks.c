@@ -1,5 +1,6 @@
 /* Text in chunks: cut, parse side by side, accept in the order of the file, append side by side. */
 #include "mesh/read/chunks.h"
+#include "mesh/read/pieces.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -512,6 +513,9 @@ burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
                            .next = *at,
                            .text_end = reader->input->bytes + reader->input->size,
                            .rows_left = rows ? *rows : SIZE_MAX};
+    if (reader->input->pieces) {
+        return burnish_pieces_give_up(reader);
+    }
     const size_t chunks = (size_t)(driver.text_end - *at) / BURNISH_CHUNK_SIZE + 1;
     const size_t threads = (size_t)burnish_tasks_threads(mesh->tasks);
     const size_t most = threads > 1 ? CHUNKS_PER_THREAD * threads : 1;

@@ -8,6 +8,7 @@
 #include "mesh/mesh.h"
 #include "mesh/read/beside.h"
 #include "mesh/read/origin.h"
+#include "mesh/read/pieces.h"
 #include "mesh/read/reader.h"
 #include "mesh/read/unpack.h"
 
@@ -21,6 +22,9 @@ typedef struct opened_file {
     burnish_memory memory; /* takes errors too */
     uint8_t *bytes;
     size_t size;
+    int may_be_pieces;     /* 1: of a file that may be read in pieces only the head is read */
+    burnish_format pieces; /* that of such a file; AUTO: for any other */
+    size_t whole;          /* its size */
 } opened_file;
 
 static burnish_status fail_errno(opened_file *file, const char *what, int code) {
@@ -53,13 +57,18 @@ static int read_fully(int descriptor, opened_file *file, size_t size) {
     return 0;
 }
 
-/* A regular file of known size, as far as it goes. */
+/* A regular file of known size, as far as it goes, after what has been read of it. */
 static burnish_status read_sized(int descriptor, opened_file *file, size_t size) {
-    file->bytes = burnish_allocate(&file->memory, size, 1, file->name);
-    if (!file->bytes) {
+    uint8_t *bytes = burnish_allocate(&file->memory, size, 1, file->name);
+    if (!bytes) {
         return file->memory.status;
     }
-    const int code = read_fully(descriptor, file, size);
+    if (file->size > 0) {
+        memcpy(bytes, file->bytes, file->size);
+    }
+    burnish_release(file->memory.context, file->bytes);
+    file->bytes = bytes;
+    const int code = read_fully(descriptor, file, size - file->size);
     return code != 0 ? fail_errno(file, "can't be read", code) : BURNISH_STATUS_OK;
 }
 
@@ -201,21 +210,26 @@ static burnish_status read_descriptor(int descriptor, opened_file *file, int onl
     if (size > SIZE_MAX) { /* on 32 bits */
         return burnish_fail_memory(file->memory.error, file->name, SIZE_MAX);
     }
-    return read_sized(descriptor, file, (size_t)size);
+    file->whole = (size_t)size;
+    if (file->may_be_pieces && size > BURNISH_PIECES_HEAD && lseek(descriptor, 0, SEEK_CUR) == 0) {
+        const burnish_status status = read_sized(descriptor, file, BURNISH_PIECES_HEAD);
+        if (status == BURNISH_STATUS_OK && file->size == BURNISH_PIECES_HEAD) {
+            file->pieces = burnish_pieces_format(file->format, file->bytes, file->whole);
+        }
+        if (status != BURNISH_STATUS_OK || file->pieces != BURNISH_FORMAT_AUTO) {
+            return status;
+        }
+    }
+    return read_sized(descriptor, file, file->whole);
 }
 
 /* A pipe is waited for. */
-static burnish_status read_path(const char *path, opened_file *file) {
+static int open_path(const char *path) {
     int descriptor;
     do {
         descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_BINARY);
     } while (descriptor < 0 && errno == EINTR);
-    if (descriptor < 0) {
-        return fail_errno(file, "can't be opened", errno);
-    }
-    burnish_status status = read_descriptor(descriptor, file, 0);
-    close(descriptor);
-    return status;
+    return descriptor;
 }
 
 /* ---- Files beside the input ---- */
@@ -278,17 +292,17 @@ static burnish_status refuse_warnings(burnish_mesh **mesh, burnish_error *error)
 }
 
 /* Reads and builds; releases *owned, the bytes of a file, as soon as it has been read. start: when
- * it was opened. */
-static burnish_status load(const burnish_reader_input *input, uint8_t *owned, double start,
-                           burnish_mesh **mesh, burnish_error *error) {
+ * it was opened. *again becomes 1 where that failed and is to be tried with all bytes in memory. */
+static burnish_status load(const burnish_reader_input *input, burnish_format format, uint8_t *owned,
+                           double start, burnish_mesh **mesh, int *again, burnish_error *error) {
     const burnish_context *context = input->options->context;
     burnish_tasks tasks;
     burnish_tasks_begin(&tasks, context, input->options->threads);
     burnish_mesh_data data = burnish_mesh_data_begin(context, &tasks, error);
     burnish_reader_input unpacked = *input;
     burnish_reader reader = {.input = &unpacked, .mesh = &data, .error = error};
-    burnish_format format = input->options->format;
     uint8_t *bytes;
+    *again = 0;
     burnish_status status = burnish_unpack_input(&unpacked, &data.memory, &bytes);
     if (bytes) {
         burnish_release(context, owned);
@@ -296,16 +310,21 @@ static burnish_status load(const burnish_reader_input *input, uint8_t *owned, do
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_read(&reader, &format);
+        *again = input->pieces &&
+                 (status == BURNISH_STATUS_OK
+                      ? reader.has_warned
+                      : status != BURNISH_STATUS_MEMORY && status != BURNISH_STATUS_CANCELLED);
     }
     burnish_release(context, bytes);
     burnish_release(context, owned);
-    if (status == BURNISH_STATUS_OK) {
+    if (status == BURNISH_STATUS_OK && !*again) {
         data.start = start;
         status = burnish_mesh_build(&data, input->name, input->options, format, mesh);
     }
     burnish_mesh_data_destroy(&data);
-    return status == BURNISH_STATUS_OK && input->options->strict ? refuse_warnings(mesh, error)
-                                                                 : status;
+    return status == BURNISH_STATUS_OK && !*again && input->options->strict
+               ? refuse_warnings(mesh, error)
+               : status;
 }
 
 static burnish_status load_builtin(const char *name, const burnish_load_options *options,
@@ -325,6 +344,47 @@ static burnish_status load_builtin(const char *name, const burnish_load_options 
     return status;
 }
 
+/* A file in pieces. Where they do not do, *again is 1, and all of it is in memory. */
+static burnish_status load_pieces(int descriptor, opened_file *file, burnish_reader_input *input,
+                                  double start, burnish_mesh **mesh, int *again,
+                                  burnish_error *error) {
+    const burnish_pieces pieces = {descriptor, file->size};
+    burnish_reader_input head = *input;
+    head.bytes = file->bytes;
+    head.size = file->whole;
+    head.pieces = &pieces;
+    burnish_status status = load(&head, file->pieces, NULL, start, mesh, again, error);
+    if (!*again) {
+        lseek(descriptor, 0, SEEK_END); /* as if it had been read to its end */
+        return status;
+    }
+    if (error) {
+        *error = (burnish_error){0};
+    }
+    return read_sized(descriptor, file, file->whole);
+}
+
+/* From an open descriptor, which path closes once it is read. */
+static burnish_status load_opened(const char *path, int descriptor, opened_file *file,
+                                  burnish_reader_input *input, double start, burnish_mesh **mesh,
+                                  burnish_error *error) {
+    int again = 1;
+    burnish_status status = read_descriptor(descriptor, file, 0);
+    if (status == BURNISH_STATUS_OK && file->pieces != BURNISH_FORMAT_AUTO) {
+        status = load_pieces(descriptor, file, input, start, mesh, &again, error);
+    }
+    if (path) {
+        close(descriptor);
+    }
+    if (status != BURNISH_STATUS_OK || !again) {
+        burnish_release(file->memory.context, file->bytes);
+        return status;
+    }
+    input->bytes = file->bytes;
+    input->size = file->size;
+    return load(input, input->options->format, file->bytes, start, mesh, &again, error);
+}
+
 /* From a path, or where that is NULL from a descriptor. */
 static burnish_status load_file(const char *path, int descriptor, const char *name,
                                 const burnish_load_options *options, burnish_mesh **mesh,
@@ -334,23 +394,20 @@ static burnish_status load_file(const char *path, int descriptor, const char *na
     opened_file file = {.name = name,
                         .max_bytes = options->max_input_bytes,
                         .format = options->format,
-                        .memory = burnish_memory_of(options->context, error)};
-    burnish_status status = path ? read_path(path, &file) : read_descriptor(descriptor, &file, 0);
-    if (status != BURNISH_STATUS_OK) {
-        burnish_release(options->context, file.bytes);
-        return status;
+                        .memory = burnish_memory_of(options->context, error),
+                        .may_be_pieces = 1};
+    burnish_reader_input input = {
+        .name = file.name, .options = options, .companions = options->companions};
+    const int opened = path ? open_path(path) : descriptor;
+    if (path && opened < 0) {
+        return fail_errno(&file, "can't be opened", errno);
     }
-    burnish_reader_input input = {.bytes = file.bytes,
-                                  .size = file.size,
-                                  .name = file.name,
-                                  .options = options,
-                                  .companions = options->companions};
     if (options->no_companions) {
         input.companions = (burnish_file_loader){0};
     } else if (!input.companions.load && path) {
         input.companions = (burnish_file_loader){load_beside, release_beside, &beside};
     }
-    return load(&input, file.bytes, start, mesh, error);
+    return load_opened(path, opened, &file, &input, start, mesh, error);
 }
 
 burnish_status burnish_mesh_load(const char *path, const burnish_load_options *options,
@@ -404,7 +461,8 @@ burnish_status burnish_mesh_load_memory(const void *bytes, size_t size, const ch
         return fail_size(error, input.name, options->max_input_bytes);
     }
     const burnish_environment before = burnish_environment_enter();
-    status = load(&input, NULL, burnish_seconds_now(), mesh, error);
+    int again;
+    status = load(&input, options->format, NULL, burnish_seconds_now(), mesh, &again, error);
     burnish_environment_leave(before);
     return status;
 }

@@ -5,12 +5,11 @@
  * once, by all threads (ply_binary.c). */
 #include "mesh/read/ply.h"
 #include "mesh/read/chunks.h"
+#include "mesh/read/pieces.h"
 #include "mesh/read/points.h"
 #include "mesh/read/textures.h"
 
 /* ---- Binary rows of one size ---- */
-
-enum { GRAIN = 1 << 13 /* rows that a thread takes at once */ };
 
 /* All values of the vertices, whose rows are all there. What is odd is left for
  * burnish_ply_read_rows(). */
@@ -30,28 +29,40 @@ static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *ro
             mesh->streams[i].count = count;
         }
     }
-    burnish_tasks_ranges(mesh->tasks, count, GRAIN, burnish_ply_convert_vertices, rows);
+    const burnish_status status =
+        burnish_reader_rows(ply->reader, (size_t)(*at - ply->reader->input->bytes), rows->row_size,
+                            count, burnish_ply_convert_vertices, rows);
     const size_t odd = atomic_load(&rows->odd);
-    if (odd < count) { /* which has something to say */
+    if (status == BURNISH_STATUS_OK && odd < count) { /* which has something to say */
         *at += odd * rows->row_size;
         ply->first_row = odd;
         return burnish_ply_read_rows(ply, at, count - odd);
     }
     *at += count * rows->row_size;
-    return burnish_tasks_check(mesh->tasks, ply->reader->error);
+    return status;
 }
 
 static burnish_status convert_face_colors(burnish_ply_state *ply, burnish_ply_rows *rows,
-                                          size_t count) {
+                                          size_t offset, size_t count) {
     burnish_mesh_data *mesh = ply->reader->mesh;
     burnish_stream *colors = &mesh->streams[BURNISH_COLOR];
     colors->items = burnish_reserve(&mesh->memory, colors->items, &colors->capacity,
                                     rows->first_triangle + count, 4, "colours of faces");
-    if (mesh->memory.status == BURNISH_STATUS_OK) {
-        burnish_tasks_ranges(mesh->tasks, count, GRAIN, burnish_ply_convert_face_colors, rows);
-        colors->count = rows->first_triangle + count;
+    if (mesh->memory.status != BURNISH_STATUS_OK) {
+        return mesh->memory.status;
     }
-    return mesh->memory.status;
+    colors->count = rows->first_triangle + count;
+    return burnish_reader_rows(ply->reader, offset, rows->row_size, count,
+                               burnish_ply_convert_face_colors, rows);
+}
+
+/* Whether the first row at `offset` of rows with one list is a triangle. */
+static int begins_with_triangle(const burnish_ply_state *ply, const burnish_ply_rows *rows,
+                                size_t offset) {
+    uint8_t buffer[8];
+    const uint8_t *length = burnish_reader_peek(ply->reader, offset + rows->length.offset,
+                                                burnish_ply_type_size(rows->length.type), buffer);
+    return length && burnish_ply_load_count(length, rows->length.type, rows->big_endian) == 3;
 }
 
 /* The triangles that the element begins with; burnish_ply_read_rows() goes on from the first row
@@ -65,8 +76,9 @@ static burnish_status read_triangles(burnish_ply_state *ply, burnish_ply_rows *r
     size_t count = (size_t)ply->element->count;
     count = count < left / rows->row_size ? count : left / rows->row_size;
     count = count < limit - mesh->triangle_count ? count : limit - mesh->triangle_count;
-    if (count > 0 && burnish_ply_load_count(*at + rows->length.offset, rows->length.type,
-                                            rows->big_endian) == 3) {
+    const size_t offset = (size_t)(*at - ply->reader->input->bytes);
+    burnish_status status = BURNISH_STATUS_OK;
+    if (count > 0 && begins_with_triangle(ply, rows, offset)) {
         positions->corners = burnish_reserve(
             &mesh->memory, positions->corners, &positions->corner_capacity,
             mesh->triangle_count + count, 3 * sizeof *positions->corners, "triangles");
@@ -75,16 +87,15 @@ static burnish_status read_triangles(burnish_ply_state *ply, burnish_ply_rows *r
         }
         atomic_store(&rows->odd, count);
         rows->first_triangle = mesh->triangle_count;
-        burnish_tasks_ranges(mesh->tasks, count, GRAIN, burnish_ply_convert_triangles, rows);
+        status = burnish_reader_rows(ply->reader, offset, rows->row_size, count,
+                                     burnish_ply_convert_triangles, rows);
         ply->first_row = atomic_load(&rows->odd);
-        if (ply->takes_face_colors &&
-            convert_face_colors(ply, rows, ply->first_row) != BURNISH_STATUS_OK) {
-            return mesh->memory.status;
+        if (status == BURNISH_STATUS_OK && ply->takes_face_colors) {
+            status = convert_face_colors(ply, rows, offset, ply->first_row);
         }
         mesh->triangle_count += ply->first_row;
         *at += ply->first_row * rows->row_size;
     }
-    burnish_status status = burnish_tasks_check(mesh->tasks, ply->reader->error);
     return status == BURNISH_STATUS_OK && ply->first_row < ply->element->count
                ? burnish_ply_read_rows(ply, at, (size_t)ply->element->count - ply->first_row)
                : status;
@@ -149,13 +160,41 @@ static int is_wide(burnish_ply_type type) {
     return type == BURNISH_PLY_FLOAT64 || type == BURNISH_PLY_INT32 || type == BURNISH_PLY_UINT32;
 }
 
+/* Whether rows with one list may be triangles. */
+static int may_be_triangles(const burnish_ply_element *element, const burnish_ply_rows *rows) {
+    return element->kind == BURNISH_PLY_ELEMENT_FACE && rows->length.type < BURNISH_PLY_FLOAT32 &&
+           rows->corners.type < BURNISH_PLY_FLOAT32;
+}
+
+/* Whether all rows of a file in pieces seem to be of one size per element, faces triangles. */
+static int suits_pieces(burnish_ply_state *ply) {
+    const burnish_reader_input *input = ply->reader->input;
+    size_t offset = (size_t)(ply->header.body - input->bytes);
+    int suits = ply->header.encoding != BURNISH_PLY_ASCII && ply->header.texture_count == 0 &&
+                !ply->reader->has_warned && offset < input->pieces->head; /* all of the header */
+    for (size_t i = 0; i < ply->header.element_count && suits; ++i) {
+        burnish_ply_rows rows = {.big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN};
+        size_t least;
+        ply->element = &ply->header.elements[i];
+        const uint64_t count = ply->element->count;
+        const size_t lists = describe_rows(ply, &rows, &least);
+        if (count == 0 || rows.row_size == 0) {
+            continue;
+        }
+        suits = count <= (input->size - offset) / rows.row_size &&
+                (lists == 0 || (lists == 1 && may_be_triangles(ply->element, &rows) &&
+                                begins_with_triangle(ply, &rows, offset)));
+        offset += suits ? (size_t)count * rows.row_size : 0;
+    }
+    return suits;
+}
+
 /* Reads or skips one element from *at on. */
 static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
     const burnish_ply_element *element = ply->element;
     const size_t left = (size_t)(ply->reader->input->bytes + ply->reader->input->size - *at);
     const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
-    burnish_ply_rows rows = {.bytes = *at,
-                             .big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN,
+    burnish_ply_rows rows = {.big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN,
                              .vertex_count = ply->vertex_count,
                              .mesh = ply->reader->mesh};
     size_t least;
@@ -191,8 +230,7 @@ static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
         *at += element->count * rows.row_size;
         return BURNISH_STATUS_OK;
     }
-    if (!is_ascii && lists == 1 && element->kind == BURNISH_PLY_ELEMENT_FACE &&
-        rows.length.type < BURNISH_PLY_FLOAT32 && rows.corners.type < BURNISH_PLY_FLOAT32) {
+    if (!is_ascii && lists == 1 && may_be_triangles(element, &rows)) {
         return read_triangles(ply, &rows, at);
     }
     return burnish_ply_read_rows(ply, at, (size_t)element->count);
@@ -237,7 +275,8 @@ static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
         }
         status = read_element(ply, &at);
     }
-    while (at < end && (burnish_is_blank(*at) || burnish_is_line_end(*at))) {
+    while (!ply->reader->is_binary && at < end &&
+           (burnish_is_blank(*at) || burnish_is_line_end(*at))) {
         ++at;
     }
     *left = (size_t)(end - at);
@@ -339,7 +378,9 @@ static burnish_status read_body(burnish_ply_state *ply) {
     atomic_init(&is_odd, 0);
     ply->is_odd = &is_odd;
     size_t left;
-    burnish_status status = read_elements(ply, &left);
+    burnish_status status = ply->reader->input->pieces && !suits_pieces(ply)
+                                ? burnish_pieces_give_up(ply->reader)
+                                : read_elements(ply, &left);
     if (!ply->reader->is_binary &&
         (status == BURNISH_STATUS_FORMAT ||
          (status == BURNISH_STATUS_OK && atomic_load(&is_odd) && left > 0))) {

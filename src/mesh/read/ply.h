@@ -96,7 +96,7 @@ enum { BURNISH_PLY_TEXTURES_MAX = 4096 };
 burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_header *header);
 void burnish_ply_destroy_header(const burnish_context *context, burnish_ply_header *header);
 
-/* ---- ply_binary.c: rows that all have one size, converted where they lie ---- */
+/* ---- ply_binary.c: rows that all have one size ---- */
 
 /* Where a value stands in a row. */
 typedef struct burnish_ply_column {
@@ -105,7 +105,6 @@ typedef struct burnish_ply_column {
 } burnish_ply_column;
 
 typedef struct burnish_ply_rows {
-    const uint8_t *bytes; /* the first row */
     size_t row_size;
     int big_endian;
     burnish_ply_column columns[BURNISH_PLY_ROLE_COUNT];
@@ -115,13 +114,15 @@ typedef struct burnish_ply_rows {
     atomic_size_t odd; /* the first row that is not as expected */
 } burnish_ply_rows;
 
-/* Rows [first, end) of vertices or triangles into the streams, which have room for them. The first
- * row that is not as expected goes to rows->odd. user_data: the burnish_ply_rows. */
-void burnish_ply_convert_vertices(void *user_data, size_t first, size_t end);
-void burnish_ply_convert_triangles(void *user_data, size_t first, size_t end);
+/* Rows [first, end) of vertices or triangles, the first at `bytes`, into the streams, which have
+ * room for them: as burnish_rows_task. The first row that is not as expected goes to rows->odd.
+ * user_data: the burnish_ply_rows. */
+void burnish_ply_convert_vertices(void *user_data, const uint8_t *bytes, size_t first, size_t end);
+void burnish_ply_convert_triangles(void *user_data, const uint8_t *bytes, size_t first, size_t end);
 
 /* The colours of triangles that have been converted, one each. */
-void burnish_ply_convert_face_colors(void *user_data, size_t first, size_t end);
+void burnish_ply_convert_face_colors(void *user_data, const uint8_t *bytes, size_t first,
+                                     size_t end);
 
 /* ---- ply_rows.c ---- */
 

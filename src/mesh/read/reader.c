@@ -226,6 +226,10 @@ burnish_status burnish_reader_fail(burnish_reader *reader, burnish_status status
 void burnish_reader_warn(burnish_reader *reader, const uint8_t *at, const char *format, ...) {
     char line[LINE_SIZE];
     va_list arguments;
+    if (reader->input->pieces) {
+        reader->has_warned = 1;
+        return;
+    }
     va_start(arguments, format);
     write_line(line, reader, at, format, arguments);
     va_end(arguments);
@@ -245,7 +249,9 @@ void burnish_reader_note(burnish_reader *reader, burnish_warning_group *group, c
 }
 
 void burnish_reader_warn_group(burnish_reader *reader, const burnish_warning_group *group) {
-    if (group->count == 1) {
+    if (group->count > 0 && reader->input->pieces) {
+        reader->has_warned = 1;
+    } else if (group->count == 1) {
         burnish_mesh_data_warn(reader->mesh, "%s", group->first.text);
     } else if (group->count > 1) {
         burnish_mesh_data_warn(reader->mesh, "%s (and %zu more like it)", group->first.text,

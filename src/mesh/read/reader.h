@@ -10,7 +10,8 @@ typedef struct burnish_reader_input {
     size_t size;
     const char *name; /* for messages */
     const burnish_load_options *options;
-    burnish_file_loader companions; /* load NULL: there are none */
+    burnish_file_loader companions;      /* load NULL: there are none */
+    const struct burnish_pieces *pieces; /* pieces.h: only the head is at `bytes`; NULL: all */
 } burnish_reader_input;
 
 /* A face of 4 corners or more: a fan until all positions are there, then cut by them. */
@@ -25,6 +26,7 @@ typedef struct burnish_reader {
     burnish_error *error;
     int is_binary;          /* messages tell bytes, not lines */
     int is_wide;            /* 1: the file's coordinates may be more than floats hold */
+    int has_warned;         /* 1: of an input in pieces, which is read whole then to say it */
     const uint8_t *counted; /* lines are counted up to here: NULL before the first */
     size_t line;
     burnish_polygon *polygons;

@@ -14,6 +14,7 @@
 #include "core/srgb.h"
 #include "mesh/read/chunks.h"
 #include "mesh/read/origin.h"
+#include "mesh/read/pieces.h"
 
 enum {
     TITLE_SIZE = 80,
@@ -36,10 +37,7 @@ static uint32_t read_u32(const uint8_t *p) {
 
 /* ---- Binary ---- */
 
-enum { GRAIN = 1 << 14 /* facets that a thread takes at once */ };
-
 typedef struct facet_context {
-    const uint8_t *bytes; /* the first facet */
     float *positions;
     atomic_size_t bad;        /* the first facet with a coordinate that is not finite */
     atomic_uint any, all;     /* the attribute bytes of all facets, joined by or and by and */
@@ -51,20 +49,20 @@ static int is_finite(uint32_t bits) {
     return (bits & 0x7F800000u) != 0x7F800000u;
 }
 
-static void convert_facets(void *user_data, size_t first, size_t end) {
+static void convert_facets(void *user_data, const uint8_t *facets, size_t first, size_t end) {
     facet_context *context = user_data;
     size_t bad = SIZE_MAX;
     unsigned any = 0, all = UINT16_MAX;
-    for (size_t i = end; i-- > first;) {
-        const uint8_t *from = context->bytes + i * FACET_SIZE + NORMAL_SIZE;
+    for (size_t i = first; i < end; ++i, facets += FACET_SIZE) {
+        const uint8_t *from = facets + NORMAL_SIZE;
         uint32_t bits[9], finite = 1;
         for (size_t k = 0; k < 9; ++k) {
             bits[k] = read_u32(from + 4 * k);
             finite &= (uint32_t)is_finite(bits[k]);
         }
         memcpy(context->positions + 9 * i, bits, sizeof bits);
-        bad = finite ? bad : i;
-        const unsigned found = read_u16(context->bytes + i * FACET_SIZE + ATTRIBUTES_AT);
+        bad = finite || i > bad ? bad : i;
+        const unsigned found = read_u16(facets + ATTRIBUTES_AT);
         any |= found;
         all &= found;
     }
@@ -140,11 +138,11 @@ static void write_color(const facet_context *context, unsigned bits, uint8_t rgb
     }
 }
 
-static void convert_colors(void *user_data, size_t first, size_t end) {
+static void convert_colors(void *user_data, const uint8_t *facets, size_t first, size_t end) {
     const facet_context *context = user_data;
-    for (size_t i = first; i < end; ++i) {
+    for (size_t i = first; i < end; ++i, facets += FACET_SIZE) {
         uint8_t *rgba = context->colors + 12 * i;
-        write_color(context, read_u16(context->bytes + i * FACET_SIZE + ATTRIBUTES_AT), rgba);
+        write_color(context, read_u16(facets + ATTRIBUTES_AT), rgba);
         memcpy(rgba + 4, rgba, 4);
         memcpy(rgba + 8, rgba, 4);
     }
@@ -185,7 +183,7 @@ static burnish_status read_colors(burnish_reader *reader, facet_context *context
     if (burnish_mesh_data_reserve(mesh, BURNISH_COLOR, 3 * count) == BURNISH_STATUS_OK) {
         mesh->streams[BURNISH_COLOR].count = 3 * count;
         context->colors = burnish_colors(mesh);
-        burnish_tasks_ranges(mesh->tasks, count, GRAIN, convert_colors, context);
+        return burnish_reader_rows(reader, HEADER_SIZE, FACET_SIZE, count, convert_colors, context);
     }
     return mesh->memory.status;
 }
@@ -201,20 +199,23 @@ static burnish_status read_binary(burnish_reader *reader) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    facet_context context = {.bytes = reader->input->bytes + HEADER_SIZE,
-                             .positions = burnish_positions(mesh)};
+    facet_context context = {.positions = burnish_positions(mesh)};
     atomic_init(&context.bad, SIZE_MAX);
     atomic_init(&context.all, UINT16_MAX);
-    burnish_tasks_ranges(mesh->tasks, count, GRAIN, convert_facets, &context);
+    status = burnish_reader_rows(reader, HEADER_SIZE, FACET_SIZE, count, convert_facets, &context);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
     const size_t bad = atomic_load(&context.bad);
     if (bad < count) {
-        return fail_coordinate(reader, context.bytes + bad * FACET_SIZE);
+        return reader->input->pieces
+                   ? burnish_pieces_give_up(reader)
+                   : fail_coordinate(reader, reader->input->bytes + HEADER_SIZE + bad * FACET_SIZE);
     }
     mesh->streams[BURNISH_POSITION].count = 3 * count;
     mesh->triangle_count = count;
     burnish_move_positions(mesh);
-    status = read_colors(reader, &context, count);
-    return status == BURNISH_STATUS_OK ? burnish_tasks_check(mesh->tasks, reader->error) : status;
+    return read_colors(reader, &context, count);
 }
 
 /* ---- ASCII ---- */
@@ -496,9 +497,9 @@ static burnish_status number_corners(burnish_reader *reader) {
     return status;
 }
 
-static int is_exact_binary(const uint8_t *bytes, size_t size) {
+int burnish_is_binary_stl(const uint8_t *head, size_t size) {
     return size >= HEADER_SIZE && (size - HEADER_SIZE) % FACET_SIZE == 0 &&
-           (size - HEADER_SIZE) / FACET_SIZE == read_u32(bytes + TITLE_SIZE);
+           (size - HEADER_SIZE) / FACET_SIZE == read_u32(head + TITLE_SIZE);
 }
 
 static int starts_as_text(const uint8_t *bytes, size_t size) {
@@ -521,14 +522,15 @@ static int has_no_controls(const uint8_t *bytes, size_t size) {
 
 /* A size that fits the count is no accident, whatever the file is called. */
 int burnish_recognise_stl(const uint8_t *bytes, size_t size) {
-    return is_exact_binary(bytes, size) ? 1 + (size > HEADER_SIZE) : starts_as_text(bytes, size);
+    return burnish_is_binary_stl(bytes, size) ? 1 + (size > HEADER_SIZE)
+                                              : starts_as_text(bytes, size);
 }
 
 burnish_status burnish_read_stl(burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
     burnish_status status;
-    const int is_text =
-        !is_exact_binary(input->bytes, input->size) && has_no_controls(input->bytes, input->size);
+    const int is_text = !burnish_is_binary_stl(input->bytes, input->size) &&
+                        has_no_controls(input->bytes, input->size);
     if (is_text && starts_as_text(input->bytes, input->size)) {
         status = read_text(reader);
     } else if (is_text && input->size >= HEADER_SIZE) {

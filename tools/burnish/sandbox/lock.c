@@ -53,6 +53,7 @@ static void forbid_files(void) {
 
 /* What drawing needs once everything is open. */
 static const char *const allowed[] = {"read",
+                                      "pread64",
                                       "write",
                                       "readv",
                                       "writev",

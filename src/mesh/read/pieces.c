@@ -1,0 +1,128 @@
+#include "mesh/read/pieces.h"
+
+#include <errno.h>
+
+#include "core/platform.h"
+#include "image/gunzip.h"
+
+enum {
+    PIECE = 1 << 18, /* bytes that are read at once, by each thread */
+    GRAIN = 1 << 13  /* rows that a thread takes at once where all are in memory */
+};
+
+burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size) {
+    const int is_any = format == BURNISH_FORMAT_AUTO;
+    const burnish_format guess = burnish_guess_format(head, BURNISH_PIECES_HEAD, NULL);
+    const int is_stl = burnish_is_binary_stl(head, size);
+    if (!BURNISH_HAS_PREAD || burnish_is_gzip(head, size)) {
+        return BURNISH_FORMAT_AUTO;
+    }
+    if (is_stl && (format == BURNISH_FORMAT_STL ||
+                   (is_any && (guess == BURNISH_FORMAT_AUTO || guess == BURNISH_FORMAT_STL)))) {
+        return BURNISH_FORMAT_STL;
+    }
+    return guess == BURNISH_FORMAT_PLY && !is_stl && (is_any || format == guess)
+               ? guess
+               : BURNISH_FORMAT_AUTO;
+}
+
+burnish_status burnish_pieces_give_up(burnish_reader *reader) {
+    return burnish_reader_fail(reader, BURNISH_STATUS_READ, NULL, "to be read whole");
+}
+
+/* Returns 0 where the file does not give them all: it has become shorter, or can't be read. */
+static int read_at(int descriptor, size_t offset, uint8_t *bytes, size_t size) {
+#if BURNISH_HAS_PREAD
+    while (size > 0) {
+        const ssize_t count = pread(descriptor, bytes, size, (off_t)offset);
+        if (count == 0 || (count < 0 && errno != EINTR)) {
+            return 0;
+        }
+        const size_t got = count > 0 ? (size_t)count : 0;
+        bytes += got;
+        offset += got;
+        size -= got;
+    }
+    return 1;
+#else
+    (void)descriptor, (void)offset, (void)bytes, (void)size;
+    return 0;
+#endif
+}
+
+const uint8_t *burnish_reader_peek(const burnish_reader *reader, size_t offset, size_t size,
+                                   uint8_t *buffer) {
+    const burnish_pieces *pieces = reader->input->pieces;
+    if (!pieces || offset + size <= pieces->head) {
+        return reader->input->bytes + offset;
+    }
+    return read_at(pieces->descriptor, offset, buffer, size) ? buffer : NULL;
+}
+
+/* What the threads share that take rows. */
+typedef struct rows_context {
+    const burnish_reader_input *input;
+    size_t offset, row_size, count;
+    size_t piece_rows, piece_size;
+    uint8_t *pieces; /* one per thread */
+    atomic_int failed;
+    burnish_rows_task *task;
+    void *user_data;
+} rows_context;
+
+static void take_rows(void *context, size_t first, size_t end) {
+    const rows_context *c = context;
+    c->task(c->user_data, c->input->bytes + c->offset + first * c->row_size, first, end);
+}
+
+static void take_piece(void *context, size_t index, int thread) {
+    rows_context *c = context;
+    const size_t first = index * c->piece_rows, left = c->count - first;
+    const size_t count = left < c->piece_rows ? left : c->piece_rows;
+    uint8_t *rows = c->pieces + (size_t)thread * c->piece_size;
+    if (atomic_load_explicit(&c->failed, memory_order_relaxed)) {
+        return;
+    }
+    if (read_at(c->input->pieces->descriptor, c->offset + first * c->row_size, rows,
+                count * c->row_size)) {
+        c->task(c->user_data, rows, first, first + count);
+    } else {
+        atomic_store(&c->failed, 1);
+    }
+}
+
+static burnish_status read_rows(burnish_reader *reader, rows_context *c) {
+    burnish_mesh_data *mesh = reader->mesh;
+    const size_t threads = (size_t)burnish_tasks_threads(mesh->tasks);
+    c->piece_rows = c->row_size < PIECE ? PIECE / c->row_size : 1;
+    const size_t pieces = (c->count + c->piece_rows - 1) / c->piece_rows;
+    c->piece_size = c->piece_rows * c->row_size;
+    c->pieces = burnish_allocate(&mesh->memory, threads < pieces ? threads : pieces, c->piece_size,
+                                 "a piece of the file");
+    if (!c->pieces) {
+        return mesh->memory.status;
+    }
+    burnish_tasks_run(mesh->tasks, pieces, 1, (int)(threads < pieces ? threads : pieces),
+                      take_piece, c);
+    burnish_release(mesh->memory.context, c->pieces);
+    return atomic_load(&c->failed) ? burnish_pieces_give_up(reader) : BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_reader_rows(burnish_reader *reader, size_t offset, size_t row_size,
+                                   size_t count, burnish_rows_task *task, void *user_data) {
+    rows_context context = {.input = reader->input,
+                            .offset = offset,
+                            .row_size = row_size,
+                            .count = count,
+                            .task = task,
+                            .user_data = user_data};
+    burnish_status status = BURNISH_STATUS_OK;
+    atomic_init(&context.failed, 0);
+    if (reader->input->pieces && count > 0) {
+        status = read_rows(reader, &context);
+    } else {
+        burnish_tasks_ranges(reader->mesh->tasks, count, GRAIN, take_rows, &context);
+    }
+    return status == BURNISH_STATUS_OK ? burnish_tasks_check(reader->mesh->tasks, reader->error)
+                                       : status;
+}

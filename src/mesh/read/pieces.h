@@ -1,0 +1,48 @@
+/* Binary files that are read piece by piece, straight into the arrays that their rows become: so
+ * the file itself takes no memory, and what is read stays in the second-level cache.
+ *
+ * Of such an input only the first bytes are there. It is read so where all is as it should be:
+ * whatever else a reader finds makes it return an error or a warning, and the input is read once
+ * more with all its bytes in memory. That gives the mesh, or the message. */
+#ifndef BURNISH_MESH_READ_PIECES_H
+#define BURNISH_MESH_READ_PIECES_H
+
+#include "mesh/read/reader.h"
+
+typedef struct burnish_pieces {
+    int descriptor; /* of a regular file, from its beginning */
+    size_t head;    /* bytes at its beginning that are in memory */
+} burnish_pieces;
+
+/* Bytes of the head. */
+enum { BURNISH_PIECES_HEAD = 1 << 16 };
+
+/* The format of a file of `size` bytes that may be read in pieces; AUTO: it is to be read whole.
+ *
+ * format: what the caller says that it is, or AUTO
+ * head:   its first BURNISH_PIECES_HEAD bytes, fewer than size */
+burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size);
+
+/* An error of a file in pieces: it is to be read whole. */
+burnish_status burnish_pieces_give_up(burnish_reader *reader);
+
+/* Bytes of the input from an offset on: where they lie, or in the buffer. NULL: they can't be read.
+ */
+const uint8_t *burnish_reader_peek(const burnish_reader *reader, size_t offset, size_t size,
+                                   uint8_t *buffer);
+
+/* Rows [first, end) of those that are read; the first one is at `rows`. */
+typedef void burnish_rows_task(void *user_data, const uint8_t *rows, size_t first, size_t end);
+
+/* Runs the task for `count` rows of row_size bytes each, some at a time, by all threads. They are
+ * within the input.
+ *
+ * offset: of the first row, in bytes from the beginning of the input
+ * Errors: MEMORY, CANCELLED; READ where the input is in pieces and can't be read. */
+burnish_status burnish_reader_rows(burnish_reader *reader, size_t offset, size_t row_size,
+                                   size_t count, burnish_rows_task *task, void *user_data);
+
+/* stl.c: whether the size of a file is the one that its header tells. */
+int burnish_is_binary_stl(const uint8_t *head, size_t size);
+
+#endif

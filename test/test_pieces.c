@@ -1,0 +1,359 @@
+/* Binary files that are read piece by piece: the same meshes, warnings and errors as of the same
+ * bytes in memory, in less memory than the file has; also of a file that becomes shorter. */
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "burnish/mesh.h"
+#include "counting_context.h"
+#include "support.h"
+
+enum { SIDE = 140, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };
+
+static uint8_t file[TRIANGLES * 50 + 4096];
+static size_t file_size, faces_begin;
+static char path[4096];
+
+static void put(uint64_t bits, int size, int big_endian) {
+    for (int i = 0; i < size; ++i) {
+        file[file_size++] = (uint8_t)(bits >> 8 * (big_endian ? size - 1 - i : i));
+    }
+}
+
+static void put_float(float value, int big_endian) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put(bits, 4, big_endian);
+}
+
+static void put_double(double value, int big_endian) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put(bits, 8, big_endian);
+}
+
+static float coordinate(uint32_t vertex, int axis) {
+    return axis == 0   ? (float)(vertex % SIDE)
+           : axis == 1 ? (float)(vertex / SIDE)
+                       : (float)(vertex * vertex % 17) * 0.25f;
+}
+
+static uint32_t corner(uint32_t triangle, uint32_t k) {
+    const uint32_t q = triangle / 2, a = q / (SIDE - 1) * SIDE + q % (SIDE - 1);
+    const uint32_t corners[2][3] = {{a, a + 1, a + SIDE}, {a + 1, a + SIDE + 1, a + SIDE}};
+    return corners[triangle % 2][k];
+}
+
+/* ---- Files ---- */
+
+/* What a PLY has. */
+typedef struct ply_kind {
+    int big_endian, has_doubles, has_normals, has_colors, has_face_colors;
+    const char *extra; /* a line of the header */
+} ply_kind;
+
+static void make_ply(const ply_kind *kind) {
+    const char *type = kind->has_doubles ? "double" : "float";
+    static const char colors[] = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    file_size = (size_t)snprintf(
+        (char *)file, 2048,
+        "ply\nformat binary_%s_endian 1.0\n%selement vertex %d\nproperty %s x\nproperty %s y\n"
+        "property %s z\n%s%selement face %d\nproperty list uchar int vertex_indices\n%s"
+        "end_header\n",
+        kind->big_endian ? "big" : "little", kind->extra, VERTICES, type, type, type,
+        kind->has_normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "",
+        kind->has_colors ? colors : "", TRIANGLES, kind->has_face_colors ? colors : "");
+    for (uint32_t i = 0; i < VERTICES; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (kind->has_doubles) {
+                put_double(5e6 + (double)coordinate(i, axis), kind->big_endian);
+            } else {
+                put_float(coordinate(i, axis), kind->big_endian);
+            }
+        }
+        for (int axis = 0; axis < 3 && kind->has_normals; ++axis) {
+            put_float(axis == (int)(i % 3), kind->big_endian);
+        }
+        for (uint32_t k = 0; k < 3 && kind->has_colors; ++k) {
+            put((i >> k) & 0xff, 1, 0);
+        }
+    }
+    faces_begin = file_size;
+    for (uint32_t i = 0; i < TRIANGLES; ++i) {
+        put(3, 1, 0);
+        for (uint32_t k = 0; k < 3; ++k) {
+            put(corner(i, k), 4, kind->big_endian);
+        }
+        for (uint32_t k = 0; k < 3 && kind->has_face_colors; ++k) {
+            put((i >> k) & 0xff, 1, 0);
+        }
+    }
+}
+
+static void make_stl(const char *title, int has_colors) {
+    memset(file, 0, 80);
+    memcpy(file, title, strlen(title));
+    file_size = 80;
+    put(TRIANGLES, 4, 0);
+    for (uint32_t i = 0; i < TRIANGLES; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            put_float(0, 0);
+        }
+        for (uint32_t k = 0; k < 9; ++k) {
+            put_float(coordinate(corner(i, k / 3), (int)(k % 3)), 0);
+        }
+        put(has_colors ? 0x8000 | (i & 0x7fff) : 0, 2, 0);
+    }
+}
+
+static int save(void) {
+    FILE *to = fopen(path, "wb");
+    return CHECK(to && fwrite(file, 1, file_size, to) == file_size && fclose(to) == 0,
+                 "can't write %s", path);
+}
+
+/* ---- The same as of bytes in memory ---- */
+
+static int same_arrays(const void *a, const void *b, size_t size) {
+    return !a == !b && (!a || memcmp(a, b, size) == 0);
+}
+
+static int same_mesh(const burnish_mesh *a, const burnish_mesh *b) {
+    if (!a || !b) {
+        return !a == !b;
+    }
+    const burnish_mesh_view *x = burnish_mesh_get_view(a), *y = burnish_mesh_get_view(b);
+    const size_t count = x->vertex_count, warnings = burnish_mesh_warning_count(a);
+    int same = count == y->vertex_count && x->triangle_count == y->triangle_count &&
+               same_arrays(x->positions, y->positions, 12 * count) &&
+               same_arrays(x->normals, y->normals, 12 * count) &&
+               same_arrays(x->colors, y->colors, 4 * count) &&
+               same_arrays(x->indices, y->indices, 12 * x->triangle_count) &&
+               memcmp(x->origin, y->origin, sizeof x->origin) == 0 &&
+               warnings == burnish_mesh_warning_count(b);
+    for (size_t i = 0; i < warnings && same; ++i) {
+        same = strcmp(burnish_mesh_warning(a, i), burnish_mesh_warning(b, i)) == 0;
+    }
+    return same;
+}
+
+/* Loads the file and its bytes; what a context's log gets is the same, too. */
+static void check_same(const char *what, burnish_status expected) {
+    static const int threads[] = {1, 2, 5};
+    save();
+    for (int i = 0; i < 3; ++i) {
+        counts counted[2];
+        burnish_mesh *meshes[2] = {NULL, NULL};
+        burnish_error errors[2] = {{0}, {0}};
+        burnish_status found[2];
+        burnish_context *contexts[2];
+        for (int k = 0; k < 2; ++k) {
+            burnish_load_options options = burnish_load_options_default();
+            contexts[k] = make_context(&counted[k]);
+            options.context = contexts[k];
+            options.threads = threads[i];
+            found[k] = k == 0 ? burnish_mesh_load(path, &options, &meshes[0], &errors[0])
+                              : burnish_mesh_load_memory(file, file_size, path, &options,
+                                                         &meshes[1], &errors[1]);
+        }
+        CHECK(found[0] == expected && found[1] == expected, "%s: %d and %d, not %d: %s", what,
+              (int)found[0], (int)found[1], (int)expected, errors[0].text);
+        CHECK(same_mesh(meshes[0], meshes[1]), "%s, %d threads: another mesh", what, threads[i]);
+        CHECK(strcmp(errors[0].text, errors[1].text) == 0, "%s: %s, not %s", what, errors[0].text,
+              errors[1].text);
+        CHECK(counted[0].lines == counted[1].lines, "%s: %d lines of a log, not %d", what,
+              counted[0].lines, counted[1].lines);
+        for (int k = 0; k < 2; ++k) {
+            burnish_mesh_destroy(meshes[k]);
+            burnish_context_destroy(contexts[k]);
+            CHECK(atomic_load(&counted[k].live) == 0, "%s: not all was given back", what);
+        }
+    }
+}
+
+static const ply_kind kinds[] = {
+    {0, 0, 0, 0, 0, ""}, {1, 0, 1, 0, 0, ""}, {0, 0, 1, 1, 0, ""},
+    {1, 0, 0, 0, 1, ""}, {0, 1, 1, 0, 0, ""}, {0, 0, 0, 0, 0, "what is this\n"},
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+static void test_ply(void) {
+    for (int i = 0; i < KINDS; ++i) {
+        char what[32];
+        snprintf(what, sizeof what, "PLY %d", i);
+        make_ply(&kinds[i]);
+        check_same(what, BURNISH_STATUS_OK);
+        file[file_size++] = '!';
+        check_same("PLY, a byte more", BURNISH_STATUS_OK);
+        file_size -= 2;
+        check_same("PLY, a byte less", BURNISH_STATUS_FORMAT);
+    }
+}
+
+/* What only the whole file can tell: a quad, a corner that is no vertex, no number. */
+static void test_odd_ply(void) {
+    static const size_t rows[] = {0, 1, TRIANGLES / 2, TRIANGLES - 1};
+    for (int i = 0; i < 4; ++i) {
+        make_ply(&kinds[0]);
+        file[faces_begin + 13 * rows[i]] = 2;
+        check_same("PLY, a face of two", i < 3 ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_OK);
+        make_ply(&kinds[0]);
+        memset(file + faces_begin + 13 * rows[i] + 1, 0xff, 4);
+        check_same("PLY, a bad corner", BURNISH_STATUS_FORMAT);
+        make_ply(&kinds[0]);
+        memset(file + faces_begin - 12 * (rows[i] % VERTICES + 1), 0xff, 4);
+        check_same("PLY, no number", BURNISH_STATUS_FORMAT);
+    }
+    make_ply(&kinds[0]);
+    memset(file, ' ', 1); /* " ly": no PLY by its bytes */
+    check_same("no PLY", BURNISH_STATUS_FORMAT);
+}
+
+static void test_stl(void) {
+    static const char *const titles[] = {"a part", "solid part", "COLOR=abcd", "ply\n", "glTF"};
+    for (int i = 0; i < 5; ++i) {
+        for (int has_colors = 0; has_colors < 2; ++has_colors) {
+            make_stl(titles[i], has_colors);
+            check_same(titles[i], BURNISH_STATUS_OK);
+        }
+    }
+    make_stl("a part", 0);
+    file[file_size++] = '!';
+    check_same("STL, a byte more", BURNISH_STATUS_OK);
+    file_size -= 2;
+    check_same("STL, a byte less", BURNISH_STATUS_FORMAT);
+    for (size_t facet = 0; facet < TRIANGLES; facet += TRIANGLES / 3) {
+        make_stl("a part", 0);
+        memset(file + 84 + 50 * facet + 12, 0xff, 8);
+        check_same("STL, no number", BURNISH_STATUS_FORMAT);
+    }
+}
+
+/* ---- Memory ---- */
+
+/* A context that refuses arrays of `most` bytes and more. */
+static void *allocate_little(void *user_data, size_t size, size_t alignment) {
+    return size < *(const size_t *)user_data ? aligned_alloc(alignment, size) : NULL;
+}
+
+static void release_little(void *user_data, void *memory) {
+    (void)user_data;
+    free(memory);
+}
+
+/* The file itself is in memory nowhere. */
+static void check_memory(void) {
+    size_t most = file_size;
+    burnish_load_options options = burnish_load_options_default();
+    burnish_context_options made = burnish_context_options_default();
+    burnish_context *context = NULL;
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {0};
+    made.allocator = (burnish_allocator){allocate_little, release_little, &most};
+    CHECK1(burnish_context_create(&made, &context, NULL) == BURNISH_STATUS_OK);
+    options.context = context;
+    options.threads = 2;
+    save();
+    CHECK(burnish_mesh_load(path, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    burnish_mesh_destroy(mesh);
+    burnish_context_destroy(context);
+}
+
+static void test_memory(void) {
+    make_stl("a part", 0);
+    check_memory();
+    make_ply(&kinds[2]);
+    check_memory();
+}
+
+/* Each allocation fails once. */
+static void test_allocations(void) {
+    make_ply(&kinds[2]);
+    save();
+    for (long k = 0, failed = 1; failed; ++k) {
+        counts counted;
+        burnish_load_options options = burnish_load_options_default();
+        burnish_mesh *mesh = NULL;
+        burnish_error error = {0};
+        options.context = make_context(&counted);
+        options.threads = 2;
+        counted.left = k;
+        const burnish_status status = burnish_mesh_load(path, &options, &mesh, &error);
+        failed = atomic_load(&counted.left) < 0;
+        CHECK(status == (failed ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_OK), "allocation %ld: %s",
+              k, error.text);
+        burnish_mesh_destroy(mesh);
+        CHECK(atomic_load(&counted.live) <= 1, "allocation %ld: not all was given back", k);
+        burnish_context_destroy((burnish_context *)options.context);
+    }
+}
+
+/* ---- Files that change, descriptors ---- */
+
+/* A file that is cut when the call first asks whether to go on. */
+static int cut_file(void *user_data) {
+    CHECK1(truncate(path, *(const off_t *)user_data) == 0);
+    return 0;
+}
+
+static void test_cut(void) {
+    for (off_t size = 0; size < 600000; size += 150000) {
+        for (int i = 0; i < 2; ++i) {
+            burnish_context_options made = burnish_context_options_default();
+            burnish_load_options options = burnish_load_options_default();
+            burnish_mesh *mesh = NULL;
+            burnish_error error = {0};
+            burnish_context *context = NULL;
+            if (i == 0) {
+                make_ply(&kinds[2]);
+            } else {
+                make_stl("a part", 0);
+            }
+            save();
+            made.cancelled = cut_file;
+            made.cancelled_user_data = &size;
+            CHECK1(burnish_context_create(&made, &context, NULL) == BURNISH_STATUS_OK);
+            options.context = context;
+            options.threads = 1;
+            const burnish_status status = burnish_mesh_load(path, &options, &mesh, &error);
+            CHECK(status == BURNISH_STATUS_FORMAT && strstr(error.text, "truncated"),
+                  "cut to %ld bytes: %d, %s", (long)size, (int)status, error.text);
+            burnish_mesh_destroy(mesh);
+            burnish_context_destroy(context);
+        }
+    }
+}
+
+/* A descriptor is read to its end; one that is elsewhere than at the beginning from there. */
+static void test_descriptor(void) {
+    make_stl("a part", 0);
+    save();
+    const int descriptor = open(path, O_RDONLY);
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {0};
+    CHECK(burnish_mesh_load_descriptor(descriptor, "a", &options, &mesh, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    CHECK1(lseek(descriptor, 0, SEEK_CUR) == (off_t)file_size);
+    burnish_mesh_destroy(mesh);
+    CHECK1(lseek(descriptor, 50, SEEK_SET) == 50);
+    CHECK(burnish_mesh_load_descriptor(descriptor, "a", &options, &mesh, &error) !=
+              BURNISH_STATUS_OK,
+          "the end of a file was read as all of it");
+    burnish_mesh_destroy(mesh);
+    CHECK1(close(descriptor) == 0);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    snprintf(path, sizeof path, TEST_BINARY_DIR "/pieces-%d.stl", (int)getpid());
+    RUN(test_ply());
+    RUN(test_odd_ply());
+    RUN(test_stl());
+    RUN(test_memory());
+    RUN(test_allocations());
+    RUN(test_cut());
+    RUN(test_descriptor());
+    CHECK1(unlink(path) == 0);
+    return test_end("pieces");
+}
