@@ -1,15 +1,16 @@
-/* Binary files that are read piece by piece: the same meshes, warnings and errors as of the same
+/* Files that are read piece by piece: the same meshes, warnings and errors as of the same
  * bytes in memory, in less memory than the file has; also of a file that becomes shorter. */
 #include <fcntl.h>
+#include <stdarg.h>
 #include <unistd.h>
 
 #include "burnish/mesh.h"
 #include "counting_context.h"
 #include "support.h"
 
-enum { SIDE = 140, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };
+enum { SIDE = 100, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };
 
-static uint8_t file[TRIANGLES * 50 + 4096];
+static uint8_t file[TRIANGLES * 256 + 4096];
 static size_t file_size, faces_begin;
 static char path[4096];
 
@@ -228,6 +229,126 @@ static void test_stl(void) {
     }
 }
 
+/* ---- Text ---- */
+
+__attribute__((format(printf, 1, 2))) static void print(const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    file_size +=
+        (size_t)vsnprintf((char *)file + file_size, sizeof file - file_size, format, arguments);
+    va_end(arguments);
+}
+
+/* What stands in the middle of a text, and what at its end. */
+typedef struct oddity {
+    const char *middle, *end;
+    burnish_status status;
+} oddity;
+
+static int is_middle(uint32_t i) {
+    return i == TRIANGLES / 2;
+}
+
+static void make_text_stl(const oddity *odd, const char *newline) {
+    file_size = 0;
+    print("solid sheet%s", newline);
+    for (uint32_t i = 0; i < TRIANGLES; ++i) {
+        print("%sfacet normal 0 0 1%s outer loop%s", is_middle(i) ? odd->middle : "", newline,
+              newline);
+        for (uint32_t k = 0; k < 3; ++k) {
+            print("  vertex %g %.6e %g%s", (double)coordinate(corner(i, k), 0),
+                  (double)coordinate(corner(i, k), 1), (double)coordinate(corner(i, k), 2),
+                  newline);
+        }
+        print(" endloop%sendfacet%s", newline, newline);
+    }
+    print("%s", odd->end);
+}
+
+static void make_text_ply(const oddity *odd, const char *newline) {
+    file_size = 0;
+    print("ply%sformat ascii 1.0%selement vertex %d%sproperty float x%sproperty float y%s"
+          "property float z%sproperty uchar red%sproperty uchar green%sproperty uchar blue%s"
+          "element face %d%sproperty list uchar int vertex_indices%send_header%s",
+          newline, newline, VERTICES, newline, newline, newline, newline, newline, newline, newline,
+          TRIANGLES, newline, newline, newline);
+    for (uint32_t i = 0; i < VERTICES; ++i) {
+        print("%g %g %.5f %u 7 255%s", (double)coordinate(i, 0), (double)coordinate(i, 1),
+              (double)coordinate(i, 2), i & 255, newline);
+    }
+    for (uint32_t i = 0; i < TRIANGLES; ++i) {
+        print("3 %u %u %u%s%s", corner(i, 0), corner(i, 1), corner(i, 2),
+              is_middle(i) ? odd->middle : "", newline);
+    }
+    print("%s", odd->end);
+}
+
+static void make_obj(const oddity *odd, const char *newline) {
+    file_size = 0;
+    print("# a sheet%s", newline);
+    for (uint32_t i = 0; i < VERTICES; ++i) {
+        print("v %g %g %.7f%svt %.4f .5%s", (double)coordinate(i, 0), (double)coordinate(i, 1),
+              (double)coordinate(i, 2), newline, i / (double)VERTICES, newline);
+    }
+    for (uint32_t i = 0; i < TRIANGLES; ++i) {
+        const uint32_t a = corner(i, 0) + 1, b = corner(i, 1) + 1, c = corner(i, 2) + 1;
+        print("%sf %u/%u %u/%u -%u/%u%s", is_middle(i) ? odd->middle : "", a, a, b, b,
+              VERTICES + 1 - c, c, newline);
+    }
+    print("%s", odd->end);
+}
+
+static void test_text(void) {
+    static const char *const newlines[] = {"\n", "\r\n", "\r"};
+    static const oddity stl[] = {
+        {"", "endsolid\n", BURNISH_STATUS_OK},
+        {"", "", BURNISH_STATUS_OK},
+        {"endsolid a\nsolid facet\n", "endsolid\n \n", BURNISH_STATUS_OK},
+        {"facet normal a b c outer loop vertex 1 2 3 vertex 3 4 5 vertex 9 9 1 endloop endfacet ",
+         "endsolid", BURNISH_STATUS_OK},
+        {"facet normal 0 0 0 outer loop vertex 1 2 x\n", "", BURNISH_STATUS_FORMAT},
+        {"", "facet normal 0 0 0 outer", BURNISH_STATUS_FORMAT},
+        {"", "endsolid\nsomething", BURNISH_STATUS_OK},
+    };
+    static const oddity ply[] = {
+        {"", "", BURNISH_STATUS_OK},
+        {"", "\n \n\n", BURNISH_STATUS_OK},
+        {"", "something", BURNISH_STATUS_OK},
+        {" 7", "", BURNISH_STATUS_OK},
+        {"\n2 1 2\n", "", BURNISH_STATUS_OK},
+        {"\n4 1 2 3 4\n", "", BURNISH_STATUS_OK},
+        {"\n3 1 2 99999\n", "", BURNISH_STATUS_FORMAT},
+    };
+    static const oddity obj[] = {
+        {"", "", BURNISH_STATUS_OK},
+        {"usemtl a\n", "", BURNISH_STATUS_OK},
+        {"what is this\n", "", BURNISH_STATUS_OK},
+        {"f 1 2 \\\n 3 4\n", "", BURNISH_STATUS_OK},
+        {"f 1 2\nl 1 2\ng a\n", "v 1 2 3", BURNISH_STATUS_OK},
+        {"f 1 2 20000\n", "", BURNISH_STATUS_FORMAT},
+        {"f 1//1 2//1 3//1\n", "vn 0 0 1\n", BURNISH_STATUS_OK},
+        {"", "f 1 2 x", BURNISH_STATUS_FORMAT},
+    };
+    for (int i = 0; i < 3; ++i) {
+        const size_t most = i == 0 ? SIZE_MAX : 2;
+        for (size_t k = 0; k < sizeof stl / sizeof *stl && k < most; ++k) {
+            make_text_stl(&stl[k], newlines[i]);
+            check_same("ASCII STL", stl[k].status);
+        }
+        for (size_t k = 0; k < sizeof ply / sizeof *ply && k < most; ++k) {
+            make_text_ply(&ply[k], newlines[i]);
+            check_same("ASCII PLY", ply[k].status);
+        }
+        for (size_t k = 0; k < sizeof obj / sizeof *obj && k < most; ++k) {
+            make_obj(&obj[k], newlines[i]);
+            memcpy(strrchr(path, '.'), ".obj", 4);
+            check_same("OBJ", obj[k].status);
+            CHECK1(unlink(path) == 0);
+            memcpy(strrchr(path, '.'), ".stl", 4);
+        }
+    }
+}
+
 /* ---- Memory ---- */
 
 /* A context that refuses arrays of `most` bytes and more. */
@@ -263,6 +384,8 @@ static void test_memory(void) {
     check_memory();
     make_ply(&kinds[2]);
     check_memory();
+    make_text_stl(&(oddity){"", "endsolid\n", BURNISH_STATUS_OK}, "\n");
+    check_memory();
 }
 
 /* Each allocation fails once. */
@@ -296,8 +419,8 @@ static int cut_file(void *user_data) {
 }
 
 static void test_cut(void) {
-    for (off_t size = 0; size < 600000; size += 150000) {
-        for (int i = 0; i < 2; ++i) {
+    for (off_t size = 0; size < 300000; size += 70000) {
+        for (int i = 0; i < 3; ++i) {
             burnish_context_options made = burnish_context_options_default();
             burnish_load_options options = burnish_load_options_default();
             burnish_mesh *mesh = NULL;
@@ -305,8 +428,10 @@ static void test_cut(void) {
             burnish_context *context = NULL;
             if (i == 0) {
                 make_ply(&kinds[2]);
-            } else {
+            } else if (i == 1) {
                 make_stl("a part", 0);
+            } else {
+                make_text_stl(&(oddity){"", "endsolid\n", BURNISH_STATUS_OK}, "\n");
             }
             save();
             made.cancelled = cut_file;
@@ -350,6 +475,7 @@ int main(int count, char **arguments) {
     RUN(test_ply());
     RUN(test_odd_ply());
     RUN(test_stl());
+    RUN(test_text());
     RUN(test_memory());
     RUN(test_allocations());
     RUN(test_cut());

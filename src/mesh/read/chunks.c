@@ -21,6 +21,7 @@ typedef struct chunk_driver {
     burnish_chunk *chunks; /* of one wave; their arrays are used again by the next */
     size_t most;           /* of them */
     int alone;             /* 1: statements cross the starts that were found, so one at a time */
+    burnish_window window; /* over a file in pieces: what lies between next and text_end; else 0 */
     const uint8_t *next, *text_end;
     size_t rows_left, rows_done, bytes_done, wave_rows;
     forward_chunk *forward;
@@ -165,6 +166,51 @@ static void parse_task(void *user_data, size_t index, int thread) {
     driver->grammar->parse(driver->state, &driver->chunks[index]);
 }
 
+/* ---- The text ---- */
+
+/* Where a byte of the text stands in the input. */
+static size_t offset_of(const chunk_driver *driver, const uint8_t *at) {
+    return driver->window.bytes ? driver->window.offset + (size_t)(at - driver->window.bytes)
+                                : (size_t)(at - driver->reader->input->bytes);
+}
+
+static size_t bytes_left(const chunk_driver *driver) {
+    return driver->reader->input->size - offset_of(driver, driver->next);
+}
+
+/* Whether the text ends with the input. */
+static int ends_input(const chunk_driver *driver) {
+    return offset_of(driver, driver->text_end) == driver->reader->input->size;
+}
+
+/* Bytes that a wave may take, and those that are looked at beyond to find its end. */
+static size_t wave_size(const chunk_driver *driver) {
+    return (driver->most + 1) * BURNISH_CHUNK_SIZE;
+}
+
+/* Has the next wave in the window. Returns 0 where the file can't be read. */
+static int move_window(chunk_driver *driver) {
+    if (ends_input(driver) || (size_t)(driver->text_end - driver->next) >= wave_size(driver)) {
+        return 1;
+    }
+    const int good = burnish_window_move(&driver->window, offset_of(driver, driver->next));
+    driver->next = driver->window.bytes;
+    driver->text_end = driver->window.bytes + driver->window.size;
+    return good;
+}
+
+static burnish_status open_window(chunk_driver *driver, const uint8_t *at) {
+    const size_t more = driver->most > 3 ? driver->most : 3;
+    burnish_window *window = &driver->window;
+    window->input = driver->reader->input;
+    window->offset = (size_t)(at - window->input->bytes);
+    window->capacity = wave_size(driver) + more * BURNISH_CHUNK_SIZE;
+    window->bytes =
+        burnish_allocate(&driver->reader->mesh->memory, window->capacity, 1, "a piece of the file");
+    driver->next = driver->text_end = window->bytes;
+    return driver->reader->mesh->memory.status;
+}
+
 /* ---- Cutting ---- */
 
 /* How many bytes may be read ahead: where rows are counted, no more than they are likely to fill,
@@ -186,20 +232,28 @@ static size_t read_ahead(const chunk_driver *driver) {
 static size_t cut_wave(chunk_driver *driver) {
     const uint8_t *first = driver->next, *end = driver->text_end;
     const size_t ahead = read_ahead(driver);
-    const int bounded = driver->grammar->find_start && ahead > BURNISH_CHUNK_SIZE;
-    const size_t most = bounded ? driver->most : 1;
+    const int is_last = ends_input(driver);
+    const int bounded =
+        driver->grammar->find_start && (ahead > BURNISH_CHUNK_SIZE || driver->window.bytes);
+    const size_t most = bounded && ahead > BURNISH_CHUNK_SIZE ? driver->most : 1;
     size_t count = 0;
-    while (count < most && first < end && (size_t)(first - driver->next) <= ahead) {
-        burnish_chunk *chunk = &driver->chunks[count++];
+    while (count < most && first < end && (size_t)(first - driver->next) <= ahead &&
+           (is_last || end - first > BURNISH_CHUNK_SIZE)) {
+        burnish_chunk *chunk = &driver->chunks[count];
         reset(chunk);
         chunk->first = first;
+        chunk->is_first = count == 0 && driver->bytes_done == 0;
         chunk->text_end = end;
         chunk->bounded = bounded;
         chunk->rows_left = driver->rows_left;
         chunk->end = end - first <= BURNISH_CHUNK_SIZE ? end
                      : bounded ? driver->grammar->find_start(first + BURNISH_CHUNK_SIZE - 1, end)
                                : first + BURNISH_CHUNK_SIZE;
+        if (chunk->end == end && !is_last) { /* the next start is beyond the window */
+            break;
+        }
         first = chunk->cut = chunk->end;
+        ++count;
     }
     return count;
 }
@@ -215,6 +269,7 @@ static burnish_status parse_exactly(chunk_driver *driver, burnish_chunk *chunk,
     }
     memcpy(chunk->before, known->before, sizeof chunk->before);
     chunk->first = known->first;
+    chunk->is_first = driver->bytes_done == 0;
     chunk->end = known->end;
     chunk->triangles_before = all ? 0 : driver->reader->mesh->triangle_count;
     chunk->rows_before = driver->rows_done;
@@ -284,6 +339,9 @@ static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *mo
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         known.before[i] = mesh->streams[i].count;
     }
+    if (driver->window.bytes && (!is_in_order(driver, chunk, &known) || chunk->end != chunk->cut)) {
+        return burnish_pieces_give_up(driver->reader);
+    }
     if (!is_in_order(driver, chunk, &known)) {
         status = parse_exactly(driver, chunk, &known, NULL);
         driver->alone = 1; /* no error, so a statement that crosses the end */
@@ -343,7 +401,7 @@ static burnish_status reserve_wave(chunk_driver *driver, size_t count,
                                    size_t triangles_before) {
     burnish_mesh_data *mesh = driver->reader->mesh;
     const double bytes = (double)(driver->next - driver->chunks[0].first);
-    double left = (double)(driver->text_end - driver->next) / (bytes > 0 ? bytes : 1);
+    double left = (double)bytes_left(driver) / (bytes > 0 ? bytes : 1);
     if (driver->wave_rows > 0 && (double)driver->rows_left < left * (double)driver->wave_rows) {
         left = (double)driver->rows_left / (double)driver->wave_rows;
     }
@@ -435,11 +493,27 @@ static void append_polygons(burnish_reader *reader, const burnish_chunk *chunk) 
 
 /* ---- The loop ---- */
 
+/* Tells the context; of a file that is read again no less than the first time. */
+static void tell_progress(const chunk_driver *driver) {
+    const burnish_reader_input *input = driver->reader->input;
+    const double fraction = (double)offset_of(driver, driver->next) / (double)input->size;
+    if (!driver->reader->mesh->is_silent && (!input->told || fraction >= *input->told)) {
+        burnish_tasks_progress(driver->reader->mesh->tasks, BURNISH_STAGE_READ, fraction);
+        if (input->told) {
+            *input->told = fraction;
+        }
+    }
+}
+
 static burnish_status read_wave(chunk_driver *driver) {
     burnish_mesh_data *mesh = driver->reader->mesh;
     size_t before[BURNISH_ATTRIBUTE_COUNT], triangles_before = mesh->triangle_count, used = 0;
     burnish_status status = BURNISH_STATUS_OK;
-    const size_t count = cut_wave(driver);
+    const int is_there = !driver->window.bytes || move_window(driver);
+    const size_t count = is_there ? cut_wave(driver) : 0;
+    if (count == 0) {
+        return burnish_pieces_give_up(driver->reader);
+    }
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         before[i] = mesh->streams[i].count;
     }
@@ -459,12 +533,9 @@ static burnish_status read_wave(chunk_driver *driver) {
     for (size_t i = 0; i < used; ++i) {
         append_polygons(driver->reader, &driver->chunks[i]);
     }
-    if (!mesh->is_silent) {
-        burnish_tasks_progress(mesh->tasks, BURNISH_STAGE_READ,
-                               (double)(driver->next - driver->reader->input->bytes) /
-                                   (double)driver->reader->input->size);
-    }
-    return burnish_tasks_check(mesh->tasks, driver->reader->error);
+    tell_progress(driver);
+    return driver->reader->has_warned ? burnish_pieces_give_up(driver->reader)
+                                      : burnish_tasks_check(mesh->tasks, driver->reader->error);
 }
 
 /* At the end of the file: the first chunk that refers to what is not in it. */
@@ -475,6 +546,9 @@ static burnish_status check_forward(chunk_driver *driver) {
         for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
             if (!(driver->grammar->lenient >> i & 1) &&
                 forward->highest[i] > mesh->streams[i].count) {
+                if (driver->window.bytes) {
+                    return burnish_pieces_give_up(driver->reader);
+                }
                 burnish_status status =
                     parse_exactly(driver, &driver->chunks[0], forward, mesh->streams);
                 return status != BURNISH_STATUS_OK
@@ -500,6 +574,7 @@ static void close_driver(chunk_driver *driver) {
         burnish_release(context, chunk->events);
         burnish_release(context, chunk->scratch);
     }
+    burnish_release(context, driver->window.bytes);
     burnish_release(context, driver->chunks);
     burnish_release(context, driver->forward);
 }
@@ -513,7 +588,7 @@ burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
                            .next = *at,
                            .text_end = reader->input->bytes + reader->input->size,
                            .rows_left = rows ? *rows : SIZE_MAX};
-    if (reader->input->pieces) {
+    if (reader->input->pieces && !grammar->find_start) {
         return burnish_pieces_give_up(reader);
     }
     const size_t chunks = (size_t)(driver.text_end - *at) / BURNISH_CHUNK_SIZE + 1;
@@ -529,14 +604,14 @@ burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
         burnish_chunk *chunk = &driver.chunks[i];
         chunk->data = burnish_mesh_data_begin(mesh->memory.context, NULL, &chunk->error);
     }
-    burnish_status status = BURNISH_STATUS_OK;
-    while (status == BURNISH_STATUS_OK && driver.next < driver.text_end && driver.rows_left > 0) {
+    burnish_status status = reader->input->pieces ? open_window(&driver, *at) : BURNISH_STATUS_OK;
+    while (status == BURNISH_STATUS_OK && bytes_left(&driver) > 0 && driver.rows_left > 0) {
         status = read_wave(&driver);
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_forward(&driver);
     }
-    *at = driver.next;
+    *at = reader->input->bytes + offset_of(&driver, driver.next);
     if (rows) {
         *rows = driver.rows_left;
     }

@@ -34,6 +34,7 @@ typedef struct burnish_chunk {
     const uint8_t *end;   /* a statement that reaches up to here is the last */
     const uint8_t *cut;   /* what end was before parse() */
     const uint8_t *text_end;
+    int is_first; /* nothing stands before it */
     int bounded; /* 1: the next chunk begins at end, where a statement must; 0: parse() moves end */
     size_t rows_left; /* how many rows may be read; SIZE_MAX: all */
 

@@ -214,7 +214,8 @@ static burnish_status read_descriptor(int descriptor, opened_file *file, int onl
     if (file->may_be_pieces && size > BURNISH_PIECES_HEAD && lseek(descriptor, 0, SEEK_CUR) == 0) {
         const burnish_status status = read_sized(descriptor, file, BURNISH_PIECES_HEAD);
         if (status == BURNISH_STATUS_OK && file->size == BURNISH_PIECES_HEAD) {
-            file->pieces = burnish_pieces_format(file->format, file->bytes, file->whole);
+            file->pieces =
+                burnish_pieces_format(file->format, file->bytes, file->whole, file->name);
         }
         if (status != BURNISH_STATUS_OK || file->pieces != BURNISH_FORMAT_AUTO) {
             return status;
@@ -369,6 +370,8 @@ static burnish_status load_opened(const char *path, int descriptor, opened_file 
                                   burnish_reader_input *input, double start, burnish_mesh **mesh,
                                   burnish_error *error) {
     int again = 1;
+    double told = 0;
+    input->told = &told;
     burnish_status status = read_descriptor(descriptor, file, 0);
     if (status == BURNISH_STATUS_OK && file->pieces != BURNISH_FORMAT_AUTO) {
         status = load_pieces(descriptor, file, input, start, mesh, &again, error);

@@ -6,6 +6,7 @@
  * follow the coordinates (v x y z r g b). */
 #include "mesh/read/obj.h"
 #include "mesh/read/obj_materials.h"
+#include "mesh/read/pieces.h"
 #include "mesh/read/points.h"
 #include "mesh/read/textures.h"
 
@@ -116,6 +117,9 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
         if (event->kind == BURNISH_OBJ_OTHER || event->kind == BURNISH_OBJ_FREE_FORM) {
             note_other(obj, event, &lexer);
             continue;
+        }
+        if (obj->reader->input->pieces) { /* names are kept where they stand */
+            return burnish_pieces_give_up(obj->reader);
         }
         if (triangle > obj->triangle) {
             status = burnish_obj_begin_run(&obj->materials, obj->triangle);
@@ -240,11 +244,15 @@ burnish_status burnish_read_obj(burnish_reader *reader) {
                                             1u << BURNISH_POSITION | 1u << BURNISH_NORMAL |
                                                 1u << BURNISH_TEXCOORD,
                                             1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD};
+    const size_t head = burnish_reader_head(reader);
+    const int has_library = names_library(reader->input->bytes, head);
     obj_state obj = {.reader = reader,
-                     .with_texcoords = burnish_reader_keeps_coordinates(
-                         reader, names_library(reader->input->bytes, reader->input->size)),
+                     .with_texcoords = burnish_reader_keeps_coordinates(reader, has_library),
                      .materials = {.reader = reader, .changed = 1}};
-    const uint8_t *at = burnish_lexer_open(reader->input->bytes, reader->input->size, 1).next;
+    const uint8_t *at = burnish_lexer_open(reader->input->bytes, head, 1).next;
+    if (reader->input->pieces && has_library) {
+        return burnish_pieces_give_up(reader);
+    }
     reader->is_wide = 1;
     burnish_status status = burnish_chunks_read(&grammar, &obj, reader, &at, NULL);
     if (status == BURNISH_STATUS_OK) {

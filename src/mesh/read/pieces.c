@@ -1,6 +1,7 @@
 #include "mesh/read/pieces.h"
 
 #include <errno.h>
+#include <string.h>
 
 #include "core/platform.h"
 #include "image/gunzip.h"
@@ -10,20 +11,32 @@ enum {
     GRAIN = 1 << 13  /* rows that a thread takes at once where all are in memory */
 };
 
-burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size) {
+burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size,
+                                     const char *name) {
     const int is_any = format == BURNISH_FORMAT_AUTO;
-    const burnish_format guess = burnish_guess_format(head, BURNISH_PIECES_HEAD, NULL);
+    const burnish_format guess =
+        is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, name) : format;
     const int is_stl = burnish_is_binary_stl(head, size);
     if (!BURNISH_HAS_PREAD || burnish_is_gzip(head, size)) {
         return BURNISH_FORMAT_AUTO;
     }
-    if (is_stl && (format == BURNISH_FORMAT_STL ||
-                   (is_any && (guess == BURNISH_FORMAT_AUTO || guess == BURNISH_FORMAT_STL)))) {
-        return BURNISH_FORMAT_STL;
+    if (is_stl) { /* surely, by its size, unless its bytes tell of something else */
+        const burnish_format other =
+            is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, NULL) : format;
+        return other == BURNISH_FORMAT_STL || (is_any && other == BURNISH_FORMAT_AUTO)
+                   ? BURNISH_FORMAT_STL
+                   : BURNISH_FORMAT_AUTO;
     }
-    return guess == BURNISH_FORMAT_PLY && !is_stl && (is_any || format == guess)
-               ? guess
-               : BURNISH_FORMAT_AUTO;
+    const int is_utf16 =
+        (head[0] == 0xFF && head[1] == 0xFE) || (head[0] == 0xFE && head[1] == 0xFF);
+    const int is_read =
+        guess == BURNISH_FORMAT_PLY || guess == BURNISH_FORMAT_STL || guess == BURNISH_FORMAT_OBJ;
+    return is_read && !is_utf16 ? guess : BURNISH_FORMAT_AUTO;
+}
+
+size_t burnish_reader_head(const burnish_reader *reader) {
+    const burnish_reader_input *input = reader->input;
+    return input->pieces ? input->pieces->head : input->size;
 }
 
 burnish_status burnish_pieces_give_up(burnish_reader *reader) {
@@ -57,6 +70,16 @@ const uint8_t *burnish_reader_peek(const burnish_reader *reader, size_t offset, 
         return reader->input->bytes + offset;
     }
     return read_at(pieces->descriptor, offset, buffer, size) ? buffer : NULL;
+}
+
+int burnish_window_move(burnish_window *window, size_t offset) {
+    const size_t passed = offset - window->offset, kept = window->size - passed;
+    const size_t left = window->input->size - offset;
+    memmove(window->bytes, window->bytes + passed, kept);
+    window->offset = offset;
+    window->size = left < window->capacity ? left : window->capacity;
+    return read_at(window->input->pieces->descriptor, offset + kept, window->bytes + kept,
+                   window->size - kept);
 }
 
 /* What the threads share that take rows. */

@@ -1,4 +1,4 @@
-/* Binary files that are read piece by piece, straight into the arrays that their rows become: so
+/* Files that are read piece by piece, straight into the arrays that their rows or lines become: so
  * the file itself takes no memory, and what is read stays in the second-level cache.
  *
  * Of such an input only the first bytes are there. It is read so where all is as it should be:
@@ -20,16 +20,33 @@ enum { BURNISH_PIECES_HEAD = 1 << 16 };
 /* The format of a file of `size` bytes that may be read in pieces; AUTO: it is to be read whole.
  *
  * format: what the caller says that it is, or AUTO
- * head:   its first BURNISH_PIECES_HEAD bytes, fewer than size */
-burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size);
+ * head:   its first BURNISH_PIECES_HEAD bytes, fewer than size
+ * name:   of the file, or NULL */
+burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size,
+                                     const char *name);
 
 /* An error of a file in pieces: it is to be read whole. */
 burnish_status burnish_pieces_give_up(burnish_reader *reader);
+
+/* How many of the input's bytes are in memory. */
+size_t burnish_reader_head(const burnish_reader *reader);
 
 /* Bytes of the input from an offset on: where they lie, or in the buffer. NULL: they can't be read.
  */
 const uint8_t *burnish_reader_peek(const burnish_reader *reader, size_t offset, size_t size,
                                    uint8_t *buffer);
+
+/* Text of an input in pieces: a window that moves over it. */
+typedef struct burnish_window {
+    const burnish_reader_input *input;
+    uint8_t *bytes;
+    size_t capacity;
+    size_t offset, size; /* the part of the input that is there */
+} burnish_window;
+
+/* Moves the window's beginning to a byte in it or at its end, and fills it. Returns 0 where the
+ * file can't be read. */
+int burnish_window_move(burnish_window *window, size_t offset);
 
 /* Rows [first, end) of those that are read; the first one is at `rows`. */
 typedef void burnish_rows_task(void *user_data, const uint8_t *rows, size_t first, size_t end);

@@ -166,13 +166,15 @@ static int may_be_triangles(const burnish_ply_element *element, const burnish_pl
            rows->corners.type < BURNISH_PLY_FLOAT32;
 }
 
-/* Whether all rows of a file in pieces seem to be of one size per element, faces triangles. */
+/* Whether all rows of a file in pieces seem to be of one size per element, faces triangles; those
+ * of an ASCII file may be anything. */
 static int suits_pieces(burnish_ply_state *ply) {
     const burnish_reader_input *input = ply->reader->input;
     size_t offset = (size_t)(ply->header.body - input->bytes);
-    int suits = ply->header.encoding != BURNISH_PLY_ASCII && ply->header.texture_count == 0 &&
-                !ply->reader->has_warned && offset < input->pieces->head; /* all of the header */
-    for (size_t i = 0; i < ply->header.element_count && suits; ++i) {
+    int suits = ply->header.texture_count == 0 && !ply->reader->has_warned &&
+                offset < input->pieces->head; /* all of the header */
+    const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
+    for (size_t i = 0; i < ply->header.element_count && suits && !is_ascii; ++i) {
         burnish_ply_rows rows = {.big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN};
         size_t least;
         ply->element = &ply->header.elements[i];
@@ -239,8 +241,15 @@ static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
 /* Whether the first line of an element's rows holds one: the rows' ends are looked at as they are
  * read, but rows with fewer values than the header says may end where lines do. */
 static int first_line_is_row(const burnish_ply_state *ply, const uint8_t *at) {
+    enum { LONG = 1 << 12 };
     const burnish_ply_element *element = ply->element;
-    burnish_lexer line = {at, ply->reader->input->bytes + ply->reader->input->size, 0};
+    const burnish_reader_input *input = ply->reader->input;
+    uint8_t buffer[LONG];
+    const size_t left = (size_t)(input->bytes + input->size - at),
+                 size = input->pieces && left > LONG ? LONG : left;
+    const uint8_t *text =
+        burnish_reader_peek(ply->reader, (size_t)(at - input->bytes), size, buffer);
+    burnish_lexer line = {text, text ? text + size : text, 0};
     burnish_token token;
     burnish_lexer_skip_blank_lines(&line);
     for (size_t i = 0; i < element->property_count; ++i) {
@@ -275,7 +284,7 @@ static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
         }
         status = read_element(ply, &at);
     }
-    while (!ply->reader->is_binary && at < end &&
+    while (!ply->reader->is_binary && !ply->reader->input->pieces && at < end &&
            (burnish_is_blank(*at) || burnish_is_line_end(*at))) {
         ++at;
     }
@@ -381,7 +390,10 @@ static burnish_status read_body(burnish_ply_state *ply) {
     burnish_status status = ply->reader->input->pieces && !suits_pieces(ply)
                                 ? burnish_pieces_give_up(ply->reader)
                                 : read_elements(ply, &left);
-    if (!ply->reader->is_binary &&
+    if (ply->reader->input->pieces && status == BURNISH_STATUS_OK && atomic_load(&is_odd)) {
+        return burnish_pieces_give_up(ply->reader);
+    }
+    if (!ply->reader->is_binary && !ply->reader->input->pieces &&
         (status == BURNISH_STATUS_FORMAT ||
          (status == BURNISH_STATUS_OK && atomic_load(&is_odd) && left > 0))) {
         status = read_otherwise(ply, status, &left);

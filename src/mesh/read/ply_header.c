@@ -317,9 +317,9 @@ static burnish_status check_elements(header_state *ply) {
 
 burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_header *header) {
     const burnish_reader_input *input = reader->input;
-    const size_t size = input->pieces ? input->pieces->head : input->size;
-    header_state ply = {
-        .reader = reader, .header = header, .lexer = {input->bytes, input->bytes + size, 0}};
+    header_state ply = {.reader = reader,
+                        .header = header,
+                        .lexer = {input->bytes, input->bytes + burnish_reader_head(reader), 0}};
     burnish_token magic = {0};
     int done = 0;
     *header = (burnish_ply_header){0};

@@ -218,7 +218,7 @@ burnish_status burnish_reader_fail(burnish_reader *reader, burnish_status status
     char line[LINE_SIZE];
     va_list arguments;
     va_start(arguments, format);
-    write_line(line, reader, at, format, arguments);
+    write_line(line, reader, reader->input->pieces ? NULL : at, format, arguments);
     va_end(arguments);
     return burnish_fail(reader->error, status, "%s", line);
 }
@@ -238,7 +238,9 @@ void burnish_reader_warn(burnish_reader *reader, const uint8_t *at, const char *
 
 void burnish_reader_note(burnish_reader *reader, burnish_warning_group *group, const uint8_t *at,
                          const char *format, ...) {
-    if (group->count++ == 0) {
+    if (reader->input->pieces) {
+        reader->has_warned = 1;
+    } else if (group->count++ == 0) {
         char line[LINE_SIZE];
         va_list arguments;
         va_start(arguments, format);
@@ -249,9 +251,7 @@ void burnish_reader_note(burnish_reader *reader, burnish_warning_group *group, c
 }
 
 void burnish_reader_warn_group(burnish_reader *reader, const burnish_warning_group *group) {
-    if (group->count > 0 && reader->input->pieces) {
-        reader->has_warned = 1;
-    } else if (group->count == 1) {
+    if (group->count == 1) {
         burnish_mesh_data_warn(reader->mesh, "%s", group->first.text);
     } else if (group->count > 1) {
         burnish_mesh_data_warn(reader->mesh, "%s (and %zu more like it)", group->first.text,

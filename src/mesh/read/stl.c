@@ -225,7 +225,6 @@ enum { NORMAL, EXTRA, END, BEHIND, NOTE_COUNT };
 
 typedef struct stl_state {
     burnish_reader *reader;
-    const uint8_t *first; /* where the first chunk begins */
     burnish_warning_group groups[NOTE_COUNT];
 } stl_state;
 
@@ -399,7 +398,7 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
 static void parse(const void *state, burnish_chunk *chunk) {
     const stl_state *file = state;
     stl_parser stl = {chunk, {chunk->first, chunk->text_end, 0}, file->reader->mesh->origin};
-    int in_solid = chunk->first != file->first, seen = in_solid;
+    int in_solid = !chunk->is_first, seen = in_solid;
     while (chunk->status == BURNISH_STATUS_OK) {
         burnish_token word;
         const uint8_t *before = stl.lexer.next;
@@ -465,9 +464,9 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
 
 static burnish_status read_text(burnish_reader *reader) {
     static const burnish_grammar grammar = {find_start, parse, accept, 1u << BURNISH_POSITION, 0};
-    const uint8_t *first = burnish_lexer_open(reader->input->bytes, reader->input->size, 0).next;
-    const uint8_t *at = first;
-    stl_state stl = {.reader = reader, .first = first};
+    const uint8_t *at =
+        burnish_lexer_open(reader->input->bytes, burnish_reader_head(reader), 0).next;
+    stl_state stl = {.reader = reader};
     reader->is_wide = 1;
     burnish_status status = burnish_chunks_read(&grammar, &stl, reader, &at, NULL);
     for (size_t i = 0; i < sizeof stl.groups / sizeof *stl.groups; ++i) {
@@ -531,7 +530,7 @@ burnish_status burnish_read_stl(burnish_reader *reader) {
     burnish_status status;
     const int is_text = !burnish_is_binary_stl(input->bytes, input->size) &&
                         has_no_controls(input->bytes, input->size);
-    if (is_text && starts_as_text(input->bytes, input->size)) {
+    if (is_text && starts_as_text(input->bytes, burnish_reader_head(reader))) {
         status = read_text(reader);
     } else if (is_text && input->size >= HEADER_SIZE) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes,
