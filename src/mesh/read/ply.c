@@ -79,6 +79,9 @@ static burnish_status read_triangles(burnish_ply_state *ply, burnish_ply_rows *r
     const size_t offset = (size_t)(*at - ply->reader->input->bytes);
     burnish_status status = BURNISH_STATUS_OK;
     if (count > 0 && begins_with_triangle(ply, rows, offset)) {
+        if (!positions->corners) { /* no more than it takes */
+            burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, count);
+        }
         positions->corners = burnish_reserve(
             &mesh->memory, positions->corners, &positions->corner_capacity,
             mesh->triangle_count + count, 3 * sizeof *positions->corners, "triangles");
