@@ -60,13 +60,16 @@ static void shade_pass(const burnish_frame *frame, const burnish_surface *surfac
     const float *const shaded[3] = {light[0], light[1], light[2]};
     const int wanted = frame->output.target.pixels.pixels != NULL;
     const burnish_texturing *texturing = surface->shading->texturing;
+    burnish_texture_scratch *textures = &worker->scratch.texture;
     const int has_alpha = wanted && texturing && texturing->has_alpha;
+    const int has_covers = has_alpha && texturing->smooth_samples;
     burnish_layer_cursor cursor = {0};
     while (burnish_layers_next(tile, surface->view, frame->geometry, &cursor, fragments)) {
         burnish_shade_fragments(surface, tile, fragments, &worker->scratch, wanted ? light : NULL);
         burnish_layer_light_add(worker->layers, surface, fragments, wanted ? shaded : NULL,
-                                has_alpha ? worker->scratch.texture.alpha : NULL,
-                                frame->output.samples, frame->output.limit);
+                                has_alpha ? textures->alpha : NULL,
+                                has_covers ? textures->covers : NULL, frame->output.samples,
+                                frame->output.limit);
         for (int i = 0; i < fragments->count && frame->drawn; ++i) {
             __atomic_store_n(&frame->drawn[fragments->primitives[i].id_and_facing >> 1], 1,
                              __ATOMIC_RELAXED);
@@ -81,6 +84,7 @@ static void shade_layers(const burnish_frame *frame, const burnish_bins *bins,
     burnish_surface surface = frame->surface;
     burnish_tile *tile = &worker->tile;
     worker->sums.layers = NULL;
+    surface.is_layers = 1;
     surface.caps = NULL; /* one looks into a transparent solid anyway */
     if (!surface.transparency || !tile->layers->has_some) {
         return;

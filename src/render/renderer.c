@@ -416,8 +416,9 @@ static burnish_status draw(drawing *d) {
     d->report.threads = burnish_tasks_threads(&renderer->tasks);
     d->report.isa = d->view.shading.ops->isa;
     d->report.triangles = burnish_mesh_get_view(d->mesh)->triangle_count;
-    burnish_status status = burnish_texturing_update(
-        &renderer->texturing, d->mesh, d->options->ignore_colors, &renderer->tasks, &d->memory);
+    burnish_status status =
+        burnish_texturing_update(&renderer->texturing, d->mesh, d->options->ignore_colors,
+                                 d->options->samples, &renderer->tasks, &d->memory);
     burnish_texturing *texturing = renderer->texturing.has_some ? &renderer->texturing : NULL;
     if (status == BURNISH_STATUS_OK) {
         status = burnish_view_create(d->mesh, d->options, &renderer->shaders, texturing, &d->view,

@@ -170,6 +170,15 @@ static void add_stream(point_streams *streams, const float *from, float *to) {
     streams->count += 1;
 }
 
+/* Samples whose cover a material leaves in scratch. */
+static int smooth_samples(const burnish_shading *shading, int material,
+                          const burnish_fragment_scratch *scratch) {
+    const burnish_texturing *texturing = shading->texturing;
+    return scratch->texture.has_shifts && texturing->materials[material].is_smooth
+               ? texturing->smooth_samples
+               : 0;
+}
+
 /* Takes the opacity of a group's points back to the batch. */
 static void scatter_opacity(const burnish_shading *shading, const burnish_fragment_batch *batch,
                             int material, int size, burnish_fragment_scratch *scratch) {
@@ -179,6 +188,14 @@ static void scatter_opacity(const burnish_shading *shading, const burnish_fragme
     float *const to[3] = {alpha, alpha, alpha};
     shading->ops->scatter_material(material, batch->material, size, scratch->group.places, from,
                                    to);
+    for (int s = 0; s < smooth_samples(shading, material, scratch); s += 2) { /* an even number */
+        float(*cover)[BURNISH_TEXTURE_BATCH] = scratch->texture.cover + s;
+        float(*covers)[BURNISH_TEXTURE_BATCH] = scratch->texture.covers + s;
+        const float *const part[3] = {cover[0], cover[1], cover[1]};
+        float *const all[3] = {covers[0], covers[1], covers[1]};
+        shading->ops->scatter_material(material, batch->material, size, scratch->group.places, part,
+                                       all);
+    }
 }
 
 /* Where points lie in their textures; all are opaque until their material is shaded. */
@@ -191,6 +208,7 @@ static void locate(const burnish_shading *shading, const burnish_fragment_batch 
     for (int i = 0; i < BURNISH_SHADE_BATCH && shading->texturing->has_alpha; ++i) {
         scratch->alpha[i] = 1.0f;
     }
+    burnish_masks_begin(shading->texturing, batch->samples, batch->count, scratch);
 }
 
 /* Shades a batch of several materials, one after another: the vectors that show it are brought
@@ -222,7 +240,10 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         brought.first_light = group->lit;
         add_stream(&streams, points->first_light, group->lit);
     }
-    for (int k = 0; shading->texturing && k < BURNISH_TEXTURE_STREAMS; ++k) {
+    const int textured = !shading->texturing           ? 0
+                         : scratch->texture.has_shifts ? BURNISH_TEXTURE_STREAMS
+                                                       : BURNISH_TEXTURE_STREAMS_PLAIN;
+    for (int k = 0; k < textured; ++k) {
         add_stream(&streams, scratch->texture.points[k], scratch->texture.brought[k]);
     }
     memcpy(group->left, batch->material, (size_t)padded(batch->count) * sizeof *group->left);
@@ -294,6 +315,10 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
                        &scratch->texture, rgb);
         if (shading->texturing && shading->texturing->materials[material].is_alpha) {
             memcpy(scratch->texture.alpha, scratch->texture.opacity, sizeof scratch->texture.alpha);
+            for (int s = 0; s < smooth_samples(shading, material, scratch); ++s) {
+                memcpy(scratch->texture.covers[s], scratch->texture.cover[s],
+                       (size_t)batch->count * sizeof *scratch->texture.covers[s]);
+            }
         }
     } else {
         shade_mixed(shading, batch, &points, scratch, rgb);
@@ -559,6 +584,7 @@ burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
     burnish_fragment_batch batch = {.count = fragments->count,
                                     .inverse_w = scratch->inverse_w,
                                     .pixels = fragments->pixels,
+                                    .samples = surface->is_layers ? fragments->samples : NULL,
                                     .points = {0, 0, fragments->x, fragments->y, fragments->depth},
                                     .material =
                                         surface->triangle_materials ? scratch->material : NULL};

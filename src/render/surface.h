@@ -54,6 +54,7 @@ typedef struct burnish_fragment_batch {
     burnish_screen_points points; /* read where burnish_shading.needs_position */
     const int32_t *material;      /* NULL: all are 0 */
     const uint16_t *pixels;       /* index in the tile; NULL: first_pixel + i */
+    const uint16_t *samples; /* of fragments of layers: bits of those that show it; else NULL */
     int first_pixel;
     const int32_t *shown; /* items below 0 need no light; NULL: all do */
 } burnish_fragment_batch;
@@ -80,6 +81,7 @@ typedef struct burnish_surface {
     const uint16_t *triangle_materials;              /* NULL: all have material 0 */
     const struct burnish_transparency *transparency; /* NULL: every triangle is opaque */
     const burnish_caps *caps;                        /* NULL: none */
+    int is_layers; /* 1: fragments are those of layers of transparency */
 } burnish_surface;
 
 /* The vectors of a batch in which a material is shown, and their light. */

@@ -14,8 +14,22 @@ static void release_levels(burnish_texturing *texturing, const burnish_context *
     texturing->serial = 0;
 }
 
+/* Whether a material's mask is decided sample by sample. Alpha of two images is not: they need not
+ * have texels of the same size. */
+static int is_smooth_mask(const burnish_texturing *texturing, const burnish_material *material) {
+    return texturing->samples > 1 && material->alpha_mode == BURNISH_ALPHA_MASK &&
+           material->textures[BURNISH_TEXTURE_COLOR].texture &&
+           !material->textures[BURNISH_TEXTURE_OPACITY].texture;
+}
+
+/* The alpha from which on a mask leaves something. */
+static float mask_alpha(const burnish_material *material) {
+    const float solid = 1 - material->transparency;
+    return solid > 0 ? material->alpha_cutoff / solid : material->alpha_cutoff > 0 ? 2.0f : 0.0f;
+}
+
 /* What the mean of a texture's texels is where a material uses it so. */
-static burnish_texture_kind kind_of(const burnish_material *material, int slot,
+static burnish_texture_kind kind_of(const burnish_material *material, int slot, int smooth,
                                     const burnish_texture *texture) {
     if (slot == BURNISH_TEXTURE_NORMAL) {
         return BURNISH_TEXTURE_NORMALS;
@@ -23,9 +37,10 @@ static burnish_texture_kind kind_of(const burnish_material *material, int slot,
     if (!texture->is_color) {
         return BURNISH_TEXTURE_NUMBERS;
     }
-    return slot == BURNISH_TEXTURE_COLOR && material->alpha_mode != BURNISH_ALPHA_IGNORE
-               ? BURNISH_TEXTURE_WEIGHTED
-               : BURNISH_TEXTURE_COLORS;
+    if (slot != BURNISH_TEXTURE_COLOR || material->alpha_mode == BURNISH_ALPHA_IGNORE) {
+        return BURNISH_TEXTURE_COLORS;
+    }
+    return smooth ? BURNISH_TEXTURE_MASKED : BURNISH_TEXTURE_WEIGHTED;
 }
 
 /* The levels that a use samples, built where they are not there yet; NULL: no memory. */
@@ -35,10 +50,18 @@ static const burnish_texture_levels *levels_for(burnish_texturing *texturing,
                                                 burnish_tasks *tasks, burnish_memory *memory) {
     const size_t number = (size_t)material->textures[slot].texture - 1;
     const burnish_texture *texture = burnish_mesh_texture(mesh, number);
-    const burnish_texture_kind kind = kind_of(material, slot, texture);
-    burnish_texture_levels *levels =
-        &texturing->levels[number * BURNISH_TEXTURE_KIND_COUNT + (size_t)kind];
-    if (!levels->texels && !levels->codes &&
+    const float cutoff = mask_alpha(material);
+    burnish_texture_levels *of_texture = &texturing->levels[number * BURNISH_TEXTURE_KIND_COUNT];
+    burnish_texture_kind kind =
+        kind_of(material, slot, is_smooth_mask(texturing, material), texture);
+    if (kind == BURNISH_TEXTURE_MASKED && of_texture[kind].texels &&
+        (of_texture[kind].cutoff < cutoff || of_texture[kind].cutoff > cutoff)) {
+        kind = BURNISH_TEXTURE_WEIGHTED; /* of a second cutoff: means of alpha will do */
+    }
+    burnish_texture_levels *levels = &of_texture[kind];
+    const int is_built = levels->texels || levels->codes;
+    levels->cutoff = is_built ? levels->cutoff : cutoff;
+    if (!is_built &&
         burnish_texture_levels_create(levels, texture, kind, tasks, memory) != BURNISH_STATUS_OK) {
         burnish_texture_levels_destroy(levels, memory->context);
         return NULL;
@@ -92,6 +115,8 @@ static burnish_status set_material(burnish_texturing *texturing, const burnish_m
     to->has_normals = to->samplers[BURNISH_TEXTURE_NORMAL].levels != NULL;
     to->is_varied &= !from->is_unlit;
     to->is_alpha = has_alpha(to);
+    to->is_smooth = to->is_alpha && is_smooth_mask(texturing, from);
+    to->mask_alpha = mask_alpha(from);
     to->is_special = to->has_textures || to->is_varied || to->is_alpha || from->emissive[0] > 0 ||
                      from->emissive[1] > 0 || from->emissive[2] > 0;
     return BURNISH_STATUS_OK;
@@ -131,12 +156,13 @@ static void make_white(burnish_material *material) {
 }
 
 burnish_status burnish_texturing_update(burnish_texturing *texturing, const burnish_mesh *mesh,
-                                        int ignore_colors, burnish_tasks *tasks,
+                                        int ignore_colors, int samples, burnish_tasks *tasks,
                                         burnish_memory *memory) {
     const int has_colors = burnish_mesh_get_view(mesh)->colors && !ignore_colors;
     const size_t count = burnish_mesh_material_count(mesh);
     texturing->has_some = texturing->needs_points = texturing->has_alpha = 0;
-    texturing->needs_tangents = 0;
+    texturing->needs_tangents = texturing->smooth_samples = 0;
+    texturing->samples = samples;
     for (size_t i = 0; i < count && !texturing->has_some; ++i) {
         texturing->has_some = is_special(burnish_mesh_material(mesh, i));
     }
@@ -159,6 +185,7 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing, const burn
         texturing->needs_points |= material->has_textures;
         texturing->needs_tangents |= material->has_normals;
         texturing->has_alpha |= material->is_alpha;
+        texturing->smooth_samples = material->is_smooth ? samples : texturing->smooth_samples;
     }
     return status;
 }

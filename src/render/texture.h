@@ -8,6 +8,7 @@
 
 #include "burnish/mesh.h"
 #include "core/tasks.h"
+#include "raster/samples.h"
 #include "render/texture_levels.h"
 #include "simd/isa_ops.h"
 
@@ -21,6 +22,13 @@ typedef struct burnish_texture_sampler {
     int has_transform;
     float transform[6]; /* as burnish_texture_use has it */
 } burnish_texture_sampler;
+
+/* Where a material with a mask is there. */
+typedef struct burnish_mask {
+    float solid, cutoff; /* there: where solid times alpha is at least cutoff */
+    float alpha;         /* the alpha for which they are equal */
+    int samples;         /* of a pixel */
+} burnish_mask;
 
 /* The texels that points are means of, by their index in burnish_texture_levels.texels: those on
  * the left, the upper and the lower one, and the shares of those on their right and of the lower
@@ -49,7 +57,12 @@ enum {
     BURNISH_TEXTURE_V_Y,
     BURNISH_TEXTURE_TANGENT,                            /* x, y, z, along which u grows */
     BURNISH_TEXTURE_SIGN = BURNISH_TEXTURE_TANGENT + 3, /* of the bitangent */
-    BURNISH_TEXTURE_STREAMS                             /* arrays of floats per point */
+    BURNISH_TEXTURE_SHIFT_X, /* of fragments of layers: where the point lies, in pixels from its
+                                pixel's centre, right and up */
+    BURNISH_TEXTURE_SHIFT_Y,
+    BURNISH_TEXTURE_STREAMS, /* arrays of floats per point */
+    /* those where no mask is smoothed */
+    BURNISH_TEXTURE_STREAMS_PLAIN = BURNISH_TEXTURE_SHIFT_X
 };
 
 /* ---- A frame ---- */
@@ -61,6 +74,8 @@ typedef struct burnish_textured_material {
     int has_normals;  /* 1: tangents too */
     int is_varied;    /* 1: more than its colour differs from point to point */
     int is_alpha;     /* 1: alpha is below 1 somewhere */
+    int is_smooth;    /* 1: a mask that is decided sample by sample */
+    float mask_alpha; /* MASK: the alpha from which on something is there */
     burnish_texture_sampler samplers[BURNISH_TEXTURE_SLOT_COUNT];
 } burnish_textured_material;
 
@@ -70,6 +85,8 @@ typedef struct burnish_texturing {
     int needs_points;   /* 1: some have textures */
     int needs_tangents; /* 1: some have normal textures */
     int has_alpha;      /* 1: some have alpha below 1 */
+    int samples;        /* of a pixel */
+    int smooth_samples; /* the same, where masks are decided sample by sample; 0: none is */
     const burnish_mesh_view *mesh;
     burnish_textured_material *materials; /* one per material */
     size_t material_capacity;
@@ -87,7 +104,7 @@ typedef struct burnish_texturing {
 /* What the mesh's materials sample; builds levels of textures that have none. Errors: MEMORY,
  * CANCELLED. */
 burnish_status burnish_texturing_update(burnish_texturing *texturing, const burnish_mesh *mesh,
-                                        int ignore_colors, burnish_tasks *tasks,
+                                        int ignore_colors, int samples, burnish_tasks *tasks,
                                         burnish_memory *memory);
 
 /* What the view says: the lights with a white material, the lobe, where the eye is. Called where
@@ -142,6 +159,11 @@ typedef struct burnish_texture_scratch {
     float open[BURNISH_TEXTURE_BATCH];    /* of ambient light */
     float opacity[BURNISH_TEXTURE_BATCH]; /* of points of one material */
     float alpha[BURNISH_TEXTURE_BATCH];   /* of the batch: what textures leave of the opacity */
+    /* What masks leave of each sample of a pixel: of points of one material, and of the batch,
+     * where some are smoothed. */
+    int has_shifts; /* 1: points are fragments of layers, and some masks are smoothed */
+    float cover[BURNISH_MAX_SAMPLES][BURNISH_TEXTURE_BATCH];
+    float covers[BURNISH_MAX_SAMPLES][BURNISH_TEXTURE_BATCH];
 } burnish_texture_scratch;
 
 /* To be called before the first point of a frame: forgets the last frame's triangles. */
@@ -157,10 +179,30 @@ void burnish_texture_locate(const burnish_texturing *texturing, const burnish_is
  *   shader   of the material
  *   streams  BURNISH_TEXTURE_STREAMS arrays of the points
  *   rgb      receives linear light, >= 0; NULL: only opacity is wanted
- *   scratch  opacity becomes what the material's textures leave of its opacity, [0, 1] */
+ *   scratch  opacity becomes what the material's textures leave of its opacity, [0, 1]; where its
+ *            mask is smoothed 1, and cover what the mask leaves of each sample */
 void burnish_texture_shade(const burnish_texturing *texturing, const burnish_isa_ops *ops,
                            const burnish_kernels_shader *shader, int material,
                            const burnish_kernels_points *points, const float *const *streams,
                            int count, burnish_texture_scratch *scratch, float *const rgb[3]);
+
+/* ---- Masks (masks.c) ---- */
+
+/* What masks need of a batch: where fragments of layers lie in their pixels; all samples are whole
+ * until their material is shaded.
+ *   samples  of fragments of layers, bits of those that show it; NULL: of other points */
+void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *samples, int count,
+                         burnish_texture_scratch *scratch);
+
+/* Where nearest texels count and that of a point is not there, others next to it may be, and show
+ * in some samples: gives the point their mean colour. */
+void burnish_masks_color(const burnish_textured_material *material, const burnish_isa_ops *ops,
+                         const float *const *streams, int count, burnish_texture_scratch *scratch);
+
+/* The mask of points whose opacity and taps of the colour have been found: opacity becomes 0 or 1,
+ * or 1 and cover what the mask leaves of each sample. */
+void burnish_masks_apply(const burnish_texturing *texturing,
+                         const burnish_textured_material *material, const burnish_isa_ops *ops,
+                         const float *const *streams, int count, burnish_texture_scratch *scratch);
 
 #endif

@@ -90,7 +90,7 @@ static void add_texel(burnish_texture_kind kind, const uint8_t *texel, float sha
 }
 
 static void store_texel(burnish_texture_kind kind, const texel_sum *sum, uint8_t *texel) {
-    const int is_weighted = kind == BURNISH_TEXTURE_WEIGHTED && sum->alpha > 0;
+    const int is_weighted = burnish_texture_is_weighted(kind) && sum->alpha > 0;
     if (kind == BURNISH_TEXTURE_NORMALS) {
         normal_vectors mean;
         for (int k = 0; k < 3; ++k) {
@@ -187,7 +187,7 @@ static int halve_row(const level_step *step, int y) {
     } else if (step->kind == BURNISH_TEXTURE_NORMALS) {
         halve_normals(from, row, step->to_width, to);
     }
-    return step->kind != BURNISH_TEXTURE_WEIGHTED;
+    return !burnish_texture_is_weighted(step->kind);
 }
 
 static void reduce_row(const level_step *step, int y) {
@@ -263,6 +263,46 @@ static void find_least(burnish_texture_levels *levels, const uint8_t *texels, si
         }
     }
     memcpy(levels->least, least, sizeof least);
+}
+
+/* ---- Masks ---- */
+
+/* An image whose alpha is a mask, and its codes, whose alpha becomes coverage. */
+typedef struct mask_cover {
+    const burnish_texture *from;
+    uint8_t *to;
+    float cutoff;
+} mask_cover;
+
+/* The share of a texel that alpha from `cutoff` on covers: alpha is taken for a plane, and its
+ * slope counts along the texel's diagonal as a box has it for edges along its sides. */
+static uint8_t texel_cover(const mask_cover *cover, int x, int y) {
+    const uint8_t *alpha = cover->from->pixels + 3;
+    const int width = cover->from->width, height = cover->from->height;
+    const int left = x > 0 ? x - 1 : 0, right = x + 1 < width ? x + 1 : x;
+    const int up = y > 0 ? y - 1 : 0, down = y + 1 < height ? y + 1 : y;
+    const size_t row = (size_t)y * (size_t)width;
+    const int along_x = alpha[4 * (row + (size_t)right)] - alpha[4 * (row + (size_t)left)];
+    const int along_y = alpha[4 * ((size_t)down * (size_t)width + (size_t)x)] -
+                        alpha[4 * ((size_t)up * (size_t)width + (size_t)x)];
+    const int sum = (along_x < 0 ? -along_x : along_x) + (along_y < 0 ? -along_y : along_y);
+    const float margin = (float)alpha[4 * (row + (size_t)x)] * (1.0f / 255) - cover->cutoff;
+    const float slope = (float)sum * (0.5f / 255);
+    if (cover->cutoff <= 0 || cover->cutoff > 1 || sum == 0) {
+        return margin >= 0 ? 255 : 0;
+    }
+    const float share = margin / slope + 0.5f;
+    return (uint8_t)(255 * (share < 0 ? 0 : share > 1 ? 1 : share) + 0.5f);
+}
+
+static void cover_rows(void *context, size_t first, size_t end) {
+    const mask_cover *cover = context;
+    for (int y = (int)first; y < (int)end; ++y) {
+        uint8_t *row = cover->to + (size_t)y * row_size(cover->from->width);
+        for (int x = 0; x < cover->from->width; ++x) {
+            row[4 * (size_t)x + 3] = texel_cover(cover, x, y);
+        }
+    }
 }
 
 /* Where levels lie; returns the texels of all. */
@@ -345,8 +385,9 @@ static void fill_light(burnish_texture_levels *levels, int i, level_widening *wi
 }
 
 /* Fills levels from the codes of level 0; codes: of all levels. */
-static void fill_levels(burnish_texture_levels *levels, uint8_t *codes, burnish_texture_kind kind,
-                        burnish_tasks *tasks) {
+static void fill_levels(burnish_texture_levels *levels, const burnish_texture *texture,
+                        uint8_t *codes, burnish_texture_kind kind, burnish_tasks *tasks) {
+    const mask_cover cover = {texture, codes, levels->cutoff};
     level_widening widening = {.is_weighted = levels->is_weighted};
     for (int i = 0; i < 256; ++i) {
         widening.light[i] = (uint16_t)(burnish_srgb_to_linear[i] * (float)BURNISH_TEXEL_ONE + 0.5f);
@@ -357,6 +398,10 @@ static void fill_levels(burnish_texture_levels *levels, uint8_t *codes, burnish_
             fill_light(levels, i, &widening, level, tasks);
         } else {
             repeat_first(levels, i, level);
+        }
+        if (i == 0 && kind == BURNISH_TEXTURE_MASKED) { /* level 0 keeps its alpha */
+            burnish_tasks_ranges(tasks, (size_t)texture->height, row_grain(texture->width),
+                                 cover_rows, (void *)&cover);
         }
         if (i + 1 < levels->count) {
             level_step step = {level,
@@ -377,7 +422,7 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
                                              burnish_texture_kind kind, burnish_tasks *tasks,
                                              burnish_memory *memory) {
     const size_t count = (size_t)texture->width * (size_t)texture->height;
-    const int is_light = kind == BURNISH_TEXTURE_COLORS || kind == BURNISH_TEXTURE_WEIGHTED;
+    const int is_light = kind == BURNISH_TEXTURE_COLORS || burnish_texture_is_weighted(kind);
     const size_t total = lay_out(levels, texture->width, texture->height);
     levels->codes =
         burnish_allocate(memory, total + BURNISH_TEXTURE_PAD, 4, "codes of texture levels");
@@ -391,8 +436,8 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
         burnish_tasks_ranges(tasks, (size_t)texture->height, row_grain(texture->width), copy_rows,
                              &copy);
         find_least(levels, texture->pixels, count);
-        levels->is_weighted = kind == BURNISH_TEXTURE_WEIGHTED && levels->least[3] < 255;
-        fill_levels(levels, levels->codes, kind, tasks);
+        levels->is_weighted = burnish_texture_is_weighted(kind) && levels->least[3] < 255;
+        fill_levels(levels, texture, levels->codes, kind, tasks);
         memset(levels->codes + 4 * total, 0, sizeof(uint8_t[4]) * BURNISH_TEXTURE_PAD);
     }
     if (is_light) {

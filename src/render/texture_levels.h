@@ -19,9 +19,15 @@ typedef enum burnish_texture_kind {
     BURNISH_TEXTURE_COLORS,   /* of linear light */
     BURNISH_TEXTURE_WEIGHTED, /* of linear light weighted by alpha: what can't be seen leaves no
                                  halo */
+    BURNISH_TEXTURE_MASKED,   /* the same, but alpha is how much of the area a mask leaves */
     BURNISH_TEXTURE_NORMALS,  /* of unit vectors: direction, and 1 - sqrt(1 - length) as alpha */
     BURNISH_TEXTURE_KIND_COUNT
 } burnish_texture_kind;
+
+/* Whether colours are weighted by alpha. */
+static inline int burnish_texture_is_weighted(burnish_texture_kind kind) {
+    return kind == BURNISH_TEXTURE_WEIGHTED || kind == BURNISH_TEXTURE_MASKED;
+}
 
 enum { BURNISH_TEXEL_ONE = 65535 }; /* what 1 is in 16 bits */
 
@@ -39,9 +45,11 @@ typedef struct burnish_texture_levels {
     int count;
     int is_weighted;  /* 1: colours are multiplied by alpha, which is below 1 somewhere */
     uint8_t least[4]; /* code of each channel in level 0 */
+    float cutoff;     /* MASKED: alpha of level 0 from which on the mask leaves something */
 } burnish_texture_levels;
 
 /* A texel is the mean of the area that it covers in the level before, of any size.
+ *   levels->cutoff  of kind MASKED: set before
  * Errors: MEMORY, CANCELLED; destroy it all the same. */
 burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
                                              const burnish_texture *texture,

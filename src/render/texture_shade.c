@@ -61,6 +61,7 @@ static void find_color(const burnish_textured_material *material, const burnish_
                            scratch->opacity};
     const int has_color = sample_into(material, BURNISH_TEXTURE_COLOR, takes_alpha ? ALL : COLOR,
                                       ops, streams, count, scratch, out);
+    burnish_masks_color(material, ops, streams, count, scratch);
     for (int k = 0; k < 3; ++k) {
         if (!has_color) {
             fill(scratch->diffuse[k], count, 1.0f);
@@ -77,11 +78,6 @@ static void find_color(const burnish_textured_material *material, const burnish_
         for (int i = 0; i < count; ++i) {
             scratch->opacity[i] *= scratch->sample[0][i];
         }
-    }
-    const float solid = 1 - material->material.transparency;
-    for (int i = 0; i < count && material->material.alpha_mode == BURNISH_ALPHA_MASK; ++i) {
-        scratch->opacity[i] =
-            solid * scratch->opacity[i] >= material->material.alpha_cutoff ? 1.0f : 0.0f;
     }
 }
 
@@ -180,6 +176,9 @@ void burnish_texture_shade(const burnish_texturing *texturing, const burnish_isa
     const int all = padded_count(count); /* arrays are readable up to there */
     scratch->taps_of = NULL;
     find_color(material, ops, points, streams, all, scratch);
+    if (material->material.alpha_mode == BURNISH_ALPHA_MASK) {
+        burnish_masks_apply(texturing, material, ops, streams, all, scratch);
+    }
     if (!rgb) {
         return;
     }

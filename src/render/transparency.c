@@ -147,25 +147,52 @@ static float opacity_of(const burnish_surface *surface, const burnish_fragments 
     return opacity < 0 ? 0 : opacity > 1 ? 1 : opacity;
 }
 
+/* Lays samples of opacity `opacity` times `cover` (NULL: 1) of fragment i behind what is there;
+ * returns what of its light is seen. */
+static float lay_samples(burnish_layer_light *layers, const burnish_fragments *fragments, int i,
+                         float (*cover)[BURNISH_TEXTURE_BATCH], float opacity, int samples) {
+    const int pixel = fragments->pixels[i];
+    const unsigned bits = fragments->samples[i];
+    float seen = 0;
+    if (!cover) {
+        seen = opacity * burnish_layers_through(layers, samples, pixel, bits);
+    }
+    for (unsigned rest = bits; rest; rest &= rest - 1) {
+        const int s = __builtin_ctz(rest);
+        float *through = &layers->through[burnish_sample_index(samples, pixel, s)];
+        const float covered = cover ? opacity * cover[s][i] : opacity;
+        seen += cover ? covered * *through : 0;
+        *through *= 1.0f - covered;
+    }
+    return seen;
+}
+
+/* Whether a mask leaves some of fragment i. */
+static int is_there(const burnish_fragments *fragments, int i,
+                    float (*cover)[BURNISH_TEXTURE_BATCH]) {
+    for (unsigned rest = cover ? fragments->samples[i] : 0; rest; rest &= rest - 1) {
+        if (cover[__builtin_ctz(rest)][i] > 0) {
+            return 1;
+        }
+    }
+    return !cover;
+}
+
 void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface *surface,
                              const burnish_fragments *fragments, const float *const *rgb,
-                             const float *alpha, int samples, float limit) {
+                             const float *alpha, float (*cover)[BURNISH_TEXTURE_BATCH], int samples,
+                             float limit) {
     for (int i = 0; i < fragments->count; ++i) {
         const int pixel = fragments->pixels[i];
-        const unsigned bits = fragments->samples[i];
         const float textured = alpha ? alpha[i] : 1.0f;
         const float opacity = opacity_of(surface, fragments, i) * textured;
-        if (textured <= 0) {
+        if (textured <= 0 || !is_there(fragments, i, cover)) {
             continue; /* nothing is there */
         }
-        const float seen = opacity * burnish_layers_through(layers, samples, pixel, bits);
+        const float seen = lay_samples(layers, fragments, i, cover, opacity, samples);
         for (int k = 0; rgb && k < 3; ++k) {
             const float value = rgb[k][i];
             layers->light[k][pixel] += seen * (value < limit ? value : limit);
-        }
-        for (unsigned rest = bits; rest; rest &= rest - 1) {
-            layers->through[burnish_sample_index(samples, pixel, __builtin_ctz(rest))] *=
-                1.0f - opacity;
         }
         layers->covered[pixel / BURNISH_BLOCK_PIXELS] |=
             (uint16_t)(1u << pixel % BURNISH_BLOCK_PIXELS);

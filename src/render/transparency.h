@@ -3,7 +3,8 @@
  * A layer of opacity a and colour C in front of what has the light L gives a C + (1 - a) L, for
  * each sample, in linear light, from the nearest layer to the farthest. A layer's opacity is its
  * material's times its vertices', interpolated as a colour is, times its textures'. A masked
- * material is wholly opaque or not there, sample by sample of its layers. */
+ * material is wholly opaque or not there, sample by sample; where its texels are smaller than
+ * pixels, samples are as opaque as the area is that the mask leaves. */
 #ifndef BURNISH_RENDER_TRANSPARENCY_H
 #define BURNISH_RENDER_TRANSPARENCY_H
 
@@ -50,10 +51,12 @@ void burnish_layer_light_clear(burnish_layer_light *layers, int samples);
 
 /* Lays fragments, farther than those before, behind them.
  *   rgb    their light; NULL where nothing is shaded
- *   alpha  what textures leave of their opacity; NULL: all */
+ *   alpha  what textures leave of their opacity; NULL: all
+ *   cover  what masks leave of it, for each of the samples; NULL: all */
 void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface *surface,
                              const burnish_fragments *fragments, const float *const *rgb,
-                             const float *alpha, int samples, float limit);
+                             const float *alpha, float (*cover)[BURNISH_TEXTURE_BATCH], int samples,
+                             float limit);
 
 /* Sum of what passes to the samples `bits` of a pixel. */
 static inline float burnish_layers_through(const burnish_layer_light *layers, int samples,

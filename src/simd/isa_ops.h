@@ -28,6 +28,7 @@ struct burnish_screen_vertices;
 struct burnish_shadow_lookup;
 struct burnish_silhouette;
 struct burnish_srgb_encoder;
+struct burnish_mask;
 struct burnish_texture_levels;
 struct burnish_texture_sampler;
 struct burnish_texture_scratch;
@@ -182,6 +183,14 @@ typedef struct burnish_isa_ops {
     void (*sample_texture)(const struct burnish_texture_levels *levels,
                            const struct burnish_texture_taps *taps, unsigned channels, size_t count,
                            float *const out[4]);
+
+    /* What a mask leaves of each sample of a pixel, [0, 1], where a texture's samples are at its
+     * cutoff: alpha there is that of the texels around the point, whose taps these are. streams:
+     * BURNISH_TEXTURE_STREAMS. alpha: of the points. Reads and writes whole vectors. */
+    void (*cover_samples)(const struct burnish_texture_sampler *sampler,
+                          const struct burnish_mask *mask, const struct burnish_texture_taps *taps,
+                          const float *const *streams, size_t count, const float *alpha,
+                          float (*cover)[256]);
 
     /* Tangents, x, y, z and the bitangent's sign, of points of triangles `ids` at the weights of
      * corners 1 and 2. Reads and writes whole vectors. */

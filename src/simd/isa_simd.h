@@ -7,6 +7,7 @@
 #include "raster/tile_simd.h"
 #include "render/encode_simd.h"
 #include "render/ground_simd.h"
+#include "render/mask_simd.h"
 #include "render/materials_simd.h"
 #include "render/occlusion_simd.h"
 #include "render/shadow_simd.h"
@@ -134,6 +135,7 @@ static const burnish_isa_ops OPS = {
     OP(locate_points),
     OP(find_taps),
     OP(sample_texture),
+    OP(cover_samples),
     OP(interpolate_tangents),
     OP(turn_normals),
     OP(vary_points),

@@ -1,0 +1,340 @@
+/* Masks that end inside a triangle: coverage with several samples against exact areas, near and
+ * far, what shows through, and that pixels have the same bits everywhere. */
+#include <math.h>
+
+#include "burnish/kernels.h"
+#include "burnish/render.h"
+#include "core/srgb.h"
+#include "mesh_arrays.h"
+#include "support.h"
+
+enum { SIZE = 96, TEXELS = 128, STEPS = 16 };
+
+/* A white card from -1 to 1 whose alpha is the mask, and where wanted a red one behind it. */
+typedef struct scene {
+    uint8_t texels[4 * TEXELS * TEXELS];
+    burnish_texture textures[2];
+    burnish_material materials[2];
+    burnish_render_options options;
+    int has_red;
+    float pixels[SIZE * SIZE * 4];
+} scene;
+
+static void open_scene(scene *s, int samples) {
+    s->textures[0] = s->textures[1] = (burnish_texture){NULL, TEXELS, TEXELS, s->texels, 1};
+    s->materials[0] = burnish_material_default();
+    for (int k = 0; k < 3; ++k) {
+        s->materials[0].ambient[k] = s->materials[0].diffuse[k] = 1;
+        s->materials[0].specular[k] = 0;
+    }
+    s->materials[1] = s->materials[0];
+    s->materials[1].ambient[1] = s->materials[1].ambient[2] = 0;
+    s->materials[0].textures[BURNISH_TEXTURE_COLOR].texture = 1;
+    s->materials[0].alpha_mode = BURNISH_ALPHA_MASK;
+    s->materials[0].alpha_cutoff = 0.5f;
+    s->has_red = 0;
+    s->options = burnish_render_options_default();
+    s->options.width = s->options.height = SIZE;
+    s->options.samples = samples;
+    s->options.light_count = 0;
+    s->options.camera.position[2] = 4;
+    s->options.camera.orthographic_height = 2.5;
+    for (int k = 0; k < 3; ++k) {
+        s->options.ambient_light[k] = 1;
+        s->options.background[k] = 0;
+    }
+}
+
+static burnish_mesh *mesh_of(const scene *s) {
+    static const float positions[] = {-1,  -1,    0,  1,  -1,    0,   1,     1,
+                                      0,   -1,    1,  0,  -50,   -50, -0.1f, 50,
+                                      -50, -0.1f, 50, 50, -0.1f, -50, 50,    -0.1f};
+    static const float coordinates[] = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1};
+    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    static const uint16_t triangle_materials[] = {0, 0, 1, 1};
+    const size_t vertices = s->has_red ? 8 : 4, triangles = s->has_red ? 4 : 2;
+    burnish_mesh_description arrays =
+        describe_arrays(positions, NULL, NULL, vertices, indices, triangles);
+    burnish_load_options load = burnish_load_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh = NULL;
+    arrays.texture_coordinates = (burnish_array){coordinates, vertices, 0};
+    arrays.materials = s->materials;
+    arrays.material_count = 2;
+    arrays.triangle_materials = (burnish_array){triangle_materials, triangles, 0};
+    arrays.textures = s->textures;
+    arrays.texture_count = 2;
+    CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
+}
+
+static void draw(scene *s) {
+    burnish_target target = burnish_target_default();
+    burnish_mesh *mesh = mesh_of(s);
+    burnish_render_report report;
+    burnish_renderer *renderer;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
+                                     (size_t)SIZE * 4 * sizeof(float), (uint8_t *)s->pixels};
+    burnish_renderer_create(NULL, &renderer, &error);
+    CHECK(burnish_renderer_draw_into(renderer, mesh, &s->options, &target, &report, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Shapes: alpha of a texel, and whether a point of the card, [0, 1], is in the shape ---- */
+
+#define RADIUS 0.4
+
+/* How far a point lies within the disc. */
+static double depth_in_disc(double u, double v) {
+    return RADIUS - sqrt((u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5));
+}
+
+/* Alpha grows from 0 to 1 over `ramp` texels across the disc's edge, where it is `cutoff`. */
+static void paint_disc(scene *s, double ramp, double cutoff) {
+    s->materials[0].alpha_cutoff = (float)cutoff;
+    for (int i = 0; i < TEXELS * TEXELS; ++i) {
+        const double u = (i % TEXELS + 0.5) / TEXELS, v = (i / TEXELS + 0.5) / TEXELS;
+        const double alpha = cutoff + depth_in_disc(u, v) * TEXELS / ramp;
+        memset(s->texels + 4 * i, 255, 3);
+        s->texels[4 * i + 3] = (uint8_t)(255 * (alpha < 0 ? 0 : alpha > 1 ? 1 : alpha) + 0.5);
+    }
+}
+
+/* The share of a pixel that the disc covers. */
+static double covered_by_disc(const scene *s, int x, int y) {
+    const double height = s->options.camera.orthographic_height;
+    int count = 0;
+    for (int i = 0; i < STEPS * STEPS; ++i) {
+        const double px = (x + (i % STEPS + 0.5) / STEPS) / SIZE - 0.5;
+        const double py = (y + (i / STEPS + 0.5) / STEPS) / SIZE - 0.5;
+        count += depth_in_disc(0.5 + px * height / 2, 0.5 + py * height / 2) >= 0;
+    }
+    return (double)count / (STEPS * STEPS);
+}
+
+/* The disc's area in pixels as drawn. */
+static double drawn_area(const scene *s) {
+    double sum = 0;
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        sum += (double)s->pixels[4 * i];
+    }
+    return sum;
+}
+
+/* ---- Coverage ---- */
+
+/* The root mean square of what pixels differ by from the disc's shares, in those at its edge. */
+static double edge_error(const scene *s) {
+    double sum = 0;
+    int count = 0;
+    for (int y = 0; y < SIZE; ++y) {
+        for (int x = 0; x < SIZE; ++x) {
+            const double share = covered_by_disc(s, x, y);
+            const double error = (double)s->pixels[4 * (y * SIZE + x)] - share;
+            if (share > 0 && share < 1) {
+                sum += error * error;
+                count += 1;
+            }
+        }
+    }
+    return sqrt(sum / count);
+}
+
+/* A disc at its own size and enlarged: pixels at its edge show their shares of it. A mask that is
+ * decided once a pixel is off by 0.29. */
+static void test_edges(void) {
+    static const struct {
+        int samples;
+        double height, most;
+    } cases[] = {{4, 2.5, 0.14},  {4, 1.7, 0.14},  {4, 2, 0.14}, {8, 1.7, 0.09},
+                 {16, 2.5, 0.09}, {16, 1.7, 0.07}, {16, 2, 0.07}};
+    static scene s;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        open_scene(&s, cases[i].samples);
+        paint_disc(&s, 2, 0.5);
+        s.options.camera.orthographic_height = cases[i].height;
+        draw(&s);
+        const double error = edge_error(&s);
+        CHECK(error < cases[i].most, "%d samples, height %g: %g", cases[i].samples, cases[i].height,
+              error);
+    }
+}
+
+/* The disc's area at all distances from enlarged to a card of two pixels, whatever the ramp of its
+ * alpha and the cutoff. */
+static void test_area(void) {
+    static const struct {
+        double ramp, cutoff;
+    } shapes[] = {{1, 0.5}, {1, 0.1}, {8, 0.5}, {16, 0.25}, {16, 0.75}};
+    static scene s;
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
+        open_scene(&s, 4);
+        paint_disc(&s, shapes[i].ramp, shapes[i].cutoff);
+        for (double height = 2; height < 100; height *= 1.21) {
+            const double pixels = 2 / height * SIZE; /* along the card's side */
+            const double area = 3.14159265358979 * RADIUS * RADIUS * pixels * pixels;
+            s.options.camera.orthographic_height = height;
+            draw(&s);
+            const double ratio = drawn_area(&s) / area;
+            CHECK(fabs(ratio - 1) < 0.03 + 0.4 / pixels,
+                  "ramp %g, cutoff %g, card of %.1f pixels: %g of the area", shapes[i].ramp,
+                  shapes[i].cutoff, pixels, ratio);
+        }
+    }
+}
+
+/* Bars narrower than a pixel neither vanish nor grow together: `bar` of each 8 texels are there. */
+static void test_bars(void) {
+    static scene s;
+    for (int bar = 1; bar < 8; bar += 2) {
+        open_scene(&s, 4);
+        for (int i = 0; i < TEXELS * TEXELS; ++i) {
+            memset(s.texels + 4 * i, 255, 3);
+            s.texels[4 * i + 3] = i % 8 < bar ? 255 : 0;
+        }
+        for (double height = 2; height < 100; height *= 1.37) {
+            const double pixels = 2 / height * SIZE;
+            s.options.camera.orthographic_height = height;
+            draw(&s);
+            const double ratio = drawn_area(&s) / (bar / 8.0 * pixels * pixels);
+            CHECK(fabs(ratio - 1) < 0.12 + 0.6 / pixels, "bars of %d, card of %.1f pixels: %g", bar,
+                  pixels, ratio);
+        }
+    }
+}
+
+/* White over red: what the mask leaves of a pixel is red, near and far. */
+static void test_behind(void) {
+    static scene s;
+    for (double height = 1.3; height < 20; height *= 2) {
+        int mixed = 0, off = 0;
+        open_scene(&s, 4);
+        s.has_red = 1;
+        paint_disc(&s, 2, 0.5);
+        s.options.camera.orthographic_height = height;
+        draw(&s);
+        for (int i = 0; i < SIZE * SIZE; ++i) {
+            const float *p = s.pixels + 4 * i;
+            mixed += p[1] > 0.1f && p[1] < 0.9f;
+            off += fabsf(p[0] - 1) > 1e-5f || fabsf(p[1] - p[2]) > 1e-5f;
+        }
+        CHECK(mixed > 12 && !off, "height %g: %d mixed, %d of another colour", height, mixed, off);
+    }
+}
+
+/* ---- Wraps, nearest texels, other materials ---- */
+
+/* One column of 2 x 2 texels is there, the first or the second; the card shows the image from
+ * coordinate `from` on. */
+static double column_area(int first, int wrap, int is_nearest, float from, int samples) {
+    static const uint8_t columns[2][8] = {{255, 255, 255, 255, 255, 255, 255, 0},
+                                          {255, 255, 255, 0, 255, 255, 255, 255}};
+    static scene s;
+    open_scene(&s, samples);
+    burnish_texture_use *use = &s.materials[0].textures[BURNISH_TEXTURE_COLOR];
+    s.textures[0] = (burnish_texture){NULL, 2, 1, columns[first ? 0 : 1], 1};
+    use->wrap[0] = use->wrap[1] = wrap;
+    use->is_nearest = is_nearest;
+    use->has_transform = 1;
+    memcpy(use->transform, (float[6]){1, 0, from, 0, 1, 0}, sizeof use->transform);
+    s.options.camera.orthographic_height = 2;
+    draw(&s);
+    return drawn_area(&s) / SIZE; /* columns of pixels */
+}
+
+/* Edges that lie at a quarter or three quarters of a pixel, so that all samples or half of them
+ * show it: where one decision a pixel gives whole columns. */
+static void test_wraps(void) {
+    for (int wrap = BURNISH_WRAP_REPEAT; wrap <= BURNISH_WRAP_CLAMP; ++wrap) {
+        for (int nearest = 0; nearest < 2; ++nearest) {
+            for (int first = 0; first < 2; ++first) {
+                for (int k = 0; k < 16; ++k) {
+                    const float from = (float)k / 4 + 0.5f / SIZE - 2; /* edges within pixels */
+                    const double exact = column_area(first, wrap, nearest, from, 16);
+                    double sum = 0;
+                    for (int i = 0; i < 4096; ++i) {
+                        double u = (double)from + (i + 0.5) / 4096;
+                        if (wrap == BURNISH_WRAP_CLAMP) {
+                            u = u < 0 ? 0 : u > 1 ? 0.999 : u;
+                        } else {
+                            const double turned = u - 2 * floor(u / 2);
+                            u = wrap == BURNISH_WRAP_REPEAT ? u - floor(u)
+                                : turned < 1                ? turned
+                                                            : 2 - turned;
+                        }
+                        sum += (u < 0.5) == first;
+                    }
+                    const double expected = sum / 4096 * SIZE;
+                    CHECK(fabs(exact - expected) < 0.3,
+                          "wrap %d, nearest %d, first %d, from %g: %g columns, not %g", wrap,
+                          nearest, first, (double)from, exact, expected);
+                }
+            }
+        }
+    }
+}
+
+/* Materials that use one image with different cutoffs. */
+static void test_cutoffs(void) {
+    static scene s;
+    open_scene(&s, 4);
+    s.has_red = 1;
+    paint_disc(&s, 16, 0.25);
+    s.materials[1].textures[BURNISH_TEXTURE_COLOR].texture = 1;
+    s.materials[1].alpha_mode = BURNISH_ALPHA_MASK;
+    s.materials[1].alpha_cutoff = 0.75f;
+    draw(&s);
+    double white = 0;
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        white += (double)s.pixels[4 * i + 1];
+    }
+    const double pixels = 2 / 2.5 * SIZE;
+    const double area = 3.14159265358979 * RADIUS * RADIUS * pixels * pixels;
+    CHECK(fabs(white / area - 1) < 0.03, "%g of the area", white / area);
+}
+
+static void test_bits(void) {
+    static scene s;
+    for (int samples = 4; samples <= 16; samples *= 2) {
+        uint64_t first = 0;
+        open_scene(&s, samples);
+        paint_disc(&s, 2, 0.4);
+        s.has_red = 1;
+        s.options.camera = (burnish_camera){{0.9, -3.1, 0.6}, {0, 0, 0}, {0, 0, 1}, 30, 0};
+        burnish_mesh *mesh = mesh_of(&s);
+        for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+            const int threads[] = {1, 3};
+            for (int t = 0; t < 2 && burnish_kernels_for((burnish_isa)isa); ++t) {
+                burnish_image image = {0};
+                burnish_error error;
+                s.options.kernels = burnish_kernels_for((burnish_isa)isa);
+                s.options.threads = threads[t];
+                CHECK(burnish_render(mesh, &s.options, &image, NULL, &error) == BURNISH_STATUS_OK,
+                      "%s", error.text);
+                const uint64_t hash = burnish_image_hash(&image);
+                first = first ? first : hash;
+                CHECK(hash == first, "isa %d, %d threads: %016llx, not %016llx", isa, threads[t],
+                      (unsigned long long)hash, (unsigned long long)first);
+                burnish_image_destroy(&image);
+            }
+        }
+        burnish_mesh_destroy(mesh);
+    }
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_edges());
+    RUN(test_area());
+    RUN(test_bars());
+    RUN(test_behind());
+    RUN(test_wraps());
+    RUN(test_cutoffs());
+    RUN(test_bits());
+    return test_end("masks");
+}
