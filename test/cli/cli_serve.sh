@@ -197,6 +197,65 @@ if [ -d /proc/self/fd ] && command -v pgrep >/dev/null; then
     rm -f pipe later
 fi
 
+# Importers: by the name's ending or by a flag, with the request's files as textures and its limits. A script stands for one.
+bin=$scratch.bin
+rm -rf "$bin"
+mkdir "$bin"
+trap 'rm -rf "$bin"' EXIT
+export BURNISH_IMPORTERS="$bin"
+"$here/../fuzz/seeds" "$bin/seeds"
+tail -c +4 "$bin/seeds/bms/all" >"$bin/all.bms"
+importer() {
+    printf '#!/bin/sh\n%s\n' "$1" >"$bin/burnish-import-assimp"
+    chmod +x "$bin/burnish-import-assimp"
+}
+echo 'an FBX' >a.fbx
+cp "$here/../data/tiles.png" a.png
+tiles=$(($(wc -c <a.png)))
+importer "cat >>'$bin/input'; echo \"\$* \$(ls /proc/self/fd | wc -l)\" >>'$bin/arguments'; cat '$bin/all.bms'"
+{
+    request 1 "{\"name\": \"a.fbx\", \"files\": [{\"name\": \"a.png\", \"bytes\": $tiles}]}" a.fbx a.png
+    request 2 '{"flags": ["--input-format=dae"]}' a.fbx
+    request 3 '{"name": "a.fbx", "flags": ["--input-format=obj"]}' a.obj
+    request 4 '{"name": ":teapot", "flags": ["--input-format=dae"]}'
+} >in
+serve -j1 --size=24
+"$burnish" render a.fbx --size=24 --quiet --no-sandbox -o 1.png
+check "an importer: $(head -c 300 1.line)" cmp 1.png 1.picture
+check "its format" grep -q '"format":"fbx"' 1.line
+check "by a flag: $(head -c 300 2.line)" grep -q '"format":"dae"' 2.line
+check "without the texture" grep -q 'texture \\\"a.png\\\" is left out' 2.line
+check "what is named is not imported" grep -q '"format":"obj"' 3.line
+check "a built-in object" grep -q '"format":"builtin"' 4.line
+check "what it is given: $(cat "$bin/arguments")" [ "$(cut -d' ' -f1 "$bin/arguments" | tr '\n' ' ')" = "fbx dae fbx " ]
+check "no descriptors: $(cat "$bin/arguments")" awk '$2 > 4 { exit 1 }' "$bin/arguments"
+cat a.fbx a.fbx a.fbx | check "the file" cmp -s - "$bin/input"
+rm -f ./*.line ./*.picture 1.png
+importer 'kill -SEGV $$'
+{
+    request 1 '{"name": "a.fbx"}' a.fbx
+    request 2 '{"name": "a.step"}' a.fbx
+    request 3 '{"name": "a.dae"}' a.obj
+    request 4 '{"name": "a.obj"}' a.obj
+} >in
+serve -j1 --size=24
+failed 1 4 'a.fbx: burnish-import-assimp crashed by signal 11'
+failed 2 4 'a.step: burnish-import-occt reads such files and is not there'
+check "one that is something else: $(head -c 300 3.line)" [ -s 3.picture ]
+check "the next one is drawn" [ -s 4.picture ]
+rm -f ./*.line ./*.picture
+importer "echo \$\$ >'$bin/number'; exec sleep 60"
+{
+    request 1 '{"name": "a.fbx"}' a.fbx
+    request 2 '{"name": "a.obj"}' a.obj
+} >in
+serve -j1 --size=24 --max-seconds=0.3
+failed 1 5 'not done after 0.3 seconds (--max-seconds)'
+check "the next one is drawn" [ -s 2.picture ]
+sleep 0.1
+check "the importer has ended" [ -z "$(cut -d' ' -f3 "/proc/$(cat "$bin/number")/stat" 2>/dev/null | grep -v Z)" ]
+rm -f ./*.line ./*.picture a.fbx a.png
+
 # What is no frame ends the server, after the answers.
 request 1 '{}' a.obj >in
 printf 'GET / HTTP/1.0\r\n\r\n' >>in

@@ -174,6 +174,7 @@ typedef struct render_settings {
                                 const burnish_load_options *options, burnish_mesh **mesh,
                                 burnish_error *error);
     void *load_context;
+    int loads_foreign; /* 1: it knows formats that importers read */
     int opens_no_font; /* 1: letters beyond ASCII are drawn as ? */
 
     char default_output[512]; /* what output points to when the name is made from the input's */

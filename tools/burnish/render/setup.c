@@ -399,7 +399,9 @@ burnish_status render_load(const render_settings *settings, burnish_mesh **mesh,
     if (!settings->load_mesh) {
         return sandbox_load(settings->input, &options, mesh, error);
     }
-    const burnish_status status = cli_refuse_foreign(settings->load.format, error);
+    const burnish_status status = settings->loads_foreign
+                                      ? BURNISH_STATUS_OK
+                                      : cli_refuse_foreign(settings->load.format, error);
     return status == BURNISH_STATUS_OK
                ? settings->load_mesh(settings->load_context, settings->input, &options, mesh, error)
                : status;

@@ -2,6 +2,7 @@
  *
  *   server.c  frames and processes: hands each request to a worker that waits for it, and hands
  *             out what the worker leaves. It parses nothing of a request but its length
+ *   import.c  how a worker has an importer run, by a process that the server forks for it
  *   worker.c  a process of one request: starts and locks itself in before there is one, then
  *             parses, draws as `burnish render` does, and leaves the answer
  *
@@ -36,6 +37,29 @@ enum {
                           can be no worker */
     SERVE_DESCRIPTORS
 };
+
+/* What a worker may say while it has a request, once: an importer is to read some of its bytes. The
+ * answer is that of a broker to MESSAGE_IMPORT (sandbox/channel.h). */
+typedef struct serve_wish {
+    uint64_t offset, size; /* of the mesh in the frame */
+    int32_t format;        /* burnish_format or cli_foreign */
+    char name[244];        /* the mesh's, or its end: for its ending and messages */
+} serve_wish;
+
+/* In the worker: import_load of such bytes, where import_choose has an importer. Textures come from
+ * options->companions. */
+burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
+                            const burnish_load_options *options, burnish_mesh **mesh,
+                            burnish_error *error);
+
+/* In the server: what a worker that has a request says, without waiting. */
+enum { SERVE_NOTHING, SERVE_ENDED, SERVE_WISH, SERVE_NONSENSE };
+int serve_hear_wish(int channel, serve_wish *wish);
+
+/* The whole life of a process with a worker's channel and request, at the descriptors of a worker.
+ */
+__attribute__((noreturn)) void serve_run_importer(const serve_settings *settings,
+                                                  const serve_wish *wish, uint64_t request_size);
 
 /* The process's whole life. It ends with 0 when the answer is whole. */
 __attribute__((noreturn)) void serve_work(const serve_settings *settings);

@@ -44,7 +44,8 @@ typedef enum slot_state {
 /* A worker and its request. */
 typedef struct slot {
     slot_state state;
-    pid_t process; /* 0: it has ended */
+    pid_t process;  /* 0: it has ended */
+    pid_t importer; /* a process that runs one for it, or has; 0: none */
     int channel, request, answer;
     uint32_t id, left;    /* of the request's bytes, still to be read */
     uint64_t size;        /* of them all */
@@ -81,13 +82,14 @@ static void close_files(slot *s) {
     s->channel = s->request = s->answer = -1;
 }
 
-/* In the new process: of all descriptors it keeps three, as serve.h numbers them. */
-__attribute__((noreturn)) static void become_worker(server *v, slot *s, int channel, pid_t parent) {
+/* In a new process: of all descriptors it keeps three, as serve.h numbers them. */
+static void keep_descriptors(const server *v, const slot *s, int channel, pid_t parent) {
     const int first_free = 2 * SERVE_DESCRIPTORS;
     const int held[] = {fcntl(channel, F_DUPFD_CLOEXEC, first_free),
                         fcntl(s->request, F_DUPFD_CLOEXEC, first_free),
                         fcntl(s->answer, F_DUPFD_CLOEXEC, first_free)};
     const int nothing = open("/dev/null", O_RDWR);
+    (void)v; /* tells how many there may be, elsewhere */
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
@@ -108,6 +110,10 @@ __attribute__((noreturn)) static void become_worker(server *v, slot *s, int chan
         close(i);
     }
 #endif
+}
+
+__attribute__((noreturn)) static void become_worker(server *v, slot *s, int channel, pid_t parent) {
+    keep_descriptors(v, s, channel, parent);
     serve_work(v->settings);
 }
 
@@ -146,6 +152,37 @@ static int wait_for(slot *s) {
     }
     s->process = 0;
     return state;
+}
+
+/* ---- Importers ---- */
+
+/* A worker that asks for one twice, or says something else, is ended. */
+static void start_importer(server *v, slot *s, const serve_wish *wish) {
+    static const char text[] = "serve-stdio: no process for an importer";
+    const pid_t self = getpid();
+    if (s->importer > 0) {
+        kill(s->process, SIGKILL);
+        return;
+    }
+    s->importer = fork();
+    if (s->importer == 0) {
+        keep_descriptors(v, s, s->channel, self);
+        serve_run_importer(v->settings, wish, s->size);
+    }
+    if (s->importer < 0) {
+        s->importer = 0;
+        channel_send(s->channel, MESSAGE_DONE, BURNISH_STATUS_MEMORY, text, strlen(text));
+    }
+}
+
+/* With the worker that it is for. What it runs ends with it. */
+static void end_importer(slot *s) {
+    if (s->importer > 0) {
+        kill(s->importer, SIGKILL);
+        while (waitpid(s->importer, NULL, 0) < 0 && errno == EINTR) {
+        }
+        s->importer = 0;
+    }
 }
 
 /* ---- Answers ---- */
@@ -194,13 +231,24 @@ static burnish_status fail_start(slot *s, int state, burnish_error *error) {
                     : cli_fail(error, line.status, "%s", line.text);
 }
 
-/* A worker says that it is ready, or has ended. */
+/* A worker says that it is ready, wants an importer, or has ended. */
 static burnish_status hear(server *v, slot *s, burnish_error *error) {
     char byte;
-    if (read(s->channel, &byte, 1) == 1) {
+    serve_wish wish;
+    const int said = s->state == SLOT_WORKING ? serve_hear_wish(s->channel, &wish) : SERVE_ENDED;
+    if (said == SERVE_WISH) {
+        start_importer(v, s, &wish);
+    } else if (said == SERVE_NONSENSE) {
+        kill(s->process, SIGKILL);
+    }
+    if (said != SERVE_ENDED) {
+        return BURNISH_STATUS_OK;
+    }
+    if (s->state != SLOT_WORKING && read(s->channel, &byte, 1) == 1) {
         s->state = s->state == SLOT_STARTING ? SLOT_IDLE : s->state;
         return BURNISH_STATUS_OK;
     }
+    end_importer(s);
     const int state = wait_for(s);
     if (s->state == SLOT_STARTING) {
         return fail_start(s, state, error);
@@ -443,6 +491,7 @@ static int has_work(const server *v) {
 static void end_workers(server *v) {
     for (size_t i = 0; v->slots && i < v->count; ++i) {
         slot *s = &v->slots[i];
+        end_importer(s);
         if (s->process > 0) {
             kill(s->process, SIGKILL);
             wait_for(s);

@@ -30,6 +30,7 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 #include "cli/limits.h"
 #include "cli/run.h"
 #include "cli/write.h"
+#include "import/import.h"
 #include "sandbox/channel.h"
 #include "sandbox/sandbox.h"
 
@@ -68,6 +69,7 @@ static burnish_status keep_output(const char *path, burnish_file_source *source,
 
 typedef struct request {
     const char *name;
+    const char *frame;
     const char *bytes; /* of the mesh */
     size_t size;
     cli_companions companions;
@@ -168,6 +170,7 @@ static burnish_status parse_request(const char *frame, size_t size, request *r, 
                         stop && stop <= end ? (size_t)(stop - frame) : (size_t)(end - frame));
     }
     r->name = "mesh";
+    r->frame = frame;
     r->bytes = end + 1;
     r->size = size - (size_t)(end + 1 - frame);
     return take_keys(r, *object, error);
@@ -180,8 +183,24 @@ static burnish_status load(void *context, const char *input, const burnish_load_
     request *r = context;
     burnish_load_options handed = *options;
     handed.companions = cli_companion_loader(&r->companions);
-    return *input == ':' ? burnish_mesh_load(input, &handed, mesh, error)
-                         : burnish_mesh_load_memory(r->bytes, r->size, input, &handed, mesh, error);
+    const int asked = (int)options->format;
+    char ending[IMPORT_ENDING_SIZE];
+    burnish_error native;
+    if (*input == ':') {
+        handed.format = cli_foreign_ending(asked) ? BURNISH_FORMAT_AUTO : options->format;
+        return burnish_mesh_load(input, &handed, mesh, error);
+    }
+    if (!import_choose(input, asked, ending)) {
+        return burnish_mesh_load_memory(r->bytes, r->size, input, &handed, mesh, error);
+    }
+    burnish_status status =
+        serve_import(input, (uint64_t)(r->bytes - r->frame), r->size, &handed, mesh, error);
+    if (import_may_be_other(status, asked) &&
+        burnish_mesh_load_memory(r->bytes, r->size, input, &handed, mesh, &native) ==
+            BURNISH_STATUS_OK) {
+        status = BURNISH_STATUS_OK;
+    }
+    return status;
 }
 
 static burnish_status draw(const serve_settings *server, request *r, int *code,
@@ -199,6 +218,7 @@ static burnish_status draw(const serve_settings *server, request *r, int *code,
     settings.opens_no_font = 1;
     settings.load_mesh = load;
     settings.load_context = r;
+    settings.loads_foreign = 1;
     if (status == BURNISH_STATUS_OK) {
         status = render_finish(&settings, error);
     }

@@ -1,0 +1,125 @@
+/* Importers for requests. A worker can start nothing: it asks the server, which forks a process
+ * that runs the importer over the mesh's bytes and hands the stream to the worker. Nothing of the
+ * mesh, nor of the stream, is parsed but by the importer and the worker. */
+#include "serve/serve.h"
+
+#ifndef _WIN32
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "cli/limits.h"
+#include "cli/write.h"
+#include "import/import.h"
+#include "sandbox/channel.h"
+
+/* ---- The worker ---- */
+
+static burnish_status fail_server(burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_READ, "the server's importer has ended");
+}
+
+static burnish_status take_stream(import_stream *stream, burnish_error *error) {
+    static char piece[MESSAGE_DATA_MAX];
+    char text[MESSAGE_TEXT_MAX + 1] = "";
+    message head = {.kind = 0};
+    while (channel_receive(SERVE_CHANNEL, &head) && head.kind == MESSAGE_BYTES) {
+        if (head.size > sizeof piece || !channel_read(SERVE_CHANNEL, piece, (size_t)head.size)) {
+            return fail_server(error);
+        }
+        import_keep(stream, piece, (size_t)head.size); /* the rest is taken where memory is out */
+    }
+    if (head.kind != MESSAGE_DONE || head.size > MESSAGE_TEXT_MAX ||
+        !channel_read(SERVE_CHANNEL, text, (size_t)head.size)) {
+        return fail_server(error);
+    }
+    return head.value == BURNISH_STATUS_OK
+               ? BURNISH_STATUS_OK
+               : cli_fail(error, (burnish_status)head.value, "%s", text);
+}
+
+burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
+                            const burnish_load_options *options, burnish_mesh **mesh,
+                            burnish_error *error) {
+    serve_wish wish = {.offset = offset, .size = size, .format = (int32_t)options->format};
+    char ending[IMPORT_ENDING_SIZE];
+    const import_program *importer = import_choose(input, (int)options->format, ending);
+    const size_t length = strlen(input), shown = sizeof wish.name - 1;
+    import_stream stream = {0};
+    *mesh = NULL;
+    if (length > shown) { /* the end, which has the ending */
+        input += length - shown;
+    }
+    memcpy(wish.name, input, strlen(input));
+    burnish_status status = cli_write_all(SERVE_CHANNEL, &wish, sizeof wish)
+                                ? take_stream(&stream, error)
+                                : fail_server(error);
+    if (status == BURNISH_STATUS_OK) {
+        status = import_build(importer, input, &stream, options, options->companions, mesh, error);
+    }
+    free(stream.bytes);
+    return status;
+}
+
+/* ---- The server ---- */
+
+int serve_hear_wish(int channel, serve_wish *wish) {
+    const ssize_t size = recv(channel, wish, sizeof *wish, MSG_DONTWAIT);
+    wish->name[sizeof wish->name - 1] = 0;
+    return size == 0                       ? SERVE_ENDED
+           : size == (ssize_t)sizeof *wish ? SERVE_WISH
+           : size < 0 && errno == EAGAIN   ? SERVE_NOTHING
+           : size < 0 && errno == EINTR    ? SERVE_NOTHING
+                                           : SERVE_NONSENSE;
+}
+
+/* The mesh's bytes as a file of their own. */
+static int copy_mesh(const serve_wish *wish, uint64_t request_size, int request) {
+    static char piece[MESSAGE_DATA_MAX];
+    const int file = import_unnamed_file();
+    uint64_t left = wish->size;
+    off_t next = (off_t)wish->offset;
+    if (file < 0 || wish->offset > request_size || wish->size > request_size - wish->offset) {
+        return -1;
+    }
+    while (left > 0) {
+        const size_t most = left < sizeof piece ? (size_t)left : sizeof piece;
+        const ssize_t size = pread(request, piece, most, next);
+        if (size <= 0 || !cli_write_all(file, piece, (size_t)size)) {
+            return -1;
+        }
+        left -= (uint64_t)size;
+        next += size;
+    }
+    return file;
+}
+
+static int send_piece(void *context, const void *bytes, size_t size) {
+    (void)context;
+    return channel_send(SERVE_CHANNEL, MESSAGE_BYTES, 0, bytes, size);
+}
+
+void serve_run_importer(const serve_settings *settings, const serve_wish *wish,
+                        uint64_t request_size) {
+    char ending[IMPORT_ENDING_SIZE];
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    const import_program *importer = import_choose(wish->name, wish->format, ending);
+    const int file = importer ? copy_mesh(wish, request_size, SERVE_REQUEST) : -1;
+    cli_set_child_memory(settings->render.max_memory);
+    const burnish_status status =
+        file < 0
+            ? cli_fail(&error, BURNISH_STATUS_MEMORY, "%.200s: no room for an importer", wish->name)
+            : import_run(importer, wish->name, ending, file, settings->render.load.max_input_bytes,
+                         send_piece, NULL, &error);
+    channel_send(SERVE_CHANNEL, MESSAGE_DONE, (uint64_t)status, error.text,
+                 status == BURNISH_STATUS_OK ? 0 : strlen(error.text));
+    _exit(0);
+}
+
+#endif
