@@ -345,12 +345,75 @@ static void test_odd_bmp(void) {
     }
 }
 
+#if BURNISH_HAS_JPEG
+#include <jpeglib.h>
+
+/* Progressive, grey, of one colour, with its last scan `more` times more. To be freed. */
+static uint8_t *make_scans(int side, int more, size_t *size) {
+    struct jpeg_compress_struct codec;
+    struct jpeg_error_mgr manager; /* ends the program on an error, which is a failure too */
+    uint8_t *bytes = NULL, *row = calloc((size_t)side, 1);
+    unsigned long length = 0;
+    codec.err = jpeg_std_error(&manager);
+    jpeg_create_compress(&codec);
+    jpeg_mem_dest(&codec, &bytes, &length);
+    codec.image_width = codec.image_height = (JDIMENSION)side;
+    codec.input_components = 1;
+    codec.in_color_space = JCS_GRAYSCALE;
+    jpeg_set_defaults(&codec);
+    jpeg_simple_progression(&codec);
+    jpeg_start_compress(&codec, TRUE);
+    while (codec.next_scanline < codec.image_height) {
+        jpeg_write_scanlines(&codec, &row, 1);
+    }
+    jpeg_finish_compress(&codec);
+    jpeg_destroy_compress(&codec);
+    size_t last = length; /* where the last scan begins: ff da; ff d9 ends the file */
+    while (--last > 0 && !(bytes[last] == 0xff && bytes[last + 1] == 0xda)) {
+    }
+    const size_t scan = length - 2 - last;
+    uint8_t *longer = malloc(length + (size_t)more * scan);
+    memcpy(longer, bytes, length - 2);
+    *size = length - 2;
+    for (int i = 0; i < more; ++i, *size += scan) {
+        memcpy(longer + *size, bytes + last, scan);
+    }
+    memcpy(longer + *size, bytes + length - 2, 2);
+    *size += 2;
+    free(bytes);
+    free(row);
+    return longer;
+}
+
+/* A scan of a few bytes goes over all pixels: large pictures may have fewer of them. */
+static void test_scans(void) {
+    static const struct {
+        int side, more;
+        const char *text; /* NULL: it is decoded */
+    } cases[] = {{64, 40, NULL},
+                 {64, 600, "a.jpg: no sound JPEG: more than 500 scans"},
+                 {2048, 8, NULL},
+                 {2048, 40, "a.jpg: no sound JPEG: more than 16 scans"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        size_t size;
+        uint8_t *bytes = make_scans(cases[i].side, cases[i].more, &size);
+        burnish_image image;
+        burnish_error error = {BURNISH_STATUS_OK, ""};
+        const burnish_status status = burnish_image_decode(bytes, size, "a.jpg", &image, &error);
+        CHECK(status == (cases[i].text ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_OK), "case %zu", i);
+        CHECK_TEXT(error.text, cases[i].text ? cases[i].text : "");
+        burnish_image_destroy(&image);
+        free(bytes);
+    }
+}
+#endif
+
 /* ---- Files that name textures ---- */
 
 typedef struct folder {
     const char *library;
-    uint8_t *png;
-    size_t png_size;
+    uint8_t *png, *tga; /* tga: the caller's, in its place; NULL: none */
+    size_t png_size, tga_size;
     char asked[400]; /* the names, each followed by a bar */
 } folder;
 
@@ -366,8 +429,11 @@ static burnish_status load(void *user_data, const char *name, uint64_t max_bytes
         snprintf(error->text, sizeof error->text, "not there");
         return BURNISH_STATUS_READ;
     }
-    *bytes = is_library ? (const void *)f->library : f->png;
-    *size = is_library ? strlen(f->library) : strstr(name, "half") ? f->png_size / 2 : f->png_size;
+    *bytes = is_library ? (const void *)f->library : f->tga ? f->tga : f->png;
+    *size = is_library             ? strlen(f->library)
+            : f->tga               ? f->tga_size
+            : strstr(name, "half") ? f->png_size / 2
+                                   : f->png_size;
     return BURNISH_STATUS_OK;
 }
 
@@ -535,6 +601,32 @@ static void test_ply(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* The limit grows with the bytes that were read: a small file can't ask for much. */
+static void test_limit_of_bytes(void) {
+    static const size_t sizes[] = {760000, 800000};
+    const char mtl[] = "newmtl a\nmap_Kd x.png\n";
+    for (int i = 0; i < 3; ++i) { /* a picture that could be there, by its runs */
+        const uint8_t head[18] = {[2] = 10, [13] = 64, [14] = 255, [15] = 22, [16] = 24};
+        const size_t size = sizes[i & 1];
+        uint8_t *tga = calloc(size, 1);
+        folder f = {.library = mtl, .tga = tga, .tga_size = size};
+        burnish_load_options options = burnish_load_options_default();
+        char text[200];
+        memcpy(tga, head, sizeof head);
+        options.max_texture_pixels = i == 2 ? 1000 : options.max_texture_pixels;
+        burnish_mesh *mesh = load_text(&f, "m.obj", obj, &options);
+        const size_t left = i == 2 ? 1000 : (1u << 26) + 32 * (strlen(obj) + size);
+        snprintf(
+            text, sizeof text,
+            "m.obj: texture \"x.png\" is left out: x.png: 16384 x 5887 pixels, and %zu are left "
+            "of the limit of all textures; raise it, or make them smaller",
+            left);
+        CHECK_TEXT(burnish_mesh_warning(mesh, 0), text);
+        burnish_mesh_destroy(mesh);
+        free(tga);
+    }
+}
+
 /* Textures of faces, by their numbers; <this> is the file's own name. One colour of all vertices
  * says nothing beside a texture. */
 static void test_ply_faces(void) {
@@ -567,8 +659,12 @@ int main(int count, char **arguments) {
     RUN(test_tga_runs());
     RUN(test_bmp());
     RUN(test_odd_bmp());
+#if BURNISH_HAS_JPEG
+    RUN(test_scans());
+#endif
     RUN(test_obj());
     RUN(test_limits());
+    RUN(test_limit_of_bytes());
     RUN(test_side_by_side());
     RUN(test_ply());
     RUN(test_ply_faces());

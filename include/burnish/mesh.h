@@ -92,6 +92,9 @@ BURNISH_API burnish_material burnish_material_default(void);
 /* No moment of an animation. */
 #define BURNISH_AT_REST (-1.0)
 
+/* As many texels as suit the size of the input. */
+#define BURNISH_TEXTURE_PIXELS_AUTO UINT64_MAX
+
 /* A mesh never has more triangles: its corners are numbered in 32 bits. (2^32 - 2) / 3 */
 #define BURNISH_TRIANGLES_MAX 1431655764u
 
@@ -153,14 +156,15 @@ typedef struct burnish_load_options {
     uint64_t max_input_bytes;       /* a larger file is refused with LIMIT */
     uint64_t max_triangles;         /* more are refused with LIMIT; at most BURNISH_TRIANGLES_MAX */
     uint64_t max_texture_pixels;    /* of all textures together: those beyond are left out, with a
-                                       warning */
+                                       warning; BURNISH_TEXTURE_PIXELS_AUTO: 2^26 and 32 for each
+                                       byte of the input and its companions, at most 2^28 */
     burnish_file_loader companions; /* files that the input names; load NULL: those of the input's
                                        folder, none for standard input and memory */
     burnish_stream_decoder decoder; /* decode NULL: files that need it are refused, FORMAT */
 } burnish_load_options;
 
 /* Crease auto, tessellation 16, no texture coordinates, no facts, not strict, one thread per
- * processor, 16 GiB, BURNISH_TRIANGLES_MAX triangles, 2^28 texels, the default context and loader.
+ * processor, 16 GiB, BURNISH_TRIANGLES_MAX triangles, texels auto, the default context and loader.
  */
 BURNISH_API burnish_load_options burnish_load_options_default(void);
 

@@ -36,7 +36,8 @@ burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t widt
     }
     if (width * height > from->max_pixels) {
         return burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
-                            "%.200s: %llu x %llu pixels are more than the %llu that are allowed",
+                            "%.200s: %llu x %llu pixels, and %llu are left of the limit of all "
+                            "textures; raise it, or make them smaller",
                             from->name, (unsigned long long)width, (unsigned long long)height,
                             (unsigned long long)from->max_pixels);
     }

@@ -14,7 +14,11 @@ enum {
     MOST_MEMORY = 256 << 20, /* of the library's own, for progressive files */
     /* A coded block of 64 coefficients takes 1 bit at least, in up to 64 progressive passes. */
     LARGEST_RATIO = 64 * 8 * 64,
-    MOST_SCANS = 500 /* a small file of many scans takes minutes */
+    /* A scan may take a few bytes and goes over all pixels. Encoders write 10 or so; small pictures
+     * may have more of them. */
+    ENOUGH_SCANS = 16,
+    MOST_SCANS = 500,
+    SCANNED_PIXELS = 1 << 26
 };
 
 /* The library ends the process where it meets an error, unless this returns elsewhere. */
@@ -22,6 +26,7 @@ typedef struct jpeg_reader {
     struct jpeg_error_mgr manager;
     struct jpeg_progress_mgr progress;
     jmp_buf place;
+    int most_scans;
     char reason[JMSG_LENGTH_MAX];
 } jpeg_reader;
 
@@ -38,10 +43,16 @@ static void pass_over(j_common_ptr codec, int level) {
 /* Called once in a while: ends files of too many scans. */
 static void watch(j_common_ptr codec) {
     jpeg_reader *reader = (jpeg_reader *)codec->err;
-    if (codec->is_decompressor && ((j_decompress_ptr)codec)->input_scan_number > MOST_SCANS) {
-        snprintf(reader->reason, sizeof reader->reason, "more than %d scans", MOST_SCANS);
+    if (codec->is_decompressor &&
+        ((j_decompress_ptr)codec)->input_scan_number > reader->most_scans) {
+        snprintf(reader->reason, sizeof reader->reason, "more than %d scans", reader->most_scans);
         longjmp(reader->place, 1);
     }
+}
+
+static int most_scans(uint64_t pixels) {
+    const uint64_t scans = SCANNED_PIXELS / (pixels + 1);
+    return scans < ENOUGH_SCANS ? ENOUGH_SCANS : scans > MOST_SCANS ? MOST_SCANS : (int)scans;
 }
 
 /* Grey or any three components as RGB; of CMYK, mostly Adobe's and inverted, what is printed. */
@@ -68,6 +79,7 @@ static burnish_status decode(j_decompress_ptr codec, const burnish_encoded *from
     jpeg_mem_src(codec, from->bytes, (unsigned long)from->size);
     jpeg_read_header(codec, TRUE);
     const uint64_t pixels = (uint64_t)codec->image_width * codec->image_height;
+    reader->most_scans = most_scans(pixels);
     if (pixels / LARGEST_RATIO > from->size) {
         return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
                             "%.200s: %u x %u pixels can't be in a JPEG of %zu bytes; it is cut off "
@@ -107,6 +119,7 @@ burnish_status burnish_decode_jpeg(const burnish_encoded *from, burnish_memory *
     reader.manager.error_exit = fail;
     reader.manager.emit_message = pass_over;
     reader.progress.progress_monitor = watch;
+    reader.most_scans = MOST_SCANS;
     if (setjmp(reader.place)) {
         return burnish_fail(memory->error, BURNISH_STATUS_MEMORY, "%.200s: out of memory",
                             from->name);

@@ -115,7 +115,7 @@ burnish_load_options burnish_load_options_default(void) {
                                   .animation_time = BURNISH_AT_REST,
                                   .max_input_bytes = (uint64_t)16 << 30,
                                   .max_triangles = BURNISH_TRIANGLES_MAX,
-                                  .max_texture_pixels = (uint64_t)1 << 28};
+                                  .max_texture_pixels = BURNISH_TEXTURE_PIXELS_AUTO};
 }
 
 static burnish_status check_options(const burnish_load_options *options, burnish_error *error) {

@@ -108,6 +108,7 @@ static int load_file(burnish_gltf *gltf, uint32_t uri, const char *name, uint64_
         return burnish_gltf_fail(gltf, status, uri, "%s", error.text);
     }
     buffer->companion = buffer->bytes = (burnish_gltf_bytes){bytes, size};
+    gltf->reader->companion_bytes += size;
     return 1;
 }
 

@@ -8,7 +8,8 @@
 typedef struct burnish_reader_input {
     const uint8_t *bytes; /* size > 0 bytes; nothing is assumed to follow them */
     size_t size;
-    const char *name; /* for messages */
+    size_t packed_size; /* bytes that these were before they were unpacked; 0: just so many */
+    const char *name;   /* for messages */
     const burnish_load_options *options;
     burnish_file_loader companions;      /* load NULL: there are none */
     const struct burnish_pieces *pieces; /* pieces.h: only the head is at `bytes`; NULL: all */
@@ -33,6 +34,7 @@ typedef struct burnish_reader {
     burnish_polygon *polygons;
     size_t polygon_count, polygon_capacity;
     struct burnish_texture_names *textures; /* textures.h: those asked for; NULL before the first */
+    uint64_t companion_bytes; /* of buffers and textures that the input names, read so far */
 } burnish_reader;
 
 /* burnish_fail() and burnish_mesh_data_warn() with a location in front: "NAME:LINE: ..." of the

@@ -10,9 +10,13 @@ enum {
     TABLE_SIZE = 8192,          /* a power of two */
     NAMES_MAX = TABLE_SIZE / 2, /* files that one input may name */
     NAME_SIZE = 4096,
-    AHEAD_MAX = 256,  /* pictures that are decoded before they are asked for */
-    WAVE_MAX = 64,    /* pictures that are decoded at the same time */
-    AHEAD_REFUSED = 8 /* so many that can't be had, and the others wait: each may take long */
+    AHEAD_MAX = 256,   /* pictures that are decoded before they are asked for */
+    WAVE_MAX = 64,     /* pictures that are decoded at the same time */
+    AHEAD_REFUSED = 8, /* so many that can't be had, and the others wait: each may take long */
+    /* BURNISH_TEXTURE_PIXELS_AUTO */
+    SOME_TEXELS = 1 << 26,
+    TEXELS_PER_BYTE = 32,
+    MOST_TEXELS = 1 << 28
 };
 
 /* A file that was asked for. */
@@ -118,9 +122,24 @@ static uint64_t texels_of(const burnish_image *picture) {
     return (uint64_t)picture->width * (uint64_t)picture->height;
 }
 
+/* A picture of one colour takes a byte for 1,000 texels; what so many of them cost in time and
+ * memory must have some proportion to the bytes that were read. */
+static uint64_t texels_most(const burnish_reader *reader) {
+    const uint64_t asked = reader->input->options->max_texture_pixels;
+    const burnish_reader_input *input = reader->input;
+    const uint64_t bytes =
+        (input->packed_size ? input->packed_size : input->size) + reader->companion_bytes;
+    if (asked != BURNISH_TEXTURE_PIXELS_AUTO) {
+        return asked;
+    }
+    return bytes < (MOST_TEXELS - SOME_TEXELS) / TEXELS_PER_BYTE
+               ? SOME_TEXELS + TEXELS_PER_BYTE * bytes
+               : MOST_TEXELS;
+}
+
 /* That textures may still have, but for those that pictures decoded ahead hold. */
 static uint64_t texels_left(const burnish_reader *reader) {
-    const uint64_t most = reader->input->options->max_texture_pixels;
+    const uint64_t most = texels_most(reader);
     const uint64_t used = reader->textures->texels + reader->textures->ahead_texels;
     return most > used ? most - used : 0;
 }
@@ -164,15 +183,16 @@ static int take_ahead(burnish_reader *reader, const char *name, const uint8_t *b
     found->picture = (burnish_image){0};
     names->ahead_texels -= texels_of(&ahead.picture);
     *number = 0;
+    if (!is_refused(&ahead) && !ahead.picture.pixels) {
+        return 0;
+    }
+    reader->companion_bytes += bytes ? 0 : ahead.from.size;
     if (is_refused(&ahead)) {
         *why = ahead.why;
-        return 1;
-    }
-    if (ahead.picture.pixels) {
+    } else {
         *number = add_picture(reader, name, &ahead.picture, is_color);
-        return 1;
     }
-    return 0;
+    return 1;
 }
 
 /* Errors go to *why; only those of memory are the reader's. Returns 1 + number, or 0. */
@@ -217,11 +237,10 @@ int burnish_reader_copy_texture(burnish_reader *reader, const uint8_t *at, const
                                 int width, int height, const uint8_t *pixels, int is_color) {
     struct burnish_texture_names *names = names_of(reader);
     const size_t count = (size_t)width * (size_t)height;
-    const uint64_t most = reader->input->options->max_texture_pixels;
     if (!names) {
         return 0;
     }
-    if (count > most || names->texels > most - count) {
+    if (names->texels + count > texels_most(reader)) {
         note_missing(reader, at, name, "too many texels; raise the limit or make textures smaller");
         return 0;
     }
@@ -299,6 +318,7 @@ static int load_and_decode(burnish_reader *reader, const char *name, int is_colo
     int number = 0;
     if (!take_ahead(reader, name, NULL, 0, is_color, &number, why)) {
         const file_bytes file = find_file(reader, name, why);
+        reader->companion_bytes += file.is_found ? file.size : 0;
         number = file.is_found ? decode(reader, name, file.bytes, file.size, is_color, why) : 0;
         close_file(reader, &file);
     }

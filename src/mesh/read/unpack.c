@@ -51,6 +51,7 @@ burnish_status burnish_unpack_input(burnish_reader_input *input, burnish_memory 
                                     uint8_t **unpacked) {
     burnish_status status = BURNISH_STATUS_OK;
     *unpacked = NULL;
+    input->packed_size = input->size;
     if (burnish_is_gzip(input->bytes, input->size)) {
         status = burnish_gunzip(input->bytes, input->size, input->name,
                                 input->options->max_input_bytes, memory, unpacked, &input->size);

@@ -35,6 +35,15 @@ burnish_status cli_refuse_foreign(int format, burnish_error *error) {
                   : BURNISH_STATUS_OK;
 }
 
+burnish_status cli_flag_texture_pixels(const cli_flag *flag, const char *text, void *target,
+                                       burnish_error *error) {
+    if (strcmp(text, "auto") != 0) {
+        return cli_flag_count(flag, text, target, error);
+    }
+    *(uint64_t *)target = BURNISH_TEXTURE_PIXELS_AUTO;
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status cli_flag_input_format(const cli_flag *flag, const char *text, void *target,
                                      burnish_error *error) {
     for (int i = CLI_FOREIGN_BEFORE + 1; i < CLI_FOREIGN_COUNT; ++i) {

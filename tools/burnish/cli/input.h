@@ -101,6 +101,7 @@ burnish_file_loader cli_companion_loader(cli_companions *companions);
 extern const cli_word cli_input_formats[];
 extern const char cli_input_format_manual[];
 cli_handler cli_flag_input_format;
+cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
 /* The rows; `type` has the cli_input `member`. The first one's group stands before it. */
 #define CLI_INPUT_FORMAT_FLAG(type, member)                                                        \
@@ -163,10 +164,12 @@ cli_handler cli_flag_input_format;
 
 #define CLI_MAX_TEXTURE_PIXELS_FLAG(type, member)                                                  \
     .name = "max-texture-pixels", .value = "N", .help = "leave out textures beyond, of all",       \
-    .default_text = "268435456", .low = 0, .high = 1e12, .default_label = "2.7e8",                 \
+    .default_text = "auto", .low = 0, .high = 1e12,                                                \
     .manual =                                                                                      \
-        "Textures that would make more than _N_ pixels together are left out, with a warning.",    \
-    .handler = cli_flag_count, .offset = offsetof(type, member.max_texture_pixels)
+        "Textures that would make more than _N_ pixels together are left out, with a warning. "    \
+        "By default 2^26, and 32 for each byte of _INPUT_ and the files that it names, but "       \
+        "2^28 at most.",                                                                           \
+    .handler = cli_flag_texture_pixels, .offset = offsetof(type, member.max_texture_pixels)
 
 #define CLI_MAX_INPUT_BYTES_FLAG(type, member)                                                     \
     .name = "max-input-bytes", .help = "refuse larger inputs; K, M, G for powers of 1024",         \
