@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "amf.h"
 #include "importer.h"
 #include "materials.h"
 
@@ -380,6 +381,12 @@ static _Noreturn void fail_by_library(void) {
 
 void importer_import(importer_input *input, importer_mesh *mesh) {
     importer_unpack(input);
+#ifdef BURNISH_HAS_EXPAT
+    if (strcmp(input->ending, "amf") == 0) {
+        assimp_read_amf(input, mesh);
+        return;
+    }
+#endif
     struct aiFileIO files = {open_one, close_one, (aiUserData)(uintptr_t)input};
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     const unsigned steps =

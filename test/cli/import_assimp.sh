@@ -97,6 +97,50 @@ check "light of a material goes through its texture" [ "$(hash dark.x)" = "$(has
 check "it is there without: $(hash bright.x --no-textures)" [ "$(hash dark.x --no-textures)" != "$(hash bright.x --no-textures)" ]
 rm -f grey.* colors.* red.nff green.nff dark.x bright.x black.png
 
+# AMF: all volumes, instances where they are, colours of what is nearest; what is damaged.
+tetrahedron='<triangle><v1>0</v1><v2>2</v2><v3>1</v3></triangle><triangle><v1>0</v1><v2>1</v2><v3>3</v3></triangle>'
+slope='<triangle><v1>0</v1><v2>3</v2><v3>2</v3></triangle><triangle><v1>1</v1><v2>2</v2><v3>3</v3>%s</triangle>'
+amf() { # FILE MORE-OF-THE-OBJECT COLOUR-OF-A-TRIANGLE REST
+    {
+        printf '<?xml version="1.0"?>\n<amf unit="inch"><material id="7"><color><r>1</r><g>0</g><b>0</b></color></material>'
+        printf '<object id="3">%s<mesh><vertices>' "$2"
+        for at in '0 0 0' '1 0 0' '0 1 0' '0 0 1'; do
+            # shellcheck disable=SC2086
+            printf '<vertex><coordinates><x>%s</x><y>%s</y><z> %s\n</z></coordinates></vertex>' $at
+        done
+        # shellcheck disable=SC2059
+        printf "</vertices><volume materialid=\"7\">$tetrahedron</volume><volume>$slope</volume></mesh></object>%s</amf>\n" "$3" "$4"
+    } >"$1"
+}
+amf all.amf '' '' ''
+run info all.amf --json
+check "AMF: all volumes: $(json triangles), $(json volume)" [ "$(json triangles)" = 4 -a "$(json closed)" = true ]
+amf red.amf '' '' '<constellation id="4"><instance objectid="3"></instance></constellation>'
+check "an instance that is nowhere else" [ "$(hash red.amf)" = "$(hash all.amf)" ]
+amf blue.amf '<color><r>0</r><g>0</g><b>1</b></color>' '' ''
+amf green.amf '<color><r>0</r><g>0</g><b>1</b></color>' '<color><r>0</r><g>1</g><b>0</b></color>' ''
+check "the nearest colour counts" [ "$(hash blue.amf)" != "$(hash all.amf)" -a "$(hash blue.amf)" != "$(hash green.amf)" ]
+amf turned.amf '' '' '<constellation id="4"><instance objectid="3"><deltax>5</deltax><rz>90</rz></instance><instance objectid="3"><deltay>2</deltay></instance></constellation>'
+run info turned.amf --json
+check "instances are turned and moved: $(json triangles), $(json min), $(json max)" [ "$(json triangles) $(json min) $(json max)" = "8 0,0,0 5,3,1" ]
+amf nested.amf '' '' '<constellation id="4"><instance objectid="5"><deltaz>1</deltaz></instance></constellation><constellation id="5"><instance objectid="3"><mirrorx>1</mirrorx></instance></constellation>'
+run info nested.amf --json
+check "in one another: $(json triangles), $(json min), $(json max), $(json volume)" [ "$(json triangles) $(json min) $(json max)" = "4 -1,0,1 0,1,2" -a "$(json flipped_triangles)" = 0 -a "$(json volume | cut -c1-4)" = 0.16 ]
+amf loop.amf '' '' '<constellation id="4"><instance objectid="5"/></constellation><constellation id="5"><instance objectid="6"/></constellation><constellation id="6"><instance objectid="5"/></constellation>'
+expect 5 "burnish: loop.amf: burnish-import-assimp: constellations hold each other more than 32 deep, or more than 33554432 triangles; simplify the file" info loop.amf
+iconv -f UTF-8 -t UTF-16 all.amf >wide.amf
+check "UTF-16" [ "$(hash wide.amf)" = "$(hash all.amf)" ]
+sed 's/<v3>3/<v3>4/' all.amf >far.amf
+expect 4 "burnish: far.amf: burnish-import-assimp: line 6: a triangle names a vertex that is not there; repair the file" info far.amf
+sed 's/<x>1/<x>nan/' all.amf >nan.amf
+expect 4 "burnish: nan.amf: burnish-import-assimp: line 3: what should be a number is none; repair the file" info nan.amf
+head -c 700 all.amf >cut.amf
+run info cut.amf
+check "cut: $(cat "$err")" grep -q '^burnish: cut.amf: burnish-import-assimp: line [0-9]*: the XML is not well formed (' "$err"
+sed '1s/$/<!DOCTYPE amf>/' all.amf >type.amf
+expect 4 "burnish: type.amf: burnish-import-assimp: line 1: a document type (DOCTYPE), which is not read; repair the file" info type.amf
+rm -f ./*.amf p.png
+
 # Packed, and damaged so.
 gzip -c $models/FBX/box.fbx >BOX.FBX.GZ
 check "gzip" [ "$(hash BOX.FBX.GZ)" = "$(hash $models/FBX/box.fbx)" ]
