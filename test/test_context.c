@@ -105,6 +105,10 @@ static void check_arrays(const burnish_context *context) {
     numbers =
         burnish_reserve_discard(&memory, numbers, &capacity, 100000, sizeof *numbers, "numbers");
     CHECK1(numbers && capacity == 100000 && memory.status == BURNISH_STATUS_OK);
+    numbers[0] = 3;
+    numbers[9] = 4;
+    numbers = burnish_shrink(context, numbers, &capacity, 10, sizeof *numbers);
+    CHECK1(capacity == 10 && numbers[0] == 3 && numbers[9] == 4);
     burnish_release(context, numbers);
     CHECK1(burnish_allocate(&memory, 0, 8, "nothing") == NULL);
     CHECK1(memory.status == BURNISH_STATUS_OK);

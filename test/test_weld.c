@@ -15,8 +15,9 @@ static int compare_positions(const void *a, const void *b) {
 static void test_weld(void) {
     enum { COUNT = 300000 };
     float *positions = malloc(COUNT * 12), *sorted = malloc(COUNT * 12);
-    uint32_t *remap = malloc(COUNT * sizeof *remap), *firsts = malloc(COUNT * sizeof *firsts);
-    size_t unique = 0, expected = 1, next = 0;
+    uint32_t *remap = malloc(COUNT * sizeof *remap), *in_place = malloc(COUNT * sizeof *in_place);
+    float *welded = malloc(COUNT * 12);
+    size_t unique = 0, expected = 1;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     uint64_t state = test_seed(1);
     for (size_t i = 0; i < COUNT; ++i) {
@@ -32,30 +33,51 @@ static void test_weld(void) {
     for (size_t i = 1; i < COUNT; ++i) {
         expected += memcmp(sorted + 3 * i, sorted + 3 * i - 3, 12) != 0;
     }
-    burnish_tasks tasks;
-    burnish_memory memory = burnish_memory_of(NULL, &error);
-    burnish_tasks_begin(&tasks, NULL, 3);
-    CHECK(burnish_weld(positions, COUNT, &tasks, &memory, remap, firsts, &unique) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
-    CHECK(unique == expected, "%zu of %zu", unique, expected);
-    int ordered = 1, equal = 1;
-    for (size_t i = 0; i < COUNT; ++i) {
-        if (remap[i] == next) {
-            ordered &= firsts[next] == i;
-            memcpy(sorted + 3 * next++, positions + 3 * i, 12);
+    for (int threads = 1; threads <= 7; threads += 2) {
+        int ordered = 1, equal = 1;
+        size_t next = 0;
+        burnish_tasks tasks;
+        burnish_memory memory = burnish_memory_of(NULL, &error);
+        burnish_tasks_begin(&tasks, NULL, threads);
+        CHECK(burnish_weld(positions, COUNT, &tasks, &memory, remap, welded, &unique) ==
+                  BURNISH_STATUS_OK,
+              "%s", error.text);
+        CHECK(unique == expected, "%d threads: %zu of %zu", threads, unique, expected);
+        for (size_t i = 0; i < COUNT; ++i) {
+            next += remap[i] == next;
+            ordered &= remap[i] < next;
+            equal &= memcmp(welded + 3 * (size_t)remap[i], positions + 3 * i, 12) == 0;
         }
-        ordered &= remap[i] < next;
-        equal &= memcmp(sorted + 3 * remap[i], positions + 3 * i, 12) == 0;
+        CHECK(ordered && next == unique, "%d threads: not in order of appearance", threads);
+        CHECK(equal, "%d threads: different positions share a number", threads);
+        memcpy(sorted, positions, COUNT * 12);
+        CHECK1(burnish_weld(sorted, COUNT, &tasks, &memory, in_place, sorted, &unique) ==
+                   BURNISH_STATUS_OK &&
+               unique == expected);
+        CHECK(memcmp(in_place, remap, COUNT * sizeof *remap) == 0 &&
+                  memcmp(sorted, welded, unique * 12) == 0,
+              "%d threads: in place it is another result", threads);
+        CHECK1(burnish_weld(NULL, 0, &tasks, &memory, NULL, NULL, &unique) == BURNISH_STATUS_OK &&
+               unique == 0);
     }
-    CHECK(ordered && next == unique, "numbers are not in order of appearance");
-    CHECK(equal, "different positions share a number");
-    CHECK1(burnish_weld(NULL, 0, NULL, &memory, NULL, NULL, &unique) == BURNISH_STATUS_OK &&
-           unique == 0);
     free(positions);
     free(sorted);
+    free(welded);
     free(remap);
-    free(firsts);
+    free(in_place);
+}
+
+/* 0 and -0 are one position. */
+static void test_weld_zeros(void) {
+    float positions[9] = {0.0f, 1, -0.0f, -0.0f, 1, 0.0f, 0.0f, 2, 0.0f};
+    const float zero[3] = {0.0f, 1, 0.0f};
+    uint32_t remap[3];
+    size_t unique = 0;
+    burnish_memory memory = burnish_memory_of(NULL, NULL);
+    CHECK1(burnish_weld(positions, 3, NULL, &memory, remap, positions, &unique) ==
+           BURNISH_STATUS_OK);
+    CHECK1(unique == 2 && remap[0] == 0 && remap[1] == 0 && remap[2] == 1);
+    CHECK(memcmp(positions, zero, sizeof zero) == 0, "a sign of 0 is left");
 }
 
 /* Positions that weld.c's hash_position gives one hash: its steps backwards, from different lower
@@ -72,7 +94,8 @@ static void craft_position(uint32_t number, uint32_t key[3]) {
 static void test_weld_hostile(void) {
     enum { COUNT = 200000 };
     float *positions = malloc(COUNT * 12);
-    uint32_t *remap = malloc(COUNT * sizeof *remap), *firsts = malloc(COUNT * sizeof *firsts);
+    uint32_t *remap = malloc(COUNT * sizeof *remap);
+    float *welded = malloc(COUNT * 12);
     uint32_t *expected = malloc(COUNT * sizeof *expected);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     size_t different = 0;
@@ -88,7 +111,7 @@ static void test_weld_hostile(void) {
         burnish_tasks tasks;
         burnish_memory memory = burnish_memory_of(NULL, &error);
         burnish_tasks_begin(&tasks, NULL, threads);
-        CHECK(burnish_weld(positions, COUNT, &tasks, &memory, remap, firsts, &unique) ==
+        CHECK(burnish_weld(positions, COUNT, &tasks, &memory, remap, welded, &unique) ==
                   BURNISH_STATUS_OK,
               "%s", error.text);
         CHECK(unique == different, "%zu of %zu", unique, different);
@@ -96,7 +119,7 @@ static void test_weld_hostile(void) {
     }
     free(positions);
     free(remap);
-    free(firsts);
+    free(welded);
     free(expected);
 }
 
@@ -132,6 +155,7 @@ static void test_weld_sort(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_weld());
+    RUN(test_weld_zeros());
     RUN(test_weld_hostile());
     RUN(test_weld_sort());
     return test_end("weld");

@@ -157,6 +157,23 @@ void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, siz
     return grown;
 }
 
+void *burnish_shrink(const burnish_context *context, void *items, size_t *capacity, size_t count,
+                     size_t size) {
+    const size_t bytes = count * size;
+    void *moved;
+    if (own_allocator(context)) {
+        moved = take(context, bytes);
+        if (moved) {
+            memcpy(moved, items, bytes);
+            burnish_release(context, items);
+        }
+    } else {
+        moved = default_reallocate(items, bytes);
+    }
+    *capacity = moved ? count : *capacity;
+    return moved ? moved : items;
+}
+
 void *burnish_reserve_discard(burnish_memory *memory, void *items, size_t *capacity, size_t count,
                               size_t size, const char *what) {
     if (count <= *capacity) {

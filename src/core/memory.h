@@ -59,6 +59,11 @@ void *burnish_allocate_zeroed(burnish_memory *memory, size_t count, size_t size,
 void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, size_t needed,
                       size_t size, const char *what);
 
+/* Gives back what is beyond the first `count` elements, at least 1. Returns where they are now,
+ * aligned as malloc aligns; items, and *capacity, as they were where that fails. */
+void *burnish_shrink(const burnish_context *context, void *items, size_t *capacity, size_t count,
+                     size_t size);
+
 /* Room for at least `count` elements whose old contents are of no interest; *capacity counts
  * elements of one size. NULL and *capacity 0 on failure. */
 void *burnish_reserve_discard(burnish_memory *memory, void *items, size_t *capacity, size_t count,

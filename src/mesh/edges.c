@@ -65,13 +65,23 @@ static void sort_sides(void *context, size_t first, size_t end) {
 static burnish_status weld(finder *f, burnish_tasks *tasks, burnish_memory *memory) {
     const size_t count = f->mesh->vertex_count;
     size_t unique = 0;
-    burnish_status status =
-        burnish_weld(f->mesh->positions, count, tasks, memory, f->heads, f->first, &unique);
+    float *positions = burnish_allocate(memory, count, 3 * sizeof *positions, "edges");
+    burnish_status status = memory->status;
+    if (status == BURNISH_STATUS_OK) {
+        status =
+            burnish_weld(f->mesh->positions, count, tasks, memory, f->heads, positions, &unique);
+    }
+    burnish_release(memory->context, positions);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    for (size_t i = 0; i < count; ++i) {
-        f->heads[i] = f->first[f->heads[i]];
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t number = f->heads[i];
+        if (number == next) {
+            f->first[next++] = i;
+        }
+        f->heads[i] = f->first[number];
     }
     memset(f->first, 0, (count + 2) * sizeof *f->first);
     return burnish_tasks_check(tasks, memory->error);

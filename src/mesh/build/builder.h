@@ -156,16 +156,15 @@ burnish_status burnish_build_tangents(burnish_builder *b);
  * O(n) for meshes as they are, O(n log n) for any input whatsoever; the result depends on the
  * positions only.
  *
- * positions: 3 words per position (the bits of floats); -0.0 must have been made 0.0 before
- * count:     [0, 2^32 - 2]
- * tasks:     threads to share the work
- * remap:     count numbers, written
- * firsts:    room for count: of each number, the first position that has it, written
- * unique:    how many different positions there are, written
+ * from:   3 floats per position; -0 counts as 0
+ * count:  [0, 2^32 - 2]
+ * tasks:  threads to share the work
+ * remap:  count numbers, written
+ * to:     room for count positions, may be `from`: the different ones, by number, are written
+ * unique: how many different positions there are, written
  * Errors: MEMORY, LIMIT, CANCELLED. */
-burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *tasks,
-                            burnish_memory *memory, uint32_t *remap, uint32_t *firsts,
-                            size_t *unique);
+burnish_status burnish_weld(const float *from, size_t count, burnish_tasks *tasks,
+                            burnish_memory *memory, uint32_t *remap, float *to, size_t *unique);
 
 /* Of items that each tell the first one equal to it, no later than itself: numbers them in the
  * order of those first ones, in place. Returns how many there are; when cancelled, too few. */

@@ -5,55 +5,16 @@
 
 /* ---- positions ---- */
 
-/* -0 becomes 0, so that equal positions have equal bits. */
-static void drop_zero_signs(void *context, size_t first, size_t end) {
-    float *values = context;
-    for (size_t i = first; i < end; ++i) {
-        values[i] += 0.0f;
-    }
-}
-
-/* Moves the different positions to the head of their array or, where that is much larger, to one of
- * their own. */
-static burnish_status keep_positions(burnish_builder *b, const uint32_t *firsts) {
-    burnish_stream *stream = &b->data->streams[BURNISH_POSITION];
-    const float *from = stream->items;
-    float *to = stream->items;
-    const int moves = b->position_count <= stream->count / 2;
-    if (moves) {
-        to = burnish_allocate(b->memory, b->position_count, 3 * sizeof *to, "positions");
-        if (!to) {
-            return b->memory->status;
-        }
-    }
-    for (size_t i = 0; i < b->position_count; ++i) {
-        float position[3];
-        memcpy(position, from + 3 * (size_t)firsts[i], sizeof position);
-        memcpy(to + 3 * i, position, sizeof position);
-    }
-    if (moves) {
-        burnish_release(b->memory->context, stream->items);
-        stream->items = to;
-        stream->capacity = b->position_count;
-    }
-    return BURNISH_STATUS_OK;
-}
-
-/* remap gives each position of the file its number among the different ones. */
+/* Moves the different positions to the head of their array; remap gives each position of the file
+ * its number among them. */
 static burnish_status weld_positions(burnish_builder *b, uint32_t *remap) {
-    float *positions = burnish_positions(b->data);
-    const size_t count = b->data->streams[BURNISH_POSITION].count;
-    uint32_t *firsts = burnish_allocate(b->memory, count, sizeof *firsts, "welding");
-    if (b->memory->status != BURNISH_STATUS_OK) {
-        return b->memory->status;
+    burnish_stream *stream = &b->data->streams[BURNISH_POSITION];
+    burnish_status status = burnish_weld(stream->items, stream->count, b->data->tasks, b->memory,
+                                         remap, stream->items, &b->position_count);
+    if (status == BURNISH_STATUS_OK && b->position_count <= stream->count / 2) {
+        stream->items = burnish_shrink(b->memory->context, stream->items, &stream->capacity,
+                                       b->position_count, 3 * sizeof(float));
     }
-    burnish_tasks_ranges(b->data->tasks, 3 * count, BURNISH_BUILD_STEP, drop_zero_signs, positions);
-    burnish_status status = burnish_weld(positions, count, b->data->tasks, b->memory, remap, firsts,
-                                         &b->position_count);
-    if (status == BURNISH_STATUS_OK) {
-        status = keep_positions(b, firsts);
-    }
-    burnish_release(b->memory->context, firsts);
     return status;
 }
 
@@ -210,6 +171,37 @@ static int shares_corners(const burnish_mesh_data *data) {
     return shared;
 }
 
+typedef struct soup_context {
+    const uint32_t *corners;
+    atomic_int differs;
+} soup_context;
+
+static void compare_corners(void *context, size_t first, size_t end) {
+    soup_context *c = context;
+    uint32_t differs = (uint32_t)atomic_load(&c->differs);
+    for (size_t i = first; i < end && !differs; i += BURNISH_BUILD_GRAIN) {
+        const size_t next = end - i < BURNISH_BUILD_GRAIN ? end : i + BURNISH_BUILD_GRAIN;
+        for (size_t k = i; k < next; ++k) {
+            differs |= c->corners[k] ^ (uint32_t)k;
+        }
+    }
+    if (differs) {
+        atomic_store(&c->differs, 1);
+    }
+}
+
+/* Whether every corner has a position of its own, in their order, and nothing else is numbered so:
+ * then corners can get welded numbers at once. */
+static int is_soup(const burnish_mesh_data *data) {
+    const burnish_stream *stream = &data->streams[BURNISH_POSITION];
+    soup_context context = {.corners = stream->corners};
+    if (stream->count != 3 * data->triangle_count || shares_corners(data)) {
+        return 0;
+    }
+    burnish_tasks_ranges(data->tasks, stream->count, BURNISH_BUILD_STEP, compare_corners, &context);
+    return !atomic_load(&context.differs);
+}
+
 static void release_corners_of(burnish_builder *b, burnish_attribute attribute) {
     burnish_stream *stream = &b->data->streams[attribute];
     burnish_release(b->memory->context, stream->corners);
@@ -238,12 +230,14 @@ static burnish_status place_corners(burnish_builder *b, triangles_context *conte
 }
 
 burnish_status burnish_build_triangles(burnish_builder *b) {
-    const size_t count = b->data->streams[BURNISH_POSITION].count;
-    uint32_t *remap = burnish_allocate(b->memory, count, sizeof *remap, "welding");
+    const burnish_stream *stream = &b->data->streams[BURNISH_POSITION];
+    const int soup = is_soup(b->data);
+    uint32_t *remap =
+        soup ? NULL : burnish_allocate(b->memory, stream->count, sizeof *remap, "welding");
     triangles_context context = {.b = b, .remap = remap};
     burnish_status status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
-        status = weld_positions(b, remap);
+        status = weld_positions(b, soup ? stream->corners : remap);
     }
     if (status == BURNISH_STATUS_OK) {
         status = place_corners(b, &context);

@@ -10,12 +10,14 @@
 #include "mesh/build/builder.h"
 
 enum {
-    SLICE = 4096,     /* positions */
+    SLICE_BITS = 12, /* of a position's number in its slice */
+    SLICE = 1 << SLICE_BITS,
+    RANGES_MAX = 64,  /* of slices, whose positions move together */
     TRIAL = 256,      /* positions: where the first ones all differ, a slice keeps all */
     SLICE_PROBES = 2, /* per position, on average, before it does, too */
     PART_PROBES = 8,  /* the same, before a part is sorted */
     AHEAD = 16,       /* items whose slots are fetched before they are looked up */
-    PART_SLICES = 16, /* that are worth a thread */
+    PART_SLICES = 4,  /* that are worth a thread */
     CHECK_SLICES = 64 /* after so many, whether the call should end */
 };
 
@@ -44,21 +46,24 @@ typedef struct weld_thread {
     burnish_error error;
 } weld_thread;
 
-/* Items are what slices keep: positions that differ in their slice. Those of slice s are numbered
- * from s * SLICE on. */
+/* Items are what slices keep: positions that differ in their slice, moved to its head. Those of
+ * slice s are numbered from s * SLICE on, as positions are. */
 typedef struct welder {
-    const float *positions;
+    const float *from;
+    float *positions; /* of each item, then of each number; may be `from` */
     size_t count;
     burnish_tasks *tasks;
     size_t slices;
     size_t parts;        /* of the hashes, one per thread */
     uint32_t *remap;     /* of each position: which of its slice's items it is */
-    uint32_t *firsts;    /* of each item, then of each number: its first position */
-    uint32_t *hashes;    /* of each item */
-    uint32_t *numbers;   /* of each item: the first one equal to it; then its number */
+    uint32_t *hashes;    /* of each item; then the number in its range */
+    uint32_t *numbers;   /* of each item: the first one equal to it */
     uint16_t *kept;      /* items of each slice */
-    size_t unique;       /* numbers given */
     weld_thread *memory; /* one per part */
+    int range_bits;      /* of a slice's number in its range */
+    size_t ranges;
+    size_t unique[RANGES_MAX];      /* of each range: different items that come first there, ... */
+    uint32_t bases[RANGES_MAX + 1]; /* ... and how many there are before it */
 } welder;
 
 /* Multiply-xorshift mixing; any function would be correct, a poor one only slower. */
@@ -74,11 +79,18 @@ static int same_key(const uint32_t a[3], const uint32_t b[3]) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-static int same_position(const welder *w, size_t i, size_t j) {
-    uint32_t a[3], b[3];
-    memcpy(a, w->positions + 3 * i, sizeof a);
-    memcpy(b, w->positions + 3 * j, sizeof b);
-    return same_key(a, b);
+static int same_position(const float a[3], const float b[3]) {
+    uint32_t x[3], y[3];
+    memcpy(x, a, sizeof x);
+    memcpy(y, b, sizeof y);
+    return same_key(x, y);
+}
+
+/* -0 becomes 0, so that equal positions have equal bits. */
+static inline void load_position(const welder *w, size_t i, float position[3]) {
+    for (size_t k = 0; k < 3; ++k) {
+        position[k] = w->from[3 * i + k] + 0.0f;
+    }
 }
 
 /* ---- Slices ---- */
@@ -88,54 +100,57 @@ static size_t slice_size(const welder *w, size_t slice) {
     return rest < SLICE ? rest : SLICE;
 }
 
-/* Keeps every position: two that are equal become one among the items. */
-static void keep_slice(const welder *w, size_t slice) {
-    const size_t first = slice * SLICE, count = slice_size(w, slice);
-    for (size_t i = first; i < first + count; ++i) {
-        w->remap[i] = (uint32_t)(i - first);
-        w->firsts[i] = (uint32_t)i;
-        w->hashes[i] = hash_position(w->positions + 3 * i);
+/* Keeps every position from `first` on, which is the slice's `kept`-th item: two that are equal
+ * become one among the items. */
+static void keep_rest(const welder *w, size_t slice, size_t i, size_t kept) {
+    const size_t first = slice * SLICE, end = first + slice_size(w, slice);
+    for (; i < end; ++i, ++kept) {
+        float *position = w->positions + 3 * (first + kept);
+        load_position(w, i, position);
+        w->remap[i] = (uint32_t)kept;
+        w->hashes[first + kept] = hash_position(position);
     }
-    w->kept[slice] = (uint16_t)count;
+    w->kept[slice] = (uint16_t)kept;
 }
 
-/* Returns 0 where the slice is to keep all: it seems to have nothing equal, as the vertices of an
- * indexed mesh, or takes too many steps. */
-static int weld_slice(const welder *w, size_t slice) {
+/* Where a slice seems to have nothing equal, as the vertices of an indexed mesh, or takes too many
+ * steps, it keeps all that follows. */
+static void weld_slice(const welder *w, size_t slice) {
     enum { SLOTS = 2 * SLICE };
     const size_t first = slice * SLICE, count = slice_size(w, slice);
-    uint32_t *firsts = w->firsts + first, *hashes = w->hashes + first;
+    uint32_t *hashes = w->hashes + first;
+    float *positions = w->positions + 3 * first;
     uint16_t slots[SLOTS] = {0}; /* items + 1; 0: free */
     size_t kept = 0, steps = SLICE_PROBES * count + 64;
     for (size_t i = first; i < first + count; ++i) {
-        const uint32_t hash = hash_position(w->positions + 3 * i);
+        float position[3];
+        load_position(w, i, position);
+        const uint32_t hash = hash_position(position);
         size_t slot = hash % SLOTS;
-        while (slots[slot] != 0 && !same_position(w, firsts[slots[slot] - 1], i)) {
+        while (slots[slot] != 0 && !same_position(positions + 3 * (slots[slot] - 1), position)) {
             slot = (slot + 1) % SLOTS;
             if (--steps == 0) {
-                return 0;
+                keep_rest(w, slice, i, kept);
+                return;
             }
         }
         if (slots[slot] == 0) {
-            firsts[kept] = (uint32_t)i;
+            memcpy(positions + 3 * kept, position, sizeof position);
             hashes[kept] = hash;
             slots[slot] = (uint16_t)++kept;
         }
         w->remap[i] = slots[slot] - 1U;
         if (kept == TRIAL && i - first == TRIAL - 1) {
-            return 0;
+            keep_rest(w, slice, i + 1, kept);
+            return;
         }
     }
     w->kept[slice] = (uint16_t)kept;
-    return 1;
 }
 
 static void slice_task(void *context, size_t slice, int thread) {
-    const welder *w = context;
     (void)thread;
-    if (!weld_slice(w, slice)) {
-        keep_slice(w, slice);
-    }
+    weld_slice(context, slice);
 }
 
 /* ---- Parts ---- */
@@ -170,9 +185,10 @@ static void look_up(part *p, uint32_t item) {
     const welder *w = p->w;
     const uint32_t hash = w->hashes[item];
     size_t at = hash & p->mask;
-    while (p->slots[at].item != BURNISH_NONE &&
-           (p->slots[at].hash != hash ||
-            !same_position(w, w->firsts[p->slots[at].item], w->firsts[item]))) {
+    while (
+        p->slots[at].item != BURNISH_NONE &&
+        (p->slots[at].hash != hash || !same_position(w->positions + 3 * (size_t)p->slots[at].item,
+                                                     w->positions + 3 * (size_t)item))) {
         at = (at + 1) & p->mask;
         if (p->steps == 0) {
             return;
@@ -220,8 +236,7 @@ static void sort_part(const part *p, size_t count, burnish_memory *memory) {
         const size_t listed = list_items(p, slice, items);
         for (size_t i = 0; i < listed; ++i, ++next) {
             records[next] = (burnish_weld_record){{0}, items[i]};
-            memcpy(records[next].key, w->positions + 3 * (size_t)w->firsts[items[i]],
-                   3 * sizeof(float));
+            memcpy(records[next].key, w->positions + 3 * (size_t)items[i], 3 * sizeof(float));
         }
     }
     burnish_weld_sort(records, count);
@@ -263,26 +278,54 @@ static void part_task(void *context, size_t number, int thread) {
 
 /* ---- Numbers ---- */
 
-/* Items that come first get the next number, others that of theirs. */
-static void number_slices(void *context, size_t first, size_t end) {
+/* Items that come first get the next number of their range, and their positions move to its head.
+ */
+static void number_range(void *context, size_t range, int thread) {
     welder *w = context;
+    const size_t first = range << w->range_bits, past = (range + 1) << w->range_bits,
+                 end = w->slices < past ? w->slices : past;
+    float *to = w->positions + 3 * first * SLICE;
+    uint32_t next = 0;
     for (size_t slice = first; slice < end; ++slice) {
         for (size_t i = slice * SLICE, last = i + w->kept[slice]; i < last; ++i) {
             if (w->numbers[i] == i) {
-                w->firsts[w->unique] = w->firsts[i];
-                w->numbers[i] = (uint32_t)w->unique++;
-            } else {
-                w->numbers[i] = w->numbers[w->numbers[i]];
+                float position[3];
+                memcpy(position, w->positions + 3 * i, sizeof position);
+                memcpy(to + 3 * (size_t)next, position, sizeof position);
+                w->hashes[i] = next++;
             }
+        }
+        if (thread == 0 && slice % CHECK_SLICES == CHECK_SLICES - 1 &&
+            burnish_tasks_cancelled(w->tasks)) {
+            return;
+        }
+    }
+    w->unique[range] = next;
+}
+
+/* Brings the ranges' positions together. */
+static void join_ranges(welder *w) {
+    for (size_t range = 0; range < w->ranges; ++range) {
+        const size_t first = (range << w->range_bits) * SLICE;
+        w->bases[range + 1] = w->bases[range] + (uint32_t)w->unique[range];
+        if (w->bases[range] != first) {
+            memmove(w->positions + 3 * (size_t)w->bases[range], w->positions + 3 * first,
+                    3 * sizeof(float) * w->unique[range]);
         }
     }
 }
 
 static void remap_slice(void *context, size_t slice, int thread) {
     const welder *w = context;
-    const uint32_t *numbers = w->numbers + slice * SLICE;
+    const size_t first = slice * SLICE;
+    const int bits = SLICE_BITS + w->range_bits;
+    uint32_t numbers[SLICE];
     (void)thread;
-    for (size_t i = slice * SLICE, end = i + slice_size(w, slice); i < end; ++i) {
+    for (size_t i = 0; i < w->kept[slice]; ++i) {
+        const size_t head = w->numbers[first + i];
+        numbers[i] = w->bases[head >> bits] + w->hashes[head];
+    }
+    for (size_t i = first, end = first + slice_size(w, slice); i < end; ++i) {
         w->remap[i] = numbers[w->remap[i]];
     }
 }
@@ -303,27 +346,36 @@ static burnish_status weld(welder *w, burnish_memory *memory) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    burnish_tasks_in_order(w->tasks, w->slices, CHECK_SLICES, number_slices, w);
+    burnish_tasks_run(w->tasks, w->ranges, 1, 0, number_range, w);
+    status = burnish_tasks_check(w->tasks, memory->error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    join_ranges(w);
     burnish_tasks_run(w->tasks, w->slices, 1, 0, remap_slice, w);
     return burnish_tasks_check(w->tasks, memory->error);
 }
 
-burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks *tasks,
-                            burnish_memory *memory, uint32_t *remap, uint32_t *firsts,
-                            size_t *unique) {
+burnish_status burnish_weld(const float *from, size_t count, burnish_tasks *tasks,
+                            burnish_memory *memory, uint32_t *remap, float *to, size_t *unique) {
     const char *what = "welding";
-    welder w = {.positions = positions,
+    welder w = {.from = from,
+                .positions = to,
                 .count = count,
                 .tasks = tasks,
                 .slices = (count + SLICE - 1) / SLICE,
-                .remap = remap,
-                .firsts = firsts};
+                .remap = remap};
     *unique = 0;
     if (count == 0) {
         return BURNISH_STATUS_OK;
     }
     const size_t worth = w.slices / PART_SLICES, all = (size_t)burnish_tasks_threads(tasks);
     w.parts = worth <= 1 ? 1 : worth < all ? worth : all;
+    const size_t ranges = w.parts == 1 ? 1 : RANGES_MAX;
+    while (w.slices > ranges << w.range_bits) {
+        ++w.range_bits;
+    }
+    w.ranges = ((w.slices - 1) >> w.range_bits) + 1;
     w.hashes = burnish_allocate(memory, count, sizeof *w.hashes, what);
     w.numbers = burnish_allocate(memory, count, sizeof *w.numbers, what);
     w.kept = burnish_allocate(memory, w.slices, sizeof *w.kept, what);
@@ -332,7 +384,7 @@ burnish_status burnish_weld(const float *positions, size_t count, burnish_tasks 
         w.memory[i].memory = burnish_memory_of(memory->context, &w.memory[i].error);
     }
     burnish_status status = memory->status == BURNISH_STATUS_OK ? weld(&w, memory) : memory->status;
-    *unique = w.unique;
+    *unique = w.bases[w.ranges];
     burnish_release(memory->context, w.hashes);
     burnish_release(memory->context, w.numbers);
     burnish_release(memory->context, w.kept);
@@ -345,7 +397,7 @@ typedef struct numbering {
     size_t next;
 } numbering;
 
-static void number_range(void *context, size_t first, size_t end) {
+static void number_heads_in(void *context, size_t first, size_t end) {
     numbering *numbers = context;
     uint32_t *heads = numbers->heads;
     for (size_t i = first; i < end; ++i) {
@@ -355,6 +407,6 @@ static void number_range(void *context, size_t first, size_t end) {
 
 size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count) {
     numbering numbers = {heads, 0};
-    burnish_tasks_in_order(tasks, count, BURNISH_BUILD_STEP, number_range, &numbers);
+    burnish_tasks_in_order(tasks, count, BURNISH_BUILD_STEP, number_heads_in, &numbers);
     return numbers.next;
 }
