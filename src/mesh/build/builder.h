@@ -105,6 +105,12 @@ burnish_status burnish_build_order(burnish_builder *b);
  * Errors: MEMORY, CANCELLED. */
 burnish_status burnish_build_move(burnish_builder *b, int corners);
 
+/* ---- corners.c ---- */
+
+/* Lists the corners of every position, in the order of the triangles: first_corner, corners and
+ * max_faces. Errors: MEMORY, CANCELLED. */
+burnish_status burnish_build_list_corners(burnish_builder *b);
+
 /* ---- vertices.c ---- */
 
 /* The mesh's vertices and indices: generates normals where the file has none. Errors: MEMORY,

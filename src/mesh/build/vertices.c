@@ -63,42 +63,6 @@ typedef struct vertex_maker {
     size_t count, capacity;
 } vertex_maker;
 
-static void count_corners(void *context, size_t first, size_t end) {
-    const burnish_builder *b = context;
-    for (size_t i = first; i < end; ++i) {
-        ++b->first_corner[b->corner_positions[i] + (size_t)2];
-    }
-}
-
-static void place_corners(void *context, size_t first, size_t end) {
-    const burnish_builder *b = context;
-    for (size_t i = first; i < end; ++i) {
-        b->corners[b->first_corner[b->corner_positions[i] + (size_t)1]++] = (uint32_t)i;
-    }
-}
-
-/* Lists the corners of every welded position, in the order of the triangles: a counting sort with
- * the counts two entries on, so that filling leaves the starts behind. */
-static burnish_status list_corners(burnish_builder *b) {
-    const size_t corner_count = 3 * b->triangle_count, starts = b->position_count + 2;
-    burnish_tasks *tasks = b->data->tasks;
-    b->first_corner =
-        burnish_allocate_zeroed(b->memory, starts, sizeof *b->first_corner, "vertices");
-    b->corners = burnish_allocate(b->memory, corner_count, sizeof *b->corners, "vertices");
-    if (b->memory->status != BURNISH_STATUS_OK) {
-        return b->memory->status;
-    }
-    burnish_tasks_in_order(tasks, corner_count, BURNISH_BUILD_STEP, count_corners, b);
-    for (size_t i = 2; i < starts; ++i) {
-        if (b->first_corner[i] > b->max_faces) {
-            b->max_faces = b->first_corner[i];
-        }
-        b->first_corner[i] += b->first_corner[i - 1];
-    }
-    burnish_tasks_in_order(tasks, corner_count, BURNISH_BUILD_STEP, place_corners, b);
-    return burnish_tasks_check(tasks, b->memory->error);
-}
-
 /* ---- one position ---- */
 
 static int needs_normal(const burnish_builder *b, const uint32_t *corners, size_t count) {
@@ -407,7 +371,7 @@ static burnish_status build_any(burnish_builder *b) {
     const size_t worth = b->position_count / POSITIONS_PER_THREAD,
                  all = (size_t)burnish_tasks_threads(b->data->tasks);
     const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
-    burnish_status status = list_corners(b);
+    burnish_status status = burnish_build_list_corners(b);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

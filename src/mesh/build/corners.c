@@ -1,0 +1,160 @@
+/* The corners of every welded position: a counting sort. Slices of the corners are counted
+ * separately, so that threads share the work; the corners of a position stand in the order of the
+ * slices, and so in that of the triangles. */
+#include "mesh/build/builder.h"
+
+enum {
+    SLICES_MAX = 4, /* each has counts of all positions */
+    RANGES_MAX = 16 /* of positions, whose counts are added up together */
+};
+
+typedef struct corner_lister {
+    burnish_builder *b;
+    size_t slices;
+    uint32_t *counts[SLICES_MAX]; /* of each slice, per position: its corners; then where the
+                                          next one goes, so that the last slice leaves the ends */
+    size_t ranges;                /* of positions, with ... */
+    size_t sums[RANGES_MAX];      /* ... their corners, then those before them, and ... */
+    size_t most[RANGES_MAX];      /* ... the most of one position */
+} corner_lister;
+
+static size_t part_of(size_t count, size_t part, size_t parts) {
+    return part < parts ? count / parts * part : count;
+}
+
+/* Runs the work on a slice's corners, some at a time. */
+static void run_slice(corner_lister *lister, size_t slice, int thread,
+                      void (*work)(corner_lister *lister, uint32_t *counts, size_t first,
+                                   size_t end)) {
+    burnish_tasks *tasks = lister->b->data->tasks;
+    const size_t corners = 3 * lister->b->triangle_count;
+    const size_t last = part_of(corners, slice + 1, lister->slices);
+    for (size_t i = part_of(corners, slice, lister->slices), end; i < last; i = end) {
+        end = last - i < BURNISH_BUILD_STEP ? last : i + BURNISH_BUILD_STEP;
+        work(lister, lister->counts[slice], i, end);
+        if (thread == 0 ? burnish_tasks_cancelled(tasks) : atomic_load(&tasks->cancelled)) {
+            return;
+        }
+    }
+}
+
+static void count_corners(corner_lister *lister, uint32_t *counts, size_t first, size_t end) {
+    const uint32_t *positions = lister->b->corner_positions;
+    for (size_t i = first; i < end; ++i) {
+        ++counts[positions[i]];
+    }
+}
+
+static void place_corners(corner_lister *lister, uint32_t *counts, size_t first, size_t end) {
+    const uint32_t *positions = lister->b->corner_positions;
+    uint32_t *corners = lister->b->corners;
+    for (size_t i = first; i < end; ++i) {
+        corners[counts[positions[i]]++] = (uint32_t)i;
+    }
+}
+
+static void count_slice(void *context, size_t slice, int thread) {
+    corner_lister *lister = context;
+    memset(lister->counts[slice], 0, lister->b->position_count * sizeof(uint32_t));
+    run_slice(lister, slice, thread, count_corners);
+}
+
+static void place_slice(void *context, size_t slice, int thread) {
+    run_slice(context, slice, thread, place_corners);
+}
+
+static void sum_range(void *context, size_t range, int thread) {
+    corner_lister *lister = context;
+    const size_t positions = lister->b->position_count;
+    size_t sum = 0;
+    (void)thread;
+    for (size_t i = part_of(positions, range, lister->ranges),
+                end = part_of(positions, range + 1, lister->ranges);
+         i < end; ++i) {
+        for (size_t slice = 0; slice < lister->slices; ++slice) {
+            sum += lister->counts[slice][i];
+        }
+    }
+    lister->sums[range] = sum;
+}
+
+/* Counts become where the first corner goes: position by position, slice by slice. */
+static void start_range(void *context, size_t range, int thread) {
+    corner_lister *lister = context;
+    const size_t positions = lister->b->position_count;
+    uint32_t next = (uint32_t)lister->sums[range], most = 0;
+    (void)thread;
+    for (size_t i = part_of(positions, range, lister->ranges),
+                end = part_of(positions, range + 1, lister->ranges);
+         i < end; ++i) {
+        const uint32_t start = next;
+        for (size_t slice = 0; slice < lister->slices; ++slice) {
+            uint32_t *count = &lister->counts[slice][i];
+            const uint32_t corners = *count;
+            *count = next;
+            next += corners;
+        }
+        most = next - start > most ? next - start : most;
+    }
+    lister->most[range] = most;
+}
+
+static void add_sums(corner_lister *lister) {
+    size_t before = 0;
+    for (size_t i = 0; i < lister->ranges; ++i) {
+        const size_t sum = lister->sums[i];
+        lister->sums[i] = before;
+        before += sum;
+    }
+}
+
+static burnish_status run(corner_lister *lister, size_t count, burnish_task *task) {
+    burnish_tasks *tasks = lister->b->data->tasks;
+    burnish_tasks_run(tasks, count, 1, 0, task, lister);
+    return burnish_tasks_check(tasks, lister->b->memory->error);
+}
+
+static burnish_status list_corners(corner_lister *lister) {
+    burnish_builder *b = lister->b;
+    burnish_status status = run(lister, lister->slices, count_slice);
+    if (status == BURNISH_STATUS_OK && lister->ranges > 1) {
+        status = run(lister, lister->ranges, sum_range);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        add_sums(lister);
+        status = run(lister, lister->ranges, start_range);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < lister->ranges; ++i) {
+        b->max_faces = lister->most[i] > b->max_faces ? lister->most[i] : b->max_faces;
+    }
+    return run(lister, lister->slices, place_slice);
+}
+
+burnish_status burnish_build_list_corners(burnish_builder *b) {
+    const size_t corner_count = 3 * b->triangle_count;
+    const size_t threads = (size_t)burnish_tasks_threads(b->data->tasks),
+                 worth = b->triangle_count / BURNISH_BUILD_GRAIN,
+                 most = threads < SLICES_MAX ? threads : SLICES_MAX;
+    corner_lister lister = {.b = b, .slices = worth <= 1 ? 1 : worth < most ? worth : most};
+    lister.ranges = lister.slices == 1 ? 1 : RANGES_MAX;
+    b->first_corner =
+        burnish_allocate(b->memory, b->position_count + 1, sizeof *b->first_corner, "vertices");
+    b->corners = burnish_allocate(b->memory, corner_count, sizeof *b->corners, "vertices");
+    for (size_t i = 0; i + 1 < lister.slices; ++i) {
+        lister.counts[i] =
+            burnish_allocate(b->memory, b->position_count, sizeof *lister.counts[i], "vertices");
+    }
+    burnish_status status = b->memory->status;
+    if (status == BURNISH_STATUS_OK) {
+        b->first_corner[0] = 0;
+        lister.counts[lister.slices - 1] = b->first_corner + 1;
+        status = list_corners(&lister);
+    }
+    for (size_t i = 0; i + 1 < lister.slices; ++i) {
+        burnish_release(b->memory->context, lister.counts[i]);
+    }
+    return status;
+}
