@@ -392,12 +392,21 @@ burnish_status burnish_weld(const float *from, size_t count, burnish_tasks *task
     return status;
 }
 
+/* ---- Heads ---- */
+
+enum { HEAD_RANGES_MAX = 64, HEAD_RANGE_MIN_BITS = 13 };
+
+#define IS_HEAD 0x80000000U
+
 typedef struct numbering {
     uint32_t *heads;
-    size_t next;
+    size_t count, next;
+    int range_bits; /* of an item's number in its range */
+    size_t ranges;
+    uint32_t found[HEAD_RANGES_MAX], bases[HEAD_RANGES_MAX]; /* of a range: its heads; before it */
 } numbering;
 
-static void number_heads_in(void *context, size_t first, size_t end) {
+static void number_in_order(void *context, size_t first, size_t end) {
     numbering *numbers = context;
     uint32_t *heads = numbers->heads;
     for (size_t i = first; i < end; ++i) {
@@ -405,8 +414,71 @@ static void number_heads_in(void *context, size_t first, size_t end) {
     }
 }
 
+static size_t head_range_end(const numbering *numbers, size_t range) {
+    const size_t end = (range + 1) << numbers->range_bits;
+    return end < numbers->count ? end : numbers->count;
+}
+
+/* Heads get their numbers in the range, and a mark. */
+static void mark_heads(void *context, size_t range, int thread) {
+    numbering *numbers = context;
+    uint32_t *heads = numbers->heads, next = 0;
+    (void)thread;
+    for (size_t i = range << numbers->range_bits, end = head_range_end(numbers, range); i < end;
+         ++i) {
+        if (heads[i] == i) {
+            heads[i] = IS_HEAD | next++;
+        }
+    }
+    numbers->found[range] = next;
+}
+
+/* An item's number, whether it has been numbered meanwhile or not. */
+static uint32_t head_number(const numbering *numbers, uint32_t value, size_t item) {
+    return value & IS_HEAD ? (value & ~IS_HEAD) + numbers->bases[item >> numbers->range_bits]
+                           : value;
+}
+
+/* Others may look at a head while it gets its number: both values that they can see tell it. */
+static void number_by_heads(void *context, size_t range, int thread) {
+    numbering *numbers = context;
+    uint32_t *heads = numbers->heads;
+    (void)thread;
+    for (size_t i = range << numbers->range_bits, end = head_range_end(numbers, range); i < end;
+         ++i) {
+        uint32_t value = __atomic_load_n(&heads[i], __ATOMIC_RELAXED);
+        size_t head = i;
+        if (!(value & IS_HEAD)) {
+            head = value;
+            value = __atomic_load_n(&heads[head], __ATOMIC_RELAXED);
+        }
+        __atomic_store_n(&heads[i], head_number(numbers, value, head), __ATOMIC_RELAXED);
+    }
+}
+
+static void number_by_threads(burnish_tasks *tasks, numbering *numbers) {
+    numbers->range_bits = HEAD_RANGE_MIN_BITS;
+    while (numbers->count > (size_t)HEAD_RANGES_MAX << numbers->range_bits) {
+        ++numbers->range_bits;
+    }
+    numbers->ranges = ((numbers->count - 1) >> numbers->range_bits) + 1;
+    burnish_tasks_run(tasks, numbers->ranges, 1, 0, mark_heads, numbers);
+    if (burnish_tasks_cancelled(tasks)) {
+        return;
+    }
+    for (size_t i = 0; i < numbers->ranges; ++i) {
+        numbers->bases[i] = (uint32_t)numbers->next;
+        numbers->next += numbers->found[i];
+    }
+    burnish_tasks_run(tasks, numbers->ranges, 1, 0, number_by_heads, numbers);
+}
+
 size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count) {
-    numbering numbers = {heads, 0};
-    burnish_tasks_in_order(tasks, count, BURNISH_BUILD_STEP, number_heads_in, &numbers);
+    numbering numbers = {.heads = heads, .count = count};
+    if (burnish_tasks_threads(tasks) == 1 || count < BURNISH_BUILD_STEP || count > IS_HEAD) {
+        burnish_tasks_in_order(tasks, count, BURNISH_BUILD_STEP, number_in_order, &numbers);
+    } else {
+        number_by_threads(tasks, &numbers);
+    }
     return numbers.next;
 }
