@@ -84,10 +84,13 @@ static burnish_vec3 cross_of(const burnish_builder *b, size_t triangle) {
     return burnish_face_cross(burnish_positions(b->data), b->corner_positions + 3 * triangle);
 }
 
+/* Triangles with area move to the head of their range as they are looked at; where one thread takes
+ * one range after the other, to that of all. */
 typedef struct triangles_context {
     burnish_builder *b;
     const uint32_t *corners, *remap; /* remap NULL: corner_positions are there */
-    atomic_size_t with_area;
+    size_t *kept;                    /* of each range; NULL: one after the other */
+    size_t next;                     /* where the next one goes */
 } triangles_context;
 
 static void weld_corners(void *context, size_t first, size_t end) {
@@ -97,68 +100,90 @@ static void weld_corners(void *context, size_t first, size_t end) {
     }
 }
 
+static void move_triangles(burnish_builder *b, size_t from, size_t to, size_t count) {
+    uint16_t *materials = b->data->triangle_materials;
+    memmove(b->corner_positions + 3 * to, b->corner_positions + 3 * from, count * BURNISH_TRIPLE);
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        uint32_t *corners = b->data->streams[i].corners;
+        if (corners && corners != b->corner_positions) {
+            memmove(corners + 3 * to, corners + 3 * from, count * BURNISH_TRIPLE);
+        }
+    }
+    if (materials) {
+        memmove(materials + to, materials + from, count * sizeof *materials);
+    }
+}
+
 static void look_at_range(void *context, size_t first, size_t end) {
     triangles_context *c = context;
     burnish_builder *b = c->b;
-    size_t with_area = 0;
+    const int has_normals = b->data->streams[BURNISH_NORMAL].count > 0;
+    size_t next = c->kept ? first : c->next;
     for (size_t i = first; i < end; ++i) {
         if (c->remap) {
             weld_corners(c, i, i + 1);
         }
         const burnish_vec3 cross = cross_of(b, i);
-        with_area += (size_t)burnish_has_area(cross);
-        if (b->data->streams[BURNISH_NORMAL].count > 0) {
+        if (!burnish_has_area(cross)) {
+            continue;
+        }
+        if (has_normals) {
             orient(b, i, cross);
         }
-    }
-    atomic_fetch_add(&c->with_area, with_area);
-}
-
-static void move_triangle(burnish_builder *b, size_t from, size_t to) {
-    uint16_t *materials = b->data->triangle_materials;
-    memmove(b->corner_positions + 3 * to, b->corner_positions + 3 * from, BURNISH_TRIPLE);
-    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        uint32_t *corners = b->data->streams[i].corners;
-        if (corners) {
-            memmove(corners + 3 * to, corners + 3 * from, BURNISH_TRIPLE);
+        if (next != i) {
+            move_triangles(b, i, next, 1);
         }
+        ++next;
     }
-    if (materials) {
-        materials[to] = materials[from];
+    if (c->kept) {
+        c->kept[first / BURNISH_BUILD_GRAIN] = next - first;
+    } else {
+        c->next = next;
     }
 }
 
-/* Moves the `kept` triangles with area to the head of the arrays. */
-static void drop_triangles(burnish_builder *b, size_t kept) {
-    const size_t count = b->data->triangle_count;
-    burnish_mesh_data_warn(b->data, "%s: %zu of %zu triangles have no area and were left out",
-                           burnish_show_name(b->name).text, count - kept, count);
-    size_t next = 0;
-    for (size_t i = 0; i < count; ++i) {
-        if (burnish_has_area(cross_of(b, i))) {
-            move_triangle(b, i, next++);
+/* Brings together what ranges have kept. */
+static void join_ranges(triangles_context *c, size_t count) {
+    for (size_t first = 0; first < count; first += BURNISH_BUILD_GRAIN) {
+        const size_t kept = c->kept[first / BURNISH_BUILD_GRAIN];
+        if (c->next != first) {
+            move_triangles(c->b, first, c->next, kept);
         }
+        c->next += kept;
     }
 }
 
 /* Keeps the triangles with area. */
 static burnish_status keep_triangles(burnish_builder *b, triangles_context *context) {
     const size_t count = b->data->triangle_count;
-    burnish_tasks_ranges(b->data->tasks, count, BURNISH_BUILD_GRAIN, look_at_range, context);
-    burnish_status status = burnish_tasks_check(b->data->tasks, b->memory->error);
-    const size_t kept = atomic_load(&context->with_area);
-    if (status == BURNISH_STATUS_OK && kept == 0) {
+    burnish_tasks *tasks = b->data->tasks;
+    if (burnish_tasks_threads(tasks) > 1) {
+        context->kept = burnish_allocate(b->memory, count / BURNISH_BUILD_GRAIN + 1,
+                                         sizeof *context->kept, "triangles");
+    }
+    if (b->memory->status == BURNISH_STATUS_OK) {
+        burnish_tasks_ranges(tasks, count, BURNISH_BUILD_GRAIN, look_at_range, context);
+    }
+    burnish_status status = b->memory->status == BURNISH_STATUS_OK
+                                ? burnish_tasks_check(tasks, b->memory->error)
+                                : b->memory->status;
+    if (status == BURNISH_STATUS_OK && context->kept) {
+        join_ranges(context, count);
+    }
+    burnish_release(b->memory->context, context->kept);
+    b->triangle_count = context->next;
+    if (status == BURNISH_STATUS_OK && context->next == 0) {
         return burnish_fail(
             b->memory->error, BURNISH_STATUS_FORMAT,
             "%s: no triangle has any area; %zu triangle%s read, and a mesh needs at "
             "least one whose corners are not on a line",
             burnish_show_name(b->name).text, count, count == 1 ? " was" : "s were");
     }
-    if (status == BURNISH_STATUS_OK && kept < count) {
-        drop_triangles(b, kept);
+    if (status == BURNISH_STATUS_OK && context->next < count) {
+        burnish_mesh_data_warn(b->data, "%s: %zu of %zu triangles have no area and were left out",
+                               burnish_show_name(b->name).text, count - context->next, count);
         status = b->memory->status;
     }
-    b->triangle_count = kept;
     return status;
 }
 

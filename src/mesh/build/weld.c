@@ -17,7 +17,7 @@ enum {
     SLICE_PROBES = 2, /* per position, on average, before it does, too */
     PART_PROBES = 8,  /* the same, before a part is sorted */
     AHEAD = 16,       /* items whose slots are fetched before they are looked up */
-    PART_SLICES = 4,  /* that are worth a thread */
+    PART_SLICES = 2,  /* that are worth a thread */
     CHECK_SLICES = 64 /* after so many, whether the call should end */
 };
 
