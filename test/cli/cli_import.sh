@@ -170,17 +170,19 @@ printf 'AC3Db\n' >models/b.ac
 printf '\377\376A\000' >models/c.ac
 printf 'IDSQ\012\000\000\000' >models/run.mdl
 : >models/empty.x
+printf '0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n0\nENDSEC\n' >models/flat.dxf
+printf '0\r\nSECTION\r\n  2\r\nENTITIES\r\n  0\r\n3DFACE\r\n' >models/faces.dxf
 for again in no yes; do # the first line of the first report is known in the second run
     run batch models -d models --size=16 --no-sandbox --no-seconds --max-memory=8000000000G
-    check "files that are no meshes, $again: $(cat "$err")" [ "$code" = 0 -a -s models/a.png -a -s models/b.png -a -s models/c.png ]
-    check "they are passed over, $again: $(ls models)" [ "$(grep -c '"done"' models/burnish-batch.jsonl)" = 3 ]
-    check "and counted, $again" sh -c "head -n 1 models/burnish-batch.jsonl | grep -q '\"passed_over\":3}\$'"
+    check "files that are no meshes, $again: $(cat "$err")" [ "$code" = 0 -a -s models/a.png -a -s models/b.png -a -s models/c.png -a -s models/faces.png ]
+    check "they are passed over, $again: $(ls models)" [ "$(grep -c '"done"' models/burnish-batch.jsonl)" = 4 ]
+    check "and counted, $again" sh -c "head -n 1 models/burnish-batch.jsonl | grep -q '\"passed_over\":4}\$'"
     [ $again = yes ] || importer "exit 3"
 done
 importer "cat '$bin/all.bms'"
 run batch models/configure.ac -d models --size=16 --no-sandbox --force --max-memory=8000000000G
 check "one that is named is tried: $(cat "$err")" [ "$code" = 0 ]
-rm -f models/*.png models/*.jsonl models/*.ac models/*.x models/*.mdl
+rm -f models/*.png models/*.jsonl models/*.ac models/*.x models/*.mdl models/*.dxf
 BURNISH_IMPORTERS=$bin/none expect 2 'burnish: batch: no meshes there; --recursive looks into folders below' batch models
 rm -r models
 

@@ -27,7 +27,7 @@ const import_program *import_find(const char *name);
 
 /* Whether a file of a folder may be what its ending says to import_find: endings that other
  * programs use for other things (.ac, .mdl, .x ...) count where the file begins as their format
- * does. */
+ * does, .dxf where it names faces. */
 int import_may_hold_mesh(const char *path);
 
 /* The importer for an input: that of the cli_foreign (cli/input.h) which --input-format named,

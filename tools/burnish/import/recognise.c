@@ -67,12 +67,34 @@ static int is_wrapped(const unsigned char *bytes, size_t size) {
            begins(bytes, size, "version https://git-lfs.github.com/spec/", 0);
 }
 
+/* Most .dxf are flat drawings of lines: whether one names what has faces, on a line of its own. */
+static int has_faces(const char *path) {
+    char line[64];
+    int is_start = 1, found = 0;
+    FILE *file = fopen(path, "rb");
+    while (file && !found && fgets(line, sizeof line, file)) {
+        const size_t size = strcspn(line, "\r\n"), first = strspn(line, " \t");
+        const char *word = line + first;
+        found = is_start && ((size - first == 6 && memcmp(word, "3DFACE", 6) == 0) ||
+                             (size - first == 8 && memcmp(word, "POLYLINE", 8) == 0) ||
+                             is_wrapped((const unsigned char *)line, size));
+        is_start = line[size] != 0; /* a longer line goes on */
+    }
+    if (file) {
+        fclose(file);
+    }
+    return found || !file;
+}
+
 int import_may_hold_mesh(const char *path) {
     unsigned char bytes[LOOKED_AT];
     char ending[IMPORT_ENDING_SIZE];
     size_t size = 0;
     int is_known = 0, fits = 0;
     import_get_ending(path, ending);
+    if (strcmp(ending, "dxf") == 0) {
+        return has_faces(path);
+    }
     for (size_t i = 0; i < sizeof rows / sizeof *rows && !fits; ++i) {
         if (strcmp(rows[i].ending, ending) != 0) {
             continue;
