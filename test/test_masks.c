@@ -145,14 +145,15 @@ static double edge_error(const scene *s) {
     return sqrt(sum / count);
 }
 
-/* A disc at its own size and enlarged: pixels at its edge show their shares of it. A mask that is
- * decided once a pixel is off by 0.29. */
+/* A disc enlarged, at its own size and smaller: pixels at its edge show their shares of it. A mask
+ * that is decided once a pixel is off by 0.29. */
 static void test_edges(void) {
     static const struct {
         int samples;
         double height, most;
-    } cases[] = {{4, 2.5, 0.14},  {4, 1.7, 0.14},  {4, 2, 0.14}, {8, 1.7, 0.09},
-                 {16, 2.5, 0.09}, {16, 1.7, 0.07}, {16, 2, 0.07}};
+    } cases[] = {{4, 2.5, 0.14},  {4, 1.7, 0.14},  {4, 2, 0.14},    {8, 1.7, 0.09},
+                 {16, 2.5, 0.09}, {16, 1.7, 0.07}, {16, 2, 0.07},   {4, 4.5, 0.13},
+                 {4, 6.5, 0.07},  {4, 16, 0.07},   {16, 4.5, 0.07}, {16, 6.5, 0.07}};
     static scene s;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         open_scene(&s, cases[i].samples);

@@ -2,11 +2,11 @@
  *
  * Where texels are larger than pixels each sample is there or not, by the texels around the point
  * as they are interpolated, followed to where the sample lies. Where they are smaller, alpha is
- * coverage (BURNISH_TEXTURE_MASKED), which all samples take for their opacity: its sum over pixels
- * is the mask's area at any distance. Between, where levels 0 and 1 are mixed, a sample's opacity
- * rises from 0 to 1 while alpha passes the cutoff by as much as level 1 counts. This is the
- * sharpening (alpha - cutoff) / width + 1/2 of alpha to coverage (B. Golus, "Anti-aliased alpha
- * test: the esoteric alpha to coverage", 2017), with the level's share for the width. */
+ * coverage (BURNISH_TEXTURE_MASKED), which samples take for their opacity: its sum over pixels is
+ * the mask's area at any distance. Where levels 0 and 1 are mixed, a sample's opacity rises from 0
+ * to 1 while alpha passes the cutoff by as much as level 1 counts. This is the sharpening
+ * (alpha - cutoff) / width + 1/2 of alpha to coverage (B. Golus, "Anti-aliased alpha test: the
+ * esoteric alpha to coverage", 2017), with the level's share for the width. */
 #ifndef BURNISH_RENDER_MASK_SIMD_H
 #define BURNISH_RENDER_MASK_SIMD_H
 
@@ -107,19 +107,19 @@ BURNISH_INLINE void mask_vector(texture_kind kind, const burnish_texture_sampler
                                 const burnish_mask *mask, const burnish_texture_taps *taps,
                                 const float *const *streams, vm is_level0, vf share, vf alpha,
                                 size_t i, float (*cover)[BURNISH_TEXTURE_BATCH]) {
-    const int8_t(*offsets)[2] = burnish_sample_offsets(mask->samples);
-    const float step = 1.0f / BURNISH_SUBPIXELS * BURNISH_SAMPLE_STEP;
+    const float step = 1.0f / BURNISH_SUBPIXELS * BURNISH_SAMPLE_STEP / mask->spread;
+    const vf inverse_spread = vf_set(1.0f / mask->spread);
     const vf zero = vf_set(0.0f), one = vf_set(1.0f), half = vf_set(0.5f);
     const mask_patch patch = mask_find(kind, sampler, taps, streams, i);
     const vf here = mask_interpolate(&patch, patch.x, patch.y);
     const vf edge = vf_add(vf_set(mask->alpha), vf_mul(share, vf_sub(half, vf_set(mask->alpha))));
     const vf inverse = vf_div(one, vf_blend(patch.is_sharp, one, share));
     const vf rest = vf_sub(one, share);
-    const vf left = vf_load(streams[BURNISH_TEXTURE_SHIFT_X] + i);
-    const vf below = vf_load(streams[BURNISH_TEXTURE_SHIFT_Y] + i);
+    const vf left = vf_mul(vf_load(streams[BURNISH_TEXTURE_SHIFT_X] + i), inverse_spread);
+    const vf below = vf_mul(vf_load(streams[BURNISH_TEXTURE_SHIFT_Y] + i), inverse_spread);
     for (int s = 0; s < mask->samples; ++s) {
-        const vf right = vf_sub(vf_set(step * (float)offsets[s][0]), left);
-        const vf up = vf_sub(vf_set(-step * (float)offsets[s][1]), below);
+        const vf right = vf_sub(vf_set(step * (float)mask->offsets[s][0]), left);
+        const vf up = vf_sub(vf_set(-step * (float)mask->offsets[s][1]), below);
         vf x = vf_add(patch.x, vf_add(vf_mul(right, patch.x_right), vf_mul(up, patch.x_up)));
         vf y = vf_add(patch.y, vf_add(vf_mul(right, patch.y_right), vf_mul(up, patch.y_up)));
         x = mask_clamp(x, -MASK_REACH, 1 + MASK_REACH);

@@ -19,6 +19,7 @@ typedef struct burnish_texture_sampler {
     const burnish_texture_levels *levels; /* NULL: none */
     int wrap[2];                          /* burnish_texture_wrap */
     int is_nearest;
+    int is_single; /* 1: of two levels the larger one alone counts */
     int has_transform;
     float transform[6]; /* as burnish_texture_use has it */
 } burnish_texture_sampler;
@@ -27,7 +28,9 @@ typedef struct burnish_texture_sampler {
 typedef struct burnish_mask {
     float solid, cutoff; /* there: where solid times alpha is at least cutoff */
     float alpha;         /* the alpha for which they are equal */
-    int samples;         /* of a pixel */
+    int samples;
+    const int8_t (*offsets)[2]; /* of samples, from the pixel's centre, 1/16 pixel */
+    float spread;               /* pixels that the streams' changes are taken over: 1, or 1/2 */
 } burnish_mask;
 
 /* The texels that points are means of, by their index in burnish_texture_levels.texels: those on
@@ -164,6 +167,9 @@ typedef struct burnish_texture_scratch {
     int has_shifts; /* 1: points are fragments of layers, and some masks are smoothed */
     float cover[BURNISH_MAX_SAMPLES][BURNISH_TEXTURE_BATCH];
     float covers[BURNISH_MAX_SAMPLES][BURNISH_TEXTURE_BATCH];
+    float at[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH];    /* quarters of pixels */
+    float mixed[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH]; /* their pixels */
+    float part[BURNISH_MAX_SAMPLES / 4][BURNISH_TEXTURE_BATCH];
 } burnish_texture_scratch;
 
 /* To be called before the first point of a frame: forgets the last frame's triangles. */

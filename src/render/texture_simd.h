@@ -330,9 +330,10 @@ static void find_taps(const burnish_texture_sampler *sampler, const float *const
         const texture_level level = texture_level_of(sampler->levels, at + 2);
         const vm nearest = vm_not(level.is_small);
         texture_find_taps(sampler, u, v, level.first, nearest, i, &taps->level[0]);
-        vf_store(taps->share + i, level.share);
-        taps->has_second[i / LANES] = (uint8_t)vm_any(level.is_small);
-        if (vm_any(level.is_small)) {
+        const int has_second = !sampler->is_single && vm_any(level.is_small);
+        vf_store(taps->share + i, sampler->is_single ? vf_set(0.0f) : level.share);
+        taps->has_second[i / LANES] = (uint8_t)has_second;
+        if (has_second) {
             const vi next =
                 vi_min(vi_add(level.first, vi_set(1)), vi_set(BURNISH_TEXTURE_LEVELS_MAX - 1));
             texture_find_taps(sampler, u, v, next, nearest, i, &taps->level[1]);
@@ -461,6 +462,8 @@ static void sample_texture(const burnish_texture_levels *levels, const burnish_t
     if (levels->texels) {
         if (channels == 7) {
             texture_sample((texture_kind){1, 7}, levels, taps, count, out);
+        } else if (channels == 8) {
+            texture_sample((texture_kind){1, 8}, levels, taps, count, out);
         } else {
             texture_sample((texture_kind){1, 15}, levels, taps, count, out);
         }
