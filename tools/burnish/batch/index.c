@@ -25,7 +25,8 @@ static const char head[] =
     "#count{color:var(--soft);margin-right:auto}\n"
     "input,select{font:inherit;color:inherit;background:var(--card);border:1px solid var(--line);"
     "border-radius:9px;padding:8px 12px;min-height:40px}\n"
-    "input{flex:1 1 160px;max-width:280px;min-width:0}\n"
+    "#tools{display:flex;gap:10px;flex:0 1 440px;min-width:min(100%,300px)}\n" /* one row */
+    "input{flex:1 1 0;min-width:0}\n"
     "input:focus-visible,select:focus-visible,a:focus-visible{outline:2px solid var(--key);"
     "outline-offset:2px}\n"
     "main{display:grid;grid-template-columns:repeat(auto-fill,minmax(220px,1fr));gap:16px;"
@@ -45,8 +46,7 @@ static const char head[] =
     "li{padding:2px 0}\n"
     "#none{display:none;padding:40px 20px;text-align:center;color:var(--soft)}\n"
     "@media(max-width:560px){header{padding:12px}h1{flex:1 1 40%}#count{margin:0}"
-    "input{flex:1 1 "
-    "120px;max-width:none}main{grid-template-columns:repeat(2,1fr);gap:10px;padding:12px}h2{font-"
+    "#tools{flex:1 1 100%}main{grid-template-columns:repeat(2,1fr);gap:10px;padding:12px}h2{font-"
     "size:14px;"
     "padding:8px 10px 0}p{padding:2px 10px 10px;font-size:12px}section{padding:0 12px 20px}"
     "article{border-radius:10px}}\n"
@@ -210,11 +210,11 @@ static void put_page(FILE *page, const batch *b) {
     put_title(page, b);
     fprintf(page, "</title>\n%s<header><h1>", head);
     put_title(page, b);
-    fputs("</h1><span id=\"count\"></span>\n"
+    fputs("</h1><span id=\"count\"></span>\n<div id=\"tools\">"
           "<input id=\"find\" type=\"search\" placeholder=\"Search\" aria-label=\"Search\" "
           "autocomplete=\"off\">\n<select id=\"order\" aria-label=\"Order\"><option value=\"\">By "
           "name</option><option value=\"triangles\">Most triangles</option><option "
-          "value=\"bytes\">Largest file</option></select></header>\n<main>\n",
+          "value=\"bytes\">Largest file</option></select></div></header>\n<main>\n",
           page);
     for (size_t i = 0; i < b->list.count; ++i) {
         const batch_item *item = &b->list.items[i];
