@@ -199,6 +199,7 @@ static void test_level_texels(void) {
         fill_random(texels, (size_t)(w * h), n);
         CHECK1(burnish_texture_levels_create(&levels, &texture, BURNISH_TEXTURE_NUMBERS, NULL,
                                              &memory) == BURNISH_STATUS_OK);
+        burnish_texture_levels_need_all(&levels);
         const int lw = w > 1 ? w / 2 : 1, lh = h > 1 ? h / 2 : 1;
         const uint8_t *next = levels.codes + 4 * levels.offset[1];
         CHECK1(levels.count == 1 || (levels.width[1] == lw && levels.height[1] == lh));
@@ -246,6 +247,85 @@ static void test_level_kinds(void) {
     CHECK(abs(normal[0] - 128) <= 1 && normal[2] == 255 && fabs(length - sqrt(0.5)) < 0.005,
           "%d %d %d: %g", normal[0], normal[1], normal[2], length);
     burnish_texture_levels_destroy(&levels, NULL);
+}
+
+/* Texels of level 0 that a thread asks for, as a kernel does, and what they should be. */
+enum { BAND_WIDTH = 38, BAND_HEIGHT = 150, ASKED = 16 };
+
+typedef struct band_check {
+    const burnish_texture_levels *levels, *whole;
+    atomic_int wrong;
+} band_check;
+
+static size_t texel_size(const burnish_texture_levels *levels) {
+    return levels->texels ? 8 : 4;
+}
+
+static const uint8_t *texel_of(const burnish_texture_levels *levels, int32_t i) {
+    return levels->texels ? (const uint8_t *)(levels->texels + 4 * (size_t)i)
+                          : levels->codes + 4 * (size_t)i;
+}
+
+static void ask_for_texels(void *context, size_t index, int thread) {
+    band_check *check = context;
+    const burnish_texture_levels *whole = check->whole;
+    uint64_t state = test_seed(index);
+    int32_t upper[ASKED], lower[ASKED];
+    (void)thread;
+    for (int i = 0; i < ASKED; ++i) { /* a few neighbouring rows, and texels of other levels */
+        const int32_t row = (int32_t)(index * 7 + test_random32(&state) % 3) % BAND_HEIGHT;
+        const int32_t other = whole->offset[1] + (int32_t)(test_random32(&state) % 100);
+        upper[i] = i % 4 == 3
+                       ? other
+                       : row * (BAND_WIDTH + 1) + (int32_t)(test_random32(&state) % BAND_WIDTH);
+        lower[i] = upper[i] + BAND_WIDTH + 1;
+    }
+    burnish_texture_levels_need(check->levels, upper, lower, ASKED);
+    for (int i = 0; i < ASKED; ++i) { /* each with the one on its right */
+        const size_t size = 2 * texel_size(whole);
+        atomic_fetch_add(
+            &check->wrong,
+            memcmp(texel_of(check->levels, upper[i]), texel_of(whole, upper[i]), size) != 0 ||
+                (i % 4 != 3 &&
+                 memcmp(texel_of(check->levels, lower[i]), texel_of(whole, lower[i]), size) != 0));
+    }
+}
+
+/* Level 0 comes where it is asked for, by any number of threads, and nowhere else. */
+static void test_bands(void) {
+    static uint8_t texels[4 * BAND_WIDTH * BAND_HEIGHT];
+    const burnish_texture texture = {NULL, BAND_WIDTH, BAND_HEIGHT, texels, 1};
+    const burnish_texture_kind kinds[] = {BURNISH_TEXTURE_NUMBERS, BURNISH_TEXTURE_COLORS,
+                                          BURNISH_TEXTURE_NORMALS};
+    const int32_t asked = 40 * (BAND_WIDTH + 1), below = 41 * (BAND_WIDTH + 1);
+    burnish_memory memory = burnish_memory_of(NULL, NULL);
+    burnish_tasks tasks;
+    fill_random(texels, (size_t)BAND_WIDTH * BAND_HEIGHT, 3);
+    for (size_t n = 0; n < sizeof kinds / sizeof *kinds; ++n) {
+        burnish_texture_levels whole = {0}, levels = {0};
+        CHECK1(burnish_texture_levels_create(&whole, &texture, kinds[n], NULL, &memory) ==
+                   BURNISH_STATUS_OK &&
+               burnish_texture_levels_create(&levels, &texture, kinds[n], NULL, &memory) ==
+                   BURNISH_STATUS_OK);
+        burnish_texture_levels_need_all(&whole);
+        CHECK1(levels.bands && atomic_load(&levels.bands->ready) == 0);
+        burnish_texture_levels_need(&levels, &whole.offset[1], &whole.offset[2], 1);
+        CHECK1(atomic_load(&levels.bands->ready) == 0);
+        burnish_texture_levels_need(&levels, &asked, &below, 1);
+        CHECK1(__builtin_popcountll(atomic_load(&levels.bands->ready)) <= 2);
+        for (int threads = 1; threads <= 5; threads += 4) {
+            band_check check = {.levels = &levels, .whole = &whole};
+            burnish_tasks_begin(&tasks, NULL, threads);
+            burnish_tasks_run(&tasks, threads == 1 ? 5 : 300, 1, 0, ask_for_texels, &check);
+            CHECK(atomic_load(&check.wrong) == 0, "kind %zu: %d texels", n,
+                  atomic_load(&check.wrong));
+        }
+        CHECK1(atomic_load(&levels.bands->ready) == levels.bands->all);
+        CHECK1(memcmp(texel_of(&levels, 0), texel_of(&whole, 0),
+                      texel_size(&whole) * (size_t)whole.offset[1]) == 0);
+        burnish_texture_levels_destroy(&levels, NULL);
+        burnish_texture_levels_destroy(&whole, NULL);
+    }
 }
 
 /* ---- Shading ---- */
@@ -500,6 +580,7 @@ int main(int count, char **arguments) {
     RUN(test_levels_drawn());
     RUN(test_level_texels());
     RUN(test_level_kinds());
+    RUN(test_bands());
     RUN(test_normal_map());
     RUN(test_factors());
     RUN(test_alpha());

@@ -55,11 +55,11 @@ static int most_scans(uint64_t pixels) {
     return scans < ENOUGH_SCANS ? ENOUGH_SCANS : scans > MOST_SCANS ? MOST_SCANS : (int)scans;
 }
 
-/* Grey or any three components as RGB; of CMYK, mostly Adobe's and inverted, what is printed. */
-static void spread(const JSAMPLE *from, int components, int channels, int width, uint8_t *to) {
-    for (int x = 0; x < width; ++x, from += components, to += channels) {
+/* Of CMYK, mostly Adobe's and inverted, what is printed. */
+static void print_row(const JSAMPLE *from, int channels, int width, uint8_t *to) {
+    for (int x = 0; x < width; ++x, from += 4, to += channels) {
         for (int k = 0; k < 3; ++k) {
-            to[k] = components == 4 ? (uint8_t)(from[k] * from[3] / 255) : from[k];
+            to[k] = (uint8_t)(from[k] * from[3] / 255);
         }
         if (channels == 4) {
             to[3] = 255;
@@ -86,9 +86,10 @@ static burnish_status decode(j_decompress_ptr codec, const burnish_encoded *from
                             "or damaged",
                             from->name, codec->image_width, codec->image_height, from->size);
     }
-    codec->out_color_space =
-        codec->jpeg_color_space == JCS_CMYK || codec->jpeg_color_space == JCS_YCCK ? JCS_CMYK
-                                                                                   : JCS_RGB;
+    const int is_cmyk = codec->jpeg_color_space == JCS_CMYK || codec->jpeg_color_space == JCS_YCCK;
+    codec->out_color_space = is_cmyk               ? JCS_CMYK
+                             : from->channels == 4 ? JCS_EXT_RGBA /* alpha is 255 */
+                                                   : JCS_RGB;
     codec->dct_method = JDCT_ISLOW; /* the exact one: the same pixels everywhere */
     burnish_status status = burnish_decode_reserve(from, codec->image_width, codec->image_height,
                                                    from->channels == 4 ? 4 : 3, memory, picture);
@@ -100,10 +101,12 @@ static burnish_status decode(j_decompress_ptr codec, const burnish_encoded *from
     const size_t row_size = (size_t)picture->width * (size_t)picture->channels;
     while (codec->output_scanline < codec->output_height) {
         uint8_t *row = picture->pixels + row_size * codec->output_scanline;
-        JSAMPROW lines = *line;
+        JSAMPROW lines = is_cmyk ? *line : row;
         jpeg_read_scanlines(codec, &lines, 1);
-        burnish_written_outside(*line, (size_t)picture->width * 4);
-        spread(*line, codec->output_components, picture->channels, picture->width, row);
+        burnish_written_outside(lines, is_cmyk ? (size_t)picture->width * 4 : row_size);
+        if (is_cmyk) {
+            print_row(*line, picture->channels, picture->width, row);
+        }
     }
     return BURNISH_STATUS_OK;
 }

@@ -3,257 +3,7 @@
 #include <string.h>
 
 #include "core/srgb.h"
-
-/* From one level to the next. */
-typedef struct level_step {
-    const uint8_t *from;
-    uint8_t *to;
-    int from_width, from_height, to_width, to_height;
-    burnish_texture_kind kind;
-} level_step;
-
-/* Bytes of a row of codes. */
-static size_t row_size(int width) {
-    return 4 * ((size_t)width + 1);
-}
-
-/* ---- Means ---- */
-
-/* Sum of texels, each times its share of a texel of the next level. */
-typedef struct texel_sum {
-    float color[3], alpha, weight;
-    float plain[3]; /* WEIGHTED: without alpha, for where all of it is 0 */
-} texel_sum;
-
-/* Vectors of texels of normals, so many at a time that loops over them become vectors. */
-enum { NORMALS_AT_ONCE = 64 };
-typedef struct normal_vectors {
-    float v[3][NORMALS_AT_ONCE];
-} normal_vectors;
-
-/* Lengths are below 1 where normals are means. */
-static void load_normals(const uint8_t *texels, int count, normal_vectors *to) {
-    for (int i = 0; i < count; ++i) {
-        const float shortened = 1.0f - (float)texels[4 * i + 3] * (1.0f / 255);
-        const float x = (float)texels[4 * i] * (2.0f / 255) - 1.0f;
-        const float y = (float)texels[4 * i + 1] * (2.0f / 255) - 1.0f;
-        const float z = (float)texels[4 * i + 2] * (2.0f / 255) - 1.0f;
-        const float squared = (x * x + y * y) + z * z;
-        const float divisor = squared > 0 ? squared : 1;
-        const float scaled = (1.0f - shortened * shortened) / __builtin_sqrtf(divisor);
-        const float scale = squared > 0 ? scaled : 0;
-        to->v[0][i] = x * scale;
-        to->v[1][i] = y * scale;
-        to->v[2][i] = z * scale;
-    }
-}
-
-static void store_normals(const normal_vectors *from, int count, uint8_t *texels) {
-    for (int i = 0; i < count; ++i) {
-        const float x = from->v[0][i], y = from->v[1][i], z = from->v[2][i];
-        const float length = __builtin_sqrtf((x * x + y * y) + z * z);
-        const float missing = length < 1 ? 1 - length : 0;
-        const float divisor = length > 0 ? length : 1;
-        const float up = length > 0 ? z / divisor : 1;
-        const float shortened = 1.0f - __builtin_sqrtf(missing);
-        texels[4 * i] = (uint8_t)(int)((x / divisor * 0.5f + 0.5f) * 255.0f + 0.5f);
-        texels[4 * i + 1] = (uint8_t)(int)((y / divisor * 0.5f + 0.5f) * 255.0f + 0.5f);
-        texels[4 * i + 2] = (uint8_t)(int)((up * 0.5f + 0.5f) * 255.0f + 0.5f);
-        texels[4 * i + 3] = (uint8_t)(int)(shortened * 255.0f + 0.5f);
-    }
-}
-
-static void add_texel(burnish_texture_kind kind, const uint8_t *texel, float share,
-                      texel_sum *sum) {
-    normal_vectors normal;
-    sum->weight += share;
-    sum->alpha += share * (float)texel[3];
-    switch (kind) {
-    case BURNISH_TEXTURE_NORMALS:
-        load_normals(texel, 1, &normal);
-        for (int k = 0; k < 3; ++k) {
-            sum->color[k] += share * normal.v[k][0];
-        }
-        break;
-    case BURNISH_TEXTURE_NUMBERS:
-        for (int k = 0; k < 3; ++k) {
-            sum->color[k] += share * (float)texel[k];
-        }
-        break;
-    default:
-        for (int k = 0; k < 3; ++k) {
-            const float light = share * burnish_srgb_to_linear[texel[k]];
-            sum->plain[k] += light;
-            sum->color[k] += light * (float)texel[3];
-        }
-    }
-}
-
-static void store_texel(burnish_texture_kind kind, const texel_sum *sum, uint8_t *texel) {
-    const int is_weighted = burnish_texture_is_weighted(kind) && sum->alpha > 0;
-    if (kind == BURNISH_TEXTURE_NORMALS) {
-        normal_vectors mean;
-        for (int k = 0; k < 3; ++k) {
-            mean.v[k][0] = sum->color[k] / sum->weight;
-        }
-        store_normals(&mean, 1, texel);
-        return;
-    }
-    for (int k = 0; k < 3; ++k) {
-        texel[k] = kind == BURNISH_TEXTURE_NUMBERS
-                       ? (uint8_t)(sum->color[k] / sum->weight + 0.5f)
-                       : burnish_linear_to_srgb(is_weighted ? sum->color[k] / sum->alpha
-                                                            : sum->plain[k] / sum->weight);
-    }
-    texel[3] = (uint8_t)(sum->alpha / sum->weight + 0.5f);
-}
-
-/* ---- Levels ---- */
-
-/* Texels [first, end) of a side of `from` that texel i of `to` covers, and the shares of the first
- * and the last; those between count whole. */
-typedef struct span {
-    int first, end;
-    float first_share, last_share;
-} span;
-
-static span span_of(int i, int from, int to) {
-    if (from == 2 * to) {
-        return (span){2 * i, 2 * i + 2, 1, 1};
-    }
-    /* in units of 1 / to texels */
-    const int64_t low = (int64_t)i * from, high = low + from;
-    span s = {(int)(low / to), (int)((high + to - 1) / to), 1, 1};
-    s.first_share = (float)((int64_t)(s.first + 1) * to - low) / (float)to;
-    s.last_share = (float)(high - (int64_t)(s.end - 1) * to) / (float)to;
-    if (s.end - s.first == 1) {
-        s.first_share = 1;
-    }
-    return s;
-}
-
-/* Row y where sides are halved, as nearly all are: the same sums in the same order. */
-static void halve_numbers(const uint8_t *from, size_t row, int width, uint8_t *to) {
-    for (size_t x = 0; x < (size_t)width; ++x) {
-        for (size_t k = 4 * x; k < 4 * x + 4; ++k) {
-            const size_t i = 8 * x + (k & 3);
-            to[k] = (uint8_t)((from[i] + from[i + 4] + from[i + row] + from[i + row + 4] + 2) >> 2);
-        }
-    }
-}
-
-static void halve_colors(const uint8_t *from, size_t row, int width, uint8_t *to) {
-    const float *light = burnish_srgb_to_linear;
-    for (int x = 0; x < width; ++x, from += 8, to += 4) {
-        const uint8_t *below = from + row;
-        for (int k = 0; k < 3; ++k) {
-            to[k] = burnish_linear_to_srgb(
-                (((light[from[k]] + light[from[k + 4]]) + light[below[k]]) + light[below[k + 4]]) *
-                0.25f);
-        }
-        to[3] = (uint8_t)((from[3] + from[7] + below[3] + below[7] + 2) >> 2);
-    }
-}
-
-static void halve_normals(const uint8_t *from, size_t row, int width, uint8_t *to) {
-    enum { HALF = NORMALS_AT_ONCE / 2 };
-    for (int x = 0; x < width; x += HALF) {
-        const int count = width - x < HALF ? width - x : HALF;
-        normal_vectors upper, lower, mean;
-        load_normals(from + 8 * (size_t)x, 2 * count, &upper);
-        load_normals(from + 8 * (size_t)x + row, 2 * count, &lower);
-        for (int k = 0; k < 3; ++k) {
-            for (int i = 0; i < count; ++i) {
-                mean.v[k][i] = (((upper.v[k][2 * i] + upper.v[k][2 * i + 1]) + lower.v[k][2 * i]) +
-                                lower.v[k][2 * i + 1]) *
-                               0.25f;
-            }
-        }
-        store_normals(&mean, count, to + 4 * (size_t)x);
-    }
-}
-
-static int halve_row(const level_step *step, int y) {
-    const size_t row = row_size(step->from_width);
-    const uint8_t *from = step->from + 2 * (size_t)y * row;
-    uint8_t *to = step->to + (size_t)y * row_size(step->to_width);
-    if (step->from_width != 2 * step->to_width || step->from_height != 2 * step->to_height) {
-        return 0;
-    }
-    if (step->kind == BURNISH_TEXTURE_NUMBERS) {
-        halve_numbers(from, row, step->to_width, to);
-    } else if (step->kind == BURNISH_TEXTURE_COLORS) {
-        halve_colors(from, row, step->to_width, to);
-    } else if (step->kind == BURNISH_TEXTURE_NORMALS) {
-        halve_normals(from, row, step->to_width, to);
-    }
-    return !burnish_texture_is_weighted(step->kind);
-}
-
-static void reduce_row(const level_step *step, int y) {
-    if (halve_row(step, y)) {
-        return;
-    }
-    const span rows = span_of(y, step->from_height, step->to_height);
-    uint8_t *to = step->to + (size_t)y * row_size(step->to_width);
-    for (int x = 0; x < step->to_width; ++x, to += 4) {
-        const span columns = span_of(x, step->from_width, step->to_width);
-        texel_sum sum = {0};
-        for (int j = rows.first; j < rows.end; ++j) {
-            const float row_share = j == rows.first     ? rows.first_share
-                                    : j == rows.end - 1 ? rows.last_share
-                                                        : 1;
-            const uint8_t *from =
-                step->from + (size_t)j * row_size(step->from_width) + 4 * (size_t)columns.first;
-            for (int i = columns.first; i < columns.end; ++i, from += 4) {
-                const float share = i == columns.first     ? columns.first_share
-                                    : i == columns.end - 1 ? columns.last_share
-                                                           : 1;
-                add_texel(step->kind, from, row_share * share, &sum);
-            }
-        }
-        store_texel(step->kind, &sum, to);
-    }
-}
-
-static void reduce_rows(void *context, size_t first, size_t end) {
-    for (size_t y = first; y < end; ++y) {
-        reduce_row(context, (int)y);
-    }
-}
-
-/* Level 0 is the image, that of normals unit vectors whatever the image's alpha is. */
-typedef struct level_copy {
-    const uint8_t *from;
-    uint8_t *to;
-    int width, is_normals;
-} level_copy;
-
-static void unit_normals(uint8_t *texels, int count) {
-    normal_vectors vectors;
-    for (int i = 0; i < count; ++i) {
-        texels[4 * i + 3] = 255;
-    }
-    load_normals(texels, count, &vectors);
-    store_normals(&vectors, count, texels);
-    for (int i = 0; i < count; ++i) {
-        texels[4 * i + 3] = 255;
-    }
-}
-
-static void copy_rows(void *context, size_t first, size_t end) {
-    const level_copy *copy = context;
-    const size_t size = 4 * (size_t)copy->width;
-    for (size_t y = first; y < end; ++y) {
-        uint8_t *to = copy->to + y * row_size(copy->width);
-        memcpy(to, copy->from + y * size, size);
-        for (int x = 0; copy->is_normals && x < copy->width; x += NORMALS_AT_ONCE) {
-            const int rest = copy->width - x;
-            const int count = rest < NORMALS_AT_ONCE ? rest : NORMALS_AT_ONCE;
-            unit_normals(to + 4 * (size_t)x, count);
-        }
-    }
-}
+#include "render/texture_reduce.h"
 
 static void find_least(burnish_texture_levels *levels, const uint8_t *texels, size_t count) {
     uint8_t least[4] = {255, 255, 255, 255};
@@ -298,7 +48,7 @@ static uint8_t texel_cover(const mask_cover *cover, int x, int y) {
 static void cover_rows(void *context, size_t first, size_t end) {
     const mask_cover *cover = context;
     for (int y = (int)first; y < (int)end; ++y) {
-        uint8_t *row = cover->to + (size_t)y * row_size(cover->from->width);
+        uint8_t *row = cover->to + (size_t)y * burnish_texture_row_size(cover->from->width);
         for (int x = 0; x < cover->from->width; ++x) {
             row[4 * (size_t)x + 3] = texel_cover(cover, x, y);
         }
@@ -339,10 +89,8 @@ typedef struct level_widening {
     uint16_t light[256];
 } level_widening;
 
-static void widen_row(const level_widening *widening, size_t y) {
+static void widen_row(const level_widening *widening, const uint8_t *from, uint16_t *to) {
     const size_t width = (size_t)widening->width;
-    const uint8_t *from = widening->from + y * row_size(widening->width);
-    uint16_t *to = widening->to + 4 * (width + 1) * y;
     for (size_t i = 0; i < 4 * width; i += 4) {
         const uint32_t alpha = from[i + 3];
         for (size_t k = i; k < i + 3; ++k) {
@@ -355,19 +103,27 @@ static void widen_row(const level_widening *widening, size_t y) {
 }
 
 static void widen_rows(void *context, size_t first, size_t end) {
+    const level_widening *widening = context;
+    const size_t width = (size_t)widening->width;
     for (size_t y = first; y < end; ++y) {
-        widen_row(context, y);
+        widen_row(widening, widening->from + y * burnish_texture_row_size(widening->width),
+                  widening->to + 4 * (width + 1) * y);
     }
 }
 
-/* Rows of `width` texels that are worth a task. */
-static size_t row_grain(int width) {
-    return 1 + 16384 / (size_t)width;
+static level_widening make_widening(const burnish_texture_levels *levels, int i) {
+    level_widening widening = {.is_weighted = levels->is_weighted, .width = levels->width[i]};
+    for (int code = 0; code < 256; ++code) {
+        widening.light[code] =
+            (uint16_t)(burnish_srgb_to_linear[code] * (float)BURNISH_TEXEL_ONE + 0.5f);
+    }
+    return widening;
 }
 
 /* What of level i is wider than the image: rows' ends and a last row. */
 static void repeat_first(burnish_texture_levels *levels, int i, uint8_t *codes) {
-    const size_t size = row_size(levels->width[i]), height = (size_t)levels->height[i];
+    const size_t size = burnish_texture_row_size(levels->width[i]),
+                 height = (size_t)levels->height[i];
     for (size_t y = 0; y < height; ++y) {
         memcpy(codes + (y + 1) * size - 4, codes + y * size, 4);
     }
@@ -380,39 +136,167 @@ static void fill_light(burnish_texture_levels *levels, int i, level_widening *wi
     widening->from = codes;
     widening->to = levels->texels + 4 * (size_t)levels->offset[i];
     widening->width = levels->width[i];
-    burnish_tasks_ranges(tasks, height, row_grain(levels->width[i]), widen_rows, widening);
+    burnish_tasks_ranges(tasks, height, burnish_texture_row_grain(levels->width[i]), widen_rows,
+                         widening);
     memcpy(widening->to + row * height, widening->to, row * sizeof *widening->to);
 }
 
-/* Fills levels from the codes of level 0; codes: of all levels. */
-static void fill_levels(burnish_texture_levels *levels, const burnish_texture *texture,
-                        uint8_t *codes, burnish_texture_kind kind, burnish_tasks *tasks) {
-    const mask_cover cover = {texture, codes, levels->cutoff};
-    level_widening widening = {.is_weighted = levels->is_weighted};
-    for (int i = 0; i < 256; ++i) {
-        widening.light[i] = (uint16_t)(burnish_srgb_to_linear[i] * (float)BURNISH_TEXEL_ONE + 0.5f);
+/* ---- Level 0 ---- */
+
+/* Rows [first, end) of level 0, its last one the first again, from those of the image: of normals
+ * unit vectors, whatever its alpha is. */
+typedef struct level_copy {
+    const burnish_texture *texture;
+    uint8_t *codes;   /* NULL: to texels, as light */
+    uint16_t *texels; /* without alpha's weight */
+    int is_normals;
+    level_widening widening;
+} level_copy;
+
+static void copy_row(const level_copy *copy, size_t y) {
+    const int width = copy->texture->width, most = BURNISH_TEXTURE_NORMALS_MAX;
+    const size_t from_row = y == (size_t)copy->texture->height ? 0 : y;
+    const uint8_t *from = copy->texture->pixels + 4 * (size_t)width * from_row;
+    if (!copy->codes) {
+        widen_row(&copy->widening, from, copy->texels + 4 * ((size_t)width + 1) * y);
+        return;
     }
+    uint8_t *to = copy->codes + y * burnish_texture_row_size(width);
+    memcpy(to, from, 4 * (size_t)width);
+    for (int x = 0; copy->is_normals && x < width; x += most) {
+        burnish_texture_unit_normals(to + 4 * (size_t)x, width - x < most ? width - x : most);
+    }
+    memcpy(to + 4 * (size_t)width, to, 4);
+}
+
+static void copy_rows(void *context, size_t first, size_t end) {
+    for (size_t y = first; y < end; ++y) {
+        copy_row(context, y);
+    }
+}
+
+/* Bands of level 0 on demand, but where the next level is made of level 0's own codes. */
+static burnish_status make_bands(burnish_texture_levels *levels, const burnish_texture *texture,
+                                 burnish_texture_kind kind, burnish_memory *memory) {
+    enum { BANDS = 64 };
+    const int is_even =
+        levels->width[0] == 2 * levels->width[1] && levels->height[0] == 2 * levels->height[1];
+    if (levels->count == 1 || burnish_texture_is_weighted(kind) ||
+        (kind == BURNISH_TEXTURE_NORMALS && !is_even)) {
+        return BURNISH_STATUS_OK;
+    }
+    levels->bands = burnish_allocate_zeroed(memory, 1, sizeof *levels->bands, "texture levels");
+    if (levels->bands) {
+        const int rows = (levels->height[0] + BANDS) / BANDS; /* of height + 1 */
+        const int count = levels->height[0] / rows + 1;
+        levels->bands->texture = texture;
+        levels->bands->is_normals = kind == BURNISH_TEXTURE_NORMALS;
+        levels->bands->rows = rows;
+        levels->bands->all = UINT64_MAX >> (BANDS - count);
+    }
+    return memory->status;
+}
+
+static void make_band(const burnish_texture_levels *levels, int band) {
+    burnish_texture_bands *bands = levels->bands;
+    const size_t first = (size_t)band * (size_t)bands->rows, rows = (size_t)levels->height[0] + 1;
+    const size_t end = rows - first < (size_t)bands->rows ? rows : first + (size_t)bands->rows;
+    level_copy copy = {bands->texture, levels->codes, levels->texels, bands->is_normals,
+                       make_widening(levels, 0)};
+    copy_rows(&copy, first, end);
+    atomic_fetch_or_explicit(&bands->ready, (uint64_t)1 << band, memory_order_release);
+}
+
+static void need_bands(const burnish_texture_levels *levels, uint64_t wanted) {
+    burnish_texture_bands *bands = levels->bands;
+    if ((atomic_load_explicit(&bands->ready, memory_order_acquire) & wanted) == wanted) {
+        return;
+    }
+    uint64_t mine = wanted & ~atomic_fetch_or(&bands->taken, wanted);
+    for (; mine; mine &= mine - 1) {
+        make_band(levels, __builtin_ctzll(mine));
+    }
+    /* another thread is making what is missing, and waits for nothing */
+    while ((atomic_load_explicit(&bands->ready, memory_order_acquire) & wanted) != wanted) {
+    }
+}
+
+void burnish_texture_levels_need(const burnish_texture_levels *levels, const int32_t *upper,
+                                 const int32_t *lower, size_t count) {
+    const burnish_texture_bands *bands = levels->bands;
+    if (!bands || atomic_load_explicit(&bands->ready, memory_order_acquire) == bands->all) {
+        return;
+    }
+    const int32_t size = levels->offset[1];
+    int32_t first = size, last = -1;
+    for (size_t i = 0; i < count; ++i) {
+        const int32_t inside = lower[i] < size ? lower[i] : -1;
+        first = upper[i] < first ? upper[i] : first;
+        last = inside > last ? inside : last;
+    }
+    if (first < size) {
+        const int per_band = (levels->width[0] + 1) * bands->rows;
+        const int from = first / per_band, to = last / per_band;
+        need_bands(levels, bands->all & UINT64_MAX << from & UINT64_MAX >> (63 - to));
+    }
+}
+
+void burnish_texture_levels_need_all(const burnish_texture_levels *levels) {
+    if (levels->bands) {
+        need_bands(levels, levels->bands->all);
+    }
+}
+
+/* ---- All levels ---- */
+
+/* Where codes of levels are while they are filled: all, or those from level 1 on. */
+typedef struct level_codes {
+    uint8_t *codes;
+    size_t first; /* texels before them */
+} level_codes;
+
+static uint8_t *codes_at(const burnish_texture_levels *levels, const level_codes *codes, int i) {
+    return codes->codes + 4 * ((size_t)levels->offset[i] - codes->first);
+}
+
+/* The step from level i to the next, level 0 as the image has it where it comes in bands. */
+static burnish_texture_step step_from(const burnish_texture_levels *levels,
+                                      const burnish_texture *texture, const level_codes *codes,
+                                      burnish_texture_kind kind, int i) {
+    const int is_image = i == 0 && levels->bands;
+    burnish_texture_step step = {.from = is_image ? texture->pixels : codes_at(levels, codes, i),
+                                 .from_row = burnish_texture_row_size(levels->width[i]) -
+                                             (is_image ? 4 : 0),
+                                 .to = codes_at(levels, codes, i + 1),
+                                 .from_width = levels->width[i],
+                                 .from_height = levels->height[i],
+                                 .to_width = levels->width[i + 1],
+                                 .to_height = levels->height[i + 1],
+                                 .is_image = is_image,
+                                 .kind = kind};
+    return step;
+}
+
+static void fill_levels(burnish_texture_levels *levels, const burnish_texture *texture,
+                        const level_codes *codes, burnish_texture_kind kind, burnish_tasks *tasks) {
+    const mask_cover cover = {texture, codes->codes, levels->cutoff};
+    level_widening widening = make_widening(levels, 0);
     for (int i = 0; i < levels->count; ++i) {
-        uint8_t *level = codes + 4 * (size_t)levels->offset[i];
-        if (levels->texels) {
-            fill_light(levels, i, &widening, level, tasks);
-        } else {
-            repeat_first(levels, i, level);
+        if (i > 0 || !levels->bands) {
+            if (levels->texels) {
+                fill_light(levels, i, &widening, codes_at(levels, codes, i), tasks);
+            } else {
+                repeat_first(levels, i, codes_at(levels, codes, i));
+            }
         }
         if (i == 0 && kind == BURNISH_TEXTURE_MASKED) { /* level 0 keeps its alpha */
-            burnish_tasks_ranges(tasks, (size_t)texture->height, row_grain(texture->width),
-                                 cover_rows, (void *)&cover);
+            burnish_tasks_ranges(tasks, (size_t)texture->height,
+                                 burnish_texture_row_grain(texture->width), cover_rows,
+                                 (void *)&cover);
         }
         if (i + 1 < levels->count) {
-            level_step step = {level,
-                               codes + 4 * (size_t)levels->offset[i + 1],
-                               levels->width[i],
-                               levels->height[i],
-                               levels->width[i + 1],
-                               levels->height[i + 1],
-                               kind};
-            burnish_tasks_ranges(tasks, (size_t)step.to_height, row_grain(step.to_width),
-                                 reduce_rows, &step);
+            burnish_texture_step step = step_from(levels, texture, codes, kind, i);
+            burnish_texture_reduce(&step, tasks);
         }
     }
 }
@@ -424,25 +308,35 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
     const size_t count = (size_t)texture->width * (size_t)texture->height;
     const int is_light = kind == BURNISH_TEXTURE_COLORS || burnish_texture_is_weighted(kind);
     const size_t total = lay_out(levels, texture->width, texture->height);
-    levels->codes =
-        burnish_allocate(memory, total + BURNISH_TEXTURE_PAD, 4, "codes of texture levels");
+    if (make_bands(levels, texture, kind, memory) != BURNISH_STATUS_OK) {
+        return memory->status;
+    }
+    level_codes codes = {.first = is_light && levels->bands ? (size_t)levels->offset[1] : 0};
+    codes.codes = burnish_allocate(memory, total - codes.first + BURNISH_TEXTURE_PAD, 4,
+                                   "codes of texture levels");
     if (is_light) {
         levels->texels =
             burnish_allocate(memory, total, 4 * sizeof *levels->texels, "texture levels");
+    } else {
+        levels->codes = codes.codes;
     }
     if (memory->status == BURNISH_STATUS_OK) {
-        level_copy copy = {texture->pixels, levels->codes, texture->width,
-                           kind == BURNISH_TEXTURE_NORMALS};
-        burnish_tasks_ranges(tasks, (size_t)texture->height, row_grain(texture->width), copy_rows,
-                             &copy);
         find_least(levels, texture->pixels, count);
         levels->is_weighted = burnish_texture_is_weighted(kind) && levels->least[3] < 255;
-        fill_levels(levels, texture, levels->codes, kind, tasks);
-        memset(levels->codes + 4 * total, 0, sizeof(uint8_t[4]) * BURNISH_TEXTURE_PAD);
+        if (!levels->bands) {
+            level_copy copy = {.texture = texture,
+                               .codes = codes.codes,
+                               .is_normals = kind == BURNISH_TEXTURE_NORMALS};
+            burnish_tasks_ranges(tasks, (size_t)texture->height,
+                                 burnish_texture_row_grain(texture->width), copy_rows, &copy);
+        }
+        fill_levels(levels, texture, &codes, kind, tasks);
+        if (!is_light) {
+            memset(codes.codes + 4 * total, 0, sizeof(uint8_t[4]) * BURNISH_TEXTURE_PAD);
+        }
     }
     if (is_light) {
-        burnish_release(memory->context, levels->codes);
-        levels->codes = NULL;
+        burnish_release(memory->context, codes.codes);
     }
     return memory->status != BURNISH_STATUS_OK ? memory->status
                                                : burnish_tasks_check(tasks, memory->error);
@@ -452,5 +346,6 @@ void burnish_texture_levels_destroy(burnish_texture_levels *levels,
                                     const burnish_context *context) {
     burnish_release(context, levels->texels);
     burnish_release(context, levels->codes);
+    burnish_release(context, levels->bands);
     *levels = (burnish_texture_levels){0};
 }

@@ -3,6 +3,7 @@
 #ifndef BURNISH_RENDER_TEXTURE_LEVELS_H
 #define BURNISH_RENDER_TEXTURE_LEVELS_H
 
+#include <stdatomic.h>
 #include <stdint.h>
 
 #include "burnish/mesh.h"
@@ -31,6 +32,16 @@ static inline int burnish_texture_is_weighted(burnish_texture_kind kind) {
 
 enum { BURNISH_TEXEL_ONE = 65535 }; /* what 1 is in 16 bits */
 
+/* Level 0 of a texture, most of the memory of all, is made where it is asked for, in bands of rows:
+ * a picture that shows a texture smaller than it is needs none of it. */
+typedef struct burnish_texture_bands {
+    const burnish_texture *texture; /* of the mesh that is drawn */
+    int is_normals;
+    int rows;                      /* of a band */
+    uint64_t all;                  /* bit i: band i */
+    _Atomic uint64_t taken, ready; /* by the thread that makes it; made */
+} burnish_texture_bands;
+
 /* All zero: none. Owned. */
 typedef struct burnish_texture_levels {
     /* All levels, one after another, rows from the top; r, g, b, a. Colours are linear light, which
@@ -39,6 +50,7 @@ typedef struct burnish_texture_levels {
      * and a level with its first row. */
     uint16_t *texels;
     uint8_t *codes;
+    burnish_texture_bands *bands; /* NULL: level 0 is there */
     /* Of each level, in texels; from count on, those of the last. A row has width + 1. */
     int32_t offset[BURNISH_TEXTURE_LEVELS_MAX];
     int32_t width[BURNISH_TEXTURE_LEVELS_MAX], height[BURNISH_TEXTURE_LEVELS_MAX];
@@ -55,6 +67,14 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
                                              const burnish_texture *texture,
                                              burnish_texture_kind kind, burnish_tasks *tasks,
                                              burnish_memory *memory);
+/* Makes sure that texels of level 0 are there, for any thread: among those of some indices, which
+ * may be of other levels too, and of their rows.
+ *   upper, lower  count indices each, those below not less than those above */
+void burnish_texture_levels_need(const burnish_texture_levels *levels, const int32_t *upper,
+                                 const int32_t *lower, size_t count);
+/* All of them. */
+void burnish_texture_levels_need_all(const burnish_texture_levels *levels);
+
 void burnish_texture_levels_destroy(burnish_texture_levels *levels, const burnish_context *context);
 
 #endif
