@@ -133,21 +133,31 @@ static inline uint64_t burnish_load_characters(const uint8_t *text) {
     return word;
 }
 
+/* The value of eight digits, each a byte of 0 to 9. */
+static inline uint64_t burnish_join_digits(uint64_t word) {
+    /* pairs, then fours, then the whole */
+    word = (word * 10 + (word >> 8)) & UINT64_C(0x00FF00FF00FF00FF);
+    word = (word * 100 + (word >> 16)) & UINT64_C(0x0000FFFF0000FFFF);
+    return (word * 10000 + (word >> 32)) & UINT64_C(0xFFFFFFFF);
+}
+
+/* Bits in the bytes that are no digits, of eight characters that '0' was taken from: in the first
+ * one for certain, since carries go upwards. */
+static inline uint64_t burnish_find_other(uint64_t word) {
+    return ((word + UINT64_C(0x7676767676767676)) | word) & UINT64_C(0x8080808080808080);
+}
+
 /* Digits at the start of eight characters, 0 to 8, and their value. */
 static inline unsigned burnish_scan_eight(const uint8_t *text, uint64_t *value) {
     uint64_t word = burnish_load_characters(text) ^ UINT64_C(0x3030303030303030);
-    /* The lowest high bit stands in the first byte that is no digit: carries go upwards. */
-    uint64_t other = ((word + UINT64_C(0x7676767676767676)) | word) & UINT64_C(0x8080808080808080);
+    const uint64_t other = burnish_find_other(word);
     unsigned digits = other ? (unsigned)__builtin_ctzll(other) / 8 : 8;
     if (digits == 0) {
         *value = 0;
         return 0;
     }
-    /* With zeros in front it is always eight digits: pairs, then fours, then the whole. */
-    word <<= 8 * (8 - digits);
-    word = (word * 10 + (word >> 8)) & UINT64_C(0x00FF00FF00FF00FF);
-    word = (word * 100 + (word >> 16)) & UINT64_C(0x0000FFFF0000FFFF);
-    *value = (word * 10000 + (word >> 32)) & UINT64_C(0xFFFFFFFF);
+    /* with zeros in front it is always eight digits */
+    *value = burnish_join_digits(word << 8 * (8 - digits));
     return digits;
 }
 
@@ -258,12 +268,57 @@ static inline int burnish_scale_decimal(uint64_t mantissa, int64_t exponent, dou
     return 0;
 }
 
+/* The value with a sign. Signs of coordinates are as good as random: no branch on them. */
+static inline double burnish_set_sign(double absolute, int negative) {
+    uint64_t bits;
+    memcpy(&bits, &absolute, sizeof bits);
+    bits |= (uint64_t)negative << 63;
+    memcpy(&absolute, &bits, sizeof bits);
+    return absolute;
+}
+
+/* "-1.234567e+00", with two or three digits of exponent: what C's "%e" prints. Everything stands
+ * where it always stands, so that the next number need not wait for this one's digits to be
+ * counted. As burnish_scan_decimal. */
+static inline size_t burnish_scan_scientific(const uint8_t *text, double *value) {
+    enum { DECIMALS = 6 };
+    const int negative = *text == '-';
+    const uint8_t *p = text + negative;
+    const uint64_t word = burnish_load_characters(p) ^ UINT64_C(0x3030303030302E30);
+    const int small = p[9] == '-';
+    const unsigned digits[3] = {p[10] - 48U, p[11] - 48U, p[12] - 48U};
+    if ((p[8] | 0x20) != 'e' || (burnish_find_other(word) | (word & 0xFF00)) != 0 ||
+        !(small | (p[9] == '+')) || digits[0] > 9 || digits[1] > 9) {
+        return 0;
+    }
+    int exponent = (int)(10 * digits[0] + digits[1]);
+    size_t size = 12;
+    if (digits[2] <= 9) {
+        exponent = 10 * exponent + (int)digits[2];
+        ++size;
+    }
+    exponent = (exponent ^ -small) + small - DECIMALS;
+    /* the first digit over the point's place */
+    const uint64_t mantissa = burnish_join_digits((word & ~UINT64_C(0xFFFF)) | (word & 0xFF) << 8);
+    double absolute;
+    if (exponent < -22 || exponent > 22) {
+        return 0;
+    }
+    burnish_scale_decimal(mantissa, exponent, &absolute);
+    *value = burnish_set_sign(absolute, negative);
+    return size + (size_t)negative;
+}
+
 /* [sign] digits [. digits] [e [sign] digits] at the start of a text with BURNISH_DECIMAL_ROOM
  * characters: how many of them, 0 when it is not taken. */
 static inline size_t burnish_scan_decimal(const uint8_t *text, double *value) {
     const uint8_t *p = text;
     int negative = *p == '-';
     uint64_t mantissa = 0;
+    const size_t common = burnish_scan_scientific(text, value);
+    if (common > 0) {
+        return common;
+    }
     p += negative;
     unsigned digits = burnish_scan_digits(&p, &mantissa), fraction = 0;
     if (*p == '.') {
@@ -289,11 +344,7 @@ static inline size_t burnish_scan_decimal(const uint8_t *text, double *value) {
     if (mantissa != 0 && !burnish_scale_decimal(mantissa, exponent, &absolute)) {
         return 0;
     }
-    /* Signs of coordinates are as good as random: no branch on them. */
-    uint64_t bits;
-    memcpy(&bits, &absolute, sizeof bits);
-    bits |= (uint64_t)negative << 63;
-    memcpy(value, &bits, sizeof bits);
+    *value = burnish_set_sign(absolute, negative);
     return (size_t)(p - text);
 }
 

@@ -18,6 +18,7 @@ typedef struct ply_parser {
     const uint8_t *value_at; /* of a binary value, for messages */
     int is_short;            /* the line at hand has fewer values than the row */
     int texture;             /* that the last face shows; -1: not told yet */
+    int has_normals, has_coordinates, has_colors; /* of vertices */
 } ply_parser;
 
 /* What of a face's row is used once all of it is known. */
@@ -184,21 +185,21 @@ static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_CO
     for (int i = 0; i < 3 && to; ++i) {
         burnish_place(values[BURNISH_PLY_X + i], ply->reader->mesh->origin[i], &to[i]);
     }
-    if (burnish_ply_has_roles(ply, BURNISH_PLY_NX, BURNISH_PLY_NZ)) {
+    if (p->has_normals) {
         to = burnish_chunk_append(chunk, BURNISH_NORMAL);
         for (int i = 0; i < 3 && to; ++i) { /* build makes a normal that is 0 */
             to[i] = 0;
             burnish_double_to_float(values[BURNISH_PLY_NX + i], &to[i]);
         }
     }
-    if (burnish_ply_has_roles(ply, BURNISH_PLY_S, BURNISH_PLY_T)) {
+    if (p->has_coordinates) {
         to = burnish_chunk_append(chunk, BURNISH_TEXCOORD);
         for (int i = 0; i < 2 && to; ++i) {
             to[i] = 0;
             burnish_double_to_float(values[BURNISH_PLY_S + i], &to[i]);
         }
     }
-    if (burnish_ply_has_roles(ply, BURNISH_PLY_RED, BURNISH_PLY_BLUE)) {
+    if (p->has_colors) {
         uint8_t *rgba = burnish_chunk_append(chunk, BURNISH_COLOR);
         if (rgba) {
             write_color(ply->types, values, rgba);
@@ -336,6 +337,28 @@ static inline int read_texture(ply_parser *p, burnish_ply_encoding encoding,
     return 1;
 }
 
+/* A face of three corners, and nothing else, in one line of text, as most are. Returns 0, and moves
+ * nothing, for any other row. */
+static int read_triangle(ply_parser *p) {
+    const burnish_ply_element *element = p->ply->element;
+    burnish_lexer lexer = p->lexer;
+    uint64_t count, index;
+    uint32_t corners[3];
+    if (element->kind != BURNISH_PLY_ELEMENT_FACE || element->property_count != 1 ||
+        p->ply->by_lines || !burnish_lexer_count(&lexer, &count) || count != 3) {
+        return 0;
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (!burnish_lexer_count(&lexer, &index) || index >= p->ply->vertex_count) {
+            return 0;
+        }
+        corners[i] = (uint32_t)index;
+    }
+    p->lexer = lexer;
+    burnish_chunk_append_face(p->chunk, HERE(p), corners, 1, 3, 1u << BURNISH_POSITION);
+    return 1;
+}
+
 /* One row, whatever its element; returns 0 after an error. */
 static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
     const burnish_ply_element *element = p->ply->element;
@@ -343,6 +366,9 @@ static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
     const burnish_ply_property *end = property + element->property_count;
     double values[BURNISH_PLY_ROLE_COUNT];
     face_row face = {.corner_count = 0};
+    if (encoding == BURNISH_PLY_ASCII && read_triangle(p)) {
+        return p->chunk->status == BURNISH_STATUS_OK;
+    }
     for (; property < end; ++property) {
         uint64_t count = 1;
         if (p->ply->by_lines && property->role > BURNISH_PLY_Z &&
@@ -445,7 +471,14 @@ static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
 
 static void parse(const void *state, burnish_chunk *chunk) {
     const burnish_ply_state *ply = state;
-    ply_parser p = {ply, chunk, {chunk->first, chunk->text_end, 0}, chunk->first, 0, -1};
+    ply_parser p = {.ply = ply,
+                    .chunk = chunk,
+                    .lexer = {chunk->first, chunk->text_end, 0},
+                    .value_at = chunk->first,
+                    .texture = -1,
+                    .has_normals = burnish_ply_has_roles(ply, BURNISH_PLY_NX, BURNISH_PLY_NZ),
+                    .has_coordinates = burnish_ply_has_roles(ply, BURNISH_PLY_S, BURNISH_PLY_T),
+                    .has_colors = burnish_ply_has_roles(ply, BURNISH_PLY_RED, BURNISH_PLY_BLUE)};
     switch (ply->header.encoding) {
     case BURNISH_PLY_ASCII:
         parse_rows(&p, BURNISH_PLY_ASCII);
