@@ -291,9 +291,11 @@ static inline int read_double(burnish_lexer *lexer, burnish_token *token, double
                               burnish_number_status *status) {
     const uint8_t *first = skip_blanks(lexer);
     if (lexer->end - first > BURNISH_DECIMAL_ROOM) {
-        size_t size = burnish_scan_decimal(first, value);
+        double scanned;
+        const size_t size = burnish_scan_decimal(first, &scanned);
         if (size > 0 && (burnish_is_blank(first[size]) || burnish_is_line_end(first[size]))) {
             *token = (burnish_token){first, size};
+            *value = scanned;
             *status = BURNISH_NUMBER_OK;
             lexer->next = first + size;
             return 1;
