@@ -155,18 +155,16 @@ static void slice_task(void *context, size_t slice, int thread) {
 
 /* ---- Parts ---- */
 
-typedef struct slot {
-    uint32_t hash, item; /* BURNISH_NONE: free */
-} slot;
-
 /* A part of the hashes while one thread welds its items. */
 typedef struct part {
     const welder *w;
     size_t number;
     int thread;
-    slot *slots;
-    size_t mask;  /* slots - 1: a power of two */
-    size_t steps; /* that looking up may still take; 0: too many */
+    uint32_t *slots;    /* an item and, in the bits above, what fits of its hash, so that most
+                           others are told apart without looking at them; BURNISH_NONE: free */
+    uint32_t item_bits; /* a mask: no item is all of them */
+    size_t mask;        /* slots - 1: a power of two */
+    size_t steps;       /* that looking up may still take; 0: too many */
 } part;
 
 /* The items of a slice that are a part's; returns how many. */
@@ -183,22 +181,23 @@ static size_t list_items(const part *p, size_t slice, uint32_t items[SLICE]) {
 
 static void look_up(part *p, uint32_t item) {
     const welder *w = p->w;
-    const uint32_t hash = w->hashes[item];
+    const uint32_t hash = w->hashes[item], bits = p->item_bits;
+    const float *position = w->positions + 3 * (size_t)item;
     size_t at = hash & p->mask;
-    while (
-        p->slots[at].item != BURNISH_NONE &&
-        (p->slots[at].hash != hash || !same_position(w->positions + 3 * (size_t)p->slots[at].item,
-                                                     w->positions + 3 * (size_t)item))) {
+    uint32_t slot;
+    while ((slot = p->slots[at]) != BURNISH_NONE &&
+           (((slot ^ hash) & ~bits) != 0 ||
+            !same_position(w->positions + 3 * (size_t)(slot & bits), position))) {
         at = (at + 1) & p->mask;
         if (p->steps == 0) {
             return;
         }
         --p->steps;
     }
-    if (p->slots[at].item == BURNISH_NONE) {
-        p->slots[at] = (slot){hash, item};
+    if (slot == BURNISH_NONE) {
+        p->slots[at] = slot = item | (hash & ~bits);
     }
-    w->numbers[item] = p->slots[at].item;
+    w->numbers[item] = slot & bits;
 }
 
 /* Whether the call should end: asked from time to time. */
@@ -253,7 +252,7 @@ static void sort_part(const part *p, size_t count, burnish_memory *memory) {
 static void part_task(void *context, size_t number, int thread) {
     const welder *w = context;
     burnish_memory *memory = &w->memory[number].memory;
-    part p = {.w = w, .number = number, .thread = thread};
+    part p = {.w = w, .number = number, .thread = thread, .item_bits = 1};
     uint32_t items[SLICE];
     size_t count = 0, size = 64;
     for (size_t slice = 0; slice < w->slices; ++slice) {
@@ -261,6 +260,9 @@ static void part_task(void *context, size_t number, int thread) {
     }
     while (2 * size < 3 * count) {
         size *= 2;
+    }
+    while (p.item_bits < w->count) {
+        p.item_bits = 2 * p.item_bits + 1;
     }
     p.mask = size - 1;
     p.steps = PART_PROBES * count + 64;
