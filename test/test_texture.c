@@ -199,7 +199,7 @@ static void test_level_texels(void) {
         fill_random(texels, (size_t)(w * h), n);
         CHECK1(burnish_texture_levels_create(&levels, &texture, BURNISH_TEXTURE_NUMBERS, NULL,
                                              &memory) == BURNISH_STATUS_OK);
-        burnish_texture_levels_need_all(&levels);
+        burnish_texture_levels_need_all(&levels, NULL);
         const int lw = w > 1 ? w / 2 : 1, lh = h > 1 ? h / 2 : 1;
         const uint8_t *next = levels.codes + 4 * levels.offset[1];
         CHECK1(levels.count == 1 || (levels.width[1] == lw && levels.height[1] == lh));
@@ -307,7 +307,7 @@ static void test_bands(void) {
                    BURNISH_STATUS_OK &&
                burnish_texture_levels_create(&levels, &texture, kinds[n], NULL, &memory) ==
                    BURNISH_STATUS_OK);
-        burnish_texture_levels_need_all(&whole);
+        burnish_texture_levels_need_all(&whole, NULL);
         CHECK1(levels.bands && atomic_load(&levels.bands->ready) == 0);
         burnish_texture_levels_need(&levels, &whole.offset[1], &whole.offset[2], 1);
         CHECK1(atomic_load(&levels.bands->ready) == 0);

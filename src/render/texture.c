@@ -66,9 +66,12 @@ static const burnish_texture_levels *levels_for(burnish_texturing *texturing,
         burnish_texture_levels_destroy(levels, memory->context);
         return NULL;
     }
-    if (material->alpha_mode == BURNISH_ALPHA_MASK &&
-        (slot == BURNISH_TEXTURE_COLOR || slot == BURNISH_TEXTURE_OPACITY)) {
-        burnish_texture_levels_need_all(levels); /* masks.c and casters.c read what they like */
+    /* What a frame needed a part of, the next one has whole. Of masks, masks.c and casters.c read
+     * what they like. */
+    if (burnish_texture_levels_has_some(levels) ||
+        (material->alpha_mode == BURNISH_ALPHA_MASK &&
+         (slot == BURNISH_TEXTURE_COLOR || slot == BURNISH_TEXTURE_OPACITY))) {
+        burnish_texture_levels_need_all(levels, tasks);
     }
     return levels;
 }

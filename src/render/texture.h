@@ -47,6 +47,7 @@ typedef struct burnish_texture_taps {
     burnish_texture_level_taps level[2];       /* the next larger and the next smaller one */
     float share[BURNISH_TEXTURE_BATCH];        /* of the smaller one */
     uint8_t has_second[BURNISH_TEXTURE_BATCH]; /* of each vector: it counts */
+    int32_t least;                             /* of level[0].upper */
 } burnish_texture_taps;
 
 /* Where points lie in the image, and how that changes from a pixel to the one on its right and

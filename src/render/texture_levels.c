@@ -241,9 +241,20 @@ void burnish_texture_levels_need(const burnish_texture_levels *levels, const int
     }
 }
 
-void burnish_texture_levels_need_all(const burnish_texture_levels *levels) {
-    if (levels->bands) {
-        need_bands(levels, levels->bands->all);
+int burnish_texture_levels_has_some(const burnish_texture_levels *levels) {
+    return !levels->bands || atomic_load_explicit(&levels->bands->ready, memory_order_acquire) > 0;
+}
+
+static void need_range(void *context, size_t first, size_t end) {
+    const burnish_texture_levels *levels = context;
+    need_bands(levels, UINT64_MAX << first & UINT64_MAX >> (64 - end));
+}
+
+void burnish_texture_levels_need_all(const burnish_texture_levels *levels, burnish_tasks *tasks) {
+    const burnish_texture_bands *bands = levels->bands;
+    if (bands && atomic_load_explicit(&bands->ready, memory_order_acquire) != bands->all) {
+        const size_t count = (size_t)(levels->height[0] / bands->rows) + 1;
+        burnish_tasks_ranges(tasks, count, 1, need_range, (void *)levels);
     }
 }
 

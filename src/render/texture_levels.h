@@ -73,7 +73,9 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
 void burnish_texture_levels_need(const burnish_texture_levels *levels, const int32_t *upper,
                                  const int32_t *lower, size_t count);
 /* All of them. */
-void burnish_texture_levels_need_all(const burnish_texture_levels *levels);
+void burnish_texture_levels_need_all(const burnish_texture_levels *levels, burnish_tasks *tasks);
+/* Whether some are there. */
+int burnish_texture_levels_has_some(const burnish_texture_levels *levels);
 
 void burnish_texture_levels_destroy(burnish_texture_levels *levels, const burnish_context *context);
 

@@ -32,8 +32,10 @@ static int sample_into(const burnish_textured_material *material, int slot, unsi
         ops->find_taps(sampler, streams, (size_t)count, &scratch->taps);
         scratch->taps_of = sampler;
     }
-    burnish_texture_levels_need(sampler->levels, scratch->taps.level[0].upper,
-                                scratch->taps.level[0].lower, (size_t)count);
+    if (sampler->levels->bands && scratch->taps.least < sampler->levels->offset[1]) {
+        burnish_texture_levels_need(sampler->levels, scratch->taps.level[0].upper,
+                                    scratch->taps.level[0].lower, (size_t)count);
+    }
     ops->sample_texture(sampler->levels, &scratch->taps, channels, (size_t)count, out);
     return 1;
 }

@@ -282,9 +282,10 @@ BURNISH_INLINE texture_level texture_level_of(const burnish_texture_levels *leve
     return texture_half_log2(vf_min(vf_max(squared, vf_set(1.0f)), most));
 }
 
-/* The texels around (u, v) in each lane's level. nearest: where it holds, the nearest alone. */
-BURNISH_INLINE void texture_find_taps(const burnish_texture_sampler *sampler, vf u, vf v, vi level,
-                                      vm nearest, size_t i, burnish_texture_level_taps *taps) {
+/* The texels around (u, v) in each lane's level; returns the first. nearest: where it holds, the
+ * nearest alone. */
+BURNISH_INLINE vi texture_find_taps(const burnish_texture_sampler *sampler, vf u, vf v, vi level,
+                                    vm nearest, size_t i, burnish_texture_level_taps *taps) {
     const burnish_texture_levels *levels = sampler->levels;
     const vi width = vi_gather16(levels->width, level), height = vi_gather16(levels->height, level);
     const vi offset = vi_gather16(levels->offset, level), stride = vi_add(width, vi_set(1));
@@ -300,6 +301,7 @@ BURNISH_INLINE void texture_find_taps(const burnish_texture_sampler *sampler, vf
     vi_store(taps->lower + i, vi_add(upper, stride));
     vf_store(taps->x + i, x.share);
     vf_store(taps->y + i, y.share);
+    return upper;
 }
 
 /* A texture's own coordinates and their changes. */
@@ -322,6 +324,7 @@ BURNISH_INLINE void texture_transform(const burnish_texture_sampler *sampler,
 
 static void find_taps(const burnish_texture_sampler *sampler, const float *const *streams,
                       size_t count, burnish_texture_taps *taps) {
+    vi least = vi_set(INT32_MAX);
     for (size_t i = 0; i < count; i += LANES) {
         vf at[6];
         texture_transform(sampler, streams, i, at);
@@ -329,15 +332,22 @@ static void find_taps(const burnish_texture_sampler *sampler, const float *const
         const vf v = texture_wrap(vf_sub(vf_set(1.0f), at[1]), sampler->wrap[1]);
         const texture_level level = texture_level_of(sampler->levels, at + 2);
         const vm nearest = vm_not(level.is_small);
-        texture_find_taps(sampler, u, v, level.first, nearest, i, &taps->level[0]);
+        least = vi_min(least,
+                       texture_find_taps(sampler, u, v, level.first, nearest, i, &taps->level[0]));
         const int has_second = !sampler->is_single && vm_any(level.is_small);
         vf_store(taps->share + i, sampler->is_single ? vf_set(0.0f) : level.share);
         taps->has_second[i / LANES] = (uint8_t)has_second;
         if (has_second) {
             const vi next =
                 vi_min(vi_add(level.first, vi_set(1)), vi_set(BURNISH_TEXTURE_LEVELS_MAX - 1));
-            texture_find_taps(sampler, u, v, next, nearest, i, &taps->level[1]);
+            (void)texture_find_taps(sampler, u, v, next, nearest, i, &taps->level[1]);
         }
+    }
+    int32_t lanes[LANES];
+    vi_store(lanes, least);
+    taps->least = INT32_MAX;
+    for (int lane = 0; lane < LANES; ++lane) {
+        taps->least = lanes[lane] < taps->least ? lanes[lane] : taps->least;
     }
 }
 
