@@ -326,7 +326,7 @@ static burnish_status draw_tiles(drawing *d) {
                            .geometry = &renderer->geometry,
                            .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
                                        burnish_mesh_get_view(d->mesh)->triangle_materials,
-                                       transparency_of(d), caps.count > 0 ? &caps : NULL},
+                                       transparency_of(d), caps.count > 0 ? &caps : NULL, 0},
                            .output = {.ops = ops,
                                       .encoder = &renderer->encoder,
                                       .view = &d->view,
