@@ -373,7 +373,7 @@ static void test_colors(void) {
 /* A sheet of SHEET x SHEET squares, their triangles in random order; square q's corners are its own
  * place and those beside and below it. */
 enum {
-    SHEET = 80,
+    SHEET = 132, /* enough triangles for four threads */
     SHEET_VERTICES = (SHEET + 1) * (SHEET + 1),
     SHEET_TRIANGLES = 2 * SHEET * SHEET
 };
@@ -478,10 +478,52 @@ static void test_order(void) {
         }
     }
     CHECK(wrong == 0, "%d triangles or corners are not what they were", wrong);
-    /* random places are 53 apart, places in cells of 10 x 10 are 7 */
+    /* random places are 88 apart, places in cells of 9 x 9 are 6 */
     CHECK(way / SHEET_TRIANGLES < 10, "neighbours are %g apart", way / SHEET_TRIANGLES);
     burnish_mesh_destroy(mesh);
     burnish_mesh_destroy(other);
+}
+
+/* Whether two meshes have the same arrays. */
+static int are_same(const burnish_mesh_view *a, const burnish_mesh_view *b) {
+    return a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count &&
+           memcmp(a->positions, b->positions, 12 * a->vertex_count) == 0 &&
+           memcmp(a->normals, b->normals, 12 * a->vertex_count) == 0 &&
+           memcmp(a->colors, b->colors, 4 * a->vertex_count) == 0 &&
+           memcmp(a->indices, b->indices, 12 * a->triangle_count) == 0 &&
+           memcmp(a->triangle_materials, b->triangle_materials, 2 * a->triangle_count) == 0;
+}
+
+/* Vertices that are equal, or differ in their normal or colour alone, and triangles without area,
+ * with all normals and with a missing one: any number of threads builds the same mesh. */
+static void test_build_by_threads(void) {
+    static sheet_mesh sheet;
+    for (int missing = 0; missing < 2; ++missing) {
+        make_sheet(&sheet);
+        shuffle_sheet(&sheet);
+        for (uint32_t i = 1; i < SHEET_VERTICES; ++i) {
+            if (i % 5 == 0) { /* another vertex at the position before */
+                memcpy(sheet.positions + 3 * i, sheet.positions + 3 * (i - 1), 12);
+                memcpy(sheet.colors + 4 * i, sheet.colors + 4 * (i - 1), 4);
+                sheet.colors[4 * i + 1] = i % 2 ? 9 : sheet.colors[4 * i + 1];
+                sheet.normals[3 * i] = i % 3 ? 0.0f : 1.0f;
+            }
+        }
+        sheet.normals[2] = missing ? 0.0f : 1.0f;
+        burnish_mesh *mesh = build_sheet(&sheet, 1);
+        if (!CHECK1(mesh != NULL)) {
+            return;
+        }
+        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+        CHECK1(view->triangle_count < SHEET_TRIANGLES && view->vertex_count < SHEET_VERTICES);
+        for (int threads = 2; threads < 8; ++threads) {
+            burnish_mesh *other = build_sheet(&sheet, threads);
+            CHECK(other && are_same(view, burnish_mesh_get_view(other)), "%d threads, kind %d",
+                  threads, missing);
+            burnish_mesh_destroy(other);
+        }
+        burnish_mesh_destroy(mesh);
+    }
 }
 
 /* A file whose neighbours are near each other stays as it is; one whose neighbours are far apart
@@ -607,6 +649,7 @@ int main(int count, char **arguments) {
     RUN(test_many_normals());
     RUN(test_named_vertices());
     RUN(test_colors());
+    RUN(test_build_by_threads());
     RUN(test_order());
     RUN(test_order_of_files());
     return test_end("mesh");
