@@ -185,7 +185,8 @@ static int ends_input(const chunk_driver *driver) {
 
 /* Bytes that a wave may take, and those that are looked at beyond to find its end. */
 static size_t wave_size(const chunk_driver *driver) {
-    return (driver->most + 1) * BURNISH_CHUNK_SIZE;
+    enum { LONGEST = 1 << 16 }; /* statement, or lines without a start */
+    return driver->most * BURNISH_CHUNK_SIZE + LONGEST;
 }
 
 /* Has the next wave in the window. Returns 0 where the file can't be read. */
