@@ -16,7 +16,7 @@ kernel_sources() {
 # renderer_sources SOURCE_DIR: those of the kernels are among them
 renderer_sources() {
     echo "$1"/src/simd/*.c "$1"/src/raster/*.c "$1"/src/shading/*.c
-    for file in surface caps occlusion_share texture_points texture_shade; do
+    for file in surface attributes caps masks occlusion_share texture_levels texture_points texture_reduce texture_shade; do
         echo "$1/src/render/$file.c"
     done
     for file in context elementary error memory processors srgb tasks pool; do
