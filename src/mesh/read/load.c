@@ -211,7 +211,8 @@ static burnish_status read_descriptor(int descriptor, opened_file *file, int onl
         return burnish_fail_memory(file->memory.error, file->name, SIZE_MAX);
     }
     file->whole = (size_t)size;
-    if (file->may_be_pieces && size > BURNISH_PIECES_HEAD && lseek(descriptor, 0, SEEK_CUR) == 0) {
+    if (BURNISH_HAS_PREAD && file->may_be_pieces && size > BURNISH_PIECES_HEAD &&
+        lseek(descriptor, 0, SEEK_CUR) == 0) {
         const burnish_status status = read_sized(descriptor, file, BURNISH_PIECES_HEAD);
         if (status == BURNISH_STATUS_OK && file->size == BURNISH_PIECES_HEAD) {
             file->pieces =
@@ -373,7 +374,7 @@ static burnish_status load_opened(const char *path, int descriptor, opened_file 
     double told = 0;
     input->told = &told;
     burnish_status status = read_descriptor(descriptor, file, 0);
-    if (status == BURNISH_STATUS_OK && file->pieces != BURNISH_FORMAT_AUTO) {
+    if (BURNISH_HAS_PREAD && status == BURNISH_STATUS_OK && file->pieces != BURNISH_FORMAT_AUTO) {
         status = load_pieces(descriptor, file, input, start, mesh, &again, error);
     }
     if (path) {

@@ -17,7 +17,7 @@ burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head,
     const burnish_format guess =
         is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, name) : format;
     const int is_stl = burnish_is_binary_stl(head, size);
-    if (!BURNISH_HAS_PREAD || burnish_is_gzip(head, size)) {
+    if (burnish_is_gzip(head, size)) {
         return BURNISH_FORMAT_AUTO;
     }
     if (is_stl) { /* surely, by its size, unless its bytes tell of something else */
