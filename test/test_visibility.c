@@ -4,6 +4,33 @@
 
 enum { SCENES = 2000 };
 
+/* Tiny triangles close together, as a fine mesh has them; each third is the one before it once
+ * more, or from its other side. */
+static void make_tiny_scene(random_scene *scene, uint64_t *state) {
+    scene->vertex_count = scene->triangle_count = 0;
+    const float size = test_uniform_float(state, 0.2f, 1.6f);
+    const float x = test_uniform_float(state, -30, 30), y = test_uniform_float(state, -30, 30);
+    while (scene->triangle_count < MOST_TRIANGLES - 1) {
+        uint32_t *corners = scene->indices + 3 * scene->triangle_count;
+        const uint32_t kind = scene->triangle_count > 0 ? test_random32(state) % 6 : 2;
+        const float center[3] = {x + test_uniform_float(state, -9, 9),
+                                 y + test_uniform_float(state, -9, 9),
+                                 test_uniform_float(state, -1, 1)};
+        for (uint32_t i = 0; i < 3; ++i) {
+            float p[3];
+            for (int k = 0; k < 3; ++k) {
+                p[k] = center[k] + test_uniform_float(state, -size, size);
+            }
+            corners[i] = kind < 2 ? corners[(kind ? 2 - (int)i : (int)i) - 3]
+                                  : (uint32_t)scene->vertex_count;
+            if (kind >= 2) {
+                add_vertex(scene, p, state);
+            }
+        }
+        scene->materials[scene->triangle_count++] = (uint16_t)(test_random32(state) % 3);
+    }
+}
+
 /* Triangles around random places, from a fraction of a pixel to far larger than the picture; some
  * share vertices, some lie exactly on one another, seen from either side. */
 static void make_scene(random_scene *scene, uint64_t *state) {
@@ -125,7 +152,11 @@ static void check_scenes(int scenes) {
     uint64_t state = test_seed(1);
     int points = 0;
     for (int i = 0; i < scenes; ++i) {
-        make_scene(&scene, &state);
+        if (i / 6 % 4 == 3) { /* all numbers of samples */
+            make_tiny_scene(&scene, &state);
+        } else {
+            make_scene(&scene, &state);
+        }
         check_scene(&scene, i, &state, &points);
     }
     printf("%d scenes, %d points\n", scenes, points);

@@ -1,7 +1,8 @@
 /* Triangle setup by vectors: as many triangles at once as a vector has lanes.
  *
  * Edge functions are whole numbers and exact. Small triangles are drawn stamp by stamp, weights
- * from their edges (stamps_simd.h), large ones cell by cell, by planes (large_simd.h). What is
+ * from their edges (stamps_simd.h), or several at once (tiny_simd.h), large ones cell by cell, by
+ * planes (large_simd.h). What is
  * computed keeps one order of operations, that of test/reference_tile.h. */
 #ifndef BURNISH_RASTER_SETUP_SIMD_H
 #define BURNISH_RASTER_SETUP_SIMD_H
@@ -46,8 +47,8 @@ typedef struct triangle_setup {
     float attributes[3][BURNISH_PLANE_COUNT][LANES];
     primitive_group primitives;
     /* bits: touch a pixel; are drawn by stamps; have edge functions of more than 32 bits; touch at
-     * most 2 x 2 pixels; touch too many stamps to be queued */
-    unsigned live, small, beyond, tiny, wide;
+     * most 2 x 2 pixels, 3 x 3; touch too many stamps to be queued */
+    unsigned live, small, beyond, tiny, tiny_3x3, wide;
 } triangle_setup;
 
 /* The primitives of some indices, `count` <= LANES. Prefetches what will be loaded of them: lists
@@ -162,7 +163,9 @@ BURNISH_INLINE void compute_setup(const burnish_tile *tile, size_t count, const 
     setup->live = vm_bits(vi_not_negative(vi_or(wide, high))) & real;
     setup->small = vm_bits(vm_not(vi_greater(longest, vi_set(BURNISH_SMALL_EDGE))));
     setup->beyond = vm_bits(vi_greater(longest, vi_set(BURNISH_EDGE_32_BITS)));
-    setup->tiny = setup->live & setup->small & vm_bits(vi_greater(vi_set(2), vi_max(wide, high)));
+    const vi longer = vi_max(wide, high);
+    setup->tiny = setup->live & setup->small & vm_bits(vi_greater(vi_set(2), longer));
+    setup->tiny_3x3 = setup->live & setup->small & vm_bits(vi_greater(vi_set(3), longer));
     const vi columns = vi_sub(vi_sar(x1, BURNISH_BLOCK_BITS), vi_sar(x0, BURNISH_BLOCK_BITS));
     const vi rows = vi_sub(vi_sar(y1, STAMP_HEIGHT_BITS), vi_sar(y0, STAMP_HEIGHT_BITS));
     setup->wide = setup->live &

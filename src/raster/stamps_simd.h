@@ -1,5 +1,4 @@
-/* Drawing small triangles stamp by stamp; or, where several are tiny, the pixels of all of them at
- * once. */
+/* Drawing small triangles stamp by stamp. */
 #ifndef BURNISH_RASTER_STAMPS_SIMD_H
 #define BURNISH_RASTER_STAMPS_SIMD_H
 
@@ -370,82 +369,6 @@ BURNISH_INLINE void draw_queued(burnish_tile *tile, const triangle_setup *setup,
                 tile, pixel,
                 draw_samples(tile, &constants, samples, planes, KEEP_ID, e, steps, lane, pixel));
         }
-    }
-}
-
-/* The four pixels that triangles of at most 2 x 2 may cover. */
-typedef struct tiny_pixels {
-    unsigned covered[4];
-    float depth[4][LANES];
-    float planes[4][BURNISH_PLANE_COUNT][LANES];
-} tiny_pixels;
-
-/* Coverage, depth and attributes of the pixels of all tiny triangles; of others, anything. */
-BURNISH_INLINE void compute_tiny(const triangle_setup *setup, int planes, tiny_pixels *pixels) {
-    const vi wide = vi_sub(vi_load(setup->x1), vi_load(setup->x0));
-    const vi high = vi_sub(vi_load(setup->y1), vi_load(setup->y0));
-    const vf inverse_area = vf_load(setup->inverse_area);
-    vi start[3], right[3], down[3];
-    for (int i = 0; i < 3; ++i) {
-        start[i] = vi_load(setup->start[i]);
-        right[i] = vi_sub(vi_set(0), vi_shl(vi_load(setup->dy[i]), BURNISH_SUBPIXEL_BITS));
-        down[i] = vi_shl(vi_load(setup->dx[i]), BURNISH_SUBPIXEL_BITS);
-    }
-    for (int c = 0; c < 4; ++c) {
-        vi e[3], inside = vi_set(0);
-        for (int i = 0; i < 3; ++i) {
-            e[i] = c & 1 ? vi_add(start[i], right[i]) : start[i];
-            e[i] = c & 2 ? vi_add(e[i], down[i]) : e[i];
-            inside = vi_or(inside, e[i]);
-        }
-        inside = c & 1 ? vi_or(inside, vi_sub(wide, vi_set(1))) : inside;
-        inside = c & 2 ? vi_or(inside, vi_sub(high, vi_set(1))) : inside;
-        pixels->covered[c] = vm_bits(vi_not_negative(inside)) & setup->tiny;
-        if (!pixels->covered[c]) {
-            continue;
-        }
-        const vf depth[3] = {vf_load(setup->depth[0]), vf_load(setup->depth[1]),
-                             vf_load(setup->depth[2])};
-        vf weight1 = vf_mul(vf_from_int(vi_sub(e[1], vi_load(setup->bias[1]))), inverse_area);
-        vf weight2 = vf_mul(vf_from_int(vi_sub(e[2], vi_load(setup->bias[2]))), inverse_area);
-        vf weight0 = vf_sub(vf_sub(vf_set(1.0f), weight1), weight2);
-        vf_store(pixels->depth[c], depth_from(depth, weight1, weight2));
-        for (int k = 0; k < planes; ++k) {
-            vf sum = vf_add(vf_mul(vf_load(setup->attributes[0][k]), weight0),
-                            vf_mul(vf_load(setup->attributes[1][k]), weight1));
-            sum = vf_add(sum, vf_mul(vf_load(setup->attributes[2][k]), weight2));
-            vf_store(pixels->planes[c][k], sum);
-        }
-    }
-}
-
-/* Bit i to bit 4 i. */
-BURNISH_INLINE uint64_t spread(unsigned bits) {
-    uint64_t x = bits;
-    x = (x | x << 24) & 0x000000ff000000ffull;
-    x = (x | x << 12) & 0x000f000f000f000full;
-    x = (x | x << 6) & 0x0303030303030303ull;
-    return (x | x << 3) & 0x1111111111111111ull;
-}
-
-/* Draws covered pixels: bit 4 lane + c of `hits`. */
-BURNISH_INLINE void draw_tiny(burnish_tile *tile, const triangle_setup *setup,
-                              const tiny_pixels *pixels, uint64_t hits, int planes, int ids) {
-    for (; hits; hits &= hits - 1) {
-        const int hit = __builtin_ctzll(hits), lane = hit >> 2, c = hit & 3;
-        const int x = setup->x0[lane] + (c & 1), y = setup->y0[lane] + (c >> 1);
-        const int pixel = burnish_pixel_index(x, y);
-        if (!(pixels->depth[c][lane] > tile->buffer.depths[pixel])) {
-            continue;
-        }
-        tile->buffer.depths[pixel] = pixels->depth[c][lane];
-        for (int k = 0; k < planes; ++k) {
-            tile->buffer.planes[k][pixel] = pixels->planes[c][k][lane];
-        }
-        if (ids) {
-            tile->buffer.ids[pixel] = (int32_t)setup->primitives.id_and_facing[lane];
-        }
-        mark_dirty(tile, pixel, 1);
     }
 }
 

@@ -4,7 +4,7 @@
 
 #include "raster/large_simd.h"
 #include "raster/occluders_simd.h"
-#include "raster/stamps_simd.h"
+#include "raster/tiny_simd.h"
 
 /* ---- HiZ ---- */
 
@@ -274,7 +274,7 @@ BURNISH_INLINE void draw_single_sampled(burnish_tile *tile, const triangle_setup
 
 /* The same with several samples per pixel. */
 BURNISH_INLINE void draw_multisampled(burnish_tile *tile, const triangle_setup *setup, int samples,
-                                      int planes, stamp_queue *queue) {
+                                      int planes, tiny_samples *found, stamp_queue *queue) {
     const size_t first = tile->primitives.count;
     sample_steps steps;
     int32_t ids[LANES];
@@ -285,6 +285,11 @@ BURNISH_INLINE void draw_multisampled(burnish_tile *tile, const triangle_setup *
     }
     vi_store(ids, vi_add(vi_set((int32_t)first), vi_ramp(1)));
     compute_steps(setup, samples, &steps);
+    if (LANES > 1 && samples == TINY_SAMPLES && setup->tiny_3x3 == setup->live) {
+        compute_tiny_samples(setup, &steps, found);
+        draw_tiny_samples(tile, setup, found, planes, ids);
+        return;
+    }
     if (HAS_QUEUE) {
         draw_runs(tile, setup, &steps, samples, planes, 1, ids, queue);
         return;
@@ -317,6 +322,7 @@ static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry
     const burnish_tile_options *options = &tile->options;
     triangle_setup setup;
     tiny_pixels pixels = {0};
+    tiny_samples found;
     stamp_queue queue;
     primitive_group next;
     fetch_group(tile, geometry, indices, count < LANES ? count : LANES, back, &next);
@@ -332,9 +338,9 @@ static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry
         if (are_layers) {
             draw_layers(tile, &setup, indices + first, back);
         } else if (options->samples == 4 && options->planes == 3) {
-            draw_multisampled(tile, &setup, 4, 3, &queue);
+            draw_multisampled(tile, &setup, 4, 3, &found, &queue);
         } else if (options->samples > 1) {
-            draw_multisampled(tile, &setup, options->samples, options->planes, &queue);
+            draw_multisampled(tile, &setup, options->samples, options->planes, &found, &queue);
         } else if (options->planes == 3 && !options->keep_ids) {
             draw_single_sampled(tile, &setup, 3, 0, &pixels, &queue);
         } else if (options->planes == 0 && !options->keep_ids) {
