@@ -351,43 +351,49 @@ static void test_text(void) {
 
 /* ---- Memory ---- */
 
-/* A context that refuses arrays of `most` bytes and more. */
-static void *allocate_little(void *user_data, size_t size, size_t alignment) {
-    return size < *(const size_t *)user_data ? aligned_alloc(alignment, size) : NULL;
+/* A context that refuses an array of a file's size. */
+static void *allocate_no_file(void *user_data, size_t size, size_t alignment) {
+    const size_t file_bytes = *(const size_t *)user_data;
+    return (file_bytes + alignment - 1) / alignment * alignment != size
+               ? aligned_alloc(alignment, size)
+               : NULL;
 }
 
-static void release_little(void *user_data, void *memory) {
+static void release_any(void *user_data, void *memory) {
     (void)user_data;
     free(memory);
 }
 
 /* The file itself is in memory nowhere. */
-static void check_memory(void) {
-    size_t most = file_size;
+static void check_memory(int threads) {
     burnish_load_options options = burnish_load_options_default();
     burnish_context_options made = burnish_context_options_default();
     burnish_context *context = NULL;
     burnish_mesh *mesh = NULL;
     burnish_error error = {0};
-    made.allocator = (burnish_allocator){allocate_little, release_little, &most};
+    made.allocator = (burnish_allocator){allocate_no_file, release_any, &file_size};
     CHECK1(burnish_context_create(&made, &context, NULL) == BURNISH_STATUS_OK);
     options.context = context;
-    options.threads = 1;
-    options.crease_angle =
-        180; /* a vertex per position: arrays that grow take more than the file */
+    options.threads = threads;
     save();
-    CHECK(burnish_mesh_load(path, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK(burnish_mesh_load(path, &options, &mesh, &error) == BURNISH_STATUS_OK, "%d threads: %s",
+          threads, error.text);
     burnish_mesh_destroy(mesh);
     burnish_context_destroy(context);
 }
 
 static void test_memory(void) {
-    make_stl("a part", 0);
-    check_memory();
-    make_ply(&kinds[2]);
-    check_memory();
-    make_text_stl(&(oddity){"", "endsolid\n", BURNISH_STATUS_OK}, "\n");
-    check_memory();
+    static const oddity none = {"", "", BURNISH_STATUS_OK};
+    for (int threads = 1; threads < 6; threads += 2) {
+        make_stl("a part", 0);
+        check_memory(threads);
+        make_ply(&kinds[2]);
+        check_memory(threads);
+        make_text_stl(&(oddity){"", "endsolid\n", BURNISH_STATUS_OK}, "\n");
+        check_memory(threads);
+        make_text_ply(&none, "\n");
+        check_memory(threads);
+    }
 }
 
 /* Each allocation fails once. */

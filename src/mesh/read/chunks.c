@@ -39,6 +39,7 @@ static void reset(burnish_chunk *chunk) {
     chunk->data.triangle_count = chunk->polygon_count = chunk->event_count = 0;
     chunk->triangles_before = chunk->rows_before = chunk->rows = 0;
     chunk->used = 0;
+    chunk->is_odd = 0;
     chunk->status = chunk->data.memory.status = BURNISH_STATUS_OK;
     chunk->exact = NULL;
 }
@@ -166,6 +167,16 @@ static burnish_status parse_exactly(chunk_driver *driver, burnish_chunk *chunk,
     return chunk->status;
 }
 
+/* Rows that may follow were read as some of these where the chunks before it had fewer left. */
+static void parse_fewer(const chunk_driver *driver, burnish_chunk *chunk) {
+    if (chunk->rows_left > driver->rows_left && chunk->rows >= driver->rows_left) {
+        reset(chunk);
+        chunk->rows_left = driver->rows_left;
+        chunk->end = chunk->cut;
+        driver->grammar->parse(driver->state, chunk);
+    }
+}
+
 /* Whether what was read stands where it may. */
 static int is_in_order(const chunk_driver *driver, const burnish_chunk *chunk,
                        const forward_chunk *known) {
@@ -223,6 +234,7 @@ static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *mo
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         known.before[i] = mesh->streams[i].count;
     }
+    parse_fewer(driver, chunk);
     if (driver->window.bytes && (!is_in_order(driver, chunk, &known) || chunk->end != chunk->cut)) {
         return burnish_pieces_give_up(driver->reader);
     }

@@ -50,6 +50,7 @@ typedef struct burnish_chunk {
     size_t back[BURNISH_ATTRIBUTE_COUNT];    /* how far before the chunk relative ones reach */
     size_t rows;
     const uint8_t *rows_end; /* where the last row ends */
+    int is_odd;              /* the grammar's: not all of it is as it should be */
     burnish_status status;   /* but OK: to be parsed again, exactly */
 
     /* What stands before it: known after parsing, or where `exact` is not NULL. */

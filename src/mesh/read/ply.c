@@ -283,7 +283,7 @@ static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
         ply->element = &ply->header.elements[i];
         if (ply->header.encoding == BURNISH_PLY_ASCII && ply->element->count > 0 &&
             ply->element->property_count > 0 && !first_line_is_row(ply, at)) {
-            atomic_store(ply->is_odd, 1);
+            ply->is_odd = 1;
         }
         status = read_element(ply, &at);
     }
@@ -333,13 +333,13 @@ static burnish_status read_otherwise(burnish_ply_state *ply, burnish_status firs
     int any;
     burnish_status status = burnish_ply_hide_comments(ply, &any);
     if (status == BURNISH_STATUS_OK && any) {
-        atomic_store(ply->is_odd, 0);
+        ply->is_odd = 0;
         status = first = read_again(ply, 0, left);
     } else if (status == BURNISH_STATUS_OK) {
         status = first;
     }
     if ((status == BURNISH_STATUS_FORMAT ||
-         (status == BURNISH_STATUS_OK && atomic_load(ply->is_odd) && *left > 0)) &&
+         (status == BURNISH_STATUS_OK && ply->is_odd && *left > 0)) &&
         rows_are_lines(ply)) {
         status = read_again(ply, 1, left);
         if (status == BURNISH_STATUS_FORMAT && first == BURNISH_STATUS_OK) {
@@ -370,7 +370,6 @@ static void check_alpha(const burnish_ply_state *ply) {
 
 static burnish_status read_body(burnish_ply_state *ply) {
     const burnish_ply_header *header = &ply->header;
-    atomic_int is_odd;
     int has_faces = 0;
     ply->keeps_coordinates =
         burnish_reader_keeps_coordinates(ply->reader, header->texture_count > 0);
@@ -387,18 +386,17 @@ static burnish_status read_body(burnish_ply_state *ply) {
         }
     }
     ply->reader->is_binary = ply->header.encoding != BURNISH_PLY_ASCII;
-    atomic_init(&is_odd, 0);
-    ply->is_odd = &is_odd;
+    ply->is_odd = 0;
     size_t left;
     burnish_status status = ply->reader->input->pieces && !suits_pieces(ply)
                                 ? burnish_pieces_give_up(ply->reader)
                                 : read_elements(ply, &left);
-    if (ply->reader->input->pieces && status == BURNISH_STATUS_OK && atomic_load(&is_odd)) {
+    if (ply->reader->input->pieces && status == BURNISH_STATUS_OK && ply->is_odd) {
         return burnish_pieces_give_up(ply->reader);
     }
     if (!ply->reader->is_binary && !ply->reader->input->pieces &&
         (status == BURNISH_STATUS_FORMAT ||
-         (status == BURNISH_STATUS_OK && atomic_load(&is_odd) && left > 0))) {
+         (status == BURNISH_STATUS_OK && ply->is_odd && left > 0))) {
         status = read_otherwise(ply, status, &left);
     }
     if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0 && !has_faces &&

@@ -454,9 +454,7 @@ static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
                                                                 : read_row(p, encoding))) {
             break;
         }
-        if (encoding == BURNISH_PLY_ASCII && !at_line_end(p)) {
-            atomic_store_explicit(p->ply->is_odd, 1, memory_order_relaxed);
-        }
+        chunk->is_odd |= encoding == BURNISH_PLY_ASCII && !at_line_end(p);
         if (chunk->bounded && p->lexer.next > chunk->end) {
             chunk->status = BURNISH_STATUS_FORMAT;
             return;
@@ -500,6 +498,7 @@ static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
 static burnish_status accept(void *state, const burnish_chunk *chunk) {
     burnish_ply_state *ply = state;
     burnish_status status = BURNISH_STATUS_OK;
+    ply->is_odd |= chunk->is_odd;
     for (size_t i = 0; i < chunk->event_count && status == BURNISH_STATUS_OK; ++i) {
         const burnish_chunk_event *event = &chunk->events[i];
         if (event->kind == FIELDS) {
