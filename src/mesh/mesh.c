@@ -1,7 +1,6 @@
-/* Meshes and mesh data: options, release, warnings, materials. */
+/* Meshes: options, release, access, materials. */
 #include "mesh/mesh.h"
 
-#include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
@@ -15,95 +14,6 @@ static const burnish_material default_material = {
     .specular = {0.5f, 0.5f, 0.5f},
     .exponent = 64,
 };
-
-/* ---- mesh data ---- */
-
-enum { WARNING_LIMIT = 16, WARNING_SIZE = 480 };
-
-void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute) {
-    burnish_stream *stream = &mesh->streams[attribute];
-    burnish_release(mesh->memory.context, stream->items);
-    burnish_release(mesh->memory.context, stream->corners);
-    *stream = (burnish_stream){0};
-}
-
-static void release_cameras(const burnish_context *context, burnish_named_camera *cameras,
-                            size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-        burnish_release(context, (void *)(uintptr_t)cameras[i].name);
-    }
-    burnish_release(context, cameras);
-}
-
-void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
-    const burnish_context *context = mesh->memory.context;
-    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        burnish_mesh_data_drop(mesh, (burnish_attribute)i);
-    }
-    for (size_t i = 0; i < mesh->warning_count; ++i) {
-        burnish_release(context, mesh->warnings[i]);
-    }
-    burnish_release(context, mesh->warnings);
-    burnish_textures_release(context, mesh->textures, mesh->texture_count);
-    release_cameras(context, mesh->cameras, mesh->camera_count);
-    burnish_release(context, mesh->lights);
-    burnish_release(context, mesh->materials);
-    burnish_release(context, mesh->triangle_materials);
-    *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start};
-}
-
-static const char *const item_names[BURNISH_ATTRIBUTE_COUNT] = {"positions", "normals", "colours",
-                                                                "texture coordinates", "tangents"};
-static const char *const corner_names[BURNISH_ATTRIBUTE_COUNT] = {
-    "triangles", "normal indices", "colour indices", "texture coordinate indices",
-    "tangent indices"};
-
-burnish_status burnish_mesh_data_reserve(burnish_mesh_data *mesh, burnish_attribute attribute,
-                                         size_t count) {
-    burnish_stream *stream = &mesh->streams[attribute];
-    stream->items =
-        burnish_reserve_discard(&mesh->memory, stream->items, &stream->capacity, count,
-                                burnish_attribute_size(attribute), item_names[attribute]);
-    return mesh->memory.status;
-}
-
-burnish_status burnish_mesh_data_reserve_corners(burnish_mesh_data *mesh,
-                                                 burnish_attribute attribute, size_t triangles) {
-    burnish_stream *stream = &mesh->streams[attribute];
-    stream->corners =
-        burnish_reserve_discard(&mesh->memory, stream->corners, &stream->corner_capacity, triangles,
-                                3 * sizeof *stream->corners, corner_names[attribute]);
-    return mesh->memory.status;
-}
-
-void burnish_mesh_data_warn(burnish_mesh_data *mesh, const char *format, ...) {
-    char line[WARNING_SIZE];
-    va_list arguments;
-    if (mesh->is_silent) {
-        return;
-    }
-    va_start(arguments, format);
-    vsnprintf(line, sizeof line, format, arguments);
-    va_end(arguments);
-    for (char *c = line; *c; ++c) {
-        if ((unsigned char)*c < 32 || *c == 127) {
-            *c = '?';
-        }
-    }
-    burnish_log(mesh->memory.context, line);
-    if (mesh->warning_count >= WARNING_LIMIT) {
-        return;
-    }
-    mesh->warnings = burnish_reserve(&mesh->memory, mesh->warnings, &mesh->warning_capacity,
-                                     mesh->warning_count + 1, sizeof *mesh->warnings, "warnings");
-    char *copy = burnish_allocate(&mesh->memory, strlen(line) + 1, 1, "warnings");
-    if (mesh->memory.status == BURNISH_STATUS_OK) {
-        strcpy(copy, line);
-        mesh->warnings[mesh->warning_count++] = copy;
-    } else {
-        burnish_release(mesh->memory.context, copy);
-    }
-}
 
 /* ---- options ---- */
 
@@ -246,7 +156,7 @@ void burnish_mesh_destroy(burnish_mesh *mesh) {
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         burnish_release(context, mesh->attributes[i]);
     }
-    release_cameras(context, mesh->cameras, mesh->camera_count);
+    burnish_cameras_release(context, mesh->cameras, mesh->camera_count);
     burnish_release(context, mesh->lights);
     burnish_textures_release(context, mesh->textures, mesh->texture_count);
     burnish_release(context, mesh->warnings);

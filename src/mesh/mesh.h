@@ -165,9 +165,11 @@ struct burnish_mesh {
     size_t warning_count;
 };
 
-/* Releases textures with what they own. */
+/* Releases textures, and cameras, with what they own. */
 void burnish_textures_release(const burnish_context *context, burnish_texture *textures,
                               size_t count);
+void burnish_cameras_release(const burnish_context *context, burnish_named_camera *cameras,
+                             size_t count);
 
 /* The view of the mesh's arrays, whose counts are set in it; a new serial. */
 void burnish_mesh_update_view(burnish_mesh *mesh);

@@ -5,6 +5,7 @@
 
 #include "core/platform.h"
 #include "image/gunzip.h"
+#include "mesh/read/stl.h"
 
 enum {
     PIECE = 1 << 18, /* bytes that are read at once, by each thread */

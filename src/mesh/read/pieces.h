@@ -59,7 +59,4 @@ typedef void burnish_rows_task(void *user_data, const uint8_t *rows, size_t firs
 burnish_status burnish_reader_rows(burnish_reader *reader, size_t offset, size_t row_size,
                                    size_t count, burnish_rows_task *task, void *user_data);
 
-/* stl.c: whether the size of a file is the one that its header tells. */
-int burnish_is_binary_stl(const uint8_t *head, size_t size);
-
 #endif

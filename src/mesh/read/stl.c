@@ -15,11 +15,12 @@
 #include "mesh/read/chunks.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/pieces.h"
+#include "mesh/read/stl.h"
 
 enum {
-    TITLE_SIZE = 80,
-    HEADER_SIZE = 84, /* the title and the count of facets */
-    FACET_SIZE = 50,
+    TITLE_SIZE = BURNISH_STL_TITLE_SIZE,
+    HEADER_SIZE = BURNISH_STL_HEADER_SIZE,
+    FACET_SIZE = BURNISH_STL_FACET_SIZE,
     NORMAL_SIZE = 12,
     ATTRIBUTES_AT = 48, /* a facet's two attribute bytes */
     LOOKED_AT = 512
@@ -29,10 +30,6 @@ enum { HAS_COLOR = 0x8000, BITS_OF_COLOR = 0x7FFF };
 
 static unsigned read_u16(const uint8_t *p) {
     return (unsigned)p[0] | (unsigned)p[1] << 8;
-}
-
-static uint32_t read_u32(const uint8_t *p) {
-    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
 }
 
 /* ---- Binary ---- */
@@ -57,7 +54,7 @@ static void convert_facets(void *user_data, const uint8_t *facets, size_t first,
         const uint8_t *from = facets + NORMAL_SIZE;
         uint32_t bits[9], finite = 1;
         for (size_t k = 0; k < 9; ++k) {
-            bits[k] = read_u32(from + 4 * k);
+            bits[k] = burnish_stl_u32(from + 4 * k);
             finite &= (uint32_t)is_finite(bits[k]);
         }
         memcpy(context->positions + 9 * i, bits, sizeof bits);
@@ -73,7 +70,7 @@ static void convert_facets(void *user_data, const uint8_t *facets, size_t first,
 
 static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *facet) {
     const uint8_t *at = facet + NORMAL_SIZE;
-    while (is_finite(read_u32(at))) {
+    while (is_finite(burnish_stl_u32(at))) {
         at += 4;
     }
     return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, at,
@@ -190,7 +187,7 @@ static burnish_status read_colors(burnish_reader *reader, facet_context *context
 
 static burnish_status read_binary(burnish_reader *reader) {
     burnish_mesh_data *mesh = reader->mesh;
-    size_t count = read_u32(reader->input->bytes + TITLE_SIZE);
+    size_t count = burnish_stl_u32(reader->input->bytes + TITLE_SIZE);
     reader->is_binary = 1;
     burnish_status status = check_count(reader, &count);
     if (status == BURNISH_STATUS_OK) {
@@ -494,11 +491,6 @@ static burnish_status number_corners(burnish_reader *reader) {
                              mesh->streams[BURNISH_POSITION].corners);
     }
     return status;
-}
-
-int burnish_is_binary_stl(const uint8_t *head, size_t size) {
-    return size >= HEADER_SIZE && (size - HEADER_SIZE) % FACET_SIZE == 0 &&
-           (size - HEADER_SIZE) / FACET_SIZE == read_u32(head + TITLE_SIZE);
 }
 
 static int starts_as_text(const uint8_t *bytes, size_t size) {
