@@ -10,10 +10,15 @@ import { chromium } from "playwright-core";
 const [folder, server, short] = process.argv.slice(2);
 const [LOADS, PICTURES] = short ? [2, 4] : [21, 60];
 const scratch = mkdtempSync(join(tmpdir(), "burnish-"));
+const servers = [];
 
 async function serve(port, ...flags) {
   const served = spawn(process.execPath, [server, folder, String(port), ...flags], { stdio: ["ignore", "pipe", "inherit"] });
-  await new Promise((resolve) => served.stdout.once("data", resolve));
+  servers.push(served);
+  await new Promise((resolve, reject) => {
+    served.stdout.once("data", resolve);
+    served.once("exit", () => reject(new Error(`the server of port ${port} ended`)));
+  });
   return { served, home: `http://127.0.0.1:${port}/` };
 }
 
@@ -135,6 +140,7 @@ try {
     served.kill();
   }
 } finally {
+  servers.forEach((served) => served.kill());
   await browser.close();
   rmSync(scratch, { recursive: true, force: true });
 }

@@ -13,7 +13,10 @@ const PORT = 8127;
 const HOME = `http://127.0.0.1:${PORT}/`;
 const scratch = mkdtempSync(join(tmpdir(), "burnish-"));
 const served = spawn(process.execPath, [server, folder, String(PORT)], { stdio: ["ignore", "pipe", "inherit"] });
-await new Promise((resolve) => served.stdout.once("data", resolve));
+await new Promise((resolve, reject) => {
+  served.stdout.once("data", resolve);
+  served.once("exit", () => reject(new Error(`the server of port ${PORT} ended`)));
+});
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
