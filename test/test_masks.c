@@ -5,6 +5,7 @@
 #include "burnish/kernels.h"
 #include "burnish/render.h"
 #include "core/srgb.h"
+#include "draw_floats.h"
 #include "mesh_arrays.h"
 #include "support.h"
 
@@ -70,18 +71,8 @@ static burnish_mesh *mesh_of(const scene *s) {
 }
 
 static void draw(scene *s) {
-    burnish_target target = burnish_target_default();
     burnish_mesh *mesh = mesh_of(s);
-    burnish_render_report report;
-    burnish_renderer *renderer;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
-                                     (size_t)SIZE * 4 * sizeof(float), (uint8_t *)s->pixels};
-    burnish_renderer_create(NULL, &renderer, &error);
-    CHECK(burnish_renderer_draw_into(renderer, mesh, &s->options, &target, &report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
-    burnish_renderer_destroy(renderer);
+    draw_floats(mesh, &s->options, s->pixels, NULL);
     burnish_mesh_destroy(mesh);
 }
 

@@ -5,6 +5,7 @@
 #include "burnish/kernels.h"
 #include "burnish/render.h"
 #include "core/srgb.h"
+#include "draw_floats.h"
 #include "mesh/mesh.h"
 #include "mesh_arrays.h"
 #include "render/texture_levels.h"
@@ -57,17 +58,7 @@ static void open_scene(scene *s, const burnish_material *material, const burnish
 }
 
 static void draw(scene *s) {
-    burnish_target target = burnish_target_default();
-    burnish_render_report report;
-    burnish_renderer *renderer;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
-                                     (size_t)SIZE * 4 * sizeof(float), (uint8_t *)s->pixels};
-    burnish_renderer_create(NULL, &renderer, &error);
-    CHECK(burnish_renderer_draw_into(renderer, s->mesh, &s->options, &target, &report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
-    burnish_renderer_destroy(renderer);
+    draw_floats(s->mesh, &s->options, s->pixels, NULL);
 }
 
 static void close_scene(scene *s) {

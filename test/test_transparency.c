@@ -4,6 +4,7 @@
 
 #include "burnish/render.h"
 #include "compare_scene.h"
+#include "draw_floats.h"
 #include "mesh_arrays.h"
 #include "raster/layers.h"
 
@@ -95,20 +96,6 @@ static void composite(const stack *s, double sum[4]) {
         through *= 1 - opacity;
     }
     sum[3] = 1 - through;
-}
-
-static void draw_floats(const burnish_mesh *mesh, const burnish_render_options *options,
-                        float *pixels, burnish_render_report *report) {
-    burnish_target target = burnish_target_default();
-    burnish_renderer *renderer;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    target.pixels = (burnish_pixels){options->width, options->height, BURNISH_PIXELS_RGBA_FLOAT,
-                                     16 * (size_t)options->width, (uint8_t *)pixels};
-    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &target, report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
-    burnish_renderer_destroy(renderer);
 }
 
 static void check_squares(int count, float least, int samples, int transparent, int is_odd,

@@ -25,8 +25,7 @@ static void work(void *data, int thread) {
         for (size_t i = first; i < end; ++i) {
             j->task(j->context, i, thread);
         }
-        if (thread == 0 ? burnish_tasks_cancelled(j->tasks)
-                        : atomic_load_explicit(&j->tasks->cancelled, memory_order_relaxed)) {
+        if (burnish_tasks_should_end(j->tasks, thread)) {
             return;
         }
     }
@@ -62,6 +61,11 @@ int burnish_tasks_cancelled(burnish_tasks *tasks) {
         atomic_store(&tasks->cancelled, 1);
     }
     return atomic_load(&tasks->cancelled);
+}
+
+int burnish_tasks_should_end(burnish_tasks *tasks, int thread) {
+    return thread == 0 ? burnish_tasks_cancelled(tasks)
+                       : atomic_load_explicit(&tasks->cancelled, memory_order_relaxed);
 }
 
 burnish_status burnish_tasks_check(burnish_tasks *tasks, burnish_error *error) {

@@ -58,6 +58,10 @@ static inline void burnish_lower_to(atomic_size_t *least, size_t value) {
 /* Whether the context wants the call to end; asks it. Everybody who ran tasks looks afterwards. */
 int burnish_tasks_cancelled(burnish_tasks *tasks);
 
+/* Whether a task that takes long is to return: asked by it from time to time, for its thread.
+ * Thread 0, the caller's own, asks the context. */
+int burnish_tasks_should_end(burnish_tasks *tasks, int thread);
+
 /* CANCELLED with its line where the context wants the call to end, else OK. */
 burnish_status burnish_tasks_check(burnish_tasks *tasks, burnish_error *error);
 

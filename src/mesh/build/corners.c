@@ -32,7 +32,7 @@ static void run_slice(corner_lister *lister, size_t slice, int thread,
     for (size_t i = part_of(corners, slice, lister->slices), end; i < last; i = end) {
         end = last - i < BURNISH_BUILD_STEP ? last : i + BURNISH_BUILD_STEP;
         work(lister, lister->counts[slice], i, end);
-        if (thread == 0 ? burnish_tasks_cancelled(tasks) : atomic_load(&tasks->cancelled)) {
+        if (burnish_tasks_should_end(tasks, thread)) {
             return;
         }
     }

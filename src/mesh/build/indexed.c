@@ -155,7 +155,7 @@ static void index_slice(void *context, size_t number, int thread) {
     for (size_t i = x->first, end; i < x->end; i = end) {
         end = x->end - i < BURNISH_BUILD_STEP ? x->end : i + BURNISH_BUILD_STEP;
         index_corners(x, i, end);
-        if (thread == 0 ? burnish_tasks_cancelled(tasks) : atomic_load(&tasks->cancelled)) {
+        if (burnish_tasks_should_end(tasks, thread)) {
             return;
         }
     }

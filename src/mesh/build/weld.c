@@ -202,9 +202,7 @@ static void look_up(part *p, uint32_t item) {
 
 /* Whether the call should end: asked from time to time. */
 static int is_cancelled(const part *p, size_t slice) {
-    burnish_tasks *tasks = p->w->tasks;
-    return slice % CHECK_SLICES == 0 &&
-           (p->thread == 0 ? burnish_tasks_cancelled(tasks) : atomic_load(&tasks->cancelled));
+    return slice % CHECK_SLICES == 0 && burnish_tasks_should_end(p->w->tasks, p->thread);
 }
 
 /* Returns 0 when it took too many steps. */

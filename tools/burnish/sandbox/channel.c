@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <unistd.h>
 
+#include "cli/options.h"
 #include "cli/write.h"
 
 int channel_read(int channel, void *bytes, size_t size) {
@@ -27,6 +28,31 @@ int channel_send(int channel, message_kind kind, uint64_t value, const void *byt
 
 int channel_receive(int channel, message *head) {
     return channel_read(channel, head, sizeof *head);
+}
+
+int channel_take_status(int channel, const message *head, burnish_status *status,
+                        burnish_error *error) {
+    char text[MESSAGE_TEXT_MAX + 1] = "";
+    if (head->size > MESSAGE_TEXT_MAX || !channel_read(channel, text, (size_t)head->size)) {
+        return 0;
+    }
+    *status = head->value == BURNISH_STATUS_OK
+                  ? BURNISH_STATUS_OK
+                  : cli_fail(error, (burnish_status)head->value, "%s", text);
+    return 1;
+}
+
+int channel_take_stream(int channel, int (*keep)(void *context, const void *bytes, size_t size),
+                        void *context, burnish_status *status, burnish_error *error) {
+    static char piece[MESSAGE_DATA_MAX];
+    message head = {.kind = 0};
+    while (channel_receive(channel, &head) && head.kind == MESSAGE_BYTES) {
+        if (head.size > sizeof piece || !channel_read(channel, piece, (size_t)head.size)) {
+            return 0;
+        }
+        keep(context, piece, (size_t)head.size);
+    }
+    return head.kind == MESSAGE_DONE && channel_take_status(channel, &head, status, error);
 }
 
 #endif

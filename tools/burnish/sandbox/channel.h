@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "burnish/core.h"
+
 typedef enum message_kind {
     /* worker to broker */
     MESSAGE_WRITE = 1, /* an output begins: its name */
@@ -33,5 +35,13 @@ int channel_receive(int channel, message *head);
 
 /* All of the bytes. */
 int channel_read(int channel, void *bytes, size_t size);
+
+/* What a MESSAGE_DONE says: *status, and the error's line. */
+int channel_take_status(int channel, const message *head, burnish_status *status,
+                        burnish_error *error);
+
+/* Any number of MESSAGE_BYTES, each handed to `keep`, whatever that returns, and MESSAGE_DONE. */
+int channel_take_stream(int channel, int (*keep)(void *context, const void *bytes, size_t size),
+                        void *context, burnish_status *status, burnish_error *error);
 
 #endif

@@ -23,15 +23,9 @@ static burnish_status fail_broker(burnish_error *error) {
 
 /* ---- Outputs ---- */
 
-/* The line of an error that the broker tells. */
 static burnish_status take_status(const message *head, burnish_error *error) {
-    char text[MESSAGE_TEXT_MAX + 1] = "";
-    if (head->size > MESSAGE_TEXT_MAX || !channel_read(broker, text, (size_t)head->size)) {
-        return fail_broker(error);
-    }
-    return head->value == BURNISH_STATUS_OK
-               ? BURNISH_STATUS_OK
-               : cli_fail(error, (burnish_status)head->value, "%s", text);
+    burnish_status status;
+    return channel_take_status(broker, head, &status, error) ? status : fail_broker(error);
 }
 
 static int send_status(burnish_status status, const burnish_error *error) {
@@ -118,15 +112,9 @@ burnish_status sandbox_close(burnish_error *error) {
 
 /* What the importer writes, as the broker hands it on. */
 static burnish_status take_stream(import_stream *stream, burnish_error *error) {
-    static char piece[MESSAGE_DATA_MAX];
-    message head;
-    while (channel_receive(broker, &head) && head.kind == MESSAGE_BYTES) {
-        if (head.size > sizeof piece || !channel_read(broker, piece, (size_t)head.size)) {
-            return fail_broker(error);
-        }
-        import_keep(stream, piece, (size_t)head.size); /* the rest is taken where memory is out */
-    }
-    return head.kind == MESSAGE_DONE ? take_status(&head, error) : fail_broker(error);
+    burnish_status status;
+    return channel_take_stream(broker, import_keep, stream, &status, error) ? status
+                                                                            : fail_broker(error);
 }
 
 static burnish_status decode_by_broker(const char *name, const void *bytes, size_t size,

@@ -21,29 +21,6 @@
 
 /* ---- The worker ---- */
 
-static burnish_status fail_server(burnish_error *error) {
-    return cli_fail(error, BURNISH_STATUS_READ, "the server's importer has ended");
-}
-
-static burnish_status take_stream(import_stream *stream, burnish_error *error) {
-    static char piece[MESSAGE_DATA_MAX];
-    char text[MESSAGE_TEXT_MAX + 1] = "";
-    message head = {.kind = 0};
-    while (channel_receive(SERVE_CHANNEL, &head) && head.kind == MESSAGE_BYTES) {
-        if (head.size > sizeof piece || !channel_read(SERVE_CHANNEL, piece, (size_t)head.size)) {
-            return fail_server(error);
-        }
-        import_keep(stream, piece, (size_t)head.size); /* the rest is taken where memory is out */
-    }
-    if (head.kind != MESSAGE_DONE || head.size > MESSAGE_TEXT_MAX ||
-        !channel_read(SERVE_CHANNEL, text, (size_t)head.size)) {
-        return fail_server(error);
-    }
-    return head.value == BURNISH_STATUS_OK
-               ? BURNISH_STATUS_OK
-               : cli_fail(error, (burnish_status)head.value, "%s", text);
-}
-
 burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
                             const burnish_load_options *options, burnish_mesh **mesh,
                             burnish_error *error) {
@@ -57,9 +34,11 @@ burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
         input += length - shown;
     }
     memcpy(wish.name, input, strlen(input));
-    burnish_status status = cli_write_all(SERVE_CHANNEL, &wish, sizeof wish)
-                                ? take_stream(&stream, error)
-                                : fail_server(error);
+    burnish_status status;
+    if (!cli_write_all(SERVE_CHANNEL, &wish, sizeof wish) ||
+        !channel_take_stream(SERVE_CHANNEL, import_keep, &stream, &status, error)) {
+        status = cli_fail(error, BURNISH_STATUS_READ, "the server's importer has ended");
+    }
     if (status == BURNISH_STATUS_OK) {
         status = import_build(importer, input, &stream, options, options->companions, mesh, error);
     }
