@@ -310,9 +310,17 @@ static void test_ply_comments(void) {
         CHECK(triangles_of(mesh) == 1 && color_at_is(mesh, 0, 1, 9, 2, 3), "case %zu", i);
         burnish_mesh_destroy(mesh);
     }
-    burnish_load_options options = burnish_load_options_default();
+    burnish_load_options options = options_of(0);
     burnish_mesh *mesh;
     burnish_error error;
+    /* What is said of the header afterwards has its line too. */
+    snprintf(text, sizeof text, "%s%s", PLY_HEAD("comment TextureFile b.png\n"), cases[0].body);
+    CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==
+           BURNISH_STATUS_OK);
+    CHECK1(burnish_mesh_warning_count(mesh) == 2);
+    CHECK(strncmp(burnish_mesh_warning(mesh, 1), "a.ply:3: texture \"b.png\" is left", 32) == 0,
+          "%s", burnish_mesh_warning(mesh, 1));
+    burnish_mesh_destroy(mesh);
     snprintf(text, sizeof text, "%s%s", PLY_HEAD(""),
              "# c\n0 0 0 9 2 3\n1 0 x 9 2 3\n0 1 0 9 2 3\n3 0 1 2\n");
     CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==

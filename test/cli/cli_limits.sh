@@ -6,25 +6,31 @@ here=$(cd "$(dirname "$0")" && pwd)
 
 # Streams: refused by their first 64 KiB, unless they may be a mesh.
 refusal='burnish: standard input: its first 65536 bytes are of no format that is read; give a mesh'
-stream() {
-    "$burnish" render - -o s.png "$@" >"$out" 2>"$err"
+stream() { # COMMAND FLAGS...: what the command writes
+    command=$1
+    shift
+    eval "$command" 2>/dev/null | "$burnish" render - -o s.png "$@" >"$out" 2>"$err"
     code=$?
     checks=$((checks + 1))
-    [ "$code" = 4 ] && [ "$(cat "$err")" = "$refusal$named" ] && [ ! -e s.png ] || fail "a stream: $code, $(cat "$err")"
+    [ "$code" = 4 ] && [ "$(cat "$err")" = "$refusal" ] && [ ! -e s.png ] || fail "$command: $code, $(cat "$err")"
 }
-named=
-yes | stream
-stream </dev/zero
-stream </dev/urandom
+stream yes
+stream 'cat /dev/zero'
+stream 'cat /dev/urandom'
+for first in v '{' '#' '\376\377' '\037\213'; do # what a mesh may begin with, and no mesh behind it
+    stream "printf '$first ' && cat /dev/zero"
+done
 refusal='burnish: standard input: its first 65536 bytes are of no format that is read, or not of the one named; give a mesh'
-yes | stream --input-format=obj
-yes | stream --input-format=ply
-stream --input-format=stl </dev/zero
+stream yes --input-format=obj
+stream yes --input-format=ply
+stream 'cat /dev/zero' --input-format=stl
 
 # A long mesh comes through a pipe as from a file; the limit holds there too.
 awk 'BEGIN { print "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"; for (i = 0; i < 400000; ++i) print "v 1 1 1" }' >long.obj
 cat long.obj | "$burnish" info - >"$out" 2>/dev/null && "$burnish" info long.obj >file.txt 2>/dev/null
 check "a mesh of more than a part" [ "$(sed 1d "$out")" = "$(sed 1d file.txt)" ]
+{ printf '\377\376' && iconv -f UTF-8 -t UTF-16LE long.obj; } | "$burnish" info - >"$out" 2>/dev/null
+check "a mesh in UTF-16" [ "$(sed 1d "$out")" = "$(sed 1d file.txt)" ]
 cat long.obj | "$burnish" info - --max-input-bytes=1M 2>"$err"
 check "a stream beyond the limit: $?" grep -q 'standard input: larger than the limit of 1048576 bytes' "$err"
 { awk 'BEGIN { for (i = 0; i < 20000; ++i) print "# a comment" }' && cat long.obj; } | "$burnish" info - >"$out" 2>&1

@@ -346,6 +346,7 @@ static burnish_status read_otherwise(burnish_ply_state *ply, burnish_status firs
             status = read_again(ply, 0, left);
         }
     }
+    burnish_ply_show_comments(ply);
     return status;
 }
 
@@ -440,7 +441,6 @@ burnish_status burnish_read_ply(burnish_reader *reader) {
     if (status == BURNISH_STATUS_OK) {
         status = burnish_cut_polygons(reader);
     }
-    burnish_ply_show_comments(&ply);
     burnish_ply_destroy_header(reader->mesh->memory.context, &ply.header);
     return status;
 }

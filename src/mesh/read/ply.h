@@ -175,7 +175,7 @@ burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at,
  * some. Errors: MEMORY. */
 burnish_status burnish_ply_hide_comments(burnish_ply_state *ply, int *any);
 
-/* Gives it its own input back. */
+/* Gives it its own input back, once the body has been read. */
 void burnish_ply_show_comments(burnish_ply_state *ply);
 
 /* ---- ply_triangles.c: what triangles have that vertices have not ---- */

@@ -32,12 +32,18 @@ static const uint8_t *find_comment(const uint8_t *line, const uint8_t *end, cons
     return end;
 }
 
-/* The header's rows point into the input. */
-static void move_header(burnish_ply_state *ply, const uint8_t *from, const uint8_t *to) {
-    for (size_t i = 0; i < ply->header.element_count; ++i) {
-        ply->header.elements[i].at = to + (ply->header.elements[i].at - from);
+/* Where the body starts, and the elements' lines, which messages of the body tell. */
+static void move_header(burnish_ply_header *header, const uint8_t *from, const uint8_t *to) {
+    for (size_t i = 0; i < header->element_count; ++i) {
+        header->elements[i].at = to + (header->elements[i].at - from);
     }
-    ply->header.body = to + (ply->header.body - from);
+    header->body = to + (header->body - from);
+}
+
+static void give_input(burnish_ply_state *ply, const burnish_reader_input *input) {
+    move_header(&ply->header, ply->reader->input->bytes, input->bytes);
+    ply->reader->input = input;
+    ply->reader->counted = NULL;
 }
 
 burnish_status burnish_ply_hide_comments(burnish_ply_state *ply, int *any) {
@@ -62,19 +68,15 @@ burnish_status burnish_ply_hide_comments(burnish_ply_state *ply, int *any) {
     ply->with_comments = input;
     ply->without = *input;
     ply->without.bytes = copy;
-    move_header(ply, input->bytes, copy);
-    reader->input = &ply->without;
-    reader->counted = NULL;
+    give_input(ply, &ply->without);
     return BURNISH_STATUS_OK;
 }
 
 void burnish_ply_show_comments(burnish_ply_state *ply) {
-    burnish_reader *reader = ply->reader;
     if (!ply->with_comments) {
         return;
     }
-    burnish_release(reader->mesh->memory.context, (void *)(uintptr_t)ply->without.bytes);
-    reader->input = ply->with_comments;
-    reader->counted = NULL;
+    give_input(ply, ply->with_comments);
+    burnish_release(ply->reader->mesh->memory.context, (void *)(uintptr_t)ply->without.bytes);
     ply->with_comments = NULL;
 }

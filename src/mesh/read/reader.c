@@ -93,24 +93,41 @@ static int may_be_binary_stl(const uint8_t *bytes, size_t size) {
     return any && !is_all_text(bytes, size);
 }
 
-int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, const char *name) {
-    enum { GZIP = 0x1f8b, UTF_16_LITTLE = 0xfffe, UTF_16_BIG = 0xfeff };
-    const int is_any = format == BURNISH_FORMAT_AUTO;
+/* Wrapped text, or an archive. In UTF-16 more than half of a mesh's characters are of ASCII. */
+static int may_be_wrapped(const uint8_t *bytes, size_t size) {
+    static const char gzip[] = "\x1f\x8b\x08", zip[] = "PK\x03\x04";
     const int mark = size >= 2 ? bytes[0] << 8 | bytes[1] : 0;
+    if (mark == 0xfffe || mark == 0xfeff) {
+        const size_t high = mark == 0xfffe; /* the byte of a character that is 0 then */
+        size_t ascii = 0;
+        for (size_t i = 0; i + 1 < size; i += 2) {
+            ascii += bytes[i + high] == 0 && bytes[i + !high] > 0;
+        }
+        return ascii > size / 4;
+    }
+    return (size >= 3 && memcmp(bytes, gzip, 3) == 0) || (size >= 4 && memcmp(bytes, zip, 4) == 0);
+}
+
+int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, const char *name) {
+    const int is_any = format == BURNISH_FORMAT_AUTO;
+    if (format == BURNISH_FORMAT_COUNT || may_be_wrapped(bytes, size)) {
+        return 1;
+    }
+    const burnish_format guess = is_any ? burnish_guess_format(bytes, size, name) : format;
+    const int votes = guess != BURNISH_FORMAT_AUTO ? formats[guess].recognise(bytes, size) : 0;
+    if (votes == 2) {
+        return 1;
+    }
+    if (memchr(bytes, 0, size)) { /* no text, whatever its first byte */
+        return (is_any || format == BURNISH_FORMAT_STL) && may_be_binary_stl(bytes, size);
+    }
     size_t at = 0;
-    if (format == BURNISH_FORMAT_COUNT || mark == GZIP || mark == UTF_16_LITTLE ||
-        mark == UTF_16_BIG) {
-        return 1;
-    }
-    if (is_any ? burnish_guess_format(bytes, size, name) != BURNISH_FORMAT_AUTO
-               : formats[format].recognise(bytes, size)) {
-        return 1;
-    }
-    while (at < size && bytes[at] <= ' ' && bytes[at] > 0) {
+    while (at < size && bytes[at] <= ' ') {
         ++at;
     }
     const int is_comment = at < size && bytes[at] == '#';
-    return ((is_any || format == BURNISH_FORMAT_OBJ) && is_comment) ||
+    return votes || (is_any && guess != BURNISH_FORMAT_AUTO) ||
+           ((is_any || format == BURNISH_FORMAT_OBJ) && is_comment) ||
            ((is_any || format == BURNISH_FORMAT_STL) && may_be_binary_stl(bytes, size));
 }
 
