@@ -55,6 +55,28 @@ static void test_stl_text(void) {
     }
 }
 
+/* More blank lines than a chunk has bytes, in a facet or after it. */
+static void test_stl_blank_lines(void) {
+    const burnish_load_options options = burnish_load_options_default();
+    for (int within = 0; within < 2; ++within) {
+        text t = {.line_end = "\n"};
+        say(&t, "solid\n");
+        for (int i = 0; i < 3; ++i) {
+            say(&t, "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n");
+            for (int k = 0; within && k < 1 << 17; ++k) {
+                end_line(&t);
+            }
+            say(&t, "endloop\nendfacet\n");
+            for (int k = 0; !within && k < 1 << 17; ++k) {
+                end_line(&t);
+            }
+        }
+        say(&t, "endsolid\n");
+        check("blank lines", BURNISH_FORMAT_STL, &t, &options, GOOD);
+        free(t.bytes);
+    }
+}
+
 static void test_stl_broken(void) {
     static const char *const lines[] = {
         "vertex 1 2 3 4",   "vertex 1 2", "vertex 1 2 inf", "vertex 1e39 0 0",    "vertex 1 2 3x",
@@ -276,6 +298,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_numbers());
     RUN(test_stl_text());
+    RUN(test_stl_blank_lines());
     RUN(test_stl_broken());
     RUN(test_stl_binary());
     RUN(test_ply());

@@ -319,6 +319,17 @@ static int same_bytes(const void *a, const void *b, size_t size) {
     return (!a && !b) || (a && b && memcmp(a, b, size) == 0);
 }
 
+static void compare_meshes(const burnish_mesh *scene, const burnish_mesh *other, const char *what) {
+    const burnish_mesh_view *a = burnish_mesh_get_view(scene), *b = burnish_mesh_get_view(other);
+    require(a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count &&
+                same_bytes(a->positions, b->positions, 12 * a->vertex_count) &&
+                same_bytes(a->normals, b->normals, 12 * a->vertex_count) &&
+                same_bytes(a->colors, b->colors, 4 * a->vertex_count) &&
+                same_bytes(a->indices, b->indices, 12 * a->triangle_count) &&
+                same_bytes(a->triangle_materials, b->triangle_materials, 2 * a->triangle_count),
+            what, NULL);
+}
+
 /* Three threads read what one reads: the same arrays, warnings and error. */
 static void compare_threads(const uint8_t *bytes, size_t size, int from_file,
                             burnish_load_options options, const burnish_mesh *scene,
@@ -336,15 +347,39 @@ static void compare_threads(const uint8_t *bytes, size_t size, int from_file,
                 "another warning by threads", NULL);
     }
     if (scene) {
-        const burnish_mesh_view *a = burnish_mesh_get_view(scene),
-                                *b = burnish_mesh_get_view(other);
-        require(a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count &&
-                    same_bytes(a->positions, b->positions, 12 * a->vertex_count) &&
-                    same_bytes(a->normals, b->normals, 12 * a->vertex_count) &&
-                    same_bytes(a->colors, b->colors, 4 * a->vertex_count) &&
-                    same_bytes(a->indices, b->indices, 12 * a->triangle_count) &&
-                    same_bytes(a->triangle_materials, b->triangle_materials, 2 * a->triangle_count),
-                "another mesh by threads", NULL);
+        compare_meshes(scene, other, "another mesh by threads");
+    }
+    burnish_mesh_destroy(other);
+}
+
+static int contains(const uint8_t *bytes, size_t size, const char *word) {
+    const size_t length = strlen(word);
+    for (size_t i = 0; i + length <= size; ++i) {
+        if (memcmp(bytes + i, word, length) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A file, read by pieces where its format can be, gives what its bytes give from memory, unless it
+ * may name others. */
+static void compare_sources(const uint8_t *bytes, size_t size, const burnish_load_options *options,
+                            const burnish_mesh *scene, burnish_status expected) {
+    static const char *const words[] = {"mtllib", "TextureFile", "buffers", "images"};
+    burnish_mesh *other = NULL;
+    burnish_error error = {0};
+    for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
+        if (contains(bytes, size, words[i])) {
+            return;
+        }
+    }
+    require(load(bytes, size, 0, options, &other, &error) == expected, "another status from memory",
+            &error);
+    require(burnish_mesh_warning_count(other) == burnish_mesh_warning_count(scene),
+            "other warnings from memory", NULL);
+    if (scene) {
+        compare_meshes(scene, other, "another mesh from memory");
     }
     burnish_mesh_destroy(other);
 }
@@ -366,6 +401,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
     if (data[2] & 8) {
         compare_threads(data + HEAD, size - HEAD, data[1] & 8, options, scene, &error);
+    }
+    if (data[1] & 8) {
+        compare_sources(data + HEAD, size - HEAD, &options, scene, status);
     }
     burnish_mesh_destroy(scene);
     return 0;

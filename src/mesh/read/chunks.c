@@ -69,7 +69,7 @@ static int ends_input(const chunk_driver *driver) {
 
 /* Bytes that a wave may take, and those that are looked at beyond to find its end. */
 static size_t wave_size(const chunk_driver *driver) {
-    enum { LONGEST = 1 << 16 }; /* statement, or lines without a start */
+    enum { LONGEST = BURNISH_PIECES_HEAD }; /* statement, or lines without a start */
     return driver->most * BURNISH_CHUNK_SIZE + LONGEST;
 }
 

@@ -8,8 +8,8 @@
 #include "mesh/read/stl.h"
 
 enum {
-    PIECE = 1 << 18, /* bytes that are read at once, by each thread */
-    GRAIN = 1 << 13  /* rows that a thread takes at once where all are in memory */
+    PIECE = 4 * BURNISH_PIECES_HEAD, /* bytes that are read at once, by each thread */
+    GRAIN = 1 << 13                  /* rows that a thread takes at once where all are in memory */
 };
 
 burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size,

@@ -398,7 +398,6 @@ static void parse(const void *state, burnish_chunk *chunk) {
     int in_solid = !chunk->is_first, seen = in_solid;
     while (chunk->status == BURNISH_STATUS_OK) {
         burnish_token word;
-        const uint8_t *before = stl.lexer.next;
         if (!burnish_lexer_word(&stl.lexer, &word)) {
             if (in_solid) {
                 burnish_chunk_note(chunk, END, chunk->text_end);
@@ -409,7 +408,7 @@ static void parse(const void *state, burnish_chunk *chunk) {
         if (seen && burnish_token_is_caseless(word, "facet")) {
             in_solid = 1;
             if (word.bytes >= chunk->end) {
-                chunk->end = chunk->bounded ? chunk->end : before;
+                chunk->end = chunk->bounded ? chunk->end : word.bytes;
                 return;
             }
             read_facet(&stl, word);
@@ -520,9 +519,10 @@ int burnish_recognise_stl(const uint8_t *bytes, size_t size) {
 burnish_status burnish_read_stl(burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
     burnish_status status;
-    const int is_text = !burnish_is_binary_stl(input->bytes, input->size) &&
-                        has_no_controls(input->bytes, input->size);
-    if (is_text && starts_as_text(input->bytes, burnish_reader_head(reader))) {
+    const size_t head = burnish_reader_head(reader);
+    const int is_text =
+        !burnish_is_binary_stl(input->bytes, input->size) && has_no_controls(input->bytes, head);
+    if (is_text && starts_as_text(input->bytes, head)) {
         status = read_text(reader);
     } else if (is_text && input->size >= HEADER_SIZE) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes,
