@@ -1290,6 +1290,109 @@ static void test_damage(void) {
     }
 }
 
+/* ---- Threads ---- */
+
+enum { MANY = 20000 };
+
+/* Positions, normals, texture coordinates and indices of MANY vertices. */
+static uint8_t many[MANY * (32 + 4)];
+
+static void store(uint8_t *to, uint32_t bits) {
+    for (int i = 0; i < 4; ++i) {
+        to[i] = (uint8_t)(bits >> 8 * i);
+    }
+}
+
+static burnish_status load_many(void *user_data, const char *name, uint64_t max_bytes,
+                                const void **bytes, size_t *size, burnish_error *error) {
+    (void)user_data, (void)name, (void)max_bytes, (void)error;
+    *bytes = many;
+    *size = sizeof many;
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status read_many(int threads, burnish_mesh_data *s, burnish_error *e) {
+    const burnish_load_options options = burnish_load_options_default();
+    static byte_list list;
+    char json[1024];
+    burnish_tasks tasks;
+    burnish_tasks_begin(&tasks, NULL, threads);
+    snprintf(json, sizeof json,
+             GLTF_HEAD "'buffers':[{'byteLength':%d,'uri':'many'}],'bufferViews':["
+                       "{'buffer':0,'byteLength':%d,'byteStride':32},"
+                       "{'buffer':0,'byteOffset':%d,'byteLength':%d}],'accessors':["
+                       "{'bufferView':0,'componentType':5126,'count':%d,'type':'VEC3'},"
+                       "{'bufferView':0,'byteOffset':12,'componentType':5126,'count':%d,"
+                       "'type':'VEC3'},{'bufferView':0,'byteOffset':24,'componentType':5126,"
+                       "'count':%d,'type':'VEC2'},{'bufferView':1,'componentType':5125,"
+                       "'count':%d,'type':'SCALAR'}],'meshes':[{'primitives':[{'attributes':"
+                       "{'POSITION':0,'NORMAL':1,'TEXCOORD_0':2},'indices':3,'mode':5}]}],"
+                       "'nodes':[{'mesh':0,'scale':[1,2,-1]}]}",
+             36 * MANY, 32 * MANY, 32 * MANY, 4 * MANY, MANY, MANY, MANY, MANY);
+    list.size = 0;
+    put_json(&list, json);
+    return run_reader_threads(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, load_many,
+                              threads > 1 ? &tasks : NULL, s, e);
+}
+
+static int are_same(const burnish_mesh_data *a, const burnish_mesh_data *b) {
+    const size_t vertices = a->streams[BURNISH_POSITION].count;
+    return vertices == MANY && b->streams[BURNISH_POSITION].count == MANY &&
+           a->triangle_count == b->triangle_count &&
+           memcmp(burnish_positions(a), burnish_positions(b), 12 * vertices) == 0 &&
+           memcmp(burnish_normals(a), burnish_normals(b), 12 * vertices) == 0 &&
+           memcmp(a->streams[BURNISH_TEXCOORD].items, b->streams[BURNISH_TEXCOORD].items,
+                  8 * vertices) == 0 &&
+           memcmp(corners_of(a), corners_of(b), 12 * a->triangle_count) == 0;
+}
+
+/* Vertices that several threads convert, and the first fault of the file whoever finds it. */
+static void test_threads(void) {
+    static const int threads[] = {2, 7};
+    static const struct {
+        uint32_t bad[2], index; /* positions, a place of an index; 0: none */
+        const char *message;
+    } cases[] = {
+        {{0, 0}, 0, ""}, /* and each adds its own to those before */
+        {{19990, 0}, 0, "accessors[0]: position 19990 is not finite"},
+        {{0, 0}, 15000, "accessors[3]: index 20000 is not below the 20000 positions"},
+        {{14000, 6000}, 0, "accessors[0]: position 6000 is not finite"},
+        {{5999, 0}, 0, "accessors[0]: position 5999 is not finite"},
+    };
+    uint64_t random = test_seed(1);
+    for (size_t i = 0; i < MANY; ++i) {
+        for (size_t k = 0; k < 8; ++k) {
+            const float value = (float)(test_random64(&random) >> 40) / 1e6f;
+            uint32_t bits;
+            memcpy(&bits, &value, sizeof bits);
+            store(many + 32 * i + 4 * k, bits);
+        }
+        store(many + 32 * MANY + 4 * i, (uint32_t)i);
+    }
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh_data alone, shared;
+        burnish_error error, other;
+        for (size_t k = 0; k < 2 && cases[i].bad[k] > 0; ++k) {
+            store(many + 32 * (size_t)cases[i].bad[k] + 4, 0x7fc00000); /* not a number */
+        }
+        if (cases[i].index > 0) {
+            store(many + 32 * MANY + 4 * (size_t)cases[i].index, MANY);
+        }
+        const burnish_status status = read_many(1, &alone, &error);
+        CHECK(status == (*cases[i].message ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_OK) &&
+                  strstr(error.text, cases[i].message),
+              "case %zu: %s", i, error.text);
+        for (size_t t = 0; t < sizeof threads / sizeof *threads; ++t) {
+            CHECK(read_many(threads[t], &shared, &other) == status &&
+                      strcmp(other.text, error.text) == 0,
+                  "case %zu: %s", i, other.text);
+            CHECK(status != BURNISH_STATUS_OK || are_same(&alone, &shared), "case %zu", i);
+            burnish_mesh_data_destroy(&shared);
+        }
+        burnish_mesh_data_destroy(&alone);
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_containers());
@@ -1300,6 +1403,7 @@ int main(int count, char **arguments) {
     RUN(test_attributes());
     RUN(test_modes());
     RUN(test_shared_vertices());
+    RUN(test_threads());
     RUN(test_hierarchy());
     RUN(test_normals_of_nodes());
     RUN(test_materials());

@@ -3,6 +3,8 @@
  * Only vertices that a triangle uses are taken: files often have one large array of vertices, of
  * which each primitive uses some. A scene without triangles is drawn as its lines, and one without
  * lines as its points: solids, of the material's base colour. */
+#include <stdatomic.h>
+
 #include "core/elementary.h"
 #include "core/srgb.h"
 #include "mesh/read/gltf.h"
@@ -10,7 +12,10 @@
 #include "mesh/read/points.h"
 #include "mesh/read/textures.h"
 
-enum { STEP = 1 << 16 /* triangles after which it asks whether to end */ };
+enum {
+    STEP = 1 << 16, /* triangles after which it asks whether to end */
+    GRAIN = 1 << 12 /* vertices that a thread converts at once */
+};
 
 /* Triangles that nodes may make of one primitive again and again, where the caller sets no limit:
  * more than these must stand in the file. */
@@ -25,8 +30,10 @@ typedef struct gltf_drawer {
     uint64_t elements, vertices;      /* of all that is drawn */
     uint64_t limit;                   /* of elements */
     size_t most_vertices;             /* of one primitive */
+    size_t most_used;                 /* vertices that one primitive can use */
     uint32_t *slots;                  /* 1 + the vertex that became of one of the primitive's, where
                                          that is above `base` */
+    uint32_t *sources;                /* those of the primitive's, from `base` on */
     uint32_t base;                    /* vertices before the primitive */
     uint16_t material;
     double base_color[4];      /* of lines and points */
@@ -36,7 +43,8 @@ typedef struct gltf_drawer {
     const burnish_gltf_primitive *primitive;
     const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoord, *indices;
     burnish_gltf_shape shape;
-    int moves; /* 1: morph targets or a skin move vertices one by one */
+    int moves;                 /* 1: morph targets or a skin move vertices one by one */
+    atomic_uint_least32_t bad; /* the first vertex, from `base` on, that can't be placed */
 } gltf_drawer;
 
 /* A unit vector of the direction; 0 where there is none. */
@@ -51,25 +59,16 @@ static void put_unit(const double *direction, float *to) {
 /* ---- Vertices ---- */
 
 /* Writes position and normal; a normal that the file has not is 0: it will be generated. Returns 0
- * on failure. */
-static int put_place(gltf_drawer *drawer, size_t vertex, float *to, float *to_normal) {
-    double p[3], n[3] = {0, 0, 0}, turned[3];
-    burnish_gltf_element(drawer->position, vertex, p);
-    if (drawer->normal) {
-        burnish_gltf_element(drawer->normal, vertex, n);
-    }
-    if (drawer->moves && !burnish_gltf_move(drawer->gltf, &drawer->shape, vertex, p, n)) {
-        return 0;
-    }
+ * where single precision does not hold the position. p, n: as they are in the file, or moved */
+static int put_place(const gltf_drawer *drawer, const double p[3], const double n[3], float *to,
+                     float *to_normal) {
+    double turned[3];
     const double *m = drawer->shape.matrix, *c = drawer->shape.cofactors;
     for (int row = 0; row < 3; ++row, m += 4, c += 3) {
         const double moved = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
         turned[row] = c[0] * n[0] + c[1] * n[1] + c[2] * n[2];
         if (!burnish_place(moved, drawer->mesh->origin[row], &to[row])) {
-            return burnish_gltf_fail(drawer->gltf, BURNISH_STATUS_FORMAT, drawer->position->value,
-                                     "position %zu is not finite, or beyond 3.4e38; repair the "
-                                     "mesh",
-                                     vertex);
+            return 0;
         }
     }
     if (to_normal) {
@@ -122,37 +121,88 @@ static void put_texcoord(const gltf_drawer *drawer, size_t vertex, float *to) {
     }
 }
 
+/* Vertex `from` of the primitive as vertex `at` of the mesh. Returns 0 on failure. */
+static int convert_vertex(gltf_drawer *drawer, uint32_t from, size_t at) {
+    burnish_mesh_data *mesh = drawer->mesh;
+    double p[3], n[3] = {0, 0, 0};
+    burnish_gltf_element(drawer->position, from, p);
+    if (drawer->normal) {
+        burnish_gltf_element(drawer->normal, from, n);
+    }
+    if ((drawer->moves && !burnish_gltf_move(drawer->gltf, &drawer->shape, from, p, n)) ||
+        !put_place(drawer, p, n, burnish_positions(mesh) + 3 * at,
+                   drawer->has[BURNISH_NORMAL] ? burnish_normals(mesh) + 3 * at : NULL)) {
+        return 0;
+    }
+    if (drawer->has[BURNISH_TANGENT]) {
+        put_tangent(drawer, from, (float *)mesh->streams[BURNISH_TANGENT].items + 4 * at);
+    }
+    if (drawer->has[BURNISH_COLOR]) {
+        put_color(drawer, from, burnish_colors(mesh) + 4 * at);
+    }
+    if (drawer->has[BURNISH_TEXCOORD]) {
+        put_texcoord(drawer, from, (float *)mesh->streams[BURNISH_TEXCOORD].items + 2 * at);
+    }
+    return 1;
+}
+
+/* Ends at the first that can't be placed, and tells which of all those is the first. */
+static void convert_range(void *context, size_t first, size_t end) {
+    gltf_drawer *drawer = context;
+    for (size_t i = first; i < end; ++i) {
+        if (!convert_vertex(drawer, drawer->sources[i], drawer->base + i)) {
+            uint_least32_t bad = atomic_load(&drawer->bad);
+            while (i < bad && !atomic_compare_exchange_weak(&drawer->bad, &bad, (uint32_t)i)) {
+            }
+            return;
+        }
+    }
+}
+
+/* The vertices that the primitive's triangles, lines or points have taken. Those that move share
+ * the matrix that moves them. */
+static void convert_vertices(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    const size_t count = drawer->mesh->streams[BURNISH_POSITION].count - drawer->base;
+    atomic_init(&drawer->bad, BURNISH_NONE);
+    if (drawer->moves) {
+        convert_range(drawer, 0, count);
+    } else {
+        burnish_tasks_ranges(drawer->mesh->tasks, count, GRAIN, convert_range, drawer);
+        gltf->status = burnish_tasks_check(drawer->mesh->tasks, gltf->reader->error);
+    }
+    const uint32_t bad = atomic_load(&drawer->bad);
+    if (bad != BURNISH_NONE && gltf->status == BURNISH_STATUS_OK) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, drawer->position->value,
+                          "position %u is not finite, or beyond 3.4e38; repair the mesh",
+                          drawer->sources[bad]);
+    }
+}
+
 /* ---- Triangles ---- */
 
-/* The vertex of the mesh for one of the primitive's; BURNISH_NONE on failure. */
+/* The vertex of the mesh for one of the primitive's; BURNISH_NONE where that is none. */
 static uint32_t take_vertex(gltf_drawer *drawer, uint32_t vertex) {
-    burnish_mesh_data *mesh = drawer->mesh;
     if (vertex >= drawer->position->count) {
-        burnish_gltf_fail(drawer->gltf, BURNISH_STATUS_FORMAT, drawer->indices->value,
-                          "index %u is not below the %zu positions; the file is damaged", vertex,
-                          drawer->position->count);
         return BURNISH_NONE;
     }
     if (drawer->slots[vertex] > drawer->base) {
         return drawer->slots[vertex] - 1;
     }
-    const size_t at = mesh->streams[BURNISH_POSITION].count;
-    float *normal = drawer->has[BURNISH_NORMAL] ? burnish_normals(mesh) + 3 * at : NULL;
-    if (!put_place(drawer, vertex, burnish_positions(mesh) + 3 * at, normal)) {
-        return BURNISH_NONE;
+    const uint32_t at = (uint32_t)drawer->mesh->streams[BURNISH_POSITION].count++;
+    drawer->sources[at - drawer->base] = vertex;
+    drawer->slots[vertex] = at + 1;
+    return at;
+}
+
+/* Before what is wrong with an index comes what is wrong with the vertices taken before it. */
+static void fail_index(gltf_drawer *drawer, uint32_t index) {
+    convert_vertices(drawer);
+    if (drawer->gltf->status == BURNISH_STATUS_OK) {
+        burnish_gltf_fail(drawer->gltf, BURNISH_STATUS_FORMAT, drawer->indices->value,
+                          "index %u is not below the %zu positions; the file is damaged", index,
+                          drawer->position->count);
     }
-    if (drawer->has[BURNISH_TANGENT]) {
-        put_tangent(drawer, vertex, (float *)mesh->streams[BURNISH_TANGENT].items + 4 * at);
-    }
-    if (drawer->has[BURNISH_COLOR]) {
-        put_color(drawer, vertex, burnish_colors(mesh) + 4 * at);
-    }
-    if (drawer->has[BURNISH_TEXCOORD]) {
-        put_texcoord(drawer, vertex, (float *)mesh->streams[BURNISH_TEXCOORD].items + 2 * at);
-    }
-    ++mesh->streams[BURNISH_POSITION].count;
-    drawer->slots[vertex] = (uint32_t)at + 1;
-    return (uint32_t)at;
 }
 
 /* Corner k of triangle i, in the order that keeps the winding (section 3.7.2.1). */
@@ -177,8 +227,9 @@ static void draw_triangles(gltf_drawer *drawer) {
     for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
         uint32_t *corners = mesh->streams[BURNISH_POSITION].corners + 3 * mesh->triangle_count;
         for (unsigned k = 0; k < 3; ++k) {
-            const uint32_t vertex = take_vertex(drawer, corner_of(drawer, i, k));
+            const uint32_t index = corner_of(drawer, i, k), vertex = take_vertex(drawer, index);
             if (vertex == BURNISH_NONE) {
+                fail_index(drawer, index);
                 return;
             }
             corners[drawer->shape.is_mirrored && k > 0 ? 3 - k : k] = vertex;
@@ -194,6 +245,7 @@ static void draw_triangles(gltf_drawer *drawer) {
             }
         }
     }
+    convert_vertices(drawer);
 }
 
 /* Corner k of line or point i. */
@@ -210,8 +262,10 @@ static void draw_lines_or_points(gltf_drawer *drawer) {
     for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
         uint32_t vertices[2] = {0, 0};
         for (size_t k = 0; k < ends; ++k) {
-            vertices[k] = take_vertex(drawer, end_of(drawer, i, k));
+            const uint32_t index = end_of(drawer, i, k);
+            vertices[k] = take_vertex(drawer, index);
             if (vertices[k] == BURNISH_NONE) {
+                fail_index(drawer, index);
                 return;
             }
         }
@@ -225,6 +279,7 @@ static void draw_lines_or_points(gltf_drawer *drawer) {
             }
         }
     }
+    convert_vertices(drawer);
 }
 
 /* Of lines and points the base colour is all that is taken of a material. */
@@ -290,7 +345,9 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     const size_t vertices = gltf->accessors[primitive->position].count;
     const uint64_t used = 3 * (uint64_t)primitive->element_count;
     drawer->elements += primitive->element_count;
-    drawer->vertices += used < vertices ? used : vertices;
+    const size_t most = used < vertices ? (size_t)used : vertices;
+    drawer->vertices += most;
+    drawer->most_used = most > drawer->most_used ? most : drawer->most_used;
     drawer->most_vertices = vertices > drawer->most_vertices ? vertices : drawer->most_vertices;
     drawer->has[BURNISH_NORMAL] |= primitive->normal != BURNISH_GLTF_NONE;
     drawer->has[BURNISH_TANGENT] |= primitive->tangent != BURNISH_GLTF_NONE;
@@ -397,6 +454,8 @@ static void reserve(gltf_drawer *drawer) {
     }
     drawer->slots = burnish_allocate_zeroed(gltf->memory, drawer->most_vertices,
                                             sizeof *drawer->slots, "vertices");
+    drawer->sources =
+        burnish_allocate(gltf->memory, drawer->most_used, sizeof *drawer->sources, "vertices");
     burnish_gltf_is_fine(gltf);
 }
 
@@ -478,5 +537,6 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     }
     burnish_release(gltf->memory->context, drawer.segments);
     burnish_release(gltf->memory->context, drawer.slots);
+    burnish_release(gltf->memory->context, drawer.sources);
     burnish_release(gltf->memory->context, drawer.shape.targets);
 }
