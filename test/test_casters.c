@@ -1,7 +1,7 @@
 /* Shadows of masked triangles: those of the part that the mask leaves. */
 #include <math.h>
 
-#include "burnish/render.h"
+#include "draw_floats.h"
 #include "mesh_arrays.h"
 #include "support.h"
 
@@ -25,9 +25,7 @@ static void draw_card(const burnish_material *card, float right, uint8_t alpha, 
     burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 4);
     burnish_load_options load = burnish_load_options_default();
     burnish_render_options options = burnish_render_options_default();
-    burnish_target target = burnish_target_default();
     burnish_render_report report;
-    burnish_renderer *renderer;
     burnish_mesh *mesh;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     arrays.texture_coordinates = (burnish_array){coordinates, 8, 0};
@@ -44,13 +42,7 @@ static void draw_card(const burnish_material *card, float right, uint8_t alpha, 
     options.lights[0] = (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {0.2, 0.3, 0.9}, {1, 1, 1}};
     options.shadow = shadow;
     options.occlusion = occlusion;
-    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
-                                     (size_t)SIZE * 4 * sizeof(float), (uint8_t *)to->pixels};
-    burnish_renderer_create(NULL, &renderer, &error);
-    CHECK(burnish_renderer_draw_into(renderer, mesh, &options, &target, &report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
-    burnish_renderer_destroy(renderer);
+    draw_floats(mesh, &options, to->pixels, &report);
     burnish_mesh_destroy(mesh);
 }
 

@@ -1,7 +1,7 @@
 /* The shadow on the ground against integrals over the part of the sky that is hidden. */
 #include <math.h>
 
-#include "burnish/render.h"
+#include "draw_floats.h"
 #include "kept_renderer.h"
 #include "mesh_arrays.h"
 #include "support.h"
@@ -21,9 +21,6 @@ static float *draw(const burnish_mesh *mesh, double height, int transparent, int
                    burnish_render_report *report) {
     float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
     burnish_render_options options = burnish_render_options_default();
-    burnish_target target = burnish_target_default();
-    burnish_renderer *renderer;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
     options.camera.position[1] = 10;
     options.camera.view_up[1] = 0;
     options.camera.view_up[2] = -1;
@@ -36,13 +33,7 @@ static float *draw(const burnish_mesh *mesh, double height, int transparent, int
     options.lights[0] = (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {1, 1, 0}, {1, 1, 1}};
     options.occlusion = BURNISH_OCCLUSION_MAX;
     options.up[1] = 2;
-    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
-                                     (size_t)SIZE * 4 * sizeof *pixels, (uint8_t *)pixels};
-    burnish_renderer_create(NULL, &renderer, &error);
-    CHECK(burnish_renderer_draw_into(renderer, mesh, &options, &target, report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
-    burnish_renderer_destroy(renderer);
+    draw_floats(mesh, &options, pixels, report);
     return pixels;
 }
 

@@ -1,7 +1,7 @@
 /* Ambient occlusion against integrals over the hidden part of the sky, and looks. */
 #include <math.h>
 
-#include "burnish/render.h"
+#include "draw_floats.h"
 #include "kept_renderer.h"
 #include "mesh_arrays.h"
 #include "support.h"
@@ -19,8 +19,6 @@ static float *draw(const burnish_mesh *mesh, const double direction[3], int occl
     float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
     burnish_framing framing = burnish_framing_default();
     burnish_render_options options = burnish_render_options_default();
-    burnish_target target = burnish_target_default();
-    burnish_renderer *renderer;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     memcpy(framing.direction, direction, sizeof framing.direction);
     framing.orthographic = 1;
@@ -33,13 +31,7 @@ static float *draw(const burnish_mesh *mesh, const double direction[3], int occl
     options.ambient_light[0] = 1;
     options.occlusion = occlusion;
     options.occlusion_strength = 1;
-    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
-                                     (size_t)SIZE * 4 * sizeof *pixels, (uint8_t *)pixels};
-    burnish_renderer_create(NULL, &renderer, &error);
-    CHECK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
-    burnish_renderer_destroy(renderer);
+    draw_floats(mesh, &options, pixels, NULL);
     return pixels;
 }
 

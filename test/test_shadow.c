@@ -1,7 +1,7 @@
 /* The shadow of the first light: where its edge must be, and that convex shapes cast none. */
 #include <math.h>
 
-#include "burnish/render.h"
+#include "draw_floats.h"
 #include "kept_renderer.h"
 #include "mesh_arrays.h"
 #include "support.h"
@@ -12,9 +12,7 @@ enum { SIZE = 256 };
 static float *draw(burnish_mesh *mesh, const double light[3], int shadow) {
     float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
     burnish_render_options options = burnish_render_options_default();
-    burnish_target target = burnish_target_default();
     burnish_render_report report;
-    burnish_renderer *renderer;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_material material = *burnish_mesh_material(mesh, 0);
     for (int k = 0; k < 3; ++k) {
@@ -33,14 +31,8 @@ static float *draw(burnish_mesh *mesh, const double light[3], int shadow) {
     options.width = options.height = SIZE;
     options.samples = 1;
     options.shadow = shadow;
-    target.pixels = (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT,
-                                     (size_t)SIZE * 4 * sizeof *pixels, (uint8_t *)pixels};
-    burnish_renderer_create(NULL, &renderer, &error);
-    CHECK(burnish_renderer_draw_into(renderer, mesh, &options, &target, &report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    draw_floats(mesh, &options, pixels, &report);
     CHECK(report.shadow == shadow, "shadow %d", report.shadow);
-    burnish_renderer_destroy(renderer);
     return pixels;
 }
 
