@@ -84,6 +84,11 @@ static void test_material_comment(void) {
            color_is(burnish_mesh_material(mesh, 0)->diffuse, 1, 0, 0) &&
            color_is(burnish_mesh_material(mesh, 1)->diffuse, 0, 1, 0));
     burnish_mesh_destroy(mesh);
+    library = ""; /* and where it has no names at all */
+    mesh = load_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a # c\nf 1 2 3\n",
+                     "a.obj: material \"a # c\" is in no material library; it is burnish's grey");
+    CHECK1(triangles_of(mesh) == 1);
+    burnish_mesh_destroy(mesh);
 }
 
 /* What was read before and after the fault counts. */

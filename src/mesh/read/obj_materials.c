@@ -339,7 +339,7 @@ static int compare_key(const void *name, const void *entry) {
 
 /* Gives heads whose whole name is that of no entry the one that is named before a comment. */
 static void match_before_comments(burnish_obj_materials *materials, void **entries, size_t count) {
-    for (size_t i = 0; i < materials->run_count; ++i) {
+    for (size_t i = 0; i < materials->run_count && count > 0; ++i) {
         burnish_obj_run *run = &materials->runs[i];
         const burnish_token plain = cut_comment(run->name);
         if (run->head == run && !run->entry && plain.size < run->name.size) {
