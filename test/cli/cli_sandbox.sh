@@ -98,6 +98,6 @@ rm -rf in secret.mtl
 sleep 0.3
 kill $! 2>/dev/null
 wait $!
-check "killed: exit code $?" [ $? -le 143 ]
+check "killed: exit code $?" [ $? = 143 ]
 nothing_left "sandbox"
 finish
