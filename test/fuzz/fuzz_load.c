@@ -352,16 +352,6 @@ static void compare_threads(const uint8_t *bytes, size_t size, int from_file,
     burnish_mesh_destroy(other);
 }
 
-static int contains(const uint8_t *bytes, size_t size, const char *word) {
-    const size_t length = strlen(word);
-    for (size_t i = 0; i + length <= size; ++i) {
-        if (memcmp(bytes + i, word, length) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* A file, read by pieces where its format can be, gives what its bytes give from memory, unless it
  * may name others. */
 static void compare_sources(const uint8_t *bytes, size_t size, const burnish_load_options *options,
@@ -370,7 +360,7 @@ static void compare_sources(const uint8_t *bytes, size_t size, const burnish_loa
     burnish_mesh *other = NULL;
     burnish_error error = {0};
     for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
-        if (contains(bytes, size, words[i])) {
+        if (memmem(bytes, size, words[i], strlen(words[i]))) {
             return;
         }
     }

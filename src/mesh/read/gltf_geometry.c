@@ -43,8 +43,8 @@ typedef struct gltf_drawer {
     const burnish_gltf_primitive *primitive;
     const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoord, *indices;
     burnish_gltf_shape shape;
-    int moves;                 /* 1: morph targets or a skin move vertices one by one */
-    atomic_uint_least32_t bad; /* the first vertex, from `base` on, that can't be placed */
+    int moves;         /* 1: morph targets or a skin move vertices one by one */
+    atomic_size_t bad; /* the first vertex, from `base` on, that can't be placed */
 } gltf_drawer;
 
 /* A unit vector of the direction; 0 where there is none. */
@@ -151,9 +151,7 @@ static void convert_range(void *context, size_t first, size_t end) {
     gltf_drawer *drawer = context;
     for (size_t i = first; i < end; ++i) {
         if (!convert_vertex(drawer, drawer->sources[i], drawer->base + i)) {
-            uint_least32_t bad = atomic_load(&drawer->bad);
-            while (i < bad && !atomic_compare_exchange_weak(&drawer->bad, &bad, (uint32_t)i)) {
-            }
+            burnish_lower_to(&drawer->bad, i);
             return;
         }
     }
@@ -164,15 +162,15 @@ static void convert_range(void *context, size_t first, size_t end) {
 static void convert_vertices(gltf_drawer *drawer) {
     burnish_gltf *gltf = drawer->gltf;
     const size_t count = drawer->mesh->streams[BURNISH_POSITION].count - drawer->base;
-    atomic_init(&drawer->bad, BURNISH_NONE);
+    atomic_init(&drawer->bad, SIZE_MAX);
     if (drawer->moves) {
         convert_range(drawer, 0, count);
     } else {
         burnish_tasks_ranges(drawer->mesh->tasks, count, GRAIN, convert_range, drawer);
         gltf->status = burnish_tasks_check(drawer->mesh->tasks, gltf->reader->error);
     }
-    const uint32_t bad = atomic_load(&drawer->bad);
-    if (bad != BURNISH_NONE && gltf->status == BURNISH_STATUS_OK) {
+    const size_t bad = atomic_load(&drawer->bad);
+    if (bad != SIZE_MAX && gltf->status == BURNISH_STATUS_OK) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, drawer->position->value,
                           "position %u is not finite, or beyond 3.4e38; repair the mesh",
                           drawer->sources[bad]);

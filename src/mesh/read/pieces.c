@@ -6,6 +6,7 @@
 #include "core/platform.h"
 #include "image/gunzip.h"
 #include "mesh/read/stl.h"
+#include "mesh/read/unpack.h"
 
 enum {
     PIECE = 4 * BURNISH_PIECES_HEAD, /* bytes that are read at once, by each thread */
@@ -28,11 +29,9 @@ burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head,
                    ? BURNISH_FORMAT_STL
                    : BURNISH_FORMAT_AUTO;
     }
-    const int is_utf16 =
-        (head[0] == 0xFF && head[1] == 0xFE) || (head[0] == 0xFE && head[1] == 0xFF);
     const int is_read =
         guess == BURNISH_FORMAT_PLY || guess == BURNISH_FORMAT_STL || guess == BURNISH_FORMAT_OBJ;
-    return is_read && !is_utf16 ? guess : BURNISH_FORMAT_AUTO;
+    return is_read && !burnish_has_utf16_mark(head, size) ? guess : BURNISH_FORMAT_AUTO;
 }
 
 size_t burnish_reader_head(const burnish_reader *reader) {

@@ -1,9 +1,11 @@
 /* The table of formats, and how an input is read. */
 #include "mesh/read/reader.h"
 
+#include "image/gunzip.h"
 #include "mesh/read/foreign.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/textures.h"
+#include "mesh/read/unpack.h"
 
 typedef struct format_row {
     burnish_format_info info;
@@ -95,17 +97,15 @@ static int may_be_binary_stl(const uint8_t *bytes, size_t size) {
 
 /* Wrapped text, or an archive. In UTF-16 more than half of a mesh's characters are of ASCII. */
 static int may_be_wrapped(const uint8_t *bytes, size_t size) {
-    static const char gzip[] = "\x1f\x8b\x08", zip[] = "PK\x03\x04";
-    const int mark = size >= 2 ? bytes[0] << 8 | bytes[1] : 0;
-    if (mark == 0xfffe || mark == 0xfeff) {
-        const size_t high = mark == 0xfffe; /* the byte of a character that is 0 then */
+    if (burnish_has_utf16_mark(bytes, size)) {
+        const size_t high = bytes[0] == 0xFF; /* the byte of a character that is 0 then */
         size_t ascii = 0;
         for (size_t i = 0; i + 1 < size; i += 2) {
             ascii += bytes[i + high] == 0 && bytes[i + !high] > 0;
         }
         return ascii > size / 4;
     }
-    return (size >= 3 && memcmp(bytes, gzip, 3) == 0) || (size >= 4 && memcmp(bytes, zip, 4) == 0);
+    return burnish_is_gzip(bytes, size) || burnish_recognise_3mf(bytes, size);
 }
 
 int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, const char *name) {
@@ -115,11 +115,12 @@ int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, con
     }
     const burnish_format guess = is_any ? burnish_guess_format(bytes, size, name) : format;
     const int votes = guess != BURNISH_FORMAT_AUTO ? formats[guess].recognise(bytes, size) : 0;
-    if (votes == 2) {
+    if (votes == 2 ||
+        ((is_any || format == BURNISH_FORMAT_STL) && may_be_binary_stl(bytes, size))) {
         return 1;
     }
     if (memchr(bytes, 0, size)) { /* no text, whatever its first byte */
-        return (is_any || format == BURNISH_FORMAT_STL) && may_be_binary_stl(bytes, size);
+        return 0;
     }
     size_t at = 0;
     while (at < size && bytes[at] <= ' ') {
@@ -127,8 +128,7 @@ int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, con
     }
     const int is_comment = at < size && bytes[at] == '#';
     return votes || (is_any && guess != BURNISH_FORMAT_AUTO) ||
-           ((is_any || format == BURNISH_FORMAT_OBJ) && is_comment) ||
-           ((is_any || format == BURNISH_FORMAT_STL) && may_be_binary_stl(bytes, size));
+           ((is_any || format == BURNISH_FORMAT_OBJ) && is_comment);
 }
 
 burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {

@@ -6,10 +6,8 @@
 
 /* 0: no UTF-16 with a mark. A binary STL may begin with any bytes. */
 static int has_mark(const burnish_reader_input *input) {
-    const uint8_t *bytes = input->bytes;
-    return input->size >= 2 &&
-           ((bytes[0] == 0xFF && bytes[1] == 0xFE) || (bytes[0] == 0xFE && bytes[1] == 0xFF)) &&
-           !burnish_is_binary_stl(bytes, input->size);
+    return burnish_has_utf16_mark(input->bytes, input->size) &&
+           !burnish_is_binary_stl(input->bytes, input->size);
 }
 
 static size_t write_utf8(uint32_t c, uint8_t *to) {

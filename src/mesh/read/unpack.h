@@ -4,6 +4,12 @@
 
 #include "mesh/read/reader.h"
 
+/* The byte order mark of UTF-16. */
+static inline int burnish_has_utf16_mark(const uint8_t *bytes, size_t size) {
+    return size >= 2 &&
+           ((bytes[0] == 0xFF && bytes[1] == 0xFE) || (bytes[0] == 0xFE && bytes[1] == 0xFF));
+}
+
 /* Unpacks gzip, and makes UTF-8 of text in UTF-16 with a byte order mark: input->bytes and size
  * then are those of *unpacked, which the caller releases; NULL where the bytes are as they should
  * be. Errors: FORMAT, LIMIT (more than max_input_bytes), MEMORY. */
