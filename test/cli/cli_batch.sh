@@ -71,10 +71,9 @@ rm -f one seven sheet.png
 drawn() {
     wanted=$1
     shift
-    touch marker
-    sleep 0.02
+    find out -name '*.png' -exec touch -d @1000000000 {} +
     batch in -r -d out "$@"
-    now=$(find out -newer marker -name '*.png' | sort | tr '\n' ' ')
+    now=$(find out -newermt @1000000000 -name '*.png' | sort | tr '\n' ' ')
     check "drawn: '$now', not '$wanted'" [ "$now" = "$wanted" ]
 }
 drawn '' --size=32
@@ -204,7 +203,7 @@ mkdir many
 for i in 1 2 3 4 5 6 7 8 9; do cp in/a.obj many/$i.obj; done
 cp in/sheets.obj many
 "$burnish" batch many -d out --size=2000 --samples=16 --max-overdraw=1e9 --views=front -j2 $memory >"$out" 2>"$err" &
-while [ ! -s out/burnish-batch.jsonl ]; do sleep 0.05; done
+await [ -s out/burnish-batch.jsonl ]
 kill -TERM $!
 wait $! 2>/dev/null
 code=$?

@@ -38,7 +38,7 @@ if env --default-signal=INT true 2>/dev/null; then
     for name in INT TERM HUP; do
         for file in new.png old.png; do
             env --default-signal=$name "$burnish" render :knot --size=8000 --samples=16 -o $file 2>/dev/null &
-            sleep 0.15
+            await computes $!
             kill -$name $!
             wait $! 2>/dev/null
             code=$?

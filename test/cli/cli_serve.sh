@@ -169,21 +169,19 @@ if [ -d /proc/self/fd ] && command -v pgrep >/dev/null; then
     "$burnish" serve-stdio $options -j2 --size=8 --max-overdraw=1e9 <pipe >later 2>"$err" &
     server=$!
     exec 9>pipe
-    while [ "$(pgrep -c -P $server)" != 2 ]; do sleep 0.05; done
+    await sh -c "[ \"\$(pgrep -c -P $server)\" = 2 ]"
     if [ -n "$is_locked" ]; then
         for worker in $(pgrep -P $server); do
-            tries=0
-            until grep -q '^Seccomp:.*2' /proc/"$worker"/status || [ $((tries += 1)) -gt 200 ]; do sleep 0.05; done
-            check "a worker is locked in before its request" grep -q '^Seccomp:.*2' /proc/"$worker"/status
+            check "a worker is locked in before its request" await grep -q '^Seccomp:.*2' /proc/"$worker"/status
             # shellcheck disable=SC2046
             check "its descriptors: $(ls /proc/"$worker"/fd)" [ "$(echo $(ls /proc/"$worker"/fd))" = "0 1 2 3 4 5" ]
         done
     fi
     request 1 '{"flags": ["--views=front", "--size=3000", "--samples=16"]}' sheets.obj >&9
-    # busy: the workers that have computed for a fifth of a second.
-    busy() { for worker in $(pgrep -P $server); do awk '$14 > 20 { print $1 }' "/proc/$worker/stat"; done; }
-    tries=0
-    while [ -z "$(busy)" ] && [ $((tries += 1)) -lt 200 ]; do sleep 0.05; done
+    # busy: the workers that draw a picture; waiting for a request takes no processor time.
+    busy() { for worker in $(pgrep -P $server); do ! computes "$worker" || echo "$worker"; done; }
+    is_drawn() { [ -n "$(busy)" ]; }
+    await is_drawn
     # shellcheck disable=SC2046
     kill -ABRT $(busy)
     request 2 '{}' a.obj >&9
@@ -245,16 +243,16 @@ failed 2 4 'a.step: burnish-import-occt reads such files and is not there'
 check "one that is something else: $(head -c 300 3.line)" [ -s 3.picture ]
 check "the next one is drawn" [ -s 4.picture ]
 rm -f ./*.line ./*.picture
-importer "echo \$\$ >'$bin/number'; exec sleep 60"
+mkfifo "$bin/never"
+importer "echo \$\$ >'$bin/number'; read line <'$bin/never'"
 {
     request 1 '{"name": "a.fbx"}' a.fbx
     request 2 '{"name": "a.obj"}' a.obj
 } >in
-serve -j1 --size=24 --max-seconds=0.3
-failed 1 5 'not done after 0.3 seconds (--max-seconds)'
+serve -j1 --size=24 --max-seconds=1
+failed 1 5 'not done after 1 seconds (--max-seconds)'
 check "the next one is drawn" [ -s 2.picture ]
-sleep 0.1
-check "the importer has ended" [ -z "$(cut -d' ' -f3 "/proc/$(cat "$bin/number")/stat" 2>/dev/null | grep -v Z)" ]
+check "the importer has ended" await ended "$(cat "$bin/number")"
 rm -f ./*.line ./*.picture a.fbx a.png
 
 # What is no frame ends the server, after the answers.

@@ -39,6 +39,26 @@ instruction_sets() {
     done
 }
 
+# await COMMAND...: returns when the command succeeds. After a minute it fails: the bound only ends a test that would
+# otherwise hang, and no result depends on how long the wait takes.
+await() {
+    awaited=0
+    until "$@" >/dev/null 2>&1; do
+        [ $((awaited += 1)) -le 1200 ] || return 1
+        sleep 0.05
+    done
+}
+
+# computes PID: the process has used a tenth of a second of processor time, so it is past its start.
+computes() {
+    [ "$(awk '{ print $14 + $15 }' "/proc/$1/stat")" -ge 10 ]
+}
+
+# ended PID: the process has exited; nobody may have waited for it yet.
+ended() {
+    [ -z "$(cut -d' ' -f3 "/proc/$1/stat" 2>/dev/null | grep -v Z)" ]
+}
+
 # expect CODE LINE ARGUMENTS...: that exit code, exactly that one line on standard error ("" for none),
 # nothing on standard output.
 expect() {

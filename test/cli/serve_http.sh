@@ -18,8 +18,7 @@ ln -s "$burnish" bin/burnish
 cp "$example" .
 PATH=$PWD/bin:$PATH PYTHONDONTWRITEBYTECODE=1 waitress-serve --threads=8 --unix-socket="$PWD/web" thumbnails:app >log 2>&1 &
 server=$!
-tries=0
-while [ ! -S web ] && [ $((tries += 1)) -lt 200 ]; do sleep 0.05; done
+await [ -S web ]
 ask() { curl -s --max-time 60 --unix-socket web "$@"; }
 
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >a.obj

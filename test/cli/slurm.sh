@@ -17,8 +17,7 @@ mkdir "$home/state" "$home/spool"
 end() {
     for name in slurmd slurmctld munged; do
         daemon=$(cat "$home/$name.pid" 2>/dev/null) || continue
-        tries=0
-        while kill "$daemon" 2>/dev/null && [ $((tries += 1)) -le 100 ]; do sleep 0.1; done
+        kill "$daemon" 2>/dev/null && await ended "$daemon"
     done
     rm -rf "$home"
 }
@@ -56,17 +55,14 @@ PartitionName=all Nodes=ALL Default=YES State=UP MaxTime=INFINITE
 END
 }
 export SLURM_CONF="$home/slurm.conf"
+is_idle() { [ "$(sinfo -h -o %T 2>/dev/null)" = idle ]; }
 begin() {
     munged --key-file="$home/key" --socket="$home/munge" --pid-file="$home/munged.pid" \
         --log-file="$home/munged.log" --seed-file="$home/seed" || return
     for port in $((20000 + $$ % 20000)) $((20000 + ($$ + 7000) % 20000)); do
         configure $port
         slurmctld -c && slurmd -N "$node" || continue
-        tries=0
-        while [ $((tries += 1)) -le 100 ]; do
-            [ "$(sinfo -h -o %T 2>/dev/null)" != idle ] || return 0
-            sleep 0.1
-        done
+        ! await is_idle || return 0
     done
     return 1
 }

@@ -27,34 +27,26 @@ open() {
     "$burnish" view "$@" --resolution=320,240 --do=text >../view.out 2>../view.err &
     viewer=$!
     window=
-    for _ in $(seq 100); do
-        window=$(xdotool search --onlyvisible --class burnish 2>/dev/null | head -n 1)
-        [ -z "$window" ] || break
-        sleep 0.05
-    done
+    await xdotool search --onlyvisible --class burnish
+    window=$(xdotool search --onlyvisible --class burnish 2>/dev/null | head -n 1)
     check "no window of $*: $(cat ../view.err)" [ -n "$window" ]
 }
 
 close() {
     xdotool key q
-    for _ in $(seq 60); do
-        kill -0 $viewer 2>/dev/null || break
-        sleep 0.05
-    done
-    check "Q does not end it" sh -c "! kill -0 $viewer"
+    check "Q does not end it" await ended $viewer
     wait $viewer
     code=$?
     check "exit code $code: $(cat ../view.err)" [ "$code" = 0 ]
     viewer=
 }
 
-# becomes TEXT PICTURE: the window shows that picture, within 4 seconds.
+# becomes TEXT PICTURE: the window shows that picture at last.
+is_seen() {
+    import -silent -window "$window" png24:"$shots/seen.png" && "$burnish" compare "$shots/seen.png" "$1"
+}
 becomes() {
-    for _ in $(seq 40); do
-        import -silent -window "$window" png24:"$shots/seen.png"
-        "$burnish" compare "$shots/seen.png" "$2" >/dev/null 2>&1 && break
-        sleep 0.1
-    done
+    await is_seen "$2"
     check "$1: $("$burnish" compare "$shots/seen.png" "$2" | head -n 3)" "$burnish" compare "$shots/seen.png" "$2"
 }
 
@@ -88,24 +80,19 @@ convert "$shots/start.png" \( "$shots/power.png" -crop 70x240+250+0 +repage \) -
 for picture in both start; do
     convert "$shots/$picture.png" -fill black -draw 'rectangle 230,0 249,239' png24:"$shots/$picture-0.png"
 done
-for _ in $(seq 40); do
-    import -silent -window "$window" png24:"$shots/seen.png"
-    convert "$shots/seen.png" -fill black -draw 'rectangle 230,0 249,239' png24:"$shots/seen-0.png"
-    "$burnish" compare "$shots/seen-0.png" "$shots/both-0.png" >/dev/null && break
-    sleep 0.1
-done
-check "two lobes, divided at 240" "$burnish" compare "$shots/seen-0.png" "$shots/both-0.png"
+is_divided() {
+    import -silent -window "$window" png24:"$shots/seen.png" &&
+        convert "$shots/seen.png" -fill black -draw 'rectangle 230,0 249,239' png24:"$shots/seen-0.png" &&
+        "$burnish" compare "$shots/seen-0.png" "$shots/both-0.png"
+}
+check "two lobes, divided at 240" await is_divided
 xdotool key s
 becomes "S again" "$shots/start.png"
 
 # The mouse: what is dragged and what the wheel does is what C prints.
 xdotool mousemove --window "$window" 100 100 mousedown 1 mousemove --window "$window" 130 110 mouseup 1 click 4
-sleep 0.3
 xdotool key c
-for _ in $(seq 40); do
-    [ ! -s ../view.out ] || break
-    sleep 0.1
-done
+await [ -s ../view.out ]
 check "C prints a camera: $(cat ../view.out)" grep -q -- '--camera-position=' ../view.out
 eval "$(sed "s|^burnish|'$burnish'|" ../view.out) -o '$shots/dragged.png'"
 becomes "dragged, and nearer by the wheel" "$shots/dragged.png"
