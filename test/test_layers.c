@@ -24,8 +24,8 @@ static const struct layer {
     {"src/raster", "core simd burnish/core.h"},
     {"src/image", "core burnish/core.h burnish/image.h"},
     {"src/annotate", "core image burnish/annotate.h burnish/core.h burnish/image.h burnish/mesh.h"},
-    {"src/render", "core simd raster shading mesh/edges.h image/strokes.h burnish/core.h "
-                   "burnish/kernels.h burnish/mesh.h burnish/render.h"},
+    {"src/render", "core simd raster shading mesh/edges.h image/drawing.h image/strokes.h "
+                   "burnish/core.h burnish/kernels.h burnish/mesh.h burnish/render.h"},
     {"tools/burnish/batch", "cli import picture render sandbox burnish"},
     {"tools/burnish/cli", "burnish"},
     {"tools/burnish/compare", "cli import render picture burnish"},

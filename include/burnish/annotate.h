@@ -70,6 +70,15 @@ BURNISH_API burnish_status burnish_annotate(const burnish_mesh *mesh,
                                             const burnish_pixels *pixels, const float *depth,
                                             size_t stride, size_t *left_out, burnish_error *error);
 
+/* The same lines and labels in a drawing, after what it has: a path per width, colour and label.
+ * Errors: as burnish_annotate; after MEMORY the drawing can only be destroyed. */
+BURNISH_API burnish_status burnish_annotate_drawing(const burnish_mesh *mesh,
+                                                    const burnish_annotations *annotations,
+                                                    const burnish_camera *camera,
+                                                    burnish_drawing *drawing, const float *depth,
+                                                    size_t stride, size_t *left_out,
+                                                    burnish_error *error);
+
 /* The insets of a framing that leave room for them.
  *   framing        its aspect is width / height; its insets do not count
  *   width, height  of the picture in pixels

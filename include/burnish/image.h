@@ -1,6 +1,8 @@
 /* burnish/image.h: keep a picture: 8-bit pixels, PNG (also of 16 bits), hash, labels, contact
  * sheets; compare two.
  *
+ * A drawing is a picture of lines and areas instead of pixels, and is written as SVG.
+ *
  * It reads BMP and TGA, and PNG, JPEG and WebP where it was built with their libraries. What it
  * does not do: resample pictures.
  *
@@ -271,6 +273,51 @@ BURNISH_API burnish_status burnish_image_sheet(burnish_image *sheet,
                                                const burnish_sheet_cell *cells, size_t count,
                                                int columns, const uint8_t background[3],
                                                const uint8_t ink[3], burnish_error *error);
+
+/* ---- Drawings ---- */
+
+/* Lines and areas in the order in which they cover each other. burnish_renderer_trace of render.h
+ * and burnish_annotate_drawing of annotate.h put them there. One thread may use a drawing at a
+ * time. After an error of such a call it can only be destroyed. */
+typedef struct burnish_drawing burnish_drawing;
+
+/* Makes an empty one.
+ *   context        whose memory it uses; NULL: the default. Must outlive the drawing
+ *   width, height  in pixels, [1, BURNISH_IMAGE_MAX_SIZE]
+ *   drawing        receives it; release it with burnish_drawing_destroy
+ * Errors: ARGUMENT, MEMORY. */
+BURNISH_API burnish_status burnish_drawing_create(const burnish_context *context, int width,
+                                                  int height, burnish_drawing **drawing,
+                                                  burnish_error *error);
+
+/* Lays out drawings as burnish_image_sheet does pictures, to the pixel.
+ *   cells     sizes and labels; pixels may be NULL
+ *   drawings  one per cell, of the cells' size; they are copied
+ *   columns   [1, count]
+ *   ink       sRGB of the labels
+ *   sheet     receives it, NULL on error; it has the first drawing's context
+ * Errors: as burnish_image_sheet; ARGUMENT also for a drawing of another size. */
+BURNISH_API burnish_status burnish_drawing_sheet(const burnish_sheet_cell *cells,
+                                                 burnish_drawing *const *drawings, size_t count,
+                                                 int columns, const uint8_t ink[3],
+                                                 burnish_drawing **sheet, burnish_error *error);
+
+/* Writes a drawing as SVG, the same bytes everywhere: paths alone, whose coordinates are pixels
+ * with two decimals. Letters are paths too, with their text in aria-label, so no font is needed.
+ *   title          UTF-8; NULL: none
+ *   background     sRGB; NULL: none
+ *   dots_per_inch  [1, 1e6]: width and height are millimetres, 25.4 pixels / dots_per_inch; 0: they
+ *                  are pixels
+ *   text           receives the file, with a 0 at its end; give it to burnish_release() with the
+ *                  drawing's context
+ *   size           receives its bytes, without that 0
+ * Errors: ARGUMENT, MEMORY; *text is then NULL. */
+BURNISH_API burnish_status burnish_drawing_svg(const burnish_drawing *drawing, const char *title,
+                                               const uint8_t background[3], double dots_per_inch,
+                                               char **text, size_t *size, burnish_error *error);
+
+/* NULL is allowed. */
+BURNISH_API void burnish_drawing_destroy(burnish_drawing *drawing);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,5 @@
-/* The doors: what to draw is laid out, then drawn layer by layer; or laid out to see how much room
- * it needs. */
+/* The doors: what to draw is laid out, then drawn layer by layer into pixels or a drawing; or laid
+ * out to see how much room it needs. */
 #include "annotate/annotate.h"
 
 #include <string.h>
@@ -7,6 +7,7 @@
 #include "core/environment.h"
 #include "core/error.h"
 #include "core/srgb.h"
+#include "image/drawing.h"
 #include "image/pixels.h"
 #include "image/text.h"
 
@@ -302,24 +303,56 @@ static void gather(const burnish_annotation_list *list, int first, int last, flo
     }
 }
 
+/* What is drawn over: one of them. */
+typedef struct canvas {
+    const burnish_pixels *pixels;
+    burnish_drawing *drawing;
+    int width, height;
+} canvas;
+
+/* A drawing's layer: its lines, then each label as a path that says what it writes. */
+static void add_layer(const burnish_annotation_view *view, const burnish_annotation_list *list,
+                      int first, int last, float rim, strokes *figure, burnish_drawing *drawing) {
+    burnish_annotation_list part = *list;
+    part.label_count = 0;
+    gather(&part, first, last, rim, (float)view->text, figure);
+    burnish_drawing_strokes(drawing, figure->items, figure->count, NULL);
+    part.line_count = 0;
+    part.label_count = 1;
+    for (size_t i = 0; i < list->label_count; ++i) {
+        part.labels[0] = list->labels[i];
+        gather(&part, first, last, rim, (float)view->text, figure);
+        burnish_drawing_strokes(drawing, figure->items, figure->count,
+                                rim > 0 ? NULL : list->labels[i].text);
+    }
+}
+
+/* Layer by layer, the rim before lines and axes. */
 static burnish_status draw_list(const burnish_annotation_view *view,
                                 const burnish_annotation_list *list, const palette *colors,
-                                const burnish_pixels *pixels, burnish_memory *memory) {
+                                const canvas *to, burnish_memory *memory) {
     strokes figure = {.memory = memory};
     burnish_status status = BURNISH_STATUS_OK;
     for (int layer = 0; layer <= BURNISH_LAYER_COUNT && status == BURNISH_STATUS_OK; ++layer) {
-        /* the rim comes before lines and axes */
         const int is_rim = layer == BURNISH_LAYER_LINES;
         const int shown = layer > BURNISH_LAYER_LINES ? layer - 1 : layer;
+        const int first = is_rim ? BURNISH_LAYER_LINES : shown;
+        const int last = is_rim ? BURNISH_LAYER_COUNT - 1 : shown;
         const float rim = is_rim ? (float)(view->line + view->text / 12) : 0;
-        const burnish_ink ink =
-            is_rim ? burnish_ink_of(colors->rim, colors->rim_opacity)
-                   : burnish_ink_of(colors->layers[shown], colors->opacities[shown]);
-        gather(list, is_rim ? BURNISH_LAYER_LINES : shown, is_rim ? BURNISH_LAYER_COUNT - 1 : shown,
-               rim, (float)view->text, &figure);
+        const uint8_t *color = is_rim ? colors->rim : colors->layers[shown];
+        const float opacity = is_rim ? colors->rim_opacity : colors->opacities[shown];
+        gather(list, first, last, rim, (float)view->text, &figure);
+        if (to->drawing && figure.count > 0) {
+            burnish_drawing_open(to->drawing, color, opacity);
+            add_layer(view, list, first, last, rim, &figure, to->drawing);
+            burnish_drawing_close(to->drawing);
+            burnish_memory_join(memory, &to->drawing->memory);
+        }
         status = memory->status;
-        if (status == BURNISH_STATUS_OK) {
-            status = burnish_strokes_draw(pixels, figure.items, figure.count, &ink, NULL, memory);
+        if (status == BURNISH_STATUS_OK && to->pixels) {
+            const burnish_ink ink = burnish_ink_of(color, opacity);
+            status =
+                burnish_strokes_draw(to->pixels, figure.items, figure.count, &ink, NULL, memory);
         }
     }
     burnish_release(memory->context, figure.items);
@@ -327,21 +360,21 @@ static burnish_status draw_list(const burnish_annotation_view *view,
 }
 
 static burnish_status annotate(const burnish_mesh *mesh, const burnish_annotations *annotations,
-                               const burnish_camera *camera, const burnish_pixels *pixels,
+                               const burnish_camera *camera, const canvas *to,
                                const burnish_annotation_depth *depth, size_t *left_out,
                                burnish_error *error) {
     burnish_memory memory = burnish_memory_of(annotations->context, error);
     burnish_annotation_view view;
     burnish_annotation_list list;
     const palette colors = choose_palette(annotations);
-    burnish_status status = burnish_annotation_view_make(mesh, annotations, camera, pixels->width,
-                                                         pixels->height, &view, error);
+    burnish_status status = burnish_annotation_view_make(mesh, annotations, camera, to->width,
+                                                         to->height, &view, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     status = burnish_annotation_lay_out(&view, annotations->kinds, depth, 1, &memory, &list);
     if (status == BURNISH_STATUS_OK) {
-        status = draw_list(&view, &list, &colors, pixels, &memory);
+        status = draw_list(&view, &list, &colors, to, &memory);
     }
     if (left_out) {
         *left_out = list.left_out;
@@ -350,28 +383,55 @@ static burnish_status annotate(const burnish_mesh *mesh, const burnish_annotatio
     return status;
 }
 
-burnish_status burnish_annotate(const burnish_mesh *mesh, const burnish_annotations *annotations,
-                                const burnish_camera *camera, const burnish_pixels *pixels,
-                                const float *depth, size_t stride, size_t *left_out,
-                                burnish_error *error) {
+/* Both doors: what to draw over has a size, 0 where there is none. */
+static burnish_status annotate_canvas(const burnish_mesh *mesh,
+                                      const burnish_annotations *annotations,
+                                      const burnish_camera *camera, const canvas *to,
+                                      const burnish_annotation_depth *depth, size_t *left_out,
+                                      burnish_error *error) {
     const burnish_environment before = burnish_environment_enter();
-    const burnish_annotation_depth distances = {depth, stride};
-    burnish_status status =
-        check(mesh, annotations, pixels ? pixels->width : 0, pixels ? pixels->height : 0, error);
+    const size_t stride = depth->stride;
+    burnish_status status = check(mesh, annotations, to->width, to->height, error);
     if (status == BURNISH_STATUS_OK && !camera) {
         status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                               "annotations: no camera; pass the one of the picture");
     }
-    if (status == BURNISH_STATUS_OK && depth &&
-        (stride % 4 != 0 || stride / 4 < (size_t)pixels->width)) {
+    if (status == BURNISH_STATUS_OK && depth->distances &&
+        (stride % 4 != 0 || stride / 4 < (size_t)to->width)) {
         status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                               "annotations: a depth stride of %zu bytes for %d pixels; at least "
                               "four each, and a multiple of 4",
-                              stride, pixels->width);
+                              stride, to->width);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = annotate(mesh, annotations, camera, pixels, &distances, left_out, error);
+        status = annotate(mesh, annotations, camera, to, depth, left_out, error);
     }
     burnish_environment_leave(before);
     return status;
+}
+
+burnish_status burnish_annotate(const burnish_mesh *mesh, const burnish_annotations *annotations,
+                                const burnish_camera *camera, const burnish_pixels *pixels,
+                                const float *depth, size_t stride, size_t *left_out,
+                                burnish_error *error) {
+    const burnish_annotation_depth distances = {depth, stride};
+    const canvas to = {.pixels = pixels,
+                       .width = pixels ? pixels->width : 0,
+                       .height = pixels ? pixels->height : 0};
+    return annotate_canvas(mesh, annotations, camera, &to, &distances, left_out, error);
+}
+
+burnish_status burnish_annotate_drawing(const burnish_mesh *mesh,
+                                        const burnish_annotations *annotations,
+                                        const burnish_camera *camera, burnish_drawing *drawing,
+                                        const float *depth, size_t stride, size_t *left_out,
+                                        burnish_error *error) {
+    const burnish_annotation_depth distances = {depth, stride};
+    canvas to = {.drawing = drawing};
+    if (drawing) {
+        burnish_drawing_use(drawing, error);
+        to.width = drawing->width;
+        to.height = drawing->height;
+    }
+    return annotate_canvas(mesh, annotations, camera, &to, &distances, left_out, error);
 }

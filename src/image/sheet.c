@@ -1,8 +1,10 @@
-/* Contact sheets: equal pictures in rows, a centred label under each. */
+/* Contact sheets: equal pictures in rows, a centred label under each. One layout for pixels and for
+ * drawings. */
 #include <string.h>
 
 #include "core/environment.h"
 #include "core/error.h"
+#include "image/drawing.h"
 #include "image/outline.h"
 #include "image/text.h"
 
@@ -137,63 +139,109 @@ static size_t cut_length(const burnish_font *font, const char *text, size_t leng
     return whole_characters(text, fits);
 }
 
+/* Where labels go, and their colour. */
+typedef struct page {
+    burnish_image *image;     /* NULL: into the drawing */
+    burnish_drawing *drawing; /* NULL: into the image */
+    const uint8_t *ink;
+    const layout *made;
+    burnish_memory *memory;
+} page;
+
 /* A label of the font's, in the middle of the cell. */
-static burnish_status fill_label(burnish_image *sheet, const layout *made, int x, int baseline,
-                                 const uint8_t color[3], const burnish_sheet_cell *cell,
-                                 const char *text, size_t length, burnish_memory *memory) {
+static burnish_status fill_label(const page *to, int x, int baseline,
+                                 const burnish_sheet_cell *cell, const char *text, size_t length) {
     const burnish_font *font = cell->font;
-    const burnish_ink ink = burnish_ink_of(color, 1);
-    const burnish_pixels pixels = burnish_image_pixels(sheet);
-    const int32_t advance = font->set_line(font->user_data, text, length, made->label, NULL, NULL);
-    burnish_outline outline = {
-        .x = x * 256 + (made->width * 256 - advance) / 2, .y = baseline * 256, .memory = memory};
+    const int height = to->made->label;
+    const int32_t advance = font->set_line(font->user_data, text, length, height, NULL, NULL);
+    burnish_outline outline = {.x = x * 256 + (to->made->width * 256 - advance) / 2,
+                               .y = baseline * 256,
+                               .memory = to->memory};
     outline.at[0] = outline.start[0] = outline.x;
     outline.at[1] = outline.start[1] = outline.y;
-    font->set_line(font->user_data, text, length, made->label, burnish_outline_add, &outline);
+    font->set_line(font->user_data, text, length, height, burnish_outline_add, &outline);
+    if (!to->image) {
+        burnish_drawing_outline(to->drawing, &outline, to->ink, cell->label);
+        burnish_release(to->memory->context, outline.edges);
+        return to->memory->status;
+    }
+    const burnish_ink ink = burnish_ink_of(to->ink, 1);
+    const burnish_pixels pixels = burnish_image_pixels(to->image);
     return burnish_outline_fill(&outline, &pixels, &ink);
 }
 
 /* The same cut: the ellipsis is part of the text, which may run to the left. */
-static burnish_status fill_cut_label(burnish_image *sheet, const layout *made, int x, int baseline,
-                                     const uint8_t color[3], const burnish_sheet_cell *cell,
-                                     size_t length, burnish_memory *memory) {
-    char *text = burnish_allocate(memory, length + sizeof ellipsis, 1, "a label");
+static burnish_status fill_cut_label(const page *to, int x, int baseline,
+                                     const burnish_sheet_cell *cell, size_t length) {
+    char *text = burnish_allocate(to->memory, length + sizeof ellipsis, 1, "a label");
     if (!text) {
-        return memory->status;
+        return to->memory->status;
     }
     memcpy(text, cell->label, length);
     memcpy(text + length, ellipsis, sizeof ellipsis);
-    const burnish_status status = fill_label(sheet, made, x, baseline, color, cell, text,
-                                             length + sizeof ellipsis - 1, memory);
-    burnish_release(memory->context, text);
+    const burnish_status status =
+        fill_label(to, x, baseline, cell, text, length + sizeof ellipsis - 1);
+    burnish_release(to->memory->context, text);
     return status;
 }
 
+/* Strokes of a line on their way to a drawing. */
+typedef struct line_strokes {
+    burnish_stroke *items;
+    size_t count, capacity;
+    burnish_memory *memory;
+} line_strokes;
+
+static void push_strokes(void *context, const burnish_stroke *strokes, size_t count) {
+    line_strokes *to = context;
+    to->items = burnish_reserve(to->memory, to->items, &to->capacity, to->count + count,
+                                sizeof *to->items, "strokes of a label");
+    if (to->memory->status == BURNISH_STATUS_OK && count > 0) {
+        memcpy(to->items + to->count, strokes, count * sizeof *strokes);
+        to->count += count;
+    }
+}
+
+/* The first `kept` of the label's bytes in burnish's own letters, and an ellipsis where some are
+ * left out. */
+static burnish_status draw_own_label(const page *to, float left, float baseline,
+                                     const char *label, size_t kept) {
+    const float height = (float)to->made->label;
+    const size_t dots = label[kept] ? sizeof ellipsis - 1 : 0;
+    const float after = left + burnish_text_draw(NULL, 0, 0, height, to->ink, label, kept);
+    if (to->image) {
+        burnish_text_draw(to->image, left, baseline, height, to->ink, label, kept);
+        burnish_text_draw(to->image, after, baseline, height, to->ink, ellipsis, dots);
+        return BURNISH_STATUS_OK;
+    }
+    line_strokes line = {.memory = to->memory};
+    burnish_text_strokes(left, baseline, height, label, kept, push_strokes, &line);
+    burnish_text_strokes(after, baseline, height, ellipsis, dots, push_strokes, &line);
+    burnish_drawing_open(to->drawing, to->ink, 1);
+    burnish_drawing_strokes(to->drawing, line.items, line.count, label);
+    burnish_drawing_close(to->drawing);
+    burnish_release(to->memory->context, line.items);
+    return to->memory->status;
+}
+
 /* x: the cell's left edge; cells too narrow for an ellipsis keep no label. */
-static burnish_status draw_label(burnish_image *sheet, const layout *made, int x, int baseline,
-                                 const uint8_t ink[3], const burnish_sheet_cell *cell,
-                                 burnish_memory *memory) {
+static burnish_status draw_label(const page *to, int x, int baseline,
+                                 const burnish_sheet_cell *cell) {
     const char *text = cell->label;
-    float width = (float)made->width;
-    float height = (float)made->label;
-    size_t length = strlen(text);
-    float advance = measure(cell->font, text, length, made->label);
+    const float width = (float)to->made->width;
+    const size_t length = strlen(text);
+    const float advance = measure(cell->font, text, length, to->made->label);
     const size_t kept =
-        advance <= width ? length : cut_length(cell->font, text, length, made->label, width);
+        advance <= width ? length : cut_length(cell->font, text, length, to->made->label, width);
     if (kept == 0) {
         return BURNISH_STATUS_OK;
     }
     if (cell->font) {
-        return kept == length
-                   ? fill_label(sheet, made, x, baseline, ink, cell, text, length, memory)
-                   : fill_cut_label(sheet, made, x, baseline, ink, cell, kept, memory);
+        return kept == length ? fill_label(to, x, baseline, cell, text, length)
+                              : fill_cut_label(to, x, baseline, cell, kept);
     }
-    float left = kept == length ? (float)x + (width - advance) * 0.5F : (float)x;
-    left += burnish_text_draw(sheet, left, (float)baseline, height, ink, text, kept);
-    if (kept < length) {
-        burnish_text_draw(sheet, left, (float)baseline, height, ink, ellipsis, sizeof ellipsis - 1);
-    }
-    return BURNISH_STATUS_OK;
+    const float left = kept == length ? (float)x + (width - advance) * 0.5F : (float)x;
+    return draw_own_label(to, left, (float)baseline, text, kept);
 }
 
 /* The layout and the size of the sheet. */
@@ -233,6 +281,12 @@ burnish_status burnish_image_sheet_size(const burnish_sheet_cell *cells, size_t 
     return status;
 }
 
+/* Where a cell's picture is. */
+static void cell_corner(const layout *made, size_t cell, int *x, int *y) {
+    *x = made->gap + (made->width + made->gap) * (int)(cell % (size_t)made->columns);
+    *y = made->gap + (made->height + made->below + made->gap) * (int)(cell / (size_t)made->columns);
+}
+
 static burnish_status make_sheet(burnish_image *sheet, const burnish_sheet_cell *cells,
                                  size_t count, int columns, const uint8_t background[3],
                                  const uint8_t ink[3], burnish_error *error) {
@@ -252,16 +306,15 @@ static burnish_status make_sheet(burnish_image *sheet, const burnish_sheet_cell 
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    int step_x = made.width + made.gap, step_y = made.height + made.below + made.gap;
     burnish_memory memory = burnish_memory_of(NULL, error);
+    const page to = {.image = sheet, .ink = ink, .made = &made, .memory = &memory};
     fill(sheet, background);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        int x = made.gap + step_x * (int)(i % (size_t)columns);
-        int y = made.gap + step_y * (int)(i / (size_t)columns);
+        int x, y;
+        cell_corner(&made, i, &x, &y);
         burnish_image_copy(sheet, x, y, cells[i].image);
         if (has_label(&cells[i])) {
-            status = draw_label(sheet, &made, x, y + made.height + made.baseline, ink, &cells[i],
-                                &memory);
+            status = draw_label(&to, x, y + made.height + made.baseline, &cells[i]);
         }
     }
     if (status != BURNISH_STATUS_OK) {
@@ -275,6 +328,60 @@ burnish_status burnish_image_sheet(burnish_image *sheet, const burnish_sheet_cel
                                    const uint8_t ink[3], burnish_error *error) {
     const burnish_environment before = burnish_environment_enter();
     const burnish_status status = make_sheet(sheet, cells, count, columns, background, ink, error);
+    burnish_environment_leave(before);
+    return status;
+}
+
+/* ---- Of drawings ---- */
+
+/* Cells of the drawings' sizes, which the layout is made of. */
+static burnish_status place_drawings(const burnish_sheet_cell *cells,
+                                     burnish_drawing *const *drawings, size_t count, int columns,
+                                     const uint8_t ink[3], burnish_drawing **sheet,
+                                     burnish_error *error) {
+    layout made;
+    int size[2];
+    burnish_status status = lay_out(cells, count, columns, &made, size, error);
+    for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        if (!drawings[i] || drawings[i]->width != made.width ||
+            drawings[i]->height != made.height) {
+            status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                  "sheet: drawing %zu is not of the cells' size, %d x %d", i + 1,
+                                  made.width, made.height);
+        }
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_drawing_create(drawings[0]->context, size[0], size[1], sheet, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    burnish_drawing_use(*sheet, error);
+    const page to = {
+        .drawing = *sheet, .ink = ink, .made = &made, .memory = &(*sheet)->memory};
+    for (size_t i = 0; i < count; ++i) {
+        int x, y;
+        cell_corner(&made, i, &x, &y);
+        burnish_drawing_place(*sheet, drawings[i], x, y);
+        if (has_label(&cells[i])) {
+            draw_label(&to, x, y + made.height + made.baseline, &cells[i]);
+        }
+    }
+    return (*sheet)->memory.status;
+}
+
+burnish_status burnish_drawing_sheet(const burnish_sheet_cell *cells,
+                                     burnish_drawing *const *drawings, size_t count, int columns,
+                                     const uint8_t ink[3], burnish_drawing **sheet,
+                                     burnish_error *error) {
+    const burnish_environment before = burnish_environment_enter();
+    *sheet = NULL;
+    const burnish_status status =
+        place_drawings(cells, drawings, count, columns, ink, sheet, error);
+    if (status != BURNISH_STATUS_OK) {
+        burnish_drawing_destroy(*sheet);
+        *sheet = NULL;
+    }
     burnish_environment_leave(before);
     return status;
 }

@@ -93,14 +93,13 @@ const burnish_cap *burnish_caps_find(const burnish_caps *caps, double x, double 
 
 /* ---- Hatching ---- */
 
-enum { PERIOD = 14 }; /* pixels from line to line along a row */
-#define LINE_WIDTH 1.1f
+enum { PERIOD = BURNISH_HATCH_PERIOD };
 #define DIAGONAL 0.70710678f
 
 float burnish_cap_hatch(int number, int x, int y) {
     const int along = (number & 1 ? x - y : x + y) % PERIOD;
     const int step = along < 0 ? along + PERIOD : along;
     const float distance = (float)(step < PERIOD - step ? step : PERIOD - step) * DIAGONAL;
-    const float cover = LINE_WIDTH * 0.5f + 0.5f - distance;
+    const float cover = BURNISH_HATCH_WIDTH * 0.5f + 0.5f - distance;
     return cover < 0 ? 0 : cover > 1 ? 1 : cover;
 }

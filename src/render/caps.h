@@ -34,6 +34,10 @@ burnish_caps burnish_caps_create(const burnish_mesh_view *mesh, const burnish_ra
  * where no cap is nearer: a line of sight that begins in the solid. */
 const burnish_cap *burnish_caps_find(const burnish_caps *caps, double x, double y, float *depth);
 
+/* The lines of the hatching: how far apart along a row, and how wide, in pixels. */
+#define BURNISH_HATCH_PERIOD 14
+#define BURNISH_HATCH_WIDTH 1.1f
+
 /* How much of a cap's hatching a pixel of the image shows, [0, 1]: lines of constant width and
  * distance in pixels at 45 degrees, antialiased, in turn one way and the other.
  *   number  of the cut, and of the material, added */

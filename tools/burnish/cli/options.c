@@ -199,6 +199,28 @@ static burnish_status fail_unknown(const cli_command *command, const char *argum
                     cli_full_name(command).text);
 }
 
+/* Its bit in the settings of the command that the flag is of. */
+static uint64_t *given_bit(const cli_command *command, const cli_flag *flag, const void *settings,
+                           uint64_t *mask) {
+    while (command && !(flag >= command->flags && flag < command->flags + command->flag_count)) {
+        command = command->base;
+    }
+    if (!command || !command->given) {
+        return NULL;
+    }
+    const size_t index = (size_t)(flag - command->flags);
+    cli_given *given = (cli_given *)((char *)(uintptr_t)settings + command->given);
+    *mask = (uint64_t)1 << index % 64;
+    return &given->bits[index / 64];
+}
+
+int cli_is_given(const cli_command *command, const void *settings, const char *name) {
+    const cli_flag *flag = find_flag(command, name, strlen(name));
+    uint64_t mask = 0;
+    const uint64_t *bits = flag ? given_bit(command, flag, settings, &mask) : NULL;
+    return bits && (*bits & mask) != 0;
+}
+
 static burnish_status apply(const cli_flag *flag, const char *text, void *settings,
                             burnish_error *error) {
     return flag->handler(flag, text, (char *)settings + flag->offset, error);
@@ -348,6 +370,10 @@ burnish_status cli_parse(const cli_command *command, int argc, char **argv, void
             continue;
         }
         if (status == BURNISH_STATUS_OK && flag) {
+            uint64_t mask = 0, *bits = given_bit(command, flag, settings, &mask);
+            if (bits) {
+                *bits |= mask;
+            }
             status = apply(flag, text, settings, error);
         }
         if (call->arguments) {

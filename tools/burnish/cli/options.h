@@ -89,6 +89,11 @@ typedef struct cli_call {
     int exit_code;     /* set by the work where success is not 0 */
 } cli_call;
 
+/* Which flags of a command were given, by their index. */
+typedef struct cli_given {
+    uint64_t bits[2];
+} cli_given;
+
 /* The work of a command; settings are as the flags left them. */
 typedef burnish_status cli_work(void *settings, cli_call *call, burnish_error *error);
 
@@ -113,8 +118,13 @@ struct cli_command {
     const cli_section *sections;     /* the last has a NULL heading; may be NULL */
     const cli_command *const *parts; /* its subcommands, NULL ends them; or NULL */
     size_t settings_size;            /* bytes, zero before the defaults of the flags */
+    size_t given;                    /* where the settings have a cli_given, for at most 128 flags;
+                                        0: nowhere */
     cli_work *work;
 };
+
+/* Whether a flag that the command has was given; settings are its own, or begin with them. */
+int cli_is_given(const cli_command *command, const void *settings, const char *name);
 
 /* The flags of a command, its own first and then its base's; NULL past the last. */
 const cli_flag *cli_flag_at(const cli_command *command, size_t index);

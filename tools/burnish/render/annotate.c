@@ -1,6 +1,7 @@
-/* Drawing a cell with its annotations. */
+/* Drawing a cell with its annotations, into pixels and into a drawing. */
 #include "render/annotate.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,6 +38,14 @@ burnish_status render_draw(const render_result *result, burnish_renderer *render
     return status;
 }
 
+static burnish_annotations make_annotations(const render_result *result,
+                                            const burnish_render_options *options) {
+    burnish_annotations annotations = render_make_annotations(result->mesh, result->settings);
+    memcpy(annotations.background, options->background, sizeof annotations.background);
+    annotations.transparent = options->transparent;
+    return annotations;
+}
+
 burnish_status render_annotate(render_result *result, const burnish_render_options *options,
                                render_cell *cell, const float *depth, burnish_error *error) {
     const render_settings *settings = result->settings;
@@ -44,13 +53,18 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
         return BURNISH_STATUS_OK;
     }
     const burnish_pixels pixels = burnish_image_pixels(&cell->image);
-    burnish_annotations annotations = render_make_annotations(result->mesh, settings);
+    const burnish_annotations annotations = make_annotations(result, options);
     size_t left_out = 0;
-    memcpy(annotations.background, options->background, sizeof annotations.background);
-    annotations.transparent = options->transparent;
     const burnish_status status =
         burnish_annotate(result->mesh, &annotations, &cell->camera, &pixels, depth,
                          (size_t)pixels.width * sizeof *depth, &left_out, error);
+    if (status == BURNISH_STATUS_OK && (annotations.kinds & BURNISH_ANNOTATION_SCALE) &&
+        !(cell->camera.orthographic_height > 0)) {
+        render_result_warn(result, 1,
+                           "%.300s: --annotate: scale: a perspective has no scale, so %s has no "
+                           "bar; give --camera-orthographic, or leave it out",
+                           settings->input, result->cell_count > 1 ? cell->label : "the picture");
+    }
     if (status == BURNISH_STATUS_OK && left_out > 0) {
         render_result_warn(result, 1,
                            "%.300s: %s has no room for %zu of the annotations; make it larger, or "
@@ -58,5 +72,65 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
                            settings->input, result->cell_count > 1 ? cell->label : "the picture",
                            left_out);
     }
+    return status;
+}
+
+/* ---- Drawings ---- */
+
+burnish_status render_trace(const render_result *result, burnish_renderer *renderer,
+                            const burnish_render_options *options, render_cell *cell,
+                            const float *depth, burnish_error *error) {
+    const burnish_annotations annotations = make_annotations(result, options);
+    burnish_status status =
+        burnish_drawing_create(NULL, options->width, options->height, &cell->drawing, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renderer_trace(renderer, result->mesh, options, cell->drawing, error);
+    }
+    if (status == BURNISH_STATUS_OK && annotations.kinds) {
+        status = burnish_annotate_drawing(result->mesh, &annotations, &cell->camera, cell->drawing,
+                                          depth, (size_t)options->width * sizeof *depth, NULL,
+                                          error);
+    }
+    return status;
+}
+
+static void release_svg(void *bytes) {
+    burnish_release(NULL, bytes);
+}
+
+static burnish_status write_svg(const render_result *result, const burnish_drawing *drawing,
+                                picture_file *file, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    const burnish_render_options *options = result->options;
+    const char *slash = strrchr(settings->input, '/');
+    char title[256], *text = NULL;
+    snprintf(title, sizeof title, "%s", slash ? slash + 1 : settings->input);
+    for (char *c = title; *c; ++c) {
+        *c = (signed char)*c < 0 ? '?' : *c; /* names may hold bytes that are not UTF-8 */
+    }
+    const burnish_status status =
+        burnish_drawing_svg(drawing, title, options->transparent ? NULL : options->background,
+                            settings->dots_per_inch.value, &text, &file->size, error);
+    file->bytes = (uint8_t *)text;
+    file->release = release_svg;
+    return status;
+}
+
+burnish_status render_encode_drawing(const render_result *result, const burnish_sheet_cell *cells,
+                                     const uint8_t ink[3], picture_file *file,
+                                     burnish_error *error) {
+    burnish_drawing *drawings[RENDER_LIST_MAX * RENDER_LIST_MAX], *sheet = NULL;
+    if (result->cell_count == 1) {
+        return write_svg(result, result->cells[0].drawing, file, error);
+    }
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        drawings[i] = result->cells[i].drawing;
+    }
+    burnish_status status = burnish_drawing_sheet(cells, drawings, result->cell_count,
+                                                  result->columns, ink, &sheet, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = write_svg(result, sheet, file, error);
+    }
+    burnish_drawing_destroy(sheet);
     return status;
 }

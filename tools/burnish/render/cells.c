@@ -73,6 +73,9 @@ burnish_status render_draw_cell(render_result *result, burnish_renderer *rendere
     }
     render_warn_about_cell(result, cell);
     status = render_annotate(result, options, cell, depth, error);
+    if (status == BURNISH_STATUS_OK && result->settings->format == PICTURE_SVG) {
+        status = render_trace(result, renderer, options, cell, depth, error);
+    }
     free(depth);
     if ((result->settings->json || result->settings->tell) && status == BURNISH_STATUS_OK) {
         cell->hash = burnish_image_hash(&cell->image);

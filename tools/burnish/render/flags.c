@@ -851,6 +851,8 @@ static const cli_example examples[] = {
     {NULL, NULL},
 };
 
+_Static_assert(sizeof flags / sizeof *flags <= 128, "as many as cli_given has bits for");
+
 const cli_command render_command = {
     .name = "render",
     .operand = "INPUT...",
@@ -875,5 +877,6 @@ const cli_command render_command = {
     .examples = examples,
     .sections = render_sections,
     .settings_size = sizeof(render_settings),
+    .given = offsetof(render_settings, given),
     .work = render_work,
 };

@@ -13,6 +13,7 @@
 #include "cli/limits.h"
 #include "cli/run.h"
 #include "font/utf8.h"
+#include "render/annotate.h"
 #include "render/bands.h"
 #include "render/camera.h"
 #include "render/many.h"
@@ -180,28 +181,6 @@ static burnish_status draw_planes(render_result *result, burnish_renderer *rende
                : render_draw_planes(renderer, result->mesh, options, kinds, &result->planes, error);
 }
 
-static void release_svg(void *bytes) {
-    burnish_release(NULL, bytes);
-}
-
-/* The lines of the only cell. */
-static burnish_status encode_lines(render_result *result, const burnish_renderer *renderer,
-                                   burnish_error *error) {
-    const burnish_render_options *options = result->options;
-    const char *slash = strrchr(result->settings->input, '/');
-    char title[256], *text;
-    snprintf(title, sizeof title, "%s", slash ? slash + 1 : result->settings->input);
-    for (char *c = title; *c; ++c) {
-        *c = (signed char)*c < 0 ? '?' : *c; /* names may hold bytes that are not UTF-8 */
-    }
-    burnish_status status = burnish_lines_svg(burnish_renderer_get_lines(renderer), title,
-                                              options->transparent ? NULL : options->background,
-                                              NULL, &text, &result->svg.size, error);
-    result->svg.bytes = (uint8_t *)text;
-    result->svg.release = release_svg;
-    return status;
-}
-
 static burnish_status draw_cells(render_result *result, burnish_renderer *renderer,
                                  burnish_render_options *options, burnish_error *error) {
     const render_settings *settings = result->settings;
@@ -217,9 +196,6 @@ static burnish_status draw_cells(render_result *result, burnish_renderer *render
     }
     if (progress) {
         fprintf(stderr, "\r\033[K");
-    }
-    if (status == BURNISH_STATUS_OK && settings->format == PICTURE_SVG) {
-        status = encode_lines(result, renderer, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = draw_planes(result, renderer, options, error);
@@ -341,9 +317,11 @@ static burnish_status encode(render_result *result, picture_file *file, burnish_
         return render_encode_planes(&result->planes, format, file, error);
     }
     if (format == PICTURE_SVG) {
-        *file = result->svg;
-        result->svg = (picture_file){0};
-        return BURNISH_STATUS_OK;
+        sheet_cells cells;
+        uint8_t ink[3];
+        choose_ink(result->options, ink);
+        list_cells(result, &cells);
+        return render_encode_drawing(result, cells.items, ink, file, error);
     }
     const burnish_pixels pixels = burnish_image_pixels(result->picture);
     const picture_options options = {.threads = settings->threads,
@@ -480,8 +458,8 @@ static burnish_status render(render_result *result, render_settings *settings,
 }
 
 static void release(render_result *result) {
-    picture_release(&result->svg);
     for (size_t i = 0; result->cells && i < result->cell_count; ++i) {
+        burnish_drawing_destroy(result->cells[i].drawing);
         burnish_image_destroy(&result->cells[i].image);
     }
     free(result->cells);

@@ -13,6 +13,7 @@ typedef struct render_cell {
     burnish_lobe_spec lobe;
     burnish_camera camera;
     burnish_image image;
+    burnish_drawing *drawing; /* of an SVG; else NULL */
     burnish_render_report report;
     uint64_t hash;
     render_tones tones; /* with --json */
@@ -34,7 +35,6 @@ typedef struct render_result {
     render_cell *cells;
     size_t cell_count;
     const burnish_image *picture; /* the only cell's image or the sheet */
-    picture_file svg;             /* its lines, where they are the output */
     render_plane_data planes;     /* of the only cell */
     uint64_t hash;
     int columns;

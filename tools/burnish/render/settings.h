@@ -177,6 +177,8 @@ typedef struct render_settings {
     int loads_foreign; /* 1: it knows formats that importers read */
     int opens_no_font; /* 1: letters beyond ASCII are drawn as ? */
 
+    cli_given given; /* flags of the command line */
+
     char default_output[512]; /* what output points to when the name is made from the input's */
 } render_settings;
 
@@ -189,6 +191,14 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
 
 /* Checks flags that exclude each other, and chooses the instruction set. */
 burnish_status render_check(render_settings *settings, burnish_error *error);
+
+/* Whether a flag of render's was given. */
+int render_is_given(const render_settings *settings, const char *flag);
+
+/* ARGUMENT for a flag that was given and can have no effect on what is drawn: of turntables, of
+ * sheets, of projections, of lines; and of what an SVG can't show. Called when the format is known.
+ */
+burnish_status render_check_useless(const render_settings *settings, burnish_error *error);
 
 /* Whether others draw, or this one draws for another. */
 int render_is_shared(const render_settings *settings);

@@ -101,23 +101,12 @@ static int is_svg(const render_settings *settings) {
            (settings->format == PICTURE_AUTO && dot && strcasecmp(dot, ".svg") == 0);
 }
 
-/* An SVG holds the lines of one picture. */
+/* An SVG holds the lines and flat areas of a drawing. */
 static burnish_status choose_svg(render_settings *settings, burnish_error *error) {
     if (settings->look != BURNISH_LOOK_DRAWING) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--output: \"%.200s\": an SVG holds lines alone; draw them with "
+                        "--output: \"%.200s\": an SVG holds lines, no shading; draw them with "
                         "--look=drawing, or end the name in .png",
-                        settings->output);
-    }
-    if (settings->rows.count > 0) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--rows: an SVG holds the lines of all rows; leave it out, or end the name "
-                        "in .png");
-    }
-    if (settings->views.count > 1 || settings->lobes.count > 1) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--output: \"%.200s\": an SVG holds one picture; ask for one view, or end "
-                        "the name in .png",
                         settings->output);
     }
     settings->format = PICTURE_SVG;
@@ -155,7 +144,7 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
     if (settings->dots_per_inch.given &&
         (settings->turntable || (format != PICTURE_PNG && format != PICTURE_JPEG))) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--dpi: only PNG and JPEG hold it; leave it out");
+                        "--dpi: only PNG, JPEG and SVG hold it; leave it out");
     }
     return BURNISH_STATUS_OK;
 }
@@ -219,7 +208,8 @@ static burnish_status check_scale_flags(const render_settings *settings, burnish
                         "--%s: a perspective has no scale; leave out --camera-orthographic=no",
                         scale);
     }
-    if ((settings->annotations & BURNISH_ANNOTATION_SCALE) && !scale && !parallel) {
+    if (settings->annotations == BURNISH_ANNOTATION_SCALE && !scale && !parallel &&
+        !settings->own_camera) {
         return cli_fail(
             error, BURNISH_STATUS_ARGUMENT,
             "--annotate: scale: a perspective has no scale; give --camera-orthographic, "
@@ -373,6 +363,9 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
         status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
                           "--output: others draw parts of a PNG or of a --turntable; end the name "
                           "in .png");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_check_useless(settings, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_planes(settings, error);

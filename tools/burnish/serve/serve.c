@@ -190,6 +190,7 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
                         "serve-stdio: this program was built without libseccomp; install "
                         "libseccomp-dev and build again, or use --no-sandbox");
     }
+    defaults.given = (cli_given){{0}}; /* they are of requests, which may have what they need */
     const burnish_status status = render_finish(&defaults, error);
     return status == BURNISH_STATUS_OK ? serve_run(settings, error) : status;
 }

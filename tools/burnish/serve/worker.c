@@ -207,6 +207,7 @@ static burnish_status draw(const serve_settings *server, request *r, int *code,
                            burnish_error *error) {
     render_settings settings = server->render;
     cli_call call = {0};
+    settings.given = (cli_given){{0}}; /* what the server was given are defaults */
     burnish_status status =
         cli_parse(&serve_request_command, r->flag_count, r->flags, &settings, &call, error);
     if (status == BURNISH_STATUS_OK && call.help) {

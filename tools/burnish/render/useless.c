@@ -1,0 +1,93 @@
+/* Flags that were given and change nothing: each is an error, so that nobody waits for its effect.
+ * What a flag needs may come from others, so this is asked when all are known. */
+#include <string.h>
+
+#include "cli/commands.h"
+#include "render/settings.h"
+
+int render_is_given(const render_settings *settings, const char *flag) {
+    return cli_is_given(&render_command, settings, flag);
+}
+
+/* Flags that need something. */
+typedef struct need {
+    const char *flags; /* between commas */
+    int is_met;
+    const char *why; /* after "--flag: " */
+} need;
+
+/* The first flag of a list that was given, or NULL. */
+static const char *find_given(const render_settings *settings, const char *flags, char *name,
+                              size_t size) {
+    for (const char *rest = flags; rest; rest = strchr(rest, ','), rest += rest != NULL) {
+        const size_t length = strcspn(rest, ",");
+        if (length < size) {
+            memcpy(name, rest, length);
+            name[length] = 0;
+        }
+        if (length < size && render_is_given(settings, name)) {
+            return name;
+        }
+    }
+    return NULL;
+}
+
+/* Whether any picture can have lines: those of views along an axis are of parallel projections. */
+static int has_lines(const render_settings *settings, int is_parallel) {
+    const burnish_render_options options = render_make_options(settings);
+    return options.edges == BURNISH_EDGES_AXIS_VIEWS ? is_parallel : options.edges != 0;
+}
+
+/* Whether some picture is a perspective, and whether some is parallel: a camera of the input's own
+ * may be either. */
+static int is_perspective(const render_settings *settings) {
+    return settings->own_camera || settings->projection == PROJECTION_PERSPECTIVE ||
+           (settings->projection == PROJECTION_AUTO && settings->views.count == 0 &&
+            !settings->orthographic_height.given && !settings->same_scale);
+}
+
+static int is_parallel(const render_settings *settings) {
+    return settings->own_camera || !is_perspective(settings);
+}
+
+/* What an SVG shows nothing of: "of" is what it has instead. */
+static burnish_status check_svg(const render_settings *settings, burnish_error *error) {
+    static const char unshown[] = "light,shadow,ground,opacity,specular,exponent,lobe,equation,"
+                                  "viewer,samples,quality,rows";
+    char name[32];
+    const char *flag = settings->occlusion.given && settings->occlusion.directions != 0
+                           ? "occlusion"
+                           : find_given(settings, unshown, name, sizeof name);
+    return flag ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                           "--%s: an SVG holds lines and areas of one colour, which it does not "
+                           "change; leave it out, or end the name in .png",
+                           flag)
+                : BURNISH_STATUS_OK;
+}
+
+burnish_status render_check_useless(const render_settings *settings, burnish_error *error) {
+    const int is_sheet = settings->views.count > 1 || settings->lobes.count > 1;
+    const int is_framed = !settings->own_camera && !settings->position.given;
+    const need needs[] = {
+        {"frames,fps", settings->turntable != NULL,
+         "only a turntable has frames; write one with --turntable=FILE, or leave it out"},
+        {"columns,labels,no-labels,font", is_sheet,
+         "only a sheet has them; ask for several --views or lobes, or leave it out"},
+        {"edge-width,edge-color", has_lines(settings, is_parallel(settings)),
+         "no lines are drawn; draw them with --edges, or leave it out"},
+        {"camera-view-angle", is_perspective(settings),
+         "a parallel projection has no angle; give --camera-orthographic=no, or leave it out"},
+        {"margin", (is_framed || settings->views.count > 0 || is_parallel(settings)) &&
+                       !settings->orthographic_height.given,
+         "the object is not framed, since the camera's flags say where it is; leave it out"},
+    };
+    for (size_t i = 0; i < sizeof needs / sizeof *needs; ++i) {
+        char name[32];
+        const char *flag =
+            needs[i].is_met ? NULL : find_given(settings, needs[i].flags, name, sizeof name);
+        if (flag) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: %s", flag, needs[i].why);
+        }
+    }
+    return settings->format == PICTURE_SVG ? check_svg(settings, error) : BURNISH_STATUS_OK;
+}
