@@ -39,6 +39,7 @@ demo: ## render the teapot with four lobes and a scanned object, and say where t
 	@./scripts/demo $(BUILD)/burnish $(OUT)
 
 formats: ## fill docs/formats.md: what is drawn of the glTF files below FORMATS_FILES="FOLDER..."
+	@./scripts/need-folder $(foreach folder,$(FORMATS_FILES),FORMATS_FILES "$(folder)")
 	@$(DEPS) build
 	@$(MAKE) --no-print-directory build
 	@./scripts/formats-table $(BUILD)/burnish $(DOCS)/formats.md $(FORMATS_FILES)
@@ -314,6 +315,7 @@ bench-scale: short-docs ## time and memory up to MOST=100000000 triangles and 16
 	@./scripts/scale-tables build/release/bench_scale build/release/burnish build/release $(DOCS)/performance.md $(MOST)
 
 bench-peers: short-docs ## time frames and whole processes against other renderers (minutes); fills docs/frames.md. MESHES=FOLDER: frames of its files; PARTS=FOLDER: processes
+	@./scripts/need-folder MESHES "$(MESHES)" PARTS "$(PARTS)"
 	@$(DEPS) build demo
 	@$(if $(SHORT),,$(DEPS) peers || echo "bench-peers: going on with the peers that are installed")
 	@$(MAKE) --no-print-directory program-bench_peers_programs CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON
@@ -321,6 +323,7 @@ bench-peers: short-docs ## time frames and whole processes against other rendere
 	@$(if $(MESHES),,./scripts/frames-tables $(if $(PARTS),--parts "$(PARTS)") build/release $(DOCS)/frames.md)
 
 bench-load: short-docs ## time loading meshes beside other libraries; fills docs/loading.md. FILES=FOLDER: its files, printed only
+	@./scripts/need-folder FILES "$(FILES)"
 	@$(DEPS) build
 	@$(if $(SHORT),,$(DEPS) peers || echo "bench-load: going on with the peers that are installed")
 	@$(MAKE) --no-print-directory program-bench_load_programs CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON

@@ -11,6 +11,7 @@
 #include "mesh_arrays.h"
 #include "render/lines.h"
 #include "shapes.h"
+#include "svg_path.h"
 
 enum { SIZE = 400 };
 
@@ -442,42 +443,10 @@ static void test_ink(void) {
 
 /* ---- SVG ---- */
 
-/* Reads a path's numbers: the points of its lines, one after another, where they are not left out
- * for being equal. Returns how many. */
-static size_t read_path(const char *d, double (*points)[2], size_t capacity) {
-    double at[2] = {0, 0}, start[2] = {0, 0};
-    size_t count = 0;
-    char command = 0;
-    while (*d != '"') {
-        if (strchr("Mmlz", *d)) {
-            command = *d++;
-            if (command == 'z') {
-                memcpy(at, start, sizeof at);
-                CHECK1(count < capacity);
-                memcpy(points[count++], at, sizeof at);
-            }
-            continue;
-        }
-        for (int k = 0; k < 2; ++k) {
-            char *end;
-            const double value = strtod(d, &end);
-            CHECK(end != d, "no number at \"%.10s\"", d);
-            at[k] = command == 'M' ? value : at[k] + value;
-            d = end;
-        }
-        if (command != 'l') {
-            memcpy(start, at, sizeof at);
-        }
-        CHECK1(count < capacity);
-        memcpy(points[count++], at, sizeof at);
-    }
-    return count;
-}
-
-/* strtod takes "1.5.5" apart as the path does, and every line's points come back. */
+/* Every line's points come back. */
 static void test_svg(void) {
     static const double position[3] = {6, -9, 5};
-    static double points[4096][2];
+    static svg_path read;
     burnish_mesh *mesh = load(":teapot", 8);
     burnish_render_options options = make_options(position, 4, BURNISH_EDGES_FEATURES);
     burnish_framing framing = burnish_framing_default();
@@ -487,9 +456,12 @@ static void test_svg(void) {
     size_t size = 0, found = 0;
     CHECK1(burnish_camera_frame(mesh, &framing, &options.camera, &error) == BURNISH_STATUS_OK);
     const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
-    CHECK1(burnish_lines_svg(lines, "a<b>&\"c\n", options.background, NULL, &text, &size, &error) ==
-           BURNISH_STATUS_OK);
-    CHECK1(strlen(text) == size && strstr(text, "<title>a&lt;b&gt;&amp;\"c </title>") &&
+    burnish_drawing *drawing = NULL;
+    CHECK1(burnish_drawing_create(NULL, SIZE, SIZE, &drawing, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_trace(renderer, mesh, &options, drawing, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_svg(drawing, "a<b>&\"c\n", options.background, 0, &text, &size,
+                               &error) == BURNISH_STATUS_OK);
+    CHECK1(strlen(text) == size && strstr(text, "<title>a&lt;b&gt;&amp;&quot;c </title>") &&
            strstr(text, "width=\"400\" height=\"400\" viewBox=\"0 0 400 400\"") &&
            strstr(text, "fill=\"#ffffff\""));
     for (const char *path = text; (path = strstr(path, " d=\"")) != NULL; ++path) {
@@ -498,7 +470,9 @@ static void test_svg(void) {
             --width;
         }
         const double wide = strtod(width + 7, NULL);
-        const size_t count = read_path(path + 4, points, 4096);
+        svg_read_path(path + 4, &read);
+        const double(*points)[2] = (const double(*)[2])read.points;
+        const size_t count = read.starts[read.count];
         size_t at = 0;
         for (size_t l = 0; l < lines->line_count; ++l) {
             if (fabs((double)lines->widths[l] - wide) > 0.006) {
@@ -521,8 +495,7 @@ static void test_svg(void) {
     }
     CHECK(found == lines->line_count && found > 10, "%zu of %zu lines", found, lines->line_count);
     burnish_release(NULL, text);
-    CHECK1(burnish_lines_svg(NULL, NULL, NULL, NULL, &text, &size, &error) ==
-           BURNISH_STATUS_ARGUMENT);
+    burnish_drawing_destroy(drawing);
     burnish_image_destroy(&image);
     burnish_renderer_destroy(renderer);
     burnish_mesh_destroy(mesh);

@@ -106,6 +106,6 @@ burnish_shown_name burnish_show_name(const char *name) {
 
 burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes) {
     return burnish_fail(error, BURNISH_STATUS_MEMORY,
-                        "out of memory: %s needs %zu bytes; free memory or use a smaller input",
-                        burnish_show_name(what).text, bytes);
+                        "out of memory: no %zu bytes for %s; free memory or use a smaller input",
+                        bytes, burnish_show_name(what).text);
 }

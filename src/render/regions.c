@@ -211,7 +211,7 @@ void burnish_borders_hatch(burnish_borders *borders, int way, double period, dou
             borders->hatch[4 * borders->hatch_count + 2 * (size_t)end + 1] =
                 (float)(sign * (at - x));
         }
-        ++borders->hatch_count;
+        borders->hatch_count += memory->status == BURNISH_STATUS_OK;
     }
     burnish_release(memory->context, all.items);
 }

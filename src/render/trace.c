@@ -254,7 +254,7 @@ static void add_areas(const tracing *t, burnish_drawing *drawing, burnish_memory
     for (int i = 0; i < t->count && memory->status == BURNISH_STATUS_OK; ++i) {
         const area *a = &t->areas[i];
         burnish_borders_find(&borders, &t->map, (uint8_t)(i + 1), t->scale, memory);
-        if (borders.count == 0) {
+        if (borders.count == 0 || memory->status != BURNISH_STATUS_OK) {
             continue;
         }
         store_color(a->light, a->way < 0 ? BURNISH_NO_CAP : 0, color);

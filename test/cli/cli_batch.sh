@@ -147,7 +147,7 @@ check "a template's pictures" [ -s out/obj/-x_front.png -a -s out/obj/a_top.png 
 expect 2 'burnish: --output: "../x.png" leads out of --output-dir; name the folder there' batch in -o ../x.png
 expect 2 'burnish: --output: "{name}" is none of {model}, {folder}, {ending} and {view}' batch in -o '{name}.png'
 expect 2 'burnish: --output: {view} needs views, such as --views=front,top' batch in -o '{view}.png'
-expect 2 'burnish: --output: another input would have the picture of "in/a.obj" too, "out/x.png"; put {folder} or {model} into the name' \
+expect 2 'burnish: --output: "in/a.obj" and another input would both be written to "out/x.png"; put {folder} or {model} into the name' \
     batch in/a.obj in/a.off -d out -o x.png
 expect 2 'burnish: batch: no INPUT; try "burnish batch FOLDER --output-dir=thumbs" or "burnish batch --help"' batch
 mkdir empty
@@ -173,7 +173,7 @@ run render in/a.obj --size=16 -o 'thumbs/{model}-{ending}.png' --no-sandbox $mem
 check "one input, a template: $(cat "$err")" [ -s thumbs/a-obj.png ]
 (cd thumbs && "$burnish" render ../in/a.obj ../in/sub/m.obj --size=16 --quiet $memory)
 check "their own names" [ -s thumbs/a.png -a -s thumbs/m.png ]
-expect 2 'burnish: --output: another input would have the picture of "in/a.obj" too, "x.png"; put {folder} or {model} into the name' \
+expect 2 'burnish: --output: "in/a.obj" and another input would both be written to "x.png"; put {folder} or {model} into the name' \
     render in/a.obj in/a.off -o x.png
 # Folders and lists, as batch takes them; a folder alone has no picture.
 expect 3 'burnish: in: is a folder; --output-dir=FOLDER draws all meshes of it' render in

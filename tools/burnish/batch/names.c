@@ -291,7 +291,7 @@ burnish_status batch_name_outputs(batch *b, burnish_error *error) {
     }
     if (status == BURNISH_STATUS_OK && shared) {
         status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                          "--output: another input would have the picture of \"%.150s\" too, "
+                          "--output: \"%.150s\" and another input would both be written to "
                           "\"%.150s\"; put {folder} or {model} into the name",
                           shared->input, shared->output);
     }

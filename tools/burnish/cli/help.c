@@ -156,6 +156,9 @@ const char *cli_exit_text(int code) {
     if (code == burnish_status_exit_code(BURNISH_STATUS_CANCELLED)) {
         return NULL; /* the program cancels no call */
     }
+    if (code == burnish_status_exit_code(BURNISH_STATUS_ARGUMENT)) {
+        return "wrong usage: a flag, a value or what they are together";
+    }
     switch (code) {
 #define CODE(number, text)                                                                         \
     case number:                                                                                   \

@@ -8,7 +8,7 @@
 #include "cli/values.h"
 
 /* When the words below were last changed; part of the page's header. */
-#define PAGE_DATE "2026-11-22"
+#define PAGE_DATE "2026-11-24"
 
 /* Where *bold* and _italics_ begin and end: a mark opens after and closes before what is no letter
  * or digit, so that one inside a word, as in burnish_boundary, stands for itself. */
@@ -71,6 +71,14 @@ static void print_tagged(const char *tag, const char *text) {
     print_paragraphs(text);
 }
 
+/* The default as a reader knows it: names that stand for something are spelled out. */
+static const char *default_words(const cli_flag *flag) {
+    const char *shown = cli_default_label(flag);
+    return strcmp(shown, "-") == 0   ? "standard output (*-*)"
+           : strcmp(shown, ".") == 0 ? "the current folder"
+                                     : shown;
+}
+
 static void print_flag(const cli_flag *flag) {
     char tag[160];
     char letter[48] = "";
@@ -88,7 +96,7 @@ static void print_flag(const cli_flag *flag) {
     print_text(tag);
     print_text(flag->manual);
     char values[240] = "";
-    const char *shown = cli_default_label(flag);
+    const char *shown = default_words(flag);
     if (flag->words) {
         strcpy(values, "Values: ");
         cli_word_list(flag->words, values + strlen(values), sizeof values - strlen(values));
@@ -97,7 +105,11 @@ static void print_flag(const cli_flag *flag) {
         char line[512];
         int length = snprintf(line, sizeof line, "%s%s%s%s", values,
                               flag->words && *shown ? ". " : "", *shown ? "Default: " : "", shown);
-        if (flag->default_label && flag->default_text) { /* lines may end at the blanks */
+        const int has_both = flag->default_label && flag->default_text;
+        if (has_both && !strchr(flag->default_text, ',')) {
+            length += snprintf(line + length, sizeof line - (size_t)length, " (*%s*)",
+                               flag->default_text);
+        } else if (has_both) { /* lines may end at the blanks */
             const char *rest = flag->default_text, *item;
             for (const char *before = ": "; rest; before = ", ") {
                 int size = (int)cli_next_item(&rest, ',', &item);

@@ -27,17 +27,19 @@ static const format_row rows[PICTURE_COUNT] = {
     [PICTURE_Y4M] = {"Y4M", "y4m", NULL, PICTURE_ANIMATION, NULL},
 };
 
-/* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. */
-static const char *const foreign[] = {"tif",  "tiff", "bmp", "ppm", "pgm", "pnm",  "avif", "pdf",
-                                      "ico",  "tga",  "hdr", "jxl", "eps", "heic", "jp2",  "mp4",
-                                      "webm", "mov",  "avi", "mkv", "qoi", "ogv"};
+/* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. The
+ * second list has what moves. */
+static const char *const foreign[] = {"tif", "tiff", "bmp", "ppm", "pgm", "pnm",  "avif", "pdf",
+                                      "ico", "tga",  "hdr", "jxl", "eps", "heic", "jp2",  "qoi"};
+static const char *const moving[] = {"gif", "y4m", "apng", "mp4", "webm",
+                                     "mov", "avi", "mkv",  "ogv"};
 
 const char *picture_ending(picture_format format) {
     return rows[format].ending;
 }
 
 /* Lists names or, with a dot before each, endings: "a", "a or b", "a, b or c". */
-static void list(picture_use use, int endings, char *text, size_t size) {
+static void list(int use, int endings, char *text, size_t size) {
     size_t used = 0;
     int left = 0;
     for (int i = 1; i < PICTURE_COUNT; ++i) {
@@ -56,22 +58,38 @@ static void list(picture_use use, int endings, char *text, size_t size) {
     }
 }
 
-picture_names picture_list_names(picture_use use) {
+picture_names picture_list_names(int uses) {
     picture_names names;
-    list(use, 0, names.text, sizeof names.text);
+    list(uses, 0, names.text, sizeof names.text);
     return names;
 }
 
-static burnish_status fail_format(const char *flag, const char *path, picture_use use,
+static int is_ending(const char *path, const char *const *endings, size_t count) {
+    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+    for (size_t i = 0; dot && i < count; ++i) {
+        if (strcasecmp(dot + 1, endings[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static burnish_status fail_format(const char *flag, const char *path, int use,
                                   burnish_error *error) {
-    static const char *const whats[] = {[PICTURE_STILL] = "pictures are",
-                                        [PICTURE_PLANE] = "planes are",
-                                        [PICTURE_ANIMATION] = "turntables are"};
+    const char *what = use & PICTURE_STILL  ? "pictures are"
+                       : use & PICTURE_PLANE ? "planes are"
+                                             : "turntables are";
     char endings[96];
+    if ((use & PICTURE_LINES) && is_ending(path, moving, sizeof moving / sizeof *moving)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.200s\": only a turntable moves; write one with "
+                        "--turntable=FILE, in %s",
+                        flag, path, picture_list_names(PICTURE_ANIMATION).text);
+    }
     list(use, 1, endings, sizeof endings);
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "--%s: \"%.200s\": %s written as %s; end the name in %s", flag, path,
-                    whats[use], picture_list_names(use).text, endings);
+                    what, picture_list_names(use).text, endings);
 }
 
 /* The format whose ending the path has; AUTO for none, COUNT for one that burnish does not write.
@@ -84,18 +102,20 @@ static picture_format find_ending(const char *path) {
             return (picture_format)i;
         }
     }
-    for (size_t i = 0; dot && i < sizeof foreign / sizeof *foreign; ++i) {
-        if (strcasecmp(dot + 1, foreign[i]) == 0) {
-            return PICTURE_COUNT;
-        }
-    }
-    return PICTURE_AUTO;
+    return is_ending(path, foreign, sizeof foreign / sizeof *foreign) ||
+                   is_ending(path, moving, sizeof moving / sizeof *moving)
+               ? PICTURE_COUNT
+               : PICTURE_AUTO;
 }
 
-burnish_status picture_choose(const char *flag, const char *path, picture_use use,
+int picture_is_name(const char *path) {
+    return find_ending(path) != PICTURE_AUTO;
+}
+
+burnish_status picture_choose(const char *flag, const char *path, int use,
                               picture_format wanted, picture_format *format, burnish_error *error) {
     *format = wanted != PICTURE_AUTO ? wanted : find_ending(path);
-    if (*format == PICTURE_AUTO && use == PICTURE_STILL) {
+    if (*format == PICTURE_AUTO && (use & PICTURE_STILL)) {
         *format = PICTURE_PNG;
     } else if (*format == PICTURE_AUTO && use == PICTURE_ANIMATION && strcmp(path, "-") == 0) {
         *format = PICTURE_Y4M;

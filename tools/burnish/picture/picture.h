@@ -30,20 +30,25 @@ typedef enum picture_use {
 /* What comes after the dot in names of that format: "jpg". */
 const char *picture_ending(picture_format format);
 
-/* "PNG, JPEG or WebP": the formats that serve a use. */
+/* "PNG, JPEG or WebP": the formats that serve one of these uses. */
 typedef struct picture_names {
     char text[96];
 } picture_names;
-picture_names picture_list_names(picture_use use);
+picture_names picture_list_names(int uses);
+
+/* Whether a name ends as that of a picture or a video, burnish's own formats or others: never a
+ * mesh. */
+int picture_is_name(const char *path);
 
 /* Finds the format of an output.
  *   flag    names the output in messages: "output"
  *   path    of the file; "-" is standard output
+ *   use     a sum of picture_use
  *   wanted  a format whatever the name says, or PICTURE_AUTO: by the ending; still pictures whose
  *           name has none, or one that no format of pictures has, are PNG, animations on standard
  *           output Y4M
  * Errors: ARGUMENT for a format that does not serve the use, or that this build lacks. */
-burnish_status picture_choose(const char *flag, const char *path, picture_use use,
+burnish_status picture_choose(const char *flag, const char *path, int use,
                               picture_format wanted, picture_format *format, burnish_error *error);
 
 /* How a still picture is encoded. */

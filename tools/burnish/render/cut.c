@@ -29,6 +29,10 @@ burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_err
         const burnish_clip_plane *plane = &clip->items[i];
         const int before = view->cut_count;
         status = burnish_mesh_clip(mesh, plane, error);
+        if (status == BURNISH_STATUS_ARGUMENT) { /* "clip: ..." is a flag here */
+            const burnish_error said = *error;
+            cli_fail(error, status, "--%s", said.text);
+        }
         if (status == BURNISH_STATUS_OK && view->cut_count == before) {
             render_result_warn(result, 1,
                                "%.300s: nothing of the mesh is beyond the plane %g,%g,%g,%g",

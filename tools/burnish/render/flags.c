@@ -77,12 +77,12 @@ static const cli_flag flags[] = {
      .common = 1,
      .letter = 'o',
      .value = "FILE",
-     .help = ".png .jpg .webp .exr .npy; - is standard output",
+     .help = ".png .jpg .webp .svg .exr .npy; - is standard output",
      .default_label = "INPUT's name",
      .manual =
          "Writes the picture to _FILE_, or to standard output for *-*, in the format that its "
-         "ending says: *.png*, *.jpg*, *.jpeg*, *.webp*, *.exr* or *.npy*; see *FORMATS*. Other "
-         "names are PNG. "
+         "ending says: *.png*, *.jpg*, *.jpeg*, *.webp*, *.svg*, *.exr* or *.npy*; see *FORMATS*. "
+         "Other names are PNG. "
          "The file appears whole or "
          "not at all: it is written beside its final name and renamed. Without this flag the name "
          "is that of _INPUT_ with *.png* in the current folder (*teapot.png* for *:teapot*), "
@@ -146,7 +146,7 @@ static const cli_flag flags[] = {
      TARGET(size)},
     {.name = "rows",
      .value = "FIRST:COUNT",
-     .help = "of the picture, alone",
+     .help = "draw only these rows of the picture",
      .default_label = "all",
      .manual =
          "Draws _COUNT_ rows of the picture from row _FIRST_ on, counted from 0, and no others: "
@@ -281,7 +281,9 @@ static const cli_flag flags[] = {
      .high = 65535,
      .help = "dots per inch, for printing",
      .default_label = "none",
-     .manual = "Dots per inch that PNG and JPEG say they are printed with. The pixels stay.",
+     .manual = "Dots per inch that PNG and JPEG say they are printed with; the pixels stay. The width "
+               "and height of an SVG are then millimetres, 25.4 times pixels by _N_: 25.4 times the "
+               "report's *pixels_per_unit* makes a drawing in millimetres print at 1:1.",
      .handler = cli_flag_real,
      TARGET(dots_per_inch)},
     {.name = "plane",
@@ -341,7 +343,7 @@ static const cli_flag flags[] = {
      .handler = cli_flag_integer,
      TARGET(runners)},
     {.name = "runner",
-     .help = "be one of those",
+     .help = "draw parts for a burnish with --runners",
      .manual =
          "Draws the frames or bands that the socket at descriptor 3 asks for, and writes no file.",
      .handler = cli_flag_switch,
@@ -756,7 +758,7 @@ static const cli_flag flags[] = {
      .handler = cli_flag_bytes,
      TARGET(max_memory)},
     {.name = "sandbox",
-     .help = "in a process that can open no file",
+     .help = "read and draw in a process that can't open files",
      .manual =
          "Reads, draws and encodes in a process of its own, which can open no file, no socket and "
          "start no program: Linux's seccomp ends it when it tries, and Landlock, where the kernel "
@@ -766,7 +768,7 @@ static const cli_flag flags[] = {
      .handler = cli_flag_switch,
      TARGET(sandbox)},
     {.name = "no-sandbox",
-     .help = "in this process",
+     .help = "read and draw in this process",
      .manual = "Reads and draws in this process. This is the default.",
      .handler = render_flag_no_sandbox,
      TARGET(sandbox)},
@@ -787,7 +789,7 @@ static const cli_flag flags[] = {
     {.name = "threads",
      .aliases = "jobs",
      .value = "N",
-     .help = "never change the picture",
+     .help = "number of threads (does not affect the result)",
      .default_text = "0",
      .low = 0,
      .high = 1024,
@@ -798,7 +800,7 @@ static const cli_flag flags[] = {
      .handler = cli_flag_integer,
      TARGET(threads)},
     {.name = "isa",
-     .help = "instruction set; never changes the picture",
+     .help = "instruction set (does not affect the result)",
      .value = "NAME",
      .default_text = "auto",
      .manual =
@@ -867,7 +869,7 @@ const cli_command render_command = {
         "that follows the camera. Values follow a flag after *=* or as the next argument; flags "
         "can't be abbreviated; of a repeated flag the last counts, but for *--light*; *--* ends "
         "the flags.\n"
-        "Several _INPUT_s have a picture each, drawn as *burnish batch* does: each in a process of "
+        "Several inputs have a picture each, drawn as *burnish batch* does: each in a process of "
         "its own, locked in unless *--no-sandbox* is given, *--threads* at a time. Those that fail "
         "are listed, and the exit code is 11. *--json* is then the report of a batch. What is "
         "unchanged is drawn again: *burnish batch* leaves it, and takes folders within folders.",

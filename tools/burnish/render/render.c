@@ -541,13 +541,36 @@ static int is_folder(const char *name) {
     return stat(name, &state) == 0 && S_ISDIR(state.st_mode);
 }
 
+/* "render part.stl part.png", as other programs have it: nothing is drawn. With an output that is
+ * named, a shell's * may have listed textures among meshes. */
+static burnish_status refuse_output_operand(const render_settings *settings, const cli_call *call,
+                                            burnish_error *error) {
+    const char *last = NULL;
+    for (size_t i = 0; i < call->argument_count; ++i) {
+        last = call->arguments[i].flag ? last : call->arguments[i].text;
+    }
+    if (call->operand_count < 2 || settings->output || settings->output_dir || !last ||
+        !picture_is_name(last)) {
+        return BURNISH_STATUS_OK;
+    }
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "render: \"%.200s\" is a name of a picture, not of a mesh; an output is named "
+                    "with -o: burnish render %.100s -o %.100s",
+                    last, call->operands[0], last);
+}
+
 burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     render_settings *settings = from;
     const int has_list = settings->files_from != NULL;
+    burnish_status status;
     if (call->operand_count == 0 && !has_list) {
         return cli_fail(
             error, BURNISH_STATUS_ARGUMENT,
             "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
+    }
+    status = refuse_output_operand(settings, call, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     if (call->operand_count > 1 || settings->output_dir || settings->recursive || has_list ||
         is_template(settings->output)) {
@@ -560,7 +583,7 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     }
     settings->input = call->operands[0];
     int code = -1;
-    burnish_status status = render_finish(settings, error);
+    status = render_finish(settings, error);
     if (status == BURNISH_STATUS_OK) {
         status = begin(settings, &code, error);
     }

@@ -109,6 +109,11 @@ static burnish_status choose_svg(render_settings *settings, burnish_error *error
                         "--look=drawing, or end the name in .png",
                         settings->output);
     }
+    if (settings->rows.count > 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--rows: an SVG holds the lines of all rows; leave it out, or end the name "
+                        "in .png");
+    }
     settings->format = PICTURE_SVG;
     return BURNISH_STATUS_OK;
 }
@@ -121,7 +126,7 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
     }
     burnish_status status =
         picture_choose(settings->turntable ? "turntable" : "output", settings->output,
-                       settings->turntable ? PICTURE_ANIMATION : PICTURE_STILL,
+                       settings->turntable ? PICTURE_ANIMATION : PICTURE_STILL | PICTURE_LINES,
                        (picture_format)settings->format, &format, error);
     settings->format = format;
     if (status != BURNISH_STATUS_OK) {

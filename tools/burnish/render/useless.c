@@ -50,10 +50,10 @@ static int is_parallel(const render_settings *settings) {
     return settings->own_camera || !is_perspective(settings);
 }
 
-/* What an SVG shows nothing of: "of" is what it has instead. */
+/* Flags that change nothing of what an SVG has; --ambient, --color and --material change areas. */
 static burnish_status check_svg(const render_settings *settings, burnish_error *error) {
     static const char unshown[] = "light,shadow,ground,opacity,specular,exponent,lobe,equation,"
-                                  "viewer,samples,quality,rows";
+                                  "viewer,samples,quality";
     char name[32];
     const char *flag = settings->occlusion.given && settings->occlusion.directions != 0
                            ? "occlusion"
