@@ -143,8 +143,8 @@ static void test_annotations(int orthographic) {
                             target.depth_stride, &left_out[0], &error) == BURNISH_STATUS_OK);
     CHECK1(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error) == BURNISH_STATUS_OK);
     CHECK1(burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, depth,
-                                    target.depth_stride, &left_out[1], &error) ==
-           BURNISH_STATUS_OK);
+                                    target.depth_stride, &left_out[1],
+                                    &error) == BURNISH_STATUS_OK);
     char *text = svg_of(drawing, 0);
     draw_groups(text, &drawn);
     CHECK1(left_out[0] == left_out[1]);
@@ -176,8 +176,7 @@ static int is_inside(double x, double y) {
     for (size_t i = 0; i < path.count; ++i) {
         for (size_t k = path.starts[i]; k + 1 < path.starts[i + 1]; ++k) {
             const double *a = path.points[k], *b = path.points[k + 1];
-            if ((a[1] > y) != (b[1] > y) &&
-                x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) {
+            if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) {
                 inside = !inside;
             }
         }
@@ -234,10 +233,7 @@ static void find_truth(const burnish_mesh *mesh, const burnish_render_options *o
             cosine[k] = (double)n[0] * planes[k][0] + (double)n[1] * planes[k][1] +
                         (double)n[2] * planes[k][2];
         }
-        t->kinds[i] = (uint8_t)(!shows         ? 0
-                                : p[0] == p[2] ? 1
-                                : cosine[0] > 0.999 ? 2
-                                                    : 3);
+        t->kinds[i] = (uint8_t)(!shows ? 0 : p[0] == p[2] ? 1 : cosine[0] > 0.999 ? 2 : 3);
         ++t->count[t->kinds[i]];
     }
     burnish_renderer_destroy(renderer);
@@ -309,8 +305,7 @@ static void test_areas(int orthographic) {
     CHECK1(burnish_renderer_draw(renderer, mesh, &options, &edged, NULL, &error) ==
            BURNISH_STATUS_OK);
     CHECK1(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_trace(renderer, mesh, &options, drawing, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_trace(renderer, mesh, &options, drawing, &error) == BURNISH_STATUS_OK);
     char *text = svg_of(drawing, 0);
     int areas[4] = {0}, hatched = 0, kind = 0;
     const char *end = strstr(text, "<g ");
@@ -372,8 +367,7 @@ static void test_sheet(void) {
     snprintf(head, sizeof head, "width=\"%gmm\" height=\"%gmm\" viewBox=\"0 0 %d %d\"",
              sheet.width / 10.0, sheet.height / 10.0, sheet.width, sheet.height);
     CHECK(strstr(text, head), "%s is not in %.200s", head, text);
-    CHECK1(burnish_image_create(&drawn, sheet.width, sheet.height, 3, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK1(burnish_image_create(&drawn, sheet.width, sheet.height, 3, &error) == BURNISH_STATUS_OK);
     fill_white(&drawn);
     draw_groups(text, &drawn);
     const char *tag = strstr(text, "<svg x=");
@@ -462,8 +456,8 @@ static void test_memory(void) {
             status = burnish_renderer_trace(renderer, mesh, &options, drawing, &error);
         }
         if (status == BURNISH_STATUS_OK) {
-            status = burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, NULL,
-                                              0, NULL, &error);
+            status = burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, NULL, 0,
+                                              NULL, &error);
         }
         if (status == BURNISH_STATUS_OK) {
             status = burnish_drawing_svg(drawing, "t", NULL, 0, &text, &size, &error);

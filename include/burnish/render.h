@@ -314,18 +314,18 @@ typedef struct burnish_lines {
 /* Those of the last frame, valid until the next one. NULL for NULL. */
 BURNISH_API const burnish_lines *burnish_renderer_get_lines(const burnish_renderer *renderer);
 
-/* Puts the last frame into a drawing (image.h), after what it has: first areas, then lines, one path
- * per width. Areas are the surfaces whose colour is not the background's and the cuts that are
+/* Puts the last frame into a drawing (image.h), after what it has: first areas, then lines, one
+ * path per width. Areas are the surfaces whose colour is not the background's and the cuts that are
  * filled, which are hatched as in the picture; what is in front of one hides it. Colours are flat:
  * ambient light times ka, as with BURNISH_LOOK_DRAWING. Of lights, textures, colours of vertices,
  * ambient occlusion, ground and shadow a drawing shows nothing; transparent surfaces, and those of
  * more than 127 colours, are not filled.
  *   mesh, options  those of the last frame, of all rows
  *   drawing        of the picture's size
- * Borders of areas are right to about a quarter of a pixel, to one pixel in pictures of more than 16
- * million pixels. The same lines and areas everywhere. Memory, where there are areas: 16 bytes per
- * pixel, at most 64 MiB or 1 byte per pixel, 8 KiB per pixel of a row, and a frame without shading.
- * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT; the drawing can then only be destroyed. */
+ * Borders of areas are right to about a quarter of a pixel, to one pixel in pictures of more than
+ * 16 million pixels. The same lines and areas everywhere. Memory, where there are areas: 16 bytes
+ * per pixel, at most 64 MiB or 1 byte per pixel, 8 KiB per pixel of a row, and a frame without
+ * shading. Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT; the drawing can then only be destroyed. */
 BURNISH_API burnish_status burnish_renderer_trace(burnish_renderer *renderer,
                                                   const burnish_mesh *mesh,
                                                   const burnish_render_options *options,

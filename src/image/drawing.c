@@ -215,7 +215,7 @@ void burnish_drawing_strokes(burnish_drawing *drawing, const burnish_stroke *str
         if (!is_new(&all, radius)) {
             continue;
         }
-        begin_path(drawing, 2 * radius, name);
+        begin_path(drawing, 2 * radius, all.count == 1 ? name : NULL); /* once */
         for (size_t i = first; i < count; ++i) {
             const burnish_stroke *s = &strokes[i];
             const size_t n = drawing->point_count;

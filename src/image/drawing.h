@@ -39,7 +39,7 @@ void burnish_drawing_lines(burnish_drawing *drawing, const uint32_t *starts, con
                            const float *widths, size_t count);
 
 /* One path for all strokes of one radius; strokes that continue each other are one line.
- *   name  what the strokes write, for readers of the file; NULL: nothing */
+ *   name  what the strokes write, which the first path says; NULL: nothing */
 void burnish_drawing_strokes(burnish_drawing *drawing, const burnish_stroke *strokes, size_t count,
                              const char *name);
 

@@ -204,8 +204,8 @@ static void push_strokes(void *context, const burnish_stroke *strokes, size_t co
 
 /* The first `kept` of the label's bytes in burnish's own letters, and an ellipsis where some are
  * left out. */
-static burnish_status draw_own_label(const page *to, float left, float baseline,
-                                     const char *label, size_t kept) {
+static burnish_status draw_own_label(const page *to, float left, float baseline, const char *label,
+                                     size_t kept) {
     const float height = (float)to->made->label;
     const size_t dots = label[kept] ? sizeof ellipsis - 1 : 0;
     const float after = left + burnish_text_draw(NULL, 0, 0, height, to->ink, label, kept);
@@ -357,8 +357,7 @@ static burnish_status place_drawings(const burnish_sheet_cell *cells,
         return status;
     }
     burnish_drawing_use(*sheet, error);
-    const page to = {
-        .drawing = *sheet, .ink = ink, .made = &made, .memory = &(*sheet)->memory};
+    const page to = {.drawing = *sheet, .ink = ink, .made = &made, .memory = &(*sheet)->memory};
     for (size_t i = 0; i < count; ++i) {
         int x, y;
         cell_corner(&made, i, &x, &y);

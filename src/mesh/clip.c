@@ -313,11 +313,11 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
         count_parts(&cut, &triangles, &vertices);
         if (triangles == 0) { /* as the file's coordinates have it */
             const double *n = plane->normal, *o = view->origin;
-            status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                                  "clip: all of the mesh is beyond the plane %g,%g,%g,%g; negate all four "
-                                  "numbers, or change the last one",
-                                  n[0], n[1], n[2],
-                                  plane->offset + n[0] * o[0] + n[1] * o[1] + n[2] * o[2]);
+            status = burnish_fail(
+                error, BURNISH_STATUS_ARGUMENT,
+                "clip: all of the mesh is beyond the plane %g,%g,%g,%g; negate all four "
+                "numbers, or change the last one",
+                n[0], n[1], n[2], plane->offset + n[0] * o[0] + n[1] * o[1] + n[2] * o[2]);
         }
     }
     if (status != BURNISH_STATUS_OK || !cut.cuts_something) {

@@ -17,9 +17,9 @@
 #include "render/regions.h"
 
 enum {
-    SCALE = 4,        /* pixels for a pixel, along each side */
+    SCALE = 4,         /* pixels for a pixel, along each side */
     MAP_MAX = 1 << 26, /* pixels of the map: of larger pictures fewer for a pixel */
-    BAND = 256,       /* rows that are drawn at a time */
+    BAND = 256,        /* rows that are drawn at a time */
     AREAS_MAX = 127
 };
 
@@ -63,9 +63,9 @@ static float clamped(float value) {
 static void flat_light(const tracing *t, int material, float light[3]) {
     const burnish_material *m = burnish_mesh_material(t->mesh, (size_t)material);
     for (int k = 0; k < 3; ++k) {
-        light[k] = clamped(m->is_unlit ? m->diffuse[k] + m->emissive[k]
-                                       : m->ambient[k] * t->options->ambient_light[k] +
-                                             m->emissive[k]);
+        light[k] =
+            clamped(m->is_unlit ? m->diffuse[k] + m->emissive[k]
+                                : m->ambient[k] * t->options->ambient_light[k] + m->emissive[k]);
     }
 }
 
@@ -126,8 +126,8 @@ static void aim(tracing *t) {
         burnish_sincos(camera->view_angle * (3.14159265358979323846 / 360), &sine, &cosine);
         pixel = 2 * sine / (cosine * height);
     }
-    const burnish_vec3 right = burnish_vec3_normalize(
-        burnish_vec3_cross(t->forward, burnish_vec3_load(camera->view_up)));
+    const burnish_vec3 right =
+        burnish_vec3_normalize(burnish_vec3_cross(t->forward, burnish_vec3_load(camera->view_up)));
     t->up = burnish_vec3_scale(burnish_vec3_cross(right, t->forward), pixel);
     t->right = burnish_vec3_scale(right, pixel);
 }
@@ -307,8 +307,8 @@ static burnish_status check_trace(const burnish_renderer *renderer, const burnis
     }
     const burnish_lines *lines = burnish_renderer_get_lines(renderer);
     const int is_other = drawing->width != options->width || drawing->height != options->height ||
-                         (lines->line_count > 0 && (lines->width != options->width ||
-                                                    lines->height != options->height));
+                         (lines->line_count > 0 &&
+                          (lines->width != options->width || lines->height != options->height));
     if (is_other || options->row_count > 0) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "drawing: of all rows of the frame that was drawn last, %d x %d, one "

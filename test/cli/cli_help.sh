@@ -123,7 +123,17 @@ for variable in BURNISH_ISA PATH; do
     check "the manual's ENVIRONMENT lacks $variable" sh -c "sed -n '/^.SH ENVIRONMENT/,/^.SH EXAMPLES/p' page.txt | grep -q $variable"
 done
 check "the manual takes an underscore inside a word for italics" grep -q 'Default: burnish_boundary\.' page.txt
-for exit_code in 0 2 3 4 5 6 7 8; do
+# Marks of *bold* and _italics_ are closed where they stand, and none is left as it is typed.
+check "marks that are not closed: $(awk 'gsub(/\\f[BI]/, "&") != gsub(/\\fR/, "&")' burnish.1 | head -1)" \
+    awk 'gsub(/\\f[BI]/, "&") != gsub(/\\fR/, "&") { exit 1 }' burnish.1
+check "marks in the text: $(grep -F '*' burnish.1 | head -1)" sh -c '! grep -qF "*" burnish.1'
+check "defaults that say nothing: $(grep -E 'Default: ([-.\\]*|.*: [^ ,]*)\.$' burnish.1 | head -1)" \
+    sh -c "! grep -qE 'Default: ([-.\\\\]*|.*: [^ ,]*)\\.\$' burnish.1"
+for text in 'Default: all cores (0).' 'Default: the current folder.' 'Default: standard output (-).'; do
+    check "the manual lacks '$text'" sh -c "sed 's/f[BIR]//g' page.txt | grep -qF '$text'"
+done
+check "the manual has the C interface's words" sh -c '! grep -q initialised burnish.1'
+for exit_code in 0 1 2 3 4 5 6 7 8; do
     check "the man page lacks exit code $exit_code" grep -q "^.B $exit_code\$" burnish.1
 done
 if command -v mandoc >/dev/null; then

@@ -360,7 +360,7 @@ done
 same "annotations leave no trace in the report" "$(run render block.obj --size=200 --annotate=grid,dimensions --json -o s.png; json near_black)" 0
 expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the annotations; make it larger, or show more of it' render block.obj --size=60 --camera-zoom-factor=4 --annotate=dimensions -o s.png
 expect 2 'burnish: --annotate: scale: a perspective has no scale; give --camera-orthographic, or leave it out' render block.obj --annotate=scale
-expect 2 'burnish: --annotate: scale: a perspective has no scale; give --camera-orthographic, or leave it out' render block.obj --views=front --camera-orthographic=no --annotate=axes,scale
+expect 2 'burnish: --annotate: scale: a perspective has no scale; give --camera-orthographic, or leave it out' render block.obj --views=front --camera-orthographic=no --annotate=scale
 expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=axes,ruler
 expect 2 'burnish: --annotate: "" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=
 

@@ -15,9 +15,9 @@ expect 2 'burnish: --views: a turntable shows one view and one lobe and nothing 
 expect 2 'burnish: --plane: a turntable shows one view and one lobe and nothing besides; leave it out' render :sphere --turntable=t.gif --plane=depth:d.npy
 expect 2 'burnish: --annotate: a turntable shows one view and one lobe and nothing besides; leave it out' render :sphere --turntable=t.gif --annotate=box
 expect 2 'burnish: --no-background: Y4M has no alpha; write PNG or WebP' render :sphere --turntable=t.y4m --no-background
-expect 2 'burnish: --dpi: only PNG and JPEG hold it; leave it out' render :sphere --turntable=t.png --dpi=100
+expect 2 'burnish: --dpi: only PNG, JPEG and SVG hold it; leave it out' render :sphere --turntable=t.png --dpi=100
 expect 2 'burnish: --quality: only JPEG and WebP lose any; leave it out' render :sphere --turntable=t.gif --quality=50
-expect 2 'burnish: --output: "t.gif": pictures are written as PNG, JPEG, WebP, EXR or NPY; end the name in .png, .jpg, .webp, .exr or .npy' render :sphere -o t.gif
+expect 2 'burnish: --output: "t.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' render :sphere -o t.gif
 expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
 expect 2 'burnish: --runner: others draw without --sandbox; leave one out' render :sphere --turntable=t.gif --runner --sandbox
 expect 2 'burnish: --runner: descriptor 3 is no socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runner

@@ -46,10 +46,9 @@ expect 2 'burnish: --camera-position: "1e308,0,0" has a number beyond 1e100; giv
 expect 2 'burnish: --bg-color: unknown flag; did you mean --background-color?' render :sphere --bg-color=red
 expect 2 'burnish: --help: "nonsense" is not one of picture, files, camera, light, report, all' render --help=nonsense
 for name in picture.bmp out/picture.TIF; do
-    expect 2 "burnish: --output: \"$name\": pictures are written as PNG, JPEG, WebP, EXR or NPY; end the name in .png, .jpg, .webp, .exr or .npy" render :sphere -o $name
+    expect 2 "burnish: --output: \"$name\": pictures are written as PNG, JPEG, WebP, EXR, NPY or SVG; end the name in .png, .jpg, .webp, .exr, .npy or .svg" render :sphere -o $name
 done
-expect 2 'burnish: --output: "a.svg": an SVG holds lines alone; draw them with --look=drawing, or end the name in .png' render :sphere -o a.svg
-expect 2 'burnish: --output: "a.SVG": an SVG holds one picture; ask for one view, or end the name in .png' render :sphere --look=drawing --views=front,top -o a.SVG
+expect 2 'burnish: --output: "a.svg": an SVG holds lines, no shading; draw them with --look=drawing, or end the name in .png' render :sphere -o a.svg
 expect 2 'burnish: --edges: "corners" is not one of silhouettes, creases, boundaries, materials, none' render :sphere --edges=creases,corners
 expect 2 'burnish: --edge-width: "0" is not a number from 0.1 to 100' render :sphere --edge-width=0
 expect 2 'burnish: --quality: only JPEG and WebP lose any; leave it out' render :sphere --quality=50 -o x.png

@@ -157,7 +157,7 @@ const char *cli_exit_text(int code) {
         return NULL; /* the program cancels no call */
     }
     if (code == burnish_status_exit_code(BURNISH_STATUS_ARGUMENT)) {
-        return "wrong usage: a flag, a value or what they are together";
+        return "wrong usage";
     }
     switch (code) {
 #define CODE(number, text)                                                                         \

@@ -71,8 +71,7 @@ static void print_first_screen(void) {
            "Usage: burnish COMMAND [options]\n",
            burnish_version());
     cli_print_parts(cli_commands);
-    printf("  %-16s  %s\n  %-16s  %s\n", "--help, -h", "this screen", "--version, -V",
-           "the version");
+    printf("  %-16s  %s\n", "-h, -V", "--help: this screen; --version: the version");
     cli_print_examples(cli_examples);
     printf("\nExit codes\n");
     for (int code = 0; code < CLI_EXIT_END; ++code) {

@@ -9,7 +9,7 @@
 
 /* X(code, text) of every exit code that is no burnish_status. */
 #define CLI_EXIT_LIST(X)                                                                           \
-    X(1, "ended by a fault, or the sandbox")                                                       \
+    X(1, "ended by a crash or the sandbox")                                                        \
     X(8, "a blank picture")                                                                        \
     X(10, "pictures differ")                                                                       \
     X(11, "some inputs failed")

@@ -76,7 +76,7 @@ static int is_ending(const char *path, const char *const *endings, size_t count)
 
 static burnish_status fail_format(const char *flag, const char *path, int use,
                                   burnish_error *error) {
-    const char *what = use & PICTURE_STILL  ? "pictures are"
+    const char *what = use & PICTURE_STILL   ? "pictures are"
                        : use & PICTURE_PLANE ? "planes are"
                                              : "turntables are";
     char endings[96];
@@ -88,8 +88,8 @@ static burnish_status fail_format(const char *flag, const char *path, int use,
     }
     list(use, 1, endings, sizeof endings);
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--%s: \"%.200s\": %s written as %s; end the name in %s", flag, path,
-                    what, picture_list_names(use).text, endings);
+                    "--%s: \"%.200s\": %s written as %s; end the name in %s", flag, path, what,
+                    picture_list_names(use).text, endings);
 }
 
 /* The format whose ending the path has; AUTO for none, COUNT for one that burnish does not write.
@@ -112,8 +112,8 @@ int picture_is_name(const char *path) {
     return find_ending(path) != PICTURE_AUTO;
 }
 
-burnish_status picture_choose(const char *flag, const char *path, int use,
-                              picture_format wanted, picture_format *format, burnish_error *error) {
+burnish_status picture_choose(const char *flag, const char *path, int use, picture_format wanted,
+                              picture_format *format, burnish_error *error) {
     *format = wanted != PICTURE_AUTO ? wanted : find_ending(path);
     if (*format == PICTURE_AUTO && (use & PICTURE_STILL)) {
         *format = PICTURE_PNG;

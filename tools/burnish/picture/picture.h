@@ -48,8 +48,8 @@ int picture_is_name(const char *path);
  *           name has none, or one that no format of pictures has, are PNG, animations on standard
  *           output Y4M
  * Errors: ARGUMENT for a format that does not serve the use, or that this build lacks. */
-burnish_status picture_choose(const char *flag, const char *path, int use,
-                              picture_format wanted, picture_format *format, burnish_error *error);
+burnish_status picture_choose(const char *flag, const char *path, int use, picture_format wanted,
+                              picture_format *format, burnish_error *error);
 
 /* How a still picture is encoded. */
 typedef struct picture_options {

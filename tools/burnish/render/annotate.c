@@ -87,9 +87,9 @@ burnish_status render_trace(const render_result *result, burnish_renderer *rende
         status = burnish_renderer_trace(renderer, result->mesh, options, cell->drawing, error);
     }
     if (status == BURNISH_STATUS_OK && annotations.kinds) {
-        status = burnish_annotate_drawing(result->mesh, &annotations, &cell->camera, cell->drawing,
-                                          depth, (size_t)options->width * sizeof *depth, NULL,
-                                          error);
+        status =
+            burnish_annotate_drawing(result->mesh, &annotations, &cell->camera, cell->drawing,
+                                     depth, (size_t)options->width * sizeof *depth, NULL, error);
     }
     return status;
 }

@@ -77,7 +77,7 @@ static const cli_flag flags[] = {
      .common = 1,
      .letter = 'o',
      .value = "FILE",
-     .help = ".png .jpg .webp .svg .exr .npy; - is standard output",
+     .help = ".png .jpg .webp .svg .exr .npy, or -",
      .default_label = "INPUT's name",
      .manual =
          "Writes the picture to _FILE_, or to standard output for *-*, in the format that its "
@@ -281,9 +281,10 @@ static const cli_flag flags[] = {
      .high = 65535,
      .help = "dots per inch, for printing",
      .default_label = "none",
-     .manual = "Dots per inch that PNG and JPEG say they are printed with; the pixels stay. The width "
-               "and height of an SVG are then millimetres, 25.4 times pixels by _N_: 25.4 times the "
-               "report's *pixels_per_unit* makes a drawing in millimetres print at 1:1.",
+     .manual =
+         "Dots per inch that PNG and JPEG say they are printed with; the pixels stay. The width "
+         "and height of an SVG are then millimetres, 25.4 times pixels by _N_: 25.4 times the "
+         "report's *pixels_per_unit* makes a drawing in millimetres print at 1:1.",
      .handler = cli_flag_real,
      TARGET(dots_per_inch)},
     {.name = "plane",

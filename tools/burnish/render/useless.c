@@ -77,8 +77,9 @@ burnish_status render_check_useless(const render_settings *settings, burnish_err
          "no lines are drawn; draw them with --edges, or leave it out"},
         {"camera-view-angle", is_perspective(settings),
          "a parallel projection has no angle; give --camera-orthographic=no, or leave it out"},
-        {"margin", (is_framed || settings->views.count > 0 || is_parallel(settings)) &&
-                       !settings->orthographic_height.given,
+        {"margin",
+         (is_framed || settings->views.count > 0 || is_parallel(settings)) &&
+             !settings->orthographic_height.given,
          "the object is not framed, since the camera's flags say where it is; leave it out"},
     };
     for (size_t i = 0; i < sizeof needs / sizeof *needs; ++i) {

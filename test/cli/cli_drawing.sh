@@ -1,0 +1,199 @@
+#!/bin/sh
+# SVG from the command line: every flag of render is drawn, refused, or changes no picture at all; flags
+# without effect; sheets, millimetres and warnings.
+# usage: cli_drawing.sh BURNISH SCRATCH
+. "$(dirname "$0")/lib.sh"
+
+# What each flag does to the SVG of a teapot: drawn (it differs), same (as it does to no picture),
+# refused (exit code 2), or other (it needs what this call has not: several inputs, another format).
+cat >../drawing.table <<'END'
+other output
+other output-dir
+other recursive
+other files-from
+drawn resolution=300,200
+drawn size=200
+refused rows=0:5
+drawn cull-back-faces
+refused samples=8
+drawn background-color=silver
+drawn no-background
+drawn views=top
+drawn annotate=axes,box,dimensions,grid
+other columns
+other labels
+other font
+other no-labels
+same output-format=svg
+refused quality=50
+drawn dpi=300
+same plane=depth:../d.npy
+other turntable
+refused frames=10
+refused fps=10
+other runners
+other runner
+same overwrite
+drawn up=+Z
+drawn camera-direction=0,0,-1
+drawn camera-azimuth-angle=20
+drawn camera-elevation-angle=20
+other camera
+drawn camera-position=3,4,9
+drawn camera-focal-point=1,0,0
+drawn camera-view-up=1,0,0
+drawn camera-view-angle=60
+drawn camera-zoom-factor=2
+drawn camera-orthographic
+drawn camera-orthographic-height=9
+drawn same-scale
+drawn margin=0.2
+same look=drawing
+drawn color=red
+drawn material=metal
+refused opacity=0.5
+refused specular=1
+refused exponent=5
+refused lobe=power
+refused equation=phong
+refused viewer=distant
+refused light=headlight
+drawn ambient=0.5
+refused occlusion=8
+refused ground
+refused shadow
+drawn edges=creases
+drawn wireframe
+drawn edge-width=5
+drawn edge-color=blue
+other input-format
+drawn clip=0,1,0,1
+other crease-angle
+drawn tessellation=4
+other animation-time
+other animation
+other point-size
+same strict
+same no-textures
+same no-libraries
+same max-triangles=1000000
+same max-texture-pixels=100000
+same max-input-bytes=1000000
+same max-overdraw=100000
+same max-seconds=100
+same max-memory=8G
+other sandbox
+same no-sandbox
+same json=../j.json
+same timing
+same quiet
+same threads=1
+same isa=scalar
+same fail-on-blank
+other reference
+other reference-threshold
+other reference-difference
+END
+"$burnish" render --help=all | grep -oE '^ +(-., )?--[a-z-]+' | sed 's/.*--//' | sort >../drawing.flags
+sed 's/^[a-z]* //; s/=.*//' ../drawing.table | sort >../drawing.known
+check "flags without a row in the table: $(diff ../drawing.flags ../drawing.known)" \
+    cmp ../drawing.flags ../drawing.known
+run render :teapot --look=drawing --size=240 -o plain.svg
+check "a drawing: $(cat "$err")" [ "$code" = 0 ]
+while read -r kind flag; do
+    rm -f a.svg
+    if [ "$kind" = other ]; then
+        continue
+    fi
+    run render :teapot --look=drawing --size=240 -o a.svg "--$flag"
+    if [ "$kind" = refused ]; then
+        check "--$flag: exit code $code" [ "$code" = 2 ]
+        check "--$flag: says $(cat "$err")" grep -q "^burnish: --${flag%%=*}: " "$err"
+        check "--$flag: a file" [ ! -e a.svg ]
+        continue
+    fi
+    check "--$flag: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+    if [ "$kind" = same ]; then
+        check "--$flag: another drawing" cmp plain.svg a.svg
+    else
+        check "--$flag: the same drawing" sh -c '! cmp -s plain.svg a.svg'
+    fi
+done <../drawing.table
+rm -f a.svg plain.svg
+nothing_left "flags"
+
+# Dimensions are labels; a scale is one of a parallel projection, and a perspective keeps the others.
+run render :teapot --look=drawing --annotate=dimensions,scale --camera-orthographic -o a.svg
+check "scale: $(cat "$err")" [ ! -s "$err" ]
+check "labels: $(grep -o 'aria-label="[^"]*"' a.svg)" \
+    [ "$(grep -o 'aria-label="[^"]*"' a.svg | sort | tr '\n' ' ')" = 'aria-label="1" aria-label="3.15" aria-label="4" aria-label="6.434" ' ]
+for name in a.svg a.png; do
+    expect 0 'burnish: warning: :teapot: --annotate: scale: a perspective has no scale, so the picture has no bar; give --camera-orthographic, or leave it out' \
+        render :teapot --look=drawing --annotate=box,dimensions,scale -o $name
+done
+expect 2 'burnish: --annotate: scale: a perspective has no scale; give --camera-orthographic, or leave it out' \
+    render :teapot --annotate=scale -o b.svg
+check "the rest is drawn" grep -q 'aria-label="6.434"' a.svg
+rm a.png
+
+# Cut faces have an area and hatching, of each plane its own.
+run render :torus --look=drawing --clip=0,0,1,0.1 --clip=1,0,0,0.2 -o a.svg
+check "areas: $(grep -c evenodd a.svg)" [ "$(grep -c evenodd a.svg)" = 2 ]
+check "hatching" [ "$(grep -c '<path fill="none" stroke' a.svg)" = 2 ]
+
+# A sheet is as large as the picture of it, with its labels; dots per inch make millimetres.
+run render :teapot --look=drawing --views=front,right,top,iso --size=100 --dpi=254 -o a.svg
+run render :teapot --look=drawing --views=front,right,top,iso --size=100 --json -o a.png
+check "a sheet's size: $(head -n 1 a.svg)" grep -q \
+    "width=\"$(json width | sed 's/.$/.&/; s/\.0$//')mm\" .* viewBox=\"0 0 $(json width) $(json height)\"" a.svg
+check "a sheet's cells" [ "$(grep -c '<svg x=' a.svg)" = 4 ]
+check "a sheet's labels" [ "$(grep -cE 'aria-label="(front|right|top|iso)"' a.svg)" = 4 ]
+rm a.svg a.png
+
+# The same bytes in the sandbox, by other threads and instruction sets.
+run render :torus --look=drawing --clip=0,0,1,0.1 --annotate=dimensions --threads=1 --isa=scalar -o a.svg
+run render :torus --look=drawing --clip=0,0,1,0.1 --annotate=dimensions --threads=3 -o b.svg
+check "threads and instruction sets" cmp a.svg b.svg
+rm a.svg b.svg
+
+# Flags that change nothing.
+useless() {
+    flag=$1
+    why=$2
+    shift 2
+    expect 2 "burnish: --$flag: $why" render :sphere "$@"
+}
+frames='only a turntable has frames; write one with --turntable=FILE, or leave it out'
+useless frames "$frames" --frames=10 -o a.png
+useless fps "$frames" --fps=10 -o a.png
+sheet='only a sheet has them; ask for several --views or lobes, or leave it out'
+useless columns "$sheet" --columns=2 --views=front
+useless no-labels "$sheet" --no-labels
+useless labels "$sheet" --labels=a
+useless font "$sheet" --font=a.ttf
+lines='no lines are drawn; draw them with --edges, or leave it out'
+useless edge-color "$lines" --edge-color=red
+useless edge-width "$lines" --edge-width=3 --look=plain --views=front
+useless camera-view-angle 'a parallel projection has no angle; give --camera-orthographic=no, or leave it out' \
+    --camera-view-angle=40 --views=front
+framed="the object is not framed, since the camera's flags say where it is; leave it out"
+useless margin "$framed" --margin=0.1 --camera-position=1,2,3
+useless margin "$framed" --margin=0.1 --camera-orthographic-height=3
+nothing_left "useless flags"
+for flags in '--edge-color=red --views=front' '--edge-width=2 --edges' '--margin=0.1 --camera-orthographic' \
+    '--views=front --camera-orthographic=no --camera-view-angle=40' '--columns=1 --views=front,top'; do
+    # shellcheck disable=SC2086
+    expect 0 '' render :sphere --size=64 $flags -o a.png
+done
+rm a.png
+
+# Names of outputs among inputs, and of formats elsewhere.
+expect 2 'burnish: render: "out.png" is a name of a picture, not of a mesh; an output is named with -o: burnish render :sphere -o out.png' \
+    render :sphere out.png
+expect 2 'burnish: --output: "a.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' \
+    render :sphere -o a.gif
+expect 2 'burnish: --output: "a.mp4": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' \
+    render :sphere -o a.mp4
+nothing_left "names"
+
+finish
