@@ -32,3 +32,14 @@ if idle $(cat scripts); then
     exit 1
 fi
 echo "shell: $(wc -l <scripts) scripts looked through"
+
+# A make target whose folder is missing ends before it has built anything.
+for call in "bench-peers MESHES" "bench-peers PARTS" "bench-load FILES" "formats FORMATS_FILES"; do
+    name=${call#* }
+    # shellcheck disable=SC2086
+    if timeout 60 make -s -C "$source" $call="$PWD/none" >made 2>&1; then
+        echo "shell: make $call=FOLDER takes a folder that is missing" >&2
+        exit 1
+    fi
+    grep -qF "$name=$PWD/none: no such folder" made || { cat made >&2; exit 1; }
+done

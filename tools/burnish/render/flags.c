@@ -213,7 +213,8 @@ static const cli_flag flags[] = {
          "Draws lines and numbers around the object, several between commas: *axes*, the "
          "directions of X, Y and Z in a corner; *box*, the edges of the bounding box, dashed "
          "behind the object; *dimensions*, the lengths of the bounding box with arrows; *scale*, a "
-         "bar of 1, 2 or 5 times a power of 10, of a parallel projection; *grid*, lines of the "
+         "bar of 1, 2 or 5 times a power of 10, of a parallel projection (of a perspective it is left "
+         "out, with a warning); *grid*, lines of the "
          "ground so far apart, with their spacing. Numbers are in the units of the input, rounded "
          "to four digits. Framing leaves room for them; what finds none is left out with a "
          "warning.",

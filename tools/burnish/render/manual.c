@@ -49,6 +49,10 @@ static const cli_term format_terms[] = {
     {"*.png*", "8 bits per channel, sRGB, with alpha where the background is transparent."},
     {"*.jpg*, *.jpeg*", "without alpha: *--no-background* is refused. Colour is not subsampled."},
     {"*.webp*", "without loss, or with *--quality*; alpha as in PNG; at most 16383 pixels a side."},
+    {"*.svg*", "lines and areas of one colour, with *--look=drawing*: edges, surfaces whose colour is "
+               "not the background's, cut faces with their hatching, annotations; sheets, too. "
+               "Letters are paths, their text is in *aria-label*. Flags of light and shading are "
+               "refused. Sizes are pixels, or millimetres with *--dpi*."},
     {"*.exr*", "32 bits per channel: *R*, *G*, *B* (linear, alpha multiplied in), *A*, *Z*, *N.X*, "
                "*N.Y*, *N.Z*, *id*, *material* and *coverage*, as in *PLANES*. One picture, no "
                "sheet."},
@@ -77,7 +81,9 @@ static const cli_term json_terms[] = {
     {"*width, height*", "of the picture, in pixels"},
     {"*rows*", "with *--rows*: the first row and how many; *height* is their number, too, and "
                "*pixel_bounds* counts from the whole picture's first row"},
-    {"*triangles, vertices, materials, textures, exponents*", "of the mesh after loading"},
+    {"*triangles, vertices, materials, textures, exponents*",
+     "of the mesh as it is drawn. A position with two normals is two vertices here; the command "
+     "info counts it once"},
     {"*points, lines*", "of an input without faces: each is drawn as a small solid"},
     {"*bounding_box, unit*", "*min* and *max* of the object; millimeter or the like where the "
                              "input says it (3MF, glTF), else null"},
