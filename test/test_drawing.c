@@ -170,12 +170,14 @@ static void test_annotations(int orthographic) {
 
 /* ---- Areas ---- */
 
-/* Whether a point is inside the path by the even-odd rule. */
+/* Whether a point is inside the path, whose lines may be open, by the even-odd rule. */
 static int is_inside(double x, double y) {
     int inside = 0;
     for (size_t i = 0; i < path.count; ++i) {
-        for (size_t k = path.starts[i]; k + 1 < path.starts[i + 1]; ++k) {
-            const double *a = path.points[k], *b = path.points[k + 1];
+        const size_t end = path.starts[i + 1];
+        for (size_t k = path.starts[i]; k < end; ++k) {
+            const double *a = path.points[k];
+            const double *b = path.points[k + 1 < end ? k + 1 : path.starts[i]];
             if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) {
                 inside = !inside;
             }
@@ -400,6 +402,55 @@ static void test_sheet(void) {
     burnish_image_destroy(&drawn);
 }
 
+/* A font of squares, one per byte, whose lower and upper sides outlines leave out. */
+static int32_t set_squares(void *user_data, const char *text, size_t length, int height,
+                           burnish_take_outline *take, void *context) {
+    (void)user_data, (void)text;
+    const int32_t side = height * 256;
+    for (size_t i = 0; i < length && take; ++i) {
+        const int32_t x = (int32_t)i * (side + 768);
+        const int32_t corners[4][2] = {{x, 0}, {x + side, 0}, {x + side, side}, {x, side}};
+        for (int k = 0; k < 4; ++k) {
+            take(context, k == 0 ? BURNISH_OUTLINE_MOVE : BURNISH_OUTLINE_LINE, corners[k]);
+        }
+        take(context, BURNISH_OUTLINE_MOVE, corners[0]);
+    }
+    return (int32_t)length * (side + 768);
+}
+
+/* A font's letters are areas: the dark pixels of the sheet of images. */
+static void test_font(void) {
+    enum { W = 120, H = 90 };
+    static const uint8_t white[3] = {255, 255, 255}, ink[3] = {0, 0, 0};
+    const burnish_font font = {set_squares, NULL};
+    burnish_image image = {0}, sheet = {0};
+    burnish_drawing *drawing, *drawn = NULL;
+    size_t wrong = 0, dark = 0;
+    CHECK1(burnish_image_create(&image, W, H, 3, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_create(NULL, W, H, &drawing, &error) == BURNISH_STATUS_OK);
+    fill_white(&image);
+    const burnish_sheet_cell cell = {&image, "abc", &font};
+    CHECK1(burnish_image_sheet(&sheet, &cell, 1, 1, white, ink, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_sheet(&cell, &drawing, 1, 1, ink, &drawn, &error) == BURNISH_STATUS_OK);
+    char *text = svg_of(drawn, 0);
+    const char *label = strstr(text, "<path aria-label=\"abc\" fill=\"#000000\" d=\"");
+    if (CHECK1(label)) {
+        svg_read_path(strstr(label, " d=\"") + 4, &path);
+        for (int i = 0; i < sheet.width * sheet.height; ++i) {
+            const int is_dark = sheet.pixels[3 * (size_t)i] < 128;
+            const double x = i % sheet.width + 0.5, y = (int)(i / sheet.width) + 0.5;
+            dark += (size_t)is_dark;
+            wrong += is_inside(x, y) != is_dark;
+        }
+    }
+    CHECK(wrong == 0 && dark >= 3 * 9 * 9, "%zu wrong of %zu", wrong, dark);
+    burnish_release(NULL, text);
+    burnish_drawing_destroy(drawing);
+    burnish_drawing_destroy(drawn);
+    burnish_image_destroy(&image);
+    burnish_image_destroy(&sheet);
+}
+
 static void test_arguments(void) {
     burnish_drawing *drawing = NULL;
     char *text = NULL;
@@ -481,6 +532,7 @@ int main(int count, char **arguments) {
     RUN(test_areas(0));
     RUN(test_areas(1));
     RUN(test_sheet());
+    RUN(test_font());
     RUN(test_arguments());
     RUN(test_memory());
     return test_end("drawing");

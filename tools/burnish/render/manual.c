@@ -49,10 +49,11 @@ static const cli_term format_terms[] = {
     {"*.png*", "8 bits per channel, sRGB, with alpha where the background is transparent."},
     {"*.jpg*, *.jpeg*", "without alpha: *--no-background* is refused. Colour is not subsampled."},
     {"*.webp*", "without loss, or with *--quality*; alpha as in PNG; at most 16383 pixels a side."},
-    {"*.svg*", "lines and areas of one colour, with *--look=drawing*: edges, surfaces whose colour is "
-               "not the background's, cut faces with their hatching, annotations; sheets, too. "
-               "Letters are paths, their text is in *aria-label*. Flags of light and shading are "
-               "refused. Sizes are pixels, or millimetres with *--dpi*."},
+    {"*.svg*",
+     "lines and areas of one colour, with *--look=drawing*: edges, surfaces whose colour is "
+     "not the background's, cut faces with their hatching, annotations; sheets, too. "
+     "Letters are paths, their text is in *aria-label*. Flags of light and shading are "
+     "refused. Sizes are pixels, or millimetres with *--dpi*."},
     {"*.exr*", "32 bits per channel: *R*, *G*, *B* (linear, alpha multiplied in), *A*, *Z*, *N.X*, "
                "*N.Y*, *N.Z*, *id*, *material* and *coverage*, as in *PLANES*. One picture, no "
                "sheet."},
