@@ -63,7 +63,7 @@ static int ratio_stationary(const burnish_theory_model *model, double lambda[2])
         lambda[0] = 0.775 / (n + 0.775);
         return 1;
     }
-    if (m > 0) {
+    if (model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON) {
         lambda[0] = (n - m * a) / (a * (n - m));
         return 1;
     }
