@@ -8,12 +8,7 @@
 #include "picture/difference.h"
 #include "plot/plot.h"
 
-enum {
-    LOBES_MAX = 6,
-    SCALE_END = 80, /* 8-bit codes: from here on a difference has the strongest colour */
-    NAME_SIZE = 40,
-    LABEL_SIZE = 128
-};
+enum { LOBES_MAX = 6, NAME_SIZE = 40, LABEL_SIZE = 128 };
 
 static const char object_name[] = ":teapot";
 
@@ -23,6 +18,7 @@ typedef struct gallery {
     char names[LOBES_MAX][NAME_SIZE], labels[LOBES_MAX][LABEL_SIZE]; /* under the rows */
     int low[LOBES_MAX], high[LOBES_MAX]; /* extreme differences of a channel, 8-bit codes */
     double mean[LOBES_MAX];              /* mean difference over all channels and pixels */
+    int scale_end; /* codes of the strongest colour: no difference is larger, a multiple of 10 */
     size_t count;
 } gallery;
 
@@ -54,8 +50,8 @@ static void write_code(int difference, char *text, size_t size) {
     snprintf(text, size, difference ? "%+d" : "%d", difference);
 }
 
-/* The second row's cell of a lobe: its difference from the first, and its numbers. */
-static burnish_status subtract(gallery *g, size_t i, burnish_error *error) {
+/* How a lobe's picture differs from the first one. */
+static void measure(gallery *g, size_t i) {
     const burnish_image *reference = &g->images[0][0], *image = &g->images[0][i];
     const size_t bytes = (size_t)image->width * (size_t)image->height * 3;
     double sum = 0;
@@ -66,12 +62,20 @@ static burnish_status subtract(gallery *g, size_t i, burnish_error *error) {
         sum += difference;
     }
     g->mean[i] = sum / (double)bytes;
+    while (g->scale_end < g->high[i] || g->scale_end < -g->low[i]) {
+        g->scale_end += 10;
+    }
+}
+
+/* The second row's cell of a lobe: its difference from the first, and its numbers. */
+static burnish_status subtract(gallery *g, size_t i, burnish_error *error) {
     char low[16], high[16];
     write_code(g->low[i], low, sizeof low);
     write_code(g->high[i], high, sizeof high);
     snprintf(g->labels[i], LABEL_SIZE, "%s minus %s: %s to %s", g->names[i], g->names[0], low,
              high);
-    return picture_subtract(reference, image, SCALE_END, &g->images[1][i], error);
+    return picture_subtract(&g->images[0][0], &g->images[0][i], g->scale_end, &g->images[1][i],
+                            error);
 }
 
 /* The cell under the reference: the scale of the second row. */
@@ -93,7 +97,7 @@ static burnish_status draw_legend(gallery *g, double exponent, burnish_error *er
     picture_draw_centered(card, middle, y + 2.2F * height, height, "in 8-bit codes of the channel");
     picture_draw_centered(card, middle, y + 4.4F * height, height, "that differs most");
     picture_draw_scale(card, card->width / 8, (int)(y + 6.6F * height), card->width * 3 / 4,
-                       (int)(1.6F * height), height, -SCALE_END, SCALE_END);
+                       (int)(1.6F * height), height, -g->scale_end, g->scale_end);
     return BURNISH_STATUS_OK;
 }
 
@@ -120,6 +124,7 @@ static burnish_status draw_lobes(const plot_request *request, gallery *g, burnis
     options.height = request->height;
     options.samples = 16;
     memset(options.background, 255, sizeof options.background);
+    g->scale_end = 10;
     for (size_t i = 0; i < request->lobes.count && status == BURNISH_STATUS_OK; ++i) {
         burnish_error inner;
         if (burnish_lobe_spec_parse(request->lobes.items[i], &options.lobe, &inner) !=
@@ -130,8 +135,11 @@ static burnish_status draw_lobes(const plot_request *request, gallery *g, burnis
         name_lobe(request->lobes.items[i], g->names[i]);
         status = burnish_render(mesh, &options, &g->images[0][i], NULL, error);
         if (status == BURNISH_STATUS_OK && i > 0) {
-            status = subtract(g, i, error);
+            measure(g, i);
         }
+    }
+    for (size_t i = 1; i < request->lobes.count && status == BURNISH_STATUS_OK; ++i) {
+        status = subtract(g, i, error);
     }
     burnish_mesh_destroy(mesh);
     return status;

@@ -8,8 +8,8 @@
 # Okabe and Ito 2008, which people with any colour vision tell apart, darkened for white and lightened
 # for dark pages to a contrast of at least 3 to 1; the steps run in lightness, so that their order
 # survives in grey. In an SVG burnish replaces each by its dark form where the page is dark.
-light = "#2f363f #6a737d #e7eaee #ffffff #1b1f24 #0072b2 #d55e00 #008561 #aa4f8d #a87400 #2b8fc4 #767676 #440154 #463480 #365c8d #277f8e #1a8f78 #2f9a50 #6b951c #c77700"
-dark = "#c9d1d9 #7d8791 #2a313a #161b22 #f0f3f6 #58a6e8 #f5874a #33c39a #de8fc0 #e3ad3e #8fd0f5 #a0a7ae #c886e0 #a394f2 #79a8f0 #55bcd0 #45cfa8 #7ad97f #b5d64e #ffb454"
+light = "#2f363f #6a737d #e7eaee #ffffff #1b1f24 #0072b2 #d55e00 #008561 #aa4f8d #a87400 #6f3b00 #767676 #440154 #463480 #365c8d #277f8e #1a8f78 #2f9a50 #6b951c #c77700"
+dark = "#c9d1d9 #7d8791 #2a313a #161b22 #f0f3f6 #58a6e8 #f5874a #33c39a #de8fc0 #e3ad3e #d8b48c #a0a7ae #c886e0 #a394f2 #79a8f0 #55bcd0 #45cfa8 #7ad97f #b5d64e #ffb454"
 ink(i) = word(light, i)
 
 if (format eq "png") {
