@@ -19,7 +19,7 @@
 
 // 1 - a.b of two unit vectors as half the square of their chord: it keeps the digits that
 // 1 - dot(a, b) loses near 1, which narrow lobes need.
-// Source: Lyon, Phong Shading Reformulated for Hardware Renderer Simplification, 1993.
+// Source: Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
 float burnishLambda(vec3 a, vec3 b) {
     BURNISH_PRECISE vec3 chord = a - b;
     return 0.5 * burnishDot(chord, chord);
